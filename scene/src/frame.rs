@@ -1,0 +1,125 @@
+//! What a picture is made of once visibility is settled: spans of visible triangles, in view space.
+//!
+//! View space is right-handed, x to the right, y up, the eye at infinity in the direction +z: V = (0, 0, 1).
+use glam::DVec3;
+
+/// The direction to the eye, in view space.
+pub const EYE: DVec3 = DVec3::Z;
+
+/// A colour, red, green and blue; 1.0 is full scale of the 8-bit output.
+pub type Colour = [f64; 3];
+
+/// How a surface answers light. Components are products' factors, 0 or more.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Share of the ambient light that is sent back.
+    pub ambient: Colour,
+    /// Lambert's reflectance.
+    pub diffuse: Colour,
+    /// Reflectance of the highlight.
+    pub specular: Colour,
+    /// Phong's exponent n, 1 to 8191.
+    pub shininess: u32,
+}
+
+/// A light at infinity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DirectionalLight {
+    /// Unit vector towards the light, in view space.
+    pub direction: DVec3,
+    /// Its colour and strength.
+    pub colour: Colour,
+}
+
+/// A triangle that can be seen, with what shading needs of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Triangle {
+    /// Unit normals at the three vertices, in view space.
+    pub normals: [DVec3; 3],
+    /// Index into [`Frame::materials`].
+    pub material: usize,
+}
+
+/// One visible run of pixels of one triangle on one scan line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Span {
+    /// Column of the first pixel.
+    pub x: u32,
+    /// Row, counted from the top.
+    pub y: u32,
+    /// Number of pixels, at least 1.
+    pub length: u32,
+    /// Index into [`Frame::triangles`].
+    pub triangle: usize,
+    /// Barycentric weights at the centre of the first pixel; they add up to 1.
+    pub start: [f64; 3],
+    /// Barycentric weights at the centre of the last pixel.
+    pub end: [f64; 3],
+}
+
+impl Span {
+    /// Number of steps from the first pixel to the last (S in METHODS.md): `length` - 1, and 0 for a single pixel.
+    pub fn steps(&self) -> u32 {
+        self.length - 1
+    }
+
+    /// The parameter t = i/S of pixel `i`, 0 to 1; 0 in a span of one pixel.
+    pub fn parameter(&self, i: u32) -> f64 {
+        if self.length == 1 { 0.0 } else { f64::from(i) / f64::from(self.steps()) }
+    }
+
+    /// Barycentric weights at pixel `i`.
+    pub fn weights(&self, i: u32) -> [f64; 3] {
+        let t = self.parameter(i);
+        std::array::from_fn(|k| self.start[k] + t * (self.end[k] - self.start[k]))
+    }
+}
+
+/// A picture to be shaded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// 8-bit colour of pixels that no span covers.
+    pub background: [u8; 3],
+    /// Colour of the ambient light.
+    pub ambient: Colour,
+    /// Lights at infinity, at least one.
+    pub lights: Vec<DirectionalLight>,
+    /// Materials that triangles name.
+    pub materials: Vec<Material>,
+    /// Triangles that spans name.
+    pub triangles: Vec<Triangle>,
+    /// Visible runs from top to bottom and left to right; no two share a pixel.
+    pub spans: Vec<Span>,
+}
+
+impl Frame {
+    /// Number of pixels that are shaded.
+    pub fn shaded_pixels(&self) -> u64 {
+        self.spans.iter().map(|s| u64::from(s.length)).sum()
+    }
+
+    /// The material of a span.
+    pub fn material(&self, span: &Span) -> &Material {
+        &self.materials[self.triangles[span.triangle].material]
+    }
+
+    /// The linearly interpolated, unnormalised normal of a span's triangle at barycentric `weights`.
+    pub fn normal_at(&self, span: &Span, weights: [f64; 3]) -> DVec3 {
+        let normals = &self.triangles[span.triangle].normals;
+        normals[0] * weights[0] + normals[1] * weights[1] + normals[2] * weights[2]
+    }
+
+    /// The normals at a span's first and last pixel, scaled by one common factor so that the longer has length 1.
+    ///
+    /// The common factor leaves every direction along the span as it is and keeps each interpolated normal within the unit ball.
+    /// Two normals of length 0 stay so.
+    pub fn end_normals(&self, span: &Span) -> [DVec3; 2] {
+        let ends = [self.normal_at(span, span.start), self.normal_at(span, span.end)];
+        let longest = ends[0].length().max(ends[1].length());
+        if longest > 0.0 { ends.map(|n| n / longest) } else { ends }
+    }
+}
