@@ -2,8 +2,25 @@
 //!
 //! A scene file or mesh becomes a [`Frame`]: visible [`Span`]s of triangles. A [`CoreSpec`] says which core shades them, and
 //! [`CoreSpec::packet`] sets up each span for it.
+mod angle;
+mod builtin;
+pub mod defaults;
+mod error;
+mod file;
 pub mod format;
 pub mod frame;
+mod load;
+pub mod mesh;
+pub mod needs;
+pub mod picture;
+pub mod primitive;
+pub mod spec;
 
+pub use builtin::builtin_names;
+pub use error::SceneError;
+pub use file::CoreTable;
 pub use format::Format;
 pub use frame::{Colour, DirectionalLight, Frame, Material, Span, Triangle};
+pub use load::{LoadedScene, load};
+pub use needs::Needs;
+pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};

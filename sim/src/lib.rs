@@ -1,1 +1,14 @@
-//! sim (placeholder)
+//! Engines that run an elaborated design clock by clock, and what they are given and give back.
+//!
+//! An engine takes a [`Stimulus`] and hands over the values of any signals at every clock, a batch of clocks at a time, as
+//! [`Columns`]. Clock c is the time between two rising edges: inputs of clock c are applied, everything has settled, and the next
+//! edge ends it. Every run begins in reset, with all registers 0.
+mod columns;
+mod engine;
+mod rust_hdl;
+mod stimulus;
+
+pub use columns::Columns;
+pub use engine::{Engine, Flow, SimError};
+pub use rust_hdl::RustHdl;
+pub use stimulus::{SpanSource, Stimulus};

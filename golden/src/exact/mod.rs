@@ -1,0 +1,34 @@
+//! Shading in f64, in LSBs of the 8-bit output, clamped to 0..=255 and not rounded.
+//!
+//! Directions are unit vectors in view space, and V = (0, 0, 1) ([`EYE`](specula_scene::frame::EYE)).
+mod coefficients;
+pub mod diffuse;
+pub mod hybrid;
+pub mod lyon;
+mod method;
+pub mod normalisation;
+mod phong;
+pub mod reflection;
+pub mod shape;
+
+use specula_scene::{CoreSpec, Frame, Span};
+
+pub use hybrid::HybridSpan;
+pub use lyon::LyonSpan;
+pub use method::MethodSpan;
+pub use phong::PhongSpan;
+
+/// True Phong shading of pixel `i` of a span, 0..=255 LSB a channel [METHODS.md A3, A5].
+///
+/// [`PhongSpan`] shades a whole span faster.
+pub fn phong(frame: &Frame, span: &Span, i: u32) -> [f64; 3] {
+    PhongSpan::new(frame, span).pixel(i)
+}
+
+/// The spec's method without rounding at pixel `i` of a span, 0..=255 LSB a channel.
+///
+/// It has the clamps of `docs/arithmetic.md` and inputs as they were before the host quantised them. [`MethodSpan`] shades a whole
+/// span faster.
+pub fn method(spec: &CoreSpec, frame: &Frame, span: &Span, i: u32) -> [f64; 3] {
+    MethodSpan::new(spec, frame, span).pixel(i)
+}

@@ -1,0 +1,39 @@
+//! Bringing an interpolated normal to unit length: factors g with g·|N| near 1, from z = N·N.
+use glam::DVec3;
+use specula_scene::spec::LyonSpec;
+use specula_scene::spec::lyon::Normalisation;
+
+/// The direction of a vector; `None` if it has none.
+pub fn unit(vector: DVec3) -> Option<DVec3> {
+    vector.try_normalize()
+}
+
+/// g1 = 1 + y/2 with y = 1 - z [Lyon, METHODS.md B8]: 1/√(1 - y) to first order.
+///
+/// 11.61 % short at z = 1/2, the middle of a span of 90 degrees.
+pub fn g1(z: f64) -> f64 {
+    let y = 1.0 - z;
+    1.0 + y / 2.0
+}
+
+/// g2 = 1 + (y + y²)/2 with y = 1 - z [Lyon, METHODS.md B9]: 1/√(1 - y) to second order, with 1/2 instead of 3/8 before y².
+///
+/// 2.77 % short at z = 1/2; 0.18 % too long at z = 0.8.
+pub fn g2(z: f64) -> f64 {
+    let y = 1.0 - z;
+    1.0 + (y + y * y) / 2.0
+}
+
+/// One Newton step towards 1/√z: g(3 - z g²)/2.
+pub fn newton(g: f64, z: f64) -> f64 {
+    g * (3.0 - z * g * g) / 2.0
+}
+
+/// The factor g that a spec asks for: first approximation, then Newton steps.
+pub fn gain(spec: &LyonSpec, z: f64) -> f64 {
+    let first = match spec.normalisation {
+        Normalisation::G1 => g1(z),
+        Normalisation::G2 => g2(z),
+    };
+    (0..spec.newton_steps).fold(first, |g, _| newton(g, z))
+}

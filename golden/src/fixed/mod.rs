@@ -1,0 +1,16 @@
+//! What a core must compute, bit for bit, written from `docs/arithmetic.md` and the spec.
+//!
+//! Numbers are exact between narrowing points (`number`), which round to nearest with ties up.
+mod colour;
+mod hybrid;
+mod lyon;
+mod method;
+mod model;
+mod number;
+mod observer;
+mod packet;
+mod vector;
+
+pub use model::Model;
+pub use observer::Observation;
+pub use packet::PacketError;

@@ -1,0 +1,95 @@
+//! The model of a core.
+use specula_scene::spec::{InputPort, MethodSpec};
+use specula_scene::{CoreSpec, SpanPacket};
+
+use super::hybrid::Hybrid;
+use super::lyon::Lyon;
+use super::method::{Method, Values};
+use super::observer::{Nobody, Notebook, Observation};
+use super::packet::{self, PacketError};
+
+/// The bit-true model of a core.
+pub struct Model {
+    ports: Vec<InputPort>,
+    longest_span: u32,
+    method: AnyMethod,
+}
+
+enum AnyMethod {
+    Lyon(Box<Lyon>),
+    Hybrid(Box<Hybrid>),
+}
+
+impl Model {
+    /// The model of the core that a spec describes. The spec is one that `CoreSpec::check` accepts; the widths in which numbers are
+    /// exact here rest on it.
+    pub fn new(spec: &CoreSpec) -> Model {
+        let method = match &spec.method {
+            MethodSpec::Lyon(lyon) => AnyMethod::Lyon(Box::new(Lyon::new(spec, lyon))),
+            MethodSpec::Hybrid(hybrid) => AnyMethod::Hybrid(Box::new(Hybrid::new(spec, hybrid))),
+        };
+        Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
+    }
+
+    /// Appends one code per pixel of the packet to `out`, red, green and blue, first pixel first.
+    ///
+    /// # Errors
+    /// [`PacketError`] if the packet is not one for this core; `out` is then as it was.
+    pub fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
+        packet::check(packet, &self.ports, self.longest_span)?;
+        match &self.method {
+            AnyMethod::Lyon(lyon) => shade(&**lyon, packet, out),
+            AnyMethod::Hybrid(hybrid) => shade(&**hybrid, packet, out),
+        }
+    }
+
+    /// Every named value of pixel `i`, in the order of the data. `<l>` counts lights, `<s>` steps, both from 0.
+    ///
+    /// | `docs/arithmetic.md` | name |
+    /// |---|---|
+    /// | a_acc, a | `weight_accumulator`, `weight` |
+    /// | N' | `interpolated_x`, `_y`, `_z` |
+    /// | z, g | `length_squared`, `gain` |
+    /// | s, h, g of a Newton step | `newton<s>_square`, `newton<s>_factor`, `newton<s>_gain` |
+    /// | n | `normal_x`, `_y`, `_z` |
+    /// | d | `light<l>_diffuse` |
+    /// | w, D | `light<l>_twice_n_dot_v`, `light<l>_difference_x`, `_y`, `_z` |
+    /// | x, max(0, 1 - x), f² | `light<l>_shape_argument`, `light<l>_shape`, `light<l>_square<s>` |
+    /// | q_acc, q | `denominator_accumulator`, `denominator` |
+    /// | p_acc, p | `light<l>_numerator_accumulator`, `light<l>_numerator` |
+    /// | b, b² | `light<l>_base`, `light<l>_square<s>` |
+    /// | d_acc | `light<l>_intensity_accumulator` |
+    /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
+    ///
+    /// # Errors
+    /// [`PacketError`] if the packet is not one for this core, or has no pixel `i`.
+    pub fn trace(&self, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError> {
+        packet::check(packet, &self.ports, self.longest_span)?;
+        if i >= packet.length {
+            return Err(PacketError::NoSuchPixel { pixel: i, length: packet.length });
+        }
+        match &self.method {
+            AnyMethod::Lyon(lyon) => trace(&**lyon, packet, i),
+            AnyMethod::Hybrid(hybrid) => trace(&**hybrid, packet, i),
+        }
+    }
+}
+
+fn shade<M: Method>(method: &M, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
+    let inputs = read(method, packet)?;
+    out.extend((0..packet.length).map(|i| method.pixel(&inputs, i, &mut Nobody)));
+    Ok(())
+}
+
+fn trace<M: Method>(method: &M, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError> {
+    let inputs = read(method, packet)?;
+    let mut notebook = Notebook::default();
+    method.pixel(&inputs, i, &mut notebook);
+    Ok(notebook.0)
+}
+
+fn read<M: Method>(method: &M, packet: &SpanPacket) -> Result<M::Inputs, PacketError> {
+    let inputs = method.read(Values::new(packet));
+    method.check(&inputs, packet.length)?;
+    Ok(inputs)
+}

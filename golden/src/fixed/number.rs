@@ -1,0 +1,99 @@
+//! Numbers that are exact between narrowing points, and the narrowing itself.
+use ::fixed::types::I64F64;
+use specula_scene::Format;
+
+/// Holds every value between narrowing points exactly: 64 bits left of the binary point, sign included, and 64 right of it.
+///
+/// `CoreSpec::check` allows 24 fraction bits at narrowing points (20 in D), 56 in accumulators, 6 in coefficients. So fraction bits are
+///
+/// - i · step, i(i - 1)/2 · difference: 56 (i(i - 1)/2 is whole);
+/// - products of two narrowed values, z·s, f²: 48;
+/// - (y + y²)/2, g·h/2: 49;
+/// - n·D·D/2^(k+1), with k ≤ 3: 40 + 4 = 44;
+/// - colours: 6 + 24 = 30.
+///
+/// Left of the point, i < 2^13 gives i(i - 1)/2 · difference < 2^25 · 2^2 and a sum of three such terms < 2^28; |n| < 2, |D_c| < 2^3 and
+/// n < 2^13 give n·D·D < 2^13 · 3 · 2^6 < 2^21; a coefficient of at most 63 bits is less than 2^57, and nine of them times at most 2 less
+/// than 2^62. That |n| < 2 rests on the normals and the weight that `Lyon::check` asks for.
+pub type Wide = I64F64;
+
+const HALF: Wide = Wide::lit("0.5");
+
+/// The value of an input: raw · 2^-fraction bits.
+pub fn from_raw(raw: i64, format: Format) -> Wide {
+    Wide::from_bits(i128::from(raw) << (Wide::FRAC_NBITS - format.fraction_bits))
+}
+
+/// The raw value of a number that has no more than `fraction_bits`; of one that needs more than 64 bits, the low 64.
+pub fn to_raw(value: Wide, fraction_bits: u32) -> i64 {
+    (value.to_bits() >> (Wide::FRAC_NBITS - fraction_bits)) as i64
+}
+
+/// Rounds to nearest, ties up: floor(x · 2^f + 1/2) / 2^f.
+///
+/// |x| · 2^f < 2^63. At narrowing points f ≤ 24 and |x| < 2^28 (see [`Wide`]).
+pub fn round_to(value: Wide, fraction_bits: u32) -> Wide {
+    ((value << fraction_bits) + HALF).floor() >> fraction_bits
+}
+
+/// p / q rounded to nearest, ties up, for p ≥ 0 and q > 0.
+///
+/// floor(p/q · 2^f + 1/2) = floor((p · 2^(f+1) + q) / 2q), on raw values, whose common factor 2^-64 cancels. With p < q < 2^28 and f ≤ 24
+/// the numerator stays below 2^(28 + 64 + 25 + 1) = 2^118.
+pub fn round_quotient(p: Wide, q: Wide, fraction_bits: u32) -> Wide {
+    let (p, q) = (p.to_bits(), q.to_bits());
+    let quotient = ((p << (fraction_bits + 1)) + q) / (2 * q);
+    Wide::from_num(quotient) >> fraction_bits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every multiple of 1/16 from -8 to 8, rounded to 0 to 4 fraction bits; against integers alone.
+    #[test]
+    fn rounding_is_to_nearest_with_ties_up() {
+        for sixteenths in -128..=128_i32 {
+            let value = Wide::from_num(sixteenths) >> 4;
+            for fraction_bits in 0..=4 {
+                let step = 16 >> fraction_bits;
+                let below = sixteenths.div_euclid(step) * step;
+                let nearest = if 2 * (sixteenths - below) >= step { below + step } else { below };
+                assert_eq!(round_to(value, fraction_bits), Wide::from_num(nearest) >> 4, "{sixteenths}/16 to {fraction_bits}");
+            }
+        }
+    }
+
+    /// Every quotient of 5-bit operands: the result is the only multiple b of the last place with b - 1/2 ≤ p/q < b + 1/2.
+    #[test]
+    fn quotients_are_the_nearest() {
+        for q in 1..32_i64 {
+            for p in 0..=q {
+                let wide = |raw| Wide::from_num(raw) >> 5;
+                for fraction_bits in [0, 3, 4, 7] {
+                    let b = to_raw(round_quotient(wide(p), wide(q), fraction_bits), fraction_bits);
+                    let twice = 2 * (p << fraction_bits);
+                    assert!((2 * b - 1) * q <= twice && twice < (2 * b + 1) * q, "{p}/{q} to {fraction_bits}: {b}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_smallest_difference_decides_a_tie() {
+        let half = Wide::lit("0.5");
+        assert_eq!(round_to(half, 0), Wide::ONE);
+        assert_eq!(round_to(half - Wide::DELTA, 0), Wide::ZERO);
+        assert_eq!(round_to(-half, 0), Wide::ZERO);
+        assert_eq!(round_to(-half - Wide::DELTA, 0), -Wide::ONE);
+    }
+
+    #[test]
+    fn raw_values_go_in_and_come_out() {
+        for format in [Format::signed(1, 14), Format::unsigned(13, 0), Format::signed(3, 56)] {
+            for raw in [format.min_raw(), -1, 0, 1, format.max_raw()] {
+                assert_eq!(to_raw(from_raw(raw, format), format.fraction_bits), raw);
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Reading packets.
+use specula_scene::SpanPacket;
+use specula_scene::spec::InputPort;
+
+/// Why a packet does not fit a core.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PacketError {
+    /// It was set up for another core.
+    #[error("the packet has {given} inputs and the core {wanted}")]
+    InputCount {
+        /// Inputs in the packet.
+        given: usize,
+        /// Inputs of the core.
+        wanted: usize,
+    },
+    /// An input is outside the range that the core is built for.
+    #[error("input `{name}` is {raw}, outside {low} to {high}")]
+    OutOfRange {
+        /// The port.
+        name: String,
+        /// The raw value given.
+        raw: i64,
+        /// Smallest raw value.
+        low: i64,
+        /// Largest raw value.
+        high: i64,
+    },
+    /// The span is empty or longer than the core takes.
+    #[error("the span has {length} pixels, and the core takes 1 to {longest}")]
+    Length {
+        /// Pixels of the span.
+        length: u32,
+        /// Pixels of the longest span.
+        longest: u32,
+    },
+    /// An end normal is not a unit vector, nor shorter.
+    #[error("a normal is longer than 1")]
+    LongNormal,
+    /// Weight steps do not end at 1: 1/S is too coarse in the accumulator's format, or belongs to a shorter span.
+    #[error("the weight of the last normal grows to {weight} along the span, past 1")]
+    Weight {
+        /// The weight at the last pixel.
+        weight: f64,
+    },
+    /// The span has no such pixel.
+    #[error("there is no pixel {pixel} in a span of {length}")]
+    NoSuchPixel {
+        /// The pixel asked for, counted from 0.
+        pixel: u32,
+        /// Pixels of the span.
+        length: u32,
+    },
+}
+
+/// Whether a packet is one for these ports.
+pub(super) fn check(packet: &SpanPacket, ports: &[InputPort], longest: u32) -> Result<(), PacketError> {
+    if !(1..=longest).contains(&packet.length) {
+        return Err(PacketError::Length { length: packet.length, longest });
+    }
+    if packet.inputs.len() != ports.len() {
+        return Err(PacketError::InputCount { given: packet.inputs.len(), wanted: ports.len() });
+    }
+    ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_range(port, raw))
+}
+
+fn check_range(port: &InputPort, raw: i64) -> Result<(), PacketError> {
+    let (low, high) = port.range;
+    if (low..=high).contains(&raw) { Ok(()) } else { Err(PacketError::OutOfRange { name: port.name.clone(), raw, low, high }) }
+}

@@ -1,0 +1,80 @@
+//! Lengths of spans, and packets that are not a core's.
+use glam::DVec3;
+use specula_golden::fixed::{Model, PacketError};
+use specula_scene::{Method, SpanPacket};
+
+use crate::common::{frame, material, mirror, packet, spec, tilted};
+use crate::{assert_within_one_code, codes};
+
+/// Row 37: one pixel (S = 0, nothing to divide by) and two.
+#[test]
+fn shortest_spans() {
+    for length in [1, 2] {
+        let frame = frame([tilted(-20.0), tilted(20.0)], length, &[tilted(-38.0), tilted(39.0)], material(0.1, 0.3, 0.3, 64));
+        for method in Method::ALL {
+            assert_within_one_code(&spec(&frame, method).unwrap(), &frame);
+        }
+    }
+}
+
+/// Row 38: S = 8191, where second differences add up 2^24 times.
+#[test]
+fn longest_span() {
+    for (widest, shininess) in [(30.0, 256), (90.0, 4096)] {
+        let frame = frame([tilted(-widest / 3.0), tilted(widest * 2.0 / 3.0)], 8192, &[tilted(widest)], mirror(shininess));
+        for method in Method::ALL {
+            assert_within_one_code(&spec(&frame, method).unwrap(), &frame);
+        }
+    }
+}
+
+/// Row 52: a flat face, k·k = 0, has one code from end to end.
+#[test]
+fn flat_faces_are_flat() {
+    for (tilt, light) in [(0.0, 0.0), (17.3, 31.9), (60.0, 110.0), (85.0, 165.0)] {
+        let frame = frame([tilted(tilt); 2], 1000, &[tilted(light)], material(0.1, 0.4, 0.4, 64));
+        for core in Method::ALL.map(|m| spec(&frame, m).unwrap()) {
+            let codes = codes(&core, &frame);
+            assert!(codes.iter().all(|&c| c == codes[0]));
+            assert_within_one_code(&core, &frame);
+        }
+    }
+}
+
+/// A packet of another core or with values out of range is refused, and nothing is shaded.
+#[test]
+fn foreign_packets_are_refused() {
+    let frame = frame([DVec3::Z; 2], 8, &[DVec3::Z], mirror(16));
+    for core in Method::ALL.map(|m| spec(&frame, m).unwrap()) {
+        let good = packet(&core, &frame);
+        let refused = |packet: SpanPacket| {
+            let mut out = vec![[1, 2, 3]];
+            let error = Model::new(&core).shade(&packet, &mut out).unwrap_err();
+            assert_eq!(out, [[1, 2, 3]]);
+            error
+        };
+        let of_length = |length| refused(SpanPacket { length, ..good.clone() });
+        let with_inputs = |inputs| refused(SpanPacket { inputs, ..good.clone() });
+        assert_eq!([0, 9].map(of_length), [0, 9].map(|length| PacketError::Length { length, longest: 8 }));
+        assert!(matches!(with_inputs(Vec::new()), PacketError::InputCount { given: 0, .. }));
+        assert!(matches!(with_inputs(vec![i64::MAX; good.inputs.len()]), PacketError::OutOfRange { .. }));
+        assert_eq!(Model::new(&core).trace(&good, 8), Err(PacketError::NoSuchPixel { pixel: 8, length: 8 }));
+    }
+}
+
+/// `lyon` asks more of a packet than each port says.
+#[test]
+fn packets_past_the_unit_ball_are_refused() {
+    let frame = frame([DVec3::Z; 2], 8, &[DVec3::Z], mirror(16));
+    let core = spec(&frame, Method::Lyon).unwrap();
+    let with_high = |names: [&str; 3]| {
+        let mut packet = packet(&core, &frame);
+        for (raw, port) in packet.inputs.iter_mut().zip(core.inputs()) {
+            *raw = if names.contains(&port.name.as_str()) { port.range.1 } else { *raw };
+        }
+        Model::new(&core).shade(&packet, &mut Vec::new())
+    };
+    assert_eq!(with_high(["normal_start_x", "normal_start_y", ""]), Err(PacketError::LongNormal));
+    assert_eq!(with_high(["normal_delta_x", "", ""]), Err(PacketError::LongNormal));
+    assert_eq!(with_high(["weight_step", "", ""]), Err(PacketError::Weight { weight: 7.0 }));
+}

@@ -1,0 +1,52 @@
+//! `hybrid` on raw values.
+use specula_scene::spec::HybridSpec;
+
+use crate::raw::{Raw, round};
+
+pub fn code(spec: &HybridSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
+    let (diffuse_bits, base_bits) = (spec.formats.diffuse.fraction_bits, spec.formats.base.fraction_bits);
+    let bits = diffuse_bits.max(base_bits);
+    let q = operand(spec, raw, "denominator", i);
+    let mut terms = Vec::new();
+    for light in 0..lights {
+        let p = operand(spec, raw, &format!("light{light}_numerator"), i);
+        let mut b = base(p, q, base_bits);
+        for _ in 0..raw.get("log2_shininess") {
+            b = round(b * b, 2 * base_bits, base_bits);
+        }
+        terms.push((format!("light{light}_diffuse"), diffuse(spec, raw, light, i) << (bits - diffuse_bits)));
+        terms.push((format!("light{light}_specular"), b << (bits - base_bits)));
+    }
+    ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
+}
+
+/// By repeated addition, as Hast's loop has it.
+fn operand(spec: &HybridSpec, raw: &Raw, name: &str, i: u32) -> i128 {
+    let mut value = raw.get(&format!("{name}_start"));
+    let mut difference = raw.get(&format!("{name}_first_difference"));
+    for _ in 0..i {
+        value += difference;
+        difference += raw.get(&format!("{name}_second_difference"));
+    }
+    round(value, spec.formats.accumulator.fraction_bits, spec.formats.operand.fraction_bits)
+}
+
+/// The one b with b - 1/2 ≤ p/q · 2^bits < b + 1/2.
+fn base(p: i128, q: i128, bits: u32) -> i128 {
+    if p <= 0 || q <= 0 {
+        return 0;
+    }
+    if p >= q {
+        return 1 << bits;
+    }
+    let below = (p << bits) / q;
+    let rest = (p << bits) - below * q;
+    if 2 * rest >= q { below + 1 } else { below }
+}
+
+fn diffuse(spec: &HybridSpec, raw: &Raw, light: usize, i: u32) -> i128 {
+    let start = raw.get(&format!("light{light}_intensity_start"));
+    let accumulated = start + i128::from(i) * raw.get(&format!("light{light}_intensity_step"));
+    let bits = spec.formats.diffuse.fraction_bits;
+    round(accumulated, spec.formats.diffuse_accumulator.fraction_bits, bits).clamp(0, 1 << bits)
+}

@@ -1,0 +1,81 @@
+//! `fixed` against whole-number arithmetic with shifts, written apart from it, at every format that a spec may have.
+//!
+//! It runs with overflow checks, so it tries the widths that `fixed::number` argues for, too.
+use proptest::prelude::*;
+use specula_golden::fixed::Model;
+use specula_scene::spec::{CoreSpec, MethodSpec, SpanPacket};
+use specula_scene::{Frame, Method};
+
+#[path = "../common/mod.rs"]
+mod common;
+mod formats;
+mod hybrid;
+mod lyon;
+mod raw;
+
+use common::draw::{Draw, Range, draw_frame};
+use common::{material, packet, spec};
+use raw::Raw;
+
+const ANY: Range = Range { widest: 179.0, tilt: 180.0, log2_length: 10.0, lights: 3 };
+
+fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<(), TestCaseError> {
+    let mut codes = Vec::new();
+    Model::new(core).shade(packet, &mut codes).map_err(|e| TestCaseError::fail(e.to_string()))?;
+    prop_assert_eq!(codes.len(), packet.length as usize);
+    let raw = Raw::new(core, packet);
+    // A few dozen pixels of a long span are enough.
+    for i in (0..packet.length).step_by(1 + packet.length as usize / 50) {
+        let expected = match &core.method {
+            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
+        };
+        prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
+    }
+    Ok(())
+}
+
+fn core_for(frame: &Frame, method: Method, bits: &[f64; 8]) -> CoreSpec {
+    let mut core = spec(frame, method).expect("defaults serve every frame drawn here");
+    formats::spread(&mut core, bits);
+    core.check().expect("formats are drawn from those allowed");
+    core
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn lyon(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+        check(Method::Lyon, &draw, &bits, n)?;
+    }
+
+    #[test]
+    fn hybrid(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        check(Method::Hybrid, &draw, &bits, 1 << j)?;
+    }
+}
+
+fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result<(), TestCaseError> {
+    let frame = draw_frame(ANY, draw, material(draw[8], draw[9], 3.0 * draw[10], shininess)).frame;
+    let core = core_for(&frame, method, bits);
+    codes_agree(&core, &frame, &packet(&core, &frame))
+}
+
+/// Inputs at the ends of their ranges, all at once: not what a host would send `hybrid`, but nothing may overflow.
+#[test]
+fn hybrid_takes_every_input_in_range() {
+    let draw = [0.5; 12];
+    let frame = draw_frame(ANY, &draw, material(1.0, 1.0, 1.0, 4096)).frame;
+    for bits in [[0.0; 8], [1.0; 8]] {
+        let mut core = core_for(&frame, Method::Hybrid, &bits);
+        core.longest_span = 8192;
+        for high in [0b0, 0b1, 0b01_0101, 0b10_1010, 0b11_0110] {
+            let end = |(k, port): (usize, specula_scene::spec::InputPort)| {
+                if high >> (k % 6) & 1 == 1 { port.range.1 } else { port.range.0 }
+            };
+            let inputs = core.inputs().into_iter().enumerate().map(end).collect();
+            codes_agree(&core, &frame, &SpanPacket { length: 8192, inputs }).unwrap_or_else(|e| panic!("{e}"));
+        }
+    }
+}

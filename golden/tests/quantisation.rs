@@ -1,0 +1,84 @@
+//! `fixed` stays within one code of the method in f64, at the formats that `CoreSpec::for_scene` chooses.
+use proptest::prelude::*;
+use specula_golden::exact::MethodSpan;
+use specula_golden::fixed::Model;
+use specula_scene::spec::MethodSpec;
+use specula_scene::spec::lyon::Difference;
+use specula_scene::{CoreSpec, Frame, Material, Method};
+
+mod common;
+use common::draw::{Draw, Drawn, Range, draw_frame};
+use common::{material, mirror, packet, spec};
+
+const TYPICAL: Range = Range { widest: 30.0, tilt: 70.0, log2_length: 9.0, lights: 1 };
+const EXTREME: Range = Range { widest: 90.0, tilt: 45.0, log2_length: 9.0, lights: 1 };
+
+fn within_one_code(core: &CoreSpec, frame: &Frame) -> Result<(), TestCaseError> {
+    let mut codes = Vec::new();
+    Model::new(core).shade(&packet(core, frame), &mut codes).map_err(|e| TestCaseError::fail(e.to_string()))?;
+    let method = MethodSpan::new(core, frame, &frame.spans[0]);
+    for (i, code) in (0..).zip(&codes) {
+        let exact = method.pixel(i);
+        for channel in 0..3 {
+            let difference = f64::from(code[channel]) - exact[channel].round();
+            prop_assert!(difference.abs() <= 1.0, "pixel {} is {:?}, and {:?} in f64", i, code, exact);
+        }
+    }
+    Ok(())
+}
+
+fn defaults_suffice(method: Method, range: Range, draw: &Draw, material: Material) -> Result<(), TestCaseError> {
+    let Drawn { frame, .. } = draw_frame(range, draw, material);
+    let core = spec(&frame, method).expect("defaults serve every frame drawn here");
+    within_one_code(&core, &frame)
+}
+
+fn draws() -> impl Strategy<Value = Draw> {
+    prop::array::uniform12(0.0..1.0_f64)
+}
+
+proptest! {
+    #[test]
+    fn lyon_in_typical_scenes(draw in draws(), n in 1..=256_u32) {
+        defaults_suffice(Method::Lyon, TYPICAL, &draw, mirror(n))?;
+    }
+
+    #[test]
+    fn lyon_in_extreme_scenes(draw in draws(), n in 1..=8191_u32) {
+        defaults_suffice(Method::Lyon, EXTREME, &draw, mirror(n))?;
+    }
+
+    #[test]
+    fn lyon_with_two_lights_and_everything(draw in draws(), n in 1..=256_u32) {
+        let lights = Range { lights: 2, ..TYPICAL };
+        defaults_suffice(Method::Lyon, lights, &draw, material(draw[8], draw[9], draw[10], n))?;
+    }
+
+    #[test]
+    fn hybrid_in_typical_scenes(draw in draws(), j in 0..=8_u32) {
+        defaults_suffice(Method::Hybrid, TYPICAL, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn hybrid_in_extreme_scenes(draw in draws(), j in 0..=12_u32) {
+        defaults_suffice(Method::Hybrid, EXTREME, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn hybrid_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32) {
+        let lights = Range { lights: 2, ..TYPICAL };
+        defaults_suffice(Method::Hybrid, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
+    }
+
+    /// D = R - L needs two Newton steps (NUMERICS.md 3a).
+    #[test]
+    fn reflection_minus_light_with_two_newton_steps(draw in draws(), n in 1..=256_u32) {
+        let Drawn { frame, .. } = draw_frame(TYPICAL, &draw, mirror(n));
+        let mut core = spec(&frame, Method::Lyon).expect("defaults serve every frame drawn here");
+        if let MethodSpec::Lyon(lyon) = &mut core.method {
+            lyon.difference = Difference::ReflectionMinusLight;
+            lyon.newton_steps = 2;
+        }
+        within_one_code(&core, &frame)?;
+    }
+}

@@ -1,0 +1,234 @@
+//! A module built at run time: a rust-hdl `Block` like any other.
+//!
+//! # Why data never overtakes the clock
+//! rust-hdl settles a design by calling `update_all` until nothing changes. In one call a module first evaluates (`update`), then lets
+//! clock and wires take their next values, then does the same for its children. The clock that a parent sees rise in one call reaches
+//! the child's clock pin in the same call and is seen there in the next one. Data that changes with the edge stands on the parent's
+//! wires at the end of the first call and is put to the child's pins in the next one, where it becomes visible to registers only after
+//! they have sampled: registers read the values of the last call, gates the values of this one. So on every path, however deep, data
+//! arrives at least one call after the edge.
+use rust_hdl_core::prelude::*;
+
+use super::Wire;
+use crate::design::{NodeId, Op, Register};
+use crate::verilog::statement::{self, Operand};
+
+/// An operator of a module; operands are numbers of the module's own wires.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cell {
+    /// The wire it drives.
+    pub wire: u32,
+    /// What it computes.
+    pub op: Op,
+    /// Whether a register follows.
+    pub register: Register,
+}
+
+/// A module inside another.
+pub struct Child {
+    /// The module.
+    pub module: Module,
+    /// Pairs of the child's input wire and the wire here that drives it.
+    pub inputs: Vec<(u32, u32)>,
+    /// Pairs of the child's output wire and the wire here that it drives.
+    pub outputs: Vec<(u32, u32)>,
+}
+
+/// A module built at run time.
+pub struct Module {
+    /// What it is, such as `reflect`.
+    pub unit: String,
+    /// Its formula and source.
+    pub formula: String,
+    /// Its name in its parent.
+    pub instance: String,
+    /// Stages at which inputs and outputs are valid.
+    pub stages: (u32, u32),
+    pub(super) clock: Signal<In, Clock>,
+    pub(super) reset: Option<u32>,
+    pub(super) wires: Vec<Wire>,
+    pub(super) gates: Vec<Cell>,
+    pub(super) registers: Vec<Cell>,
+    pub(super) children: Vec<Child>,
+    /// Whether anything changed in the last `update_all`, or has been put to a pin since.
+    pub(super) active: bool,
+}
+
+impl Module {
+    /// Its wires.
+    pub fn wires(&self) -> &[Wire] {
+        &self.wires
+    }
+
+    /// Its operators, gates first.
+    pub fn cells(&self) -> impl Iterator<Item = &Cell> {
+        self.gates.iter().chain(&self.registers)
+    }
+
+    /// The modules in it.
+    pub fn children(&self) -> &[Child] {
+        &self.children
+    }
+
+    /// Whether it has a reset pin.
+    pub fn has_reset(&self) -> bool {
+        self.reset.is_some()
+    }
+
+    /// Puts a raw value to a pin or wire; it takes effect when the design is simulated.
+    pub fn set(&mut self, wire: u32, raw: i64) {
+        let wire = &mut self.wires[wire as usize];
+        wire.next = raw;
+        self.active |= wire.next != wire.value;
+    }
+
+    /// Raises or lowers reset; it takes effect when the design is simulated.
+    pub fn set_reset(&mut self, asserted: bool) {
+        if let Some(reset) = self.reset {
+            self.set(reset, i64::from(asserted));
+        }
+    }
+
+    /// Raises or lowers the clock; it takes effect when the design is simulated.
+    pub fn set_clock(&mut self, high: bool) {
+        self.clock.next = Clock { clk: high };
+        self.active |= self.clock.next != self.clock.val();
+    }
+
+    fn sample_registers(&mut self) {
+        let in_reset = self.reset.is_some_and(|r| self.wires[r as usize].value == 1);
+        for cell in &self.registers {
+            let raw = cell.op.evaluate(|id| self.wires[id.0 as usize].value);
+            let cleared = in_reset && cell.register == Register::Validity;
+            let wire = &mut self.wires[cell.wire as usize];
+            wire.next = if cleared { 0 } else { wire.wrap(raw) };
+        }
+    }
+
+    fn evaluate_gates(&mut self) {
+        for cell in &self.gates {
+            let raw = cell.op.evaluate(|id| self.wires[id.0 as usize].next);
+            let wire = &mut self.wires[cell.wire as usize];
+            wire.next = wire.wrap(raw);
+        }
+    }
+
+    fn exchange_with_children(&mut self) {
+        for child in &mut self.children {
+            child.module.set_clock(self.clock.val().clk);
+            for &(pin, wire) in &child.inputs {
+                child.module.set(pin, self.wires[wire as usize].value);
+            }
+            for &(pin, wire) in &child.outputs {
+                self.wires[wire as usize].next = child.module.wires[pin as usize].value;
+            }
+        }
+    }
+
+    fn operand(&self, id: NodeId) -> Operand<'_> {
+        let cell = self.gates.iter().find(|c| c.wire == id.0);
+        match cell.map(|c| c.op) {
+            Some(Op::Constant(value)) => Operand::Literal(value),
+            _ => {
+                let wire_type = self.wires[id.0 as usize].wire_type();
+                Operand::Net { name: &wire_type.name, width: wire_type.width, signed: wire_type.signed }
+            }
+        }
+    }
+
+    /// The right-hand side of a cell as a Verilog expression of the width of its wire.
+    pub fn expression(&self, cell: &Cell) -> String {
+        statement::expression(cell.op, self.wires[cell.wire as usize].wire_type().width, &|id| self.operand(id))
+    }
+}
+
+impl Logic for Module {
+    fn update(&mut self) {
+        if self.clock.pos_edge() {
+            self.sample_registers();
+        }
+        // Outputs of children first: gates read this call's values.
+        self.exchange_with_children();
+        self.evaluate_gates();
+    }
+
+    fn connect(&mut self) {
+        for wire in &mut self.wires {
+            if wire.wire_type().kind != AtomKind::InputParameter {
+                wire.drive();
+            }
+        }
+        for child in &mut self.children {
+            child.module.clock.connect();
+            for &(pin, _) in &child.inputs {
+                child.module.wires[pin as usize].drive();
+            }
+        }
+    }
+
+    /// Complete Verilog of the body, in the form in which rust-hdl's own generator joins it to the children's.
+    fn hdl(&self) -> Verilog {
+        let mut lines = vec![];
+        let name = |wire: u32| &self.wires[wire as usize].wire_type().name;
+        for cell in self.gates.iter().filter(|c| !matches!(c.op, Op::Constant(_))) {
+            lines.push(format!("always @(*) {} = {};", name(cell.wire), self.expression(cell)));
+        }
+        for cell in &self.registers {
+            let cleared = if cell.register == Register::Validity { "reset ? 1'b0 : " } else { "" };
+            lines.push(format!("always @(posedge clock) {} <= {cleared}{};", name(cell.wire), self.expression(cell)));
+        }
+        for child in &self.children {
+            let pin = |wire: u32| format!("{}${}", child.module.instance, child.module.wires[wire as usize].wire_type().name);
+            lines.push(format!("always @(*) {}$clock = clock;", child.module.instance));
+            lines.extend(child.inputs.iter().map(|&(p, w)| format!("always @(*) {} = {};", pin(p), name(w))));
+            lines.extend(child.outputs.iter().map(|&(p, w)| format!("always @(*) {} = {};", name(w), pin(p))));
+        }
+        Verilog::Custom(lines.join("\n"))
+    }
+}
+
+impl Block for Module {
+    fn connect_all(&mut self) {
+        self.connect();
+        self.clock.connect_all();
+        for child in &mut self.children {
+            child.module.connect_all();
+        }
+    }
+
+    fn update_all(&mut self) {
+        // Nothing changed here or below and nothing was put to a pin: another evaluation would give the same.
+        if !self.active {
+            return;
+        }
+        self.update();
+        self.clock.update_all();
+        self.active = self.clock.has_changed();
+        for wire in &mut self.wires {
+            self.active |= wire.settle();
+        }
+        for child in &mut self.children {
+            child.module.update_all();
+            self.active |= child.module.active;
+        }
+    }
+
+    fn has_changed(&self) -> bool {
+        self.active
+    }
+
+    fn accept(&self, name: &str, probe: &mut dyn Probe) {
+        probe.visit_start_scope(name, self);
+        self.clock.accept("clock", probe);
+        let constants: Vec<u32> = self.gates.iter().filter(|c| matches!(c.op, Op::Constant(_))).map(|c| c.wire).collect();
+        for (number, wire) in self.wires.iter().enumerate() {
+            if !constants.contains(&(number as u32)) {
+                wire.accept(&wire.wire_type().name, probe);
+            }
+        }
+        for child in &self.children {
+            child.module.accept(&child.module.instance, probe);
+        }
+        probe.visit_end_scope(name, self);
+    }
+}

@@ -1,0 +1,44 @@
+//! The only feedback there is: a value that grows by a step with each pixel of a span.
+use super::Sig;
+use super::state::Facts;
+use crate::design::{Node, NodeId, Op, Range, Register};
+
+impl Sig {
+    /// `start` at the first pixel of a span (where `first` is 1), and from then on `step` more with each pixel.
+    ///
+    /// The unit assumes by `fact` that the value stays from `low` to `high` while the span lasts; behind its last pixel the register
+    /// may wrap, and the next span loads it anew. With errors e of start and step it is off by e_start + i e_step at pixel i, so by
+    /// e_start + `steps` · e_step at most.
+    pub fn accumulated(first: &Sig, start: &Sig, step: &Sig, (low, high): (f64, f64), steps: u32, fact: &str) -> Sig {
+        let fraction_bits = start.fraction_bits().max(step.fraction_bits());
+        let (start, step) = (start.with_fraction_bits(fraction_bits), step.with_fraction_bits(fraction_bits));
+        let builder = first.builder.clone();
+        let stage = [first, &start, &step].map(Sig::stage).into_iter().max().unwrap_or(0);
+        let (first, start, step) = (first.aligned(stage), start.aligned(stage), step.aligned(stage));
+        let error = start.error() + f64::from(steps) * step.error();
+
+        let raw = |value: f64| value * f64::from(fraction_bits).exp2();
+        let assumed = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64).hull(start.range());
+        let whole = Range::whole(assumed.width(), assumed.signed());
+        let state = builder.feedback_register(whole, fraction_bits, stage);
+        let facts = |range: Range, kind| Facts { range: range.plus(Range::single(0)), fraction_bits, error, kind };
+        let select = Op::Select(first.id(), start.id(), state);
+        let value = builder.emit(select, Register::None, facts(whole.hull(start.range()), "value"));
+        let next_range = Facts { range: value.range().plus(step.range()), ..facts(whole, "next") };
+        let next = builder.emit(Op::Add(value.id(), step.id()), Register::None, next_range);
+        builder.state.borrow_mut().design.nodes[state.0 as usize].op = Op::Wrap(next.id());
+        let value = value.assumed(low, high, fact);
+        builder.emit(Op::Copy(value.id()), Register::Data, facts(value.range(), "accumulated"))
+    }
+}
+
+impl super::Builder {
+    /// A register whose operand comes later. Until then it reads itself.
+    fn feedback_register(&self, range: Range, fraction_bits: u32, stage: u32) -> NodeId {
+        let mut state = self.state.borrow_mut();
+        let (scope, own) = (state.scope, NodeId(state.design.nodes.len() as u32));
+        let name = state.unique(scope, "state");
+        let register = Register::Data;
+        state.push(Node { op: Op::Copy(own), register, range, fraction_bits, error: 0.0, stage, scope, name })
+    }
+}

@@ -1,0 +1,58 @@
+//! Leaves out operators whose result is known or is one of their operands.
+use super::state::{Facts, State};
+use crate::design::{NodeId, Op};
+
+/// The signal that an operator's result is already, if it is one; what is saved is noted.
+pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId> {
+    if let Some(value) = known_value(state, op, facts) {
+        note(state, op, &format!("its result is always {value}"));
+        let id = state.constant(value, facts.fraction_bits);
+        state.design.nodes[id.0 as usize].error = facts.error;
+        return Some(id);
+    }
+    let constant = |id| state.is_constant(id);
+    let (same, why) = match op {
+        Op::Add(a, b) if constant(b) == Some(0) => (a, "it adds 0"),
+        Op::Add(a, b) if constant(a) == Some(0) => (b, "it adds 0"),
+        Op::Or(a, b) if constant(a) == Some(0) => (b, "it adds no bit"),
+        Op::Sub(a, b) if constant(b) == Some(0) => (a, "it subtracts 0"),
+        Op::Mul(a, b) if constant(b) == Some(1) => (a, "it multiplies by 1"),
+        Op::Mul(a, b) if constant(a) == Some(1) => (b, "it multiplies by 1"),
+        Op::Select(c, a, b) => match constant(c)? {
+            0 => (b, "its condition is always 0"),
+            _ => (a, "its condition is always 1"),
+        },
+        _ => return None,
+    };
+    // The operand's raw value is the result's only where both count in the same unit in the last place.
+    let fits = state.design.node(same).fraction_bits == facts.fraction_bits;
+    if !fits {
+        return None;
+    }
+    note(state, op, why);
+    Some(same)
+}
+
+fn known_value(state: &State, op: Op, facts: &Facts) -> Option<i64> {
+    let range = facts.range.narrow().ok()?;
+    if let (Some(value), false) = (range.only(), op == Op::Input) {
+        return Some(value);
+    }
+    let all_constant = op.operands().all(|o| state.is_constant(o).is_some());
+    let value_of = |id: NodeId| state.is_constant(id).unwrap_or(0);
+    (all_constant && op.operands().next().is_some()).then(|| op.evaluate(value_of))
+}
+
+fn note(state: &mut State, op: Op, why: &str) {
+    let width = |id: NodeId| state.design.node(id).width();
+    let what = match op {
+        Op::Mul(a, b) => format!("multiplier {} x {} bits", width(a), width(b)),
+        Op::Add(a, b) => format!("adder {} + {} bits", width(a), width(b)),
+        Op::Sub(a, b) => format!("subtractor {} - {} bits", width(a), width(b)),
+        Op::Select(_, a, b) => format!("multiplexer {} bits", width(a).max(width(b))),
+        Op::LessThan(a, b) => format!("comparator {} bits", width(a).max(width(b))),
+        // Wires cost nothing, so leaving one out saves nothing.
+        _ => return,
+    };
+    state.leave_out(&what, why);
+}

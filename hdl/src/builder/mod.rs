@@ -1,0 +1,137 @@
+//! The datapath builder: what units are written with.
+//!
+//! A value is a [`Sig`]. Operators derive the result's format, proven range, error bound and stage from the operands'; operands of
+//! different stages are aligned by delay registers that are put in and shared here. No unit counts its own registers.
+mod accumulate;
+mod arithmetic;
+mod fold;
+mod logic;
+mod narrow;
+mod ports;
+mod sig;
+mod state;
+mod unit;
+mod vector;
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use specula_scene::spec::InputPort;
+
+use crate::design::{Design, NodeId, Op, Range, Register};
+use crate::target::Target;
+
+pub use ports::{Bundle, Inputs};
+pub use sig::Sig;
+pub use vector::Vector;
+
+use state::State;
+
+/// Why a design cannot be built.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TooWide {
+    /// Full name of the signal.
+    pub signal: String,
+    /// Bits its proven range needs.
+    pub width: u32,
+}
+
+impl std::fmt::Display for TooWide {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let TooWide { signal, width } = self;
+        write!(
+            f,
+            "signal `{signal}` needs {width} bits, and the most is 63: give the narrowing points before it fewer fraction bits"
+        )
+    }
+}
+
+impl std::error::Error for TooWide {}
+
+/// Builds a [`Design`], one operator at a time.
+#[derive(Clone)]
+pub struct Builder {
+    state: Rc<RefCell<State>>,
+}
+
+/// The control inputs of a core.
+pub struct Control {
+    /// A pixel enters.
+    pub valid: Sig,
+    /// It is the first of its span.
+    pub start: Sig,
+}
+
+impl Builder {
+    /// A builder for a core called `name` that computes `formula`, on `target`.
+    pub fn new(name: &str, formula: &str, target: Rc<dyn Target>) -> Builder {
+        Builder { state: Rc::new(RefCell::new(State::new(name, formula, target))) }
+    }
+
+    /// Opens the control inputs.
+    pub fn control(&self) -> Control {
+        let bit = |name: &str| {
+            let id = self.state.borrow_mut().open_input(name, Range::new(0, 1), 0, 0.0);
+            self.sig(id)
+        };
+        Control { valid: bit("valid"), start: bit("start") }
+    }
+
+    /// Opens a data input. Its host rounded it to nearest, so it is off by half a unit in the last place at most.
+    /// A port that is given one value only becomes a constant.
+    pub fn input(&self, port: &InputPort) -> Sig {
+        let range = Range::new(port.range.0, port.range.1);
+        let error = if port.format.fraction_bits == 0 { 0.0 } else { 0.5 };
+        let id = match range.only() {
+            Some(value) => {
+                let mut state = self.state.borrow_mut();
+                state.leave_out(&format!("input `{}`", port.name), &format!("it is always {}", port.format.value(value)));
+                let id = state.constant(value, port.format.fraction_bits);
+                state.design.nodes[id.0 as usize].error = error;
+                state.design.inputs.push(None);
+                id
+            }
+            None => {
+                let mut state = self.state.borrow_mut();
+                let id = state.open_input(&port.name, range, port.format.fraction_bits, error);
+                state.design.inputs.push(Some(id));
+                id
+            }
+        };
+        self.sig(id)
+    }
+
+    /// The integer `value`, exactly.
+    pub fn integer(&self, value: i64) -> Sig {
+        let id = self.state.borrow_mut().constant(value, 0);
+        self.sig(id)
+    }
+
+    /// Closes the design: `outputs` leave it together, and with them a bit that says whether a pixel leaves.
+    ///
+    /// # Errors
+    /// [`TooWide`] names the first signal that needs more than 63 bits.
+    pub fn finish(self, valid: &Sig, start: &Sig, outputs: &[(&str, Sig)]) -> Result<Design, TooWide> {
+        let last = outputs.iter().map(|(_, sig)| sig.stage()).max().unwrap_or(0);
+        let mut state = self.state.borrow_mut();
+        state.design.valid = valid.id();
+        state.design.start = start.id();
+        state.design.valid_out = state.validity_after(valid.id(), last);
+        for (name, sig) in outputs {
+            let id = state.output(sig.id(), last, name);
+            state.design.outputs.push(id);
+        }
+        state.close(last)
+    }
+
+    fn sig(&self, id: NodeId) -> Sig {
+        let fraction_bits = self.state.borrow().design.node(id).fraction_bits;
+        Sig::new(self.clone(), id, fraction_bits)
+    }
+
+    /// Adds an operator whose operands are aligned already.
+    fn emit(&self, op: Op, register: Register, facts: state::Facts) -> Sig {
+        let id = self.state.borrow_mut().emit(op, register, facts);
+        self.sig(id)
+    }
+}

@@ -1,0 +1,128 @@
+//! Narrowing: always explicit, always named in the spec.
+use super::Sig;
+use super::state::Facts;
+use crate::design::{Assumption, Op, Range, Register};
+
+impl Sig {
+    /// Nearest value with `fraction_bits` bits right of the point, ties up; off by half a unit of the new last place at most.
+    pub fn rounded(&self, fraction_bits: u32) -> Sig {
+        match self.fraction_bits().saturating_sub(fraction_bits) {
+            0 => self.clone(),
+            // floor((x + 2^(d-1)) / 2^d) = floor((floor(x / 2^(d-1)) + 1) / 2): the adder need not see the bits that go.
+            dropped => {
+                let error = self.error() * (-f64::from(dropped)).exp2() + 0.5;
+                self.shortened(fraction_bits + 1, "kept").plus_one_ulp().shortened(fraction_bits, "rounded").with_error(error)
+            }
+        }
+    }
+
+    /// Largest value not above it with `fraction_bits` bits right of the point; off by less than a unit of the new last place.
+    pub fn truncated(&self, fraction_bits: u32) -> Sig {
+        self.shortened(fraction_bits, "truncated")
+    }
+
+    /// One unit in the last place more.
+    fn plus_one_ulp(&self) -> Sig {
+        let one = self.builder.integer(1).times_power_of_two(-(self.fraction_bits() as i32));
+        let facts = (self.range().plus(one.range()), self.fraction_bits(), self.error());
+        Sig::operator([self, &one], |[a, b]| Op::Add(a, b), facts, "rounding")
+    }
+
+    fn shortened(&self, fraction_bits: u32, kind: &'static str) -> Sig {
+        let dropped = self.fraction_bits().saturating_sub(fraction_bits);
+        if dropped == 0 {
+            return self.clone();
+        }
+        let constant = self.builder.state.borrow().is_constant(self.id());
+        if let Some(value) = constant {
+            let id = self.builder.state.borrow_mut().constant(value >> dropped, fraction_bits);
+            return self.builder.sig(id);
+        }
+        let range = self.range().shifted_right(dropped);
+        let error = self.error() * (-f64::from(dropped)).exp2() + 1.0;
+        let facts = Facts { range: range.plus(Range::single(0)), fraction_bits, error, kind };
+        self.builder.emit(Op::ShiftRight(self.id(), dropped), Register::None, facts)
+    }
+
+    /// The value, or 0 where it is negative.
+    pub fn at_least_zero(&self) -> Sig {
+        self.clamped_below(0)
+    }
+
+    /// The value, or the integer `low` where it is smaller. Clamping brings fixed and real no further apart.
+    pub fn clamped_below(&self, low: i64) -> Sig {
+        let limit = self.limit(low);
+        if limit <= self.range().low {
+            return self.clone();
+        }
+        let low = self.builder.integer(low);
+        let range = Range::new(limit, self.range().high.max(limit));
+        self.less_than(&low).choose(&low, self).known_within(range, self.error())
+    }
+
+    /// The value, or the integer `high` where it is larger. Clamping brings fixed and real no further apart.
+    pub fn clamped_above(&self, high: i64) -> Sig {
+        let limit = self.limit(high);
+        if self.range().high <= limit {
+            return self.clone();
+        }
+        let high = self.builder.integer(high);
+        let range = Range::new(self.range().low.min(limit), limit);
+        high.less_than(self).choose(&high, self).known_within(range, self.error())
+    }
+
+    fn limit(&self, integer: i64) -> i64 {
+        integer << self.fraction_bits()
+    }
+
+    /// After a clamp: the range that the clamp leaves, which the hull of its branches does not show.
+    fn known_within(self, range: Range, error: f64) -> Sig {
+        let facts = Facts {
+            range: range.plus(Range::single(0)),
+            fraction_bits: self.fraction_bits(),
+            error: error.min(range.extent()),
+            kind: "clamped",
+        };
+        match self.range() == range {
+            true => self.with_error(error.min(range.extent())),
+            false => self.builder.emit(Op::Wrap(self.id()), Register::None, facts),
+        }
+    }
+
+    /// States a fact that intervals cannot see: the value lies from `low` to `high`. The testbench checks it on every clock.
+    ///
+    /// The bits that the fact makes superfluous are dropped.
+    pub fn assumed(&self, low: f64, high: f64, fact: &str) -> Sig {
+        let raw = |value: f64| value * f64::from(self.fraction_bits()).exp2();
+        let stated = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64);
+        let range = self.range().clamped_to(stated);
+        if range == self.range() {
+            return self.clone();
+        }
+        self.builder.state.borrow_mut().design.assumptions.push(Assumption { fact: fact.into(), node: self.id(), range });
+        let facts = Facts {
+            range: range.plus(Range::single(0)),
+            fraction_bits: self.fraction_bits(),
+            error: self.error().min(range.extent()),
+            kind: "assumed",
+        };
+        self.builder.emit(Op::Wrap(self.id()), Register::None, facts)
+    }
+
+    /// States a bound on |fixed - real| that propagation cannot see, in units of the last place. The unit gives the proof above it.
+    pub fn proven_error(self, error: f64) -> Sig {
+        let error = error.min(self.error());
+        self.with_error(error)
+    }
+
+    /// As [`Sig::proven_error`], the bound given as a value.
+    pub fn proven_error_value(self, error: f64) -> Sig {
+        let in_ulps = error * f64::from(self.fraction_bits()).exp2();
+        self.proven_error(in_ulps)
+    }
+
+    pub(super) fn with_error(self, error: f64) -> Sig {
+        self.builder.state.borrow_mut().design.nodes[self.id().0 as usize].error = error;
+        self
+    }
+}

@@ -1,0 +1,135 @@
+//! A value being described.
+use specula_scene::Format;
+
+use super::Builder;
+use super::state::Facts;
+use crate::design::{NodeId, Op, Range, Register, WideRange};
+
+/// A value being described: its format, its proven range, its error bound and the stage at which it is valid.
+#[derive(Clone)]
+pub struct Sig {
+    pub(super) builder: Builder,
+    id: NodeId,
+    /// Where this reader sees the binary point; doubling and halving move it and cost nothing.
+    fraction_bits: u32,
+}
+
+impl Sig {
+    pub(super) fn new(builder: Builder, id: NodeId, fraction_bits: u32) -> Sig {
+        Sig { builder, id, fraction_bits }
+    }
+
+    /// The signal in the design.
+    pub fn id(&self) -> NodeId {
+        self.id
+    }
+
+    /// The clock, counted from the core's input, at which it is valid.
+    pub fn stage(&self) -> u32 {
+        self.builder.state.borrow().design.node(self.id).stage
+    }
+
+    /// Proven range of its raw values.
+    pub fn range(&self) -> Range {
+        self.builder.state.borrow().design.node(self.id).range
+    }
+
+    /// Bits right of the binary point.
+    pub fn fraction_bits(&self) -> u32 {
+        self.fraction_bits
+    }
+
+    /// Its format.
+    pub fn format(&self) -> Format {
+        let node = self.builder.state.borrow().design.node(self.id).clone();
+        crate::design::Node { fraction_bits: self.fraction_bits, ..node }.format()
+    }
+
+    /// Bound on |fixed - real|, in units of the last place.
+    pub fn error(&self) -> f64 {
+        self.builder.state.borrow().design.node(self.id).error
+    }
+
+    /// Bound on |fixed - real|, as a value.
+    pub fn error_value(&self) -> f64 {
+        self.error() * (-f64::from(self.fraction_bits)).exp2()
+    }
+
+    /// Gives it a name, unless it has one.
+    pub fn named(self, name: &str) -> Sig {
+        self.builder.state.borrow_mut().name(self.id, name);
+        self
+    }
+
+    /// Twice the value: the binary point moves.
+    pub fn doubled(&self) -> Sig {
+        self.times_power_of_two(1)
+    }
+
+    /// Half the value: the binary point moves.
+    pub fn halved(&self) -> Sig {
+        self.times_power_of_two(-1)
+    }
+
+    /// The value times 2^`exponent`: the binary point moves, and wires are added only where it would leave the bits on the right.
+    pub fn times_power_of_two(&self, exponent: i32) -> Sig {
+        let fraction_bits = self.fraction_bits as i32 - exponent;
+        if fraction_bits >= 0 {
+            return Sig { fraction_bits: fraction_bits as u32, ..self.clone() };
+        }
+        let whole = Sig { fraction_bits: 0, ..self.clone() };
+        let raised = whole.raised_by(fraction_bits.unsigned_abs());
+        Sig { fraction_bits: 0, ..raised }
+    }
+
+    /// The same value with `fraction_bits` or more bits right of the point.
+    pub(super) fn with_fraction_bits(&self, fraction_bits: u32) -> Sig {
+        match fraction_bits.saturating_sub(self.fraction_bits) {
+            0 => self.clone(),
+            more => self.raised_by(more),
+        }
+    }
+
+    /// Zeros put in at the right: the same value, more fraction bits.
+    fn raised_by(&self, bits: u32) -> Sig {
+        let facts = Facts {
+            range: self.range().shifted_left(bits),
+            fraction_bits: self.fraction_bits + bits,
+            error: self.error() * f64::from(bits).exp2(),
+            kind: "shifted",
+        };
+        let op = Op::ShiftLeft(self.id, bits);
+        let constant = self.builder.state.borrow().is_constant(self.id);
+        match constant {
+            Some(value) => {
+                let id = self.builder.state.borrow_mut().constant(value << bits, facts.fraction_bits);
+                self.builder.sig(id)
+            }
+            None => self.builder.emit(op, Register::None, facts),
+        }
+    }
+
+    /// The signal at a later stage.
+    pub(super) fn aligned(&self, stage: u32) -> Sig {
+        let id = self.builder.state.borrow_mut().aligned(self.id, stage);
+        Sig { id, ..self.clone() }
+    }
+
+    /// An operator on these operands, aligned with each other, with the registers that the target wants.
+    pub(super) fn operator<const N: usize>(
+        operands: [&Sig; N],
+        op: impl Fn([NodeId; N]) -> Op,
+        (range, fraction_bits, error): (WideRange, u32, f64),
+        kind: &'static str,
+    ) -> Sig {
+        let builder = &operands[0].builder;
+        let variable = |s: &&&Sig| builder.state.borrow().is_constant(s.id).is_none();
+        let stage = operands.iter().filter(variable).map(|s| s.stage()).max().unwrap_or(0);
+        let op = op(operands.map(|s| s.aligned(stage).id));
+        let register = builder.state.borrow().register_after(&op);
+        let further = builder.state.borrow().further_registers(&op);
+        let result = builder.emit(op, register, Facts { range, fraction_bits, error, kind });
+        let last = result.stage() + further;
+        result.aligned(last)
+    }
+}

@@ -1,0 +1,58 @@
+//! Hast's hybrid core.
+use specula_scene::CoreSpec;
+use specula_scene::spec::hybrid::{HybridLight, HybridSpec, Quadratic};
+
+use crate::builder::{Builder, Sig, TooWide};
+use crate::design::Design;
+use crate::units::{self, Differences, Light};
+
+/// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al., eq. 17 to 26]
+pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Design, TooWide> {
+    let control = b.control();
+    let inputs = hybrid.inputs(spec).map(|port| b.input(port));
+    let pixel = Pixel { b: &b, spec, hybrid, first: &control.start, log2_shininess: &inputs.log2_shininess };
+    let q = pixel.operand(&inputs.denominator, (0.0, 1.0));
+    let lights: Vec<Light> = inputs.lights.iter().map(|light| pixel.shade(light, &q)).collect();
+    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
+    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+}
+
+/// What the lights have in common.
+struct Pixel<'a> {
+    b: &'a Builder,
+    spec: &'a CoreSpec,
+    hybrid: &'a HybridSpec,
+    first: &'a Sig,
+    log2_shininess: &'a Sig,
+}
+
+impl Pixel<'_> {
+    fn steps(&self) -> u32 {
+        self.spec.longest_span - 1
+    }
+
+    /// A quadratic as it enters the divider.
+    fn operand(&self, quadratic: &Quadratic<Sig>, limits: (f64, f64)) -> Sig {
+        let differences = Differences {
+            start: &quadratic.start,
+            first_difference: &quadratic.first_difference,
+            second_difference: &quadratic.second_difference,
+        };
+        units::quadratic(self.b, self.first, differences, limits, self.steps()).rounded(self.hybrid.formats.operand.fraction_bits)
+    }
+
+    fn shade(&self, light: &HybridLight<Sig>, q: &Sig) -> Light {
+        let formats = &self.hybrid.formats;
+        let fraction_bits = formats.base.fraction_bits;
+        let p = self.operand(&light.numerator, (-1.0, 1.0));
+        let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
+        let base = units::divider(self.b, &p, q, fraction_bits, smallest_q);
+        let most_squarings = self.spec.largest_shininess.ilog2();
+        Light {
+            diffuse: units::gouraud(self.b, self.first, &light.intensity_start, &light.intensity_step, formats, self.steps()),
+            specular: units::power(self.b, &base, self.log2_shininess, most_squarings, fraction_bits),
+            diffuse_coefficients: light.diffuse.clone(),
+            specular_coefficients: light.specular.clone(),
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Lyon's core.
+use specula_scene::CoreSpec;
+use specula_scene::spec::lyon::{LyonLight, LyonSpec};
+
+use crate::builder::{Builder, Sig, TooWide, Vector};
+use crate::design::Design;
+use crate::units::{self, Light, SpanNormals};
+
+/// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR 43, fig. 6 to 8]
+pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
+    let control = b.control();
+    let inputs = lyon.inputs(spec).map(|port| b.input(port));
+    let span = SpanNormals {
+        first: &control.start,
+        start: &Vector::new(inputs.normal_start),
+        delta: &Vector::new(inputs.normal_delta),
+        weight_step: &inputs.weight_step,
+    };
+    let normal = units::interpolate(&b, span, &lyon.formats, spec.longest_span - 1);
+    let n = units::normalise(&b, &normal, lyon, spec.shortest_normal);
+    let shade = |light: &LyonLight<Sig>| shade(&b, &n, light, &inputs.shininess, lyon);
+    let lights: Vec<Light> = inputs.lights.iter().map(shade).collect();
+    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
+    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+}
+
+fn shade(b: &Builder, n: &Vector, light: &LyonLight<Sig>, shininess: &Sig, lyon: &LyonSpec) -> Light {
+    let direction = Vector::new(light.direction.clone());
+    let d = match &light.halfway {
+        Some(halfway) => units::halfway_cross_normal(b, &Vector::new(halfway.clone()), n, &lyon.formats),
+        None => units::reflection_minus_light(b, n, &eye(b), &direction, &lyon.formats),
+    };
+    Light {
+        diffuse: units::diffuse(b, n, &direction, &lyon.formats),
+        specular: units::shape(b, &d, shininess, lyon),
+        diffuse_coefficients: light.diffuse.clone(),
+        specular_coefficients: light.specular.clone(),
+    }
+}
+
+/// V = (0, 0, 1): the eye is at infinity, so what multiplies its components folds away.
+fn eye(b: &Builder) -> Vector {
+    Vector::new([0, 0, 1].map(|component| b.integer(component)))
+}

@@ -1,0 +1,25 @@
+//! Cores: units put together so that a span goes in and one pixel comes out per clock.
+mod hybrid;
+mod lyon;
+
+use std::rc::Rc;
+
+use specula_scene::{CoreSpec, MethodSpec};
+
+use crate::builder::{Builder, TooWide};
+use crate::design::Design;
+use crate::target::Generic;
+
+/// The core that a spec asks for, elaborated under the module name `name`.
+///
+/// # Errors
+/// [`TooWide`] if the spec's formats ask for a signal of more than 63 bits.
+pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
+    let builder = |formula| Builder::new(name, formula, Rc::new(Generic));
+    match &spec.method {
+        MethodSpec::Lyon(lyon) => lyon::core(builder("Lyon's reformulation of Phong shading [Lyon, TR 43]"), spec, lyon),
+        MethodSpec::Hybrid(hybrid) => {
+            hybrid::core(builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"), spec, hybrid)
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! An elaborated design: every signal, what computes it, and the units they belong to.
+//!
+//! The builder makes it; engines run it, `block` turns it into rust-hdl blocks, and `verilog` prints those.
+mod op;
+mod prune;
+mod range;
+mod size;
+
+use specula_scene::Format;
+
+pub use op::{Op, wrapped};
+pub use range::{Range, WideRange};
+pub use size::{Size, UnitSize};
+
+/// A signal of a [`Design`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(pub u32);
+
+/// A unit of a [`Design`]; the first is the core itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ScopeId(pub u32);
+
+impl ScopeId {
+    /// The core itself.
+    pub const TOP: ScopeId = ScopeId(0);
+}
+
+/// Whether a signal is the output of a register.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Register {
+    /// No register: the value follows the operands at once.
+    None,
+    /// A register without reset.
+    Data,
+    /// A register that reset clears: what holds validity.
+    Validity,
+}
+
+/// A signal and what computes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Node {
+    /// Its operator. Operands come earlier in the design, except those of registers.
+    pub op: Op,
+    /// Whether a register follows the operator.
+    pub register: Register,
+    /// Every raw value it takes; its width and sign follow from this.
+    pub range: Range,
+    /// Bits right of the binary point.
+    pub fraction_bits: u32,
+    /// Bound on |fixed - real|, in units of the last place.
+    pub error: f64,
+    /// Clocks after a pixel's entry at which the value belongs to that pixel.
+    pub stage: u32,
+    /// The unit it belongs to.
+    pub scope: ScopeId,
+    /// Its name, unique in its unit.
+    pub name: String,
+}
+
+impl Node {
+    /// Width in bits, sign included.
+    pub fn width(&self) -> u32 {
+        self.range.width()
+    }
+
+    /// Its format: the range's width laid round the binary point.
+    pub fn format(&self) -> Format {
+        let signed = self.range.signed();
+        let integer_bits = (self.width() - u32::from(signed)).saturating_sub(self.fraction_bits);
+        Format { signed, integer_bits, fraction_bits: self.fraction_bits }
+    }
+
+    /// `raw` brought to the signal's width.
+    #[inline]
+    pub fn wrap(&self, raw: i64) -> i64 {
+        wrapped(raw, self.width(), self.range.signed())
+    }
+
+    /// Whether it is the output of a register.
+    pub fn registered(&self) -> bool {
+        self.register != Register::None
+    }
+}
+
+/// A unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scope {
+    /// What it is, such as `reflect`; the module is named after it.
+    pub unit: String,
+    /// Its formula and source, for the module's header.
+    pub formula: String,
+    /// Name of this instance, unique in its parent.
+    pub instance: String,
+    /// The unit around it; `None` for the core.
+    pub parent: Option<ScopeId>,
+    /// Stage at which its inputs are valid.
+    pub entry: u32,
+    /// Stage at which its outputs are valid.
+    pub exit: u32,
+}
+
+impl Scope {
+    /// Clocks from inputs to outputs.
+    pub fn latency(&self) -> u32 {
+        self.exit - self.entry
+    }
+}
+
+/// A fact that intervals cannot see, stated by a unit and checked on every clock of a simulation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assumption {
+    /// The fact, such as `|N| <= 1`.
+    pub fact: String,
+    /// The signal that must lie in `range` whenever its pixel is valid.
+    pub node: NodeId,
+    /// Where it must lie.
+    pub range: Range,
+}
+
+/// Hardware that was not built, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// The unit it would have been in.
+    pub unit: String,
+    /// What was left out.
+    pub what: String,
+    /// Why nothing is lost.
+    pub why: String,
+}
+
+/// An elaborated design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// Every signal; a signal's operands come before it unless it is a register.
+    pub nodes: Vec<Node>,
+    /// Every unit; parents come before children.
+    pub scopes: Vec<Scope>,
+    /// Data inputs of the core, in the order of the spec's ports; `None` where a port is constant.
+    pub inputs: Vec<Option<NodeId>>,
+    /// The bit that says a pixel enters.
+    pub valid: NodeId,
+    /// The bit that says the pixel is the first of its span.
+    pub start: NodeId,
+    /// The bit that says a pixel leaves.
+    pub valid_out: NodeId,
+    /// The pixel that leaves.
+    pub outputs: Vec<NodeId>,
+    /// Facts to be checked.
+    pub assumptions: Vec<Assumption>,
+    /// What was left out.
+    pub left_out: Vec<LeftOut>,
+}
+
+impl Design {
+    /// The signal `id`.
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.0 as usize]
+    }
+
+    /// The unit `id`.
+    pub fn scope(&self, id: ScopeId) -> &Scope {
+        &self.scopes[id.0 as usize]
+    }
+
+    /// Every signal with its number.
+    pub fn iter(&self) -> impl Iterator<Item = (NodeId, &Node)> {
+        self.nodes.iter().enumerate().map(|(i, node)| (NodeId(i as u32), node))
+    }
+
+    /// Clocks from a pixel's entry to its exit.
+    pub fn latency(&self) -> u32 {
+        self.node(self.valid_out).stage
+    }
+
+    /// Bound on the error of an output, in LSBs: rounding and quantised inputs against the same method in exact arithmetic.
+    pub fn error_bound(&self) -> f64 {
+        let in_lsb = |&id: &NodeId| self.node(id).error * (-f64::from(self.node(id).fraction_bits)).exp2();
+        self.outputs.iter().map(in_lsb).fold(0.0, f64::max)
+    }
+
+    /// Names of the units from the core down to `scope`.
+    pub fn path(&self, scope: ScopeId) -> Vec<&str> {
+        let mut path = vec![];
+        let mut at = Some(scope);
+        while let Some(id) = at {
+            path.push(self.scope(id).instance.as_str());
+            at = self.scope(id).parent;
+        }
+        path.reverse();
+        path
+    }
+
+    /// Full name of a signal, units and all, joined by dots.
+    pub fn full_name(&self, id: NodeId) -> String {
+        let node = self.node(id);
+        let mut path = self.path(node.scope);
+        path.push(&node.name);
+        path.join(".")
+    }
+}

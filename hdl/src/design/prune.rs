@@ -1,0 +1,43 @@
+//! Takes out what no output needs.
+use super::{Design, NodeId, Op};
+
+impl Design {
+    /// Removes signals that reach no output, keeping the order of the rest. Inputs stay: they are the core's interface.
+    pub(crate) fn prune(&mut self) {
+        let kept = self.needed();
+        let mut renumbered = vec![None; self.nodes.len()];
+        let mut next = 0;
+        for (old, keep) in kept.iter().enumerate() {
+            if *keep {
+                renumbered[old] = Some(NodeId(next));
+                next += 1;
+            }
+        }
+        let new = |id: NodeId| renumbered[id.0 as usize];
+        // Operands of a needed signal are needed themselves, so they have a new number.
+        let of_needed = |id: NodeId| new(id).unwrap_or(id);
+        let mut keep = kept.iter();
+        self.nodes.retain(|_| keep.next().copied().unwrap_or(false));
+        for node in &mut self.nodes {
+            node.op = node.op.map(of_needed);
+        }
+        self.inputs = self.inputs.iter().map(|id| id.and_then(new)).collect();
+        self.outputs = self.outputs.iter().map(|&id| of_needed(id)).collect();
+        (self.valid, self.start, self.valid_out) = (of_needed(self.valid), of_needed(self.start), of_needed(self.valid_out));
+        self.assumptions = std::mem::take(&mut self.assumptions)
+            .into_iter()
+            .filter_map(|a| new(a.node).map(|node| super::Assumption { node, ..a }))
+            .collect();
+    }
+
+    fn needed(&self) -> Vec<bool> {
+        let mut needed: Vec<bool> = self.nodes.iter().map(|n| n.op == Op::Input).collect();
+        let mut open: Vec<NodeId> = self.outputs.iter().copied().chain([self.valid_out]).collect();
+        while let Some(id) = open.pop() {
+            if !std::mem::replace(&mut needed[id.0 as usize], true) {
+                open.extend(self.node(id).op.operands());
+            }
+        }
+        needed
+    }
+}

@@ -1,0 +1,108 @@
+//! Approximate normalisation.
+use specula_scene::spec::lyon::{LyonFormats, LyonSpec, Normalisation};
+
+use crate::builder::{Builder, Sig, Vector};
+
+/// How much longer than 1 a normal can come out: g2 overshoots to 1.00176 at |N'| = 0.894 (METHODS B9), and each of a few
+/// roundings adds some units of the coarsest format's last place.
+pub(super) fn longest_normal(formats: &LyonFormats) -> f64 {
+    1.0 + 0.002 + 8.0 * coarsest_ulp(formats)
+}
+
+fn coarsest_ulp(formats: &LyonFormats) -> f64 {
+    let fraction_bits = [formats.vector, formats.length_squared, formats.gain].map(|f| f.fraction_bits);
+    (-f64::from(fraction_bits.into_iter().min().unwrap_or(0))).exp2()
+}
+
+/// Brings N' near unit length: n = g N' with g about 1/|N'|. [Lyon, TR 43; METHODS B8, B9]
+///
+/// Both ends of a span lie in the unit ball, so |N'| ≤ 1 up to rounding of each component at the ends and here, √3 units of the
+/// last place together. n is off by g e_N' + |N'| e_g, with the bounds of [`GainBound`] for normals no shorter than `shortest`.
+pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> Vector {
+    let f = &lyon.formats;
+    let formula = match lyon.normalisation {
+        Normalisation::G1 => "n = g N', g = 1 + y/2, y = 1 - N'.N' [Lyon, TR 43]",
+        Normalisation::G2 => "n = g N', g = 1 + (y + y^2)/2, y = 1 - N'.N' [Lyon, TR 43]",
+    };
+    b.unit("normalise", formula, (("normal", normal),), |b, (normal,)| {
+        let longest = 1.0 + 2.0 * f.vector.ulp();
+        let z = normal.length_squared_within(longest, "|N'| <= 1").rounded(f.length_squared.fraction_bits).named("length_squared");
+        let mut bound = GainBound::first(lyon.normalisation, shortest, z.error_value(), f.gain.ulp());
+        let mut g = first_gain(b, &z, lyon).proven_error_value(bound.error).named("gain");
+        for _ in 0..lyon.newton_steps {
+            bound = bound.after_newton_step();
+            g = newton_step(b, &g, &z, f).proven_error_value(bound.error);
+        }
+        let e_normal = normal.x.error_value();
+        let error = bound.largest * e_normal + (1.0 + e_normal) * bound.error;
+        let n = normal.scaled(&g).map(|c| c.clone().proven_error_value(error).rounded(f.vector.fraction_bits));
+        n.assumed_within(longest_normal(f), "|g N'| <= 1.002").named("n")
+    })
+}
+
+/// What is known of g for normals no shorter than s, that is for y ≤ 1 - s².
+///
+/// The first g has the slope 1/2 (g1) or (1 + 2y)/2 (g2) in z. A Newton step g (3 - z g²)/2 has the slopes 3/2 (1 - z g²) in g and
+/// g³/2 in z; rounding g² and 3 - z g² to u/2 adds (z g + g) u/4, and rounding the result u/2. 1 - z g² is largest at the shortest
+/// normal, or 0.0036 where g2 overshoots.
+#[derive(Clone, Copy)]
+struct GainBound {
+    /// Largest g.
+    largest: f64,
+    /// Bound on the error of g.
+    error: f64,
+    /// Largest |1 - z g²|.
+    residue: f64,
+    shortest: f64,
+    error_of_z: f64,
+    ulp: f64,
+}
+
+impl GainBound {
+    fn first(normalisation: Normalisation, shortest: f64, error_of_z: f64, ulp: f64) -> GainBound {
+        let y = 1.0 - shortest * shortest;
+        let (largest, slope) = match normalisation {
+            Normalisation::G1 => (1.0 + y / 2.0, 0.5),
+            Normalisation::G2 => (1.0 + (y + y * y) / 2.0, 0.5 + y),
+        };
+        // The fixed-point z may lie e_z beyond the real one, where g2 is steeper by e_z.
+        let error = (slope + error_of_z) * error_of_z + 0.5 * ulp;
+        let residue = (1.0 - (1.0 - y) * largest * largest).max(0.0036);
+        GainBound { largest, error, residue, shortest, error_of_z, ulp }
+    }
+
+    fn after_newton_step(self) -> GainBound {
+        let exact = if self.shortest > 0.0 { self.shortest.recip() } else { f64::INFINITY };
+        let largest = exact.min(1.5 * self.largest);
+        let g = self.largest + self.error;
+        let steepest_in_g = 1.5 * (self.residue + g * g * self.error_of_z + 2.0 * g * self.error);
+        let error = steepest_in_g * self.error + g.powi(3) / 2.0 * self.error_of_z + (g / 2.0 + 0.5) * self.ulp;
+        // After the step g = (1 - 3/2 r² + ...)/√z with r the residue before it: a new residue of 3/4 r² + r³/4 at most.
+        let residue = 0.75 * self.residue.powi(2) + 0.25 * self.residue.powi(3);
+        GainBound { largest, error, residue, ..self }
+    }
+}
+
+fn first_gain(b: &Builder, z: &Sig, lyon: &LyonSpec) -> Sig {
+    let y = (b.integer(1) - z).named("y");
+    let above_one = match lyon.normalisation {
+        Normalisation::G1 => y.halved(),
+        Normalisation::G2 => (&y + y.squared()).halved(),
+    };
+    (b.integer(1) + above_one).rounded(lyon.formats.gain.fraction_bits)
+}
+
+/// One Newton step towards 1/√z: g ← g (3 - z g²)/2.
+///
+/// z g² ≤ 1.0035 for g2 (and ≤ 1 for g1 and after any step), so 3 - z g² stays near 2 or above, and rounding z and g² moves it by
+/// less than the margin.
+fn newton_step(b: &Builder, g: &Sig, z: &Sig, formats: &LyonFormats) -> Sig {
+    let fraction_bits = formats.gain.fraction_bits;
+    b.unit("newton_step", "g' = g (3 - z g^2)/2 [Newton, for 1/sqrt z]", (("g", g), ("z", z)), |b, (g, z)| {
+        let square = g.squared().rounded(fraction_bits).named("g_squared");
+        let margin = 0.01 + 16.0 * coarsest_ulp(formats);
+        let product = (&z * square).assumed(0.0, 1.0 + margin, "z g^2 <= 1.004");
+        let correction = (b.integer(3) - product).rounded(fraction_bits).named("correction");
+        (&g * correction).halved().rounded(fraction_bits).named("g_next")
+    })
+}

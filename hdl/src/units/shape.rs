@@ -1,0 +1,67 @@
+//! The shape of the highlight.
+use specula_scene::spec::lyon::LyonSpec;
+
+use super::normalise::longest_normal;
+use crate::builder::{Builder, Sig, Vector};
+
+/// f_k(x) = (1 - x/2^k)^(2^k), 0 for x ≥ 2^k, with x = (n/2) D·D. [Lyon, TR 43; METHODS B]
+///
+/// # Error
+/// As a function of d = |D| and with K = 2^k, f = (1 - n d²/2K)^K has the slope -n d (1 - n d²/2K)^(K-1). Put t = n d²/2K: it is
+/// √n √(2Kt) (1 - t)^(K-1), largest at t = 1/(2K - 1), so a vector D whose components are off by e moves f by
+/// √3 e √n √(2K/(2K-1)) ((2K-2)/(2K-1))^(K-1) at most. Rounding x/2^k and each square adds K/2 + (K - 1)/2 units of the last place.
+pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, lyon: &LyonSpec) -> Sig {
+    let formula = format!("f = max(1 - x/{0}, 0)^{0}, x = (n/2) D.D [Lyon, TR 43]", 1 << lyon.squarings);
+    b.unit("shape", &formula, (("d", d), ("n", shininess)), |b, (d, n)| {
+        let fraction_bits = lyon.formats.shape.fraction_bits;
+        let slope = steepest_slope(lyon.squarings, n.range().magnitude());
+        let k = 1 << lyon.squarings;
+        let rounding = (f64::from(k) - 0.5) * lyon.formats.shape.ulp();
+        let error = 3f64.sqrt() * d.x.error_value() * slope + rounding;
+
+        let longest_n = longest_normal(&lyon.formats);
+        let longest = 2.0 * longest_n * longest_n + 8.0 * lyon.formats.vector.ulp() + 12.0 * lyon.formats.difference.ulp();
+        let squared_length = d.length_squared_within(longest, "|D| <= 2").named("d_squared");
+        let x = (&n * squared_length).times_power_of_two(-(lyon.squarings as i32 + 1)).rounded(fraction_bits).named("x");
+        let mut f = (b.integer(1) - x).at_least_zero().named("base");
+        for _ in 0..lyon.squarings {
+            f = square(b, &f, fraction_bits);
+        }
+        f.proven_error_value(error).named("f")
+    })
+}
+
+/// Largest |df_k/d|D|| for exponents up to `n`.
+fn steepest_slope(squarings: u32, n: f64) -> f64 {
+    let k = f64::from(1u32 << squarings);
+    let t = 1.0 / (2.0 * k - 1.0);
+    (n * 2.0 * k * t).sqrt() * (1.0 - t).powf(k - 1.0)
+}
+
+/// The square of a number from 0 to 1, rounded.
+pub(super) fn square(b: &Builder, base: &Sig, fraction_bits: u32) -> Sig {
+    b.unit("square", "b^2", (("base", base),), |_, (base,)| base.squared().rounded(fraction_bits).named("squared"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::steepest_slope;
+
+    #[test]
+    fn the_slope_bound_is_met_and_not_exceeded() {
+        for squarings in 0..=3 {
+            let k = f64::from(1u32 << squarings);
+            for n in [1.0, 16.0, 300.0, 8191.0] {
+                let f = |d: f64| (1.0 - n * d * d / (2.0 * k)).max(0.0).powf(k);
+                let step = 1e-5 / f64::sqrt(n);
+                let slope = |i: i32| {
+                    let d = f64::from(i) * 1e-3 / n.sqrt();
+                    ((f(d + step) - f(d)) / step).abs()
+                };
+                let steepest = (0..4000).map(slope).fold(0.0, f64::max);
+                let bound = steepest_slope(squarings, n);
+                assert!(steepest <= bound * 1.0001 && steepest > bound * 0.99, "k {squarings} n {n}: {steepest} against {bound}");
+            }
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Operators as Verilog-2001 expressions.
+//!
+//! Every operand is brought to the width of the result by hand, since a linter asks for it and the reader then need not know
+//! Verilog's rules of extension. Addition, subtraction and selection work modulo 2^width, so signs do not matter there; where they
+//! do (products, comparisons), both operands are made signed.
+use crate::design::{NodeId, Op};
+
+/// What an expression reads.
+pub enum Operand<'a> {
+    /// A net.
+    Net {
+        /// Its name.
+        name: &'a str,
+        /// Its width in bits.
+        width: u32,
+        /// Whether it is declared signed.
+        signed: bool,
+    },
+    /// A constant.
+    Literal(i64),
+}
+
+/// `op` as an expression `width` bits wide.
+pub fn expression<'a>(op: Op, width: u32, operand: &dyn Fn(NodeId) -> Operand<'a>) -> String {
+    let wide = |id| extended(&operand(id), width);
+    match op {
+        // Inputs are driven from outside; nothing asks for their expression.
+        Op::Input => String::new(),
+        Op::Constant(value) => literal(value, width),
+        Op::Copy(a) => wide(a),
+        Op::Add(a, b) => format!("{} + {}", wide(a), wide(b)),
+        Op::Sub(a, b) => format!("{} - {}", wide(a), wide(b)),
+        Op::Mul(a, b) => product(&operand(a), &operand(b)),
+        Op::ShiftLeft(a, bits) => shifted_left(&operand(a), bits, width),
+        Op::ShiftRight(a, bits) => shifted_right(&operand(a), bits, width),
+        Op::Wrap(a) => low_bits(&operand(a), width),
+        Op::LessThan(a, b) => less_than(&operand(a), &operand(b)),
+        Op::And(a, b) => format!("{} & {}", wide(a), wide(b)),
+        Op::Or(a, b) => format!("{} | {}", wide(a), wide(b)),
+        Op::Not(a) => format!("~{}", wide(a)),
+        Op::Select(c, a, b) => format!("{} ? {} : {}", extended(&operand(c), 1), wide(a), wide(b)),
+    }
+}
+
+/// Bits of an operand that an expression of `width` bits does not read, as a mask.
+pub fn unread_bits(op: Op, width: u32, operand: NodeId, operand_width: u32) -> u64 {
+    let all = u64::MAX >> (64 - operand_width);
+    let above = |bits: u32| if bits >= operand_width { 0 } else { all & (u64::MAX << bits) };
+    match op {
+        Op::ShiftRight(_, bits) => {
+            let dropped = bits.min(operand_width - 1);
+            all & !(all << dropped)
+        }
+        Op::ShiftLeft(_, bits) => above(width - bits),
+        Op::Select(c, a, b) if c == operand && a != operand && b != operand => 0,
+        Op::Add(..) | Op::Sub(..) | Op::Copy(_) | Op::Wrap(_) | Op::And(..) | Op::Or(..) | Op::Not(_) | Op::Select(..) => {
+            above(width)
+        }
+        Op::Input | Op::Constant(_) | Op::Mul(..) | Op::LessThan(..) => 0,
+    }
+}
+
+/// `value` in two's complement, decimal where that is what it says.
+fn literal(value: i64, width: u32) -> String {
+    match u64::try_from(value) {
+        Ok(value) => format!("{width}'d{value}"),
+        Err(_) => format!("{width}'h{:x}", value as u64 & (u64::MAX >> (64 - width))),
+    }
+}
+
+/// The operand `width` bits wide, its value kept as far as it fits.
+fn extended(operand: &Operand, width: u32) -> String {
+    match *operand {
+        Operand::Literal(value) => literal(value, width),
+        Operand::Net { width: own, .. } if own > width => low_bits(operand, width),
+        Operand::Net { name, width: own, .. } if own == width => name.to_owned(),
+        Operand::Net { name, width: own, signed: true } => {
+            format!("{{{}, {name}}}", repeated(&bit(name, own - 1, own), width - own))
+        }
+        Operand::Net { name, width: own, signed: false } => format!("{{{}'d0, {name}}}", width - own),
+    }
+}
+
+/// Bit `number` of a net; a net of one bit has no index.
+fn bit(name: &str, number: u32, width: u32) -> String {
+    if width == 1 { name.to_owned() } else { format!("{name}[{number}]") }
+}
+
+fn repeated(text: &str, times: u32) -> String {
+    format!("{{{times}{{{text}}}}}")
+}
+
+/// The operand as a signed expression of its own width, one more for an unsigned net.
+fn signed(operand: &Operand) -> String {
+    match *operand {
+        Operand::Net { name, signed: true, .. } => name.to_owned(),
+        Operand::Net { name, .. } => format!("$signed({{1'b0, {name}}})"),
+        Operand::Literal(value) => {
+            let width = crate::design::Range::single(value).width() + u32::from(value >= 0);
+            format!("$signed({})", literal(value, width))
+        }
+    }
+}
+
+fn is_unsigned(operand: &Operand) -> bool {
+    matches!(*operand, Operand::Net { signed: false, .. } | Operand::Literal(0..))
+}
+
+fn plain(operand: &Operand) -> String {
+    match *operand {
+        Operand::Net { name, .. } => name.to_owned(),
+        Operand::Literal(value) => literal(value, crate::design::Range::single(value).width()),
+    }
+}
+
+fn product(a: &Operand, b: &Operand) -> String {
+    if is_unsigned(a) && is_unsigned(b) {
+        return format!("{} * {}", plain(a), plain(b));
+    }
+    format!("{} * {}", signed(a), signed(b))
+}
+
+fn shifted_left(operand: &Operand, bits: u32, width: u32) -> String {
+    match operand {
+        Operand::Literal(value) => literal(value << bits, width),
+        Operand::Net { .. } if bits == 0 => extended(operand, width),
+        Operand::Net { .. } => format!("{{{}, {bits}'d0}}", extended(operand, width - bits)),
+    }
+}
+
+fn shifted_right(operand: &Operand, bits: u32, width: u32) -> String {
+    match *operand {
+        Operand::Literal(value) => literal(value >> bits, width),
+        Operand::Net { name, width: own, signed } => {
+            let low = bits.min(own - 1);
+            let kept = own - low;
+            let slice = match (own, kept) {
+                (1, _) => name.to_owned(),
+                (_, 1) => format!("{name}[{low}]"),
+                _ if low == 0 => name.to_owned(),
+                _ => format!("{name}[{}:{low}]", own - 1),
+            };
+            let missing = width.saturating_sub(kept);
+            match (missing, signed) {
+                (0, _) => slice,
+                (_, true) => format!("{{{}, {slice}}}", repeated(&bit(name, own - 1, own), missing)),
+                (_, false) => format!("{{{missing}'d0, {slice}}}"),
+            }
+        }
+    }
+}
+
+fn low_bits(operand: &Operand, width: u32) -> String {
+    match *operand {
+        Operand::Net { name, width: own, .. } if own > width && width == 1 => format!("{name}[0]"),
+        Operand::Net { name, width: own, .. } if own > width => format!("{name}[{}:0]", width - 1),
+        _ => extended(operand, width),
+    }
+}
+
+/// Both sides at one width and signed, or plain where neither can be negative.
+fn less_than(a: &Operand, b: &Operand) -> String {
+    let own = |operand: &Operand| match *operand {
+        Operand::Net { width, .. } => width,
+        Operand::Literal(value) => crate::design::Range::single(value).width(),
+    };
+    if is_unsigned(a) && is_unsigned(b) {
+        let width = own(a).max(own(b));
+        return format!("{} < {}", extended(a, width), extended(b, width));
+    }
+    let width = [a, b].map(|operand| own(operand) + u32::from(is_unsigned(operand))).into_iter().max().unwrap_or(1);
+    format!("$signed({}) < $signed({})", extended(a, width), extended(b, width))
+}

@@ -1,0 +1,61 @@
+//! Bits of nets that nothing reads, so that a linter need not be told to look away.
+use super::statement;
+use crate::block::{AtomKind, Module};
+use crate::design::NodeId;
+
+/// The bits of each net that nothing in the module reads, as Verilog selections in the order of the nets.
+pub fn unread_bits(module: &Module) -> Vec<String> {
+    let all: Vec<u64> = module.wires().iter().map(|w| u64::MAX >> (64 - w.wire_type().width)).collect();
+    let mut unread = all.clone();
+    for cell in module.cells() {
+        let width = module.wires()[cell.wire as usize].wire_type().width;
+        for operand in cell.op.operands() {
+            let index = operand.0 as usize;
+            let own = module.wires()[index].wire_type().width;
+            unread[index] &= statement::unread_bits(cell.op, width, NodeId(operand.0), own);
+        }
+    }
+    for child in module.children() {
+        child.inputs.iter().for_each(|&(_, wire)| unread[wire as usize] = 0);
+    }
+    let named = module.wires().iter().zip(&unread);
+    let read_outside = |kind| matches!(kind, AtomKind::OutputParameter | AtomKind::Constant);
+    named
+        .filter(|(wire, _)| !read_outside(wire.wire_type().kind) && !is_reset(module, wire.wire_type().name.as_str()))
+        .flat_map(|(wire, &mask)| selections(&wire.wire_type().name, wire.wire_type().width, mask))
+        .collect()
+}
+
+/// Reset is read by the registers' control, which is no operator.
+fn is_reset(module: &Module, name: &str) -> bool {
+    module.has_reset() && name == "reset"
+}
+
+/// The runs of 1 in `mask` as bit and part selects.
+fn selections(name: &str, width: u32, mask: u64) -> Vec<String> {
+    let mut runs = vec![];
+    let mut bit = 0;
+    while bit < width {
+        let length = (mask >> bit).trailing_ones().min(width - bit);
+        match length {
+            0 => {}
+            _ if length == width => runs.push(name.to_owned()),
+            1 => runs.push(format!("{name}[{bit}]")),
+            _ => runs.push(format!("{name}[{}:{bit}]", bit + length - 1)),
+        }
+        bit += length.max(1);
+    }
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::selections;
+
+    #[test]
+    fn runs_of_bits_become_selections() {
+        assert_eq!(selections("x", 8, 0b1001_1101), ["x[0]", "x[4:2]", "x[7]"]);
+        assert_eq!(selections("x", 3, 0b111), ["x"]);
+        assert!(selections("x", 3, 0).is_empty());
+    }
+}

@@ -1,0 +1,88 @@
+//! What can be wrong with what a user gives.
+use std::sync::Arc;
+
+use miette::{Diagnostic, NamedSource, SourceSpan};
+use thiserror::Error;
+
+use crate::mesh::MeshError;
+use crate::picture::project::PictureError;
+
+/// Why a scene cannot be loaded: what is wrong, where, and what would be right.
+#[derive(Debug, Error, Diagnostic)]
+pub enum SceneError {
+    /// Neither a built-in scene nor a file that can be read as one.
+    #[error("`{scene}` is neither a built-in scene nor a file of a known kind")]
+    #[diagnostic(code(scene::unknown))]
+    Unknown {
+        /// What was asked for.
+        scene: String,
+        /// The built-in scenes and the known kinds of file.
+        #[help]
+        help: String,
+    },
+    /// A scene file that the system does not give, or that is not text.
+    #[error("scene file `{path}`: {reason}")]
+    #[diagnostic(code(scene::unreadable))]
+    Unreadable {
+        /// The file.
+        path: String,
+        /// Why.
+        reason: String,
+        /// What would be right.
+        #[help]
+        help: String,
+    },
+    /// Something wrong at a place in a scene file.
+    #[error("{problem}")]
+    #[diagnostic(code(scene::file))]
+    File {
+        /// What is wrong.
+        problem: String,
+        /// What would be right.
+        #[help]
+        help: String,
+        /// The scene file.
+        #[source_code]
+        text: Arc<NamedSource<String>>,
+        /// The place in it.
+        #[label("here")]
+        at: SourceSpan,
+    },
+    /// Something wrong with a mesh that was given as the scene.
+    #[error("{error}")]
+    #[diagnostic(code(scene::mesh))]
+    Mesh {
+        /// What is wrong, and where.
+        error: MeshError,
+        /// What would be right.
+        #[help]
+        help: String,
+    },
+    /// The scene is well formed, but no picture comes of it.
+    #[error("scene `{scene}`: {error}")]
+    #[diagnostic(code(scene::picture))]
+    Picture {
+        /// The scene.
+        scene: String,
+        /// What is wrong.
+        error: PictureError,
+        /// What would be right.
+        #[help]
+        help: String,
+    },
+}
+
+impl From<MeshError> for SceneError {
+    fn from(error: MeshError) -> SceneError {
+        let help = error.help();
+        SceneError::Mesh { error, help }
+    }
+}
+
+impl SceneError {
+    /// An error of making the picture of `scene`.
+    pub(crate) fn picture(scene: &str, error: PictureError) -> SceneError {
+        let help = error.help();
+        SceneError::Picture { scene: scene.to_owned(), error, help }
+    }
+}

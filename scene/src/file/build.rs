@@ -1,0 +1,116 @@
+//! From a scene file as it is written to the scene it means.
+use std::path::Path;
+
+use glam::DVec3;
+use toml::Spanned;
+
+use super::values::{Integer, Number};
+use super::{SourceFile, check, object, raw};
+use crate::picture::camera::Camera;
+use crate::picture::{Light, LightSpace, Scene, limits};
+use crate::{SceneError, defaults};
+
+/// The most lights a core takes.
+const MOST_LIGHTS: usize = 4;
+
+/// Checks every value and reads the meshes, which are looked for in `folder`.
+pub(super) fn scene(file: raw::File, source: &SourceFile, folder: Option<&Path>) -> Result<Scene, SceneError> {
+    let background = check::colour(source, "background", file.background.as_ref(), 0.0..=1.0, defaults::BACKGROUND.map(level))?;
+    Ok(Scene {
+        size: size(source, file.size.as_ref())?,
+        background: background.map(|c| (c * 255.0 + 0.5).floor() as u8),
+        camera: camera(source, file.camera.as_ref())?,
+        ambient: check::colour(source, "ambient", file.ambient.as_ref(), 0.0..=1.0, defaults::AMBIENT)?,
+        lights: lights(source, &file.light)?,
+        objects: object::objects(source, &file.object, folder)?,
+    })
+}
+
+fn level(byte: u8) -> f64 {
+    f64::from(byte) / 255.0
+}
+
+fn size(source: &SourceFile, given: Option<&Spanned<[Integer; 2]>>) -> Result<(u32, u32), SceneError> {
+    let Some(given) = given else { return Ok(defaults::SIZE) };
+    let [Integer(width), Integer(height)] = *given.get_ref();
+    // What is no u32 becomes 0, which is not allowed either.
+    let size = (u32::try_from(width).unwrap_or(0), u32::try_from(height).unwrap_or(0));
+    if limits::is_allowed(size) {
+        return Ok(size);
+    }
+    let problem = format!("a picture of {width} x {height} pixels cannot be made");
+    Err(source.error(given.span(), problem, limits::described()))
+}
+
+fn camera(source: &SourceFile, given: Option<&Spanned<raw::Camera>>) -> Result<Camera, SceneError> {
+    let Some(given) = given else { return Ok(Camera::default()) };
+    let raw = given.get_ref();
+    check::only_kind(source, raw.kind.as_ref(), "orthographic", &["perspective"])?;
+    let target = raw.target.as_ref().map(|t| check::vector(source, "target", t)).transpose()?;
+    let camera = Camera {
+        direction: direction_to_eye(source, raw, target)?,
+        up: raw.up.as_ref().map_or(Ok(DVec3::Y), |up| check::direction(source, "up", up))?,
+        target,
+        height: raw.height.as_ref().map(|height| positive(source, height)).transpose()?,
+    };
+    match camera.rotation() {
+        Some(_) => Ok(camera),
+        None => {
+            let at = [&raw.up, &raw.direction, &raw.eye].into_iter().flatten().next().map(Spanned::span);
+            let problem = "the camera looks along its own `up`";
+            let help = "turn `direction` or `up`: seen from straight above, for one, `up = [0, 0, -1]`; `up` is [0, 1, 0] if left out";
+            Err(source.error(at.unwrap_or(given.span()), problem, help))
+        }
+    }
+}
+
+/// Towards the eye: the camera's `direction`, or from its `target` to its `eye`.
+fn direction_to_eye(source: &SourceFile, raw: &raw::Camera, target: Option<DVec3>) -> Result<DVec3, SceneError> {
+    match (&raw.direction, &raw.eye, target) {
+        (None, None, _) => Ok(Camera::default().direction),
+        (Some(direction), None, _) => check::direction(source, "direction", direction),
+        (Some(_), Some(eye), _) => {
+            let problem = "the camera has both a `direction` and an `eye`";
+            Err(source.error(eye.span(), problem, "leave one of them out"))
+        }
+        (None, Some(eye), None) => {
+            let help = "add `target`, the point that is looked at, or give the direction to the eye as `direction`";
+            Err(source.error(eye.span(), "the camera has an `eye` but no `target`", help))
+        }
+        (None, Some(eye), Some(target)) => match check::vector(source, "eye", eye)? - target {
+            DVec3::ZERO => Err(source.error(eye.span(), "`eye` is at `target`", "move `eye` away from `target`")),
+            direction => Ok(direction),
+        },
+    }
+}
+
+fn positive(source: &SourceFile, given: &Spanned<Number>) -> Result<f64, SceneError> {
+    match check::number(source, "height", given)? {
+        height if height > 0.0 => Ok(height),
+        height => {
+            let help = "`height` is the number of world units from the picture's bottom to its top, above 0";
+            Err(source.error(given.span(), format!("`height` is {height:?}"), help))
+        }
+    }
+}
+
+fn lights(source: &SourceFile, given: &[Spanned<raw::Light>]) -> Result<Vec<Light>, SceneError> {
+    if let Some(extra) = given.get(MOST_LIGHTS) {
+        let problem = format!("there are {} lights", given.len());
+        return Err(source.error(extra.span(), problem, format!("a scene has 1 to {MOST_LIGHTS} lights")));
+    }
+    if given.is_empty() {
+        return Ok(vec![defaults::light()]);
+    }
+    given.iter().map(|light| self::light(source, light.get_ref())).collect()
+}
+
+fn light(source: &SourceFile, raw: &raw::Light) -> Result<Light, SceneError> {
+    check::only_kind(source, raw.kind.as_ref(), "directional", &["point", "spot"])?;
+    let spaces = [("world", LightSpace::World), ("view", LightSpace::View)];
+    Ok(Light {
+        direction: check::direction(source, "direction", &raw.direction)?,
+        space: check::word(source, "space", raw.space.as_ref(), &spaces)?.unwrap_or(LightSpace::World),
+        colour: check::colour(source, "colour", raw.colour.as_ref(), 0.0..=1.0, [1.0; 3])?,
+    })
+}

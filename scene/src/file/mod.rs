@@ -1,0 +1,58 @@
+//! Scene files, in TOML; documented in `docs/scene-format.md`.
+mod build;
+mod check;
+mod core;
+mod object;
+mod raw;
+mod source;
+mod values;
+
+use std::ops::Range;
+use std::path::Path;
+
+pub use self::core::CoreTable;
+pub(crate) use self::source::SourceFile;
+
+use crate::picture::Scene;
+use crate::picture::project::PictureError;
+use crate::{Frame, SceneError};
+
+/// A scene file that was read: the scene, and its table for the core if it has one.
+pub(crate) struct SceneFile {
+    pub scene: Scene,
+    pub core: Option<CoreTable>,
+    /// Where the camera is, if the file has one.
+    camera: Option<(SourceFile, Range<usize>)>,
+}
+
+impl SceneFile {
+    /// Reads a scene from the text of a file; meshes are looked for beside `folder`'s files, or not at all without one.
+    ///
+    /// # Errors
+    /// A [`SceneError`] that points at the wrong place in the text.
+    pub fn parse(source: &SourceFile, folder: Option<&Path>) -> Result<SceneFile, SceneError> {
+        let raw: raw::File = source.parse()?;
+        let core = raw.core.as_ref().map(|table| CoreTable::new(source.clone(), table.span()));
+        let camera = raw.camera.as_ref().map(|camera| (source.clone(), camera.span()));
+        Ok(SceneFile { scene: build::scene(raw, source, folder)?, core, camera })
+    }
+
+    /// A scene that no file was read for.
+    pub fn without_text(scene: Scene) -> SceneFile {
+        SceneFile { scene, core: None, camera: None }
+    }
+
+    /// Makes the picture, `size` pixels large if given; `name` is the scene's in errors.
+    ///
+    /// # Errors
+    /// A [`SceneError`], which points at the camera where the fault is its.
+    pub fn frame(&mut self, name: &str, size: Option<(u32, u32)>) -> Result<Frame, SceneError> {
+        self.scene.size = size.unwrap_or(self.scene.size);
+        self.scene.frame().map_err(|error| match (&self.camera, &error) {
+            (Some((source, at)), error) if !matches!(error, PictureError::Size(..)) => {
+                source.error(at.clone(), error.to_string(), error.help())
+            }
+            _ => SceneError::picture(name, error),
+        })
+    }
+}

@@ -1,0 +1,62 @@
+//! A scene file as it is written, before its values are checked.
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::values::{Integer, Number, Triple, Vector};
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct File {
+    pub size: Option<Spanned<[Integer; 2]>>,
+    pub background: Option<Spanned<Triple>>,
+    pub ambient: Option<Spanned<Triple>>,
+    pub camera: Option<Spanned<Camera>>,
+    #[serde(default)]
+    pub light: Vec<Spanned<Light>>,
+    #[serde(default)]
+    pub object: Vec<Spanned<Object>>,
+    pub core: Option<Spanned<toml::Table>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Camera {
+    pub kind: Option<Spanned<String>>,
+    pub direction: Option<Spanned<Vector>>,
+    pub eye: Option<Spanned<Vector>>,
+    pub target: Option<Spanned<Vector>>,
+    pub up: Option<Spanned<Vector>>,
+    pub height: Option<Spanned<Number>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Light {
+    pub kind: Option<Spanned<String>>,
+    pub direction: Spanned<Vector>,
+    pub space: Option<Spanned<String>>,
+    pub colour: Option<Spanned<Triple>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Object {
+    pub mesh: Option<Spanned<String>>,
+    pub primitive: Option<Spanned<String>>,
+    pub level: Option<Spanned<Integer>>,
+    pub tube: Option<Spanned<Number>>,
+    pub translate: Option<Spanned<Vector>>,
+    pub rotate: Option<Spanned<Vector>>,
+    pub scale: Option<Spanned<Triple>>,
+    #[serde(default)]
+    pub material: Material,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Material {
+    pub ambient: Option<Spanned<Triple>>,
+    pub diffuse: Option<Spanned<Triple>>,
+    pub specular: Option<Spanned<Triple>>,
+    pub shininess: Option<Spanned<Integer>>,
+}

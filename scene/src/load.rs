@@ -1,0 +1,113 @@
+//! Finding a scene by its name: built in, a scene file, or a mesh.
+use std::path::Path;
+
+use crate::file::{CoreTable, SceneFile, SourceFile};
+use crate::mesh::error::{EXTENSIONS, listed};
+use crate::mesh::{self, Mesh};
+use crate::picture::camera::Camera;
+use crate::picture::{Object, Scene};
+use crate::{Frame, SceneError, builtin, defaults};
+
+/// A scene with its visible spans, and what it says about the core.
+#[derive(Clone, Debug)]
+pub struct LoadedScene {
+    /// The file's stem or the built-in scene's name, with `a`-`z`, `0`-`9` and `_` only and no digit first, so that it can
+    /// be part of a file's or module's name; at most 48 characters.
+    pub name: String,
+    /// What is to be shaded.
+    pub frame: Frame,
+    /// The `[core]` table of the scene file, if it has one.
+    pub core: Option<CoreTable>,
+}
+
+/// The longest name that is made of a file's, in characters.
+const LONGEST_NAME: usize = 48;
+
+/// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh (`.obj`, `.ply`, `.stl`,
+/// `.glb`). `size` in pixels goes before the scene's own.
+///
+/// A mesh is framed whole, seen from the front a little to the right and above, with one light and a grey material.
+///
+/// # Errors
+/// A [`SceneError`] that says what is wrong with the name, the file or the picture, where, and what would be right.
+pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
+    let path = Path::new(scene);
+    if let Some(text) = builtin::text(scene) {
+        let source = SourceFile::new(&format!("{scene}.toml"), text.to_owned());
+        return finish(scene, scene, SceneFile::parse(&source, None)?, size);
+    }
+    let name = name_of(path);
+    if mesh::extension(path).is_some() {
+        return finish(scene, &name, SceneFile::without_text(around(Mesh::read(path)?)), size);
+    }
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
+        let source = read_text(path)?;
+        return finish(scene, &name, SceneFile::parse(&source, path.parent())?, size);
+    }
+    let help = format!(
+        "built-in scenes are {}; scene files end in `.toml`, meshes in {}",
+        listed(&builtin::builtin_names()),
+        EXTENSIONS.map(|extension| format!("`.{extension}`")).join(", ")
+    );
+    Err(SceneError::Unknown { scene: scene.to_owned(), help })
+}
+
+fn finish(scene: &str, name: &str, mut file: SceneFile, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
+    let frame = file.frame(scene, size)?;
+    Ok(LoadedScene { name: name.to_owned(), frame, core: file.core })
+}
+
+/// The scene that shows a mesh by itself.
+fn around(mesh: Mesh) -> Scene {
+    Scene {
+        size: defaults::SIZE,
+        background: defaults::BACKGROUND,
+        camera: Camera::default(),
+        ambient: defaults::AMBIENT,
+        lights: vec![defaults::light()],
+        objects: vec![Object { mesh, place: glam::DAffine3::IDENTITY, material: defaults::material() }],
+    }
+}
+
+fn read_text(path: &Path) -> Result<SourceFile, SceneError> {
+    let shown = path.display().to_string();
+    let unreadable = |reason: String, help: &str| SceneError::Unreadable { path: shown.clone(), reason, help: help.into() };
+    let bytes = mesh::read_file(path).map_err(|problem| unreadable(problem.to_string(), "check the path"))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        unreadable(format!("it is not UTF-8 text: byte {at} is wrong"), "scene files are TOML, in UTF-8")
+    })?;
+    Ok(SourceFile::new(&shown, text))
+}
+
+/// A path's stem as [`LoadedScene::name`] has it.
+fn name_of(path: &Path) -> String {
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let plain = stem.chars().map(|c| if c.is_ascii_lowercase() || c.is_ascii_digit() { c } else { '_' });
+    let name: String = plain.take(LONGEST_NAME - 1).collect();
+    match name.chars().next() {
+        None => "scene".to_owned(),
+        Some(first) if first.is_ascii_digit() => format!("_{name}"),
+        Some(_) => name,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_can_be_part_of_file_and_module_names() {
+        for (path, name) in [
+            ("a/Bunny.ply", "bunny"),
+            ("3d scan-v2.obj", "_3d_scan_v2"),
+            ("\u{e9}t\u{e9}.stl", "_t_"),
+            ("..", "scene"),
+            ("", "scene"),
+            ("x.tar.gz", "x_tar"),
+        ] {
+            assert_eq!(name_of(Path::new(path)), name);
+        }
+        assert_eq!(name_of(Path::new(&"9".repeat(300))).len(), LONGEST_NAME);
+    }
+}

@@ -1,0 +1,177 @@
+//! What can be wrong with a mesh.
+use std::path::Path;
+
+use thiserror::Error;
+
+/// File name extensions of meshes that can be read.
+pub const EXTENSIONS: [&str; 4] = ["obj", "ply", "stl", "glb"];
+
+/// What is wrong with a mesh, without saying where.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MeshProblem {
+    /// The file cannot be opened or read; holds the system's reason.
+    #[error("it cannot be read: {0}")]
+    Unreadable(String),
+    /// The path names a folder, pipe or device.
+    #[error("it is not a regular file")]
+    NotAFile,
+    /// The file is longer than is read; holds its length in bytes.
+    #[error("it is {0} bytes long; files up to {limit} bytes are read", limit = super::LONGEST_FILE)]
+    TooLong(u64),
+    /// The file's extension is not that of a mesh.
+    #[error("its extension is not that of a mesh")]
+    Extension,
+    /// A text file is not UTF-8; holds the offset of the first wrong byte.
+    #[error("it is not UTF-8 text: byte {0} is wrong")]
+    NotText(usize),
+    /// The file does not follow its format.
+    #[error("{0}")]
+    Syntax(String),
+    /// The file ends early.
+    #[error("it ends early: {0}")]
+    Truncated(String),
+    /// A part of the format that is not read.
+    #[error("it uses {0}, which is not read")]
+    Unsupported(String),
+    /// A number that is not finite, or beyond [`super::FARTHEST`].
+    #[error("{what} {index} (counted from 0) has the coordinate {value:?}")]
+    Coordinate {
+        /// `vertex` or `normal`.
+        what: &'static str,
+        /// Counted from 0.
+        index: usize,
+        /// The offending number.
+        value: f64,
+    },
+    /// A face names a vertex or normal that is not there.
+    #[error("face {face} names {what} {}, but there are only {count} (all counted from 0)", shown(*index))]
+    Index {
+        /// The face, counted from 0.
+        face: usize,
+        /// `vertex` or `normal`.
+        what: &'static str,
+        /// What it names, counted from 0; `u32::MAX` for an index below 0.
+        index: u32,
+        /// How many there are.
+        count: usize,
+    },
+    /// A polygon with too many corners to be split into triangles.
+    #[error("face {face} (counted from 0) is a concave polygon of {corners} corners")]
+    Corners {
+        /// The face, counted from 0.
+        face: usize,
+        /// Its number of corners.
+        corners: usize,
+    },
+    /// Nothing with an area is in the file.
+    #[error("it has no triangles with an area")]
+    Empty,
+    /// More triangles than are taken; holds the number.
+    #[error("it has {0} triangles; at most {limit} are taken", limit = super::MOST_TRIANGLES)]
+    TooManyTriangles(usize),
+}
+
+impl MeshProblem {
+    /// What would be right.
+    fn help(&self) -> String {
+        match self {
+            MeshProblem::Unreadable(_) => "check the path; a mesh named in a scene file is looked for beside that file".into(),
+            MeshProblem::NotAFile => "name a file that ends in .obj, .ply, .stl or .glb".into(),
+            MeshProblem::TooLong(_) | MeshProblem::TooManyTriangles(_) => "simplify the mesh with a mesh tool first".into(),
+            MeshProblem::Extension => format!("readable are {}; convert the mesh to one of them", listed(&EXTENSIONS)),
+            MeshProblem::NotText(_) => "the file is binary or in another encoding; .obj files are text in UTF-8".into(),
+            MeshProblem::Syntax(_) => "the file is damaged, or of another format than its extension says".into(),
+            MeshProblem::Truncated(_) => "the file was cut off, or its header is damaged; fetch or export it again".into(),
+            MeshProblem::Unsupported(_) => "export the mesh as plain triangles, uncompressed, in one file".into(),
+            MeshProblem::Coordinate { .. } => {
+                format!("coordinates are finite numbers from -{0:e} to {0:e}", super::FARTHEST)
+            }
+            MeshProblem::Index { .. } => "every face may name only what the file defines; export the mesh again".into(),
+            MeshProblem::Corners { .. } => {
+                format!("triangulate the mesh first; concave polygons may have {} corners", super::triangulate::MOST_CORNERS)
+            }
+            MeshProblem::Empty => "a mesh needs at least one triangle whose corners are not on one line; points and lines are not drawn".into(),
+        }
+    }
+}
+
+/// An index as it is said in an error.
+fn shown(index: u32) -> String {
+    if index == u32::MAX { "below 0".to_owned() } else { index.to_string() }
+}
+
+/// Names in backquotes with commas between them.
+pub(crate) fn listed(names: &[&str]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    quoted.join(", ")
+}
+
+/// What is wrong with a mesh, and where.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("{place}: {problem}")]
+pub struct MeshError {
+    place: String,
+    /// The file's extension, if it is that of a mesh.
+    extension: Option<&'static str>,
+    /// What is wrong.
+    pub problem: MeshProblem,
+}
+
+impl MeshError {
+    /// An error in the file `path`, at `line` (counted from 1) where one is known.
+    pub fn new(path: &Path, line: Option<usize>, problem: MeshProblem) -> MeshError {
+        let place = match line {
+            Some(line) => format!("mesh `{}`, line {line}", path.display()),
+            None => format!("mesh `{}`", path.display()),
+        };
+        MeshError { place, extension: super::extension(path), problem }
+    }
+
+    /// What would be right.
+    pub fn help(&self) -> String {
+        match (&self.problem, self.extension.and_then(shape)) {
+            (MeshProblem::Syntax(_), Some(shape)) => shape.to_owned(),
+            _ => self.problem.help(),
+        }
+    }
+}
+
+/// What a file with `extension` looks like.
+fn shape(extension: &str) -> Option<&'static str> {
+    match extension {
+        "obj" => Some(
+            "lines are `v x y z`, `vn x y z` and `f a b c`, where a corner is vertex, vertex/texture, vertex//normal or \
+             vertex/texture/normal; indices count from 1, or back from the last with a minus sign",
+        ),
+        "ply" => Some(
+            "the header has an element `vertex` with the numbers x, y, z and an element `face` with the list of integers \
+             `vertex_indices`; the vertices and faces follow, in a text file one a line",
+        ),
+        "stl" => Some(
+            "a text .stl is `solid name`, triangles, `endsolid`; a triangle is the lines `facet normal x y z`, `outer loop`, \
+             three times `vertex x y z`, `endloop`, `endfacet`",
+        ),
+        "glb" => Some("a .glb is binary glTF 2.0 with uncompressed geometry inside; export the mesh again"),
+        _ => None,
+    }
+}
+
+/// A problem and the line it is on, where one is known: what readers give back, who do not know the file's name.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Located {
+    pub line: Option<usize>,
+    pub problem: MeshProblem,
+}
+
+impl From<MeshProblem> for Located {
+    fn from(problem: MeshProblem) -> Located {
+        Located { line: None, problem }
+    }
+}
+
+impl MeshProblem {
+    /// Says the line, counted from 1.
+    pub(crate) fn at_line(self, line: usize) -> Located {
+        Located { line: Some(line), problem: self }
+    }
+}

@@ -1,0 +1,105 @@
+//! Triangle meshes and the files they come from.
+pub mod error;
+mod glb;
+pub mod normals;
+mod obj;
+mod ply;
+pub mod polygons;
+mod stl;
+mod triangulate;
+mod weld;
+
+use std::fs;
+use std::path::Path;
+
+use glam::DVec3;
+
+use error::{EXTENSIONS, Located};
+pub use error::{MeshError, MeshProblem};
+use polygons::Polygons;
+
+/// The longest file that is read, in bytes.
+pub const LONGEST_FILE: u64 = 1 << 30;
+
+/// The most triangles a mesh may have.
+pub const MOST_TRIANGLES: usize = 10_000_000;
+
+/// Coordinates farther from 0 than this are refused, so that products of them stay finite.
+pub const FARTHEST: f64 = 1e30;
+
+/// A triangle mesh with unit normals at the corners of its triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// Places of vertices.
+    pub positions: Vec<DVec3>,
+    /// Triangles, counter-clockwise seen from outside where the file keeps to that; at least one.
+    pub triangles: Vec<[u32; 3]>,
+    /// Unit normals at each triangle's corners.
+    pub normals: Vec<[DVec3; 3]>,
+}
+
+impl Mesh {
+    /// Reads a mesh by its file name extension: `.obj`, `.ply`, `.stl` or `.glb`.
+    ///
+    /// Where the file has no normals, they are made from the faces (METHODS.md A1, A2).
+    ///
+    /// # Errors
+    /// A [`MeshError`] for a file that cannot be read, is damaged, or holds no triangle with an area.
+    pub fn read(path: &Path) -> Result<Mesh, MeshError> {
+        let extension = extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
+        let bytes = read_file(path).map_err(|problem| MeshError::new(path, None, problem))?;
+        parse(extension, &bytes).map_err(|at| MeshError::new(path, at.line, at.problem))
+    }
+
+    /// Reads a mesh from bytes, as if they were those of the file `path`, which is not opened.
+    ///
+    /// # Errors
+    /// As [`Mesh::read`].
+    pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
+        let extension = extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
+        parse(extension, bytes).map_err(|at| MeshError::new(path, at.line, at.problem))
+    }
+}
+
+/// The mesh extension of a path, in lower case, if it has one that can be read.
+pub fn extension(path: &Path) -> Option<&'static str> {
+    let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+    EXTENSIONS.into_iter().find(|known| *known == extension)
+}
+
+/// Reads a mesh from the bytes of a file with `extension`.
+fn parse(extension: &str, bytes: &[u8]) -> Result<Mesh, Located> {
+    let polygons: Polygons = match extension {
+        "obj" => return obj::parse(bytes),
+        "ply" => return ply::parse(bytes),
+        "stl" => stl::parse(bytes)?.welded(),
+        "glb" => glb::parse(bytes)?,
+        _ => return Err(MeshProblem::Extension.into()),
+    };
+    Ok(polygons.into_mesh()?)
+}
+
+/// Reads a whole regular file, up to [`LONGEST_FILE`] bytes.
+///
+/// # Errors
+/// A path that is no regular file, a file that is too long or that the system does not give.
+pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, MeshProblem> {
+    let unreadable = |error: std::io::Error| MeshProblem::Unreadable(reason(&error));
+    let about = fs::metadata(path).map_err(unreadable)?;
+    if !about.is_file() {
+        return Err(MeshProblem::NotAFile);
+    }
+    if about.len() > LONGEST_FILE {
+        return Err(MeshProblem::TooLong(about.len()));
+    }
+    fs::read(path).map_err(unreadable)
+}
+
+/// The reason without the system's error number, which differs between systems.
+fn reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".into(),
+        std::io::ErrorKind::PermissionDenied => "permission is denied".into(),
+        _ => error.to_string(),
+    }
+}

@@ -1,0 +1,135 @@
+//! Wavefront `.obj`: the lines `v`, `vn` and `f`; everything else (texture, groups, materials, lines, points) is skipped.
+//!
+//! Read here and not by the `tobj` crate, whose errors do not know their line, which takes polylines (`l`) for faces,
+//! gives a corner without normal its neighbour's, and overflows on texture indices far below zero.
+use std::str::SplitWhitespace;
+
+use glam::DVec3;
+
+use super::error::{Located, MeshProblem};
+use super::polygons::{Corner, Polygons};
+use super::Mesh;
+
+/// Reads an `.obj` file.
+///
+/// # Errors
+/// Text that is not UTF-8, lines that are not as the format has them, and all that [`Polygons::into_mesh`] finds.
+pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Located> {
+    let text = std::str::from_utf8(bytes).map_err(|e| MeshProblem::NotText(e.valid_up_to()))?;
+    let mut reader = Reader::default();
+    for (index, line) in text.lines().enumerate() {
+        reader.line(index + 1, line).map_err(|problem| problem.at_line(index + 1))?;
+    }
+    let Reader { polygons, lines } = reader;
+    polygons.into_mesh().map_err(|problem| lines.locate(problem))
+}
+
+/// The lines that vertices, normals and faces stand on.
+#[derive(Default)]
+struct Lines {
+    vertices: Vec<usize>,
+    normals: Vec<usize>,
+    faces: Vec<usize>,
+}
+
+impl Lines {
+    fn locate(&self, problem: MeshProblem) -> Located {
+        let line = match &problem {
+            MeshProblem::Coordinate { what: "vertex", index, .. } => self.vertices.get(*index),
+            MeshProblem::Coordinate { index, .. } => self.normals.get(*index),
+            MeshProblem::Index { face, .. } | MeshProblem::Corners { face, .. } => self.faces.get(*face),
+            _ => None,
+        };
+        Located { line: line.copied(), problem: as_counted_here(problem) }
+    }
+}
+
+/// The same problem with indices from 1, as the file has them.
+fn as_counted_here(problem: MeshProblem) -> MeshProblem {
+    match problem {
+        MeshProblem::Index { what, index, count, .. } => {
+            syntax(format!("the face names {what} {}; the last one is {count}", u64::from(index) + 1))
+        }
+        other => other,
+    }
+}
+
+#[derive(Default)]
+struct Reader {
+    polygons: Polygons,
+    lines: Lines,
+}
+
+impl Reader {
+    fn line(&mut self, number: usize, line: &str) -> Result<(), MeshProblem> {
+        // A `#` starts a comment anywhere.
+        let content = line.split('#').next().unwrap_or_default();
+        let mut words = content.split_whitespace();
+        match words.next() {
+            Some("v") => {
+                self.polygons.positions.push(vector(words)?);
+                self.lines.vertices.push(number);
+            }
+            Some("vn") => {
+                self.polygons.normals.push(vector(words)?);
+                self.lines.normals.push(number);
+            }
+            Some("f") => self.face(number, words)?,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn face(&mut self, number: usize, words: SplitWhitespace<'_>) -> Result<(), MeshProblem> {
+        let counts = (self.polygons.positions.len(), self.polygons.normals.len());
+        let corners = words.map(|word| corner(word, counts)).collect::<Result<Vec<Corner>, _>>()?;
+        if corners.len() < 3 {
+            return Err(syntax(format!("a face needs at least 3 corners, this one has {}", corners.len())));
+        }
+        self.polygons.push(corners);
+        self.lines.faces.push(number);
+        Ok(())
+    }
+}
+
+fn syntax(text: String) -> MeshProblem {
+    MeshProblem::Syntax(text)
+}
+
+/// The first three numbers of a line; a weight or colours after them are skipped.
+fn vector(mut words: SplitWhitespace<'_>) -> Result<DVec3, MeshProblem> {
+    let mut component = || {
+        let word = words.next().ok_or_else(|| syntax("three numbers are needed here, the line ends early".into()))?;
+        word.parse::<f64>().map_err(|_| syntax(format!("`{}` is not a number", shortened(word))))
+    };
+    Ok(DVec3::new(component()?, component()?, component()?))
+}
+
+/// A corner, `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`; texture indices are not looked at.
+fn corner(word: &str, (vertices, normals): (usize, usize)) -> Result<Corner, MeshProblem> {
+    let mut parts = word.split('/');
+    let (vertex, _texture, normal) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
+    if parts.next().is_some() {
+        return Err(syntax(format!("`{}` is not a corner: at most vertex/texture/normal", shortened(word))));
+    }
+    let normal = normal.filter(|text| !text.is_empty()).map(|text| index(text, normals)).transpose()?;
+    Ok(Corner { vertex: index(vertex, vertices)?, normal })
+}
+
+/// An index counted from 0, from one counted from 1, or counted back from the last with a minus sign.
+fn index(text: &str, count: usize) -> Result<u32, MeshProblem> {
+    let wrong = |why: &str| syntax(format!("`{}` is not an index: {why}", shortened(text)));
+    let number: i64 = text.parse().map_err(|_| wrong("it is not a whole number"))?;
+    let from_zero = match number {
+        0 => return Err(wrong("indices count from 1")),
+        1.. => number - 1,
+        // Counts are lengths of vectors, far below i64's end.
+        _ => (count as i64).saturating_add(number),
+    };
+    u32::try_from(from_zero).map_err(|_| wrong("nothing is there"))
+}
+
+/// The start of a word, so that a line of garbage does not become the message.
+fn shortened(word: &str) -> String {
+    word.chars().take(40).collect()
+}

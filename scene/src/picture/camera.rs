@@ -1,0 +1,105 @@
+//! The camera: orthographic, the eye at infinity.
+use glam::{DMat3, DVec3};
+
+/// Share of the picture's smaller dimension that objects fill when the camera frames them itself.
+const FILLED: f64 = 0.9;
+
+/// Sine of the angle between `up` and the eye below which up is not known.
+const LEAST_SINE: f64 = 1e-9;
+
+/// How the world is looked at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    /// Towards the eye, in world coordinates; any length but 0.
+    pub direction: DVec3,
+    /// What points up in the picture, in world coordinates; not along `direction`.
+    pub up: DVec3,
+    /// The world point at the picture's centre; the middle of the objects if none.
+    pub target: Option<DVec3>,
+    /// World units from the picture's bottom to its top; what the objects need if none.
+    pub height: Option<f64>,
+}
+
+impl Default for Camera {
+    /// From the front, a little to the right and above; y up.
+    fn default() -> Camera {
+        Camera { direction: DVec3::new(0.5, 0.45, 1.0), up: DVec3::Y, target: None, height: None }
+    }
+}
+
+impl Camera {
+    /// The rotation from world to view space; `None` if `up` points along `direction` or either has no direction.
+    pub fn rotation(&self) -> Option<DMat3> {
+        let backward = unit(self.direction)?;
+        let across = unit(self.up)?.cross(backward);
+        if across.length() < LEAST_SINE {
+            return None;
+        }
+        let right = across.normalize();
+        let up = backward.cross(right);
+        Some(DMat3::from_cols(right, up, backward).transpose())
+    }
+}
+
+/// A vector of length 1 along `v`, unless it is 0 or not finite.
+fn unit(v: DVec3) -> Option<DVec3> {
+    let largest = v.abs().max_element();
+    // Scaled first, so that squares neither vanish nor overflow.
+    (largest > 0.0 && largest.is_finite()).then(|| (v / largest).normalize())
+}
+
+/// The window of view space that the picture shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// View-space x and y at the picture's centre.
+    pub centre: [f64; 2],
+    /// Units of view space a pixel.
+    pub pixel: f64,
+}
+
+impl Window {
+    /// The window of a picture of `size` pixels.
+    ///
+    /// `bounds` are the smallest and largest view-space coordinates of all objects, `rotation` is the camera's. `None`
+    /// if the objects have no extent to take the height from.
+    pub fn new(camera: &Camera, rotation: DMat3, bounds: [DVec3; 2], size: (u32, u32)) -> Option<Window> {
+        let (width, height) = (f64::from(size.0), f64::from(size.1));
+        let centre = match camera.target {
+            Some(target) => rotation * target,
+            None => (bounds[0] + bounds[1]) / 2.0,
+        };
+        // Half of what has to fit, measured from the centre to the farther side.
+        let half = (bounds[1] - centre).abs().max((bounds[0] - centre).abs());
+        let needed = (half.y / height).max(half.x / width) * 2.0 / FILLED;
+        let pixel = camera.height.map_or(needed, |units| units / height);
+        (pixel > 0.0 && pixel.is_finite()).then_some(Window { centre: [centre.x, centre.y], pixel })
+    }
+
+    /// Where a point of view space is in a picture of `size`, in pixels from its top left corner.
+    pub fn place(&self, point: DVec3, size: (u32, u32)) -> [f64; 2] {
+        let x = f64::from(size.0) / 2.0 + (point.x - self.centre[0]) / self.pixel;
+        let y = f64::from(size.1) / 2.0 - (point.y - self.centre[1]) / self.pixel;
+        [x, y]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_camera_looks_from_the_front_with_y_up() {
+        let rotation = Camera::default().rotation().unwrap_or_default();
+        assert!((rotation * DVec3::Y).y > 0.8 && (rotation * DVec3::Z).z > 0.8 && (rotation * DVec3::X).x > 0.8);
+        assert!((rotation.determinant() - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_camera_without_direction_has_no_rotation() {
+        let camera = |direction, up| Camera { direction, up, ..Camera::default() };
+        for (direction, up) in [(DVec3::ZERO, DVec3::Y), (DVec3::Y, DVec3::Y * 2.0), (DVec3::Z, DVec3::ZERO)] {
+            assert_eq!(camera(direction, up).rotation(), None);
+        }
+        assert!(camera(DVec3::Z * 1e-200, DVec3::Y * 1e200).rotation().is_some());
+    }
+}

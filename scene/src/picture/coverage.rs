@@ -1,0 +1,191 @@
+//! Which pixels a triangle covers, exactly.
+//!
+//! Corners are snapped to a grid of 1/256 pixel; edge functions are integers, so that nothing rounds. A pixel is covered
+//! when its centre is inside, or on an edge that is the triangle's left or top one. Of two triangles on either side of an
+//! edge exactly one owns the centres on it: meshes have neither gaps nor pixels drawn twice.
+use std::ops::Range;
+
+/// Grid steps a pixel.
+pub const STEPS: i64 = 256;
+
+/// Corners farther than this from the picture's corner, in grid steps, are refused: 2^21 pixels. Differences then have 30
+/// bits and edge functions 61, so `i64` holds them.
+pub const FARTHEST_STEP: i64 = 1 << 29;
+
+/// A point on the grid: x to the right, y down, in 1/256 pixel from the picture's top left corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Point {
+    /// Steps to the right.
+    pub x: i64,
+    /// Steps down.
+    pub y: i64,
+}
+
+impl Point {
+    /// The grid point nearest to a place in pixels; `None` beyond [`FARTHEST_STEP`] and for what is not a number.
+    pub fn snap(x: f64, y: f64) -> Option<Point> {
+        let step = |pixels: f64| {
+            let steps = (pixels * STEPS as f64 + 0.5).floor();
+            (steps.abs() <= FARTHEST_STEP as f64).then_some(steps as i64)
+        };
+        Some(Point { x: step(x)?, y: step(y)? })
+    }
+
+    /// The centre of a pixel.
+    pub fn centre(column: u32, row: u32) -> Point {
+        let centre = |pixel: u32| i64::from(pixel) * STEPS + STEPS / 2;
+        Point { x: centre(column), y: centre(row) }
+    }
+}
+
+/// Twice the signed area of triangle a, b, p; above 0 where p is to the right of a → b as seen in the picture.
+fn edge(a: Point, b: Point, p: Point) -> i64 {
+    (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)
+}
+
+/// A triangle on the grid with an area above 0, its corners clockwise as seen in the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coverage {
+    corners: [Point; 3],
+    /// Twice the area in square steps.
+    area: i64,
+    /// Whether the last two corners were swapped to turn the triangle clockwise.
+    swapped: bool,
+}
+
+impl Coverage {
+    /// The triangle, turned clockwise if need be; `None` without area.
+    pub fn new([a, b, c]: [Point; 3]) -> Option<Coverage> {
+        match edge(a, b, c) {
+            0 => None,
+            area if area > 0 => Some(Coverage { corners: [a, b, c], area, swapped: false }),
+            area => Some(Coverage { corners: [a, c, b], area: -area, swapped: true }),
+        }
+    }
+
+    /// Edges opposite to each corner.
+    fn edges(&self) -> [(Point, Point); 3] {
+        let [a, b, c] = self.corners;
+        [(b, c), (c, a), (a, b)]
+    }
+
+    /// The rows of a picture of `height` rows that may hold covered pixels.
+    pub fn rows(&self, height: u32) -> Range<u32> {
+        let ys = self.corners.map(|p| p.y);
+        // The first and last row whose centre is not above or below all corners.
+        let first = (ys[0].min(ys[1]).min(ys[2]) - STEPS / 2).div_euclid(STEPS);
+        let last = (ys[0].max(ys[1]).max(ys[2]) - STEPS / 2).div_euclid(STEPS);
+        let within = |row: i64| row.clamp(0, i64::from(height)) as u32;
+        within(first)..within(last + 1)
+    }
+
+    /// The columns covered in `row` of a picture of `width` columns: one run, perhaps empty.
+    pub fn columns(&self, row: u32, width: u32) -> Range<u32> {
+        let start = Point::centre(0, row);
+        let (mut first, mut end) = (0, i64::from(width));
+        for (a, b) in self.edges() {
+            let (dx, dy) = (b.x - a.x, b.y - a.y);
+            // A left edge goes up, a top edge to the right; they own the centres on them.
+            let owned = dy < 0 || (dy == 0 && dx > 0);
+            let least = i64::from(!owned);
+            let (at_start, per_pixel) = (edge(a, b, start), -dy * STEPS);
+            // at_start + k * per_pixel >= least
+            match per_pixel.signum() {
+                1 => first = first.max(ceiling(least - at_start, per_pixel)),
+                -1 => end = end.min((at_start - least).div_euclid(-per_pixel) + 1),
+                _ if at_start < least => return 0..0,
+                _ => {}
+            }
+        }
+        // Both are within 0..=width where the run is not empty.
+        if first < end { first as u32..end as u32 } else { 0..0 }
+    }
+
+    /// The covered pixels of a picture, as rows with their run of columns.
+    pub fn runs(&self, width: u32, height: u32) -> impl Iterator<Item = (u32, Range<u32>)> + '_ {
+        let run = move |row| (row, self.columns(row, width));
+        self.rows(height).map(run).filter(|(_, columns)| !columns.is_empty())
+    }
+
+    /// Barycentric weights at a pixel's centre, in the order in which the corners were given. They are 0 or more at
+    /// covered pixels, and add up to 1 to within rounding.
+    pub fn weights(&self, column: u32, row: u32) -> [f64; 3] {
+        let p = Point::centre(column, row);
+        let [a, b, c] = self.edges().map(|(from, to)| edge(from, to, p) as f64 / self.area as f64);
+        if self.swapped { [a, c, b] } else { [a, b, c] }
+    }
+}
+
+/// n / d rounded up, for d above 0.
+fn ceiling(n: i64, d: i64) -> i64 {
+    -(-n).div_euclid(d)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pixels(corners: [(i64, i64); 3]) -> Vec<(u32, u32)> {
+        let triangle = Coverage::new(corners.map(|(x, y)| Point { x: x * STEPS / 2, y: y * STEPS / 2 }));
+        let runs = triangle.iter().flat_map(|t| t.runs(10, 10).collect::<Vec<_>>());
+        runs.flat_map(|(y, xs)| xs.map(move |x| (x, y))).collect()
+    }
+
+    #[test]
+    fn centres_on_left_and_top_edges_are_covered_and_on_others_not() {
+        // Half pixels: corners at the centres of pixels (0,0), (2,0), (0,2).
+        assert_eq!(pixels([(1, 1), (5, 1), (1, 5)]), [(0, 0), (1, 0), (0, 1)]);
+        assert_eq!(pixels([(5, 5), (5, 1), (1, 5)]), [(1, 1)]);
+    }
+
+    #[test]
+    fn the_order_of_corners_does_not_matter() {
+        let corners = [(1, 0), (17, 5), (6, 15)];
+        let expected = pixels(corners);
+        let [a, b, c] = corners;
+        for turned in [[b, c, a], [c, a, b], [a, c, b], [c, b, a], [b, a, c]] {
+            assert_eq!(pixels(turned), expected);
+        }
+    }
+
+    #[test]
+    fn runs_are_what_testing_each_pixel_gives() {
+        let corners = [(-7, -3), (22, 4), (3, 31)];
+        let triangle = corners.map(|(x, y)| Point { x: x * STEPS / 2, y: y * STEPS / 2 });
+        let inside = |x: u32, y: u32| {
+            let [a, b, c] = triangle;
+            let p = Point::centre(x, y);
+            [edge(a, b, p), edge(b, c, p), edge(c, a, p)].iter().all(|&e| e > 0)
+        };
+        let covered = pixels(corners);
+        for (x, y) in (0..10).flat_map(|y| (0..10).map(move |x| (x, y))) {
+            assert!(!inside(x, y) || covered.contains(&(x, y)), "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn triangles_without_area_cover_nothing() {
+        assert_eq!(pixels([(1, 1), (3, 3), (9, 9)]), []);
+    }
+
+    #[test]
+    fn the_farthest_corners_do_not_overflow() {
+        let far = FARTHEST_STEP;
+        let points = [(-far, -far), (far, -far), (far, far)].map(|(x, y)| Point { x, y });
+        let triangle = Coverage::new(points).map(|t| t.runs(8192, 8192).map(|(_, c)| c.len() as u64).sum::<u64>());
+        // The diagonal runs through pixel corners: below it lie 0 + 1 + ... , on it each centre belongs to the left edge.
+        assert_eq!(triangle, Some(8192 * 8193 / 2));
+    }
+
+    #[test]
+    fn weights_follow_the_order_given() {
+        let corner = |x: u32, y: u32| Point::centre(x, y);
+        for corners in [[(0, 0), (8, 0), (0, 8)], [(0, 0), (0, 8), (8, 0)]] {
+            let triangle = Coverage::new(corners.map(|(x, y)| corner(x, y)));
+            for (k, (x, y)) in corners.into_iter().enumerate() {
+                let weights = triangle.map(|t| t.weights(x, y));
+                assert_eq!(weights, Some(std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 })));
+            }
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! From objects in the world to the visible spans of a [`crate::Frame`].
+pub mod camera;
+pub mod coverage;
+pub mod limits;
+pub mod project;
+mod visibility;
+
+pub use project::{Light, LightSpace, Object, Scene};

@@ -1,0 +1,236 @@
+//! From a scene to the frame that is to be shaded.
+use glam::{DAffine3, DMat3, DVec3};
+use thiserror::Error;
+
+use super::camera::{Camera, Window};
+use super::coverage::{Coverage, Point};
+use super::limits;
+use super::visibility::{Projected, visible_spans};
+use crate::mesh::Mesh;
+use crate::mesh::normals::{direction, newell, normal_matrix};
+use crate::{Colour, DirectionalLight, Frame, Material, Span, Triangle};
+
+/// A mesh put somewhere in the world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// Its shape, in its own coordinates.
+    pub mesh: Mesh,
+    /// From its own coordinates to the world's.
+    pub place: DAffine3,
+    /// How it answers light.
+    pub material: Material,
+}
+
+/// The coordinates a light's direction is given in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightSpace {
+    /// Those of the objects: the light stays when the camera moves.
+    World,
+    /// Those of the picture, x right, y up, z to the eye: the light moves with the camera.
+    View,
+}
+
+/// A light at infinity, as a scene gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// Towards the light; any length but 0.
+    pub direction: DVec3,
+    /// What `direction` is measured in.
+    pub space: LightSpace,
+    /// Its colour and strength.
+    pub colour: Colour,
+}
+
+/// Everything a picture is made from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Width and height of the picture in pixels.
+    pub size: (u32, u32),
+    /// 8-bit colour of pixels without object.
+    pub background: [u8; 3],
+    /// How the world is looked at.
+    pub camera: Camera,
+    /// Colour of the ambient light.
+    pub ambient: Colour,
+    /// Lights at infinity.
+    pub lights: Vec<Light>,
+    /// What is to be seen.
+    pub objects: Vec<Object>,
+}
+
+/// Why a scene does not become a picture.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum PictureError {
+    /// Too large, or without pixels.
+    #[error("a picture of {0} x {1} pixels cannot be made")]
+    Size(u32, u32),
+    /// The camera's `up` points to the eye or away from it, or one of both is 0.
+    #[error("the camera does not know what is up")]
+    Up,
+    /// All objects are at one point as the camera sees them.
+    #[error("the objects have no extent as the camera sees them, so it cannot choose a height")]
+    NoExtent,
+    /// Part of an object is too far outside the picture for exact arithmetic.
+    #[error("an object reaches more than 2 million pixels beyond the picture")]
+    TooClose,
+    /// No pixel's centre is covered.
+    #[error("nothing of the scene is visible")]
+    NothingVisible,
+}
+
+impl PictureError {
+    /// What would be right.
+    pub fn help(&self) -> String {
+        match self {
+            PictureError::Size(..) => limits::described(),
+            PictureError::Up => "give the camera an `up` that does not point along the direction to the eye".into(),
+            PictureError::NoExtent => "give the camera a `height`, or turn it so that it does not see the objects edge on".into(),
+            PictureError::TooClose => "give the camera a larger `height`, or split the object".into(),
+            PictureError::NothingVisible => {
+                "aim the camera's `target` at the objects, raise its `height`, or leave both out to have the objects framed".into()
+            }
+        }
+    }
+}
+
+impl Scene {
+    /// Projects the scene along parallel lines, settles what is visible and cuts it into spans.
+    ///
+    /// Each pixel is sampled at its centre. Both sides of a surface are drawn, since meshes may have holes and turn
+    /// their faces either way; the normals of a triangle seen from behind (from where its vertex normals do not point)
+    /// are turned around, so that it is lit from the side that is seen.
+    ///
+    /// # Errors
+    /// A [`PictureError`] if the picture's size is out of range, the camera cannot see, or nothing is visible.
+    pub fn frame(&self) -> Result<Frame, PictureError> {
+        if !limits::is_allowed(self.size) {
+            return Err(PictureError::Size(self.size.0, self.size.1));
+        }
+        let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
+        let seen: Vec<Seen<'_>> = self.objects.iter().map(|object| Seen::new(object, rotation)).collect();
+        let bounds = bounds(&seen).ok_or(PictureError::NothingVisible)?;
+        let window = Window::new(&self.camera, rotation, bounds, self.size).ok_or(PictureError::NoExtent)?;
+        let (names, projected) = self.project(&seen, &window)?;
+        let spans = visible_spans(&projected, self.size.0, self.size.1);
+        if spans.is_empty() {
+            return Err(PictureError::NothingVisible);
+        }
+        let (triangles, spans) = keep_visible(spans, &names, |name| seen[name.object].triangle(name));
+        Ok(Frame {
+            width: self.size.0,
+            height: self.size.1,
+            background: self.background,
+            ambient: self.ambient,
+            lights: self.lights.iter().map(|light| light.seen(rotation)).collect(),
+            materials: self.objects.iter().map(|object| object.material.clone()).collect(),
+            triangles,
+            spans,
+        })
+    }
+
+    /// The triangles that may be in the picture, and which they are.
+    fn project(&self, seen: &[Seen<'_>], window: &Window) -> Result<(Vec<Name>, Vec<Projected>), PictureError> {
+        let (mut names, mut projected) = (Vec::new(), Vec::new());
+        for (object, seen) in seen.iter().enumerate() {
+            for (triangle, corners) in seen.object.mesh.triangles.iter().enumerate() {
+                let places = corners.map(|k| window.place(seen.positions[k as usize], self.size));
+                if self.is_outside(places) {
+                    continue;
+                }
+                let [a, b, c] = places.map(|[x, y]| Point::snap(x, y));
+                let points = [a, b, c].into_iter().collect::<Option<Vec<Point>>>().ok_or(PictureError::TooClose)?;
+                if let Some(coverage) = Coverage::new([points[0], points[1], points[2]]) {
+                    let nearness = corners.map(|k| seen.positions[k as usize].z);
+                    names.push(Name { object, triangle });
+                    projected.push(Projected { coverage, nearness });
+                }
+            }
+        }
+        Ok((names, projected))
+    }
+
+    /// Whether all corners are beyond one and the same side of the picture.
+    fn is_outside(&self, places: [[f64; 2]; 3]) -> bool {
+        let beyond = |axis: usize, size: u32| {
+            let size = f64::from(size);
+            places.iter().all(|p| p[axis] < 0.0) || places.iter().all(|p| p[axis] > size)
+        };
+        beyond(0, self.size.0) || beyond(1, self.size.1)
+    }
+}
+
+impl Light {
+    fn seen(&self, rotation: DMat3) -> DirectionalLight {
+        let largest = self.direction.abs().max_element();
+        let unit = (self.direction / largest).normalize_or(DVec3::Z);
+        let direction = match self.space {
+            LightSpace::World => (rotation * unit).normalize(),
+            LightSpace::View => unit,
+        };
+        DirectionalLight { direction, colour: self.colour }
+    }
+}
+
+/// A triangle of an object.
+#[derive(Clone, Copy)]
+struct Name {
+    object: usize,
+    triangle: usize,
+}
+
+/// An object in view space.
+struct Seen<'a> {
+    object: &'a Object,
+    positions: Vec<DVec3>,
+    to_normals: DMat3,
+}
+
+impl<'a> Seen<'a> {
+    fn new(object: &'a Object, rotation: DMat3) -> Seen<'a> {
+        let place = DAffine3::from_mat3(rotation) * object.place;
+        let positions = object.mesh.positions.iter().map(|&p| place.transform_point3(p)).collect();
+        Seen { object, positions, to_normals: normal_matrix(place.matrix3) }
+    }
+
+    /// The corners that triangles use; meshes may have vertices that none does.
+    fn corners(&self) -> impl Iterator<Item = DVec3> + '_ {
+        self.object.mesh.triangles.iter().flatten().map(|&k| self.positions[k as usize])
+    }
+
+    /// The triangle as it is shaded, its normals turned to the side that is seen.
+    fn triangle(&self, name: Name) -> Triangle {
+        let corners = self.object.mesh.triangles[name.triangle].map(|k| self.positions[k as usize]);
+        let face = newell(&corners).unwrap_or(DVec3::Z);
+        let normals = self.object.mesh.normals[name.triangle].map(|n| direction_of(self.to_normals * n).unwrap_or(face));
+        let outward = if face.dot(normals.iter().sum()) < 0.0 { -face } else { face };
+        let turn = if outward.z < 0.0 { -1.0 } else { 1.0 };
+        Triangle { normals: normals.map(|n| n * turn), material: name.object }
+    }
+}
+
+/// A unit vector along one of any length but 0.
+fn direction_of(normal: DVec3) -> Option<DVec3> {
+    let largest = normal.abs().max_element();
+    if largest > 0.0 { direction(normal / largest) } else { None }
+}
+
+/// The smallest and largest coordinates of all corners, if there are any.
+fn bounds(seen: &[Seen<'_>]) -> Option<[DVec3; 2]> {
+    let corners = seen.iter().flat_map(Seen::corners).map(|p| [p, p]);
+    corners.reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
+}
+
+/// Keeps the triangles that spans name, in the order of their first use, and makes spans name them by it.
+fn keep_visible(spans: Vec<Span>, names: &[Name], triangle: impl Fn(Name) -> Triangle) -> (Vec<Triangle>, Vec<Span>) {
+    let mut kept: Vec<Option<usize>> = vec![None; names.len()];
+    let mut triangles = Vec::new();
+    let renamed = spans.into_iter().map(|span| {
+        let index = *kept[span.triangle].get_or_insert_with(|| {
+            triangles.push(triangle(names[span.triangle]));
+            triangles.len() - 1
+        });
+        Span { triangle: index, ..span }
+    });
+    let spans = renamed.collect();
+    (triangles, spans)
+}

@@ -1,0 +1,169 @@
+//! Which triangle is seen at each pixel, row by row.
+use std::ops::Range;
+
+use super::coverage::Coverage;
+use crate::Span;
+
+/// A triangle in the picture.
+#[derive(Clone, Debug)]
+pub(super) struct Projected {
+    /// Where it is.
+    pub coverage: Coverage,
+    /// How near its corners are, in the order of `coverage`'s weights; more is nearer.
+    pub nearness: [f64; 3],
+}
+
+/// The visible runs of `triangles`, from top to bottom and left to right; [`Span::triangle`] indexes `triangles`.
+///
+/// At each pixel centre the nearest triangle wins, and of equally near ones the first. Works a row at a time on the
+/// triangles that reach it, so that memory does not grow with the picture.
+pub(super) fn visible_spans(triangles: &[Projected], width: u32, height: u32) -> Vec<Span> {
+    let by_row = triangles_by_first_row(triangles, height);
+    let mut row = Row::new(width);
+    let mut active: Vec<usize> = Vec::new();
+    let mut spans = Vec::new();
+    for (y, starting) in (0..height).zip(&by_row) {
+        active.retain(|&t| triangles[t].coverage.rows(height).end > y);
+        active.extend(starting);
+        for &t in &active {
+            row.draw(t, &triangles[t], y);
+        }
+        row.finish(y, triangles, &mut spans);
+    }
+    spans
+}
+
+/// For each row the triangles that start in it.
+fn triangles_by_first_row(triangles: &[Projected], height: u32) -> Vec<Vec<usize>> {
+    let mut by_row = vec![Vec::new(); height as usize];
+    for (t, triangle) in triangles.iter().enumerate() {
+        let rows = triangle.coverage.rows(height);
+        if !rows.is_empty() {
+            by_row[rows.start as usize].push(t);
+        }
+    }
+    by_row
+}
+
+/// What is nearest at each pixel of the current row.
+struct Row {
+    nearness: Vec<f64>,
+    /// The triangle seen, `NOTHING` where there is none.
+    seen: Vec<usize>,
+}
+
+const NOTHING: usize = usize::MAX;
+
+impl Row {
+    fn new(width: u32) -> Row {
+        Row { nearness: vec![f64::NEG_INFINITY; width as usize], seen: vec![NOTHING; width as usize] }
+    }
+
+    fn draw(&mut self, index: usize, triangle: &Projected, y: u32) {
+        let columns = triangle.coverage.columns(y, self.seen.len() as u32);
+        if columns.is_empty() {
+            return;
+        }
+        let (start, step) = nearness_along(triangle, &columns, y);
+        let run = columns.start as usize..columns.end as usize;
+        let pixels = self.nearness[run.clone()].iter_mut().zip(&mut self.seen[run]);
+        for (k, (nearest, seen)) in pixels.enumerate() {
+            let nearness = start + step * k as f64;
+            // Triangles do not come in order of their index here: equals are decided by it.
+            if nearness > *nearest || (nearness == *nearest && index < *seen) {
+                (*nearest, *seen) = (nearness, index);
+            }
+        }
+    }
+
+    /// Adds the row's spans and clears it for the next.
+    fn finish(&mut self, y: u32, triangles: &[Projected], spans: &mut Vec<Span>) {
+        let mut x = 0;
+        for run in self.seen.chunk_by(|a, b| a == b) {
+            // A row has at most 8192 pixels.
+            let length = run.len() as u32;
+            if run[0] != NOTHING {
+                let weights = |column| triangles[run[0]].coverage.weights(column, y);
+                let (start, end) = (weights(x), weights(x + length - 1));
+                spans.push(Span { x, y, length, triangle: run[0], start, end });
+            }
+            x += length;
+        }
+        self.seen.fill(NOTHING);
+        self.nearness.fill(f64::NEG_INFINITY);
+    }
+}
+
+/// Nearness at the first pixel of a run and its change from pixel to pixel.
+fn nearness_along(triangle: &Projected, columns: &Range<u32>, y: u32) -> (f64, f64) {
+    let at = |column: u32| {
+        let weights = triangle.coverage.weights(column, y);
+        weights.iter().zip(triangle.nearness).map(|(w, n)| w * n).sum::<f64>()
+    };
+    let (first, last) = (at(columns.start), at(columns.end - 1));
+    let steps = (columns.len() - 1).max(1);
+    (first, (last - first) / steps as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::picture::coverage::Point;
+
+    const SIZE: u32 = 12;
+
+    /// The triangle seen at each pixel, found by asking all of them.
+    fn by_asking_all(triangles: &[Projected], column: u32, row: u32) -> Option<usize> {
+        let mut best: Option<(f64, usize)> = None;
+        for (index, triangle) in triangles.iter().enumerate() {
+            if !triangle.coverage.columns(row, SIZE).contains(&column) || !triangle.coverage.rows(SIZE).contains(&row) {
+                continue;
+            }
+            let weights = triangle.coverage.weights(column, row);
+            let nearness = weights.iter().zip(triangle.nearness).map(|(w, n)| w * n).sum::<f64>();
+            if best.is_none_or(|(nearest, _)| nearness > nearest) {
+                best = Some((nearness, index));
+            }
+        }
+        best.map(|(_, index)| index)
+    }
+
+    fn triangle(corners: [(i64, i64); 3], nearness: [f64; 3]) -> Option<Projected> {
+        Coverage::new(corners.map(|(x, y)| Point { x, y })).map(|coverage| Projected { coverage, nearness })
+    }
+
+    proptest! {
+        #[test]
+        fn spans_show_the_nearest_triangle_at_each_pixel(
+            corners in prop::collection::vec(prop::array::uniform3((-500..4000_i64, -500..4000_i64)), 1..12),
+            nearness in prop::collection::vec(prop::array::uniform3(-1.0..1.0_f64), 12),
+        ) {
+            let made = corners.iter().zip(nearness).filter_map(|(&c, n)| triangle(c, n));
+            let triangles: Vec<Projected> = made.collect();
+            let mut seen = vec![None; (SIZE * SIZE) as usize];
+            for span in visible_spans(&triangles, SIZE, SIZE) {
+                for x in span.x..span.x + span.length {
+                    let pixel = &mut seen[(span.y * SIZE + x) as usize];
+                    prop_assert_eq!(*pixel, None);
+                    *pixel = Some(span.triangle);
+                }
+            }
+            for (k, seen) in (0..).zip(seen) {
+                prop_assert_eq!(seen, by_asking_all(&triangles, k % SIZE, k / SIZE));
+            }
+        }
+    }
+
+    #[test]
+    fn of_equally_near_triangles_the_first_is_seen() {
+        let low = triangle([(0, 1000), (3000, 1000), (0, 4000)], [0.5; 3]);
+        let high = triangle([(0, 0), (3000, 0), (0, 3000)], [0.5; 3]);
+        // The first starts in a later row, so that the second is drawn before it.
+        let triangles: Vec<Projected> = [low, high].into_iter().flatten().collect();
+        let spans = visible_spans(&triangles, SIZE, SIZE);
+        let at = |y: u32| spans.iter().find(|span| span.y == y && span.x == 0).map(|span| span.triangle);
+        assert_eq!((triangles.len(), at(1), at(6)), (2, Some(1), Some(0)));
+    }
+}

@@ -1,0 +1,58 @@
+//! What can be wrong with a spec.
+use crate::format::Format;
+
+/// Why there is no core for this scene and these wishes.
+#[derive(Debug, Clone, PartialEq, thiserror::Error, miette::Diagnostic)]
+pub enum SpecError {
+    /// No method has that name.
+    #[error("there is no method `{name}`")]
+    #[diagnostic(code(specula::spec::method), help("`specula methods` lists them: lyon, hybrid"))]
+    UnknownMethod {
+        /// The name given.
+        name: String,
+    },
+    /// The power by squaring takes powers of two only.
+    #[error("the method `hybrid` raises to n = 2^j by squaring, and a material has shininess {shininess}")]
+    #[diagnostic(code(specula::spec::shininess), help("use {below} or {above}, or `--method lyon`, which takes every n"))]
+    UnevenShininess {
+        /// The exponent.
+        shininess: u32,
+        /// The next smaller power of two.
+        below: u32,
+        /// The next larger power of two.
+        above: u32,
+    },
+    /// A number is outside what cores can be built for.
+    #[error("`{name}` is {value}, outside {low} to {high}")]
+    #[diagnostic(code(specula::spec::range))]
+    OutOfRange {
+        /// What it is.
+        name: &'static str,
+        /// The value given.
+        value: u64,
+        /// Smallest value.
+        low: u64,
+        /// Largest value.
+        high: u64,
+    },
+    /// A format does not fit what it is to hold.
+    #[error("format `{name}` is {given}, which cannot hold what it is for")]
+    #[diagnostic(code(specula::spec::format), help("write {wanted}, with 4 to {most_fraction_bits} fraction bits"))]
+    WrongFormat {
+        /// The narrowing point.
+        name: &'static str,
+        /// The format given.
+        given: Format,
+        /// The shape needed, such as `S1.f`.
+        wanted: String,
+        /// The most fraction bits.
+        most_fraction_bits: u32,
+    },
+    /// The `[core]` table of a scene file does not fit.
+    #[error("the [core] table is wrong: {message}")]
+    #[diagnostic(code(specula::spec::core), help("docs/scene-format.md lists the keys of [core] and their values"))]
+    Core {
+        /// What is wrong.
+        message: String,
+    },
+}

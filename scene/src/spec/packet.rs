@@ -1,0 +1,119 @@
+//! Set-up of one span: what the host works out in f64 and quantises into the core's formats.
+use glam::DVec3;
+
+use super::hybrid::{HybridInputs, HybridLight, HybridSpec, Quadratic};
+use super::lyon::{LyonInputs, LyonLight, LyonSpec};
+use super::{CoreSpec, FULL_SCALE, MethodSpec};
+use crate::format::Format;
+use crate::frame::{Colour, EYE, Frame, Material, Span};
+
+/// What a core is given of one span.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SpanPacket {
+    /// Clocks for which the span goes in, one per pixel.
+    pub length: u32,
+    /// Raw values of [`CoreSpec::inputs`], in that order.
+    pub inputs: Vec<i64>,
+}
+
+impl CoreSpec {
+    /// Sets up a span for this core. Every value is within its port's range.
+    pub fn packet(&self, frame: &Frame, span: &Span) -> SpanPacket {
+        let inputs = match &self.method {
+            MethodSpec::Lyon(lyon) => lyon_inputs(self, lyon, frame, span).to_vec(),
+            MethodSpec::Hybrid(hybrid) => hybrid_inputs(self, hybrid, frame, span).to_vec(),
+        };
+        SpanPacket { length: span.length, inputs }
+    }
+
+    /// A coefficient for each channel: light times reflectance, in LSBs.
+    fn coefficients(&self, reflectance: Colour, light: Colour) -> [i64; 3] {
+        std::array::from_fn(|c| self.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c]))
+    }
+}
+
+fn quantised(vector: DVec3, format: Format) -> [i64; 3] {
+    vector.to_array().map(|component| format.quantise(component))
+}
+
+fn lyon_inputs(core: &CoreSpec, lyon: &LyonSpec, frame: &Frame, span: &Span) -> LyonInputs<i64> {
+    let f = &lyon.formats;
+    let material = frame.material(span);
+    let [start, end] = frame.end_normals(span).map(|n| quantised(n, f.vector));
+    let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+    LyonInputs {
+        normal_start: start,
+        normal_delta: std::array::from_fn(|i| end[i] - start[i]),
+        weight_step: f.weight_accumulator.quantise(step),
+        shininess: i64::from(material.shininess),
+        ambient: core.coefficients(material.ambient, frame.ambient),
+        lights: lyon_lights(core, lyon, frame, material),
+    }
+}
+
+fn lyon_lights(core: &CoreSpec, lyon: &LyonSpec, frame: &Frame, material: &Material) -> Vec<LyonLight<i64>> {
+    let f = &lyon.formats;
+    let ports = lyon.inputs(core).lights;
+    let light = |(light, port): (&crate::frame::DirectionalLight, &LyonLight<_>)| LyonLight {
+        direction: quantised(light.direction, f.vector),
+        halfway: port.halfway.as_ref().map(|_| quantised(light.direction + EYE, f.vector_sum())),
+        diffuse: core.coefficients(material.diffuse, light.colour),
+        specular: core.coefficients(material.specular, light.colour),
+    };
+    frame.lights.iter().zip(&ports).map(light).collect()
+}
+
+fn hybrid_inputs(core: &CoreSpec, hybrid: &HybridSpec, frame: &Frame, span: &Span) -> HybridInputs<i64> {
+    let f = &hybrid.formats;
+    let material = frame.material(span);
+    let [start, end] = frame.end_normals(span);
+    // N(i) = m + k i. In a span of one pixel k is not used.
+    let (m, k) = (start, (end - start) / f64::from(span.steps().max(1)));
+    let q = quadratic(span, m.dot(m), 2.0 * k.dot(m), k.dot(k));
+    let light = |light: &crate::frame::DirectionalLight| {
+        let l = light.direction;
+        let l_dot_v = l.dot(EYE);
+        let p = quadratic(
+            span,
+            2.0 * m.dot(EYE) * m.dot(l) - l_dot_v * m.dot(m),
+            2.0 * (m.dot(EYE) * k.dot(l) + k.dot(EYE) * m.dot(l)) - 2.0 * l_dot_v * k.dot(m),
+            2.0 * k.dot(EYE) * k.dot(l) - l_dot_v * k.dot(k),
+        );
+        let (intensity_start, intensity_step) = gouraud(frame, span, l);
+        HybridLight {
+            numerator: p.quantised(f.accumulator),
+            intensity_start: f.diffuse_accumulator.quantise(intensity_start),
+            intensity_step: f.diffuse_accumulator.quantise(intensity_step),
+            diffuse: core.coefficients(material.diffuse, light.colour),
+            specular: core.coefficients(material.specular, light.colour),
+        }
+    };
+    HybridInputs {
+        denominator: q.quantised(f.accumulator),
+        log2_shininess: i64::from(material.shininess.ilog2()),
+        ambient: core.coefficients(material.ambient, frame.ambient),
+        lights: frame.lights.iter().map(light).collect(),
+    }
+}
+
+/// Start and differences of c + b i + a i² (Hast eq. 20 to 26: p0 = C, dp0 = A + B, d2p = 2A), as far as the span is long enough to use them.
+fn quadratic(span: &Span, c: f64, b: f64, a: f64) -> Quadratic<f64> {
+    let used_from = |steps: u32, x: f64| if span.steps() >= steps { x } else { 0.0 };
+    Quadratic { start: c, first_difference: used_from(1, a + b), second_difference: used_from(2, 2.0 * a) }
+}
+
+impl Quadratic<f64> {
+    fn quantised(&self, format: Format) -> Quadratic<i64> {
+        let q = |x: f64| format.quantise(x);
+        Quadratic { start: q(self.start), first_difference: q(self.first_difference), second_difference: q(self.second_difference) }
+    }
+}
+
+/// Gouraud's intensity at the first pixel and its step: max(N·L, 0) at the triangle's vertices, interpolated linearly
+/// [lecture, eq. 3.2 to 3.6].
+fn gouraud(frame: &Frame, span: &Span, light: DVec3) -> (f64, f64) {
+    let at_vertices = frame.triangles[span.triangle].normals.map(|n| n.dot(light).max(0.0));
+    let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
+    let (start, end) = (at(span.start), at(span.end));
+    (start, (end - start) / f64::from(span.steps().max(1)))
+}

@@ -1,0 +1,163 @@
+//! What goes into a core, clock by clock: span after span with no idle clock between, then idle clocks until the last pixel is out.
+use std::ops::Range;
+
+use specula_hdl::{Design, SpanPacket};
+
+/// Spans that are to be shaded, set up one at a time so that memory does not grow with the picture.
+pub trait SpanSource: Sync {
+    /// Number of spans.
+    fn count(&self) -> usize;
+    /// Pixels of span `index`.
+    fn length(&self, index: usize) -> u32;
+    /// Span `index`, set up.
+    fn packet(&self, index: usize) -> SpanPacket;
+}
+
+impl SpanSource for [SpanPacket] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    fn length(&self, index: usize) -> u32 {
+        self[index].length
+    }
+
+    fn packet(&self, index: usize) -> SpanPacket {
+        self[index].clone()
+    }
+}
+
+/// The stimulus of a run.
+pub struct Stimulus<'a> {
+    spans: &'a dyn SpanSource,
+    /// The clock at which each span of the source begins, and behind them the clock after the last.
+    begins: Vec<u64>,
+    /// The clocks of this run.
+    clocks: Range<u64>,
+}
+
+/// What goes in over some clocks in which nothing but `start` changes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stretch {
+    /// The clocks.
+    pub clocks: Range<u64>,
+    /// Whether pixels enter.
+    pub valid: bool,
+    /// Whether the first clock is the first of a span.
+    pub starts: bool,
+    /// Raw values of the core's data inputs.
+    pub inputs: Vec<i64>,
+}
+
+impl<'a> Stimulus<'a> {
+    /// All spans of the source, then idle clocks until the last pixel has left a core of this design.
+    pub fn whole(spans: &'a dyn SpanSource, design: &Design) -> Stimulus<'a> {
+        let mut begins = vec![0];
+        let mut clock = 0;
+        for index in 0..spans.count() {
+            clock += u64::from(spans.length(index));
+            begins.push(clock);
+        }
+        Stimulus { spans, begins, clocks: 0..clock + u64::from(design.latency()) + 1 }
+    }
+
+    /// The part of the run that `window` needs: from the beginning of a span early enough that at the window's first clock every
+    /// register holds what it would hold in the whole run.
+    ///
+    /// Data takes at most the latency through the core, and accumulators are loaded at the beginning of a span.
+    pub fn leading_to(&self, window: &Range<u64>, design: &Design) -> Stimulus<'a> {
+        let early = window.start.saturating_sub(u64::from(design.latency()));
+        let span = self.begins.partition_point(|&begin| begin <= early).saturating_sub(1);
+        let first = self.begins[span].min(early);
+        let end = window.end.min(self.clocks.end);
+        Stimulus { spans: self.spans, begins: self.begins.clone(), clocks: first.max(self.clocks.start)..end }
+    }
+
+    /// The clocks of the run.
+    pub fn clocks(&self) -> Range<u64> {
+        self.clocks.clone()
+    }
+
+    /// Pixels that enter during the whole run.
+    pub fn pixels(&self) -> u64 {
+        self.begins.last().copied().unwrap_or(0)
+    }
+
+    /// The clock at which span `index` begins; that after the last pixel for an index behind the last.
+    pub fn begin_of(&self, index: usize) -> u64 {
+        self.begins[index.min(self.begins.len() - 1)]
+    }
+
+    /// The span that enters at `clock`, and which of its pixels; `None` when idle.
+    pub fn pixel_at(&self, clock: u64) -> Option<(usize, u32)> {
+        let index = self.begins.partition_point(|&begin| begin <= clock).checked_sub(1)?;
+        let offset = clock - self.begins[index];
+        (index + 1 < self.begins.len()).then_some((index, offset as u32))
+    }
+
+    /// The stretches that make up the run, in order.
+    pub fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
+        let mut clock = self.clocks.start;
+        let mut last_inputs = vec![];
+        std::iter::from_fn(move || {
+            if clock >= self.clocks.end {
+                return None;
+            }
+            let stretch = match self.pixel_at(clock) {
+                Some((index, offset)) => {
+                    let packet = self.spans.packet(index);
+                    last_inputs.clone_from(&packet.inputs);
+                    let end = self.begins[index + 1].min(self.clocks.end);
+                    Stretch { clocks: clock..end, valid: true, starts: offset == 0, inputs: packet.inputs }
+                }
+                // Idle: inputs stay where the last span left them.
+                None => Stretch { clocks: clock..self.clocks.end, valid: false, starts: false, inputs: last_inputs.clone() },
+            };
+            clock = stretch.clocks.end;
+            Some(stretch)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn packets() -> Vec<SpanPacket> {
+        [3, 1, 4].iter().enumerate().map(|(i, &length)| SpanPacket { length, inputs: vec![i as i64] }).collect()
+    }
+
+    fn stimulus(packets: &Vec<SpanPacket>, clocks: Range<u64>) -> Stimulus<'_> {
+        Stimulus { spans: packets, begins: vec![0, 3, 4, 8], clocks }
+    }
+
+    impl SpanSource for Vec<SpanPacket> {
+        fn count(&self) -> usize {
+            self.as_slice().count()
+        }
+        fn length(&self, index: usize) -> u32 {
+            self.as_slice().length(index)
+        }
+        fn packet(&self, index: usize) -> SpanPacket {
+            self.as_slice().packet(index)
+        }
+    }
+
+    #[test]
+    fn spans_follow_each_other_without_an_idle_clock() {
+        let packets = packets();
+        let clocks: Vec<_> = stimulus(&packets, 0..10).stretches().map(|s| (s.clocks, s.valid, s.starts, s.inputs)).collect();
+        let span = |clocks, i| (clocks, true, true, vec![i]);
+        assert_eq!(clocks, [span(0..3, 0), span(3..4, 1), span(4..8, 2), (8..10, false, false, vec![2])]);
+    }
+
+    #[test]
+    fn pixels_are_found_by_their_clock() {
+        let packets = packets();
+        let stimulus = stimulus(&packets, 0..10);
+        assert_eq!(
+            [0, 2, 3, 4, 7, 8].map(|c| stimulus.pixel_at(c)),
+            [Some((0, 0)), Some((0, 2)), Some((1, 0)), Some((2, 0)), Some((2, 3)), None]
+        );
+    }
+}
