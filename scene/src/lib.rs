@@ -4,6 +4,7 @@
 //! [`CoreSpec::packet`] sets up each span for it.
 mod angle;
 mod builtin;
+mod choose_core;
 pub mod defaults;
 mod error;
 mod file;

@@ -46,7 +46,7 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
     }
     let help = format!(
         "built-in scenes are {}; scene files end in `.toml`, meshes in {}",
-        listed(&builtin::builtin_names()),
+        listed(builtin::builtin_names()),
         EXTENSIONS.map(|extension| format!("`.{extension}`")).join(", ")
     );
     Err(SceneError::Unknown { scene: scene.to_owned(), help })
@@ -75,7 +75,8 @@ fn read_text(path: &Path) -> Result<SourceFile, SceneError> {
     let bytes = mesh::read_file(path).map_err(|problem| unreadable(problem.to_string(), "check the path"))?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        unreadable(format!("it is not UTF-8 text: byte {at} is wrong"), "scene files are TOML, in UTF-8")
+        let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
+        unreadable(format!("it is not UTF-8 text: byte {at}, in line {line}, is wrong"), "scene files are TOML, in UTF-8")
     })?;
     Ok(SourceFile::new(&shown, text))
 }

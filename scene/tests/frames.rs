@@ -136,6 +136,32 @@ fn the_same_scene_gives_the_same_frame() {
     assert_eq!(frame(0), frame(1));
 }
 
+/// A number that changes with any bit of any span, normal or light [FNV-1a, 64 bits].
+fn digest(frame: &Frame) -> u64 {
+    let spans = frame.spans.iter().flat_map(|span| {
+        let place = [span.x, span.y, span.length].map(u64::from);
+        let weights = span.start.into_iter().chain(span.end).map(f64::to_bits);
+        place.into_iter().chain([span.triangle as u64]).chain(weights)
+    });
+    let normals = frame.triangles.iter().flat_map(|triangle| triangle.normals);
+    let vectors = normals.chain(frame.lights.iter().map(|light| light.direction));
+    let words = spans.chain(vectors.flat_map(|v| v.to_array().map(f64::to_bits)));
+    let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    words.flat_map(u64::to_le_bytes).fold(0xcbf2_9ce4_8422_2325, mix)
+}
+
+/// Built-in frames bit for bit, so that a machine, compiler or library that rounds otherwise is noticed.
+#[test]
+fn frames_are_the_same_on_every_machine() {
+    let line = |name: &&str| {
+        let frame = load(name, None).expect("it is built in").frame;
+        let (spans, pixels) = (frame.spans.len(), frame.shaded_pixels());
+        format!("{name}: {spans} spans, {pixels} pixels, {:016x}", digest(&frame))
+    };
+    let lines: Vec<String> = builtin_names().iter().map(line).collect();
+    insta::assert_snapshot!(lines.join("\n"));
+}
+
 #[test]
 fn the_core_table_can_be_read_by_whoever_knows_it() {
     #[derive(serde::Deserialize)]

@@ -34,6 +34,16 @@ impl Columns {
         self.values.iter_mut().for_each(Vec::clear);
     }
 
+    /// The rows whose clocks lie in `window`.
+    pub fn within(&self, window: &std::ops::Range<u64>) -> Columns {
+        let span = self.span();
+        let first = window.start.clamp(span.start, span.end);
+        let last = window.end.clamp(first, span.end);
+        let rows = (first - span.start) as usize..(last - span.start) as usize;
+        let values = self.values.iter().map(|column| column[rows.clone()].to_vec()).collect();
+        Columns { first_clock: first, nodes: self.nodes.clone(), values }
+    }
+
     /// Appends the rows of `other`, which has the same signals and follows on.
     pub fn extend(&mut self, other: &Columns) {
         if self.clocks() == 0 {

@@ -39,4 +39,69 @@ pub enum SimError {
         /// The clock.
         clock: u64,
     },
+    /// An external tool is not installed.
+    #[error("{tool} is not installed: there is no program `{command}` on the search path")]
+    #[diagnostic(code(specula::sim::absent), help("{install}, or use an engine that needs no other program: `--engine rust-hdl`"))]
+    ToolAbsent {
+        /// What people call it.
+        tool: &'static str,
+        /// The program looked for.
+        command: &'static str,
+        /// How to get it.
+        install: &'static str,
+    },
+    /// An external tool failed, or had something to complain of.
+    #[error("`{command}` failed or gave a warning ({status}):\n{output}")]
+    #[diagnostic(
+        code(specula::sim::tool),
+        help("Specula's Verilog is meant to pass without a warning: if the tool is complete, please report this with the scene")
+    )]
+    ToolFailed {
+        /// The command line.
+        command: String,
+        /// How it ended.
+        status: String,
+        /// What it printed.
+        output: String,
+    },
+    /// An external simulator left a signal out of its trace.
+    #[error("{tool} does not trace the signal `{signal}`")]
+    #[diagnostic(code(specula::sim::untraced), help("this is a fault of Specula's: please report it with the scene"))]
+    Untraced {
+        /// The simulator.
+        tool: &'static str,
+        /// Full name of the signal.
+        signal: String,
+    },
+    /// An external simulator came to its end too early.
+    #[error("{tool} gave no values from clock {missing} on, and the stimulus goes on to clock {end}")]
+    #[diagnostic(code(specula::sim::short), help("look whether the disk of the temporary directory is full"))]
+    TooFewClocks {
+        /// The simulator.
+        tool: &'static str,
+        /// The first clock without values.
+        missing: u64,
+        /// The clock behind the last of the stimulus.
+        end: u64,
+    },
+    /// A file of a simulation could not be written or read.
+    #[error("cannot {doing}: {source}")]
+    #[diagnostic(
+        code(specula::sim::file),
+        help("simulations need room in the temporary directory; the environment variable TMPDIR names another")
+    )]
+    File {
+        /// What was tried.
+        doing: String,
+        /// What the system says.
+        source: std::io::Error,
+    },
+}
+
+impl SimError {
+    /// The error of having failed at `doing`.
+    pub(crate) fn file(doing: impl Into<String>) -> impl FnOnce(std::io::Error) -> SimError {
+        let doing = doing.into();
+        move |source| SimError::File { doing, source }
+    }
 }

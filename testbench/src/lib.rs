@@ -1,1 +1,18 @@
-//! testbench (placeholder)
+//! Drives a core with a scene's spans, compares every pixel with independent models, and measures error and run time.
+mod arrival;
+mod assumptions;
+mod compare;
+mod error;
+mod image;
+mod run;
+mod spans;
+mod statistics;
+pub mod trace;
+
+pub use assumptions::Violation;
+pub use compare::{Comparison, Mismatch, WorstPixel};
+pub use error::BenchError;
+pub use image::Image;
+pub use run::{Bench, EngineKind, Outcome, Progress};
+pub use spans::FrameSpans;
+pub use statistics::{ErrorFigures, Errors};

@@ -47,7 +47,11 @@ impl<'a> LyonSpan<'a> {
         gain(self.spec, interpolated.length_squared()) * interpolated
     }
 
+    /// f_k of D; none where the normal vanishes and has no direction (EXTREMES row 1).
     fn highlight(&self, normal: DVec3, light: DVec3) -> f64 {
+        if normal == DVec3::ZERO {
+            return 0.0;
+        }
         let difference = match self.spec.difference {
             Difference::ReflectionMinusLight => reflection_minus_light(normal, light),
             Difference::HalfwayCrossNormal => halfway_cross_normal(normal, light),

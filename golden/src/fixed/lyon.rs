@@ -65,20 +65,21 @@ impl Method for Lyon {
     }
 
     fn pixel(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
-        let normal = self.normal(inputs, i, observer);
+        let (normal, z) = self.normal(inputs, i, observer);
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
             colour.add(&light.diffuse, self.diffuse(&normal, light, &mut observer));
-            colour.add(&light.specular, self.specular(&normal, light, inputs.shininess, &mut observer));
+            let highlight = self.specular(&normal, light, inputs.shininess, &mut observer);
+            colour.add(&light.specular, if z == Wide::ZERO { Wide::ZERO } else { highlight });
         }
         colour.code(self.colour, observer)
     }
 }
 
 impl Lyon {
-    /// n = g N', with N' = N0 + a (N1 - N0).
-    fn normal(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> Vector {
+    /// n = g N', with N' = N0 + a (N1 - N0), and z = N'·N'.
+    fn normal(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Vector, Wide) {
         let f = &self.formats;
         let accumulated = Wide::from_num(i) * inputs.weight_step;
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
@@ -87,7 +88,7 @@ impl Lyon {
         let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
         let z = narrow(observer, format_args!("length_squared"), dot(&interpolated, &interpolated), f.length_squared);
         let gain = self.gain(z, observer);
-        narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector)
+        (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z)
     }
 
     /// g, near 1/√z: g1 or g2 (METHODS.md B8, B9), then Newton steps.

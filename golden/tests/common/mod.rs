@@ -9,7 +9,6 @@ use specula_scene::spec::SpecError;
 use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, SpanPacket, Triangle};
 
 pub const WHITE: [f64; 3] = [1.0; 3];
-pub const BLACK: [f64; 3] = [0.0; 3];
 
 /// A span from the first to the second of `normals` over `length` pixels; the lights are white.
 pub fn frame(normals: [DVec3; 2], length: u32, lights: &[DVec3], material: Material) -> Frame {

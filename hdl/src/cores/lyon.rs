@@ -17,24 +17,37 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
         weight_step: &inputs.weight_step,
     };
     let normal = units::interpolate(&b, span, &lyon.formats, spec.longest_span - 1);
-    let n = units::normalise(&b, &normal, lyon, spec.shortest_normal);
-    let shade = |light: &LyonLight<Sig>| shade(&b, &n, light, &inputs.shininess, lyon);
-    let lights: Vec<Light> = inputs.lights.iter().map(shade).collect();
+    let (n, has_direction) = units::normalise(&b, &normal, lyon, spec.shortest_normal);
+    let pixel = Pixel { b: &b, spec, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
+    let lights: Vec<Light> = inputs.lights.iter().map(|light| pixel.shade(light)).collect();
     let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
     b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
 }
 
-fn shade(b: &Builder, n: &Vector, light: &LyonLight<Sig>, shininess: &Sig, lyon: &LyonSpec) -> Light {
-    let direction = Vector::new(light.direction.clone());
-    let d = match &light.halfway {
-        Some(halfway) => units::halfway_cross_normal(b, &Vector::new(halfway.clone()), n, &lyon.formats),
-        None => units::reflection_minus_light(b, n, &eye(b), &direction, &lyon.formats),
-    };
-    Light {
-        diffuse: units::diffuse(b, n, &direction, &lyon.formats),
-        specular: units::shape(b, &d, shininess, lyon),
-        diffuse_coefficients: light.diffuse.clone(),
-        specular_coefficients: light.specular.clone(),
+/// What the lights have in common.
+struct Pixel<'a> {
+    b: &'a Builder,
+    spec: &'a CoreSpec,
+    lyon: &'a LyonSpec,
+    n: &'a Vector,
+    has_direction: &'a Sig,
+    shininess: &'a Sig,
+}
+
+impl Pixel<'_> {
+    fn shade(&self, light: &LyonLight<Sig>) -> Light {
+        let (b, formats) = (self.b, &self.lyon.formats);
+        let direction = Vector::new(light.direction.clone());
+        let d = match &light.halfway {
+            Some(halfway) => units::halfway_cross_normal(b, &Vector::new(halfway.clone()), self.n, formats),
+            None => units::reflection_minus_light(b, self.n, &eye(b), &direction, formats),
+        };
+        Light {
+            diffuse: units::diffuse(b, self.n, &direction, formats),
+            specular: units::shape(b, &d, self.shininess, self.has_direction, self.lyon, self.spec.shortest_normal),
+            diffuse_coefficients: light.diffuse.clone(),
+            specular_coefficients: light.specular.clone(),
+        }
     }
 }
 

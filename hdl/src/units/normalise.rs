@@ -18,7 +18,9 @@ fn coarsest_ulp(formats: &LyonFormats) -> f64 {
 ///
 /// Both ends of a span lie in the unit ball, so |N'| ≤ 1 up to rounding of each component at the ends and here, √3 units of the
 /// last place together. n is off by g e_N' + |N'| e_g, with the bounds of [`GainBound`] for normals no shorter than `shortest`.
-pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> Vector {
+///
+/// Beside n goes a bit that says whether N' has a direction at all (EXTREMES row 1).
+pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> (Vector, Sig) {
     let f = &lyon.formats;
     let formula = match lyon.normalisation {
         Normalisation::G1 => "n = g N', g = 1 + y/2, y = 1 - N'.N' [Lyon, TR 43]",
@@ -36,7 +38,8 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
         let e_normal = normal.x.error_value();
         let error = bound.largest * e_normal + (1.0 + e_normal) * bound.error;
         let n = normal.scaled(&g).map(|c| c.clone().proven_error_value(error).rounded(f.vector.fraction_bits));
-        n.assumed_within(longest_normal(f), "|g N'| <= 1.002").named("n")
+        let has_direction = b.integer(0).less_than(&z).named("has_direction");
+        (n.assumed_within(longest_normal(f), "|g N'| <= 1.002").named("n"), has_direction)
     })
 }
 

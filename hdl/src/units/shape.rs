@@ -4,26 +4,29 @@ use specula_scene::spec::lyon::LyonSpec;
 use super::normalise::longest_normal;
 use crate::builder::{Builder, Sig, Vector};
 
-/// f_k(x) = (1 - x/2^k)^(2^k), 0 for x ≥ 2^k, with x = (n/2) D·D. [Lyon, TR 43; METHODS B]
+/// f_k(x) = (1 - x/2^k)^(2^k), 0 for x ≥ 2^k and where the normal has no direction, with x = (n/2) D·D. [Lyon, TR 43; METHODS B]
 ///
 /// # Error
 /// As a function of d = |D| and with K = 2^k, f = (1 - n d²/2K)^K has the slope -n d (1 - n d²/2K)^(K-1). Put t = n d²/2K: it is
 /// √n √(2Kt) (1 - t)^(K-1), largest at t = 1/(2K - 1), so a vector D whose components are off by e moves f by
 /// √3 e √n √(2K/(2K-1)) ((2K-2)/(2K-1))^(K-1) at most. Rounding x/2^k and each square adds K/2 + (K - 1)/2 units of the last place.
-pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, lyon: &LyonSpec) -> Sig {
+pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon: &LyonSpec, shortest: f64) -> Sig {
     let formula = format!("f = max(1 - x/{0}, 0)^{0}, x = (n/2) D.D [Lyon, TR 43]", 1 << lyon.squarings);
-    b.unit("shape", &formula, (("d", d), ("n", shininess)), |b, (d, n)| {
+    b.unit("shape", &formula, (("d", d), ("n", shininess), ("has_direction", has_direction)), |b, (d, n, has_direction)| {
         let fraction_bits = lyon.formats.shape.fraction_bits;
         let slope = steepest_slope(lyon.squarings, n.range().magnitude());
         let k = 1 << lyon.squarings;
         let rounding = (f64::from(k) - 0.5) * lyon.formats.shape.ulp();
-        let error = 3f64.sqrt() * d.x.error_value() * slope + rounding;
+        // Where rounding z may decide whether a normal has a direction, nothing is known of f.
+        let directions_are_sure = shortest * shortest > lyon.formats.length_squared.ulp();
+        let error = if directions_are_sure { 3f64.sqrt() * d.x.error_value() * slope + rounding } else { 1.0 };
 
         let longest_n = longest_normal(&lyon.formats);
         let longest = 2.0 * longest_n * longest_n + 8.0 * lyon.formats.vector.ulp() + 12.0 * lyon.formats.difference.ulp();
         let squared_length = d.length_squared_within(longest, "|D| <= 2").named("d_squared");
         let x = (&n * squared_length).times_power_of_two(-(lyon.squarings as i32 + 1)).rounded(fraction_bits).named("x");
-        let mut f = (b.integer(1) - x).at_least_zero().named("base");
+        let shape = (b.integer(1) - x).at_least_zero();
+        let mut f = has_direction.choose(&shape, &b.integer(0)).named("base");
         for _ in 0..lyon.squarings {
             f = square(b, &f, fraction_bits);
         }

@@ -58,7 +58,8 @@ fn camera(source: &SourceFile, given: Option<&Spanned<raw::Camera>>) -> Result<C
         None => {
             let at = [&raw.up, &raw.direction, &raw.eye].into_iter().flatten().next().map(Spanned::span);
             let problem = "the camera looks along its own `up`";
-            let help = "turn `direction` or `up`: seen from straight above, for one, `up = [0, 0, -1]`; `up` is [0, 1, 0] if left out";
+            let help =
+                "turn `direction` or `up`: seen from straight above, for one, `up = [0, 0, -1]`; `up` is [0, 1, 0] if left out";
             Err(source.error(at.unwrap_or(given.span()), problem, help))
         }
     }

@@ -61,7 +61,7 @@ pub(super) fn scale(source: &SourceFile, given: &Spanned<Triple>) -> Result<DVec
 }
 
 fn within(source: &SourceFile, name: &str, at: std::ops::Range<usize>, numbers: [f64; 3]) -> Result<[f64; 3], SceneError> {
-    match numbers.iter().find(|x| !(x.abs() <= FARTHEST)) {
+    match numbers.iter().find(|x| x.is_nan() || x.abs() > FARTHEST) {
         None => Ok(numbers),
         Some(x) => {
             let help = format!("numbers are finite, from -{FARTHEST:e} to {FARTHEST:e}");

@@ -90,7 +90,9 @@ impl MeshProblem {
             MeshProblem::Corners { .. } => {
                 format!("triangulate the mesh first; concave polygons may have {} corners", super::triangulate::MOST_CORNERS)
             }
-            MeshProblem::Empty => "a mesh needs at least one triangle whose corners are not on one line; points and lines are not drawn".into(),
+            MeshProblem::Empty => {
+                "a mesh needs at least one triangle whose corners are not on one line; points and lines are not drawn".into()
+            }
         }
     }
 }

@@ -22,7 +22,7 @@ const MOST_NODES: usize = 1_000_000;
 /// A file that is not a valid `.glb`, or that keeps its geometry compressed, sparse or in other files.
 pub(super) fn parse(bytes: &[u8]) -> Result<Polygons, MeshProblem> {
     check_header(bytes)?;
-    let syntax = |error: gltf::Error| MeshProblem::Syntax(error.to_string().trim_end_matches("; ").to_owned());
+    let syntax = |error: gltf::Error| MeshProblem::Syntax(error.to_string().trim_end_matches([';', ' ']).to_owned());
     let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(syntax)?;
     check_attributes(document.as_json())?;
     let document = Document::from_json(document.into_json()).map_err(syntax)?;
@@ -106,10 +106,7 @@ fn add(polygons: &mut Polygons, primitive: &Primitive<'_>, place: DMat4, blob: &
     let (first, first_normal) = (polygons.positions.len() as u32, polygons.normals.len() as u32);
     polygons.positions.extend(positions.iter().map(|&p| place.transform_point3(p)));
     polygons.normals.extend(normals.iter().map(|&n| to_normals * n));
-    let corner = |index: u32| Corner {
-        vertex: first + index,
-        normal: normals.get(index as usize).map(|_| first_normal + index),
-    };
+    let corner = |index: u32| Corner { vertex: first + index, normal: normals.get(index as usize).map(|_| first_normal + index) };
     for triangle in triangles(primitive.mode(), &indices) {
         // A mirror turns triangles around [glTF 2.0, 3.7.4].
         let [a, b, c] = if linear.determinant() < 0.0 { swapped(triangle) } else { triangle };
@@ -163,10 +160,7 @@ fn indices(primitive: &Primitive<'_>, blob: &[u8]) -> Result<Option<Vec<u32>>, M
 }
 
 /// The bytes of each element of an accessor, after checking that all of them are there.
-fn elements<'b>(
-    accessor: &Accessor<'_>,
-    blob: &'b [u8],
-) -> Result<impl Iterator<Item = &'b [u8]> + use<'b>, MeshProblem> {
+fn elements<'b>(accessor: &Accessor<'_>, blob: &'b [u8]) -> Result<impl Iterator<Item = &'b [u8]> + use<'b>, MeshProblem> {
     if accessor.sparse().is_some() {
         return Err(MeshProblem::Unsupported("sparse accessors".into()));
     }
@@ -180,9 +174,7 @@ fn elements<'b>(
     let data = in_view.and_then(|bytes| bytes.get(accessor.offset()..));
     let needed = count.checked_sub(1).and_then(|gaps| gaps.checked_mul(stride)?.checked_add(size));
     match (data, needed) {
-        (Some(data), Some(needed)) if needed <= data.len() => {
-            Ok((0..count).map(move |i| &data[i * stride..i * stride + size]))
-        }
+        (Some(data), Some(needed)) if needed <= data.len() => Ok((0..count).map(move |i| &data[i * stride..i * stride + size])),
         _ => Err(MeshProblem::Truncated(format!("accessor {} reaches beyond its data", accessor.index()))),
     }
 }

@@ -32,7 +32,7 @@ pub const FARTHEST: f64 = 1e30;
 pub struct Mesh {
     /// Places of vertices.
     pub positions: Vec<DVec3>,
-    /// Triangles, counter-clockwise seen from outside where the file keeps to that; at least one.
+    /// Triangles as indices of `positions`, counter-clockwise seen from outside where the file keeps to that; at least one.
     pub triangles: Vec<[u32; 3]>,
     /// Unit normals at each triangle's corners.
     pub normals: Vec<[DVec3; 3]>,

@@ -29,10 +29,7 @@ pub fn newell(polygon: &[DVec3]) -> Option<DVec3> {
 ///
 /// `faces` gives each face's corners and its unit normal; faces without a normal are skipped. A vertex where the
 /// normals cancel, or without faces, has none: there the caller uses the face's own normal.
-pub fn vertex_normals<'a>(
-    vertices: usize,
-    faces: impl Iterator<Item = (&'a [u32], Option<DVec3>)>,
-) -> Vec<Option<DVec3>> {
+pub fn vertex_normals<'a>(vertices: usize, faces: impl Iterator<Item = (&'a [u32], Option<DVec3>)>) -> Vec<Option<DVec3>> {
     let mut sums = vec![DVec3::ZERO; vertices];
     for (corners, normal) in faces {
         let Some(normal) = normal else { continue };

@@ -6,22 +6,28 @@ use std::str::SplitWhitespace;
 
 use glam::DVec3;
 
+use super::Mesh;
 use super::error::{Located, MeshProblem};
 use super::polygons::{Corner, Polygons};
-use super::Mesh;
 
 /// Reads an `.obj` file.
 ///
 /// # Errors
 /// Text that is not UTF-8, lines that are not as the format has them, and all that [`Polygons::into_mesh`] finds.
 pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Located> {
-    let text = std::str::from_utf8(bytes).map_err(|e| MeshProblem::NotText(e.valid_up_to()))?;
+    let text = std::str::from_utf8(bytes).map_err(|error| not_text(bytes, error.valid_up_to()))?;
     let mut reader = Reader::default();
     for (index, line) in text.lines().enumerate() {
         reader.line(index + 1, line).map_err(|problem| problem.at_line(index + 1))?;
     }
     let Reader { polygons, lines } = reader;
     polygons.into_mesh().map_err(|problem| lines.locate(problem))
+}
+
+/// Says which line the first byte that is no UTF-8 is on.
+fn not_text(bytes: &[u8], at: usize) -> Located {
+    let lines_before = bytes[..at].iter().filter(|byte| **byte == b'\n').count();
+    MeshProblem::NotText(at).at_line(lines_before + 1)
 }
 
 /// The lines that vertices, normals and faces stand on.

@@ -3,9 +3,7 @@ use std::io::Cursor;
 
 use glam::DVec3;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
-use ply_rs_bw::ply::{
-    ElementDef, Encoding, Header, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
-};
+use ply_rs_bw::ply::{ElementDef, Encoding, Header, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType};
 
 use super::Mesh;
 use super::error::{Located, MeshProblem};
@@ -34,7 +32,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Located> {
             _ => drop(read::<Skipped>(&mut reader, element, &header)?),
         }
     }
-    let has_normals = header.elements.get("vertex").is_some_and(|vertex| has_normals(vertex));
+    let has_normals = header.elements.get("vertex").is_some_and(has_normals);
     content.into_mesh(&header, has_normals)
 }
 
@@ -77,11 +75,7 @@ impl Content {
 }
 
 /// Reads all of an element.
-fn read<E: PropertyAccess>(
-    reader: &mut Reader<Cursor<&[u8]>>,
-    element: &ElementDef,
-    header: &Header,
-) -> Result<Vec<E>, Located> {
+fn read<E: PropertyAccess>(reader: &mut Reader<Cursor<&[u8]>>, element: &ElementDef, header: &Header) -> Result<Vec<E>, Located> {
     let read = Parser::<E>::new().read_payload_for_element(reader, element, header);
     // Lines mean nothing in a binary file.
     read.map_err(located).map_err(|mut at| {

@@ -158,7 +158,7 @@ fn direction_of_any_length(normal: DVec3) -> Option<DVec3> {
 }
 
 fn check_vectors(what: &'static str, vectors: &[DVec3]) -> Result<(), MeshProblem> {
-    let wrong = |x: &f64| !(x.abs() <= FARTHEST);
+    let wrong = |x: &f64| x.is_nan() || x.abs() > FARTHEST;
     for (index, vector) in vectors.iter().enumerate() {
         if let Some(&value) = vector.to_array().iter().find(|x| wrong(x)) {
             return Err(MeshProblem::Coordinate { what, index, value });

@@ -54,9 +54,7 @@ fn is_reflex(polygon: &[DVec3], corners: &[usize], i: usize, normal: DVec3) -> b
 fn is_ear(polygon: &[DVec3], corners: &[usize], i: usize, normal: DVec3) -> bool {
     let ear = around(corners, i);
     let [a, b, c] = ear.map(|k| polygon[k]);
-    let inside = |p: DVec3| {
-        turn(a, b, p, normal) >= 0.0 && turn(b, c, p, normal) >= 0.0 && turn(c, a, p, normal) >= 0.0
-    };
+    let inside = |p: DVec3| turn(a, b, p, normal) >= 0.0 && turn(b, c, p, normal) >= 0.0 && turn(c, a, p, normal) >= 0.0;
     turn(a, b, c, normal) > 0.0 && corners.iter().all(|k| ear.contains(k) || !inside(polygon[*k]))
 }
 

@@ -12,13 +12,17 @@ use crate::needs::Needs;
 
 /// The most fraction bits a user may ask for at any narrowing point, accumulators apart.
 const MOST_FRACTION_BITS: u32 = 24;
+/// The fewest fraction bits at any narrowing point.
+const FEWEST_FRACTION_BITS: u32 = 4;
+/// The most integer bits of a coefficient: 256 times full scale.
+const MOST_COEFFICIENT_BITS: u64 = 16;
 /// The most fraction bits of an accumulator: with sign and three integer bits, 60 bits wide.
 const MOST_ACCUMULATOR_FRACTION_BITS: u32 = 56;
 
 /// The `[core]` table of a scene file.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct CoreTable {
+pub struct CoreOptions {
     /// Name of the method.
     pub method: Option<String>,
     /// Options of `lyon` that differ from the default.
@@ -35,8 +39,8 @@ impl CoreSpec {
     ///
     /// # Errors
     /// [`SpecError`] if there is no such method, or the method or its formats cannot serve the scene.
-    pub fn for_scene(needs: &Needs, table: Option<&CoreTable>, method: Option<Method>) -> Result<CoreSpec, SpecError> {
-        let default = CoreTable::default();
+    pub fn for_scene(needs: &Needs, table: Option<&CoreOptions>, method: Option<Method>) -> Result<CoreSpec, SpecError> {
+        let default = CoreOptions::default();
         let table = table.unwrap_or(&default);
         let named = table.method.as_deref().map(Method::from_name).transpose()?;
         let method = match method.or(named).unwrap_or(Method::Lyon) {
@@ -63,10 +67,11 @@ impl CoreSpec {
     pub fn check(&self) -> Result<(), SpecError> {
         within("lights", self.lights as u64, 1, MOST_LIGHTS as u64)?;
         within("longest_span", self.longest_span.into(), 1, LONGEST_SPAN.into())?;
+        within("coefficient integer bits", self.coefficient.integer_bits.into(), 1, MOST_COEFFICIENT_BITS)?;
         within("largest_shininess", self.largest_shininess.into(), 1, LARGEST_SHININESS.into())?;
         match &self.method {
-            MethodSpec::Lyon(lyon) => lyon.check(),
-            MethodSpec::Hybrid(hybrid) => hybrid.check(),
+            MethodSpec::Lyon(lyon) => lyon.check(span_bits(self.longest_span)),
+            MethodSpec::Hybrid(hybrid) => hybrid.check(span_bits(self.longest_span)),
         }
     }
 
@@ -88,8 +93,8 @@ fn coefficient_format(brightest: f64) -> Format {
 }
 
 /// Bits that number the pixels of the longest span.
-fn span_bits(needs: &Needs) -> u32 {
-    needs.longest_span.next_power_of_two().ilog2()
+fn span_bits(longest_span: u32) -> u32 {
+    longest_span.next_power_of_two().ilog2()
 }
 
 impl LyonSpec {
@@ -105,7 +110,7 @@ impl LyonSpec {
             formats: LyonFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2 S + 1 more bits keep the
                 // weight within half an ulp of its own format.
-                weight_accumulator: Format::unsigned(1, vector + span_bits(needs) + 1),
+                weight_accumulator: Format::unsigned(1, vector + span_bits(needs.longest_span) + 1),
                 weight: Format::unsigned(1, vector),
                 vector: Format::signed(1, vector),
                 length_squared: Format::unsigned(1, fine),
@@ -117,11 +122,14 @@ impl LyonSpec {
         }
     }
 
-    fn check(&self) -> Result<(), SpecError> {
+    /// `span_bits` number the pixels of the longest span.
+    fn check(&self, span_bits: u32) -> Result<(), SpecError> {
         within("newton_steps", self.newton_steps.into(), 0, 3)?;
         within("squarings", self.squarings.into(), 0, 3)?;
         let f = &self.formats;
         accumulator("weight_accumulator", f.weight_accumulator, Format::unsigned(1, 0))?;
+        // S steps, each off by half a unit of the last place, must leave the weight near 1 at the end of the span.
+        fine_enough("weight_accumulator", f.weight_accumulator, span_bits + 3)?;
         coarser("weight", f.weight, f.weight_accumulator)?;
         narrowing("weight", f.weight, Format::unsigned(1, 0))?;
         narrowing("vector", f.vector, Format::signed(1, 0))?;
@@ -135,24 +143,31 @@ impl LyonSpec {
 }
 
 impl HybridSpec {
-    /// NUMERICS.md 3b: accumulators for half an LSB, 2 log2 S + 8 + log2 n; the base's bits alone, 8 + log2 n; p and q as in direct
+    /// NUMERICS.md 3b: accumulators for half an LSB, 2 log2 S + 8 + log2 n; the base's bits alone and one more for its
+    /// squares, 9 + log2 n; p and q as in direct
     /// evaluation, 12 + log2 n, and as many more as q can be small.
     pub fn for_needs(needs: &Needs) -> HybridSpec {
-        let (s, j) = (span_bits(needs), needs.largest_shininess.max(1).ilog2());
+        let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
         let small_q = (-2.0 * needs.shortest_normal.max(0.0625).log2()).ceil() as u32;
+        let operand = (12 + j.max(4) + small_q).min(MOST_FRACTION_BITS);
         HybridSpec {
             formats: HybridFormats {
                 diffuse_accumulator: Format::signed(1, 12 + s + 1),
                 diffuse: Format::unsigned(1, 12),
-                accumulator: Format::signed(3, 2 * s + 8 + j.max(4) + small_q),
-                operand: Format::signed(1, (12 + j.max(4) + small_q).min(MOST_FRACTION_BITS)),
-                base: Format::unsigned(1, 8 + j.max(4)),
+                // In short spans the operand asks for more than the sums do.
+                accumulator: Format::signed(3, (2 * s + 8 + j.max(4) + small_q).max(operand)),
+                operand: Format::signed(1, operand),
+                base: Format::unsigned(1, 9 + j.max(4)),
             },
         }
     }
 
-    fn check(&self) -> Result<(), SpecError> {
+    /// `span_bits` number the pixels of the longest span.
+    fn check(&self, span_bits: u32) -> Result<(), SpecError> {
         let f = &self.formats;
+        fine_enough("diffuse_accumulator", f.diffuse_accumulator, span_bits + 3)?;
+        // Second differences add up to S²/4 units of the last place (NUMERICS 3b), which must stay well below 1.
+        fine_enough("accumulator", f.accumulator, 2 * span_bits + 3)?;
         accumulator("diffuse_accumulator", f.diffuse_accumulator, Format::signed(1, 0))?;
         narrowing("diffuse", f.diffuse, Format::unsigned(1, 0))?;
         coarser("diffuse", f.diffuse, f.diffuse_accumulator)?;
@@ -197,9 +212,28 @@ fn accumulator(name: &'static str, given: Format, shape: Format) -> Result<(), S
 fn narrowing_to(name: &'static str, given: Format, shape: Format, most_fraction_bits: u32) -> Result<(), SpecError> {
     let fits = given.signed == shape.signed
         && given.integer_bits == shape.integer_bits
-        && (4..=most_fraction_bits).contains(&given.fraction_bits);
+        && (FEWEST_FRACTION_BITS..=most_fraction_bits).contains(&given.fraction_bits);
     let wanted = Format { fraction_bits: 14, ..shape }.to_string();
-    if fits { Ok(()) } else { Err(SpecError::WrongFormat { name, given, wanted, most_fraction_bits }) }
+    if fits {
+        Ok(())
+    } else {
+        Err(SpecError::WrongFormat { name, given, wanted, fewest_fraction_bits: FEWEST_FRACTION_BITS, most_fraction_bits })
+    }
+}
+
+/// Errors of an accumulator grow with the span, so the longest span asks for fraction bits.
+fn fine_enough(name: &'static str, given: Format, fewest: u32) -> Result<(), SpecError> {
+    if given.fraction_bits >= fewest {
+        return Ok(());
+    }
+    let wanted = format!("{}, since the longest span adds up its error", Format { fraction_bits: fewest, ..given });
+    Err(SpecError::WrongFormat {
+        name,
+        given,
+        wanted,
+        fewest_fraction_bits: fewest,
+        most_fraction_bits: MOST_ACCUMULATOR_FRACTION_BITS,
+    })
 }
 
 /// A value rounded from an accumulator cannot have more fraction bits than it.
@@ -208,5 +242,11 @@ fn coarser(name: &'static str, given: Format, accumulator: Format) -> Result<(),
     if given.fraction_bits <= most_fraction_bits {
         return Ok(());
     }
-    Err(SpecError::WrongFormat { name, given, wanted: format!("a format no finer than {accumulator}"), most_fraction_bits })
+    Err(SpecError::WrongFormat {
+        name,
+        given,
+        wanted: format!("a format no finer than {accumulator}"),
+        fewest_fraction_bits: FEWEST_FRACTION_BITS,
+        most_fraction_bits,
+    })
 }

@@ -24,7 +24,7 @@ pub enum SpecError {
     },
     /// A number is outside what cores can be built for.
     #[error("`{name}` is {value}, outside {low} to {high}")]
-    #[diagnostic(code(specula::spec::range))]
+    #[diagnostic(code(specula::spec::range), help("give a value from {low} to {high}"))]
     OutOfRange {
         /// What it is.
         name: &'static str,
@@ -37,7 +37,10 @@ pub enum SpecError {
     },
     /// A format does not fit what it is to hold.
     #[error("format `{name}` is {given}, which cannot hold what it is for")]
-    #[diagnostic(code(specula::spec::format), help("write {wanted}, with 4 to {most_fraction_bits} fraction bits"))]
+    #[diagnostic(
+        code(specula::spec::format),
+        help("write {wanted}, with {fewest_fraction_bits} to {most_fraction_bits} fraction bits")
+    )]
     WrongFormat {
         /// The narrowing point.
         name: &'static str,
@@ -45,6 +48,8 @@ pub enum SpecError {
         given: Format,
         /// The shape needed, such as `S1.f`.
         wanted: String,
+        /// The fewest fraction bits.
+        fewest_fraction_bits: u32,
         /// The most fraction bits.
         most_fraction_bits: u32,
     },
@@ -55,4 +60,11 @@ pub enum SpecError {
         /// What is wrong.
         message: String,
     },
+}
+
+impl SpecError {
+    /// Whether the fault lies in what a `[core]` table says, rather than in the scene.
+    pub(crate) fn is_about_options(&self) -> bool {
+        !matches!(self, SpecError::UnevenShininess { .. })
+    }
 }

@@ -13,10 +13,11 @@ use serde::Serialize;
 
 use crate::format::Format;
 
+pub use choose::CoreOptions;
 pub use error::SpecError;
 pub use hybrid::{HybridInputs, HybridSpec};
 pub use lyon::{LyonInputs, LyonSpec};
-pub use packet::SpanPacket;
+pub use packet::{SetUp, SpanPacket};
 pub use port::InputPort;
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.

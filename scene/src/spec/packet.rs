@@ -2,10 +2,10 @@
 use glam::DVec3;
 
 use super::hybrid::{HybridInputs, HybridLight, HybridSpec, Quadratic};
-use super::lyon::{LyonInputs, LyonLight, LyonSpec};
+use super::lyon::{Difference, LyonInputs, LyonLight, LyonSpec};
 use super::{CoreSpec, FULL_SCALE, MethodSpec};
 use crate::format::Format;
-use crate::frame::{Colour, EYE, Frame, Material, Span};
+use crate::frame::{Colour, DirectionalLight, EYE, Frame, Material, Span};
 
 /// What a core is given of one span.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,14 +16,37 @@ pub struct SpanPacket {
     pub inputs: Vec<i64>,
 }
 
-impl CoreSpec {
-    /// Sets up a span for this core. Every value is within its port's range.
+/// Sets up spans for a core.
+pub struct SetUp<'a> {
+    core: &'a CoreSpec,
+    /// Smallest and largest raw value of each input.
+    ranges: Vec<(i64, i64)>,
+}
+
+impl<'a> SetUp<'a> {
+    /// The set-up of spans for `core`.
+    pub fn new(core: &'a CoreSpec) -> SetUp<'a> {
+        SetUp { core, ranges: core.inputs().iter().map(|port| port.range).collect() }
+    }
+
+    /// Sets up a span. Every value is within its port's range.
     pub fn packet(&self, frame: &Frame, span: &Span) -> SpanPacket {
-        let inputs = match &self.method {
-            MethodSpec::Lyon(lyon) => lyon_inputs(self, lyon, frame, span).to_vec(),
-            MethodSpec::Hybrid(hybrid) => hybrid_inputs(self, hybrid, frame, span).to_vec(),
+        let mut inputs = match &self.core.method {
+            MethodSpec::Lyon(lyon) => lyon_inputs(self.core, lyon, frame, span).to_vec(),
+            MethodSpec::Hybrid(hybrid) => hybrid_inputs(self.core, hybrid, frame, span).to_vec(),
         };
+        // In exact arithmetic nothing is out of range; f64 may be by some units of its own last place, as N·N of a unit vector is.
+        for (value, &(low, high)) in inputs.iter_mut().zip(&self.ranges) {
+            *value = (*value).clamp(low, high);
+        }
         SpanPacket { length: span.length, inputs }
+    }
+}
+
+impl CoreSpec {
+    /// Sets up a span for this core; [`SetUp`] sets up many.
+    pub fn packet(&self, frame: &Frame, span: &Span) -> SpanPacket {
+        SetUp::new(self).packet(frame, span)
     }
 
     /// A coefficient for each channel: light times reflectance, in LSBs.
@@ -53,14 +76,17 @@ fn lyon_inputs(core: &CoreSpec, lyon: &LyonSpec, frame: &Frame, span: &Span) -> 
 
 fn lyon_lights(core: &CoreSpec, lyon: &LyonSpec, frame: &Frame, material: &Material) -> Vec<LyonLight<i64>> {
     let f = &lyon.formats;
-    let ports = lyon.inputs(core).lights;
-    let light = |(light, port): (&crate::frame::DirectionalLight, &LyonLight<_>)| LyonLight {
+    let halfway = |direction: DVec3| match lyon.difference {
+        Difference::HalfwayCrossNormal => Some(quantised(direction + EYE, f.vector_sum())),
+        Difference::ReflectionMinusLight => None,
+    };
+    let light = |light: &DirectionalLight| LyonLight {
         direction: quantised(light.direction, f.vector),
-        halfway: port.halfway.as_ref().map(|_| quantised(light.direction + EYE, f.vector_sum())),
+        halfway: halfway(light.direction),
         diffuse: core.coefficients(material.diffuse, light.colour),
         specular: core.coefficients(material.specular, light.colour),
     };
-    frame.lights.iter().zip(&ports).map(light).collect()
+    frame.lights.iter().map(light).collect()
 }
 
 fn hybrid_inputs(core: &CoreSpec, hybrid: &HybridSpec, frame: &Frame, span: &Span) -> HybridInputs<i64> {
@@ -70,7 +96,7 @@ fn hybrid_inputs(core: &CoreSpec, hybrid: &HybridSpec, frame: &Frame, span: &Spa
     // N(i) = m + k i. In a span of one pixel k is not used.
     let (m, k) = (start, (end - start) / f64::from(span.steps().max(1)));
     let q = quadratic(span, m.dot(m), 2.0 * k.dot(m), k.dot(k));
-    let light = |light: &crate::frame::DirectionalLight| {
+    let light = |light: &DirectionalLight| {
         let l = light.direction;
         let l_dot_v = l.dot(EYE);
         let p = quadratic(

@@ -1,0 +1,15 @@
+//! What external simulators have in common: the emitted Verilog in a temporary directory, a file that holds the stimulus, and files
+//! from which values come back.
+mod batches;
+mod ports;
+mod results;
+mod stimulus;
+mod tool;
+mod trace;
+mod workshop;
+
+pub use ports::{Port, Ports};
+pub use results::read_results;
+pub use tool::Tool;
+pub use trace::{Sampling, read_trace};
+pub use workshop::Workshop;

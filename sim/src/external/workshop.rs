@@ -1,0 +1,80 @@
+//! A temporary directory in which an external simulator is built and run.
+use std::fs::File;
+use std::path::Path;
+
+use specula_hdl::Design;
+use specula_hdl::design::NodeId;
+use specula_hdl::verilog::{self, Header};
+use tempfile::TempDir;
+
+use super::stimulus::write_stimulus;
+use super::{Port, Ports};
+use crate::{SimError, Stimulus};
+
+/// The file that holds the stimulus of a run.
+pub const STIMULUS: &str = "stimulus.hex";
+/// The file into which ports are written.
+pub const RESULTS: &str = "results.bin";
+/// The file into which all signals are written.
+pub const TRACE: &str = "trace.vcd";
+
+/// A temporary directory that holds a design's Verilog; it is gone when this is dropped.
+pub struct Workshop {
+    directory: TempDir,
+    /// The design's ports.
+    pub ports: Ports,
+    /// Name of the file that holds the design.
+    pub source: String,
+}
+
+impl Workshop {
+    /// A new directory with the Verilog of `design` in it.
+    ///
+    /// # Errors
+    /// [`SimError::File`] if it cannot be written.
+    pub fn new(design: &Design) -> Result<Workshop, SimError> {
+        let directory = tempfile::Builder::new().prefix("specula-").tempdir();
+        let directory = directory.map_err(SimError::file("make a temporary directory"))?;
+        let ports = Ports::of(design);
+        let source = format!("{}.v", ports.core);
+        let workshop = Workshop { directory, ports, source };
+        workshop.write(&workshop.source, &verilog::print(&design.to_block(), &Header::default()))?;
+        Ok(workshop)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        self.directory.path()
+    }
+
+    /// Writes a file.
+    ///
+    /// # Errors
+    /// [`SimError::File`] if that fails.
+    pub fn write(&self, name: &str, text: &str) -> Result<(), SimError> {
+        std::fs::write(self.path().join(name), text).map_err(SimError::file(format!("write {name} for a simulator")))
+    }
+
+    /// Writes the file of the stimulus.
+    ///
+    /// # Errors
+    /// [`SimError::File`] if that fails.
+    pub fn write_stimulus(&self, stimulus: &Stimulus, design: &Design) -> Result<(), SimError> {
+        let doing = format!("write {STIMULUS} for a simulator");
+        let file = File::create(self.path().join(STIMULUS)).map_err(SimError::file(doing.clone()))?;
+        write_stimulus(file, stimulus, design).map_err(SimError::file(doing))
+    }
+
+    /// Opens a file that a simulator wrote.
+    ///
+    /// # Errors
+    /// [`SimError::File`] if it is not there.
+    pub fn open(&self, name: &str) -> Result<File, SimError> {
+        File::open(self.path().join(name)).map_err(SimError::file(format!("read {name} from a simulator")))
+    }
+
+    /// The ports that carry the `watched` signals; `None` if one is inside.
+    pub fn watched_ports(&self, watched: &[NodeId]) -> Option<Vec<&Port>> {
+        watched.iter().map(|&node| self.ports.carrying(node)).collect()
+    }
+}

@@ -1,0 +1,115 @@
+//! Verilator: the emitted Verilog, compiled to a program.
+mod glue;
+
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use specula_hdl::Design;
+use specula_hdl::design::NodeId;
+
+use crate::external::{Port, RESULTS, STIMULUS, Sampling, TRACE, Tool, Workshop, read_results, read_trace};
+use crate::{Columns, Engine, Flow, SimError, Stimulus};
+
+const VERILATOR: Tool = Tool {
+    name: "Verilator",
+    command: "verilator",
+    version_argument: "--version",
+    install: "install it with `apt install verilator g++ make` (Debian, Ubuntu) or `brew install verilator` (macOS)",
+};
+
+/// The program that drives a core; what depends on the core is in the header that [`glue`] writes.
+const MAIN: &str = include_str!("main.cpp");
+
+/// Runs a design's Verilog in Verilator.
+///
+/// All registers begin as 0 and one clock of reset comes first, so every value at every clock equals rust-hdl's.
+pub struct Verilator<'a> {
+    design: &'a Design,
+    workshop: Workshop,
+    /// Whether the program that writes ports is built, and the one that traces.
+    built: [bool; 2],
+    build_time: Duration,
+}
+
+/// What a program gives back.
+#[derive(Clone, Copy)]
+enum Kind {
+    Ports,
+    Trace,
+}
+
+impl Kind {
+    /// Directory of its object files; the program in it is called `run`.
+    const fn directory(self) -> &'static str {
+        match self {
+            Kind::Ports => "ports",
+            Kind::Trace => "trace",
+        }
+    }
+}
+
+impl<'a> Verilator<'a> {
+    /// An engine for `design`. Programs are built when they are first needed.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] if Verilator is not installed, [`SimError::File`] if there is no room for the Verilog.
+    pub fn new(design: &'a Design) -> Result<Verilator<'a>, SimError> {
+        Verilator::present()?;
+        let workshop = Workshop::new(design)?;
+        workshop.write("main.cpp", MAIN)?;
+        workshop.write("ports.h", &glue::header(&workshop.ports))?;
+        Ok(Verilator { design, workshop, built: [false; 2], build_time: Duration::ZERO })
+    }
+
+    /// Whether Verilator is installed.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] says how to install it.
+    pub fn present() -> Result<(), SimError> {
+        VERILATOR.present()
+    }
+
+    /// Builds the program that watching these signals needs, unless it is built already: ports are read directly, signals inside
+    /// the core from a trace.
+    ///
+    /// # Errors
+    /// [`SimError::ToolFailed`] with what Verilator or the C++ compiler printed, warnings included.
+    pub fn prepare(&mut self, watched: &[NodeId]) -> Result<(), SimError> {
+        let kind = if self.workshop.watched_ports(watched).is_some() { Kind::Ports } else { Kind::Trace };
+        self.build(kind)
+    }
+
+    /// Seconds spent on building so far.
+    pub fn build_seconds(&self) -> f64 {
+        self.build_time.as_secs_f64()
+    }
+
+    fn build(&mut self, kind: Kind) -> Result<(), SimError> {
+        if self.built[kind as usize] {
+            return Ok(());
+        }
+        let begin = Instant::now();
+        VERILATOR.run(self.workshop.path(), &self.arguments(kind))?;
+        self.build_time += begin.elapsed();
+        self.built[kind as usize] = true;
+        Ok(())
+    }
+
+    fn arguments(&self, kind: Kind) -> Vec<String> {
+        // The makefile's own -Os comes behind -CFLAGS and would win.
+        let fixed = "--cc --exe --build -O3 -CFLAGS -O3 -MAKEFLAGS OPT_FAST=-O3 -Wall --prefix Vcore -o run";
+        let mut arguments: Vec<String> = fixed.split(' ').map(str::to_owned).collect();
+        arguments.extend(["--top-module", &self.workshop.ports.core, "-Mdir", kind.directory()].map(str::to_owned));
+        if let Kind::Trace = kind {
+            arguments.push("--trace".into());
+        }
+        arguments.extend([self.workshop.source.clone(), "main.cpp".into()]);
+        // ports.h stands beside main.cpp, not in the directory of the object files.
+        arguments.extend(["-CFLAGS", "-I.."].map(str::to_owned));
+        arguments
+    }
+
+    fn execute(&self, kind: Kind, arguments: Vec<String>) -> Result<(), SimError> {
+        crate::external::run_program(&self.workshop.path().join(kind.directory()).join("run"), self.workshop.path(), &arguments)
+    }
+}

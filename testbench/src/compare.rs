@@ -1,0 +1,219 @@
+//! Every pixel against the bit-true model, the method in f64, and exact shading.
+use rayon::prelude::*;
+use specula_golden::exact::{MethodSpan, PhongSpan};
+use specula_golden::fixed::Model;
+use specula_scene::{CoreSpec, Frame, Span};
+
+use crate::spans::FrameSpans;
+use crate::statistics::{Errors, Sums};
+use crate::{BenchError, Image};
+use specula_sim::SpanSource;
+
+/// A pixel whose code is not the model's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mismatch {
+    /// Column.
+    pub x: u32,
+    /// Row.
+    pub y: u32,
+    /// Number of the span.
+    pub span: usize,
+    /// Number of the pixel in its span.
+    pub pixel: u32,
+    /// What the core gave.
+    pub simulated: [u8; 3],
+    /// What the model gives.
+    pub expected: [u8; 3],
+}
+
+/// The pixel with the largest total error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorstPixel {
+    /// Column.
+    pub x: u32,
+    /// Row.
+    pub y: u32,
+    /// Number of the span.
+    pub span: usize,
+    /// Number of the pixel in its span.
+    pub pixel: u32,
+    /// Its largest channel error, in LSBs.
+    pub error_lsb: f64,
+}
+
+/// The comparison of a whole frame.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// Pixels whose code is not the model's.
+    pub mismatches: u64,
+    /// The first of them.
+    pub first_mismatch: Option<Mismatch>,
+    /// The error figures.
+    pub errors: Errors,
+    /// Largest difference between the core's code and the rounded method in f64, in codes.
+    pub largest_code_difference: u8,
+    /// The pixel with the largest total error; none in a frame without pixels.
+    pub worst_pixel: Option<WorstPixel>,
+    /// The bit-true model's picture.
+    pub expected: Image,
+    /// Exact shading, rounded.
+    pub exact: Image,
+    /// Total error of each pixel, largest over its channels, in LSBs; negative where nothing is shaded.
+    pub error_map: Vec<f32>,
+}
+
+/// What one span adds.
+#[derive(Default)]
+struct SpanResult {
+    expected: Vec<[u8; 3]>,
+    exact: Vec<[u8; 3]>,
+    errors: Vec<f32>,
+    mismatches: u64,
+    first_mismatch: Option<Mismatch>,
+    worst: Option<WorstPixel>,
+    largest_code_difference: u8,
+    sums: [Sums; 3],
+}
+
+/// Compares `codes`, one for each pixel in span order, with every model.
+///
+/// Spans are worked on in parallel; what they give is put together in their order, so the result does not depend on threads.
+///
+/// # Errors
+/// [`BenchError::Packet`] if the model refuses a span.
+pub(crate) fn compare(spec: &CoreSpec, frame: &Frame, codes: &[[u8; 3]]) -> Result<Comparison, BenchError> {
+    let (model, spans) = (Model::new(spec), FrameSpans::new(frame, spec));
+    let begins = begins(frame);
+    let mut whole = Whole::new(frame);
+    // A block of spans at a time, so that memory does not grow with the frame.
+    for block in (0..frame.spans.len()).collect::<Vec<_>>().chunks(4096) {
+        let one = |&index: &usize| {
+            let length = frame.spans[index].length as usize;
+            let given = codes.get(begins[index]..begins[index] + length).unwrap_or(&[]);
+            compare_span(spec, frame, (&model, &spans), index, given)
+        };
+        let results: Vec<Result<SpanResult, BenchError>> = block.par_iter().map(one).collect();
+        for (&index, result) in block.iter().zip(results) {
+            whole.add(&frame.spans[index], result?);
+        }
+    }
+    Ok(whole.finish())
+}
+
+/// Where each span's pixels begin in the order of all pixels.
+fn begins(frame: &Frame) -> Vec<usize> {
+    let mut next = 0;
+    let mut begin = |span: &Span| {
+        let first = next;
+        next += span.length as usize;
+        first
+    };
+    frame.spans.iter().map(&mut begin).collect()
+}
+
+fn compare_span(
+    spec: &CoreSpec,
+    frame: &Frame,
+    (model, spans): (&Model, &FrameSpans),
+    index: usize,
+    given: &[[u8; 3]],
+) -> Result<SpanResult, BenchError> {
+    let span = &frame.spans[index];
+    let mut result = SpanResult::default();
+    model.shade(&spans.packet(index), &mut result.expected)?;
+    let (method, phong) = (MethodSpan::new(spec, frame, span), PhongSpan::new(frame, span));
+    for pixel in 0..span.length {
+        let expected = result.expected[pixel as usize];
+        // A pixel that never left the core counts as a mismatch.
+        let simulated = given.get(pixel as usize).copied();
+        let (method, exact) = (method.pixel(pixel), phong.pixel(pixel));
+        result.add(Pixel { index, pixel, span, simulated, expected, method, exact });
+    }
+    Ok(result)
+}
+
+struct Pixel<'a> {
+    index: usize,
+    pixel: u32,
+    span: &'a Span,
+    simulated: Option<[u8; 3]>,
+    expected: [u8; 3],
+    method: [f64; 3],
+    exact: [f64; 3],
+}
+
+fn code(value: f64) -> u8 {
+    // Shading is clamped to 0..=255.
+    (value + 0.5).floor() as u8
+}
+
+impl SpanResult {
+    fn add(&mut self, p: Pixel) {
+        let simulated = p.simulated.unwrap_or([0; 3]);
+        let (x, y) = (p.span.x + p.pixel, p.span.y);
+        if p.simulated != Some(p.expected) {
+            self.mismatches += 1;
+            let (span, pixel, expected) = (p.index, p.pixel, p.expected);
+            self.first_mismatch.get_or_insert(Mismatch { x, y, span, pixel, simulated, expected });
+        }
+        let mut largest: f64 = 0.0;
+        for (c, &given) in simulated.iter().enumerate() {
+            let total = f64::from(given) - p.exact[c];
+            largest = largest.max(total.abs());
+            self.sums[0].add(total);
+            self.sums[1].add(p.method[c] - p.exact[c]);
+            self.sums[2].add(f64::from(given) - p.method[c]);
+            self.largest_code_difference = self.largest_code_difference.max(given.abs_diff(code(p.method[c])));
+        }
+        if self.worst.is_none_or(|w| largest > w.error_lsb) {
+            self.worst = Some(WorstPixel { x, y, span: p.index, pixel: p.pixel, error_lsb: largest });
+        }
+        self.exact.push(p.exact.map(code));
+        self.errors.push(largest as f32);
+    }
+}
+
+/// The frame's comparison while spans are added in order.
+struct Whole {
+    comparison: Comparison,
+    sums: [Sums; 3],
+}
+
+impl Whole {
+    fn new(frame: &Frame) -> Whole {
+        let blank = Image::filled(frame.width, frame.height, frame.background);
+        let none = Sums::default().figures();
+        let comparison = Comparison {
+            mismatches: 0,
+            first_mismatch: None,
+            errors: Errors { total: none.clone(), method: none.clone(), quantisation: none },
+            largest_code_difference: 0,
+            worst_pixel: None,
+            expected: blank.clone(),
+            error_map: vec![-1.0; blank.pixels.len()],
+            exact: blank,
+        };
+        Whole { comparison, sums: Default::default() }
+    }
+
+    fn add(&mut self, span: &Span, result: SpanResult) {
+        let c = &mut self.comparison;
+        c.expected.run_mut(span).copy_from_slice(&result.expected);
+        c.exact.run_mut(span).copy_from_slice(&result.exact);
+        let first = span.y as usize * c.exact.width as usize + span.x as usize;
+        c.error_map[first..first + result.errors.len()].copy_from_slice(&result.errors);
+        c.mismatches += result.mismatches;
+        c.first_mismatch = c.first_mismatch.take().or(result.first_mismatch);
+        c.largest_code_difference = c.largest_code_difference.max(result.largest_code_difference);
+        if let Some(worst) = result.worst.filter(|w| c.worst_pixel.is_none_or(|old| w.error_lsb > old.error_lsb)) {
+            c.worst_pixel = Some(worst);
+        }
+        self.sums.iter_mut().zip(&result.sums).for_each(|(mine, theirs)| mine.merge(theirs));
+    }
+
+    fn finish(mut self) -> Comparison {
+        let [total, method, quantisation] = self.sums.map(|s| s.figures());
+        self.comparison.errors = Errors { total, method, quantisation };
+        self.comparison
+    }
+}

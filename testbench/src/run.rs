@@ -1,0 +1,166 @@
+//! The whole path from a frame to compared pixels.
+use std::ops::Range;
+use std::time::Instant;
+
+use specula_hdl::Design;
+use specula_hdl::design::{NodeId, Op};
+use specula_scene::{CoreSpec, Frame};
+use specula_sim::{Columns, Engine, Flow, RustHdl, Stimulus};
+
+use crate::arrival::Arrivals;
+use crate::assumptions::{self, Violation};
+use crate::compare::{self, Comparison};
+use crate::spans::FrameSpans;
+use crate::trace::{self, Choice};
+use crate::{BenchError, Image};
+
+/// The engines there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EngineKind {
+    /// rust-hdl's simulator.
+    RustHdl,
+}
+
+impl EngineKind {
+    /// Every engine.
+    pub const ALL: [EngineKind; 1] = [EngineKind::RustHdl];
+
+    /// The name that the command line uses.
+    pub const fn name(self) -> &'static str {
+        match self {
+            EngineKind::RustHdl => "rust-hdl",
+        }
+    }
+
+    fn engine<'a>(self, design: &'a Design) -> Result<Box<dyn Engine + 'a>, BenchError> {
+        match self {
+            EngineKind::RustHdl => Ok(Box::new(RustHdl::new(design)?)),
+        }
+    }
+}
+
+/// Told how far a run is: clocks done, and clocks in all.
+pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
+
+/// A core, elaborated, and the frame it is to shade.
+pub struct Bench<'a> {
+    /// The frame.
+    pub frame: &'a Frame,
+    /// The core's spec.
+    pub spec: &'a CoreSpec,
+    /// The core.
+    pub design: Design,
+}
+
+/// What came of a run.
+pub struct Outcome {
+    /// Pixels shaded.
+    pub pixels: u64,
+    /// Clocks from the first pixel's entry to the last one's exit, both counted.
+    pub cycles: u64,
+    /// The simulated picture.
+    pub simulated: Image,
+    /// How it compares.
+    pub comparison: Comparison,
+    /// Clocks in which a pixel left though none was due, or was due and did not leave.
+    pub wrong_clocks: Vec<u64>,
+    /// The first fact that did not hold.
+    pub violation: Option<Violation>,
+    /// Clock in which the worst pixel left the core.
+    pub worst_cycle: Option<u64>,
+    /// Seconds that the simulation took.
+    pub simulation_seconds: f64,
+}
+
+impl Outcome {
+    /// Whether every pixel agrees, each in its clock, and every stated fact held.
+    pub fn agrees(&self) -> bool {
+        self.comparison.mismatches == 0 && self.wrong_clocks.is_empty() && self.violation.is_none()
+    }
+}
+
+impl<'a> Bench<'a> {
+    /// Elaborates the core of `spec` under the module name `name`.
+    ///
+    /// # Errors
+    /// [`BenchError::TooWide`] if the spec's formats are too fine.
+    pub fn new(frame: &'a Frame, spec: &'a CoreSpec, name: &str) -> Result<Bench<'a>, BenchError> {
+        Ok(Bench { frame, spec, design: specula_hdl::elaborate(spec, name)? })
+    }
+
+    /// Simulates every clock of the frame and compares every pixel.
+    ///
+    /// # Errors
+    /// [`BenchError`] if the engine fails.
+    pub fn run(&self, engine: EngineKind, progress: Progress) -> Result<Outcome, BenchError> {
+        let spans = FrameSpans::new(self.frame, self.spec);
+        let stimulus = Stimulus::whole(&spans, &self.design);
+        let mut arrivals = Arrivals::new(&self.design, &stimulus);
+        let mut violation = None;
+        let mut engine = engine.engine(&self.design)?;
+        let begin = Instant::now();
+        engine.run(&stimulus, &self.watched(), &mut |columns| {
+            arrivals.take(columns);
+            violation = violation.take().or_else(|| assumptions::first_violation(&self.design, &stimulus, columns));
+            progress(columns.span().end, stimulus.clocks().end);
+            Flow::Continue
+        })?;
+        let simulation_seconds = begin.elapsed().as_secs_f64();
+        let Arrivals { codes, wrong_clocks, .. } = arrivals;
+        let comparison = compare::compare(self.spec, self.frame, &codes)?;
+        let latency = self.design.latency();
+        let worst_cycle = comparison.worst_pixel.as_ref().map(|worst| trace::leaving_clock(&stimulus, latency, worst));
+        Ok(Outcome {
+            pixels: stimulus.pixels(),
+            cycles: stimulus.pixels() + u64::from(latency),
+            simulated: self.picture(&codes),
+            comparison,
+            wrong_clocks,
+            violation,
+            worst_cycle,
+            simulation_seconds,
+        })
+    }
+
+    /// Every signal over the clocks of `choice`, handed over a batch of clocks at a time. Says which clocks those are.
+    ///
+    /// # Errors
+    /// [`BenchError`] if the engine fails.
+    pub fn trace(
+        &self,
+        engine: EngineKind,
+        choice: &Choice,
+        outcome: &Outcome,
+        sink: &mut dyn FnMut(&Columns) -> Flow,
+    ) -> Result<Option<Range<u64>>, BenchError> {
+        let spans = FrameSpans::new(self.frame, self.spec);
+        let whole = Stimulus::whole(&spans, &self.design);
+        let worst = outcome.comparison.worst_pixel.as_ref();
+        let Some(window) = choice.window(&whole, self.design.latency(), worst) else { return Ok(None) };
+        let lead = whole.leading_to(&window, &self.design);
+        let nodes: Vec<NodeId> = self.design.iter().filter(|(_, n)| !matches!(n.op, Op::Constant(_))).map(|(id, _)| id).collect();
+        engine.engine(&self.design)?.run(&lead, &nodes, &mut |columns| sink(&columns.within(&window)))?;
+        Ok(Some(window))
+    }
+
+    /// Outputs and signals with stated facts.
+    fn watched(&self) -> Vec<NodeId> {
+        let mut watched: Vec<NodeId> = self.design.outputs.clone();
+        watched.push(self.design.valid_out);
+        watched.extend(assumptions::watched(&self.design));
+        watched.sort_unstable();
+        watched.dedup();
+        watched
+    }
+
+    fn picture(&self, codes: &[[u8; 3]]) -> Image {
+        let mut image = Image::filled(self.frame.width, self.frame.height, self.frame.background);
+        let mut rest = codes;
+        for span in &self.frame.spans {
+            let (run, later) = rest.split_at((span.length as usize).min(rest.len()));
+            image.run_mut(span)[..run.len()].copy_from_slice(run);
+            rest = later;
+        }
+        image
+    }
+}
