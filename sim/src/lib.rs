@@ -2,13 +2,22 @@
 //!
 //! An engine takes a [`Stimulus`] and hands over the values of any signals at every clock, a batch of clocks at a time, as
 //! [`Columns`]. Clock c is the time between two rising edges: inputs of clock c are applied, everything has settled, and the next
-//! edge ends it. Every run begins in reset, with all registers 0.
+//! edge ends it. Every run begins with one clock of reset before its first clock, with all registers and inputs 0.
 mod columns;
 mod engine;
+mod external;
+pub mod fast;
+pub mod gtkw;
+mod icarus;
 mod rust_hdl;
 mod stimulus;
+pub mod vcd;
+mod verilator;
 
 pub use columns::Columns;
 pub use engine::{Engine, Flow, SimError};
+pub use fast::Fast;
+pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
 pub use stimulus::{SpanSource, Stimulus};
+pub use verilator::Verilator;

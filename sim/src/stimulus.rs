@@ -13,7 +13,7 @@ pub trait SpanSource: Sync {
     fn packet(&self, index: usize) -> SpanPacket;
 }
 
-impl SpanSource for [SpanPacket] {
+impl SpanSource for Vec<SpanPacket> {
     fn count(&self) -> usize {
         self.len()
     }
@@ -129,18 +129,6 @@ mod tests {
 
     fn stimulus(packets: &Vec<SpanPacket>, clocks: Range<u64>) -> Stimulus<'_> {
         Stimulus { spans: packets, begins: vec![0, 3, 4, 8], clocks }
-    }
-
-    impl SpanSource for Vec<SpanPacket> {
-        fn count(&self) -> usize {
-            self.as_slice().count()
-        }
-        fn length(&self, index: usize) -> u32 {
-            self.as_slice().length(index)
-        }
-        fn packet(&self, index: usize) -> SpanPacket {
-            self.as_slice().packet(index)
-        }
     }
 
     #[test]

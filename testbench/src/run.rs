@@ -5,7 +5,7 @@ use std::time::Instant;
 use specula_hdl::Design;
 use specula_hdl::design::{NodeId, Op};
 use specula_scene::{CoreSpec, Frame};
-use specula_sim::{Columns, Engine, Flow, RustHdl, Stimulus};
+use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};
 
 use crate::arrival::Arrivals;
 use crate::assumptions::{self, Violation};
@@ -17,23 +17,27 @@ use crate::{BenchError, Image};
 /// The engines there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EngineKind {
+    /// The columnar engine.
+    Fast,
     /// rust-hdl's simulator.
     RustHdl,
 }
 
 impl EngineKind {
     /// Every engine.
-    pub const ALL: [EngineKind; 1] = [EngineKind::RustHdl];
+    pub const ALL: [EngineKind; 2] = [EngineKind::Fast, EngineKind::RustHdl];
 
     /// The name that the command line uses.
     pub const fn name(self) -> &'static str {
         match self {
+            EngineKind::Fast => "fast",
             EngineKind::RustHdl => "rust-hdl",
         }
     }
 
     fn engine<'a>(self, design: &'a Design) -> Result<Box<dyn Engine + 'a>, BenchError> {
         match self {
+            EngineKind::Fast => Ok(Box::new(Fast::new(design))),
             EngineKind::RustHdl => Ok(Box::new(RustHdl::new(design)?)),
         }
     }

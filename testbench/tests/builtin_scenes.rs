@@ -13,7 +13,14 @@ fn every_pixel_of_every_built_in_scene_agrees() {
             let c = &outcome.comparison;
             println!(
                 "{scene} {}: {} pixels, {} s, {:?} bound {} max code {} {:?} {:?}",
-                method.name(), outcome.pixels, outcome.simulation_seconds, c.errors, bench.design.error_bound(), c.largest_code_difference, outcome.violation, c.first_mismatch
+                method.name(),
+                outcome.pixels,
+                outcome.simulation_seconds,
+                c.errors,
+                bench.design.error_bound(),
+                c.largest_code_difference,
+                outcome.violation,
+                c.first_mismatch
             );
             println!("{spec:?}");
             assert!(outcome.agrees());

@@ -1,1 +1,48 @@
-fn main() {}
+//! Specula's command line: a scene goes in, checked shading hardware comes out.
+mod arguments;
+mod cli;
+mod cmd_generate;
+mod cmd_methods;
+mod cmd_run;
+mod cmd_scenes;
+mod disagreement;
+mod error;
+mod header;
+mod narrowing;
+mod output;
+mod picture;
+mod progress;
+mod report;
+mod run;
+mod summary;
+mod table;
+mod verilog;
+mod waveform;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use cli::{Cli, Verdict};
+use error::ToolError;
+
+/// Exit status of a run in which a pixel, a clock or a fact was not as it must be.
+const DISAGREES: u8 = 1;
+/// Exit status of everything that could not be done; clap gives the same for a wrong command line.
+const REFUSED: u8 = 2;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    match cli.command.execute(&mut io::stdout().lock()) {
+        Ok(Verdict::Done) => ExitCode::SUCCESS,
+        Ok(Verdict::Disagrees) => ExitCode::from(DISAGREES),
+        // Who reads the output may have seen enough of it, as `head` has.
+        Err(ToolError::Print(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            // Nothing can be said when nobody listens; the status tells.
+            let _ = writeln!(io::stderr(), "{:?}", miette::Report::new(error));
+            ExitCode::from(REFUSED)
+        }
+    }
+}

@@ -15,7 +15,8 @@ impl Bundle for Sig {
 
 impl Bundle for Vector {
     fn map(&self, f: &mut dyn FnMut(&Sig, &str) -> Sig) -> Vector {
-        Vector { x: f(&self.x, "_x"), y: f(&self.y, "_y"), z: f(&self.z, "_z") }
+        // The components stay the same at heart, so what has been stated of the length stays true.
+        Vector { x: f(&self.x, "_x"), y: f(&self.y, "_y"), z: f(&self.z, "_z"), ..self.clone() }
     }
 }
 

@@ -12,23 +12,37 @@ pub struct Vector {
     pub y: Sig,
     /// Towards the eye.
     pub z: Sig,
+    /// What has been stated of its length; infinite where nothing has.
+    pub(super) longest: f64,
 }
 
 impl Vector {
     /// A vector from its components.
     pub fn new([x, y, z]: [Sig; 3]) -> Vector {
-        Vector { x, y, z }
+        Vector { x, y, z, longest: f64::INFINITY }
     }
 
     /// Applies `f` to each component.
     pub fn map(&self, f: impl Fn(&Sig) -> Sig) -> Vector {
-        Vector { x: f(&self.x), y: f(&self.y), z: f(&self.z) }
+        Vector::new([&self.x, &self.y, &self.z].map(f))
+    }
+
+    /// States that the vector is no longer than `length`. Components keep their ranges.
+    pub fn no_longer_than(self, length: f64) -> Vector {
+        Vector { longest: self.longest.min(length), ..self }
+    }
+
+    /// The length that it does not exceed: what has been stated of it, or the diagonal of the components' ranges.
+    pub fn longest(&self) -> f64 {
+        let reach = |sig: &Sig| sig.range().magnitude() * (-f64::from(sig.fraction_bits())).exp2();
+        let diagonal = [&self.x, &self.y, &self.z].map(|sig| reach(sig).powi(2)).into_iter().sum::<f64>().sqrt();
+        self.longest.min(diagonal)
     }
 
     /// Gives the components names, unless they have some.
     pub fn named(self, name: &str) -> Vector {
         let component = |sig: Sig, axis: &str| sig.named(&format!("{name}_{axis}"));
-        Vector { x: component(self.x, "x"), y: component(self.y, "y"), z: component(self.z, "z") }
+        Vector { x: component(self.x, "x"), y: component(self.y, "y"), z: component(self.z, "z"), ..self }
     }
 
     /// The dot product.
@@ -67,21 +81,32 @@ impl Vector {
 
     /// The cross product.
     pub fn cross(&self, other: &Vector) -> Vector {
-        Vector {
-            x: &self.y * &other.z - &self.z * &other.y,
-            y: &self.z * &other.x - &self.x * &other.z,
-            z: &self.x * &other.y - &self.y * &other.x,
-        }
+        Vector::new([
+            &self.y * &other.z - &self.z * &other.y,
+            &self.z * &other.x - &self.x * &other.z,
+            &self.x * &other.y - &self.y * &other.x,
+        ])
     }
 
-    /// Each component rounded to `fraction_bits`.
+    /// Each component rounded to `fraction_bits`, which makes the vector longer by √3/2 units of the last place at most.
     pub fn rounded(&self, fraction_bits: u32) -> Vector {
-        self.map(|component| component.rounded(fraction_bits))
+        let longest = self.longest + 0.75f64.sqrt() * (-f64::from(fraction_bits)).exp2();
+        self.map(|component| component.rounded(fraction_bits)).no_longer_than(longest)
     }
 
     /// States that the vector is no longer than `length`, so that each component lies within it.
     pub fn assumed_within(&self, length: f64, fact: &str) -> Vector {
-        self.map(|component| component.assumed(-length, length, fact))
+        self.components_assumed_within(length, fact).no_longer_than(length)
+    }
+
+    /// States that each component lies from -`limit` to `limit`.
+    pub fn components_assumed_within(&self, limit: f64, fact: &str) -> Vector {
+        self.map(|component| component.assumed(-limit, limit, fact)).no_longer_than(self.longest)
+    }
+
+    /// States a bound on the error of each component, as [`Sig::proven_error_value`] does.
+    pub fn proven_error_value(self, error: f64) -> Vector {
+        self.map(|component| component.clone().proven_error_value(error)).no_longer_than(self.longest)
     }
 }
 
@@ -92,14 +117,14 @@ fn product_error((a, b): (f64, f64), (error_a, error_b): (f64, f64)) -> f64 {
 impl Add for &Vector {
     type Output = Vector;
     fn add(self, other: &Vector) -> Vector {
-        Vector { x: &self.x + &other.x, y: &self.y + &other.y, z: &self.z + &other.z }
+        Vector::new([&self.x + &other.x, &self.y + &other.y, &self.z + &other.z])
     }
 }
 
 impl Sub for &Vector {
     type Output = Vector;
     fn sub(self, other: &Vector) -> Vector {
-        Vector { x: &self.x - &other.x, y: &self.y - &other.y, z: &self.z - &other.z }
+        Vector::new([&self.x - &other.x, &self.y - &other.y, &self.z - &other.z])
     }
 }
 

@@ -2,14 +2,14 @@
 use specula_scene::spec::hybrid::HybridFormats;
 use specula_scene::spec::lyon::LyonFormats;
 
-use super::normalise::longest_normal;
+use super::HOST_ERROR;
 use crate::builder::{Builder, Sig, Vector};
 
 /// Lambert's cosine, I = max(N·L, 0). [Lyon, TR 43; METHODS B]
 pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Sig {
     b.unit("diffuse", "I = max(N.L, 0) [Lambert]", (("n", n), ("l", l)), |_, (n, l)| {
         // |N·L| ≤ |N||L|, and a rounded unit vector is longer than 1 by √3/2 units of the last place at most.
-        let lengths = (longest_normal(formats), 1.0 + formats.vector.ulp());
+        let lengths = (n.longest(), 1.0 + formats.vector.ulp());
         let cosine = n.dot_within(&l, lengths, "|N.L| <= |N||L|");
         cosine.rounded(formats.diffuse.fraction_bits).at_least_zero().named("intensity")
     })
@@ -22,7 +22,7 @@ pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Si
 pub fn gouraud(b: &Builder, first: &Sig, start: &Sig, step: &Sig, formats: &HybridFormats, steps: u32) -> Sig {
     let inputs = (("start", first), ("intensity_start", start), ("intensity_step", step));
     b.unit("gouraud", "I(i) = I(0) + i dI [lecture, eq. 3.2-3.6]", inputs, |_, (first, start, step)| {
-        let slack = f64::from(steps + 1) * formats.diffuse_accumulator.ulp();
+        let slack = f64::from(steps + 1) * formats.diffuse_accumulator.ulp() + HOST_ERROR;
         let sum = Sig::accumulated(&first, &start, &step, (-slack, 1.0 + slack), steps, "0 <= I <= 1");
         sum.rounded(formats.diffuse.fraction_bits).at_least_zero().clamped_above(1).named("intensity")
     })

@@ -3,10 +3,13 @@ use specula_scene::spec::lyon::{LyonFormats, LyonSpec, Normalisation};
 
 use crate::builder::{Builder, Sig, Vector};
 
-/// How much longer than 1 a normal can come out: g2 overshoots to 1.00176 at |N'| = 0.894 (METHODS B9), and each of a few
-/// roundings adds some units of the coarsest format's last place.
-pub(super) fn longest_normal(formats: &LyonFormats) -> f64 {
-    1.0 + 0.002 + 8.0 * coarsest_ulp(formats)
+/// How long a normal can come out that was no longer than `longest`, before rounding.
+///
+/// With r = |N'|, g2 r = 2r - 3/2 r³ + 1/2 r⁵ overshoots to 1.00176 at r = 0.894 (METHODS B9), is 1 at r = 1 and grows from there on.
+/// g1 r is 1 at most, and so is r g after a Newton step.
+fn longest_scaled(longest: f64) -> f64 {
+    let beyond = 2.0 * longest - 1.5 * longest.powi(3) + 0.5 * longest.powi(5);
+    if longest > 1.0 { beyond.max(1.002) } else { 1.002 }
 }
 
 fn coarsest_ulp(formats: &LyonFormats) -> f64 {
@@ -16,8 +19,7 @@ fn coarsest_ulp(formats: &LyonFormats) -> f64 {
 
 /// Brings N' near unit length: n = g N' with g about 1/|N'|. [Lyon, TR 43; METHODS B8, B9]
 ///
-/// Both ends of a span lie in the unit ball, so |N'| ≤ 1 up to rounding of each component at the ends and here, √3 units of the
-/// last place together. n is off by g e_N' + |N'| e_g, with the bounds of [`GainBound`] for normals no shorter than `shortest`.
+/// Both ends of a span lie in the unit ball, so |N'| ≤ 1 up to rounding. n is off by g e_N' + |N'| e_g, with the bounds of [`GainBound`] for normals no shorter than `shortest`.
 ///
 /// Beside n goes a bit that says whether N' has a direction at all (EXTREMES row 1).
 pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> (Vector, Sig) {
@@ -27,19 +29,23 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
         Normalisation::G2 => "n = g N', g = 1 + (y + y^2)/2, y = 1 - N'.N' [Lyon, TR 43]",
     };
     b.unit("normalise", formula, (("normal", normal),), |b, (normal,)| {
-        let longest = 1.0 + 2.0 * f.vector.ulp();
-        let z = normal.length_squared_within(longest, "|N'| <= 1").rounded(f.length_squared.fraction_bits).named("length_squared");
+        let longest = longest_scaled(normal.longest());
+        let z = normal
+            .length_squared_within(normal.longest(), "|N'| <= 1")
+            .rounded(f.length_squared.fraction_bits)
+            .named("length_squared");
         let mut bound = GainBound::first(lyon.normalisation, shortest, z.error_value(), f.gain.ulp());
         let mut g = first_gain(b, &z, lyon).proven_error_value(bound.error).named("gain");
         for _ in 0..lyon.newton_steps {
             bound = bound.after_newton_step();
-            g = newton_step(b, &g, &z, f).proven_error_value(bound.error);
+            g = newton_step(b, &g, &z, f, longest).proven_error_value(bound.error);
         }
         let e_normal = normal.x.error_value();
         let error = bound.largest * e_normal + (1.0 + e_normal) * bound.error;
-        let n = normal.scaled(&g).map(|c| c.clone().proven_error_value(error).rounded(f.vector.fraction_bits));
+        let n = normal.scaled(&g).proven_error_value(error).rounded(f.vector.fraction_bits);
         let has_direction = b.integer(0).less_than(&z).named("has_direction");
-        (n.assumed_within(longest_normal(f), "|g N'| <= 1.002").named("n"), has_direction)
+        // Each of a few roundings adds some units of the coarsest format's last place.
+        (n.assumed_within(longest + 8.0 * coarsest_ulp(f), "|g N'| <= 1.002").named("n"), has_direction)
     })
 }
 
@@ -97,14 +103,14 @@ fn first_gain(b: &Builder, z: &Sig, lyon: &LyonSpec) -> Sig {
 
 /// One Newton step towards 1/√z: g ← g (3 - z g²)/2.
 ///
-/// z g² ≤ 1.0035 for g2 (and ≤ 1 for g1 and after any step), so 3 - z g² stays near 2 or above, and rounding z and g² moves it by
-/// less than the margin.
-fn newton_step(b: &Builder, g: &Sig, z: &Sig, formats: &LyonFormats) -> Sig {
+/// z g² ≤ `longest`², 1.0035 for g2 of normals within the unit ball (and ≤ 1 for g1 and after any step), so 3 - z g² stays near 2 or
+/// above, and rounding z and g² moves it by less than the margin.
+fn newton_step(b: &Builder, g: &Sig, z: &Sig, formats: &LyonFormats, longest: f64) -> Sig {
     let fraction_bits = formats.gain.fraction_bits;
     b.unit("newton_step", "g' = g (3 - z g^2)/2 [Newton, for 1/sqrt z]", (("g", g), ("z", z)), |b, (g, z)| {
         let square = g.squared().rounded(fraction_bits).named("g_squared");
         let margin = 0.01 + 16.0 * coarsest_ulp(formats);
-        let product = (&z * square).assumed(0.0, 1.0 + margin, "z g^2 <= 1.004");
+        let product = (&z * square).assumed(0.0, longest * longest + margin, "z g^2 <= 1.004");
         let correction = (b.integer(3) - product).rounded(fraction_bits).named("correction");
         (&g * correction).halved().rounded(fraction_bits).named("g_next")
     })

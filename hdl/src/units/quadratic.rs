@@ -1,4 +1,5 @@
 //! Quadratics by forward differences.
+use super::HOST_ERROR;
 use crate::builder::{Builder, Sig};
 
 /// Start value and differences of a quadratic in the pixel number.
@@ -16,7 +17,8 @@ pub struct Differences<'a> {
 /// # Error
 /// x(i) = x0 + i d0 + i(i-1)/2 d2, each rounded to half a unit of the last place, so after S = `steps` steps the value is off by
 /// (1 + S + S(S-1)/2)/2 units (NUMERICS 3b), and by no more outside its limits. The difference at the last pixel looks one pixel
-/// beyond the span; with the value within [-1, 1] at three neighbours it is at most 2 + 4.
+/// beyond the span; with the value within [-1, 1] at three neighbours it is at most 2 + 4. In formats finer than f64 the host's own
+/// error is the larger.
 pub fn quadratic(b: &Builder, first: &Sig, of: Differences, limits: (f64, f64), steps: u32) -> Sig {
     let inputs = (
         ("start", first),
@@ -26,8 +28,9 @@ pub fn quadratic(b: &Builder, first: &Sig, of: Differences, limits: (f64, f64), 
     );
     b.unit("quadratic", "x(i+1) = x(i) + d(i), d(i+1) = d(i) + d2 [Hast et al., eq. 17-26]", inputs, |_, (first, x0, d0, d2)| {
         let s = f64::from(steps);
-        let error = 0.5 * (1.0 + s + s * (s - 1.0).max(0.0) / 2.0);
-        let slack = (error + 1.0) * (-f64::from(x0.fraction_bits())).exp2();
+        let ulp = (-f64::from(x0.fraction_bits())).exp2();
+        let error = 0.5 * (1.0 + s + s * (s - 1.0).max(0.0) / 2.0) + HOST_ERROR / ulp;
+        let slack = (error + 1.0) * ulp;
         let difference = Sig::accumulated(&first, &d0, &d2, (-6.5, 6.5), steps, "|d| <= 6");
         let limits = (limits.0 - slack, limits.1 + slack);
         let value = Sig::accumulated(&first, &x0, &difference, limits, steps, "x within its limits");

@@ -1,7 +1,6 @@
 //! The shape of the highlight.
 use specula_scene::spec::lyon::LyonSpec;
 
-use super::normalise::longest_normal;
 use crate::builder::{Builder, Sig, Vector};
 
 /// f_k(x) = (1 - x/2^k)^(2^k), 0 for x ≥ 2^k and where the normal has no direction, with x = (n/2) D·D. [Lyon, TR 43; METHODS B]
@@ -21,9 +20,7 @@ pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon
         let directions_are_sure = shortest * shortest > lyon.formats.length_squared.ulp();
         let error = if directions_are_sure { 3f64.sqrt() * d.x.error_value() * slope + rounding } else { 1.0 };
 
-        let longest_n = longest_normal(&lyon.formats);
-        let longest = 2.0 * longest_n * longest_n + 8.0 * lyon.formats.vector.ulp() + 12.0 * lyon.formats.difference.ulp();
-        let squared_length = d.length_squared_within(longest, "|D| <= 2").named("d_squared");
+        let squared_length = d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
         let x = (&n * squared_length).times_power_of_two(-(lyon.squarings as i32 + 1)).rounded(fraction_bits).named("x");
         let shape = (b.integer(1) - x).at_least_zero();
         let mut f = has_direction.choose(&shape, &b.integer(0)).named("base");

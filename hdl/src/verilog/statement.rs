@@ -30,7 +30,7 @@ pub fn expression<'a>(op: Op, width: u32, operand: &dyn Fn(NodeId) -> Operand<'a
         Op::Copy(a) => wide(a),
         Op::Add(a, b) => format!("{} + {}", wide(a), wide(b)),
         Op::Sub(a, b) => format!("{} - {}", wide(a), wide(b)),
-        Op::Mul(a, b) => product(&operand(a), &operand(b)),
+        Op::Mul(a, b) => product(&operand(a), &operand(b), width),
         Op::ShiftLeft(a, bits) => shifted_left(&operand(a), bits, width),
         Op::ShiftRight(a, bits) => shifted_right(&operand(a), bits, width),
         Op::Wrap(a) => low_bits(&operand(a), width),
@@ -53,19 +53,23 @@ pub fn unread_bits(op: Op, width: u32, operand: NodeId, operand_width: u32) -> u
         }
         Op::ShiftLeft(_, bits) => above(width - bits),
         Op::Select(c, a, b) if c == operand && a != operand && b != operand => 0,
-        Op::Add(..) | Op::Sub(..) | Op::Copy(_) | Op::Wrap(_) | Op::And(..) | Op::Or(..) | Op::Not(_) | Op::Select(..) => {
-            above(width)
-        }
-        Op::Input | Op::Constant(_) | Op::Mul(..) | Op::LessThan(..) => 0,
+        Op::Add(..)
+        | Op::Sub(..)
+        | Op::Mul(..)
+        | Op::Copy(_)
+        | Op::Wrap(_)
+        | Op::And(..)
+        | Op::Or(..)
+        | Op::Not(_)
+        | Op::Select(..) => above(width),
+        Op::Input | Op::Constant(_) | Op::LessThan(..) => 0,
     }
 }
 
-/// `value` in two's complement, decimal where that is what it says.
+/// The low bits of `value` in two's complement, decimal where that is what it says.
 fn literal(value: i64, width: u32) -> String {
-    match u64::try_from(value) {
-        Ok(value) => format!("{width}'d{value}"),
-        Err(_) => format!("{width}'h{:x}", value as u64 & (u64::MAX >> (64 - width))),
-    }
+    let low_bits = value as u64 & (u64::MAX >> (64 - width));
+    if i64::try_from(low_bits) == Ok(value) { format!("{width}'d{low_bits}") } else { format!("{width}'h{low_bits:x}") }
 }
 
 /// The operand `width` bits wide, its value kept as far as it fits.
@@ -106,6 +110,14 @@ fn is_unsigned(operand: &Operand) -> bool {
     matches!(*operand, Operand::Net { signed: false, .. } | Operand::Literal(0..))
 }
 
+/// Bits of the net, or that the literal needs.
+fn own_width(operand: &Operand) -> u32 {
+    match *operand {
+        Operand::Net { width, .. } => width,
+        Operand::Literal(value) => crate::design::Range::single(value).width(),
+    }
+}
+
 fn plain(operand: &Operand) -> String {
     match *operand {
         Operand::Net { name, .. } => name.to_owned(),
@@ -113,8 +125,14 @@ fn plain(operand: &Operand) -> String {
     }
 }
 
-fn product(a: &Operand, b: &Operand) -> String {
-    if is_unsigned(a) && is_unsigned(b) {
+/// A product no wider than an operand is right modulo 2^width whatever the signs; else Verilog extends the operands by their signs.
+fn product(a: &Operand, b: &Operand, width: u32) -> String {
+    let unsigned = is_unsigned(a) && is_unsigned(b);
+    let own = |operand: &Operand| own_width(operand) + u32::from(!unsigned && is_unsigned(operand));
+    if own(a) > width || own(b) > width {
+        return format!("{} * {}", extended(a, width), extended(b, width));
+    }
+    if unsigned {
         return format!("{} * {}", plain(a), plain(b));
     }
     format!("{} * {}", signed(a), signed(b))
@@ -160,14 +178,10 @@ fn low_bits(operand: &Operand, width: u32) -> String {
 
 /// Both sides at one width and signed, or plain where neither can be negative.
 fn less_than(a: &Operand, b: &Operand) -> String {
-    let own = |operand: &Operand| match *operand {
-        Operand::Net { width, .. } => width,
-        Operand::Literal(value) => crate::design::Range::single(value).width(),
-    };
     if is_unsigned(a) && is_unsigned(b) {
-        let width = own(a).max(own(b));
+        let width = own_width(a).max(own_width(b));
         return format!("{} < {}", extended(a, width), extended(b, width));
     }
-    let width = [a, b].map(|operand| own(operand) + u32::from(is_unsigned(operand))).into_iter().max().unwrap_or(1);
+    let width = [a, b].map(|operand| own_width(operand) + u32::from(is_unsigned(operand))).into_iter().max().unwrap_or(1);
     format!("$signed({}) < $signed({})", extended(a, width), extended(b, width))
 }

@@ -56,3 +56,29 @@ impl<'a> Batches<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_come_in_batches_until_they_are_not_wanted() {
+        let mut sizes = vec![];
+        let mut sink = |columns: &Columns| {
+            sizes.push((columns.first_clock, columns.clocks()));
+            if sizes.len() == 2 { Flow::Stop } else { Flow::Continue }
+        };
+        let mut batches = Batches::new(&[NodeId(0)], 10, &mut sink);
+        let pushed = (0..5000).take_while(|&value| batches.push([value]) == Flow::Continue).count();
+        assert!(batches.finish(5010, "a simulator").is_ok());
+        assert_eq!((pushed, sizes), (2047, vec![(10, 1024), (1034, 1024)]));
+    }
+
+    #[test]
+    fn missing_rows_are_noticed() {
+        let mut sink = |_: &Columns| Flow::Continue;
+        let mut batches = Batches::new(&[NodeId(0)], 10, &mut sink);
+        batches.push([1]);
+        assert!(matches!(batches.finish(12, "a simulator"), Err(SimError::TooFewClocks { missing: 11, end: 12, .. })));
+    }
+}

@@ -4,12 +4,12 @@ mod batches;
 mod ports;
 mod results;
 mod stimulus;
-mod tool;
+pub mod tool;
 mod trace;
 mod workshop;
 
 pub use ports::{Port, Ports};
 pub use results::read_results;
 pub use tool::Tool;
-pub use trace::{Sampling, read_trace};
-pub use workshop::Workshop;
+pub use trace::{Sampling, Trace};
+pub use workshop::{RESULTS, STIMULUS, TRACE, Workshop};

@@ -66,8 +66,8 @@ impl Ports {
         [&self.valid, &self.start].into_iter().chain(&self.inputs).chain(self.outputs.iter().filter(|port| !port.input))
     }
 
-    /// The port that carries `node`.
-    pub fn carrying(&self, node: NodeId) -> Option<&Port> {
-        self.all().find(|port| port.node == node)
+    /// The places among all ports of those that carry the `watched` signals; `None` if a signal is inside the core.
+    pub fn numbers(&self, watched: &[NodeId]) -> Option<Vec<usize>> {
+        watched.iter().map(|&node| self.all().position(|port| port.node == node)).collect()
     }
 }

@@ -1,4 +1,5 @@
 //! Programs that are not ours.
+use std::ffi::OsStr;
 use std::io::ErrorKind;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -19,44 +20,81 @@ pub struct Tool {
 }
 
 impl Tool {
-    /// Whether it can be run.
+    /// Whether it is there.
     ///
     /// # Errors
-    /// [`SimError::ToolAbsent`] says how to install it, [`SimError::ToolFailed`] what it printed if it does not even tell its version.
+    /// [`SimError::ToolAbsent`] says how to install it.
     pub fn present(&self) -> Result<(), SimError> {
-        // Icarus prints its version and then complains on stderr, so only the exit status counts here.
-        let output = self.output(Path::new("."), &[self.version_argument.to_owned()])?;
-        if output.status.success() { Ok(()) } else { Err(self.failed(&[self.version_argument.to_owned()], &output)) }
+        // What it prints or returns does not matter: Icarus tells its version and then complains that it has no sources.
+        self.named(output(self.command.as_ref(), Path::new("."), &[self.version_argument.to_owned()])).map(drop)
     }
 
     /// Runs it in `directory`.
     ///
     /// # Errors
-    /// [`SimError::ToolFailed`] if it fails or writes anything to stderr, where compilers put their warnings.
+    /// [`SimError::ToolAbsent`] if it is not installed, [`SimError::ToolFailed`] if it fails or writes anything to stderr, where
+    /// compilers put their warnings.
     pub fn run(&self, directory: &Path, arguments: &[String]) -> Result<(), SimError> {
-        let output = self.output(directory, arguments)?;
-        if output.status.success() && output.stderr.is_empty() { Ok(()) } else { Err(self.failed(arguments, &output)) }
+        self.named(run(self.command.as_ref(), directory, arguments))
     }
 
-    fn output(&self, directory: &Path, arguments: &[String]) -> Result<Output, SimError> {
-        let mut command = Command::new(self.command);
-        command.current_dir(directory).args(arguments);
-        // Messages in one language, and none about the jobs of a `make` that Specula may have been started from.
-        command.env("LC_ALL", "C").env_remove("MAKEFLAGS").env_remove("MFLAGS").env_remove("MAKELEVEL");
-        command.output().map_err(|error| match error.kind() {
-            ErrorKind::NotFound => {
+    /// Says how to install the program if that is what is wrong.
+    fn named<T>(&self, result: Result<T, SimError>) -> Result<T, SimError> {
+        result.map_err(|error| match error {
+            SimError::File { source, .. } if source.kind() == ErrorKind::NotFound => {
                 SimError::ToolAbsent { tool: self.name, command: self.command, install: self.install }
             }
-            _ => SimError::File { doing: format!("run `{}`", self.command), source: error },
+            other => other,
         })
     }
+}
 
-    fn failed(&self, arguments: &[String], output: &Output) -> SimError {
-        let texts = [&output.stderr, &output.stdout].map(|bytes| String::from_utf8_lossy(bytes).trim_end().to_owned());
-        SimError::ToolFailed {
-            command: format!("{} {}", self.command, arguments.join(" ")),
-            status: output.status.to_string(),
-            output: texts.join("\n").trim().to_owned(),
-        }
+/// Runs a program in `directory`.
+///
+/// # Errors
+/// [`SimError::ToolFailed`] if it fails or writes anything to stderr, [`SimError::File`] if it cannot be started.
+pub fn run(program: &OsStr, directory: &Path, arguments: &[String]) -> Result<(), SimError> {
+    let output = output(program, directory, arguments)?;
+    if output.status.success() && output.stderr.is_empty() {
+        return Ok(());
+    }
+    let texts = [&output.stderr, &output.stdout].map(|bytes| String::from_utf8_lossy(bytes).trim().to_owned());
+    Err(SimError::ToolFailed {
+        command: format!("{} {}", program.to_string_lossy(), arguments.join(" ")),
+        status: output.status.to_string(),
+        output: texts.join("\n").trim().to_owned(),
+    })
+}
+
+fn output(program: &OsStr, directory: &Path, arguments: &[String]) -> Result<Output, SimError> {
+    let mut command = Command::new(program);
+    command.current_dir(directory).args(arguments);
+    // Messages in one language, and none about the jobs of a `make` that Specula may have been started from.
+    command.env("LC_ALL", "C").env_remove("MAKEFLAGS").env_remove("MFLAGS").env_remove("MAKELEVEL");
+    command.output().map_err(SimError::file(format!("run `{}`", program.to_string_lossy())))
+}
+
+#[cfg(test)]
+mod tests {
+    use miette::Diagnostic;
+
+    use super::*;
+
+    #[test]
+    fn an_absent_tool_is_named_and_its_installation_told() {
+        let tool =
+            Tool { name: "Nothing", command: "specula-has-no-such-tool", version_argument: "-V", install: "install nothing" };
+        let error = tool.present().unwrap_err();
+        assert!(matches!(error, SimError::ToolAbsent { .. }));
+        assert!(error.to_string().contains("Nothing") && error.help().unwrap().to_string().contains("install nothing"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_warning_is_an_error() {
+        let sh = |script: &str| run("sh".as_ref(), Path::new("."), &["-c".to_owned(), script.to_owned()]);
+        assert!(sh("echo all is well").is_ok());
+        assert!(sh("exit 3").unwrap_err().to_string().contains('3'));
+        assert!(sh("echo a warning >&2").unwrap_err().to_string().contains("a warning"));
     }
 }

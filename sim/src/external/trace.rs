@@ -22,59 +22,61 @@ pub struct Sampling {
     pub period: u64,
 }
 
-/// Reads the `watched` signals of `clocks` from the trace in which `root` names the scope of the core, and hands them to `sink` in
-/// batches.
-///
-/// # Errors
-/// [`SimError::File`] if the trace cannot be read, [`SimError::Untraced`] if `tool` left a signal out of it.
-pub fn read_trace(
-    file: impl Read,
-    tool: &'static str,
-    design: &Design,
-    root: &[&str],
-    watched: &[NodeId],
-    (clocks, sampling): (Range<u64>, Sampling),
-    sink: &mut dyn FnMut(&Columns) -> Flow,
-) -> Result<(), SimError> {
-    let mut parser = Parser::new(BufReader::new(file));
-    let header = parser.parse_header().map_err(SimError::file("read a simulator's trace"))?;
-    let mut signals = Signals::find(&header, tool, design, root, watched)?;
-    let mut batches = Batches::new(watched, clocks.start, sink);
-    for command in parser {
-        match command.map_err(SimError::file("read a simulator's trace"))? {
-            Command::Timestamp(time) => {
-                let sampled = |clock: u64| sampling.first + (clock - clocks.start) * sampling.period;
-                while batches.clock() < clocks.end && sampled(batches.clock()) < time {
-                    if batches.push(signals.row()) == Flow::Stop {
-                        return batches.finish(clocks.end, tool);
+/// A trace that a simulator writes.
+#[derive(Clone, Copy, Debug)]
+pub struct Trace<'a> {
+    /// The simulator.
+    pub tool: &'static str,
+    /// The scope of the core.
+    pub root: &'a [&'a str],
+    /// When values are read.
+    pub sampling: Sampling,
+}
+
+impl Trace<'_> {
+    /// Reads the `watched` signals of `clocks` and hands them to `sink` in batches.
+    ///
+    /// # Errors
+    /// [`SimError::File`] if the trace cannot be read, [`SimError::Untraced`] if a signal is not in it.
+    pub fn read(
+        &self,
+        file: impl Read,
+        design: &Design,
+        watched: &[NodeId],
+        clocks: Range<u64>,
+        sink: &mut dyn FnMut(&Columns) -> Flow,
+    ) -> Result<(), SimError> {
+        let unreadable = || SimError::file("read a simulator's trace");
+        let mut parser = Parser::new(BufReader::new(file));
+        let header = parser.parse_header().map_err(unreadable())?;
+        let mut signals = self.signals(&header, design, watched)?;
+        let mut batches = Batches::new(watched, clocks.start, sink);
+        let mut last = 0;
+        for command in parser {
+            match command.map_err(unreadable())? {
+                Command::Timestamp(time) => {
+                    last = time;
+                    let passed = clocks.start + self.clocks_before(time);
+                    if signals.push(&mut batches, passed.min(clocks.end)) == Flow::Stop {
+                        break;
                     }
                 }
+                Command::ChangeScalar(code, value) => signals.change(code, &[value]),
+                Command::ChangeVector(code, bits) => signals.change(code, &bits),
+                _ => {}
             }
-            Command::ChangeScalar(code, value) => signals.change(code, &[value]),
-            Command::ChangeVector(code, bits) => signals.change(code, &bits),
-            _ => {}
         }
+        let passed = clocks.start + self.clocks_before(last + 1);
+        signals.push(&mut batches, passed.min(clocks.end));
+        batches.finish(clocks.end, self.tool)
     }
-    // Behind the last change everything stays as it is.
-    while batches.clock() < clocks.end && batches.push(signals.row()) == Flow::Continue {}
-    batches.finish(clocks.end, tool)
-}
 
-/// The watched signals and what they are just now.
-struct Signals {
-    columns: HashMap<IdCode, Vec<usize>>,
-    shapes: Vec<(u32, bool)>,
-    values: Vec<i64>,
-}
+    /// Number of clocks of the run whose values are read before `time`.
+    fn clocks_before(&self, time: u64) -> u64 {
+        time.saturating_sub(self.sampling.first).div_ceil(self.sampling.period)
+    }
 
-impl Signals {
-    fn find(
-        header: &Header,
-        tool: &'static str,
-        design: &Design,
-        root: &[&str],
-        watched: &[NodeId],
-    ) -> Result<Signals, SimError> {
+    fn signals(&self, header: &Header, design: &Design, watched: &[NodeId]) -> Result<Signals, SimError> {
         let mut signals = Signals { columns: HashMap::new(), shapes: vec![], values: vec![] };
         for (column, &node) in watched.iter().enumerate() {
             let about = design.node(node);
@@ -86,14 +88,23 @@ impl Signals {
             }
             signals.values.push(0);
             let path = design.path(about.scope);
-            let path: Vec<&str> = root.iter().copied().chain(path.into_iter().skip(1)).chain([about.name.as_str()]).collect();
+            let path: Vec<&str> = self.root.iter().copied().chain(path.into_iter().skip(1)).chain([about.name.as_str()]).collect();
             let variable = header.find_var(&path);
-            let untraced = || SimError::Untraced { tool, signal: design.full_name(node) };
+            let untraced = || SimError::Untraced { tool: self.tool, signal: design.full_name(node) };
             signals.columns.entry(variable.ok_or_else(untraced)?.code).or_default().push(column);
         }
         Ok(signals)
     }
+}
 
+/// The watched signals and what they are just now.
+struct Signals {
+    columns: HashMap<IdCode, Vec<usize>>,
+    shapes: Vec<(u32, bool)>,
+    values: Vec<i64>,
+}
+
+impl Signals {
     /// Bits to the left of those that are written are 0, or X or Z, which counts as 0.
     fn change(&mut self, code: IdCode, bits: &[Value]) {
         let raw = bits.iter().fold(0, |raw, &bit| raw << 1 | i64::from(bit == Value::V1));
@@ -103,7 +114,35 @@ impl Signals {
         }
     }
 
-    fn row(&self) -> impl Iterator<Item = i64> {
-        self.values.iter().copied()
+    /// Adds rows up to the clock `end`.
+    fn push(&self, batches: &mut Batches, end: u64) -> Flow {
+        while batches.clock() < end {
+            if batches.push(self.values.iter().copied()) == Flow::Stop {
+                return Flow::Stop;
+            }
+        }
+        Flow::Continue
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TRACE: Trace = Trace { tool: "a simulator", root: &["TOP", "core"], sampling: Sampling { first: 6, period: 4 } };
+
+    #[test]
+    fn clocks_are_counted_by_the_time_at_which_they_are_read() {
+        assert_eq!([0, 6, 7, 10, 11].map(|time| TRACE.clocks_before(time)), [0, 0, 1, 1, 2]);
+    }
+
+    #[test]
+    fn unknown_bits_are_read_as_0() {
+        let code = IdCode::FIRST;
+        let mut signals = Signals { columns: [(code, vec![0, 1])].into(), shapes: vec![(4, true), (4, false)], values: vec![0; 2] };
+        signals.change(code, &[Value::V1, Value::X, Value::Z, Value::V1]);
+        assert_eq!(signals.values, [-7, 9]);
+        signals.change(code, &[Value::X]);
+        assert_eq!(signals.values, [0, 0]);
     }
 }

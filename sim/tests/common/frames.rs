@@ -1,0 +1,65 @@
+//! Small frames made by hand, and cores for them.
+use glam::DVec3;
+use specula_hdl::{Design, SpanPacket};
+use specula_scene::spec::lyon::LyonSpec;
+use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle};
+
+use super::random::Random;
+
+/// Some spans of different lengths, normals and materials under so many lights.
+pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
+    let mut random = Random(seed);
+    let light = |_| DirectionalLight { direction: direction(&mut random), colour: [1.0, 0.9, 0.7] };
+    let lights = (0..lights).map(light).collect();
+    let material = |shininess| Material { ambient: [0.1; 3], diffuse: [0.5, 0.3, 0.2], specular: [0.6; 3], shininess };
+    let mut frame = Frame {
+        width: 64,
+        height: spans as u32,
+        background: [0; 3],
+        ambient: [1.0; 3],
+        lights,
+        materials: [16, 64].map(material).to_vec(),
+        triangles: vec![],
+        spans: vec![],
+    };
+    for index in 0..spans {
+        let normal = direction(&mut random);
+        let normals = [0.0, 0.3, -0.2].map(|tilt| (normal + tilt * direction(&mut random)).normalize());
+        frame.triangles.push(Triangle { normals, material: index % 2 });
+        // The first is long, so that cores for few spans differ little from those for many; single pixels are among the rest.
+        let length = if index == 0 { 32 } else { random.between(1, 9) as u32 };
+        let (start, end) = ([1.0, 0.0, 0.0], [0.0, 0.5, 0.5]);
+        frame.spans.push(Span { x: 0, y: index as u32, length, triangle: index, start, end });
+    }
+    frame
+}
+
+/// A direction in the half space of the eye.
+fn direction(random: &mut Random) -> DVec3 {
+    let [x, y] = [0; 2].map(|_| random.signed_unit());
+    DVec3::new(x, y, 0.8 + 0.2 * random.signed_unit()).normalize()
+}
+
+/// The default spec of a method for a frame.
+pub fn spec(frame: &Frame, method: Method) -> CoreSpec {
+    CoreSpec::for_scene(&Needs::of(frame), None, Some(method)).unwrap()
+}
+
+/// The default spec of `lyon` for a frame, changed.
+pub fn lyon(frame: &Frame, change: impl FnOnce(&mut LyonSpec)) -> CoreSpec {
+    let mut spec = spec(frame, Method::Lyon);
+    if let MethodSpec::Lyon(lyon) = &mut spec.method {
+        change(lyon);
+    }
+    spec
+}
+
+/// A frame's spans, set up for a core.
+pub fn packets(spec: &CoreSpec, frame: &Frame) -> Vec<SpanPacket> {
+    frame.spans.iter().map(|span| spec.packet(frame, span)).collect()
+}
+
+/// A core, elaborated.
+pub fn design(spec: &CoreSpec) -> Design {
+    specula_hdl::elaborate(spec, spec.method().name()).unwrap()
+}

@@ -1,0 +1,88 @@
+//! Both cores in every engine.
+mod common;
+
+use specula_hdl::Design;
+use specula_hdl::design::{NodeId, Op};
+use specula_scene::Method;
+use specula_sim::{Engine, Icarus, RustHdl, Stimulus, Verilator};
+
+use common::{engines, frames, tools};
+
+/// Outputs, and the bit that says when they count.
+fn outputs(design: &Design) -> Vec<NodeId> {
+    [design.valid_out].iter().chain(&design.outputs).copied().collect()
+}
+
+fn outputs_agree(method: Method) {
+    let frame = frames::frame(1993, 2, 12);
+    let spec = frames::spec(&frame, method);
+    let design = frames::design(&spec);
+    let packets = frames::packets(&spec, &frame);
+    let stimulus = Stimulus::whole(&packets, &design);
+    let (reference, others) = engines::run_all(&design, &stimulus, &outputs(&design));
+    assert_eq!(reference.values[0].iter().sum::<i64>() as u64, frame.shaded_pixels());
+    let colours = |clock: &usize| (1..4).map(|c| reference.values[c][*clock]).sum::<i64>();
+    assert!((0..reference.clocks()).any(|clock| colours(&clock) > 200), "nothing is lit");
+    for (engine, columns) in others {
+        // Verilator's registers begin as rust-hdl's do; Icarus's are X until the first pixel has passed.
+        let first = if engine == "icarus" { u64::from(design.latency()) } else { 0 };
+        engines::assert_same(&design, &reference, &columns, first, engine);
+    }
+}
+
+#[test]
+fn lyons_outputs_agree() {
+    outputs_agree(Method::Lyon);
+}
+
+#[test]
+fn the_hybrids_outputs_agree() {
+    outputs_agree(Method::Hybrid);
+}
+
+/// Every signal that is no constant.
+fn signals(design: &Design) -> Vec<NodeId> {
+    design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect()
+}
+
+#[test]
+fn every_signal_agrees_in_a_trace() {
+    let frame = frames::frame(7, 1, 5);
+    let spec = frames::spec(&frame, Method::Lyon);
+    let design = frames::design(&spec);
+    let packets = frames::packets(&spec, &frame);
+    let stimulus = Stimulus::whole(&packets, &design);
+    let all = signals(&design);
+    let reference = engines::run(&mut RustHdl::new(&design).unwrap(), &stimulus, &all).unwrap();
+    if let Some(mut verilator) = tools::installed(Verilator::new(&design)) {
+        let columns = engines::run(&mut verilator, &stimulus, &all).unwrap();
+        engines::assert_same(&design, &reference, &columns, 0, verilator.name());
+    }
+    if let Some(mut icarus) = tools::installed(Icarus::new(&design)) {
+        let columns = engines::run(&mut icarus, &stimulus, &all).unwrap();
+        engines::assert_same(&design, &reference, &columns, u64::from(design.latency()), icarus.name());
+    }
+}
+
+#[test]
+fn runs_may_begin_late_and_share_a_build() {
+    let frame = frames::frame(11, 1, 40);
+    let spec = frames::spec(&frame, Method::Lyon);
+    let design = frames::design(&spec);
+    let packets = frames::packets(&spec, &frame);
+    let whole = Stimulus::whole(&packets, &design);
+    let window = 120..140;
+    let late = whole.leading_to(&window, &design);
+    assert!(late.clocks().start > 0);
+    let Some(mut verilator) = tools::installed(Verilator::new(&design)) else { return };
+    let outputs = outputs(&design);
+    let all = engines::run(&mut verilator, &whole, &outputs).unwrap();
+    let built = verilator.build_seconds();
+    let part = engines::run(&mut verilator, &late, &outputs).unwrap();
+    assert!(built > 0.0 && built == verilator.build_seconds());
+    for (all, part) in all.values.iter().zip(&part.values) {
+        let late = late.clocks().start;
+        let in_part = (window.start - late) as usize..(window.end - late) as usize;
+        assert_eq!(all[120..140], part[in_part]);
+    }
+}

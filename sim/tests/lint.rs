@@ -1,0 +1,82 @@
+//! The cores' Verilog passes the tools that people run on it, and none of them says a word.
+mod common;
+
+use std::path::Path;
+use std::process::Command;
+
+use specula_hdl::verilog::{self, Header};
+use specula_scene::spec::lyon::{Difference, Normalisation};
+use specula_scene::{CoreSpec, Method};
+
+use common::{frames, tools};
+
+/// Specs that differ in what hardware they ask for.
+fn specs() -> Vec<CoreSpec> {
+    let mut specs: Vec<CoreSpec> = [1, 2, 4]
+        .into_iter()
+        .flat_map(|lights| Method::ALL.map(|method| frames::spec(&frames::frame(5, lights, 6), method)))
+        .collect();
+    let frame = frames::frame(6, 1, 6);
+    let choices = [
+        (Difference::ReflectionMinusLight, Normalisation::G1, 0, 0),
+        (Difference::ReflectionMinusLight, Normalisation::G2, 1, 3),
+        (Difference::HalfwayCrossNormal, Normalisation::G1, 2, 1),
+        (Difference::HalfwayCrossNormal, Normalisation::G2, 0, 2),
+        (Difference::ReflectionMinusLight, Normalisation::G2, 2, 2),
+    ];
+    specs.extend(choices.map(|(difference, normalisation, newton_steps, squarings)| {
+        frames::lyon(&frame, |lyon| {
+            (lyon.difference, lyon.normalisation) = (difference, normalisation);
+            (lyon.newton_steps, lyon.squarings) = (newton_steps, squarings);
+        })
+    }));
+    specs
+}
+
+/// Runs a tool on every spec's Verilog; `arguments` are given the core's name, and run where its file `<name>.v` is.
+fn silent(tool: &str, arguments: impl Fn(&str) -> Vec<String>) {
+    if !tools::program(tool) {
+        return;
+    }
+    let directory = tempfile::tempdir().unwrap();
+    for spec in specs() {
+        let design = frames::design(&spec);
+        let name = spec.method().name();
+        let text = verilog::print(&design.to_block(), &Header { lines: vec!["A core.".into()] });
+        std::fs::write(directory.path().join(format!("{name}.v")), text).unwrap();
+        assert_silent(&mut command(tool, directory.path(), &arguments(name)), &spec);
+    }
+}
+
+fn command(tool: &str, directory: &Path, arguments: &[String]) -> Command {
+    let mut command = Command::new(tool);
+    command.current_dir(directory).args(arguments).env("LC_ALL", "C");
+    command
+}
+
+fn assert_silent(command: &mut Command, spec: &CoreSpec) {
+    let output = command.output().unwrap();
+    let said = [output.stdout, output.stderr].concat();
+    let said = String::from_utf8_lossy(&said);
+    assert!(output.status.success() && said.is_empty(), "{command:?} on {spec:?}:\n{said}");
+}
+
+fn words(line: String) -> Vec<String> {
+    line.split(' ').map(str::to_owned).collect()
+}
+
+#[test]
+fn verilator_is_silent() {
+    silent("verilator", |name| words(format!("--lint-only -Wall --top-module {name} {name}.v")));
+}
+
+#[test]
+fn icarus_is_silent() {
+    silent("iverilog", |name| words(format!("-g2001 -Wall -s {name} -o {name}.vvp {name}.v")));
+}
+
+#[test]
+fn yosys_is_silent() {
+    let script = |name: &str| format!("read_verilog {name}.v; hierarchy -check -top {name}; proc; check -assert");
+    silent("yosys", |name| ["-q".into(), "-p".into(), script(name)].to_vec());
+}

@@ -1,0 +1,56 @@
+//! Any spec that `CoreSpec::check` accepts, with any scene: hardware and model agree bit for bit, no stated fact is untrue, and the
+//! error of each output stays within its stated bound. A spec may be refused as too wide, and nothing else.
+#[path = "../../hdl/tests/common/draw.rs"]
+mod draw;
+
+use draw::Draw;
+use specula_golden::exact::MethodSpan;
+use specula_hdl::Design;
+use specula_hdl::design::NodeId;
+use specula_scene::{CoreSpec, Frame, Method};
+use specula_testbench::{Bench, BenchError, EngineKind, Image};
+
+fn agrees(seed: u64, method: Method) {
+    let mut draw = Draw::new(seed);
+    let longest = draw.one_of(&[1, 2, 3, 20, 150]);
+    let frame = draw::frame(&mut draw, method, longest);
+    let spec = draw::spec(&mut draw, &frame, method);
+    println!("{spec:?}");
+    let bench = match Bench::new(&frame, &spec, "core") {
+        Ok(bench) => bench,
+        Err(BenchError::TooWide(_)) => return,
+        Err(error) => panic!("{error}"),
+    };
+    let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();
+    assert_eq!(outcome.comparison.first_mismatch, None);
+    assert_eq!((outcome.violation, outcome.wrong_clocks), (None, vec![]));
+    errors_stay_within_bounds(&bench.design, &spec, &frame, &outcome.simulated);
+}
+
+/// Each output against the method in f64, before its rounding to 8 bits.
+fn errors_stay_within_bounds(design: &Design, spec: &CoreSpec, frame: &Frame, simulated: &Image) {
+    let bound = |&output: &NodeId| design.node(output).error;
+    let bounds: Vec<f64> = design.outputs.iter().map(bound).collect();
+    for span in &frame.spans {
+        let method = MethodSpan::new(spec, frame, span);
+        for pixel in 0..span.length {
+            let code = simulated.pixels[(span.y * frame.width + span.x + pixel) as usize];
+            let exact = method.pixel(pixel);
+            for channel in 0..3 {
+                let error = (f64::from(code[channel]) - exact[channel]).abs();
+                let place = (span.y, pixel, channel);
+                assert!(error <= bounds[channel], "{place:?}: off by {error}, bound {}", bounds[channel]);
+            }
+        }
+    }
+}
+
+#[test]
+fn lyon_agrees() {
+    (0..1000).for_each(|seed| { let _ = std::panic::catch_unwind(|| agrees(seed, Method::Lyon)); });
+}
+
+#[test]
+fn hybrid_agrees() {
+    (0..1000).for_each(|seed| { let _ = std::panic::catch_unwind(|| agrees(seed, Method::Hybrid)); });
+}

@@ -1,0 +1,79 @@
+//! The fast engine against rust-hdl, on every signal and clock of both cores.
+use specula_hdl::design::{NodeId, Op};
+use specula_scene::{Method, load};
+use specula_sim::fast::{Level, Settings};
+use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};
+use specula_testbench::{Bench, EngineKind, FrameSpans};
+
+fn all_columns(engine: &mut dyn Engine, stimulus: &Stimulus, nodes: &[NodeId]) -> Columns {
+    let mut all = Columns::new(nodes);
+    engine
+        .run(stimulus, nodes, &mut |columns| {
+            all.extend(columns);
+            Flow::Continue
+        })
+        .unwrap();
+    all
+}
+
+#[test]
+fn every_signal_agrees_with_rust_hdl_at_every_clock() {
+    for (scene, size) in [("teapot", (40, 30)), ("torus", (24, 18)), ("icosahedron", (40, 30))] {
+        for method in Method::ALL {
+            let loaded = load(scene, Some(size)).unwrap();
+            let spec = loaded.core_spec(Some(method)).unwrap();
+            let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
+            let spans = FrameSpans::new(&loaded.frame, &spec);
+            let stimulus = Stimulus::whole(&spans, &bench.design);
+            let nodes: Vec<NodeId> =
+                bench.design.iter().filter(|(_, n)| !matches!(n.op, Op::Constant(_))).map(|(id, _)| id).collect();
+            let expected = all_columns(&mut RustHdl::new(&bench.design).unwrap(), &stimulus, &nodes);
+            for level in [Level::BASELINE, Level::best()] {
+                for batch in [1, 7, 512] {
+                    let settings = Settings { batch, level };
+                    let mut fast = Fast::with_settings(&bench.design, settings);
+                    let given = all_columns(&mut fast, &stimulus, &nodes);
+                    assert_eq!(given.span(), expected.span(), "{scene} {settings:?}");
+                    for (i, &node) in nodes.iter().enumerate() {
+                        let differs = (0..expected.clocks()).find(|&c| expected.values[i][c] != given.values[i][c]);
+                        if let Some(clock) = differs {
+                            panic!(
+                                "{scene} {} {settings:?}: {} at clock {clock}: {} instead of {} {:?}",
+                                method.name(),
+                                bench.design.full_name(node),
+                                given.values[i][clock],
+                                expected.values[i][clock],
+                                bench.design.node(node)
+                            );
+                        }
+                    }
+                    // Fused, with the outputs alone.
+                    let outputs = all_columns(&mut fast, &stimulus, &bench.design.outputs);
+                    for &node in &bench.design.outputs {
+                        assert_eq!(outputs.of(node), expected.of(node), "{scene} {settings:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn whole_frames_agree() {
+    for scene in specula_scene::builtin_names() {
+        for method in Method::ALL {
+            let loaded = load(scene, Some((640, 480))).unwrap();
+            let spec = loaded.core_spec(Some(method)).unwrap();
+            let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
+            let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+            println!(
+                "{scene} {}: {} pixels {} s: {} ns/clock",
+                method.name(),
+                outcome.pixels,
+                outcome.simulation_seconds,
+                outcome.simulation_seconds * 1e9 / outcome.cycles as f64
+            );
+            assert!(outcome.agrees(), "{:?} {:?}", outcome.comparison.first_mismatch, outcome.violation);
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! What a user writes behind a subcommand, and what it means.
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_scene::picture::limits;
+use specula_scene::{CoreSpec, LoadedScene, Method};
+use specula_testbench::EngineKind;
+use specula_testbench::trace::Choice;
+
+use crate::error::ToolError;
+
+/// The scene, and the core for it.
+#[derive(Clone, Debug, Args)]
+pub struct SceneArguments {
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    pub scene: String,
+    /// Folder to write [default: out/NAME, by the scene's name]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Width and height of the picture in pixels, such as 640x480 [default: what the scene says]
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<(u32, u32)>,
+    /// Shading method [default: what the scene says, else lyon]
+    #[arg(long, value_parser = method_parser())]
+    pub method: Option<Method>,
+}
+
+impl SceneArguments {
+    /// The scene and the core for it.
+    pub fn load(&self) -> Result<(LoadedScene, CoreSpec), ToolError> {
+        let scene = specula_scene::load(&self.scene, self.size)?;
+        let spec = scene.core_spec(self.method)?;
+        Ok((scene, spec))
+    }
+
+    /// The folder to be written.
+    pub fn folder(&self, scene: &LoadedScene) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name))
+    }
+}
+
+/// `--size`.
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let number = |digits: &str| digits.parse::<u32>().ok().filter(|_| digits.bytes().all(|b| b.is_ascii_digit()));
+    let numbers = text.split_once('x').and_then(|(width, height)| Some((number(width)?, number(height)?)));
+    let size = numbers.ok_or("write width and height in pixels, as in 640x480")?;
+    if limits::is_allowed(size) { Ok(size) } else { Err(limits::described()) }
+}
+
+/// `--trace`.
+pub fn parse_choice(text: &str) -> Result<Choice, String> {
+    match (text, text.split_once('=')) {
+        ("worst", _) => Ok(Choice::Worst),
+        ("none", _) => Ok(Choice::None),
+        ("all", _) => Ok(Choice::All),
+        (_, Some(("span", number))) => {
+            number.parse().map(Choice::Span).map_err(|_| "write the number of a span, as in span=12".into())
+        }
+        (_, Some(("cycles", range))) => parse_cycles(range).map(Choice::Cycles),
+        _ => Err("write worst, none, all, span=N or cycles=A..B".to_owned()),
+    }
+}
+
+fn parse_cycles(text: &str) -> Result<std::ops::Range<u64>, String> {
+    let ends = text.split_once("..").and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
+    let (first, end) = ends.ok_or("write the first cycle and the one behind the last, as in cycles=100..300")?;
+    if first < end { Ok(first..end) } else { Err(format!("{first}..{end} is empty: the first number must be the smaller one")) }
+}
+
+fn method_parser() -> impl TypedValueParser<Value = Method> {
+    PossibleValuesParser::new(Method::ALL.map(Method::name)).try_map(|name| Method::from_name(&name))
+}
+
+/// `--engine`.
+pub fn engine_parser() -> impl TypedValueParser<Value = EngineKind> {
+    let names = EngineKind::ALL.iter().map(|engine| engine.name());
+    PossibleValuesParser::new(names)
+        .try_map(|name| EngineKind::ALL.into_iter().find(|engine| engine.name() == name).ok_or("there is no such engine"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_read_or_refused() {
+        assert_eq!(parse_size("640x480"), Ok((640, 480)));
+        for text in
+            ["", "x", "640", "640x", "x480", "640X480", "+1x1", "-1x4", "1x1x1", "1 x1", "4294967296x1", "NaNx1", "6\u{664}x1"]
+        {
+            assert_eq!(parse_size(text), Err("write width and height in pixels, as in 640x480".into()), "{text}");
+        }
+        for text in ["0x0", "0x480", "8193x1", "100000x100000", "4294967295x4294967295"] {
+            assert_eq!(parse_size(text), Err(limits::described()), "{text}");
+        }
+    }
+
+    #[test]
+    fn traces_are_read_or_refused() {
+        assert_eq!(parse_choice("worst"), Ok(Choice::Worst));
+        assert_eq!(parse_choice("none"), Ok(Choice::None));
+        assert_eq!(parse_choice("all"), Ok(Choice::All));
+        assert_eq!(parse_choice("span=3"), Ok(Choice::Span(3)));
+        assert_eq!(parse_choice("cycles=10..20"), Ok(Choice::Cycles(10..20)));
+        for text in [
+            "",
+            "best",
+            "worst=",
+            "worst=1",
+            "span",
+            "span=",
+            "span=-1",
+            "span=x",
+            "cycles",
+            "cycles=5",
+            "cycles=5..",
+            "cycles=5..5",
+            "cycles=9..2",
+        ] {
+            assert!(parse_choice(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! The program's subcommands.
+use std::io::Write;
+
+use clap::{Parser, Subcommand};
+
+use crate::error::ToolError;
+use crate::{cmd_generate, cmd_methods, cmd_run, cmd_scenes};
+
+const EXAMPLES: &str = "\
+Examples:
+  specula run teapot
+  specula run bunny.ply --size 320x240 --method hybrid -o out/bunny
+  specula generate scene.toml";
+
+/// Turns a scene into shading hardware that can be checked.
+#[derive(Debug, Parser)]
+#[command(version, after_help = EXAMPLES)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The subcommands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Simulate the core for a scene, compare every pixel, and write Verilog, pictures, waveform and report
+    Run(cmd_run::Arguments),
+    /// Write the Verilog of the core for a scene, without simulating it
+    Generate(cmd_generate::Arguments),
+    /// List the built-in scenes
+    #[command(after_help = "Example: specula scenes")]
+    Scenes,
+    /// List the shading methods
+    #[command(after_help = "Example: specula methods")]
+    Methods,
+}
+
+/// How a command ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// As it should.
+    Done,
+    /// The core and its models do not agree.
+    Disagrees,
+}
+
+impl Command {
+    /// Does what was asked for; what it has to say goes to `stdout`.
+    pub fn execute(&self, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+        match self {
+            Command::Run(arguments) => cmd_run::execute(arguments, stdout),
+            Command::Generate(arguments) => cmd_generate::execute(arguments, stdout),
+            Command::Scenes => cmd_scenes::execute(stdout),
+            Command::Methods => cmd_methods::execute(stdout),
+        }
+    }
+}

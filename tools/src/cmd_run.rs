@@ -1,0 +1,142 @@
+//! `specula run`: the whole path from a scene to checked hardware.
+use std::fs;
+use std::io::{self, Write};
+use std::time::Instant;
+
+use clap::Args;
+use specula_testbench::trace::Choice;
+use specula_testbench::{Bench, EngineKind, Outcome};
+
+use crate::arguments::{SceneArguments, engine_parser, parse_choice};
+use crate::cli::Verdict;
+use crate::disagreement::Disagreement;
+use crate::error::ToolError;
+use crate::header::Origin;
+use crate::output::{Destination, REPORT, Staging};
+use crate::run::{Run, Written};
+use crate::{picture, progress, report, summary, verilog, waveform};
+
+const EXAMPLE: &str = "\
+Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd, trace.gtkw, report.md and report.json.
+DIR is replaced as a whole when everything is there; files in it that Specula did not write stay.
+
+Exit status: 0 if every pixel agrees, 1 if not, 2 if the run could not be made.
+
+Example: specula run teapot --size 320x240 --method hybrid --trace span=100";
+
+/// Arguments of `run`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = EXAMPLE)]
+pub struct Arguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// What simulates the core
+    #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
+    engine: EngineKind,
+    /// Clocks in the waveform: worst (200 around the largest error), none, span=N, cycles=A..B or all.
+    /// If the core disagrees with its models, worst and none give 200 around the first disagreement
+    #[arg(long, value_name = "CLOCKS", default_value = "worst", value_parser = parse_choice)]
+    trace: Choice,
+    /// Print report.json instead of the summary
+    #[arg(long)]
+    json: bool,
+}
+
+/// What runs when nobody chooses.
+const DEFAULT_ENGINE: EngineKind = EngineKind::RustHdl;
+
+const MARKDOWN: &str = "report.md";
+const SIMULATED: &str = "simulated.png";
+const EXPECTED: &str = "expected.png";
+const EXACT: &str = "exact.png";
+const ERROR: &str = "error.png";
+
+/// Runs the scene, writes everything, and prints the summary or the report.
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    let begin = Instant::now();
+    let (scene, spec) = arguments.scene.load()?;
+    let folder = arguments.scene.folder(&scene);
+    let module = specula_hdl::verilog::module_name(&scene.name);
+    let destination = Destination::check(&folder, &file_names(&module))?;
+    let bench = Bench::new(&scene.frame, &spec, &module)?;
+    waveform::check(&arguments.trace, &bench)?;
+    let outcome = simulate(&bench, arguments.engine)?;
+
+    let run = Run {
+        name: &scene.name,
+        module: &module,
+        origin: Origin::new(&arguments.scene, spec.method()),
+        bench: &bench,
+        engine: arguments.engine,
+        disagreement: Disagreement::of(&outcome, bench.frame, bench.design.latency()),
+        outcome: &outcome,
+    };
+    let text = write(arguments, begin, &destination, &run)?;
+    write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
+    Ok(verdict(run.disagreement.as_ref()))
+}
+
+/// Writes everything, and gives what is to be printed.
+fn write(arguments: &Arguments, begin: Instant, destination: &Destination, run: &Run) -> Result<String, ToolError> {
+    let staging = destination.stage()?;
+    let window = waveform::write(&staging, run, &waveform::choice(&arguments.trace, run.disagreement.as_ref()))?;
+    let written = Written { files: files(run.module, window.is_some()), window, wall: begin.elapsed() };
+    let json = write_files(&staging, run, &written)?;
+    staging.publish()?;
+    Ok(if arguments.json { json } else { summary::summary(run, &written, &destination.shown) })
+}
+
+fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
+    let clocks = bench.frame.shaded_pixels() + u64::from(bench.design.latency()) + 1;
+    let bar = progress::bar("simulating", clocks);
+    let outcome = bench.run(engine, &mut |done, _| bar.set_position(done));
+    bar.finish_and_clear();
+    Ok(outcome?)
+}
+
+/// Every file that a run can write.
+fn file_names(module: &str) -> Vec<String> {
+    let fixed = [SIMULATED, EXPECTED, EXACT, ERROR, waveform::DUMP, waveform::SAVE_FILE, MARKDOWN, REPORT];
+    [verilog::file_name(module)].into_iter().chain(fixed.map(str::to_owned)).collect()
+}
+
+/// The files that this run writes.
+fn files(module: &str, traced: bool) -> Vec<String> {
+    let is_trace = |name: &str| [waveform::DUMP, waveform::SAVE_FILE].contains(&name);
+    file_names(module).into_iter().filter(|name| traced || !is_trace(name)).collect()
+}
+
+/// Writes all but the waveform, and gives the JSON report.
+fn write_files(staging: &Staging, run: &Run, written: &Written) -> Result<String, ToolError> {
+    let comparison = &run.outcome.comparison;
+    let pictures = [(SIMULATED, &run.outcome.simulated), (EXPECTED, &comparison.expected), (EXACT, &comparison.exact)];
+    for (name, picture) in pictures {
+        picture::write_image(&staging.file(name), picture).map_err(staging.failed(name))?;
+    }
+    let map = picture::heat_map(comparison);
+    picture::write_drawing(&staging.file(ERROR), &map).map_err(staging.failed(ERROR))?;
+    let source = verilog::text(&run.origin, run.bench.spec, &run.bench.design);
+    let json = report::json(run, written).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
+    for (name, text) in [
+        (verilog::file_name(run.module).as_str(), &source),
+        (MARKDOWN, &report::markdown(run, written.window.as_ref())),
+        (REPORT, &json),
+    ] {
+        fs::write(staging.file(name), text).map_err(staging.failed(name))?;
+    }
+    Ok(json)
+}
+
+/// The verdict; what disagrees is said to whoever watches.
+fn verdict(disagreement: Option<&Disagreement>) -> Verdict {
+    let Some(disagreement) = disagreement else { return Verdict::Done };
+    let mut stderr = io::stderr().lock();
+    for line in disagreement.lines() {
+        // The report says the same, and the exit status tells.
+        let _ = writeln!(stderr, "disagreement: {line}");
+    }
+    Verdict::Disagrees
+}
+
+#[cfg(test)]
+mod tests;

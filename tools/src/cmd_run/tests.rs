@@ -1,0 +1,106 @@
+//! What a run leaves when the core does not agree, which no scene should ever show.
+use std::fs;
+use std::path::Path;
+
+use clap::Parser;
+use serde_json::Value;
+use specula_testbench::{Mismatch, Violation};
+use tempfile::TempDir;
+
+use super::*;
+use crate::cli::{Cli, Command};
+
+fn arguments(words: &[&str]) -> Arguments {
+    let cli =
+        Cli::try_parse_from([&["specula", "run", "icosahedron", "--size", "48x36"], words].concat()).expect("the words are right");
+    match cli.command {
+        Command::Run(arguments) => arguments,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Runs the scene, spoils what came of it, and writes the files into `folder`. Gives the clock of what was spoilt, and the verdict.
+fn spoilt_run(words: &[&str], folder: &Path, spoil: impl FnOnce(&mut Outcome) -> u64) -> (u64, Verdict) {
+    let arguments = arguments(words);
+    let (scene, spec) = arguments.scene.load().expect("the scene is built in");
+    let bench = Bench::new(&scene.frame, &spec, &scene.name).expect("the core can be built");
+    let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
+    assert!(outcome.agrees());
+    let clock = spoil(&mut outcome);
+    let run = Run {
+        name: &scene.name,
+        module: &scene.name,
+        origin: Origin::new(&arguments.scene, spec.method()),
+        bench: &bench,
+        engine: arguments.engine,
+        disagreement: Disagreement::of(&outcome, bench.frame, bench.design.latency()),
+        outcome: &outcome,
+    };
+    let destination = Destination::check(folder, &file_names(run.module)).expect("the folder can be written");
+    write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
+    (clock, verdict(run.disagreement.as_ref()))
+}
+
+fn report(folder: &Path) -> Value {
+    serde_json::from_slice(&fs::read(folder.join(REPORT)).expect("there is a report")).expect("it is JSON")
+}
+
+/// The first pixel of the frame's last span but one, spoilt; it leaves before all pixels of the last two.
+fn spoil_a_pixel(outcome: &mut Outcome) -> u64 {
+    let c = &mut outcome.comparison;
+    c.mismatches = 2;
+    c.first_mismatch = Some(Mismatch { x: 3, y: 4, span: 0, pixel: 0, simulated: [1, 2, 3], expected: [1, 2, 4] });
+    // The first pixel of all leaves after the latency.
+    outcome.cycles - outcome.pixels
+}
+
+#[test]
+fn a_wrong_pixel_is_named_and_shown() {
+    let place = TempDir::new().expect("there is room");
+    let folder = place.path().join("run");
+    let (clock, verdict) = spoilt_run(&[], &folder, spoil_a_pixel);
+    assert_eq!(verdict, Verdict::Disagrees);
+    let report = report(&folder);
+    assert_eq!(report["agrees"], false);
+    assert_eq!(report["mismatches"], 2);
+    let first = &report["first_mismatch"];
+    assert_eq!((&first["x"], &first["y"], &first["cycle"]), (&3.into(), &4.into(), &clock.into()));
+    let first = clock.saturating_sub(100);
+    assert_eq!(report["trace"], serde_json::json!([first, first + 200]));
+    let text = fs::read_to_string(folder.join(MARKDOWN)).expect("there is a report");
+    let said = format!("2 pixels differ, first (3, 4) in cycle {clock}: simulated (1, 2, 3), expected (1, 2, 4)");
+    assert!(text.contains(&said), "{text}");
+    let save_file = fs::read_to_string(folder.join(waveform::SAVE_FILE)).expect("there is a save file");
+    assert!(save_file.contains(&format!(" {} -1", clock * 10)), "{save_file}");
+}
+
+#[test]
+fn a_waveform_is_left_though_none_was_asked_for() {
+    let place = TempDir::new().expect("there is room");
+    spoilt_run(&["--trace", "none"], &place.path().join("run"), spoil_a_pixel);
+    assert!(place.path().join("run").join(waveform::DUMP).exists());
+}
+
+#[test]
+fn clocks_that_were_asked_for_are_shown_all_the_same() {
+    let place = TempDir::new().expect("there is room");
+    spoilt_run(&["--trace", "cycles=7..11"], &place.path().join("run"), spoil_a_pixel);
+    assert_eq!(report(&place.path().join("run"))["trace"], serde_json::json!([7, 11]));
+}
+
+#[test]
+fn wrong_clocks_and_facts_count_too() {
+    let place = TempDir::new().expect("there is room");
+    let folder = place.path().join("run");
+    let (clock, verdict) = spoilt_run(&[], &folder, |outcome| {
+        outcome.wrong_clocks = vec![300, 301];
+        let (fact, signal) = ("|N| <= 1".to_owned(), "core.n".to_owned());
+        outcome.violation = Some(Violation { fact, signal, clock: 250, value: 1.5 });
+        250
+    });
+    assert_eq!(verdict, Verdict::Disagrees);
+    let report = report(&folder);
+    assert_eq!(report["wrong_clocks"], 2);
+    assert_eq!(report["violation"]["cycle"], clock);
+    assert_eq!(report["trace"], serde_json::json!([150, 350]));
+}

@@ -1,0 +1,35 @@
+//! `specula scenes`: the built-in scenes.
+use std::io::Write;
+
+use crate::cli::Verdict;
+use crate::error::ToolError;
+use crate::table;
+
+/// Prints a line for each built-in scene.
+pub fn execute(stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    let rows: Vec<[String; 2]> =
+        specula_scene::builtin_names().iter().map(|name| [(*name).to_owned(), about(name).to_owned()]).collect();
+    write!(stdout, "{}", table::lines(&rows)).map_err(ToolError::Print)?;
+    Ok(Verdict::Done)
+}
+
+/// What there is to be seen in a built-in scene.
+fn about(name: &str) -> &'static str {
+    match name {
+        "teapot" => "Newell's teapot, one light",
+        "spheres" => "Lyon's figure 9: five balls with exponents 1 to 256, two lights",
+        "torus" => "a torus, two lights; normals turn fast around its tube",
+        "icosahedron" => "twenty faces with shared normals; ends of spans are up to 63 degrees apart",
+        _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_built_in_scene_is_described() {
+        for name in specula_scene::builtin_names() {
+            assert!(!super::about(name).is_empty(), "{name}");
+        }
+    }
+}

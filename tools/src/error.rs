@@ -1,0 +1,112 @@
+//! Why a command was not done.
+use std::io;
+use std::path::{Path, PathBuf};
+
+use miette::Diagnostic;
+use specula_scene::SceneError;
+use specula_testbench::BenchError;
+use thiserror::Error;
+
+/// Why a command was not done; nothing has been written then.
+#[derive(Debug, Error, Diagnostic)]
+pub enum ToolError {
+    /// The scene cannot be used.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Scene(Box<SceneError>),
+    /// The core cannot be built or run.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Bench(#[from] BenchError),
+    /// The output folder cannot be used.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Output(#[from] OutputError),
+    /// `--trace` asks for what the run does not have.
+    #[error("there is no {asked} to trace: the run has {there}")]
+    #[diagnostic(code(specula::trace), help("choose among those, or `--trace worst`"))]
+    Trace {
+        /// What was asked for.
+        asked: String,
+        /// What there is.
+        there: String,
+    },
+    /// Standard output cannot be written.
+    #[error("standard output cannot be written: {0}")]
+    #[diagnostic(code(specula::stdout))]
+    Print(io::Error),
+}
+
+impl From<SceneError> for ToolError {
+    fn from(error: SceneError) -> ToolError {
+        ToolError::Scene(Box::new(error))
+    }
+}
+
+/// Why the output folder cannot be used.
+#[derive(Debug, Error, Diagnostic)]
+pub enum OutputError {
+    /// There is something that is not a folder.
+    #[error("output folder `{}`: `{}` is not a folder", folder.display(), at.display())]
+    #[diagnostic(code(specula::output::file), help("name a folder that is not there yet, or one that Specula wrote, with `-o`"))]
+    NotAFolder {
+        /// The folder asked for.
+        folder: PathBuf,
+        /// What is in the way.
+        at: PathBuf,
+    },
+    /// The folder holds files of somebody else's.
+    #[error("output folder `{}` holds `{foreign}` and no report of Specula's: it is somebody else's", folder.display())]
+    #[diagnostic(
+        code(specula::output::foreign),
+        help("name an empty folder, one that is not there yet, or one that Specula wrote, with `-o`")
+    )]
+    Foreign {
+        /// The folder asked for.
+        folder: PathBuf,
+        /// A file in it.
+        foreign: String,
+    },
+    /// The folder holds a run's results, and the Verilog in it belongs to them.
+    #[error("output folder `{}` holds the results of a run with another core", folder.display())]
+    #[diagnostic(code(specula::output::core), help("name another folder with `-o`, or let `specula run` replace it"))]
+    OtherCore {
+        /// The folder asked for.
+        folder: PathBuf,
+    },
+    /// The folder would have to be replaced while somebody stands in it.
+    #[error("output folder `{}` is the current folder, or one above it, and would be replaced", folder.display())]
+    #[diagnostic(code(specula::output::current), help("name another folder with `-o`"))]
+    Current {
+        /// The folder asked for.
+        folder: PathBuf,
+    },
+    /// The system refuses.
+    #[error("cannot write `{}`: {reason}", path.display())]
+    #[diagnostic(
+        code(specula::output::system),
+        help("check the folder's name, its permissions and the room on the disk, or name another with `-o`")
+    )]
+    System {
+        /// What was to be written.
+        path: PathBuf,
+        /// Why not.
+        reason: io::Error,
+    },
+    /// The new folder is in place, but files of the user's that were in the old one are not yet in it.
+    #[error("`{}` could not be moved back into the output folder: {reason}", path.display())]
+    #[diagnostic(code(specula::output::kept), help("it is safe there: move it by hand"))]
+    Kept {
+        /// Where it is.
+        path: PathBuf,
+        /// Why it could not be moved.
+        reason: io::Error,
+    },
+}
+
+impl OutputError {
+    /// What the system says of `path`.
+    pub fn system(path: &Path) -> impl FnOnce(io::Error) -> OutputError + '_ {
+        move |reason| OutputError::System { path: path.to_owned(), reason }
+    }
+}

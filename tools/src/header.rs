@@ -1,0 +1,114 @@
+//! What a Verilog file says of itself. The same spec gives the same lines: no dates, no places.
+use std::path::Path;
+
+use specula_hdl::Design;
+use specula_hdl::verilog::Header;
+use specula_scene::{CoreSpec, Method, builtin_names};
+
+use crate::arguments::SceneArguments;
+use crate::narrowing;
+use crate::table;
+
+/// The scene and the command, as files name them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Origin {
+    /// The scene as the user wrote it; of a path the file's name alone.
+    pub scene: String,
+    /// The command that makes the same Verilog.
+    pub command: String,
+}
+
+impl Origin {
+    /// The origin of what is made from `arguments` with `method`.
+    pub fn new(arguments: &SceneArguments, method: Method) -> Origin {
+        let scene = scene_name(&arguments.scene);
+        let size = arguments.size.map(|(width, height)| format!(" --size {width}x{height}")).unwrap_or_default();
+        let command = format!("specula generate {}{size} --method {}", quoted(&scene), method.name());
+        Origin { scene, command }
+    }
+}
+
+fn scene_name(scene: &str) -> String {
+    let file = Path::new(scene).file_name().filter(|_| !builtin_names().contains(&scene));
+    let name = file.map_or(scene.into(), |file| file.to_string_lossy());
+    // Other characters could end the comment's line, or be read differently by different tools.
+    name.chars().map(|c| if c == ' ' || c.is_ascii_graphic() { c } else { '?' }).collect()
+}
+
+/// As a shell takes it.
+fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "._-+,".contains(c);
+    if word.chars().all(plain) && !word.starts_with('-') { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+}
+
+/// The header of a core's Verilog file.
+pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
+    let method = spec.method();
+    let mut lines = vec![
+        format!("Specula {}: the shading core for the scene {}.", env!("CARGO_PKG_VERSION"), origin.scene),
+        String::new(),
+        format!("Method {}: {}.", method.name(), method.summary()),
+    ];
+    let options: Vec<[String; 2]> = narrowing::options(spec).into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
+    lines.extend(indented(&table::lines(&options)));
+    lines.push(
+        "Values are rounded to nearest, ties up, in these places and no others (S1.10: sign, 1 integer bit, 10 fraction bits):"
+            .into(),
+    );
+    let points = narrowing::points(spec);
+    let points: Vec<[String; 3]> = points.iter().map(|p| [p.name.to_owned(), p.format.to_string(), p.value.to_owned()]).collect();
+    lines.extend(indented(&table::lines(&points)));
+    lines.push(format!("Initiation interval 1 clock; latency {} clocks.", design.latency()));
+    lines.push(format!(
+        "Error bound: {} of the 8-bit output, against the same method in exact arithmetic.",
+        bound(design.error_bound())
+    ));
+    lines.extend(["", PROTOCOL, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned));
+    lines.push(format!("  {}", origin.command));
+    lines.push("What Specula emits belongs to whoever ran it.".to_owned());
+    Header { lines }
+}
+
+/// How the core is fed. Data inputs need no registers of their own in front of them: a host that holds them is enough.
+const PROTOCOL: &str = "\
+Feeding it: a span's data inputs are held for as many clocks as it has pixels. `valid` is high in each of them, `start` in the
+first only. The pixels of a span enter on consecutive clocks; the next span may follow at once, or after any number of clocks
+in which `valid` is low. A pixel that enters in clock c leaves in clock c + latency, with `valid_out` high. Ports change behind the
+rising edge of `clock` and are taken at the next one. `reset` is synchronous and clears validity only: data registers have no reset.";
+
+fn indented(text: &str) -> Vec<String> {
+    text.lines().map(|line| format!("  {line}")).collect()
+}
+
+/// An error bound; three places say all that is of use.
+pub fn bound(lsb: f64) -> String {
+    if lsb.is_finite() { format!("{lsb:.3} LSB") } else { "no finite number of LSBs".to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn origin(scene: &str, size: Option<(u32, u32)>) -> Origin {
+        let arguments = SceneArguments { scene: scene.to_owned(), output: None, size, method: None };
+        Origin::new(&arguments, Method::Lyon)
+    }
+
+    #[test]
+    fn commands_name_no_places() {
+        let plain = origin("teapot", None);
+        assert_eq!(plain.command, "specula generate teapot --method lyon");
+        let file = origin("/home/somebody/scans/bunny.ply", Some((64, 48)));
+        assert_eq!(
+            (file.scene.as_str(), file.command.as_str()),
+            ("bunny.ply", "specula generate bunny.ply --size 64x48 --method lyon")
+        );
+    }
+
+    #[test]
+    fn odd_names_stay_on_their_line_and_in_their_word() {
+        assert_eq!(origin("a\nb c.obj", None).command, "specula generate 'a?b c.obj' --method lyon");
+        assert_eq!(origin("it's.toml", None).command, "specula generate 'it'\\''s.toml' --method lyon");
+        assert_eq!(origin("\u{e9}t\u{e9}.stl", None).scene, "?t?.stl");
+    }
+}

@@ -1,0 +1,16 @@
+//! Where results go: whole, or not at all.
+//!
+//! Everything is written into a temporary folder beside its place and moved there once it is complete.
+mod folder;
+mod made;
+mod publish;
+mod verilog_file;
+
+pub use folder::Destination;
+pub use publish::Staging;
+pub use verilog_file::write_verilog;
+
+/// The report that marks a folder as a run's.
+pub const REPORT: &str = "report.json";
+/// Beginning of the names of temporary folders; what is left of one after a power cut can be deleted.
+const TEMPORARY: &str = ".specula-";

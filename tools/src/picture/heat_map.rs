@@ -1,0 +1,98 @@
+//! Where in the picture the error is, and how large.
+use colorous::INFERNO;
+use image::{Rgb, RgbImage};
+use specula_testbench::{Comparison, ErrorFigures};
+
+use super::canvas::{CHARACTER, Canvas};
+use super::scale::Scale;
+
+/// The paper.
+const PAPER: Rgb<u8> = Rgb([255, 255, 255]);
+/// Words and ticks.
+const INK: Rgb<u8> = Rgb([40, 40, 40]);
+/// Pixels that nothing is shaded in: no colour of the scale.
+const NOTHING: Rgb<u8> = Rgb([205, 208, 212]);
+/// Stands beside a box of that colour, two characters in.
+const KEY: &str = "  nothing shaded. Colours: square root";
+/// Pixels of a picture's shorter side for each dot of its words.
+const PIXELS_PER_DOT: u32 = 240;
+/// Lines of text that a legend beside the smallest pictures needs.
+const FEWEST_LINES: u32 = 14;
+
+/// Where things stand, in pixels.
+struct Layout {
+    dot: u32,
+    /// A character's width and height.
+    unit: u32,
+    picture: (u32, u32),
+    corner: (u32, u32),
+    bar: (u32, u32),
+    bar_corner: (u32, u32),
+    size: (u32, u32),
+}
+
+impl Layout {
+    fn new(picture: (u32, u32), words: [&str; 3], ticks: &[(f64, String)]) -> Layout {
+        let dot = (picture.0.min(picture.1) / PIXELS_PER_DOT).max(1);
+        let unit = CHARACTER * dot;
+        let corner = (unit, 3 * unit);
+        let height = picture.1.max(FEWEST_LINES * unit);
+        let bar = (2 * unit, height);
+        let bar_corner = (corner.0 + picture.0 + 2 * unit, corner.1);
+        let labels = ticks.iter().map(|(_, label)| Canvas::text_width(label, dot)).max().unwrap_or(0);
+        let widest = words.map(|text| Canvas::text_width(text, dot)).into_iter().max().unwrap_or(0);
+        let width = (bar_corner.0 + bar.0 + 2 * unit + labels).max(corner.0 + widest);
+        Layout { dot, unit, picture, corner, bar, bar_corner, size: (width + unit, corner.1 + height + 4 * unit) }
+    }
+}
+
+/// The error of each pixel as a colour, with a legend.
+pub fn heat_map(comparison: &Comparison) -> RgbImage {
+    let scale = Scale::reaching(comparison.errors.total.max_lsb);
+    let (title, figures) = ("Total error |core - exact shading|, in LSB", figures(&comparison.errors.total));
+    let picture = (comparison.exact.width, comparison.exact.height);
+    let layout = Layout::new(picture, [title, &figures, KEY], &scale.ticks());
+    let mut canvas = Canvas::new(layout.size.0, layout.size.1, PAPER, layout.dot);
+    canvas.write((layout.corner.0, layout.unit), title, INK);
+    draw_errors(&mut canvas, &layout, &scale, &comparison.error_map);
+    draw_bar(&mut canvas, &layout, &scale);
+    let below = layout.corner.1 + layout.bar.1 + layout.unit;
+    canvas.write((layout.corner.0, below), &figures, INK);
+    let key = (layout.corner.0, below + 3 * layout.unit / 2);
+    canvas.fill(key, (layout.unit, layout.unit), NOTHING);
+    canvas.write(key, KEY, INK);
+    canvas.finish()
+}
+
+fn figures(total: &ErrorFigures) -> String {
+    format!("largest {:.2}, rms {:.2}, mean {:.2}", total.max_lsb, total.rms_lsb, total.mean_lsb)
+}
+
+fn draw_errors(canvas: &mut Canvas, layout: &Layout, scale: &Scale, errors: &[f32]) {
+    for (row, line) in (0..).zip(errors.chunks(layout.picture.0 as usize)) {
+        for (column, &error) in (0..).zip(line) {
+            let colour = if error < 0.0 { NOTHING } else { colour(scale.place(error.into())) };
+            canvas.put(layout.corner.0 + column, layout.corner.1 + row, colour);
+        }
+    }
+}
+
+/// The scale's colours from bottom to top, with ticks and their numbers.
+fn draw_bar(canvas: &mut Canvas, layout: &Layout, scale: &Scale) {
+    let ((left, top), (width, height)) = (layout.bar_corner, layout.bar);
+    for row in 0..height {
+        let place = 1.0 - f64::from(row) / f64::from(height - 1);
+        canvas.fill((left, top + row), (width, 1), colour(place));
+    }
+    for (number, label) in scale.ticks() {
+        let y = top + ((1.0 - scale.place(number)) * f64::from(height - 1)).round() as u32;
+        canvas.fill((left + width, y.min(top + height - layout.dot)), (layout.unit / 2, layout.dot), INK);
+        let text = y.saturating_sub(layout.unit / 2).clamp(top, top + height - layout.unit);
+        canvas.write((left + width + layout.unit, text), &label, INK);
+    }
+}
+
+/// Inferno: as even to the eye as it is to the number, and readable in black and white.
+fn colour(place: f64) -> Rgb<u8> {
+    Rgb(INFERNO.eval_continuous(place).as_array())
+}

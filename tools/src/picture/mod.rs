@@ -1,0 +1,30 @@
+//! Pictures: PNG files, and the heat map of the error.
+mod canvas;
+mod heat_map;
+mod scale;
+
+pub use heat_map::heat_map;
+
+use std::io;
+use std::path::Path;
+
+use image::{ExtendedColorType, ImageError, ImageFormat, RgbImage};
+use specula_testbench::Image;
+
+/// Writes a picture as PNG.
+pub fn write_image(path: &Path, picture: &Image) -> io::Result<()> {
+    write_png(path, picture.pixels.as_flattened(), (picture.width, picture.height))
+}
+
+/// Writes a drawing as PNG.
+pub fn write_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
+    write_png(path, drawing.as_raw(), drawing.dimensions())
+}
+
+fn write_png(path: &Path, bytes: &[u8], (width, height): (u32, u32)) -> io::Result<()> {
+    let saved = image::save_buffer_with_format(path, bytes, width, height, ExtendedColorType::Rgb8, ImageFormat::Png);
+    saved.map_err(|error| match error {
+        ImageError::IoError(error) => error,
+        other => io::Error::other(other),
+    })
+}

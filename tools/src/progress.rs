@@ -1,0 +1,18 @@
+//! Progress bars: on a terminal, and nowhere else.
+use std::io::{self, IsTerminal};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// How many of `clocks` clocks are done.
+pub fn bar(doing: &'static str, clocks: u64) -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{msg:10} {bar:40} {human_pos}/{human_len} clocks {eta}");
+    let bar = ProgressBar::new(clocks).with_message(doing);
+    match style {
+        Ok(style) => bar.with_style(style),
+        // The template is a constant; if it were wrong, the default style shows as much.
+        Err(_) => bar,
+    }
+}

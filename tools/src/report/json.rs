@@ -1,0 +1,153 @@
+//! The report for programs.
+use serde::Serialize;
+use specula_scene::CoreSpec;
+use specula_testbench::{Errors, Violation};
+
+use crate::disagreement::Disagreement;
+use crate::run::{Run, Written};
+
+/// `report.json`. Errors are in LSBs of the 8-bit output.
+#[derive(Serialize)]
+struct Report<'a> {
+    /// Of Specula.
+    version: &'static str,
+    scene: &'a str,
+    /// Of the Verilog.
+    module: &'a str,
+    /// Makes the same Verilog.
+    command: &'a str,
+    method: &'static str,
+    engine: &'static str,
+    width: u32,
+    height: u32,
+    spans: usize,
+    pixels: u64,
+    agrees: bool,
+    mismatches: u64,
+    wrong_clocks: usize,
+    /// The first fact that did not hold.
+    violation: Option<ViolatedFact<'a>>,
+    first_mismatch: Option<FirstMismatch>,
+    cycles: u64,
+    latency: u32,
+    cycles_per_pixel: f64,
+    /// Of the whole run.
+    wall_seconds: f64,
+    simulation_seconds: f64,
+    error: &'a Errors,
+    /// Of the core's codes from its method rounded in f64, in codes.
+    largest_code_difference: u8,
+    /// On the quantisation error; none if no finite one can be proven.
+    bound_lsb: Option<f64>,
+    worst_pixel: Option<WorstPixel>,
+    /// The clocks in the waveform, from the first to the one behind the last.
+    trace: Option<[u64; 2]>,
+    size: Size,
+    spec: &'a CoreSpec,
+    files: &'a [String],
+}
+
+#[derive(Serialize)]
+struct ViolatedFact<'a> {
+    fact: &'a str,
+    signal: &'a str,
+    cycle: u64,
+    value: f64,
+}
+
+#[derive(Serialize)]
+struct FirstMismatch {
+    x: u32,
+    y: u32,
+    cycle: u64,
+    simulated: [u8; 3],
+    expected: [u8; 3],
+}
+
+#[derive(Serialize)]
+struct WorstPixel {
+    x: u32,
+    y: u32,
+    cycle: Option<u64>,
+    error_lsb: f64,
+}
+
+#[derive(Serialize)]
+struct Size {
+    multipliers: usize,
+    multiplier_bits: u64,
+    adders: usize,
+    adder_bits: u64,
+    multiplexers: usize,
+    register_bits: u64,
+}
+
+/// The report as text.
+pub fn json(run: &Run, written: &Written) -> serde_json::Result<String> {
+    let mut text = serde_json::to_string_pretty(&report(run, written))?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
+    let (outcome, bench) = (run.outcome, run.bench);
+    let comparison = &outcome.comparison;
+    let bound = bench.design.error_bound();
+    Report {
+        version: env!("CARGO_PKG_VERSION"),
+        scene: run.name,
+        module: run.module,
+        command: &run.origin.command,
+        method: bench.spec.method().name(),
+        engine: run.engine.name(),
+        width: bench.frame.width,
+        height: bench.frame.height,
+        spans: bench.frame.spans.len(),
+        pixels: outcome.pixels,
+        agrees: outcome.agrees(),
+        mismatches: comparison.mismatches,
+        wrong_clocks: outcome.wrong_clocks.len(),
+        violation: outcome.violation.as_ref().map(violated_fact),
+        first_mismatch: run.disagreement.as_ref().and_then(first_mismatch),
+        cycles: outcome.cycles,
+        latency: bench.design.latency(),
+        cycles_per_pixel: run.cycles_per_pixel(),
+        wall_seconds: written.wall.as_secs_f64(),
+        simulation_seconds: outcome.simulation_seconds,
+        error: &comparison.errors,
+        largest_code_difference: comparison.largest_code_difference,
+        bound_lsb: bound.is_finite().then_some(bound),
+        worst_pixel: comparison.worst_pixel.map(|worst| WorstPixel {
+            x: worst.x,
+            y: worst.y,
+            cycle: outcome.worst_cycle,
+            error_lsb: worst.error_lsb,
+        }),
+        trace: written.window.as_ref().map(|window| [window.start, window.end]),
+        size: size(run),
+        spec: bench.spec,
+        files: &written.files,
+    }
+}
+
+fn violated_fact(violation: &Violation) -> ViolatedFact<'_> {
+    let Violation { fact, signal, clock, value } = violation;
+    ViolatedFact { fact, signal, cycle: *clock, value: *value }
+}
+
+fn first_mismatch(disagreement: &Disagreement) -> Option<FirstMismatch> {
+    let (m, cycle) = disagreement.first_mismatch.as_ref()?;
+    Some(FirstMismatch { x: m.x, y: m.y, cycle: *cycle, simulated: m.simulated, expected: m.expected })
+}
+
+fn size(run: &Run) -> Size {
+    let size = run.bench.design.size();
+    Size {
+        multipliers: size.multipliers,
+        multiplier_bits: size.multiplier_bits,
+        adders: size.adders,
+        adder_bits: size.adder_bits,
+        multiplexers: size.multiplexers,
+        register_bits: size.register_bits,
+    }
+}

@@ -1,0 +1,218 @@
+//! The report for people: what was built, how well it does, and how to go on with it.
+use std::ops::Range;
+
+use specula_testbench::ErrorFigures;
+
+use super::ports;
+use crate::header::bound;
+use crate::narrowing;
+use crate::run::Run;
+use crate::table::markdown as table;
+use crate::waveform;
+
+/// `report.md`. It holds no times, so that the same run gives the same bytes.
+pub fn markdown(run: &Run, window: Option<&Range<u64>>) -> String {
+    let sections = [
+        title(run),
+        result(run),
+        pictures(),
+        errors(run),
+        built(run),
+        ports_of(run),
+        units(run),
+        left_out(run),
+        facts(run),
+        waves(window),
+        verilog(run),
+    ];
+    sections.join("\n")
+}
+
+fn title(run: &Run) -> String {
+    let (method, latency) = (run.bench.spec.method(), run.bench.design.latency());
+    format!(
+        "# {}, shaded by `{}`\n\n\
+         A pipeline of {latency} clocks that takes a pixel in every clock: {}.\n\n\
+         Made by Specula {}; `{}` makes the same Verilog.\n",
+        run.name,
+        method.name(),
+        method.summary(),
+        env!("CARGO_PKG_VERSION"),
+        run.origin.command
+    )
+}
+
+fn result(run: &Run) -> String {
+    let (outcome, frame) = (run.outcome, run.bench.frame);
+    let verdict = match &run.disagreement {
+        None => "Every pixel agrees with the bit-true model, each in its clock, and every stated fact held.\n".to_owned(),
+        Some(disagreement) => {
+            let lines: Vec<String> = disagreement.lines().iter().map(|line| format!("- {line}\n")).collect();
+            format!("**The core does not agree with its models.**\n\n{}", lines.concat())
+        }
+    };
+    let rows = [
+        ["picture", &format!("{} x {}, {} spans", frame.width, frame.height, frame.spans.len())],
+        ["pixels shaded", &outcome.pixels.to_string()],
+        ["pixels that differ", &outcome.comparison.mismatches.to_string()],
+        ["cycles", &outcome.cycles.to_string()],
+        ["cycles per pixel", &format!("{:.4}", run.cycles_per_pixel())],
+        ["latency", &format!("{} clocks", run.bench.design.latency())],
+        ["engine", run.engine.name()],
+    ];
+    let rows = rows.map(|row| row.map(str::to_owned));
+    format!("## Result\n\n{verdict}\n{}", table(["", ""], &rows))
+}
+
+fn pictures() -> String {
+    "## Pictures\n\n\
+     | simulated core | bit-true model | exact shading |\n|---|---|---|\n\
+     | ![simulated](simulated.png) | ![expected](expected.png) | ![exact](exact.png) |\n\n\
+     ![error](error.png)\n"
+        .to_owned()
+}
+
+fn errors(run: &Run) -> String {
+    let comparison = &run.outcome.comparison;
+    let errors = &comparison.errors;
+    let rows = [
+        figures("total: the core against exact shading", &errors.total),
+        figures("method: its method in exact arithmetic against exact shading", &errors.method),
+        figures("quantisation: the core against its method in exact arithmetic", &errors.quantisation),
+    ];
+    let worst = comparison.worst_pixel.zip(run.outcome.worst_cycle).map(|(worst, cycle)| {
+        format!(
+            "The largest total error, {:.2} LSB, is at ({}, {}); that pixel leaves in cycle {cycle}. ",
+            worst.error_lsb, worst.x, worst.y
+        )
+    });
+    format!(
+        "## Errors\n\nIn LSBs of the 8-bit output, over the three channels of all shaded pixels. {}\
+         The quantisation error is proven to stay within {}. Half an LSB of it is the rounding to 8 bits.\n\n{}",
+        worst.unwrap_or_default(),
+        bound(run.bench.design.error_bound()),
+        table(["error", "largest", "rms", "mean", "PSNR in dB"], &rows)
+    )
+}
+
+fn figures(name: &str, figures: &ErrorFigures) -> [String; 5] {
+    let lsb = |x: f64| format!("{x:.3}");
+    let psnr = figures.psnr_db.map_or("no error".to_owned(), |db| format!("{db:.2}"));
+    [name.to_owned(), lsb(figures.max_lsb), lsb(figures.rms_lsb), lsb(figures.mean_lsb), psnr]
+}
+
+fn built(run: &Run) -> String {
+    let options: Vec<[String; 2]> =
+        narrowing::options(run.bench.spec).into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
+    let points: Vec<[String; 4]> = narrowing::points(run.bench.spec)
+        .iter()
+        .map(|point| {
+            let name = format!("`{}`", point.name);
+            [name, point.format.to_string(), point.format.width().to_string(), format!("`{}`", point.value)]
+        })
+        .collect();
+    format!(
+        "## What was built\n\n{}\n\
+         Values are rounded, to nearest and ties up, in these places and no others. `S1.10` has a sign, 1 integer bit and\n\
+         10 fraction bits; `U` has no sign. Where values are known to be smaller, the hardware is narrower.\n\n{}",
+        table(["spec", ""], &options),
+        table(["narrowing point", "format", "bits", "what is rounded"], &points)
+    )
+}
+
+fn ports_of(run: &Run) -> String {
+    let rows = ports::rows(run.bench.spec, &run.bench.design);
+    format!(
+        "## Ports\n\n{}\n\
+         A span's data inputs are held for as many clocks as it has pixels, `valid` high in each of them and `start` in the first\n\
+         only; its pixels enter on consecutive clocks. The next span may follow at once. A pixel that enters in clock c leaves in\n\
+         clock c + {}, with `valid_out` high.\n",
+        table(["port", "direction", "bits", "format", "meaning"], &rows),
+        run.bench.design.latency()
+    )
+}
+
+fn units(run: &Run) -> String {
+    let design = &run.bench.design;
+    let row = |name: String, latency: u32, size: &specula_hdl::design::Size| {
+        let counts = [size.multipliers, size.adders, size.multiplexers].map(|count| count.to_string());
+        let [multipliers, adders, multiplexers] = counts;
+        [
+            name,
+            latency.to_string(),
+            multipliers,
+            size.multiplier_bits.to_string(),
+            adders,
+            multiplexers,
+            size.register_bits.to_string(),
+        ]
+    };
+    let mut rows: Vec<[String; 7]> =
+        design.unit_sizes().iter().map(|unit| row(format!("`{}`", unit.path), unit.latency, &unit.size)).collect();
+    rows.push(row("**whole core**".to_owned(), design.latency(), &design.size()));
+    format!(
+        "## Units\n\nCounted in the design, before any FPGA tool has seen it; each unit without the units inside it. Multiplier bits are the\n\
+         sum of the products of both operands' widths: 18 x 18 is 324.\n\n{}",
+        table(["unit", "latency", "multipliers", "multiplier bits", "adders", "multiplexers", "register bits"], &rows)
+    )
+}
+
+fn left_out(run: &Run) -> String {
+    let left_out = &run.bench.design.left_out;
+    if left_out.is_empty() {
+        return "## Left out\n\nNothing: this scene makes use of everything that its method has.\n".to_owned();
+    }
+    let rows: Vec<[String; 3]> =
+        left_out.iter().map(|left| [format!("`{}`", left.unit), left.what.clone(), left.why.clone()]).collect();
+    format!(
+        "## Left out\n\nHardware that a general core has and this one does not.\n\n{}",
+        table(["unit", "what", "why nothing is lost"], &rows)
+    )
+}
+
+fn facts(run: &Run) -> String {
+    let design = &run.bench.design;
+    if design.assumptions.is_empty() {
+        return "## Facts that were checked\n\nNone had to be assumed: intervals prove every width.\n".to_owned();
+    }
+    let rows: Vec<[String; 3]> = design
+        .assumptions
+        .iter()
+        .map(|assumption| {
+            let format = design.node(assumption.node).format();
+            let range = format!("{} to {}", format.value(assumption.range.low), format.value(assumption.range.high));
+            [assumption.fact.clone(), format!("`{}`", design.full_name(assumption.node)), range]
+        })
+        .collect();
+    format!(
+        "## Facts that were checked\n\nWhat intervals cannot see is stated by the units that rely on it, and was checked in every clock.\n\n{}",
+        table(["fact", "signal", "lies in"], &rows)
+    )
+}
+
+fn waves(window: Option<&Range<u64>>) -> String {
+    let text = match window {
+        None => "None was asked for: `--trace worst` shows the clocks around the pixel with the largest error.\n".to_owned(),
+        Some(window) => format!(
+            "`{dump}` holds every signal in clocks {} to {}. The save file opens the interesting ones as fixed-point numbers:\n\n\
+             ```sh\ngtkwave {dump} {save}\n```\n",
+            window.start,
+            window.end - 1,
+            dump = waveform::DUMP,
+            save = waveform::SAVE_FILE
+        ),
+    };
+    format!("## Waveform\n\n{text}")
+}
+
+fn verilog(run: &Run) -> String {
+    let module = run.module;
+    format!(
+        "## Verilog\n\n`{module}.v` is the whole core in Verilog-2001. What Specula emits belongs to whoever ran it. To look at it with\nother tools:\n\n\
+         ```sh\n\
+         verilator --lint-only -Wall {module}.v\n\
+         iverilog -g2001 -Wall -t null {module}.v\n\
+         yosys -p 'read_verilog {module}.v; synth -top {module}; stat'\n\
+         ```\n"
+    )
+}

@@ -1,0 +1,43 @@
+//! A run, as waveform, pictures and reports see it.
+use std::ops::Range;
+use std::time::Duration;
+
+use specula_testbench::{Bench, EngineKind, Outcome};
+
+use crate::disagreement::Disagreement;
+use crate::header::Origin;
+
+/// A run that has been simulated and compared.
+pub struct Run<'a> {
+    /// The scene's name.
+    pub name: &'a str,
+    /// The name of the core's module.
+    pub module: &'a str,
+    /// Where the core comes from.
+    pub origin: Origin,
+    /// The core and the frame.
+    pub bench: &'a Bench<'a>,
+    /// What ran it.
+    pub engine: EngineKind,
+    /// What came of it.
+    pub outcome: &'a Outcome,
+    /// What of it is not as it must be.
+    pub disagreement: Option<Disagreement>,
+}
+
+impl Run<'_> {
+    /// Clocks for each pixel, the way through the core included.
+    pub fn cycles_per_pixel(&self) -> f64 {
+        self.outcome.cycles as f64 / self.outcome.pixels.max(1) as f64
+    }
+}
+
+/// What is known once the waveform is written.
+pub struct Written {
+    /// The clocks in the waveform; none without one.
+    pub window: Option<Range<u64>>,
+    /// What the run took from the beginning on.
+    pub wall: Duration,
+    /// Every file, in the order in which people want to see them.
+    pub files: Vec<String>,
+}

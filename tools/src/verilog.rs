@@ -1,0 +1,15 @@
+//! The Verilog of a core.
+use specula_hdl::Design;
+use specula_scene::CoreSpec;
+
+use crate::header::{self, Origin};
+
+/// A core as text.
+pub fn text(origin: &Origin, spec: &CoreSpec, design: &Design) -> String {
+    specula_hdl::verilog::print(&design.to_block(), &header::header(origin, spec, design))
+}
+
+/// The file that holds the module `module`: lint tools ask for the same name.
+pub fn file_name(module: &str) -> String {
+    format!("{module}.v")
+}

@@ -1,0 +1,102 @@
+//! The waveform of a run.
+use std::fs::{self, File};
+use std::io;
+use std::ops::Range;
+
+use specula_hdl::Design;
+use specula_sim::gtkw::{self, View};
+use specula_sim::vcd::Waves;
+use specula_sim::{Columns, Flow};
+use specula_testbench::Bench;
+use specula_testbench::trace::{Choice, WORST_WINDOW};
+
+use crate::disagreement::Disagreement;
+use crate::error::ToolError;
+use crate::output::Staging;
+use crate::progress;
+use crate::run::Run;
+
+/// The value change dump.
+pub const DUMP: &str = "trace.vcd";
+/// GTKWave's save file.
+pub const SAVE_FILE: &str = "trace.gtkw";
+
+/// What is traced: what the user chose, but the surroundings of the first disagreement where the user named no clocks.
+pub fn choice(asked: &Choice, disagreement: Option<&Disagreement>) -> Choice {
+    match (asked, disagreement) {
+        (Choice::Worst | Choice::None, Some(disagreement)) => {
+            let first = disagreement.first_clock().saturating_sub(WORST_WINDOW / 2);
+            Choice::Cycles(first..first + WORST_WINDOW)
+        }
+        _ => asked.clone(),
+    }
+}
+
+/// Checks before a run that there will be what `choice` asks for.
+pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
+    let clocks = bench.frame.shaded_pixels() + u64::from(bench.design.latency()) + 1;
+    let missing = |asked: String, there: String| Err(ToolError::Trace { asked, there });
+    match choice {
+        Choice::Span(index) if *index >= bench.frame.spans.len() => {
+            missing(format!("span {index}"), format!("spans 0 to {}", bench.frame.spans.len().saturating_sub(1)))
+        }
+        Choice::Cycles(range) if range.start >= clocks => {
+            missing(format!("cycle {}", range.start), format!("cycles 0 to {}", clocks - 1))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes dump and save file of the clocks of `choice`, and says which those are.
+///
+/// The clocks go from the engine to the file a batch at a time, so that a long run does not have to fit into memory.
+pub fn write(staging: &Staging, run: &Run, choice: &Choice) -> Result<Option<Range<u64>>, ToolError> {
+    let file = File::create(staging.file(DUMP)).map_err(staging.failed(DUMP))?;
+    let about =
+        format!("Specula {}, scene {}, method {}", env!("CARGO_PKG_VERSION"), run.origin.scene, run.bench.spec.method().name());
+    let mut dump = Dump { design: &run.bench.design, about: &about, file: Some(file), waves: None };
+    let mut written = Ok(());
+    let bar = progress::bar("tracing", run.outcome.cycles + 1);
+    let window = run.bench.trace(run.engine, choice, run.outcome, &mut |columns| {
+        bar.set_position(columns.span().end);
+        written = dump.append(columns);
+        if written.is_ok() { Flow::Continue } else { Flow::Stop }
+    });
+    bar.finish_and_clear();
+    let window = window?;
+    written.and_then(|()| dump.end()).map_err(staging.failed(DUMP))?;
+    match &window {
+        Some(window) => write_save_file(staging, run, window).map_err(staging.failed(SAVE_FILE))?,
+        None => fs::remove_file(staging.file(DUMP)).map_err(staging.failed(DUMP))?,
+    }
+    Ok(window)
+}
+
+/// The dump while it is written; its header needs the first batch.
+struct Dump<'a> {
+    design: &'a Design,
+    about: &'a str,
+    file: Option<File>,
+    waves: Option<Waves<File>>,
+}
+
+impl Dump<'_> {
+    fn append(&mut self, columns: &Columns) -> io::Result<()> {
+        if let Some(file) = self.file.take() {
+            self.waves = Some(Waves::begin(file, self.design, &columns.nodes, self.about)?);
+        }
+        self.waves.as_mut().map_or(Ok(()), |waves| waves.append(columns))
+    }
+
+    fn end(self) -> io::Result<()> {
+        self.waves.map_or(Ok(()), Waves::end)
+    }
+}
+
+fn write_save_file(staging: &Staging, run: &Run, window: &Range<u64>) -> io::Result<()> {
+    let looked_at = run.disagreement.as_ref().map(Disagreement::first_clock).or(run.outcome.worst_cycle);
+    let marker = looked_at.filter(|clock| window.contains(clock));
+    let view = View { dump_file: DUMP, window: window.clone(), marker };
+    let design = &run.bench.design;
+    gtkw::write(File::create(staging.file(SAVE_FILE))?, design, &gtkw::interesting(design), &view)
+}

@@ -1,0 +1,114 @@
+//! What is wrong is said, with status 2, and nothing is left behind.
+use std::fs;
+
+use crate::program::Place;
+
+/// What the program says of `arguments`, which are wrong; the folder must be as it was.
+fn refusal(place: &Place, arguments: &[&str]) -> String {
+    let before = place.names(".");
+    let ended = place.specula(arguments);
+    assert_eq!((ended.status, ended.stdout.as_str()), (Some(2), ""), "{arguments:?}: {}", ended.stderr);
+    assert_eq!(place.names("."), before, "{arguments:?} left something");
+    format!("$ specula {}\n{}\n", arguments.join(" ").escape_debug(), ended.stderr.replace('\\', "/"))
+}
+
+fn refusals(place: &Place, all: &[&[&str]]) -> String {
+    all.iter().map(|arguments| refusal(place, arguments)).collect()
+}
+
+#[test]
+fn wrong_words() {
+    insta::assert_snapshot!(refusals(
+        &Place::new(),
+        &[
+            &["run"],
+            &["rum", "teapot"],
+            &["run", "teapot", "--method", "phong"],
+            &["generate", "teapot", "--method", "lyonn"],
+            &["run", "teapot", "--engine", "abacus"],
+            &["run", "teapot", "--size", "640"],
+            &["run", "teapot", "--size", "0x0"],
+            &["run", "teapot", "--size", "100000x100000"],
+            &["run", "teapot", "--size", "-1x5"],
+            &["run", "teapot", "--trace", "best"],
+            &["run", "teapot", "--trace", "span=x"],
+            &["run", "teapot", "--trace", "cycles=9..3"],
+            &["run", "teapot", "--trace", "cycles=5"],
+            &["run", "teapot", "-o", ""],
+            &["run", "teapot", "--colour", "red"],
+        ]
+    ));
+}
+
+#[test]
+fn wrong_scenes() {
+    let place = Place::new();
+    place.write("latin1.toml", b"# caf\xe9\n");
+    place.write("typo.toml", "[[object]]\nprimitve = \"torus\"\n");
+    place.write("three.toml", "[[object]]\nprimitive = \"torus\"\n[object.material]\nshininess = 3\n");
+    place.write("wide.toml", "[[object]]\nprimitive = \"torus\"\n[core.lyon.formats]\nvector = \"S1.60\"\n");
+    place.write("empty.obj", "");
+    insta::assert_snapshot!(refusals(
+        &place,
+        &[
+            &["run", "teacup"],
+            &["run", "missing.toml"],
+            &["generate", "missing.ply"],
+            &["run", "latin1.toml"],
+            &["run", "typo.toml"],
+            &["run", "three.toml", "--method", "hybrid"],
+            &["generate", "wide.toml"],
+            &["run", "empty.obj"],
+            &["run", "."],
+        ]
+    ));
+}
+
+#[test]
+fn wrong_windows() {
+    let place = Place::new();
+    let small = |trace: &str| refusal(&place, &["run", "icosahedron", "--size", "16x12", "--trace", trace]);
+    let spans = small("span=18446744073709551615");
+    let cycles = small("cycles=100000..100001");
+    insta::assert_snapshot!(spans + &cycles);
+}
+
+#[test]
+fn wrong_folders() {
+    let place = Place::new();
+    place.write("file", "");
+    fs::create_dir(place.path("full")).unwrap();
+    place.write("full/thesis.tex", "");
+    fs::create_dir(place.path("foreign")).unwrap();
+    place.write("foreign/report.json", "{}");
+    let folders = ["file", "file/below", "full", "foreign", ".", ".."];
+    let run = |folder: &&str| refusal(&place, &["run", "icosahedron", "--size", "16x12", "-o", folder]);
+    let generate = refusal(&place, &["generate", "icosahedron", "-o", "file"]);
+    insta::assert_snapshot!(folders.iter().map(run).collect::<String>() + &generate);
+    assert_eq!((place.names("full"), place.names("foreign")), (vec!["thesis.tex".to_owned()], vec!["report.json".to_owned()]));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn places_where_nothing_can_be_written() {
+    let place = Place::new();
+    for command in ["run", "generate"] {
+        let said = refusal(&place, &[command, "icosahedron", "--size", "16x12", "-o", "/proc/specula/out"]);
+        assert!(said.contains("cannot write `/proc/specula/out"), "{said}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn words_that_are_not_utf8() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let place = Place::new();
+    let ended = place.specula(&[OsStr::new("run"), OsStr::from_bytes(b"caf\xe9.toml")]);
+    assert_eq!(ended.status, Some(2));
+    insta::assert_snapshot!(ended.stderr);
+    // A folder may have any name.
+    let ended =
+        place.specula(&[OsStr::new("generate"), OsStr::new("icosahedron"), OsStr::new("-o"), OsStr::from_bytes(b"caf\xe9")]);
+    assert_eq!(ended.status, Some(0), "{}", ended.stderr);
+}

@@ -1,0 +1,27 @@
+//! Help texts and lists.
+use crate::program::Place;
+
+#[test]
+fn every_command_has_help() {
+    let place = Place::new();
+    for command in ["run", "generate", "scenes", "methods"] {
+        let text = place.succeeds(&[command, "--help"]);
+        assert!(text.contains("Example: specula"), "{text}");
+        insta::assert_snapshot!(format!("help_of_{command}"), text);
+    }
+    insta::assert_snapshot!("help", place.succeeds(&["--help"]));
+}
+
+#[test]
+fn lists_have_a_line_each() {
+    let place = Place::new();
+    insta::assert_snapshot!("scenes", place.succeeds(&["scenes"]));
+    insta::assert_snapshot!("methods", place.succeeds(&["methods"]));
+}
+
+#[test]
+fn without_a_command_the_help_is_shown() {
+    let ended = Place::new().specula::<&str>(&[]);
+    assert_eq!(ended.status, Some(2));
+    assert!(ended.stderr.contains("Usage: specula <COMMAND>"), "{}", ended.stderr);
+}

@@ -1,0 +1,7 @@
+//! The program as its users see it: what it prints, what it writes, and how it ends.
+mod errors;
+mod generate;
+mod help;
+mod output;
+mod program;
+mod run;

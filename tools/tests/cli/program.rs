@@ -1,0 +1,71 @@
+//! Runs the program in a folder of its own.
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// An empty folder in which the program runs.
+pub struct Place {
+    folder: TempDir,
+}
+
+/// How a run of the program ended.
+#[derive(Debug)]
+pub struct Ended {
+    pub status: Option<i32>,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+impl Place {
+    pub fn new() -> Place {
+        Place { folder: TempDir::new().expect("there is room for a folder") }
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    pub fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
+        fs::write(self.path(name), bytes).expect("a file can be written");
+    }
+
+    /// Runs the program with pipes for its output.
+    pub fn specula<S: AsRef<OsStr>>(&self, arguments: &[S]) -> Ended {
+        let mut program = Command::new(env!("CARGO_BIN_EXE_specula"));
+        // The same words on every machine: no colours, no line drawings.
+        program.env("LC_ALL", "C").env("NO_COLOR", "1").env_remove("NO_GRAPHICS").env_remove("CLICOLOR_FORCE");
+        program.env_remove("FORCE_COLOR").env_remove("COLUMNS").current_dir(self.folder.path());
+        let Output { status, stdout, stderr } = program.args(arguments).output().expect("the program runs");
+        let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
+        Ended { status: status.code(), stdout: text(stdout), stderr: text(stderr) }
+    }
+
+    /// Runs the program, which has to succeed and say nothing but its result.
+    pub fn succeeds(&self, arguments: &[&str]) -> String {
+        let ended = self.specula(arguments);
+        assert_eq!((ended.status, ended.stderr.as_str()), (Some(0), ""), "{arguments:?}: {}", ended.stdout);
+        ended.stdout
+    }
+
+    /// Names in a folder, sorted, hidden ones too.
+    pub fn names(&self, folder: &str) -> Vec<String> {
+        names(&self.path(folder))
+    }
+
+    pub fn report(&self, folder: &str) -> Value {
+        let text = fs::read(self.path(folder).join("report.json")).expect("there is a report");
+        serde_json::from_slice(&text).expect("the report is JSON")
+    }
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("the folder can be read");
+    let mut names: Vec<String> =
+        entries.map(|entry| entry.expect("the folder can be read").file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}

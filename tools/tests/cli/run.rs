@@ -1,0 +1,137 @@
+//! `specula run`.
+use std::fs;
+
+use serde_json::Value;
+
+use crate::program::Place;
+
+const FILES: [&str; 9] =
+    ["error.png", "exact.png", "expected.png", "report.json", "report.md", "simulated.png", "teapot.v", "trace.gtkw", "trace.vcd"];
+const SMALL: [&str; 4] = ["run", "teapot", "--size", "64x48"];
+
+fn small<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&SMALL, more].concat()
+}
+
+#[test]
+fn everything_is_written_into_the_folder_of_the_scenes_name() {
+    let place = Place::new();
+    let summary = place.succeeds(&SMALL);
+    assert_eq!(place.names("out/teapot"), FILES);
+    assert_eq!(place.names("out"), ["teapot"]);
+    for file in FILES {
+        assert!(summary.contains(&format!("  {file}\n")), "{summary}");
+    }
+    for picture in FILES.iter().filter(|name| name.ends_with(".png")) {
+        let bytes = fs::read(place.path("out/teapot").join(picture)).unwrap();
+        assert!(bytes.starts_with(b"\x89PNG"), "{picture}");
+    }
+    let (simulated, expected) = ("out/teapot/simulated.png", "out/teapot/expected.png");
+    assert_eq!(fs::read(place.path(simulated)).unwrap(), fs::read(place.path(expected)).unwrap());
+}
+
+#[test]
+fn the_report_has_its_keys() {
+    let place = Place::new();
+    for method in ["lyon", "hybrid"] {
+        let printed = place.succeeds(&small(&["--method", method, "--json", "-o", method]));
+        assert_eq!(printed.as_bytes(), fs::read(place.path(method).join("report.json")).unwrap());
+        let report = place.report(method);
+        assert_eq!(report["method"], method);
+        assert_eq!((&report["scene"], &report["engine"]), (&"teapot".into(), &"rust-hdl".into()));
+        assert_eq!((&report["mismatches"], &report["agrees"]), (&0.into(), &true.into()));
+        let number = |value: &Value| value.as_f64().unwrap_or_else(|| panic!("{value} in {printed}"));
+        let (pixels, cycles, latency) = (number(&report["pixels"]), number(&report["cycles"]), number(&report["latency"]));
+        assert_eq!(cycles, pixels + latency);
+        assert_eq!(number(&report["cycles_per_pixel"]), cycles / pixels);
+        assert!(number(&report["wall_seconds"]) >= number(&report["simulation_seconds"]));
+        for part in ["total", "method", "quantisation"] {
+            for figure in ["max_lsb", "rms_lsb", "mean_lsb", "psnr_db"] {
+                number(&report["error"][part][figure]);
+            }
+        }
+        assert!(number(&report["error"]["quantisation"]["max_lsb"]) <= number(&report["bound_lsb"]));
+        for coordinate in ["x", "y", "cycle"] {
+            number(&report["worst_pixel"][coordinate]);
+        }
+    }
+}
+
+#[test]
+fn the_same_run_gives_the_same_bytes() {
+    let place = Place::new();
+    place.succeeds(&small(&["-o", "one"]));
+    place.succeeds(&small(&["-o", "other"]));
+    for file in FILES.iter().filter(|name| **name != "report.json") {
+        let [one, other] = ["one", "other"].map(|folder| fs::read(place.path(folder).join(file)).unwrap());
+        assert!(one == other, "{file} differs");
+    }
+    let timeless = |folder: &str| {
+        let mut report = place.report(folder);
+        let object = report.as_object_mut().unwrap();
+        assert!(object.remove("wall_seconds").is_some() && object.remove("simulation_seconds").is_some());
+        report
+    };
+    assert_eq!(timeless("one"), timeless("other"));
+}
+
+#[test]
+fn no_bar_is_drawn_in_a_pipe() {
+    let place = Place::new();
+    let ended = place.specula(&SMALL);
+    assert_eq!(ended.stderr, "");
+    assert!(!ended.stdout.contains(['\r', '\u{1b}']), "{}", ended.stdout);
+}
+
+#[test]
+fn the_window_is_the_one_asked_for() {
+    let place = Place::new();
+    let trace = |choice: &str| {
+        place.succeeds(&small(&["--trace", choice]));
+        place.report("out/teapot")["trace"].clone()
+    };
+    assert_eq!(trace("cycles=5..9"), serde_json::json!([5, 9]));
+    let all = trace("all");
+    let report = place.report("out/teapot");
+    assert_eq!((&all[0], &all[1]), (&0.into(), &(report["cycles"].as_u64().unwrap() + 1).into()));
+    assert_eq!(trace("span=0")[0], 0);
+    let worst = trace("worst");
+    let cycle = place.report("out/teapot")["worst_pixel"]["cycle"].as_u64().unwrap();
+    assert!((worst[0].as_u64().unwrap()..worst[1].as_u64().unwrap()).contains(&cycle));
+    assert_eq!(trace("none"), Value::Null);
+    assert!(place.names("out/teapot").iter().all(|name| !name.starts_with("trace")));
+}
+
+#[test]
+fn meshes_and_scene_files_are_scenes_too() {
+    let place = Place::new();
+    place.write("Tri angle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    place.write(
+        "scene.toml",
+        "[[object]]\nmesh = \"Tri angle.obj\"\n[object.material]\nshininess = 8\n[core]\nmethod = \"hybrid\"\n",
+    );
+    place.succeeds(&["run", "Tri angle.obj", "--size", "32x32"]);
+    assert!(place.names("out/tri_angle").contains(&"tri_angle.v".to_owned()));
+    place.succeeds(&["run", "./scene.toml", "--size", "32x32"]);
+    assert_eq!(place.report("out/scene")["method"], "hybrid");
+    assert_eq!(place.report("out/scene")["command"], "specula generate scene.toml --size 32x32 --method hybrid");
+}
+
+#[test]
+fn the_smallest_picture_has_a_heat_map_with_its_legend() {
+    let place = Place::new();
+    place.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    place.succeeds(&["run", "square.obj", "--size", "1x1"]);
+    assert_eq!(place.report("out/square")["pixels"], 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_may_stop_reading() {
+    use std::process::{Command, Stdio};
+    let mut child =
+        Command::new(env!("CARGO_BIN_EXE_specula")).arg("scenes").stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!((ended.status.code(), ended.stderr.as_slice()), (Some(0), &b""[..]));
+}
