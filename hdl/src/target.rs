@@ -31,6 +31,7 @@ impl Target for Generic {
             | Op::LessThan(..)
             | Op::And(..)
             | Op::Or(..)
+            | Op::LookUp(..)
             | Op::Not(_) => 0,
         }
     }

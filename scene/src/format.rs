@@ -39,7 +39,7 @@ impl Format {
 
     /// Weight of the last bit, 2^-`fraction_bits`.
     pub fn ulp(self) -> f64 {
-        (-f64::from(self.fraction_bits)).exp2()
+        power_of_two(-(self.fraction_bits as i64))
     }
 
     /// Smallest raw value.
@@ -60,10 +60,15 @@ impl Format {
     /// Nearest raw value, ties up, saturated to the format's range; the host's way into the core.
     /// NaN becomes 0, so that no set-up can put a NaN into a core.
     pub fn quantise(self, value: f64) -> i64 {
-        let scaled = (value / self.ulp() + 0.5).floor();
+        let scaled = (value * power_of_two(self.fraction_bits.into()) + 0.5).floor();
         // `as` saturates at i64's ends and maps NaN to 0.
         (scaled as i64).clamp(self.min_raw(), self.max_raw())
     }
+}
+
+/// 2^`exponent`, exactly, for exponents of normal numbers, which fraction bits up to 63 are: the exponent field biased by 1023.
+fn power_of_two(exponent: i64) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
 impl fmt::Display for Format {
@@ -143,6 +148,13 @@ mod tests {
         assert_eq!((s.width(), s.min_raw(), s.max_raw()), (12, -2048, 2047));
         let u = Format::unsigned(0, 12);
         assert_eq!((u.width(), u.min_raw(), u.max_raw()), (12, 0, 4095));
+    }
+
+    #[test]
+    fn powers_of_two_are_exact() {
+        for exponent in -63..=63 {
+            assert_eq!(power_of_two(exponent), 2f64.powi(exponent as i32));
+        }
     }
 
     #[test]

@@ -20,4 +20,4 @@ pub use fast::Fast;
 pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
 pub use stimulus::{SpanSource, Stimulus};
-pub use verilator::Verilator;
+pub use verilator::{Effort, Verilator};

@@ -9,8 +9,8 @@ pub trait SpanSource: Sync {
     fn count(&self) -> usize;
     /// Pixels of span `index`.
     fn length(&self, index: usize) -> u32;
-    /// Span `index`, set up.
-    fn packet(&self, index: usize) -> SpanPacket;
+    /// Appends the raw inputs of span `index`, in port order.
+    fn append_inputs(&self, index: usize, inputs: &mut Vec<i64>);
 }
 
 impl SpanSource for Vec<SpanPacket> {
@@ -22,8 +22,8 @@ impl SpanSource for Vec<SpanPacket> {
         self[index].length
     }
 
-    fn packet(&self, index: usize) -> SpanPacket {
-        self[index].clone()
+    fn append_inputs(&self, index: usize, inputs: &mut Vec<i64>) {
+        inputs.extend_from_slice(&self[index].inputs);
     }
 }
 
@@ -88,6 +88,11 @@ impl<'a> Stimulus<'a> {
         self.begins[index.min(self.begins.len() - 1)]
     }
 
+    /// Whether a pixel enters at `clock`.
+    pub fn enters(&self, clock: u64) -> bool {
+        clock < self.pixels()
+    }
+
     /// The span that enters at `clock`, and which of its pixels; `None` when idle.
     pub fn pixel_at(&self, clock: u64) -> Option<(usize, u32)> {
         let index = self.begins.partition_point(|&begin| begin <= clock).checked_sub(1)?;
@@ -97,25 +102,64 @@ impl<'a> Stimulus<'a> {
 
     /// The stretches that make up the run, in order.
     pub fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
-        let mut clock = self.clocks.start;
-        let mut last_inputs = vec![];
-        std::iter::from_fn(move || {
-            if clock >= self.clocks.end {
-                return None;
-            }
-            let stretch = match self.pixel_at(clock) {
-                Some((index, offset)) => {
-                    let packet = self.spans.packet(index);
-                    last_inputs.clone_from(&packet.inputs);
-                    let end = self.begins[index + 1].min(self.clocks.end);
-                    Stretch { clocks: clock..end, valid: true, starts: offset == 0, inputs: packet.inputs }
-                }
-                // Idle: inputs stay where the last span left them.
-                None => Stretch { clocks: clock..self.clocks.end, valid: false, starts: false, inputs: last_inputs.clone() },
-            };
-            clock = stretch.clocks.end;
-            Some(stretch)
+        self.strides().map(|stride| {
+            let mut inputs = vec![];
+            self.append_inputs(&stride, &mut inputs);
+            Stretch { clocks: stride.clocks, valid: stride.valid, starts: stride.starts, inputs }
         })
+    }
+
+    /// The stretches without their inputs.
+    pub(crate) fn strides(&self) -> Strides<'_> {
+        let span = self.begins.partition_point(|&begin| begin <= self.clocks.start).saturating_sub(1);
+        Strides { stimulus: self, span, clock: self.clocks.start }
+    }
+
+    /// Appends the inputs that are held during a stride. Idle clocks leave inputs where the last span left them.
+    pub(crate) fn append_inputs(&self, stride: &Stride, inputs: &mut Vec<i64>) {
+        if let Some(span) = stride.span {
+            self.spans.append_inputs(span, inputs);
+        }
+    }
+}
+
+/// A stretch without its inputs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Stride {
+    pub clocks: Range<u64>,
+    pub valid: bool,
+    pub starts: bool,
+    /// The span whose inputs are held; `None` if there is no span at all.
+    pub span: Option<usize>,
+}
+
+/// The strides of a run.
+pub(crate) struct Strides<'a> {
+    stimulus: &'a Stimulus<'a>,
+    /// The span that `clock` lies in, or one behind the last.
+    span: usize,
+    clock: u64,
+}
+
+impl Iterator for Strides<'_> {
+    type Item = Stride;
+
+    fn next(&mut self) -> Option<Stride> {
+        let Stimulus { begins, clocks, .. } = self.stimulus;
+        if self.clock >= clocks.end {
+            return None;
+        }
+        // Spans have at least one pixel, so each begins after the one before.
+        let stride = match begins.get(self.span + 1) {
+            Some(&end) => {
+                let end = end.min(clocks.end);
+                Stride { clocks: self.clock..end, valid: true, starts: self.clock == begins[self.span], span: Some(self.span) }
+            }
+            None => Stride { clocks: self.clock..clocks.end, valid: false, starts: false, span: self.span.checked_sub(1) },
+        };
+        self.clock = stride.clocks.end;
+        self.span += 1;
+        Some(stride)
     }
 }
 

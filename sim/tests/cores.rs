@@ -4,7 +4,7 @@ mod common;
 use specula_hdl::Design;
 use specula_hdl::design::{NodeId, Op};
 use specula_scene::Method;
-use specula_sim::{Engine, Icarus, RustHdl, Stimulus, Verilator};
+use specula_sim::{Effort, Engine, Icarus, RustHdl, Stimulus, Verilator};
 
 use common::{engines, frames, tools};
 
@@ -54,7 +54,7 @@ fn every_signal_agrees_in_a_trace() {
     let stimulus = Stimulus::whole(&packets, &design);
     let all = signals(&design);
     let reference = engines::run(&mut RustHdl::new(&design).unwrap(), &stimulus, &all).unwrap();
-    if let Some(mut verilator) = tools::installed(Verilator::new(&design)) {
+    if let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) {
         let columns = engines::run(&mut verilator, &stimulus, &all).unwrap();
         engines::assert_same(&design, &reference, &columns, 0, verilator.name());
     }
@@ -74,7 +74,7 @@ fn runs_may_begin_late_and_share_a_build() {
     let window = 120..140;
     let late = whole.leading_to(&window, &design);
     assert!(late.clocks().start > 0);
-    let Some(mut verilator) = tools::installed(Verilator::new(&design)) else { return };
+    let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastRun)) else { return };
     let outputs = outputs(&design);
     let all = engines::run(&mut verilator, &whole, &outputs).unwrap();
     let built = verilator.build_seconds();

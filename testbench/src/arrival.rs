@@ -33,7 +33,7 @@ impl<'a> Arrivals<'a> {
         let channels: Vec<&[i64]> = self.outputs.iter().map(|&node| column(node)).collect();
         for (row, &leaves) in valid.iter().enumerate() {
             let clock = columns.first_clock + row as u64;
-            let due = clock.checked_sub(self.latency).is_some_and(|entry| self.stimulus.pixel_at(entry).is_some());
+            let due = clock.checked_sub(self.latency).is_some_and(|entry| self.stimulus.enters(entry));
             if due != (leaves == 1) {
                 self.wrong_clocks.push(clock);
             }

@@ -26,8 +26,7 @@ pub(crate) fn first_violation(design: &Design, stimulus: &Stimulus, columns: &Co
     design.assumptions.iter().find_map(|assumption| {
         let node = design.node(assumption.node);
         let column = columns.of(assumption.node)?;
-        let belongs_to_a_pixel =
-            |clock: u64| clock.checked_sub(node.stage.into()).is_some_and(|entry| stimulus.pixel_at(entry).is_some());
+        let belongs_to_a_pixel = |clock: u64| clock.checked_sub(node.stage.into()).is_some_and(|entry| stimulus.enters(entry));
         let row = column
             .iter()
             .enumerate()

@@ -7,7 +7,6 @@ use specula_scene::{CoreSpec, Frame, Span};
 use crate::spans::FrameSpans;
 use crate::statistics::{Errors, Sums};
 use crate::{BenchError, Image};
-use specula_sim::SpanSource;
 
 /// A pixel whose code is not the model's.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -12,7 +12,14 @@ pub struct FrameSpans<'a> {
 impl<'a> FrameSpans<'a> {
     /// The spans of `frame` for the core of `spec`.
     pub fn new(frame: &'a Frame, spec: &'a CoreSpec) -> FrameSpans<'a> {
-        FrameSpans { frame, set_up: SetUp::new(spec) }
+        FrameSpans { frame, set_up: SetUp::new(spec, frame) }
+    }
+}
+
+impl FrameSpans<'_> {
+    /// Span `index`, set up.
+    pub fn packet(&self, index: usize) -> SpanPacket {
+        self.set_up.packet(&self.frame.spans[index])
     }
 }
 
@@ -25,7 +32,7 @@ impl SpanSource for FrameSpans<'_> {
         self.frame.spans[index].length
     }
 
-    fn packet(&self, index: usize) -> SpanPacket {
-        self.set_up.packet(self.frame, &self.frame.spans[index])
+    fn append_inputs(&self, index: usize, inputs: &mut Vec<i64>) {
+        inputs.extend(self.packet(index).inputs);
     }
 }

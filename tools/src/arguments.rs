@@ -19,7 +19,7 @@ pub struct SceneArguments {
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Width and height of the picture in pixels, such as 640x480 [default: what the scene says]
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
     pub size: Option<(u32, u32)>,
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]

@@ -14,7 +14,7 @@ Examples:
 
 /// Turns a scene into shading hardware that can be checked.
 #[derive(Debug, Parser)]
-#[command(version, after_help = EXAMPLES)]
+#[command(version, max_term_width = 100, after_help = EXAMPLES)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]

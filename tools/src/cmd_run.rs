@@ -43,7 +43,7 @@ pub struct Arguments {
 }
 
 /// What runs when nobody chooses.
-const DEFAULT_ENGINE: EngineKind = EngineKind::RustHdl;
+const DEFAULT_ENGINE: EngineKind = EngineKind::Fast;
 
 const MARKDOWN: &str = "report.md";
 const SIMULATED: &str = "simulated.png";

@@ -51,10 +51,8 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
     ];
     let options: Vec<[String; 2]> = narrowing::options(spec).into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
     lines.extend(indented(&table::lines(&options)));
-    lines.push(
-        "Values are rounded to nearest, ties up, in these places and no others (S1.10: sign, 1 integer bit, 10 fraction bits):"
-            .into(),
-    );
+    lines.push("Values are rounded, to nearest and ties up, in these places and no others. S1.10 has a sign, 1 integer".into());
+    lines.push("bit and 10 fraction bits; U has no sign.".into());
     let points = narrowing::points(spec);
     let points: Vec<[String; 3]> = points.iter().map(|p| [p.name.to_owned(), p.format.to_string(), p.value.to_owned()]).collect();
     lines.extend(indented(&table::lines(&points)));
@@ -69,12 +67,13 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
     Header { lines }
 }
 
-/// How the core is fed. Data inputs need no registers of their own in front of them: a host that holds them is enough.
+/// How the core is fed.
 const PROTOCOL: &str = "\
-Feeding it: a span's data inputs are held for as many clocks as it has pixels. `valid` is high in each of them, `start` in the
-first only. The pixels of a span enter on consecutive clocks; the next span may follow at once, or after any number of clocks
-in which `valid` is low. A pixel that enters in clock c leaves in clock c + latency, with `valid_out` high. Ports change behind the
-rising edge of `clock` and are taken at the next one. `reset` is synchronous and clears validity only: data registers have no reset.";
+Feeding it: a span's data inputs are held for as many clocks as it has pixels. `valid` is high in each
+of them, `start` in the first only. The pixels of a span enter on consecutive clocks; the next span may
+follow at once, or after any number of clocks in which `valid` is low. A pixel that enters in clock c
+leaves in clock c + latency, with `valid_out` high. Inputs are taken at the rising edge of `clock`.
+`reset` is synchronous and clears validity only: data registers have no reset.";
 
 fn indented(text: &str) -> Vec<String> {
     text.lines().map(|line| format!("  {line}")).collect()

@@ -69,9 +69,10 @@ pub fn options(spec: &CoreSpec) -> Vec<(&'static str, String)> {
             Difference::ReflectionMinusLight => "D = R - L",
             Difference::HalfwayCrossNormal => "D = H x N",
         };
-        options.push(("normalisation", format!("{first}, y = 1 - z; then {} Newton steps", lyon.newton_steps)));
+        options.push(("normalisation", format!("{first}, y = 1 - z")));
+        options.push(("Newton steps", lyon.newton_steps.to_string()));
         options.push(("difference", difference.to_owned()));
-        options.push(("shape", format!("f(x) = (1 - x)^(2^k) with k = {}", lyon.squarings)));
+        options.push(("shape", format!("f = (1 - x)^(2^k), 0 from x = 1 on; k = {}", lyon.squarings)));
     }
     options
 }

@@ -19,7 +19,7 @@ pub fn summary(run: &Run, written: &Written, folder: &Path) -> String {
 
 fn facts(run: &Run, written: &Written) -> Vec<[String; 2]> {
     let (outcome, frame) = (run.outcome, run.bench.frame);
-    let seconds = format!("{:.2} s, of which simulation {:.2} s", written.wall.as_secs_f64(), outcome.simulation_seconds);
+    let seconds = format!("{:.3} s, of which simulation {:.3} s", written.wall.as_secs_f64(), outcome.simulation_seconds);
     let worst = outcome.comparison.worst_pixel.zip(outcome.worst_cycle);
     let worst =
         worst.map(|(worst, cycle)| format!("({}, {}), {:.2} LSB, leaves in cycle {cycle}", worst.x, worst.y, worst.error_lsb));

@@ -1,10 +1,11 @@
 //! From a design to a tree of modules.
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use rust_hdl_core::prelude::*;
 
 use super::{Cell, Child, Module, Wire};
-use crate::design::{Design, Node, NodeId, Op, Range, Register, ScopeId};
+use crate::design::{Design, Node, NodeId, Op, Range, Register, ScopeId, Table};
 
 /// What crosses borders, worked out once for the whole design.
 struct Borders<'a> {
@@ -13,6 +14,7 @@ struct Borders<'a> {
     outputs: HashSet<NodeId>,
     /// The signals of each unit, in order.
     members: HashMap<ScopeId, Vec<NodeId>>,
+    tables: Rc<[Table]>,
 }
 
 impl Design {
@@ -36,7 +38,7 @@ impl<'a> Borders<'a> {
             let inner = node.op.operands().filter(|&o| design.scope(design.node(o).scope).parent == Some(node.scope));
             outputs.extend(inner.filter(|&o| !matches!(design.node(o).op, Op::Constant(_))));
         }
-        Borders { design, outputs, members }
+        Borders { design, outputs, members, tables: design.tables.clone().into() }
     }
 
     fn kind(&self, id: NodeId) -> AtomKind {
@@ -68,6 +70,7 @@ impl<'a> Borders<'a> {
             gates: vec![],
             registers: vec![],
             children: vec![],
+            tables: self.tables.clone(),
             active: true,
         };
         let local = self.wires(&mut module, scope);

@@ -7,10 +7,12 @@
 //! wires at the end of the first call and is put to the child's pins in the next one, where it becomes visible to registers only after
 //! they have sampled: registers read the values of the last call, gates the values of this one. So on every path, however deep, data
 //! arrives at least one call after the edge.
+use std::rc::Rc;
+
 use rust_hdl_core::prelude::*;
 
 use super::Wire;
-use crate::design::{NodeId, Op, Register};
+use crate::design::{NodeId, Op, Register, Table};
 use crate::verilog::statement::{self, Operand};
 
 /// An operator of a module; operands are numbers of the module's own wires.
@@ -50,6 +52,7 @@ pub struct Module {
     pub(super) gates: Vec<Cell>,
     pub(super) registers: Vec<Cell>,
     pub(super) children: Vec<Child>,
+    pub(super) tables: Rc<[Table]>,
     /// Whether anything changed in the last `update_all`, or has been put to a pin since.
     pub(super) active: bool,
 }
@@ -98,7 +101,7 @@ impl Module {
     fn sample_registers(&mut self) {
         let in_reset = self.reset.is_some_and(|r| self.wires[r as usize].value == 1);
         for cell in &self.registers {
-            let raw = cell.op.evaluate(|id| self.wires[id.0 as usize].value);
+            let raw = cell.op.evaluate(&self.tables, |id| self.wires[id.0 as usize].value);
             let cleared = in_reset && cell.register == Register::Validity;
             let wire = &mut self.wires[cell.wire as usize];
             wire.next = if cleared { 0 } else { wire.wrap(raw) };
@@ -107,7 +110,7 @@ impl Module {
 
     fn evaluate_gates(&mut self) {
         for cell in &self.gates {
-            let raw = cell.op.evaluate(|id| self.wires[id.0 as usize].next);
+            let raw = cell.op.evaluate(&self.tables, |id| self.wires[id.0 as usize].next);
             let wire = &mut self.wires[cell.wire as usize];
             wire.next = wire.wrap(raw);
         }
@@ -134,6 +137,14 @@ impl Module {
                 Operand::Net { name: &wire_type.name, width: wire_type.width, signed: wire_type.signed }
             }
         }
+    }
+
+    /// A cell as Verilog statements of an `always` block.
+    pub fn assignment(&self, cell: &Cell) -> String {
+        let wire_type = self.wires[cell.wire as usize].wire_type();
+        let arrow = if cell.register == Register::None { "=" } else { "<=" };
+        let target = (wire_type.name.as_str(), NodeId(cell.wire));
+        statement::assignment(target, arrow, cell.op, wire_type.width, &|id| self.operand(id), &self.tables)
     }
 
     /// The right-hand side of a cell as a Verilog expression of the width of its wire.
@@ -171,11 +182,15 @@ impl Logic for Module {
         let mut lines = vec![];
         let name = |wire: u32| &self.wires[wire as usize].wire_type().name;
         for cell in self.gates.iter().filter(|c| !matches!(c.op, Op::Constant(_))) {
-            lines.push(format!("always @(*) {} = {};", name(cell.wire), self.expression(cell)));
+            lines.push(format!("always @(*) {}", self.assignment(cell)));
         }
         for cell in &self.registers {
-            let cleared = if cell.register == Register::Validity { "reset ? 1'b0 : " } else { "" };
-            lines.push(format!("always @(posedge clock) {} <= {cleared}{};", name(cell.wire), self.expression(cell)));
+            lines.push(match cell.register {
+                Register::Validity => {
+                    format!("always @(posedge clock) {} <= reset ? 1'b0 : {};", name(cell.wire), self.expression(cell))
+                }
+                _ => format!("always @(posedge clock) {}", self.assignment(cell)),
+            });
         }
         for child in &self.children {
             let pin = |wire: u32| format!("{}${}", child.module.instance, child.module.wires[wire as usize].wire_type().name);

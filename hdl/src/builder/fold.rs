@@ -40,7 +40,7 @@ fn known_value(state: &State, op: Op, facts: &Facts) -> Option<i64> {
     }
     let all_constant = op.operands().all(|o| state.is_constant(o).is_some());
     let value_of = |id: NodeId| state.is_constant(id).unwrap_or(0);
-    (all_constant && op.operands().next().is_some()).then(|| op.evaluate(value_of))
+    (all_constant && op.operands().next().is_some()).then(|| op.evaluate(&state.design.tables, value_of))
 }
 
 fn note(state: &mut State, op: Op, why: &str) {

@@ -6,6 +6,7 @@ mod accumulate;
 mod arithmetic;
 mod fold;
 mod logic;
+mod memory;
 mod narrow;
 mod ports;
 mod sig;

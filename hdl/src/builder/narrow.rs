@@ -121,6 +121,13 @@ impl Sig {
         self.proven_error(in_ulps)
     }
 
+    /// States the bound on |fixed - real| of what propagation sees nothing of, such as a number put together from bits, or a bit that
+    /// may come out otherwise than the real one. The unit gives the proof above it.
+    pub fn stated_error_value(self, error: f64) -> Sig {
+        let in_ulps = error * f64::from(self.fraction_bits()).exp2();
+        self.with_error(in_ulps)
+    }
+
     pub(super) fn with_error(self, error: f64) -> Sig {
         self.builder.state.borrow_mut().design.nodes[self.id().0 as usize].error = error;
         self

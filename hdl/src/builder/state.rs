@@ -37,6 +37,7 @@ impl State {
         let none = NodeId(0);
         let design = Design {
             nodes: vec![],
+            tables: vec![],
             scopes: vec![top],
             inputs: vec![],
             valid: none,

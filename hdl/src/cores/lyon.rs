@@ -18,7 +18,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
     };
     let normal = units::interpolate(&b, span, &lyon.formats, spec.longest_span - 1);
     let (n, has_direction) = units::normalise(&b, &normal, lyon, spec.shortest_normal);
-    let pixel = Pixel { b: &b, spec, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
+    let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
     let lights: Vec<Light> = inputs.lights.iter().map(|light| pixel.shade(light)).collect();
     let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
     b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
@@ -27,7 +27,6 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreSpec,
     lyon: &'a LyonSpec,
     n: &'a Vector,
     has_direction: &'a Sig,
@@ -44,7 +43,7 @@ impl Pixel<'_> {
         };
         Light {
             diffuse: units::diffuse(b, self.n, &direction, formats),
-            specular: units::shape(b, &d, self.shininess, self.has_direction, self.lyon, self.spec.shortest_normal),
+            specular: units::shape(b, &d, self.shininess, self.has_direction, self.lyon),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
         }

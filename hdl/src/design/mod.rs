@@ -8,7 +8,7 @@ mod size;
 
 use specula_scene::Format;
 
-pub use op::{Op, wrapped};
+pub use op::{Op, Table, TableId, wrapped};
 pub use range::{Range, WideRange};
 pub use size::{Size, UnitSize};
 
@@ -133,6 +133,8 @@ pub struct LeftOut {
 pub struct Design {
     /// Every signal; a signal's operands come before it unless it is a register.
     pub nodes: Vec<Node>,
+    /// Every read-only memory.
+    pub tables: Vec<Table>,
     /// Every unit; parents come before children.
     pub scopes: Vec<Scope>,
     /// Data inputs of the core, in the order of the spec's ports; `None` where a port is constant.

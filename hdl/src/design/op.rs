@@ -1,6 +1,25 @@
 //! What a signal is computed by.
 use super::NodeId;
 
+/// A table of a design, by its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TableId(pub u32);
+
+/// The contents of a read-only memory.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// Raw values, from address 0 on; an address behind the last reads 0.
+    pub entries: Vec<i64>,
+}
+
+impl Table {
+    /// The entry at `address`.
+    #[inline]
+    pub fn entry(&self, address: i64) -> i64 {
+        usize::try_from(address).ok().and_then(|at| self.entries.get(at)).copied().unwrap_or(0)
+    }
+}
+
 /// An operator on raw values. Widths and signs belong to the signals, not to the operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Op {
@@ -32,6 +51,8 @@ pub enum Op {
     Not(NodeId),
     /// The second operand if the first, a bit, is 1, else the third.
     Select(NodeId, NodeId, NodeId),
+    /// The entry of a table at this address.
+    LookUp(NodeId, TableId),
 }
 
 impl Op {
@@ -39,7 +60,9 @@ impl Op {
     pub fn operands(&self) -> impl Iterator<Item = NodeId> + use<> {
         let slots = match *self {
             Op::Input | Op::Constant(_) => [None; 3],
-            Op::Copy(a) | Op::ShiftLeft(a, _) | Op::ShiftRight(a, _) | Op::Wrap(a) | Op::Not(a) => [Some(a), None, None],
+            Op::Copy(a) | Op::ShiftLeft(a, _) | Op::ShiftRight(a, _) | Op::Wrap(a) | Op::Not(a) | Op::LookUp(a, _) => {
+                [Some(a), None, None]
+            }
             Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::LessThan(a, b) | Op::And(a, b) | Op::Or(a, b) => {
                 [Some(a), Some(b), None]
             }
@@ -64,6 +87,7 @@ impl Op {
             Op::Or(a, b) => Op::Or(f(a), f(b)),
             Op::Not(a) => Op::Not(f(a)),
             Op::Select(c, a, b) => Op::Select(f(c), f(a), f(b)),
+            Op::LookUp(a, table) => Op::LookUp(f(a), table),
         }
     }
 
@@ -71,7 +95,7 @@ impl Op {
     ///
     /// Arithmetic is modulo 2^64, so the low bits are right whatever the operands are.
     #[inline]
-    pub fn evaluate(self, value: impl Fn(NodeId) -> i64) -> i64 {
+    pub fn evaluate(self, tables: &[Table], value: impl Fn(NodeId) -> i64) -> i64 {
         match self {
             Op::Input => 0,
             Op::Constant(c) => c,
@@ -92,6 +116,7 @@ impl Op {
                     value(b)
                 }
             }
+            Op::LookUp(a, table) => tables.get(table.0 as usize).map_or(0, |table| table.entry(value(a))),
         }
     }
 }

@@ -16,6 +16,8 @@ pub struct Size {
     pub multiplexers: usize,
     /// Register bits.
     pub register_bits: u64,
+    /// Bits of read-only memory.
+    pub table_bits: u64,
 }
 
 /// Size of what stands in one unit itself, its inner units apart.
@@ -44,6 +46,9 @@ impl Size {
                 self.adder_bits += u64::from(node.width());
             }
             Op::Select(..) => self.multiplexers += 1,
+            Op::LookUp(_, table) => {
+                self.table_bits += design.tables[table.0 as usize].entries.len() as u64 * u64::from(node.width())
+            }
             _ => {}
         }
         if node.registered() {

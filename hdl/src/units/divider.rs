@@ -27,7 +27,7 @@ pub fn divider(b: &Builder, p: &Sig, q: &Sig, fraction_bits: u32, smallest_divis
         }
         let quotient = quotient.times_power_of_two(-(fraction_bits as i32 + 1)).rounded(fraction_bits).named("quotient");
         let clamped = whole.choose(&one, &quotient);
-        positive.choose(&clamped, &zero).clamped_above(1).proven_error_value(error).named("base")
+        positive.choose(&clamped, &zero).clamped_above(1).stated_error_value(error).named("base")
     })
 }
 

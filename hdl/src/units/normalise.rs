@@ -21,7 +21,7 @@ fn coarsest_ulp(formats: &LyonFormats) -> f64 {
 ///
 /// Both ends of a span lie in the unit ball, so |N'| ≤ 1 up to rounding. n is off by g e_N' + |N'| e_g, with the bounds of [`GainBound`] for normals no shorter than `shortest`.
 ///
-/// Beside n goes a bit that says whether N' has a direction at all (EXTREMES row 1).
+/// Beside n goes a bit that says whether N' has a direction at all (EXTREMES row 1). It is off by 1 where rounding may decide that.
 pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> (Vector, Sig) {
     let f = &lyon.formats;
     let formula = match lyon.normalisation {
@@ -43,10 +43,17 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
         let e_normal = normal.x.error_value();
         let error = bound.largest * e_normal + (1.0 + e_normal) * bound.error;
         let n = normal.scaled(&g).proven_error_value(error).rounded(f.vector.fraction_bits);
-        let has_direction = b.integer(0).less_than(&z).named("has_direction");
+        let unsure = if direction_is_sure(shortest, e_normal, f) { 0.0 } else { 1.0 };
+        let has_direction = b.integer(0).less_than(&z).named("has_direction").stated_error_value(unsure);
         // Each of a few roundings adds some units of the coarsest format's last place.
         (n.assumed_within(longest + 8.0 * coarsest_ulp(f), "|g N'| <= 1.002").named("n"), has_direction)
     })
+}
+
+/// Whether z of a normal no shorter than `shortest`, its components off by `e_normal`, never rounds to 0.
+fn direction_is_sure(shortest: f64, e_normal: f64, formats: &LyonFormats) -> bool {
+    let surely = shortest - 3f64.sqrt() * e_normal;
+    surely > 0.0 && surely * surely >= 0.5 * formats.length_squared.ulp()
 }
 
 /// What is known of g for normals no shorter than s, that is for y ≤ 1 - s².

@@ -9,16 +9,16 @@ use crate::builder::{Builder, Sig, Vector};
 /// As a function of d = |D| and with K = 2^k, f = (1 - n d²/2K)^K has the slope -n d (1 - n d²/2K)^(K-1). Put t = n d²/2K: it is
 /// √n √(2Kt) (1 - t)^(K-1), largest at t = 1/(2K - 1), so a vector D whose components are off by e moves f by
 /// √3 e √n √(2K/(2K-1)) ((2K-2)/(2K-1))^(K-1) at most. Rounding x/2^k and each square adds K/2 + (K - 1)/2 units of the last place.
-pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon: &LyonSpec, shortest: f64) -> Sig {
+pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon: &LyonSpec) -> Sig {
     let formula = format!("f = max(1 - x/{0}, 0)^{0}, x = (n/2) D.D [Lyon, TR 43]", 1 << lyon.squarings);
     b.unit("shape", &formula, (("d", d), ("n", shininess), ("has_direction", has_direction)), |b, (d, n, has_direction)| {
         let fraction_bits = lyon.formats.shape.fraction_bits;
         let slope = steepest_slope(lyon.squarings, n.range().magnitude());
         let k = 1 << lyon.squarings;
         let rounding = (f64::from(k) - 0.5) * lyon.formats.shape.ulp();
-        // Where rounding z may decide whether a normal has a direction, nothing is known of f.
-        let directions_are_sure = shortest * shortest > lyon.formats.length_squared.ulp();
-        let error = if directions_are_sure { 3f64.sqrt() * d.x.error_value() * slope + rounding } else { 1.0 };
+        // Where rounding may decide whether a normal has a direction, nothing is known of f.
+        let sure = has_direction.error() == 0.0;
+        let error = if sure { (3f64.sqrt() * d.x.error_value() * slope + rounding).min(1.0) } else { 1.0 };
 
         let squared_length = d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
         let x = (&n * squared_length).times_power_of_two(-(lyon.squarings as i32 + 1)).rounded(fraction_bits).named("x");
@@ -27,7 +27,9 @@ pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon
         for _ in 0..lyon.squarings {
             f = square(b, &f, fraction_bits);
         }
-        f.proven_error_value(error).named("f")
+        // The choice above counts as one between values that meet, so what is propagated through it holds only where it is sure.
+        let f = if sure { f.proven_error_value(error) } else { f.stated_error_value(error) };
+        f.named("f")
     })
 }
 

@@ -55,7 +55,7 @@ fn ports(module: &Module) -> String {
         let (direction, stage) = match about.kind {
             AtomKind::InputParameter => ("input wire".to_owned(), 0),
             AtomKind::OutputParameter => {
-                let net = if register_of(module, number).is_some() { "reg" } else { "wire" };
+                let net = if variable_of(module, number).is_some() { "reg" } else { "wire" };
                 (format!("output {net}"), module.stages.1 - module.stages.0)
             }
             _ => continue,
@@ -87,6 +87,16 @@ fn declaration(net: &str, wire: &Wire) -> String {
     format!("{net} {shape}{}", about.name)
 }
 
+/// Whether a cell is a read-only memory, which only statements can describe.
+fn is_table(cell: &Cell) -> bool {
+    matches!(cell.op, Op::LookUp(..))
+}
+
+/// The cell that makes a variable of a wire: its register, or a table.
+fn variable_of(module: &Module, wire: usize) -> Option<&Cell> {
+    module.cells().find(|c| c.wire as usize == wire && (c.register != Register::None || is_table(c)))
+}
+
 /// Whether a cell only delays a signal by a clock.
 fn is_delay(cell: &Cell) -> bool {
     cell.register == Register::Data && matches!(cell.op, Op::Copy(_))
@@ -95,7 +105,7 @@ fn is_delay(cell: &Cell) -> bool {
 /// Registers, delays, then nets that children drive.
 fn declarations(module: &Module, out: &mut String) {
     for (number, wire) in module.wires().iter().enumerate() {
-        let register = register_of(module, number);
+        let register = variable_of(module, number);
         if wire.wire_type().kind == AtomKind::LocalSignal && register.is_some_and(|cell| !is_delay(cell)) {
             let _ = writeln!(out, "  {};  // {}", declaration("reg", wire), wire.wire_type().format);
         }
@@ -138,6 +148,10 @@ fn delay_chains(module: &Module) -> Vec<Vec<&Wire>> {
 fn gates(module: &Module, out: &mut String) {
     for cell in module.cells().filter(|c| c.register == Register::None && !matches!(c.op, Op::Constant(_))) {
         let wire = &module.wires()[cell.wire as usize];
+        if is_table(cell) {
+            let _ = writeln!(out, "  always @(*) begin\n    {}\n  end", module.assignment(cell));
+            continue;
+        }
         let value = module.expression(cell);
         let _ = match wire.wire_type().kind {
             AtomKind::OutputParameter => writeln!(out, "  assign {} = {value};", wire.wire_type().name),
@@ -156,7 +170,7 @@ fn registers(module: &Module, out: &mut String) {
         }
         let _ = write!(out, "\n{comment}  always @(posedge clock) begin\n");
         for cell in cells {
-            let _ = writeln!(out, "    {} <= {};", name(cell), module.expression(cell));
+            let _ = writeln!(out, "    {}", module.assignment(cell));
         }
         out.push_str("  end\n");
     }

@@ -3,7 +3,7 @@
 //! Every operand is brought to the width of the result by hand, since a linter asks for it and the reader then need not know
 //! Verilog's rules of extension. Addition, subtraction and selection work modulo 2^width, so signs do not matter there; where they
 //! do (products, comparisons), both operands are made signed.
-use crate::design::{NodeId, Op};
+use crate::design::{NodeId, Op, Table};
 
 /// What an expression reads.
 pub enum Operand<'a> {
@@ -24,8 +24,8 @@ pub enum Operand<'a> {
 pub fn expression<'a>(op: Op, width: u32, operand: &dyn Fn(NodeId) -> Operand<'a>) -> String {
     let wide = |id| extended(&operand(id), width);
     match op {
-        // Inputs are driven from outside; nothing asks for their expression.
-        Op::Input => String::new(),
+        // Inputs are driven from outside, and a table is a `case` statement: nothing asks for their expression.
+        Op::Input | Op::LookUp(..) => String::new(),
         Op::Constant(value) => literal(value, width),
         Op::Copy(a) => wide(a),
         Op::Add(a, b) => format!("{} + {}", wide(a), wide(b)),
@@ -40,6 +40,43 @@ pub fn expression<'a>(op: Op, width: u32, operand: &dyn Fn(NodeId) -> Operand<'a
         Op::Not(a) => format!("~{}", wide(a)),
         Op::Select(c, a, b) => format!("{} ? {} : {}", extended(&operand(c), 1), wide(a), wide(b)),
     }
+}
+
+/// `target {arrow} op;` as statements of an `always` block; `target_number` is the number of the target among the operands.
+pub fn assignment<'a>(
+    (target, target_number): (&str, NodeId),
+    arrow: &str,
+    op: Op,
+    width: u32,
+    operand: &dyn Fn(NodeId) -> Operand<'a>,
+    tables: &[Table],
+) -> String {
+    match op {
+        // A register that holds its value, as tools like to see it.
+        Op::Select(enable, value, own) if own == target_number => {
+            format!("if ({}) {target} {arrow} {};", extended(&operand(enable), 1), extended(&operand(value), width))
+        }
+        Op::LookUp(address, table) => {
+            let entries = tables.get(table.0 as usize).map_or(&[][..], |table| &table.entries);
+            case(target, arrow, &operand(address), entries, width)
+        }
+        _ => format!("{target} {arrow} {};", expression(op, width, operand)),
+    }
+}
+
+/// A table as a `case` statement.
+fn case(target: &str, arrow: &str, address: &Operand, entries: &[i64], width: u32) -> String {
+    let address_width = match *address {
+        Operand::Net { width, .. } => width,
+        Operand::Literal(value) => crate::design::Range::single(value).width(),
+    };
+    let reachable = if address_width < 63 { entries.len().min(1 << address_width) } else { entries.len() };
+    let mut text = format!("case ({})\n", plain(address));
+    for (at, &entry) in entries[..reachable].iter().enumerate() {
+        text.push_str(&format!("      {}: {target} {arrow} {};\n", literal(at as i64, address_width), literal(entry, width)));
+    }
+    text.push_str(&format!("      default: {target} {arrow} {};\n    endcase", literal(0, width)));
+    text
 }
 
 /// Bits of an operand that an expression of `width` bits does not read, as a mask.
@@ -62,7 +99,7 @@ pub fn unread_bits(op: Op, width: u32, operand: NodeId, operand_width: u32) -> u
         | Op::Or(..)
         | Op::Not(_)
         | Op::Select(..) => above(width),
-        Op::Input | Op::Constant(_) | Op::LessThan(..) => 0,
+        Op::Input | Op::Constant(_) | Op::LessThan(..) | Op::LookUp(..) => 0,
     }
 }
 

@@ -16,24 +16,48 @@ pub struct SpanPacket {
     pub inputs: Vec<i64>,
 }
 
-/// Sets up spans for a core.
+/// Sets up spans of one frame for a core; what does not change from span to span is worked out once.
 pub struct SetUp<'a> {
     core: &'a CoreSpec,
+    frame: &'a Frame,
     /// Smallest and largest raw value of each input.
     ranges: Vec<(i64, i64)>,
+    /// What belongs to each material of the frame.
+    materials: Vec<MaterialInputs>,
+    /// L and H of each light, for `lyon`.
+    lights: Vec<LightInputs>,
+}
+
+/// Inputs that depend on the material alone.
+struct MaterialInputs {
+    ambient: [i64; 3],
+    /// Diffuse and specular coefficients under each light.
+    lights: Vec<[[i64; 3]; 2]>,
+}
+
+/// Inputs that depend on the light alone.
+struct LightInputs {
+    direction: [i64; 3],
+    halfway: Option<[i64; 3]>,
 }
 
 impl<'a> SetUp<'a> {
-    /// The set-up of spans for `core`.
-    pub fn new(core: &'a CoreSpec) -> SetUp<'a> {
-        SetUp { core, ranges: core.inputs().iter().map(|port| port.range).collect() }
+    /// The set-up of spans of `frame` for `core`.
+    pub fn new(core: &'a CoreSpec, frame: &'a Frame) -> SetUp<'a> {
+        SetUp {
+            core,
+            frame,
+            ranges: core.inputs().iter().map(|port| port.range).collect(),
+            materials: frame.materials.iter().map(|material| MaterialInputs::new(core, frame, material)).collect(),
+            lights: frame.lights.iter().map(|light| LightInputs::new(core, light)).collect(),
+        }
     }
 
     /// Sets up a span. Every value is within its port's range.
-    pub fn packet(&self, frame: &Frame, span: &Span) -> SpanPacket {
+    pub fn packet(&self, span: &Span) -> SpanPacket {
         let mut inputs = match &self.core.method {
-            MethodSpec::Lyon(lyon) => lyon_inputs(self.core, lyon, frame, span).to_vec(),
-            MethodSpec::Hybrid(hybrid) => hybrid_inputs(self.core, hybrid, frame, span).to_vec(),
+            MethodSpec::Lyon(lyon) => self.lyon_inputs(lyon, span).to_vec(),
+            MethodSpec::Hybrid(hybrid) => self.hybrid_inputs(hybrid, span).to_vec(),
         };
         // In exact arithmetic nothing is out of range; f64 may be by some units of its own last place, as N·N of a unit vector is.
         for (value, &(low, high)) in inputs.iter_mut().zip(&self.ranges) {
@@ -41,17 +65,92 @@ impl<'a> SetUp<'a> {
         }
         SpanPacket { length: span.length, inputs }
     }
+
+    fn material(&self, span: &Span) -> &MaterialInputs {
+        &self.materials[self.frame.triangles[span.triangle].material]
+    }
+
+    fn lyon_inputs(&self, lyon: &LyonSpec, span: &Span) -> LyonInputs<i64> {
+        let f = &lyon.formats;
+        let material = self.material(span);
+        let [start, end] = self.frame.end_normals(span).map(|n| quantised(n, f.vector));
+        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let light = |(light, &[diffuse, specular]): (&LightInputs, &[[i64; 3]; 2])| LyonLight {
+            direction: light.direction,
+            halfway: light.halfway,
+            diffuse,
+            specular,
+        };
+        LyonInputs {
+            normal_start: start,
+            normal_delta: std::array::from_fn(|i| end[i] - start[i]),
+            weight_step: f.weight_accumulator.quantise(step),
+            shininess: i64::from(self.frame.material(span).shininess),
+            ambient: material.ambient,
+            lights: self.lights.iter().zip(&material.lights).map(light).collect(),
+        }
+    }
+
+    fn hybrid_inputs(&self, hybrid: &HybridSpec, span: &Span) -> HybridInputs<i64> {
+        let f = &hybrid.formats;
+        let material = self.material(span);
+        let [start, end] = self.frame.end_normals(span);
+        // N(i) = m + k i. In a span of one pixel k is not used.
+        let (m, k) = (start, (end - start) / f64::from(span.steps().max(1)));
+        let q = quadratic(span, m.dot(m), 2.0 * k.dot(m), k.dot(k));
+        let light = |(light, &[diffuse, specular]): (&DirectionalLight, &[[i64; 3]; 2])| {
+            let (intensity_start, intensity_step) = gouraud(self.frame, span, light.direction);
+            HybridLight {
+                numerator: numerator(span, m, k, light.direction).quantised(f.accumulator),
+                intensity_start: f.diffuse_accumulator.quantise(intensity_start),
+                intensity_step: f.diffuse_accumulator.quantise(intensity_step),
+                diffuse,
+                specular,
+            }
+        };
+        HybridInputs {
+            denominator: q.quantised(f.accumulator),
+            log2_shininess: i64::from(self.frame.material(span).shininess.ilog2()),
+            ambient: material.ambient,
+            lights: self.frame.lights.iter().zip(&material.lights).map(light).collect(),
+        }
+    }
+}
+
+impl MaterialInputs {
+    fn new(core: &CoreSpec, frame: &Frame, material: &Material) -> MaterialInputs {
+        // Light times reflectance, in LSBs.
+        let coefficients = |reflectance: Colour, light: Colour| {
+            std::array::from_fn(|c| core.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c]))
+        };
+        let under = |light: &DirectionalLight| {
+            [coefficients(material.diffuse, light.colour), coefficients(material.specular, light.colour)]
+        };
+        MaterialInputs { ambient: coefficients(material.ambient, frame.ambient), lights: frame.lights.iter().map(under).collect() }
+    }
+}
+
+impl LightInputs {
+    fn new(core: &CoreSpec, light: &DirectionalLight) -> LightInputs {
+        match &core.method {
+            MethodSpec::Lyon(lyon) => {
+                let (f, l) = (&lyon.formats, light.direction);
+                let halfway = match lyon.difference {
+                    Difference::HalfwayCrossNormal => Some(quantised(l + EYE, f.vector_sum())),
+                    Difference::ReflectionMinusLight => None,
+                };
+                LightInputs { direction: quantised(l, f.vector), halfway }
+            }
+            // The direction enters its quadratics only.
+            MethodSpec::Hybrid(_) => LightInputs { direction: [0; 3], halfway: None },
+        }
+    }
 }
 
 impl CoreSpec {
     /// Sets up a span for this core; [`SetUp`] sets up many.
     pub fn packet(&self, frame: &Frame, span: &Span) -> SpanPacket {
-        SetUp::new(self).packet(frame, span)
-    }
-
-    /// A coefficient for each channel: light times reflectance, in LSBs.
-    fn coefficients(&self, reflectance: Colour, light: Colour) -> [i64; 3] {
-        std::array::from_fn(|c| self.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c]))
+        SetUp::new(self, frame).packet(span)
     }
 }
 
@@ -59,67 +158,15 @@ fn quantised(vector: DVec3, format: Format) -> [i64; 3] {
     vector.to_array().map(|component| format.quantise(component))
 }
 
-fn lyon_inputs(core: &CoreSpec, lyon: &LyonSpec, frame: &Frame, span: &Span) -> LyonInputs<i64> {
-    let f = &lyon.formats;
-    let material = frame.material(span);
-    let [start, end] = frame.end_normals(span).map(|n| quantised(n, f.vector));
-    let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
-    LyonInputs {
-        normal_start: start,
-        normal_delta: std::array::from_fn(|i| end[i] - start[i]),
-        weight_step: f.weight_accumulator.quantise(step),
-        shininess: i64::from(material.shininess),
-        ambient: core.coefficients(material.ambient, frame.ambient),
-        lights: lyon_lights(core, lyon, frame, material),
-    }
-}
-
-fn lyon_lights(core: &CoreSpec, lyon: &LyonSpec, frame: &Frame, material: &Material) -> Vec<LyonLight<i64>> {
-    let f = &lyon.formats;
-    let halfway = |direction: DVec3| match lyon.difference {
-        Difference::HalfwayCrossNormal => Some(quantised(direction + EYE, f.vector_sum())),
-        Difference::ReflectionMinusLight => None,
-    };
-    let light = |light: &DirectionalLight| LyonLight {
-        direction: quantised(light.direction, f.vector),
-        halfway: halfway(light.direction),
-        diffuse: core.coefficients(material.diffuse, light.colour),
-        specular: core.coefficients(material.specular, light.colour),
-    };
-    frame.lights.iter().map(light).collect()
-}
-
-fn hybrid_inputs(core: &CoreSpec, hybrid: &HybridSpec, frame: &Frame, span: &Span) -> HybridInputs<i64> {
-    let f = &hybrid.formats;
-    let material = frame.material(span);
-    let [start, end] = frame.end_normals(span);
-    // N(i) = m + k i. In a span of one pixel k is not used.
-    let (m, k) = (start, (end - start) / f64::from(span.steps().max(1)));
-    let q = quadratic(span, m.dot(m), 2.0 * k.dot(m), k.dot(k));
-    let light = |light: &DirectionalLight| {
-        let l = light.direction;
-        let l_dot_v = l.dot(EYE);
-        let p = quadratic(
-            span,
-            2.0 * m.dot(EYE) * m.dot(l) - l_dot_v * m.dot(m),
-            2.0 * (m.dot(EYE) * k.dot(l) + k.dot(EYE) * m.dot(l)) - 2.0 * l_dot_v * k.dot(m),
-            2.0 * k.dot(EYE) * k.dot(l) - l_dot_v * k.dot(k),
-        );
-        let (intensity_start, intensity_step) = gouraud(frame, span, l);
-        HybridLight {
-            numerator: p.quantised(f.accumulator),
-            intensity_start: f.diffuse_accumulator.quantise(intensity_start),
-            intensity_step: f.diffuse_accumulator.quantise(intensity_step),
-            diffuse: core.coefficients(material.diffuse, light.colour),
-            specular: core.coefficients(material.specular, light.colour),
-        }
-    };
-    HybridInputs {
-        denominator: q.quantised(f.accumulator),
-        log2_shininess: i64::from(material.shininess.ilog2()),
-        ambient: core.coefficients(material.ambient, frame.ambient),
-        lights: frame.lights.iter().map(light).collect(),
-    }
+/// p(i) = 2(N·V)(N·L) - (L·V)(N·N) with N = m + k i.
+fn numerator(span: &Span, m: DVec3, k: DVec3, l: DVec3) -> Quadratic<f64> {
+    let l_dot_v = l.dot(EYE);
+    quadratic(
+        span,
+        2.0 * m.dot(EYE) * m.dot(l) - l_dot_v * m.dot(m),
+        2.0 * (m.dot(EYE) * k.dot(l) + k.dot(EYE) * m.dot(l)) - 2.0 * l_dot_v * k.dot(m),
+        2.0 * k.dot(EYE) * k.dot(l) - l_dot_v * k.dot(k),
+    )
 }
 
 /// Start and differences of c + b i + a i² (Hast eq. 20 to 26: p0 = C, dp0 = A + B, d2p = 2A), as far as the span is long enough to use them.

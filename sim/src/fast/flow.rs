@@ -126,6 +126,10 @@ pub fn raw_range(design: &Design, op: Op) -> WideRange {
         Op::LessThan(..) | Op::Not(_) => same(Range::new(0, 1)),
         Op::And(a, b) | Op::Or(a, b) => same(bits_of(range(a)).hull(bits_of(range(b)))),
         Op::Select(_, a, b) => same(range(a).hull(range(b))),
+        Op::LookUp(_, table) => {
+            let entries = design.tables[table.0 as usize].entries.iter().copied();
+            same(entries.map(Range::single).fold(Range::single(0), Range::hull))
+        }
     }
 }
 

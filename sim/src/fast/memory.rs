@@ -1,6 +1,9 @@
 //! Columns in memory.
 use specula_kernels::Lane;
 
+/// Lanes behind the batch that may be written and are never read.
+pub const PADDING: usize = 8;
+
 /// Where a column is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Place {
@@ -52,10 +55,10 @@ impl Memory {
     /// A new column with lanes for `batch` clocks, all 0.
     pub fn add(&mut self, wide: bool, history: usize, batch: usize) -> Place {
         if wide {
-            self.wide.push(Column { history, lanes: vec![0; history + batch] });
+            self.wide.push(Column { history, lanes: vec![0; history + batch + PADDING] });
             Place { wide, index: self.wide.len() - 1 }
         } else {
-            self.narrow.push(Column { history, lanes: vec![0; history + batch] });
+            self.narrow.push(Column { history, lanes: vec![0; history + batch + PADDING] });
             Place { wide, index: self.narrow.len() - 1 }
         }
     }

@@ -1,8 +1,9 @@
 //! From a design to steps over columns.
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, Op, Range};
+use specula_hdl::design::{Node, NodeId, Op, Range, Table, TableId};
 use specula_kernels::{
     Arithmetic, Bits, Level, Post, Shift, Wrap, bits, choose, less_than, narrow, narrow_through_wide, narrowing, wide, widening,
 };
@@ -67,6 +68,7 @@ pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> 
         places: HashMap::new(),
         constants: HashMap::new(),
         steps: vec![],
+        tables: design.tables.clone().into(),
     };
     planner.allocate(&order, watched);
     for group in &order {
@@ -90,6 +92,7 @@ struct Planner<'a> {
     places: HashMap<NodeId, Place>,
     constants: HashMap<(i64, bool), Place>,
     steps: Vec<Step>,
+    tables: Rc<[Table]>,
 }
 
 impl Planner<'_> {
@@ -210,12 +213,19 @@ impl Planner<'_> {
             Op::And(a, b) => self.bitwise(Bits::And, root, a, b),
             Op::Or(a, b) => self.bitwise(Bits::Or, root, a, b),
             Op::ShiftLeft(..) | Op::Not(_) => self.by_constant(root, node.op),
+            Op::LookUp(address, table) => self.look_up(root, address, table),
         };
         match work {
             Some(work) => self.steps.push(Step { out, skew: Some(skew), work }),
             // Nothing of this kind comes from the builder; what does is evaluated clock by clock, which is always right.
             None => self.plan_component(&[root]),
         }
+    }
+
+    fn look_up(&mut self, root: NodeId, address: NodeId, table: TableId) -> Option<Work> {
+        let address = self.read(address, self.skews[&root]);
+        let entries = self.design.tables.get(table.0 as usize)?.entries.clone();
+        (!address.place.wide && self.stays_within(root)).then(|| Work::LookUp(entries.into(), address))
     }
 
     /// Operators with a constant operand that they do not name.
@@ -270,7 +280,8 @@ impl Planner<'_> {
                 NodeId(reads.len() as u32 - 1)
             });
             let reads = reads.into_iter().map(|operand| this.read(operand, skew)).collect();
-            Member { out: this.places[&id], op, reads, width: node.width(), signed: node.range.signed() }
+            let tables = this.tables.clone();
+            Member { out: this.places[&id], op, reads, width: node.width(), signed: node.range.signed(), tables }
         };
         let members: Vec<Member> = members.iter().map(|&id| member(self, id)).collect();
         let out = members[0].out;

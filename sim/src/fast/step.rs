@@ -1,6 +1,8 @@
 //! One step of a batch: a kernel with the columns it reads and writes.
-use specula_hdl::design::{Op, wrapped};
-use specula_kernels::{Binary, Lane, Ternary, accumulate, hold};
+use std::rc::Rc;
+
+use specula_hdl::design::{Op, Table, wrapped};
+use specula_kernels::{Binary, Lane, Ternary, accumulate, hold, look_up};
 
 use super::memory::{Column, Memory, Place};
 
@@ -34,6 +36,8 @@ pub enum Work {
     Hold(Holder),
     /// Signals that feed back on each other.
     Component(Vec<Member>),
+    /// A table.
+    LookUp(Rc<[i64]>, Read),
 }
 
 /// value = first ? start : state, then state ← value + step, wrapped.
@@ -65,6 +69,7 @@ pub struct Member {
     pub reads: Vec<Read>,
     pub width: u32,
     pub signed: bool,
+    pub tables: Rc<[Table]>,
 }
 
 /// A step of a batch.
@@ -121,6 +126,7 @@ impl Step {
                     members.iter().for_each(|member| member.evaluate(memory, at));
                 }
             }
+            Work::LookUp(table, address) => look_up_lanes(memory, self.out, table, *address, clocks),
         }
         if from > 0 {
             self.clear(memory, from);
@@ -131,6 +137,21 @@ impl Step {
         match &self.work {
             Work::Component(members) => members.iter().for_each(|member| memory.fill(member.out, 0, to, 0)),
             _ => memory.fill(self.out, 0, to, 0),
+        }
+    }
+}
+
+fn look_up_lanes(memory: &mut Memory, out: Place, table: &[i64], address: Read, clocks: usize) {
+    match out.wide {
+        true => {
+            let mut column = std::mem::take(&mut memory.wide[out.index]);
+            look_up(column.write(0, clocks), narrow(memory, address, clocks), table);
+            memory.wide[out.index] = column;
+        }
+        false => {
+            let mut column = std::mem::take(&mut memory.narrow[out.index]);
+            look_up(column.write(0, clocks), narrow(memory, address, clocks), table);
+            memory.narrow[out.index] = column;
         }
     }
 }
@@ -214,7 +235,7 @@ impl Member {
             let read = self.reads[operand.0 as usize];
             memory.lane(read.place, at as isize - read.back as isize)
         };
-        let raw = self.op.evaluate(value);
+        let raw = self.op.evaluate(&self.tables, value);
         memory.set_lane(self.out, at, wrapped(raw, self.width, self.signed));
     }
 }

@@ -25,9 +25,29 @@ const MAIN: &str = include_str!("main.cpp");
 pub struct Verilator<'a> {
     design: &'a Design,
     workshop: Workshop,
+    effort: Effort,
     /// Whether the program that writes ports is built, and the one that traces.
     built: [bool; 2],
     build_time: Duration,
+}
+
+/// What the C++ compiler is to spend its time on. The program and its values are the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effort {
+    /// A fast program: for long runs, and for measuring.
+    FastRun,
+    /// A program soon: for runs of up to some ten thousand clocks.
+    FastBuild,
+}
+
+impl Effort {
+    /// The compiler's option.
+    const fn option(self) -> &'static str {
+        match self {
+            Effort::FastRun => "-O3",
+            Effort::FastBuild => "-O0",
+        }
+    }
 }
 
 /// What a program gives back.
@@ -52,12 +72,12 @@ impl<'a> Verilator<'a> {
     ///
     /// # Errors
     /// [`SimError::ToolAbsent`] if Verilator is not installed, [`SimError::File`] if there is no room for the Verilog.
-    pub fn new(design: &'a Design) -> Result<Verilator<'a>, SimError> {
+    pub fn new(design: &'a Design, effort: Effort) -> Result<Verilator<'a>, SimError> {
         Verilator::present()?;
         let workshop = Workshop::new(design)?;
         workshop.write("main.cpp", MAIN)?;
         workshop.write("ports.h", &glue::header(&workshop.ports))?;
-        Ok(Verilator { design, workshop, built: [false; 2], build_time: Duration::ZERO })
+        Ok(Verilator { design, workshop, effort, built: [false; 2], build_time: Duration::ZERO })
     }
 
     /// Whether Verilator is installed.
@@ -95,16 +115,19 @@ impl<'a> Verilator<'a> {
     }
 
     fn arguments(&self, kind: Kind) -> Vec<String> {
-        // The makefile's own -Os comes behind -CFLAGS and would win.
-        let fixed = "--cc --exe --build -j 0 -O3 -CFLAGS -O3 -MAKEFLAGS OPT_FAST=-O3 -Wall --prefix Vcore -o run";
+        let fixed = "--cc --exe --build -j 0 -O3 -Wall --prefix Vcore -o run";
         let mut arguments: Vec<String> = fixed.split(' ').map(str::to_owned).collect();
+        // The makefile puts its own -Os behind -CFLAGS, so they must be set as well.
+        for flags in ["OPT_FAST", "OPT_SLOW", "OPT_GLOBAL"] {
+            arguments.extend(["-MAKEFLAGS".into(), format!("{flags}={}", self.effort.option())]);
+        }
         arguments.extend(["--top-module", &self.workshop.ports.core, "-Mdir", kind.directory()].map(str::to_owned));
         if let Kind::Trace = kind {
             arguments.push("--trace".into());
         }
         arguments.extend([self.workshop.source.clone(), "main.cpp".into()]);
         // ports.h stands beside main.cpp, not in the directory of the object files.
-        arguments.extend(["-CFLAGS", "-I.."].map(str::to_owned));
+        arguments.extend(["-CFLAGS".into(), format!("-I.. {}", self.effort.option())]);
         arguments
     }
 

@@ -1,7 +1,7 @@
 //! Every engine on one stimulus.
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
-use specula_sim::{Columns, Engine, Flow, Icarus, RustHdl, SimError, Stimulus, Verilator};
+use specula_sim::{Columns, Effort, Engine, Flow, Icarus, RustHdl, SimError, Stimulus, Verilator};
 
 use super::tools::installed;
 
@@ -21,7 +21,7 @@ pub fn run(engine: &mut dyn Engine, stimulus: &Stimulus, watched: &[NodeId]) -> 
 pub fn run_all(design: &Design, stimulus: &Stimulus, watched: &[NodeId]) -> (Columns, Vec<(&'static str, Columns)>) {
     let reference = run(&mut RustHdl::new(design).unwrap(), stimulus, watched).unwrap();
     let mut others = vec![];
-    if let Some(mut verilator) = installed(Verilator::new(design)) {
+    if let Some(mut verilator) = installed(Verilator::new(design, Effort::FastBuild)) {
         others.push((verilator.name(), run(&mut verilator, stimulus, watched).unwrap()));
         println!("Verilator: built in {:.1} s", verilator.build_seconds());
     }

@@ -65,13 +65,14 @@ fn own_files(folder: &Path, place: &Path, expected: &HashSet<String>) -> Result<
     if let Some(earlier) = report {
         return Ok(earlier.files);
     }
-    for entry in fs::read_dir(place).map_err(OutputError::system(folder))? {
-        let name = entry.map_err(OutputError::system(folder))?.file_name().to_string_lossy().into_owned();
-        if name == REPORT || !expected.contains(&name) {
-            return Err(OutputError::Foreign { folder: folder.to_owned(), foreign: name });
-        }
+    let names: io::Result<Vec<String>> = fs::read_dir(place)
+        .and_then(|entries| entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect());
+    let names = names.map_err(OutputError::system(folder))?;
+    // The first of them by name, so that the same folder gives the same message.
+    match names.into_iter().filter(|name| name == REPORT || !expected.contains(name)).min() {
+        Some(foreign) => Err(OutputError::Foreign { folder: folder.to_owned(), foreign }),
+        None => Ok(vec![]),
     }
-    Ok(vec![])
 }
 
 /// A shell that stands in a folder which is replaced stands in a deleted one afterwards.

@@ -87,8 +87,8 @@ fn draw_bar(canvas: &mut Canvas, layout: &Layout, scale: &Scale) {
     for (number, label) in scale.ticks() {
         let y = top + ((1.0 - scale.place(number)) * f64::from(height - 1)).round() as u32;
         canvas.fill((left + width, y.min(top + height - layout.dot)), (layout.unit / 2, layout.dot), INK);
-        let text = y.saturating_sub(layout.unit / 2).clamp(top, top + height - layout.unit);
-        canvas.write((left + width + layout.unit, text), &label, INK);
+        // There is room above and below for half a character, so that labels are as far apart as their ticks.
+        canvas.write((left + width + layout.unit, y - layout.unit / 2), &label, INK);
     }
 }
 

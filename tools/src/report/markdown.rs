@@ -3,7 +3,7 @@ use std::ops::Range;
 
 use specula_testbench::ErrorFigures;
 
-use super::ports;
+use super::{facts, ports, units};
 use crate::header::bound;
 use crate::narrowing;
 use crate::run::Run;
@@ -133,27 +133,13 @@ fn ports_of(run: &Run) -> String {
 }
 
 fn units(run: &Run) -> String {
-    let design = &run.bench.design;
-    let row = |name: String, latency: u32, size: &specula_hdl::design::Size| {
-        let counts = [size.multipliers, size.adders, size.multiplexers].map(|count| count.to_string());
-        let [multipliers, adders, multiplexers] = counts;
-        [
-            name,
-            latency.to_string(),
-            multipliers,
-            size.multiplier_bits.to_string(),
-            adders,
-            multiplexers,
-            size.register_bits.to_string(),
-        ]
-    };
-    let mut rows: Vec<[String; 7]> =
-        design.unit_sizes().iter().map(|unit| row(format!("`{}`", unit.path), unit.latency, &unit.size)).collect();
-    rows.push(row("**whole core**".to_owned(), design.latency(), &design.size()));
     format!(
-        "## Units\n\nCounted in the design, before any FPGA tool has seen it; each unit without the units inside it. Multiplier bits are the\n\
-         sum of the products of both operands' widths: 18 x 18 is 324.\n\n{}",
-        table(["unit", "latency", "multipliers", "multiplier bits", "adders", "multiplexers", "register bits"], &rows)
+        "## Units\n\nCounted in the design, before any FPGA tool has seen it; figures are of one unit, without the units inside it. Multiplier\n\
+         bits are the sum of the products of both operands' widths: 18 x 18 is 324.\n\n{}",
+        table(
+            ["unit", "number", "latency", "multipliers", "multiplier bits", "adders", "multiplexers", "register bits"],
+            &units::rows(&run.bench.design)
+        )
     )
 }
 
@@ -171,19 +157,10 @@ fn left_out(run: &Run) -> String {
 }
 
 fn facts(run: &Run) -> String {
-    let design = &run.bench.design;
-    if design.assumptions.is_empty() {
+    let rows = facts::rows(&run.bench.design);
+    if rows.is_empty() {
         return "## Facts that were checked\n\nNone had to be assumed: intervals prove every width.\n".to_owned();
     }
-    let rows: Vec<[String; 3]> = design
-        .assumptions
-        .iter()
-        .map(|assumption| {
-            let format = design.node(assumption.node).format();
-            let range = format!("{} to {}", format.value(assumption.range.low), format.value(assumption.range.high));
-            [assumption.fact.clone(), format!("`{}`", design.full_name(assumption.node)), range]
-        })
-        .collect();
     format!(
         "## Facts that were checked\n\nWhat intervals cannot see is stated by the units that rely on it, and was checked in every clock.\n\n{}",
         table(["fact", "signal", "lies in"], &rows)

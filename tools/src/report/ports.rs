@@ -3,7 +3,7 @@ use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 use specula_scene::CoreSpec;
 
-/// Rows of name, direction, width, format and meaning, in the order of the Verilog's ports.
+/// Rows of name, direction, width, format and meaning: control, what a span brings, and the pixel that leaves.
 pub fn rows(spec: &CoreSpec, design: &Design) -> Vec<[String; 5]> {
     let control = |name: &str, direction: &str, meaning: &str| {
         [name.to_owned(), direction.to_owned(), "1".to_owned(), String::new(), meaning.to_owned()]

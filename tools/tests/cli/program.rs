@@ -35,10 +35,15 @@ impl Place {
 
     /// Runs the program with pipes for its output.
     pub fn specula<S: AsRef<OsStr>>(&self, arguments: &[S]) -> Ended {
+        self.specula_in(".", arguments)
+    }
+
+    /// Runs the program in a folder inside this one.
+    pub fn specula_in<S: AsRef<OsStr>>(&self, folder: &str, arguments: &[S]) -> Ended {
         let mut program = Command::new(env!("CARGO_BIN_EXE_specula"));
-        // The same words on every machine: no colours, no line drawings.
+        // The same words on every machine.
         program.env("LC_ALL", "C").env("NO_COLOR", "1").env_remove("NO_GRAPHICS").env_remove("CLICOLOR_FORCE");
-        program.env_remove("FORCE_COLOR").env_remove("COLUMNS").current_dir(self.folder.path());
+        program.env_remove("FORCE_COLOR").env_remove("COLUMNS").current_dir(self.path(folder));
         let Output { status, stdout, stderr } = program.args(arguments).output().expect("the program runs");
         let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
         Ended { status: status.code(), stdout: text(stdout), stderr: text(stderr) }

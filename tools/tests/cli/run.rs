@@ -38,7 +38,7 @@ fn the_report_has_its_keys() {
         assert_eq!(printed.as_bytes(), fs::read(place.path(method).join("report.json")).unwrap());
         let report = place.report(method);
         assert_eq!(report["method"], method);
-        assert_eq!((&report["scene"], &report["engine"]), (&"teapot".into(), &"rust-hdl".into()));
+        assert_eq!((&report["scene"], &report["engine"]), (&"teapot".into(), &"fast".into()));
         assert_eq!((&report["mismatches"], &report["agrees"]), (&0.into(), &true.into()));
         let number = |value: &Value| value.as_f64().unwrap_or_else(|| panic!("{value} in {printed}"));
         let (pixels, cycles, latency) = (number(&report["pixels"]), number(&report["cycles"]), number(&report["latency"]));
@@ -73,6 +73,18 @@ fn the_same_run_gives_the_same_bytes() {
         report
     };
     assert_eq!(timeless("one"), timeless("other"));
+}
+
+#[test]
+fn engines_give_the_same_files() {
+    let place = Place::new();
+    for engine in ["fast", "rust-hdl"] {
+        place.succeeds(&small(&["--engine", engine, "--trace", "all", "-o", engine]));
+    }
+    for file in FILES.iter().filter(|name| !name.starts_with("report")) {
+        let [one, other] = ["fast", "rust-hdl"].map(|folder| fs::read(place.path(folder).join(file)).unwrap());
+        assert!(one == other, "{file} differs");
+    }
 }
 
 #[test]

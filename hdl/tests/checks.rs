@@ -1,0 +1,114 @@
+//! Both cores with every option through rust-hdl's checks, and what elaboration promises for all of them.
+use specula_hdl::Design;
+use specula_hdl::block::check_all;
+use specula_hdl::design::{NodeId, Op};
+use specula_scene::spec::lyon::{Difference, Normalisation};
+use specula_scene::spec::{LONGEST_SPAN, LyonSpec, MOST_LIGHTS};
+use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
+
+fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
+    Needs {
+        lights,
+        longest_span,
+        largest_shininess,
+        uneven_shininess: None,
+        brightest_coefficient: 1.0,
+        widest_angle: 20.0,
+        shortest_normal: 0.95,
+    }
+}
+
+fn spec(method: Method, lights: usize, longest_span: u32, largest_shininess: u32) -> CoreSpec {
+    CoreSpec::for_scene(&needs(lights, longest_span, largest_shininess), None, Some(method)).unwrap()
+}
+
+/// Every number of lights, short and long spans, small and large exponents.
+fn sizes(method: Method) -> impl Iterator<Item = CoreSpec> {
+    let lights = 1..=MOST_LIGHTS;
+    lights.flat_map(move |lights| {
+        [(1, 1), (2, 2), (256, 256), (LONGEST_SPAN, 4096)].map(|(span, shininess)| spec(method, lights, span, shininess))
+    })
+}
+
+/// Every combination of `lyon`'s options.
+fn options() -> impl Iterator<Item = CoreSpec> {
+    let first = [Normalisation::G1, Normalisation::G2].into_iter();
+    let choices = first.flat_map(|normalisation| {
+        [Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight].map(|difference| (normalisation, difference))
+    });
+    let choices = choices.flat_map(|(n, d)| (0..=3).flat_map(move |steps| (0..=3).map(move |k| (n, d, steps, k))));
+    choices.map(|(normalisation, difference, newton_steps, squarings)| {
+        let mut core = spec(Method::Lyon, 2, 100, 8191);
+        if let MethodSpec::Lyon(lyon) = &mut core.method {
+            *lyon = LyonSpec { normalisation, difference, newton_steps, squarings, ..lyon.clone() };
+        }
+        core.check().unwrap();
+        core
+    })
+}
+
+fn every_spec() -> impl Iterator<Item = CoreSpec> {
+    sizes(Method::Lyon).chain(sizes(Method::Hybrid)).chain(options())
+}
+
+fn elaborated(spec: &CoreSpec) -> Design {
+    specula_hdl::elaborate(spec, "core").unwrap_or_else(|error| panic!("{error}: {spec:?}"))
+}
+
+#[test]
+fn cores_pass_rust_hdls_checks() {
+    for spec in every_spec() {
+        check_all(&elaborated(&spec).to_block()).unwrap_or_else(|error| panic!("{error:?}: {spec:?}"));
+    }
+}
+
+/// The same spec gives the same design, and so the same Verilog.
+#[test]
+fn elaboration_is_reproducible() {
+    for spec in every_spec() {
+        assert_eq!(elaborated(&spec), elaborated(&spec), "{spec:?}");
+    }
+}
+
+/// Operands come first, belong to the same pixel as their result, and every bound is a number.
+#[test]
+fn signals_belong_together() {
+    for spec in every_spec() {
+        let design = elaborated(&spec);
+        for (id, node) in design.iter() {
+            assert!(node.error.is_finite() && node.error >= 0.0, "{}: error {}", design.full_name(id), node.error);
+            for operand in node.op.operands() {
+                check_operand(&design, id, operand);
+            }
+        }
+        assert!(design.error_bound() >= 0.5, "rounding to 8 bits alone is half an LSB");
+        let last = design.outputs.iter().map(|&output| design.node(output).stage);
+        assert!(last.clone().all(|stage| stage == design.latency()), "{:?}", last.collect::<Vec<_>>());
+    }
+}
+
+fn check_operand(design: &Design, id: NodeId, operand: NodeId) {
+    let (node, source) = (design.node(id), design.node(operand));
+    if matches!(source.op, Op::Constant(_)) {
+        return;
+    }
+    let name = || format!("{} reads {}", design.full_name(id), design.full_name(operand));
+    // A register that feeds back holds the value of the pixel before.
+    let feeds_back = operand > id;
+    let clocks = u32::from(node.registered() && !feeds_back);
+    assert!(node.registered() || !feeds_back, "{}: a loop without a register", name());
+    assert_eq!(node.stage, source.stage + clocks, "{}", name());
+}
+
+/// What a spec makes use of less than another is not there.
+#[test]
+fn less_is_left_out() {
+    let multipliers = |spec: &CoreSpec| elaborated(spec).size().multipliers;
+    for method in Method::ALL {
+        let [one, two, four] = [1, 2, 4].map(|lights| multipliers(&spec(method, lights, 64, 64)));
+        assert_eq!(two - one, (four - two) / 2, "each light costs the same");
+        assert!(one < two);
+    }
+    let [small, large] = [1, 4096].map(|n| multipliers(&spec(Method::Hybrid, 1, 64, n)));
+    assert_eq!(large - small, 12, "a multiplier for each squaring");
+}

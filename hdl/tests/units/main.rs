@@ -1,0 +1,83 @@
+//! Every unit by itself, against whole-number arithmetic written here; small widths exhaustively.
+mod accumulators;
+mod channel;
+#[path = "../common/mod.rs"]
+mod common;
+mod difference;
+mod diffuse;
+mod divider;
+mod normalise;
+mod power;
+mod shape;
+
+use std::rc::Rc;
+
+use specula_hdl::Design;
+use specula_hdl::builder::{Builder, Sig};
+use specula_hdl::target::Generic;
+use specula_scene::spec::{InputPort, LyonSpec};
+use specula_scene::{Format, Needs};
+
+use common::{Drive, run};
+
+/// The ports, signals and outputs of a unit under test.
+struct Bench {
+    b: Builder,
+    valid: Sig,
+    start: Sig,
+}
+
+impl Bench {
+    fn new() -> Bench {
+        let b = Builder::new("bench", "", Rc::new(Generic));
+        let control = b.control();
+        Bench { b, valid: control.valid, start: control.start }
+    }
+
+    fn input(&self, name: &str, format: Format, (low, high): (i64, i64)) -> Sig {
+        self.b.input(&InputPort { name: name.into(), format, range: (low, high) })
+    }
+
+    fn finish(self, outputs: &[(&str, Sig)]) -> Design {
+        self.b.finish(&self.valid, &self.start, outputs).expect("no unit is too wide here")
+    }
+}
+
+/// The outputs for each row of inputs, every row a span of its own.
+fn outputs(design: &Design, rows: &[Vec<i64>]) -> Vec<Vec<i64>> {
+    run(design, rows.iter().cloned().map(Drive::pixel))
+}
+
+/// floor(raw / 2^bits + 1/2).
+fn rounded(raw: i64, bits: u32) -> i64 {
+    if bits == 0 { raw } else { (raw + (1 << (bits - 1))) >> bits }
+}
+
+/// A spec of `lyon` with these fraction bits everywhere.
+fn lyon(fraction_bits: u32) -> LyonSpec {
+    let needs = Needs {
+        lights: 1,
+        longest_span: 4,
+        largest_shininess: 1,
+        uneven_shininess: None,
+        brightest_coefficient: 1.0,
+        widest_angle: 0.0,
+        shortest_normal: 1.0,
+    };
+    let mut lyon = LyonSpec::for_needs(&needs);
+    let f = &mut lyon.formats;
+    for format in [&mut f.vector, &mut f.length_squared, &mut f.gain, &mut f.diffuse, &mut f.difference, &mut f.shape] {
+        format.fraction_bits = fraction_bits;
+    }
+    lyon
+}
+
+/// Every vector of whole numbers whose components lie from -`limit` to `limit`.
+fn cube(limit: i64) -> impl Iterator<Item = [i64; 3]> {
+    let axis = move || -limit..=limit;
+    axis().flat_map(move |x| axis().flat_map(move |y| axis().map(move |z| [x, y, z])))
+}
+
+fn dot(a: [i64; 3], b: [i64; 3]) -> i64 {
+    (0..3).map(|c| a[c] * b[c]).sum()
+}

@@ -1,0 +1,130 @@
+//! The Verilog of small cores as it is read by people, and what is said beside it.
+use std::fmt::Write;
+
+use specula_hdl::Design;
+use specula_hdl::verilog::{self, Header};
+use specula_scene::spec::lyon::{Difference, Normalisation};
+use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
+
+/// A core for one light, spans of up to 4 pixels and small exponents, in small formats.
+fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
+    let needs = Needs {
+        lights: 1,
+        longest_span: 4,
+        largest_shininess: 4,
+        uneven_shininess: None,
+        brightest_coefficient: 1.0,
+        widest_angle: 20.0,
+        shortest_normal: 0.95,
+    };
+    let mut spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
+    match &mut spec.method {
+        MethodSpec::Lyon(lyon) => {
+            let f = &mut lyon.formats;
+            for format in [&mut f.weight, &mut f.vector, &mut f.length_squared, &mut f.gain, &mut f.difference] {
+                format.fraction_bits = 8;
+            }
+            f.weight_accumulator.fraction_bits = 11;
+            (f.diffuse.fraction_bits, f.shape.fraction_bits) = (6, 6);
+        }
+        MethodSpec::Hybrid(hybrid) => {
+            let f = &mut hybrid.formats;
+            (f.diffuse_accumulator.fraction_bits, f.diffuse.fraction_bits) = (9, 6);
+            (f.accumulator.fraction_bits, f.operand.fraction_bits, f.base.fraction_bits) = (12, 8, 4);
+        }
+    }
+    change(&mut spec);
+    spec.check().unwrap();
+    specula_hdl::elaborate(&spec, method.name()).unwrap()
+}
+
+fn smallest_lyon() -> Design {
+    design(Method::Lyon, |spec| {
+        if let MethodSpec::Lyon(lyon) = &mut spec.method {
+            (lyon.normalisation, lyon.squarings) = (Normalisation::G1, 1);
+        }
+    })
+}
+
+fn lyon_with_everything() -> Design {
+    design(Method::Lyon, |spec| {
+        if let MethodSpec::Lyon(lyon) = &mut spec.method {
+            (lyon.difference, lyon.newton_steps) = (Difference::ReflectionMinusLight, 1);
+        }
+    })
+}
+
+fn hybrid() -> Design {
+    design(Method::Hybrid, |_| ())
+}
+
+fn text(design: &Design) -> String {
+    let header = Header { lines: vec!["A header.".into(), String::new(), "Its last line.".into()] };
+    verilog::print(&design.to_block(), &header)
+}
+
+#[test]
+fn verilog_of_the_smallest_lyon_core() {
+    insta::assert_snapshot!(text(&smallest_lyon()));
+}
+
+#[test]
+fn verilog_of_a_lyon_core_with_newton_and_reflection() {
+    insta::assert_snapshot!(text(&lyon_with_everything()));
+}
+
+#[test]
+fn verilog_of_a_hybrid_core() {
+    insta::assert_snapshot!(text(&hybrid()));
+}
+
+/// What was left out and why, then the size of each unit and of the whole.
+fn summary(design: &Design) -> String {
+    let mut out = String::from("left out\n");
+    for left_out in &design.left_out {
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "  {}: {}, since {}", left_out.unit, left_out.what, left_out.why);
+    }
+    out.push_str("\nunits\n");
+    for unit in design.unit_sizes() {
+        let _ = writeln!(out, "  {}, {} clocks: {:?}", unit.path, unit.latency, unit.size);
+    }
+    let _ = writeln!(out, "\nwhole, {} clocks: {:?}", design.latency(), design.size());
+    out.push_str("\nfacts\n");
+    for assumption in &design.assumptions {
+        let (name, range) = (design.full_name(assumption.node), assumption.range);
+        let _ = writeln!(out, "  {name} from {} to {}: {}", range.low, range.high, assumption.fact);
+    }
+    let _ = writeln!(out, "\nerror at most {:.6} LSB", design.error_bound());
+    out
+}
+
+#[test]
+fn summary_of_the_smallest_lyon_core() {
+    insta::assert_snapshot!(summary(&smallest_lyon()));
+}
+
+#[test]
+fn summary_of_a_lyon_core_with_newton_and_reflection() {
+    insta::assert_snapshot!(summary(&lyon_with_everything()));
+}
+
+#[test]
+fn summary_of_a_hybrid_core() {
+    insta::assert_snapshot!(summary(&hybrid()));
+}
+
+/// No `$` but in `$signed`, no `initial`, no blanket waiver; every module is closed.
+#[test]
+fn verilog_keeps_to_the_rules() {
+    for design in [smallest_lyon(), lyon_with_everything(), hybrid()] {
+        let text = text(&design);
+        assert!(!text.replace("$signed", "").contains('$'));
+        assert!(!text.contains("initial"));
+        assert_eq!(text.matches("verilator lint_off").count(), text.matches("verilator lint_off DECLFILENAME").count());
+        let opened = text.lines().filter(|line| line.starts_with("module ")).count();
+        assert_eq!(opened, text.matches("endmodule").count());
+        assert!(text.is_ascii(), "tools of old read ASCII alone");
+        assert!(text.lines().all(|line| line == line.trim_end()), "no blanks at the end of a line");
+    }
+}
