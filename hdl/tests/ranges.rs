@@ -4,7 +4,6 @@ mod common;
 use common::draw::{self, Draw};
 use common::{Drive, run};
 use specula_scene::Method;
-use specula_scene::spec::SetUp;
 
 fn stays_in_range(seed: u64, method: Method) {
     let _ = std::panic::catch_unwind(|| stays_in_range2(seed, method));
@@ -17,8 +16,7 @@ fn stays_in_range2(seed: u64, method: Method) {
     println!("{spec:?}");
     // A spec whose formats are too fine is refused, which is an answer too; panics are none.
     let Ok(design) = specula_hdl::elaborate(&spec, "core") else { return };
-    let set_up = SetUp::new(&spec);
-    let packets: Vec<_> = frame.spans.iter().map(|span| set_up.packet(&frame, span)).collect();
+    let packets: Vec<_> = frame.spans.iter().map(|span| spec.packet(&frame, span)).collect();
     run(&design, packets.iter().flat_map(Drive::span));
 }
 

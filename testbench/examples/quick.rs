@@ -22,7 +22,12 @@ fn main() {
     let t = Instant::now();
     let n: usize = st.stretches().map(|s| s.inputs.len()).sum();
     println!("stretches {:?} {n}", t.elapsed());
-    for _ in 0..3 { let short = Stimulus::whole(&packets, &bench.design).leading_to(&(0..100), &bench.design); let t = Instant::now(); Fast::new(&bench.design).run(&short, &bench.design.outputs, &mut |_| Flow::Continue).unwrap(); println!("start {:?}", t.elapsed()); }
+    for _ in 0..3 {
+        let short = Stimulus::whole(&packets, &bench.design).leading_to(&(0..100), &bench.design);
+        let t = Instant::now();
+        Fast::new(&bench.design).run(&short, &bench.design.outputs, &mut |_| Flow::Continue).unwrap();
+        println!("start {:?}", t.elapsed());
+    }
     for batch in [256, 512, 1024] {
         let mut e = Fast::with_settings(&bench.design, fast::Settings { batch, level: fast::Level::best() });
         let mut best = f64::MAX;

@@ -6,6 +6,7 @@ use super::TooWide;
 use super::fold;
 use crate::design::{Design, LeftOut, Node, NodeId, Op, Range, Register, Scope, ScopeId, WideRange};
 use crate::target::Target;
+use crate::verilog::{CONTROL, is_reserved};
 
 /// What is known of a new signal beside its operator.
 pub(super) struct Facts {
@@ -47,7 +48,7 @@ impl State {
             assumptions: vec![],
             left_out: vec![],
         };
-        let names = ["clock", "reset"].map(|n| (ScopeId::TOP, n.to_owned())).into();
+        let names = CONTROL.map(|n| (ScopeId::TOP, n.to_owned())).into();
         let scope = ScopeId::TOP;
         let computed = HashMap::new();
         State { design, target, scope, delays: HashMap::new(), names, unnamed: HashSet::new(), computed, too_wide: None }
@@ -202,7 +203,8 @@ impl State {
 
     /// `name`, or with a number behind it where the unit has it already.
     pub fn unique(&mut self, scope: ScopeId, name: &str) -> String {
-        let mut candidate = name.to_owned();
+        // A word that Verilog keeps for itself gets a number, as one that the unit has already.
+        let mut candidate = if is_reserved(name) { format!("{name}_1") } else { name.to_owned() };
         let mut number = 2;
         while !self.names.insert((scope, candidate.clone())) {
             candidate = format!("{name}_{number}");

@@ -6,6 +6,7 @@ use super::state::Facts;
 use super::{Builder, Bundle, Inputs, Sig};
 use crate::design::{Node, NodeId, Op, Range, Register, Scope, ScopeId};
 use crate::target::Unregistered;
+use crate::verilog::CONTROL;
 
 impl Builder {
     /// Opens a unit called `name` that computes `formula`.
@@ -66,7 +67,7 @@ impl Builder {
         let scope = Scope { unit: name.into(), formula: formula.into(), instance, parent: Some(outside), entry, exit: entry };
         state.design.scopes.push(scope);
         // The names of every module's control ports.
-        for taken in ["clock", "reset"] {
+        for taken in CONTROL {
             state.unique(inside, taken);
         }
         state.scope = inside;

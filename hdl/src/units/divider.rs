@@ -46,6 +46,6 @@ fn row(b: &Builder, remainder: &Sig, divisor: &Sig) -> (Sig, Sig) {
             let rest = below.choose(&doubled, &(&doubled - &q)).assumed(0.0, largest, "0 <= r < q");
             (rest, below.not())
         });
-        (rest.named("rest"), bit.named("bit"))
+        (rest.named("rest"), bit.named("quotient_bit"))
     })
 }

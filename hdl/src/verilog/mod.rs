@@ -71,7 +71,10 @@ impl Library {
     }
 }
 
-/// Words that Verilog-2001 (and SystemVerilog, which many tools read it as) keeps for itself, as far as a scene's name could be one.
+/// Names of every module's control ports.
+pub const CONTROL: [&str; 2] = ["clock", "reset"];
+
+/// Words, in order, that Verilog-2001 (and SystemVerilog, which many tools read it as) keeps for itself, as far as a scene's name could be one.
 const RESERVED: &[&str] = &[
     "alias",
     "always",
@@ -92,7 +95,6 @@ const RESERVED: &[&str] = &[
     "cell",
     "checker",
     "class",
-    "clock",
     "clocking",
     "cmos",
     "config",
@@ -202,7 +204,6 @@ const RESERVED: &[&str] = &[
     "reject_on",
     "release",
     "repeat",
-    "reset",
     "restrict",
     "return",
     "rnmos",
@@ -269,6 +270,11 @@ const RESERVED: &[&str] = &[
     "xor",
 ];
 
+/// Whether Verilog, or SystemVerilog, keeps the word for itself.
+pub fn is_reserved(word: &str) -> bool {
+    RESERVED.binary_search(&word).is_ok()
+}
+
 /// A legal module name from a scene's name: itself, or with `_core` behind it where Verilog keeps the word.
 pub fn module_name(scene: &str) -> String {
     let legal = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
@@ -276,7 +282,7 @@ pub fn module_name(scene: &str) -> String {
     if !name.starts_with(|c: char| c.is_ascii_alphabetic()) {
         name.insert_str(0, "scene_");
     }
-    if RESERVED.contains(&name.as_str()) {
+    if is_reserved(&name) || CONTROL.contains(&name.as_str()) {
         name.push_str("_core");
     }
     name
@@ -285,6 +291,12 @@ pub fn module_name(scene: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn reserved_words_are_in_order() {
+        assert!(RESERVED.is_sorted());
+        assert!(["bit", "always", "xor"].iter().all(|word| is_reserved(word)));
+    }
 
     #[test]
     fn module_names_are_legal() {

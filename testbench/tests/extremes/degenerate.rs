@@ -1,0 +1,127 @@
+//! Normals that vanish or oppose each other.
+use glam::DVec3;
+use specula_scene::spec::lyon::Difference;
+use specula_scene::{Method, Needs};
+
+use crate::common::{codes, cores, cross_form, frame, lyon, material, mirror, reflection_form, shade, spec, tilted};
+
+const AMBIENT: f64 = 0.2;
+const AMBIENT_CODE: u8 = 51;
+
+/// Rows 1 and 2: N0 = -N1, and t = 1/2 is a pixel, whose normal has no direction. `lyon` gives ambient light there.
+#[test]
+fn opposite_normals() {
+    for (first, length) in [(DVec3::X, 3), (DVec3::Z, 5), (tilted(40.0), 33), (DVec3::Y, 257)] {
+        let frame = frame([first, -first], length, &[tilted(30.0)], material(AMBIENT, 0.5, 0.3, 16));
+        for core in cores(&frame) {
+            let codes = codes(&core, &frame);
+            if core.method() == Method::Lyon {
+                assert_eq!(codes[length as usize / 2], AMBIENT_CODE);
+            }
+        }
+    }
+}
+
+/// Row 1: an even number of pixels never meets t = 1/2.
+#[test]
+fn opposite_normals_without_a_middle() {
+    let frame = frame([tilted(20.0), -tilted(20.0)], 4, &[tilted(10.0)], material(0.0, 1.0, 0.0, 16));
+    let lambert = (255.0 * tilted(20.0).dot(tilted(10.0))).round() as u8;
+    // At t = 1/3 the normal has length 1/3, which g2 and a Newton step bring no nearer to 1 than they can.
+    let codes = codes(&spec(&frame, Method::Lyon), &frame);
+    assert!((lambert / 2..=lambert).contains(&codes[1]), "{codes:?}");
+    assert_eq!((codes[0], codes[2], codes[3]), (lambert, 0, 0));
+}
+
+/// Rows 2 and 4: q = 0 gives no highlight, and the pixels beside it theirs.
+#[test]
+fn hybrid_at_q_zero() {
+    for length in [3, 5, 9, 257, 8191] {
+        let frame = frame([DVec3::Z, -DVec3::Z], length, &[DVec3::Z], mirror(16));
+        let codes = codes(&spec(&frame, Method::Hybrid), &frame);
+        let middle = length as usize / 2;
+        assert_eq!((codes[0], codes[middle], codes[length as usize - 1]), (255, 0, 255));
+    }
+}
+
+/// Row 3: 150 degrees.
+#[test]
+fn wide_spans() {
+    for shininess in [1, 256, 4096] {
+        let frame = frame([tilted(-75.0), tilted(75.0)], 300, &[tilted(10.0)], mirror(shininess));
+        cores(&frame).iter().for_each(|core| drop(shade(core, &frame)));
+    }
+}
+
+/// Row 27: z = 0 gives g2 = 2 and, with three Newton steps, 6.75; nothing wraps around.
+#[test]
+fn largest_gain() {
+    let frame = frame([DVec3::X, -DVec3::X], 3, &[DVec3::Z], material(AMBIENT, 0.5, 0.3, 8191));
+    for newton_steps in 0..=3 {
+        for difference in [Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight] {
+            let core = lyon(&frame, |lyon| (lyon.newton_steps, lyon.difference) = (newton_steps, difference));
+            assert_eq!(codes(&core, &frame)[1], AMBIENT_CODE);
+        }
+    }
+}
+
+/// A normal that rounds to nothing though it has a direction: its highlight is lost whole, and the bound must say so.
+#[test]
+fn bound_knows_of_normals_that_round_away() {
+    let (first, last) = (tilted(90.0), tilted(-86.4));
+    let frame = frame([first, last], 3, &[tilted(4.0)], mirror(1));
+    let shortest = Needs::of(&frame).shortest_normal;
+    assert!((0.031..0.032).contains(&shortest), "{shortest}: in S1.4 it is to round to 0, and its square not to vanish in U1.24");
+    for squarings in 0..=3 {
+        let core = lyon(&frame, |lyon| {
+            (lyon.difference, lyon.squarings) = (Difference::HalfwayCrossNormal, squarings);
+            lyon.formats.vector.fraction_bits = 4;
+            lyon.formats.length_squared.fraction_bits = 24;
+        });
+        let outcome = shade(&core, &frame);
+        assert_eq!(outcome.simulated.pixels[1], [0; 3]);
+        assert!(outcome.comparison.errors.quantisation.max_lsb > 200.0);
+    }
+}
+
+/// Row 50: a triangle whose normals are all 0 has ambient light alone in `lyon`, and no highlight in `hybrid`.
+#[test]
+fn zero_normals() {
+    for length in [1, 2, 100] {
+        let frame = frame([DVec3::ZERO; 2], length, &[DVec3::Z, tilted(50.0)], material(AMBIENT, 1.0, 1.0, 64));
+        for core in cores(&frame) {
+            assert_eq!(codes(&core, &frame), vec![AMBIENT_CODE; length as usize]);
+        }
+    }
+}
+
+/// Row 50: a zero normal at one end alone.
+#[test]
+fn a_zero_normal_at_one_end() {
+    for normals in [[DVec3::ZERO, DVec3::Z], [tilted(60.0), DVec3::ZERO]] {
+        let frame = frame(normals, 17, &[tilted(20.0)], material(AMBIENT, 0.3, 0.3, 64));
+        for core in cores(&frame) {
+            shade(&core, &frame);
+        }
+    }
+}
+
+/// Row 12: L = -V makes H = 0, and H × N 0 for every normal: highlight everywhere. D = R - L and p/q know better.
+#[test]
+fn light_opposite_the_eye() {
+    let frame = frame([tilted(10.0), tilted(20.0)], 8, &[-DVec3::Z], mirror(16));
+    for squarings in 0..=3 {
+        assert_eq!(codes(&cross_form(&frame, squarings), &frame), [255; 8]);
+        assert_eq!(codes(&reflection_form(&frame, squarings), &frame), [0; 8]);
+    }
+    assert_eq!(codes(&spec(&frame, Method::Hybrid), &frame), [0; 8]);
+}
+
+/// Row 35: V and L nearly opposite.
+#[test]
+fn light_nearly_opposite_the_eye() {
+    for degrees in [170.0, 179.0, 179.9, 179.999] {
+        let frame = frame([tilted(degrees / 2.0 - 5.0), tilted(degrees / 2.0 + 4.0)], 50, &[tilted(degrees)], mirror(64));
+        cores(&frame).iter().for_each(|core| drop(shade(core, &frame)));
+    }
+}
