@@ -6,9 +6,6 @@ use common::{Drive, run};
 use specula_scene::Method;
 
 fn stays_in_range(seed: u64, method: Method) {
-    let _ = std::panic::catch_unwind(|| stays_in_range2(seed, method));
-}
-fn stays_in_range2(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);
     let longest = draw.one_of(&[1, 2, 3, 20, 200]);
     let frame = draw::frame(&mut draw, method, longest);

@@ -1,7 +1,129 @@
-//! Values of signals over a batch of clocks.
+//! Values of signals over consecutive clocks: as an engine shows them, and as they can be kept.
+use std::ops::Range;
+
 use specula_hdl::design::NodeId;
 
-/// One column of raw values for each watched signal, over consecutive clocks.
+/// The values of one signal, one for each clock.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lanes<'a> {
+    /// In 32 bits.
+    Narrow(&'a [i32]),
+    /// In 64 bits.
+    Wide(&'a [i64]),
+    /// The same for this many clocks.
+    Constant(i64, usize),
+}
+
+impl<'a> Lanes<'a> {
+    /// The raw value in a row.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    #[inline]
+    pub fn get(self, row: usize) -> i64 {
+        match self {
+            Lanes::Narrow(lanes) => lanes[row].into(),
+            Lanes::Wide(lanes) => lanes[row],
+            Lanes::Constant(value, _) => value,
+        }
+    }
+
+    /// Number of rows.
+    pub fn clocks(self) -> usize {
+        match self {
+            Lanes::Narrow(lanes) => lanes.len(),
+            Lanes::Wide(lanes) => lanes.len(),
+            Lanes::Constant(_, clocks) => clocks,
+        }
+    }
+
+    /// Some of the rows.
+    pub fn rows(self, rows: Range<usize>) -> Lanes<'a> {
+        match self {
+            Lanes::Narrow(lanes) => Lanes::Narrow(&lanes[rows]),
+            Lanes::Wide(lanes) => Lanes::Wide(&lanes[rows]),
+            Lanes::Constant(value, _) => Lanes::Constant(value, rows.len()),
+        }
+    }
+
+    /// All raw values.
+    pub fn iter(self) -> impl Iterator<Item = i64> + 'a {
+        (0..self.clocks()).map(move |row| self.get(row))
+    }
+
+    /// The first row whose value lies outside `low..=high`.
+    pub fn first_outside(self, low: i64, high: i64) -> Option<usize> {
+        match self {
+            // The whole column is looked at first, without a branch in the loop; in almost every one there is nothing to find.
+            Lanes::Narrow(lanes) => {
+                let (low, high) = (low.max(i32::MIN.into()) as i32, high.min(i32::MAX.into()) as i32);
+                let outside = |value: i32| (value < low) | (value > high);
+                let any = lanes.iter().fold(false, |any, &value| any | outside(value));
+                if any { lanes.iter().position(|&value| outside(value)) } else { None }
+            }
+            Lanes::Wide(lanes) => lanes.iter().position(|value| !(low..=high).contains(value)),
+            Lanes::Constant(value, clocks) => (clocks > 0 && !(low..=high).contains(&value)).then_some(0),
+        }
+    }
+}
+
+/// The watched signals over a batch of clocks, as an engine shows them.
+#[derive(Clone, Debug)]
+pub struct Batch<'a> {
+    first_clock: u64,
+    clocks: usize,
+    nodes: &'a [NodeId],
+    lanes: Vec<Lanes<'a>>,
+}
+
+impl<'a> Batch<'a> {
+    /// `clocks` clocks from `first_clock` on of these signals; all lanes have as many rows.
+    pub fn new(first_clock: u64, clocks: usize, nodes: &'a [NodeId], lanes: Vec<Lanes<'a>>) -> Batch<'a> {
+        Batch { first_clock, clocks, nodes, lanes }
+    }
+
+    /// The clock of the first row.
+    pub fn first_clock(&self) -> u64 {
+        self.first_clock
+    }
+
+    /// Number of clocks.
+    pub fn clocks(&self) -> usize {
+        self.clocks
+    }
+
+    /// The clocks it covers.
+    pub fn span(&self) -> Range<u64> {
+        self.first_clock..self.first_clock + self.clocks as u64
+    }
+
+    /// The signals, in the order of the columns.
+    pub fn nodes(&self) -> &'a [NodeId] {
+        self.nodes
+    }
+
+    /// The values of each signal.
+    pub fn lanes(&self) -> &[Lanes<'a>] {
+        &self.lanes
+    }
+
+    /// The values of a signal.
+    pub fn of(&self, node: NodeId) -> Option<Lanes<'a>> {
+        self.nodes.iter().position(|&n| n == node).map(|i| self.lanes[i])
+    }
+
+    /// The rows whose clocks lie in `window`.
+    pub fn within(&self, window: &Range<u64>) -> Batch<'a> {
+        let span = self.span();
+        let first = window.start.clamp(span.start, span.end);
+        let last = window.end.clamp(first, span.end);
+        let rows = (first - span.start) as usize..(last - span.start) as usize;
+        let lanes = self.lanes.iter().map(|lanes| lanes.rows(rows.clone())).collect();
+        Batch { first_clock: first, clocks: rows.len(), nodes: self.nodes, lanes }
+    }
+}
+
+/// One column of raw values for each watched signal, over consecutive clocks, kept.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Columns {
     /// The clock of the first row.
@@ -24,7 +146,7 @@ impl Columns {
     }
 
     /// The clocks they cover.
-    pub fn span(&self) -> std::ops::Range<u64> {
+    pub fn span(&self) -> Range<u64> {
         self.first_clock..self.first_clock + self.clocks() as u64
     }
 
@@ -34,28 +156,24 @@ impl Columns {
         self.values.iter_mut().for_each(Vec::clear);
     }
 
-    /// The rows whose clocks lie in `window`.
-    pub fn within(&self, window: &std::ops::Range<u64>) -> Columns {
-        let span = self.span();
-        let first = window.start.clamp(span.start, span.end);
-        let last = window.end.clamp(first, span.end);
-        let rows = (first - span.start) as usize..(last - span.start) as usize;
-        let values = self.values.iter().map(|column| column[rows.clone()].to_vec()).collect();
-        Columns { first_clock: first, nodes: self.nodes.clone(), values }
-    }
-
-    /// Appends the rows of `other`, which has the same signals and follows on.
-    pub fn extend(&mut self, other: &Columns) {
+    /// Appends a batch that has the same signals and follows on.
+    pub fn extend(&mut self, batch: &Batch) {
         if self.clocks() == 0 {
-            self.first_clock = other.first_clock;
+            self.first_clock = batch.first_clock();
         }
-        for (mine, theirs) in self.values.iter_mut().zip(&other.values) {
-            mine.extend_from_slice(theirs);
+        for (column, lanes) in self.values.iter_mut().zip(batch.lanes()) {
+            column.extend(lanes.iter());
         }
     }
 
     /// The column of a signal.
     pub fn of(&self, node: NodeId) -> Option<&[i64]> {
         self.nodes.iter().position(|&n| n == node).map(|i| self.values[i].as_slice())
+    }
+
+    /// All of it as a batch.
+    pub fn batch(&self) -> Batch<'_> {
+        let lanes = self.values.iter().map(|column| Lanes::Wide(column)).collect();
+        Batch::new(self.first_clock, self.clocks(), &self.nodes, lanes)
     }
 }

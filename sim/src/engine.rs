@@ -1,7 +1,7 @@
 //! What every engine offers.
 use specula_hdl::design::NodeId;
 
-use crate::{Columns, Stimulus};
+use crate::{Batch, Stimulus};
 
 /// Whether a run goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub trait Engine {
     ///
     /// # Errors
     /// [`SimError`] if the design does not settle or an external simulator fails.
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Columns) -> Flow) -> Result<(), SimError>;
+    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError>;
 }
 
 /// Why a simulation did not come to its end.

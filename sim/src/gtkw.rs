@@ -204,7 +204,7 @@ fn is_named(node: &Node) -> bool {
 }
 
 /// What the builder calls signals that nobody gave a name, before their number; of the validity chain, all but the end.
-const STAND_INS: [&str; 21] = [
+const STAND_INS: &[&str] = &[
     "accumulated",
     "appended",
     "assumed",
@@ -213,6 +213,8 @@ const STAND_INS: [&str; 21] = [
     "clamped",
     "difference",
     "either",
+    "entry",
+    "held",
     "kept",
     "less",
     "next",

@@ -1,7 +1,7 @@
 //! Engines that run an elaborated design clock by clock, and what they are given and give back.
 //!
 //! An engine takes a [`Stimulus`] and hands over the values of any signals at every clock, a batch of clocks at a time, as
-//! [`Columns`]. Clock c is the time between two rising edges: inputs of clock c are applied, everything has settled, and the next
+//! a [`Batch`]. Clock c is the time between two rising edges: inputs of clock c are applied, everything has settled, and the next
 //! edge ends it. Every run begins with one clock of reset before its first clock, with all registers and inputs 0.
 mod columns;
 mod engine;
@@ -14,7 +14,7 @@ mod stimulus;
 pub mod vcd;
 mod verilator;
 
-pub use columns::Columns;
+pub use columns::{Batch, Columns, Lanes};
 pub use engine::{Engine, Flow, SimError};
 pub use fast::Fast;
 pub use icarus::Icarus;

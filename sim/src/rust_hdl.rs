@@ -1,10 +1,10 @@
 //! rust-hdl's own simulator: the reference, slow, and right by definition.
 use specula_hdl::Design;
 use specula_hdl::block::{Module, check_all, simulate};
-use specula_hdl::design::NodeId;
+use specula_hdl::design::{NodeId, Op};
 
 use crate::stimulus::Stretch;
-use crate::{Columns, Engine, Flow, SimError, Stimulus};
+use crate::{Batch, Columns, Engine, Flow, SimError, Stimulus};
 
 /// Clocks handed over at a time.
 const BATCH: usize = 1024;
@@ -77,7 +77,14 @@ struct Place {
     wire: usize,
 }
 
-fn places(block: &Module, watched: &[NodeId]) -> Vec<Option<Place>> {
+/// A watched signal.
+enum Watched {
+    Wire(Place),
+    /// A constant has no wire of its own.
+    Constant(i64),
+}
+
+fn places(design: &Design, block: &Module, watched: &[NodeId]) -> Vec<Watched> {
     fn find(module: &Module, node: NodeId, path: &mut Vec<usize>) -> Option<Place> {
         if let Some(wire) = module.wires().iter().position(|w| w.wire_type().node == node) {
             return Some(Place { path: path.clone(), wire });
@@ -89,7 +96,13 @@ fn places(block: &Module, watched: &[NodeId]) -> Vec<Option<Place>> {
             found
         })
     }
-    watched.iter().map(|&node| find(block, node, &mut vec![])).collect()
+    let constant = |node: NodeId| match design.node(node).op {
+        Op::Constant(value) => value,
+        // Every other signal has a wire.
+        _ => 0,
+    };
+    let place = |&node: &NodeId| find(block, node, &mut vec![]).map_or_else(|| Watched::Constant(constant(node)), Watched::Wire);
+    watched.iter().map(place).collect()
 }
 
 fn value(block: &Module, place: &Place) -> i64 {
@@ -102,10 +115,10 @@ impl Engine for RustHdl<'_> {
         "rust-hdl"
     }
 
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Columns) -> Flow) -> Result<(), SimError> {
+    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
         let mut bench = Bench::new(self.design);
         bench.reset()?;
-        let places = places(&bench.block, watched);
+        let places = places(self.design, &bench.block, watched);
         let mut columns = Columns::new(watched);
         columns.restart(stimulus.clocks().start);
         for stretch in stimulus.stretches() {
@@ -118,13 +131,15 @@ impl Engine for RustHdl<'_> {
                 bench.block.set_clock(false);
                 bench.settle(clock)?;
                 for (column, place) in columns.values.iter_mut().zip(&places) {
-                    // A constant has no wire of its own; none is watched.
-                    column.push(place.as_ref().map_or(0, |p| value(&bench.block, p)));
+                    column.push(match place {
+                        Watched::Wire(place) => value(&bench.block, place),
+                        Watched::Constant(constant) => *constant,
+                    });
                 }
                 bench.block.set_clock(true);
                 bench.settle(clock)?;
                 if columns.clocks() == BATCH {
-                    if sink(&columns) == Flow::Stop {
+                    if sink(&columns.batch()) == Flow::Stop {
                         return Ok(());
                     }
                     columns.restart(clock + 1);
@@ -132,7 +147,7 @@ impl Engine for RustHdl<'_> {
             }
         }
         if columns.clocks() > 0 {
-            sink(&columns);
+            sink(&columns.batch());
         }
         Ok(())
     }

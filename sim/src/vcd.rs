@@ -9,7 +9,7 @@ use specula_hdl::Design;
 use specula_hdl::design::{NodeId, Op, ScopeId};
 use vcd::{IdCode, ReferenceIndex, SimulationCommand, TimescaleUnit, Value, VarType, Writer};
 
-use crate::Columns;
+use crate::{Batch, Columns};
 
 /// Nanoseconds from a rising edge to the next.
 pub const PERIOD: u64 = 10;
@@ -20,7 +20,7 @@ pub const PERIOD: u64 = 10;
 /// What the system says if `out` cannot be written.
 pub fn write(out: impl Write, design: &Design, columns: &Columns, about: &str) -> io::Result<()> {
     let mut waves = Waves::begin(out, design, &columns.nodes, about)?;
-    waves.append(columns)?;
+    waves.append(&columns.batch())?;
     waves.end()
 }
 
@@ -66,7 +66,7 @@ impl<W: Write> Waves<W> {
     ///
     /// # Errors
     /// What the system says if the file cannot be written.
-    pub fn append(&mut self, columns: &Columns) -> io::Result<()> {
+    pub fn append(&mut self, columns: &Batch) -> io::Result<()> {
         for (row, clock) in columns.span().enumerate() {
             Writer::new(&mut self.out).timestamp(PERIOD * clock)?;
             match self.next {
@@ -81,23 +81,23 @@ impl<W: Write> Waves<W> {
         Ok(())
     }
 
-    fn first_row(&mut self, columns: &Columns) -> io::Result<()> {
+    fn first_row(&mut self, columns: &Batch) -> io::Result<()> {
         let mut writer = Writer::new(&mut self.out);
         writer.begin(SimulationCommand::Dumpvars)?;
         writer.change_scalar(self.clock, Value::V1)?;
         writer.change_scalar(self.reset, Value::V0)?;
         for variable in &mut self.variables {
-            variable.last = columns.values[variable.column][0];
+            variable.last = columns.lanes()[variable.column].get(0);
             variable.write(&mut writer)?;
         }
         writer.end()
     }
 
-    fn changes(&mut self, columns: &Columns, row: usize) -> io::Result<()> {
+    fn changes(&mut self, columns: &Batch, row: usize) -> io::Result<()> {
         let mut writer = Writer::new(&mut self.out);
         writer.change_scalar(self.clock, Value::V1)?;
         for variable in &mut self.variables {
-            let raw = columns.values[variable.column][row];
+            let raw = columns.lanes()[variable.column].get(row);
             if raw != variable.last {
                 variable.last = raw;
                 variable.write(&mut writer)?;

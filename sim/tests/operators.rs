@@ -209,6 +209,44 @@ fn extremes_and_random(ranges: &[Range]) -> Vec<Vec<i64>> {
     rows
 }
 
+/// Tables with signed and unsigned entries, shorter and longer than their addresses reach, and registers that hold.
+#[test]
+fn tables_and_registers_that_hold() {
+    const TABLES: [&[i64]; 5] = [&[5, 0, 3], &[-1, 0, 7, -8, 2, 2, 1, 6], &[1, 0], &[1 << 61, -(1 << 61), 12, 5], &[9, 9, 9, 9]];
+    let mut program = Program::default();
+    let types = [(Range::whole(1, false), 0), (Range::whole(2, false), 0), (Range::whole(3, false), 0), (Range::new(1, 5), 0)];
+    program.ports.extend(types.iter().enumerate().map(|(i, &(range, fraction_bits))| port(format!("a{i}"), range, fraction_bits)));
+    program.ports.push(port("x".into(), Range::whole(9, true), 4));
+    program.ports.push(port("y".into(), Range::new(3, 60), 2));
+    let bits = ["enable", "load"].map(|name| port(name.into(), Range::new(0, 1), 0));
+    program.ports.extend(bits);
+    let [x, y, enable, load] = [4, 5, 6, 7];
+    for place in [Place::Core, Place::Unit, Place::OneClock] {
+        for address in 0..types.len() {
+            TABLES.iter().for_each(|table| assert!(program.push(Operation::LookedUp(table, 3), &[address], place)));
+        }
+    }
+    for value in [x, y] {
+        assert!(program.push(Operation::Held, &[value, enable], Place::Core));
+        assert!(program.push(Operation::Held, &[value, enable], Place::Unit));
+        assert!(program.push(Operation::HeldOrLoaded, &[value, enable, load, x + y - value], Place::Core));
+    }
+    const SEED: u64 = 7;
+    println!("seed {SEED}");
+    let mut random = Random(SEED);
+    let ranges = program.input_ranges();
+    let inputs = (0..300).map(|pixel| {
+        let mut row: Vec<i64> = ranges.iter().map(|r| random.between(r.low, r.high)).collect();
+        // Registers that hold data have no reset: what they hold before something is taken over does not count.
+        if pixel == 0 {
+            (row[enable], row[load]) = (1, 1);
+        }
+        row
+    });
+    let spans = single_pixels(inputs);
+    check(&program, spans);
+}
+
 /// Netlists in which operators read each other's results, with feedback and spans of several pixels.
 #[test]
 fn random_netlists() {

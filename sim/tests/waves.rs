@@ -34,8 +34,8 @@ fn written(design: &Design, columns: &Columns) -> Vec<u8> {
     };
     let mut file = vec![];
     let mut waves = Waves::begin(&mut file, design, &columns.nodes, "a scene for $1").unwrap();
-    waves.append(&piece(0..half)).unwrap();
-    waves.append(&piece(half..columns.clocks())).unwrap();
+    waves.append(&piece(0..half).batch()).unwrap();
+    waves.append(&piece(half..columns.clocks()).batch()).unwrap();
     waves.end().unwrap();
     file
 }

@@ -1,7 +1,7 @@
 //! Pixels as they leave the core: in which clock, and with which code.
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
-use specula_sim::{Columns, Stimulus};
+use specula_sim::{Batch, Lanes, Stimulus};
 
 /// Collects the codes that leave and checks that they leave in the clocks in which they must.
 pub(crate) struct Arrivals<'a> {
@@ -27,19 +27,20 @@ impl<'a> Arrivals<'a> {
         }
     }
 
-    pub fn take(&mut self, columns: &Columns) {
-        let column = |node: NodeId| columns.of(node).unwrap_or(&[]);
-        let valid = column(self.valid_out);
-        let channels: Vec<&[i64]> = self.outputs.iter().map(|&node| column(node)).collect();
-        for (row, &leaves) in valid.iter().enumerate() {
-            let clock = columns.first_clock + row as u64;
+    pub fn take(&mut self, batch: &Batch) {
+        let nothing = Lanes::Constant(0, batch.clocks());
+        let lanes = |node: NodeId| batch.of(node).unwrap_or(nothing);
+        let valid = lanes(self.valid_out);
+        let channels: Vec<Lanes> = self.outputs.iter().map(|&node| lanes(node)).collect();
+        for row in 0..batch.clocks() {
+            let clock = batch.first_clock() + row as u64;
             let due = clock.checked_sub(self.latency).is_some_and(|entry| self.stimulus.enters(entry));
-            if due != (leaves == 1) {
+            if due != (valid.get(row) == 1) {
                 self.wrong_clocks.push(clock);
             }
             if due {
                 // Outputs are proven to lie in 0..=255; a channel that is missing counts as 0.
-                let code = |c: usize| channels.get(c).and_then(|column| column.get(row)).map_or(0, |&raw| raw as u8);
+                let code = |c: usize| channels.get(c).map_or(0, |lanes| lanes.get(row) as u8);
                 self.codes.push([code(0), code(1), code(2)]);
             }
         }

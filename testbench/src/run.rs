@@ -5,7 +5,7 @@ use std::time::Instant;
 use specula_hdl::Design;
 use specula_hdl::design::{NodeId, Op};
 use specula_scene::{CoreSpec, Frame};
-use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};
+use specula_sim::{Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, Stimulus, Verilator};
 
 use crate::arrival::Arrivals;
 use crate::assumptions::{self, Violation};
@@ -21,17 +21,23 @@ pub enum EngineKind {
     Fast,
     /// rust-hdl's simulator.
     RustHdl,
+    /// Verilator on the emitted Verilog.
+    Verilator,
+    /// Icarus Verilog on the emitted Verilog.
+    Icarus,
 }
 
 impl EngineKind {
     /// Every engine.
-    pub const ALL: [EngineKind; 2] = [EngineKind::Fast, EngineKind::RustHdl];
+    pub const ALL: [EngineKind; 4] = [EngineKind::Fast, EngineKind::RustHdl, EngineKind::Verilator, EngineKind::Icarus];
 
     /// The name that the command line uses.
     pub const fn name(self) -> &'static str {
         match self {
             EngineKind::Fast => "fast",
             EngineKind::RustHdl => "rust-hdl",
+            EngineKind::Verilator => "verilator",
+            EngineKind::Icarus => "icarus",
         }
     }
 
@@ -39,6 +45,8 @@ impl EngineKind {
         match self {
             EngineKind::Fast => Ok(Box::new(Fast::new(design))),
             EngineKind::RustHdl => Ok(Box::new(RustHdl::new(design)?)),
+            EngineKind::Verilator => Ok(Box::new(Verilator::new(design, Effort::FastBuild)?)),
+            EngineKind::Icarus => Ok(Box::new(Icarus::new(design)?)),
         }
     }
 }
@@ -135,7 +143,7 @@ impl<'a> Bench<'a> {
         engine: EngineKind,
         choice: &Choice,
         outcome: &Outcome,
-        sink: &mut dyn FnMut(&Columns) -> Flow,
+        sink: &mut dyn FnMut(&Batch) -> Flow,
     ) -> Result<Option<Range<u64>>, BenchError> {
         let spans = FrameSpans::new(self.frame, self.spec);
         let whole = Stimulus::whole(&spans, &self.design);

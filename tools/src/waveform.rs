@@ -6,7 +6,7 @@ use std::ops::Range;
 use specula_hdl::Design;
 use specula_sim::gtkw::{self, View};
 use specula_sim::vcd::Waves;
-use specula_sim::{Columns, Flow};
+use specula_sim::{Batch, Flow};
 use specula_testbench::Bench;
 use specula_testbench::trace::{Choice, WORST_WINDOW};
 
@@ -81,9 +81,9 @@ struct Dump<'a> {
 }
 
 impl Dump<'_> {
-    fn append(&mut self, columns: &Columns) -> io::Result<()> {
+    fn append(&mut self, columns: &Batch) -> io::Result<()> {
         if let Some(file) = self.file.take() {
-            self.waves = Some(Waves::begin(file, self.design, &columns.nodes, self.about)?);
+            self.waves = Some(Waves::begin(file, self.design, columns.nodes(), self.about)?);
         }
         self.waves.as_mut().map_or(Ok(()), |waves| waves.append(columns))
     }

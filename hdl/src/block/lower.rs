@@ -140,7 +140,9 @@ impl<'a> Borders<'a> {
     fn child(&self, scope: ScopeId, outside: &HashMap<NodeId, u32>) -> Child {
         let module = self.module(scope);
         let (mut inputs, mut outputs) = (vec![], vec![]);
-        for (pin, wire) in module.wires.iter().enumerate() {
+        // Constants are local to each module that reads them and cross no border.
+        let variable = |(_, wire): &(usize, &Wire)| wire.wire_type().kind != AtomKind::Constant;
+        for (pin, wire) in module.wires.iter().enumerate().filter(variable) {
             let id = wire.wire_type().node;
             if let (AtomKind::InputParameter, Op::Copy(from)) = (wire.wire_type().kind, self.design.node(id).op) {
                 inputs.push((pin as u32, outside[&from]));

@@ -7,7 +7,8 @@ impl Sig {
     /// The entry of a table at this address, an unsigned integer; `entries` are raw values with `fraction_bits`, each off by no more
     /// than `error` units of the last place. An address behind the last entry reads 0.
     pub fn looked_up(&self, entries: Vec<i64>, fraction_bits: u32, error: f64) -> Sig {
-        let beyond = self.range().high >= entries.len() as i64 || self.range().low < 0;
+        assert!(self.range().low >= 0, "an address is unsigned");
+        let beyond = self.range().high >= entries.len() as i64;
         let values = entries.iter().copied().chain(beyond.then_some(0));
         let single = |value: i64| Range::single(value);
         let range = values.map(single).reduce(Range::hull).unwrap_or(single(0));
@@ -16,7 +17,8 @@ impl Sig {
         Sig::operator([self], |[address]| Op::LookUp(address, table), facts, "entry")
     }
 
-    /// A register that takes this value over while `enable` is 1 and holds what it has while it is 0; 0 at first.
+    /// A register that takes this value over while `enable` is 1 and holds what it has while it is 0. Like all
+    /// registers of data it has no reset, so it must be enabled before it is read.
     pub fn held(&self, enable: &Sig) -> Sig {
         let stage = self.stage().max(enable.stage());
         let (value, enable) = (self.aligned(stage), enable.aligned(stage));
@@ -25,8 +27,8 @@ impl Sig {
             .own_register(range, self.fraction_bits(), self.error(), stage + 1, |own| Op::Select(enable.id(), value.id(), own))
     }
 
-    /// A register that takes over `loaded` while `load` is 1, else this value while `enable` is 1, and else holds what it has; 0 at
-    /// first.
+    /// A register that takes over `loaded` while `load` is 1, else this value while `enable` is 1, and else holds what it has. It
+    /// has no reset, so it must be enabled or loaded before it is read.
     pub fn held_or_loaded(&self, enable: &Sig, load: &Sig, loaded: &Sig) -> Sig {
         let fraction_bits = self.fraction_bits().max(loaded.fraction_bits());
         let (value, loaded) = (self.with_fraction_bits(fraction_bits), loaded.with_fraction_bits(fraction_bits));

@@ -39,7 +39,7 @@ fn quadratics_are_exact() {
 
     // A parabola from the end of the range to its other end half-way and back again.
     let parabola = |steps: u32, number: usize| {
-        let end = if number % 2 == 0 { one } else { -one };
+        let end = if number.is_multiple_of(2) { one } else { -one };
         let s = i64::from(steps.max(1));
         let second = if steps < 2 { 0 } else { 16 * end / (s * s) };
         let first = if steps == 0 { 0 } else { -second * (s - 1) / 2 };
@@ -95,7 +95,7 @@ fn intensities_are_interpolated_and_clamped() {
 
     // Up and down between the ends; 1/S is rounded away from 0, so that both ends are passed.
     let packets = packets(|steps, number| {
-        let rising = number % 2 == 0;
+        let rising = number.is_multiple_of(2);
         let size = if steps == 0 { 0 } else { one / i64::from(steps) + i64::from(one % i64::from(steps) != 0) };
         vec![if rising { 0 } else { one }, if rising { size } else { -size }]
     });

@@ -1,7 +1,7 @@
 //! Rows gathered into batches.
 use specula_hdl::design::NodeId;
 
-use crate::{Columns, Flow, SimError};
+use crate::{Batch, Columns, Flow, SimError};
 
 /// Clocks handed over at a time.
 const BATCH: usize = 1024;
@@ -12,12 +12,12 @@ pub struct Batches<'a> {
     /// The clock of the next row.
     clock: u64,
     flow: Flow,
-    sink: &'a mut dyn FnMut(&Columns) -> Flow,
+    sink: &'a mut dyn FnMut(&Batch) -> Flow,
 }
 
 impl<'a> Batches<'a> {
     /// Rows of the `watched` signals from `first_clock` on, for `sink`.
-    pub fn new(watched: &[NodeId], first_clock: u64, sink: &'a mut dyn FnMut(&Columns) -> Flow) -> Batches<'a> {
+    pub fn new(watched: &[NodeId], first_clock: u64, sink: &'a mut dyn FnMut(&Batch) -> Flow) -> Batches<'a> {
         let mut columns = Columns::new(watched);
         columns.restart(first_clock);
         Batches { columns, clock: first_clock, flow: Flow::Continue, sink }
@@ -39,7 +39,7 @@ impl<'a> Batches<'a> {
 
     fn hand_over(&mut self) -> Flow {
         if self.flow == Flow::Continue && self.columns.clocks() > 0 {
-            self.flow = (self.sink)(&self.columns);
+            self.flow = (self.sink)(&self.columns.batch());
         }
         self.columns.restart(self.clock);
         self.flow
@@ -64,8 +64,8 @@ mod tests {
     #[test]
     fn rows_come_in_batches_until_they_are_not_wanted() {
         let mut sizes = vec![];
-        let mut sink = |columns: &Columns| {
-            sizes.push((columns.first_clock, columns.clocks()));
+        let mut sink = |columns: &Batch| {
+            sizes.push((columns.first_clock(), columns.clocks()));
             if sizes.len() == 2 { Flow::Stop } else { Flow::Continue }
         };
         let mut batches = Batches::new(&[NodeId(0)], 10, &mut sink);
@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn missing_rows_are_noticed() {
-        let mut sink = |_: &Columns| Flow::Continue;
+        let mut sink = |_: &Batch| Flow::Continue;
         let mut batches = Batches::new(&[NodeId(0)], 10, &mut sink);
         batches.push([1]);
         assert!(matches!(batches.finish(12, "a simulator"), Err(SimError::TooFewClocks { missing: 11, end: 12, .. })));

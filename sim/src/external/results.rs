@@ -6,7 +6,7 @@ use specula_hdl::Design;
 use specula_hdl::design::{NodeId, wrapped};
 
 use super::batches::Batches;
-use crate::{Columns, Flow, SimError};
+use crate::{Batch, Flow, SimError};
 
 /// Reads the `watched` ports of `clocks` and hands them to `sink` in batches.
 ///
@@ -18,7 +18,7 @@ pub fn read_results(
     design: &Design,
     watched: &[NodeId],
     clocks: Range<u64>,
-    sink: &mut dyn FnMut(&Columns) -> Flow,
+    sink: &mut dyn FnMut(&Batch) -> Flow,
 ) -> Result<(), SimError> {
     let shapes: Vec<(u32, bool)> = watched.iter().map(|&n| (design.node(n).width(), design.node(n).range.signed())).collect();
     let mut file = BufReader::new(file);

@@ -11,7 +11,7 @@ use specula_hdl::design::{NodeId, Op, wrapped};
 use vcd::{Command, Header, IdCode, Parser, Value};
 
 use super::batches::Batches;
-use crate::{Columns, Flow, SimError};
+use crate::{Batch, Flow, SimError};
 
 /// When a clock's values stand in a trace: clock number r of the run at time `first` + r · `period`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +44,7 @@ impl Trace<'_> {
         design: &Design,
         watched: &[NodeId],
         clocks: Range<u64>,
-        sink: &mut dyn FnMut(&Columns) -> Flow,
+        sink: &mut dyn FnMut(&Batch) -> Flow,
     ) -> Result<(), SimError> {
         let unreadable = || SimError::file("read a simulator's trace");
         let mut parser = Parser::new(BufReader::new(file));

@@ -1,6 +1,8 @@
 //! Columns in memory.
 use specula_kernels::Lane;
 
+use crate::Lanes;
+
 /// Lanes behind the batch that may be written and are never read.
 pub const PADDING: usize = 8;
 
@@ -99,15 +101,15 @@ impl Memory {
         }
     }
 
-    /// Appends lanes `from..to` (relative to this batch, from below 0 on) to `out`.
-    pub fn append(&self, place: Place, from: isize, to: isize, out: &mut Vec<i64>) {
-        let range = |history: usize| (history as isize + from) as usize..(history as isize + to) as usize;
+    /// `clocks` lanes from lane `first` of this batch on, which is below 0 for lanes of the batch before.
+    pub fn lanes(&self, place: Place, first: isize, clocks: usize) -> Lanes<'_> {
+        let range = |history: usize| {
+            let first = (history as isize + first) as usize;
+            first..first + clocks
+        };
         match place.wide {
-            true => out.extend_from_slice(&self.wide[place.index].lanes[range(self.wide[place.index].history)]),
-            false => {
-                let column = &self.narrow[place.index];
-                out.extend(column.lanes[range(column.history)].iter().map(|&lane| i64::from(lane)));
-            }
+            true => Lanes::Wide(&self.wide[place.index].lanes[range(self.wide[place.index].history)]),
+            false => Lanes::Narrow(&self.narrow[place.index].lanes[range(self.narrow[place.index].history)]),
         }
     }
 

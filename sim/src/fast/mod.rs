@@ -12,11 +12,13 @@ mod plan;
 mod schedule;
 mod step;
 
+use std::ops::Range;
+
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 pub use specula_kernels::Level;
 
-use crate::{Columns, Engine, Flow, SimError, Stimulus};
+use crate::{Batch, Engine, Flow, Lanes, SimError, Stimulus};
 use input::InputFeed;
 use plan::{Plan, Watched, plan};
 
@@ -58,12 +60,13 @@ impl Engine for Fast<'_> {
         "fast"
     }
 
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Columns) -> Flow) -> Result<(), SimError> {
+    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
         let mut run = Run::new(self.design, stimulus, watched, self.settings);
-        while run.batch() {
-            if run.columns.clocks() > 0 && sink(&run.columns) == Flow::Stop {
+        while let Some(rows) = run.evaluate() {
+            if !rows.is_empty() && sink(&run.show(rows, watched)) == Flow::Stop {
                 break;
             }
+            run.advance();
         }
         Ok(())
     }
@@ -82,9 +85,10 @@ struct Run<'a> {
     /// The clock that the next batch's first lane stands for in a column that is not ahead; negative at first, so that columns that
     /// are ahead begin with their clock 0.
     position: i64,
+    /// Clocks of this batch.
+    lanes: usize,
     /// Clocks handed over so far.
     reported: u64,
-    columns: Columns,
 }
 
 impl<'a> Run<'a> {
@@ -97,52 +101,53 @@ impl<'a> Run<'a> {
             first_clock: clocks.start,
             clocks: clocks.end - clocks.start + RESET_CLOCKS,
             position: -(plan.lead as i64),
+            lanes: 0,
             reported: RESET_CLOCKS,
-            columns: Columns::new(watched),
             plan,
         }
     }
 
-    /// Evaluates a batch and collects the watched signals; false when there is none left.
-    fn batch(&mut self) -> bool {
+    /// Evaluates a batch and says which clocks every watched column has reached with it; `None` when all clocks are done.
+    fn evaluate(&mut self) -> Option<Range<u64>> {
         let end = self.clocks as i64;
         if self.position >= end {
-            return false;
+            return None;
         }
-        let lanes = self.batch.min((end - self.position) as usize);
-        self.feed.fill(&mut self.plan.memory, self.position - RESET_CLOCKS as i64, lanes);
+        self.lanes = self.batch.min((end - self.position) as usize);
+        self.feed.fill(&mut self.plan.memory, self.position - RESET_CLOCKS as i64, self.lanes);
         for step in &mut self.plan.steps {
             // Lanes of clocks before reset.
-            let before = step.skew.map_or(0, |skew| (-(skew as i64) - self.position).clamp(0, lanes as i64) as usize);
-            step.run(&mut self.plan.memory, before, lanes);
+            let before = step.skew.map_or(0, |skew| (-(skew as i64) - self.position).clamp(0, self.lanes as i64) as usize);
+            step.run(&mut self.plan.memory, before, self.lanes);
         }
-        self.report(lanes);
-        self.plan.memory.advance(lanes);
-        self.position += lanes as i64;
-        self.position < end || self.columns.clocks() > 0
-    }
-
-    /// Collects the clocks that every watched column has reached.
-    fn report(&mut self, lanes: usize) {
         let reached = |watched: &Watched| match *watched {
-            Watched::Column { shift, .. } => self.position + lanes as i64 + shift as i64,
+            Watched::Column { shift, .. } => self.position + self.lanes as i64 + shift as i64,
             Watched::Constant(_) => i64::MAX,
         };
-        let end = self.plan.watched.iter().map(reached).min().unwrap_or(0).clamp(0, self.clocks as i64) as u64;
-        self.columns.restart(self.first_clock + self.reported - RESET_CLOCKS);
+        let end = self.plan.watched.iter().map(reached).min().unwrap_or(0).clamp(0, end) as u64;
         // At first, columns that are ahead have nothing to show.
-        if end <= self.reported {
-            return;
-        }
-        for (column, watched) in self.columns.values.iter_mut().zip(&self.plan.watched) {
-            match *watched {
-                Watched::Constant(value) => column.resize((end - self.reported) as usize, value),
-                Watched::Column { place, shift } => {
-                    let lane = |clock: u64| (clock as i64 - shift as i64 - self.position) as isize;
-                    self.plan.memory.append(place, lane(self.reported), lane(end), column);
-                }
+        let rows = self.reported..end.max(self.reported);
+        self.reported = rows.end;
+        Some(rows)
+    }
+
+    /// These clocks of the watched signals.
+    fn show<'b>(&'b self, rows: Range<u64>, nodes: &'b [NodeId]) -> Batch<'b> {
+        let clocks = (rows.end - rows.start) as usize;
+        let lanes = |watched: &Watched| match *watched {
+            Watched::Constant(value) => Lanes::Constant(value, clocks),
+            Watched::Column { place, shift } => {
+                let first = (rows.start as i64 - shift as i64 - self.position) as isize;
+                self.plan.memory.lanes(place, first, clocks)
             }
-        }
-        self.reported = end;
+        };
+        let lanes = self.plan.watched.iter().map(lanes).collect();
+        Batch::new(self.first_clock + rows.start - RESET_CLOCKS, clocks, nodes, lanes)
+    }
+
+    /// Goes on to the next batch.
+    fn advance(&mut self) {
+        self.plan.memory.advance(self.lanes);
+        self.position += self.lanes as i64;
     }
 }

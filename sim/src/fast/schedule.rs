@@ -81,11 +81,32 @@ pub fn groups(design: &Design, flow: &Flow, roots: &[NodeId]) -> Vec<Group> {
         members.sort_unstable();
         match members[..] {
             [only] if !reads_itself(only) => Group::Column(only),
-            _ => Group::Component(members),
+            _ => Group::Component(in_evaluation_order(design, flow, members)),
         }
     };
     // An edge leads from a reader to what it reads, so Tarjan's order has operands first.
     tarjan_scc(&graph).into_iter().map(group).collect()
+}
+
+/// The members of a component such that each comes behind those that it reads in the same clock.
+fn in_evaluation_order(design: &Design, flow: &Flow, members: Vec<NodeId>) -> Vec<NodeId> {
+    let reads_at_once = |id: NodeId| {
+        let sources = flow.operands(design, id).into_iter().map(|o| flow.source(o));
+        sources.filter(|s| s.delay == 0).map(|s| s.root).filter(|root| members.contains(root)).collect::<Vec<_>>()
+    };
+    let mut ordered = vec![];
+    let mut left = members.clone();
+    while !left.is_empty() {
+        let ready = |id: &NodeId| reads_at_once(*id).iter().all(|root| ordered.contains(root));
+        let next: Vec<NodeId> = left.iter().copied().filter(ready).collect();
+        if next.is_empty() {
+            // A loop without a register, which the builder cannot make: any order is as good.
+            ordered.append(&mut left);
+        }
+        left.retain(|id| !next.contains(id));
+        ordered.extend(next);
+    }
+    ordered
 }
 
 /// For each root, by how many clocks its column runs ahead: lane p holds clock p + skew.

@@ -7,7 +7,7 @@ use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 
 use crate::external::{RESULTS, TRACE, Tool, Trace, Workshop, read_results};
-use crate::{Columns, Engine, Flow, SimError, Stimulus};
+use crate::{Batch, Engine, Flow, SimError, Stimulus};
 
 use bench::Watch;
 
@@ -76,7 +76,7 @@ impl Engine for Icarus<'_> {
         "icarus"
     }
 
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Columns) -> Flow) -> Result<(), SimError> {
+    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
         if watched.is_empty() {
             return Ok(());
         }

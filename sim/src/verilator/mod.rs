@@ -7,7 +7,7 @@ use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 
 use crate::external::{RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool};
-use crate::{Columns, Engine, Flow, SimError, Stimulus};
+use crate::{Batch, Engine, Flow, SimError, Stimulus};
 
 const VERILATOR: Tool = Tool {
     name: "Verilator",
@@ -147,7 +147,7 @@ impl Engine for Verilator<'_> {
         "verilator"
     }
 
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Columns) -> Flow) -> Result<(), SimError> {
+    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
         if watched.is_empty() {
             return Ok(());
         }

@@ -1,7 +1,8 @@
 //! Every engine on one stimulus.
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
-use specula_sim::{Columns, Effort, Engine, Flow, Icarus, RustHdl, SimError, Stimulus, Verilator};
+use specula_sim::fast::{Level, Settings};
+use specula_sim::{Columns, Effort, Engine, Fast, Flow, Icarus, RustHdl, SimError, Stimulus, Verilator};
 
 use super::tools::installed;
 
@@ -9,7 +10,7 @@ use super::tools::installed;
 pub fn run(engine: &mut dyn Engine, stimulus: &Stimulus, watched: &[NodeId]) -> Result<Columns, SimError> {
     let mut all = Columns::new(watched);
     engine.run(stimulus, watched, &mut |columns| {
-        assert_eq!(columns.first_clock, if all.clocks() == 0 { stimulus.clocks().start } else { all.span().end });
+        assert_eq!(columns.first_clock(), if all.clocks() == 0 { stimulus.clocks().start } else { all.span().end });
         all.extend(columns);
         Flow::Continue
     })?;
@@ -21,6 +22,10 @@ pub fn run(engine: &mut dyn Engine, stimulus: &Stimulus, watched: &[NodeId]) -> 
 pub fn run_all(design: &Design, stimulus: &Stimulus, watched: &[NodeId]) -> (Columns, Vec<(&'static str, Columns)>) {
     let reference = run(&mut RustHdl::new(design).unwrap(), stimulus, watched).unwrap();
     let mut others = vec![];
+    for level in [Level::BASELINE, Level::best()] {
+        let mut fast = Fast::with_settings(design, Settings { batch: 61, level });
+        others.push((fast.name(), run(&mut fast, stimulus, watched).unwrap()));
+    }
     if let Some(mut verilator) = installed(Verilator::new(design, Effort::FastBuild)) {
         others.push((verilator.name(), run(&mut verilator, stimulus, watched).unwrap()));
         println!("Verilator: built in {:.1} s", verilator.build_seconds());

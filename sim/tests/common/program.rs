@@ -37,6 +37,21 @@ pub enum Operation {
     Assumed(i64, i64),
     /// Start and step, in spans of so many pixels at most.
     Accumulated(u32),
+    /// In a table of numbers with so many fraction bits.
+    LookedUp(&'static [i64], u32),
+    /// Enable second.
+    Held,
+    /// Enable, load and what is loaded behind the value.
+    HeldOrLoaded,
+}
+
+/// What a step remembers from pixel to pixel.
+#[derive(Clone, Copy, Debug, Default)]
+struct Memory {
+    /// What an accumulator holds at the next pixel of the span.
+    next: Option<Number>,
+    /// What a register holds.
+    held: Option<Number>,
 }
 
 /// Where the operator stands.
@@ -116,11 +131,11 @@ impl Program {
     /// What every step's raw value is at each pixel of the spans.
     pub fn interpret(&self, described: &Described, spans: &[SpanPacket]) -> Vec<Vec<i64>> {
         let mut columns = vec![vec![]; self.steps.len()];
+        let mut memories = vec![Memory::default(); self.steps.len()];
         for span in spans {
-            // What each accumulator holds at the pixel.
-            let mut held: Vec<Option<Number>> = vec![None; self.steps.len()];
+            memories.iter_mut().for_each(|memory| memory.next = None);
             for _ in 0..span.length {
-                let values = self.pixel(described, &span.inputs, &mut held);
+                let values = self.pixel(described, &span.inputs, &mut memories);
                 for (column, value) in columns.iter_mut().zip(&values[self.ports.len()..]) {
                     column.push(i64::try_from(value.raw).unwrap());
                 }
@@ -129,14 +144,14 @@ impl Program {
         columns
     }
 
-    fn pixel(&self, described: &Described, inputs: &[i64], held: &mut [Option<Number>]) -> Vec<Number> {
+    fn pixel(&self, described: &Described, inputs: &[i64], memories: &mut [Memory]) -> Vec<Number> {
         let input = |(&raw, port): (&i64, &InputPort)| Number { raw: raw.into(), fraction_bits: port.format.fraction_bits };
         let mut values: Vec<Number> = inputs.iter().zip(&self.ports).map(input).collect();
-        for (step, held) in self.steps.iter().zip(held) {
+        for (step, memory) in self.steps.iter().zip(memories) {
             let index = values.len();
             let range = described.ranges[index];
             let operands: Vec<Number> = step.operands.iter().map(|&o| values[o]).collect();
-            let value = meaning(step.operation, &operands, range, held);
+            let value = meaning(step.operation, &operands, range, memory);
             let proven = matches!(step.operation, Operation::Assumed(..)) || fits(range, value.raw);
             assert!(proven, "step {index} {step:?}: {value:?} is outside its proven range {range:?}");
             assert_eq!(value.fraction_bits, described.fraction_bits[index], "step {index} {step:?}");
@@ -151,7 +166,7 @@ fn fits(range: Range, raw: i128) -> bool {
 }
 
 /// What a step means.
-fn meaning(operation: Operation, operands: &[Number], range: Range, held: &mut Option<Number>) -> Number {
+fn meaning(operation: Operation, operands: &[Number], range: Range, memory: &mut Memory) -> Number {
     let operand = |i: usize| operands[i];
     match operation {
         Operation::Integer(value) => Number::integer(value),
@@ -180,11 +195,27 @@ fn meaning(operation: Operation, operands: &[Number], range: Range, held: &mut O
             None => operand(0).low_bits(range.width(), range.signed()),
         },
         Operation::Accumulated(_) => {
-            let value = Number::either(held.is_none(), operand(0), held.unwrap_or(operand(0)));
-            let value = value.plus(Number { raw: 0, ..operand(1) });
-            *held = Some(value.plus(operand(1)));
+            let value = memory.next.unwrap_or(operand(0)).plus(Number { raw: 0, ..operand(1) });
+            memory.next = Some(value.plus(operand(1)));
             value
         }
+        Operation::LookedUp(entries, fraction_bits) => {
+            let entry = usize::try_from(operand(0).raw).ok().and_then(|address| entries.get(address));
+            Number { raw: entry.copied().unwrap_or(0).into(), fraction_bits }
+        }
+        Operation::Held => memory.take(operand(1).is_set().then_some(operand(0)), operand(0)),
+        Operation::HeldOrLoaded => {
+            let taken = if operand(2).is_set() { Some(operand(3)) } else { operand(1).is_set().then_some(operand(0)) };
+            memory.take(taken, operand(0)).plus(Number { raw: 0, ..operand(3) }).plus(Number { raw: 0, ..operand(0) })
+        }
+    }
+}
+
+impl Memory {
+    /// Takes a number over, if there is one, and gives what is then held; 0 in the unit of `unit` at first.
+    fn take(&mut self, taken: Option<Number>, unit: Number) -> Number {
+        self.held = taken.or(self.held);
+        self.held.unwrap_or(Number { raw: 0, ..unit })
     }
 }
 
@@ -233,6 +264,9 @@ fn applied(b: &Builder, first: &Sig, operation: Operation, operands: &[&Sig]) ->
             operand(0).assumed(low as f64 * ulp, high as f64 * ulp, "a fact")
         }
         Operation::Accumulated(longest) => accumulated(first, operand(0), operand(1), longest),
+        Operation::LookedUp(entries, fraction_bits) => operand(0).looked_up(entries.to_vec(), fraction_bits, 0.5),
+        Operation::Held => operand(0).held(operand(1)),
+        Operation::HeldOrLoaded => operand(0).held_or_loaded(operand(1), operand(2), operand(3)),
     }
 }
 
