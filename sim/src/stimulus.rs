@@ -1,5 +1,6 @@
 //! What goes into a core, clock by clock: span after span with no idle clock between, then idle clocks until the last pixel is out.
 use std::ops::Range;
+use std::sync::Arc;
 
 use specula_hdl::{Design, SpanPacket};
 
@@ -31,7 +32,7 @@ impl SpanSource for Vec<SpanPacket> {
 pub struct Stimulus<'a> {
     spans: &'a dyn SpanSource,
     /// The clock at which each span of the source begins, and behind them the clock after the last.
-    begins: Vec<u64>,
+    begins: Arc<[u64]>,
     /// The clocks of this run.
     clocks: Range<u64>,
 }
@@ -58,7 +59,7 @@ impl<'a> Stimulus<'a> {
             clock += u64::from(spans.length(index));
             begins.push(clock);
         }
-        Stimulus { spans, begins, clocks: 0..clock + u64::from(design.latency()) + 1 }
+        Stimulus { spans, begins: begins.into(), clocks: 0..clock + u64::from(design.latency()) + 1 }
     }
 
     /// The part of the run that `window` needs: from the beginning of a span early enough that at the window's first clock every
@@ -66,8 +67,14 @@ impl<'a> Stimulus<'a> {
     ///
     /// Data takes at most the latency through the core, and accumulators are loaded at the beginning of a span.
     pub fn leading_to(&self, window: &Range<u64>, design: &Design) -> Stimulus<'a> {
-        let early = window.start.saturating_sub(u64::from(design.latency()));
-        let span = self.begins.partition_point(|&begin| begin <= early).saturating_sub(1);
+        self.reaching_back(window, design.latency().into())
+    }
+
+    /// The part of the run from the beginning of the span that enters `clocks` before `window` to the window's end.
+    pub(crate) fn reaching_back(&self, window: &Range<u64>, clocks: u64) -> Stimulus<'a> {
+        let early = window.start.saturating_sub(clocks);
+        // Behind the last span accumulators go on from it.
+        let span = self.begins.partition_point(|&begin| begin <= early).min(self.begins.len() - 1).saturating_sub(1);
         let first = self.begins[span].min(early);
         let end = window.end.min(self.clocks.end);
         Stimulus { spans: self.spans, begins: self.begins.clone(), clocks: first.max(self.clocks.start)..end }
@@ -172,7 +179,7 @@ mod tests {
     }
 
     fn stimulus(packets: &Vec<SpanPacket>, clocks: Range<u64>) -> Stimulus<'_> {
-        Stimulus { spans: packets, begins: vec![0, 3, 4, 8], clocks }
+        Stimulus { spans: packets, begins: [0, 3, 4, 8].into(), clocks }
     }
 
     #[test]

@@ -47,10 +47,10 @@ fn errors_stay_within_bounds(design: &Design, spec: &CoreSpec, frame: &Frame, si
 
 #[test]
 fn lyon_agrees() {
-    (0..100).for_each(|seed| agrees(seed, Method::Lyon));
+    (0..250).for_each(|seed| agrees(seed, Method::Lyon));
 }
 
 #[test]
 fn hybrid_agrees() {
-    (0..100).for_each(|seed| agrees(seed, Method::Hybrid));
+    (0..250).for_each(|seed| agrees(seed, Method::Hybrid));
 }

@@ -28,9 +28,12 @@ fn every_signal_agrees_with_rust_hdl_at_every_clock() {
             let nodes: Vec<NodeId> =
                 bench.design.iter().filter(|(_, n)| !matches!(n.op, Op::Constant(_))).map(|(id, _)| id).collect();
             let expected = all_columns(&mut RustHdl::new(&bench.design).unwrap(), &stimulus, &nodes);
-            for level in [Level::BASELINE, Level::best()] {
-                for batch in [1, 7, 512] {
-                    let settings = Settings { batch, level };
+            let baseline = Level::BASELINE;
+            for (batch, level, threads) in
+                [(1, baseline, 1), (7, baseline, 3), (512, baseline, 1), (7, Level::best(), 1), (512, Level::best(), 2)]
+            {
+                {
+                    let settings = Settings { batch, level, threads, piece: 50 };
                     let mut fast = Fast::with_settings(&bench.design, settings);
                     let given = all_columns(&mut fast, &stimulus, &nodes);
                     assert_eq!(given.span(), expected.span(), "{scene} {settings:?}");

@@ -1,6 +1,6 @@
 //! From a design to steps over columns.
 use std::collections::{HashMap, HashSet};
-use std::rc::Rc;
+use std::sync::Arc;
 
 use specula_hdl::Design;
 use specula_hdl::design::{Node, NodeId, Op, Range, Table, TableId};
@@ -41,6 +41,10 @@ pub struct Plan {
     pub watched: Vec<Watched>,
     /// Clocks by which the column furthest ahead is ahead.
     pub lead: u64,
+    /// Clocks before its own whose inputs a watched value depends on, up to the beginning of the span that enters then.
+    pub reach: u64,
+    /// Whether all feedback is accumulators that every span loads, so that a run may begin with any span.
+    pub restarts_with_spans: bool,
 }
 
 const NARROW: Range = Range::new(i32::MIN as i64, i32::MAX as i64);
@@ -74,11 +78,14 @@ pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> 
     for group in &order {
         planner.plan_group(group);
     }
-    let watched = watched.iter().map(|&id| planner.watch(id)).collect();
+    let watched_nodes = watched;
+    let watched = watched_nodes.iter().map(|&id| planner.watch(id)).collect();
     let inputs =
         planner.places.iter().filter(|(id, _)| design.node(**id).op == Op::Input).map(|(&id, &place)| (id, place)).collect();
+    let reach = planner.reach(&order, watched_nodes);
+    let restarts_with_spans = planner.restarts_with_spans(&order);
     let lead = skews.values().copied().max().unwrap_or(0);
-    Plan { memory: planner.memory, inputs, steps: planner.steps, watched, lead }
+    Plan { memory: planner.memory, inputs, steps: planner.steps, watched, lead, reach, restarts_with_spans }
 }
 
 struct Planner<'a> {
@@ -92,7 +99,7 @@ struct Planner<'a> {
     places: HashMap<NodeId, Place>,
     constants: HashMap<(i64, bool), Place>,
     steps: Vec<Step>,
-    tables: Rc<[Table]>,
+    tables: Arc<[Table]>,
 }
 
 impl Planner<'_> {
@@ -175,6 +182,33 @@ impl Planner<'_> {
             *keeps = (*keeps).max((self.shift(id) - earliest) as usize);
         }
         (history, last_use)
+    }
+
+    /// How far back the inputs lie that the watched values depend on.
+    fn reach(&self, order: &[Group], watched: &[NodeId]) -> u64 {
+        let mut reaches: HashMap<NodeId, u64> = HashMap::new();
+        let reach_of = |reaches: &HashMap<NodeId, u64>, id: NodeId| reaches.get(&self.flow.source(id).root).copied().unwrap_or(0);
+        for group in order {
+            for &member in group.members() {
+                let skew = self.skews[&member];
+                let variable = |o: &NodeId| self.skews.contains_key(&self.flow.source(*o).root);
+                let operands = self.flow.operands(self.design, member).into_iter().filter(variable);
+                let reach = operands.map(|o| reach_of(&reaches, o) + self.back(o, skew) as u64).max().unwrap_or(0);
+                reaches.insert(member, reach);
+            }
+        }
+        watched.iter().map(|&id| self.shift(id) + reach_of(&reaches, id)).max().unwrap_or(0)
+    }
+
+    fn restarts_with_spans(&self, order: &[Group]) -> bool {
+        order.iter().all(|group| match group {
+            Group::Component(_) => false,
+            Group::Column(root) => match self.flow.recurrences[root.0 as usize] {
+                None => true,
+                Some(Recurrence::Accumulate { first, .. }) => self.flow.source(first).root == self.design.start,
+                Some(Recurrence::Hold { .. }) => false,
+            },
+        })
     }
 
     fn watch(&mut self, id: NodeId) -> Watched {

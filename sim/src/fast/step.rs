@@ -1,5 +1,5 @@
 //! One step of a batch: a kernel with the columns it reads and writes.
-use std::rc::Rc;
+use std::sync::Arc;
 
 use specula_hdl::design::{Op, Table, wrapped};
 use specula_kernels::{Binary, Lane, Ternary, accumulate, hold, look_up};
@@ -37,7 +37,7 @@ pub enum Work {
     /// Signals that feed back on each other.
     Component(Vec<Member>),
     /// A table.
-    LookUp(Rc<[i64]>, Read),
+    LookUp(Arc<[i64]>, Read),
 }
 
 /// value = first ? start : state, then state ← value + step, wrapped.
@@ -69,7 +69,7 @@ pub struct Member {
     pub reads: Vec<Read>,
     pub width: u32,
     pub signed: bool,
-    pub tables: Rc<[Table]>,
+    pub tables: Arc<[Table]>,
 }
 
 /// A step of a batch.

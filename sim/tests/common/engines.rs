@@ -23,7 +23,7 @@ pub fn run_all(design: &Design, stimulus: &Stimulus, watched: &[NodeId]) -> (Col
     let reference = run(&mut RustHdl::new(design).unwrap(), stimulus, watched).unwrap();
     let mut others = vec![];
     for level in [Level::BASELINE, Level::best()] {
-        let mut fast = Fast::with_settings(design, Settings { batch: 61, level });
+        let mut fast = Fast::with_settings(design, Settings { batch: 61, level, threads: 2, piece: 100 });
         others.push((fast.name(), run(&mut fast, stimulus, watched).unwrap()));
     }
     if let Some(mut verilator) = installed(Verilator::new(design, Effort::FastBuild)) {
