@@ -3,12 +3,16 @@
 //! An engine takes a [`Stimulus`] and hands over the values of any signals at every clock, a batch of clocks at a time, as
 //! a [`Batch`]. Clock c is the time between two rising edges: inputs of clock c are applied, everything has settled, and the next
 //! edge ends it. Every run begins with one clock of reset before its first clock, with all registers and inputs 0.
+mod changes;
 mod columns;
+mod digits;
 mod engine;
 mod external;
 pub mod fast;
+pub mod fst;
 pub mod gtkw;
 mod icarus;
+mod outline;
 mod rust_hdl;
 mod stimulus;
 pub mod vcd;
@@ -20,4 +24,4 @@ pub use fast::Fast;
 pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
 pub use stimulus::{SpanSource, Stimulus};
-pub use verilator::{Effort, Verilator};
+pub use verilator::{Effort, Keeping, TimedVerilator, Timing, Verilator};

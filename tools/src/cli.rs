@@ -4,13 +4,14 @@ use std::io::Write;
 use clap::{Parser, Subcommand};
 
 use crate::error::ToolError;
-use crate::{cmd_generate, cmd_methods, cmd_run, cmd_scenes};
+use crate::{cmd_generate, cmd_methods, cmd_run, cmd_scenes, cmd_wave};
 
 const EXAMPLES: &str = "\
 Examples:
   specula run teapot
   specula run bunny.ply --size 320x240 --method hybrid -o out/bunny
-  specula generate scene.toml";
+  specula generate scene.toml
+  specula wave out/teapot/trace.vcd";
 
 /// Turns a scene into shading hardware that can be checked.
 #[derive(Debug, Parser)]
@@ -28,6 +29,8 @@ pub enum Command {
     Run(cmd_run::Arguments),
     /// Write the Verilog of the core for a scene, without simulating it
     Generate(cmd_generate::Arguments),
+    /// Draw a window of a waveform as text or as a picture
+    Wave(cmd_wave::Arguments),
     /// List the built-in scenes
     #[command(after_help = "Example: specula scenes")]
     Scenes,
@@ -51,6 +54,7 @@ impl Command {
         match self {
             Command::Run(arguments) => cmd_run::execute(arguments, stdout),
             Command::Generate(arguments) => cmd_generate::execute(arguments, stdout),
+            Command::Wave(arguments) => cmd_wave::execute(arguments, stdout),
             Command::Scenes => cmd_scenes::execute(stdout),
             Command::Methods => cmd_methods::execute(stdout),
         }

@@ -14,10 +14,11 @@ use crate::error::ToolError;
 use crate::header::Origin;
 use crate::output::{Destination, REPORT, Staging};
 use crate::run::{Run, Written};
-use crate::{picture, progress, report, summary, verilog, waveform};
+use crate::{picture, progress, report, summary, verilog, waveform, worst};
 
 const EXAMPLE: &str = "\
-Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd, trace.gtkw, report.md and report.json.
+Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd, trace.gtkw, worst.svg (the worst
+pixel on its way through the core), report.md and report.json.
 DIR is replaced as a whole when everything is there; files in it that Specula did not write stay.
 
 Exit status: 0 if every pixel agrees, 1 if not, 2 if the run could not be made.
@@ -80,7 +81,8 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
 fn write(arguments: &Arguments, begin: Instant, destination: &Destination, run: &Run) -> Result<String, ToolError> {
     let staging = destination.stage()?;
     let window = waveform::write(&staging, run, &waveform::choice(&arguments.trace, run.disagreement.as_ref()))?;
-    let written = Written { files: files(run.module, window.is_some()), window, wall: begin.elapsed() };
+    worst::write(&staging, run, window.as_ref())?;
+    let written = Written { files: files(run.module, &staging), window, wall: begin.elapsed() };
     let json = write_files(&staging, run, &written)?;
     staging.publish()?;
     Ok(if arguments.json { json } else { summary::summary(run, &written, &destination.shown) })
@@ -96,14 +98,14 @@ fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
 
 /// Every file that a run can write.
 fn file_names(module: &str) -> Vec<String> {
-    let fixed = [SIMULATED, EXPECTED, EXACT, ERROR, waveform::DUMP, waveform::SAVE_FILE, MARKDOWN, REPORT];
+    let fixed = [SIMULATED, EXPECTED, EXACT, ERROR, waveform::DUMP, waveform::SAVE_FILE, worst::PICTURE, MARKDOWN, REPORT];
     [verilog::file_name(module)].into_iter().chain(fixed.map(str::to_owned)).collect()
 }
 
-/// The files that this run writes.
-fn files(module: &str, traced: bool) -> Vec<String> {
-    let is_trace = |name: &str| [waveform::DUMP, waveform::SAVE_FILE].contains(&name);
-    file_names(module).into_iter().filter(|name| traced || !is_trace(name)).collect()
+/// The files that this run writes, of which the waveform and what is made of it are there if they are written at all.
+fn files(module: &str, staging: &Staging) -> Vec<String> {
+    let is_optional = |name: &str| [waveform::DUMP, waveform::SAVE_FILE, worst::PICTURE].contains(&name);
+    file_names(module).into_iter().filter(|name| !is_optional(name) || staging.file(name).exists()).collect()
 }
 
 /// Writes all but the waveform, and gives the JSON report.
@@ -119,7 +121,7 @@ fn write_files(staging: &Staging, run: &Run, written: &Written) -> Result<String
     let json = report::json(run, written).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
     for (name, text) in [
         (verilog::file_name(run.module).as_str(), &source),
-        (MARKDOWN, &report::markdown(run, written.window.as_ref())),
+        (MARKDOWN, &report::markdown(run, written)),
         (REPORT, &json),
     ] {
         fs::write(staging.file(name), text).map_err(staging.failed(name))?;

@@ -7,6 +7,8 @@ use specula_scene::SceneError;
 use specula_testbench::BenchError;
 use thiserror::Error;
 
+use crate::wave::WaveError;
+
 /// Why a command was not done; nothing has been written then.
 #[derive(Debug, Error, Diagnostic)]
 pub enum ToolError {
@@ -22,6 +24,10 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Output(#[from] OutputError),
+    /// A waveform cannot be drawn.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Wave(#[from] WaveError),
     /// `--trace` asks for what the run does not have.
     #[error("there is no {asked} to trace: the run has {there}")]
     #[diagnostic(code(specula::trace), help("choose among those, or `--trace worst`"))]

@@ -5,6 +5,7 @@ mod cmd_generate;
 mod cmd_methods;
 mod cmd_run;
 mod cmd_scenes;
+mod cmd_wave;
 mod disagreement;
 mod error;
 mod header;
@@ -17,7 +18,9 @@ mod run;
 mod summary;
 mod table;
 mod verilog;
+mod wave;
 mod waveform;
+mod worst;
 
 use std::io::{self, Write};
 use std::process::ExitCode;

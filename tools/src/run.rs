@@ -26,6 +26,11 @@ pub struct Run<'a> {
 }
 
 impl Run<'_> {
+    /// The clock that a reader wants to see: that of the first disagreement, or that in which the worst pixel leaves.
+    pub fn clock_to_look_at(&self) -> Option<u64> {
+        self.disagreement.as_ref().map(Disagreement::first_clock).or(self.outcome.worst_cycle)
+    }
+
     /// Clocks for each pixel, the way through the core included.
     pub fn cycles_per_pixel(&self) -> f64 {
         self.outcome.cycles as f64 / self.outcome.pixels.max(1) as f64

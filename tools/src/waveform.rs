@@ -94,8 +94,7 @@ impl Dump<'_> {
 }
 
 fn write_save_file(staging: &Staging, run: &Run, window: &Range<u64>) -> io::Result<()> {
-    let looked_at = run.disagreement.as_ref().map(Disagreement::first_clock).or(run.outcome.worst_cycle);
-    let marker = looked_at.filter(|clock| window.contains(clock));
+    let marker = run.clock_to_look_at().filter(|clock| window.contains(clock));
     let view = View { dump_file: DUMP, window: window.clone(), marker };
     let design = &run.bench.design;
     gtkw::write(File::create(staging.file(SAVE_FILE))?, design, &gtkw::interesting(design), &view)

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use rust_hdl_core::prelude::*;
 
 use super::{Cell, Child, Module, Wire};
-use crate::design::{Design, Node, NodeId, Op, Range, Register, ScopeId, Table};
+use crate::design::{Assumption, Design, Node, NodeId, Op, Range, Register, ScopeId, Table};
 
 /// What crosses borders, worked out once for the whole design.
 struct Borders<'a> {
@@ -53,6 +53,14 @@ impl<'a> Borders<'a> {
         }
     }
 
+    /// The stated fact by which a signal is narrower than its operand.
+    fn fact(&self, id: NodeId) -> Option<String> {
+        let node = self.design.node(id);
+        let Op::Wrap(operand) = node.op else { return None };
+        let about = |a: &&Assumption| a.node == operand && a.range == node.range;
+        self.design.assumptions.iter().find(about).map(|a| a.fact.clone())
+    }
+
     fn is_constant(&self, id: NodeId) -> bool {
         matches!(self.design.node(id).op, Op::Constant(_))
     }
@@ -92,7 +100,7 @@ impl<'a> Borders<'a> {
         let mut local = HashMap::new();
         for &id in self.members(scope) {
             local.insert(id, module.wires.len() as u32);
-            module.wires.push(Wire::new(id, self.design.node(id), self.kind(id)));
+            module.wires.push(Wire::new(id, self.design.node(id), self.kind(id), self.fact(id)));
         }
         if self.members(scope).iter().any(|&id| self.design.node(id).register == Register::Validity) {
             let node = Node {
@@ -102,7 +110,7 @@ impl<'a> Borders<'a> {
                 ..self.design.node(self.design.valid).clone()
             };
             module.reset = Some(module.wires.len() as u32);
-            module.wires.push(Wire::new(self.design.valid, &node, AtomKind::InputParameter));
+            module.wires.push(Wire::new(self.design.valid, &node, AtomKind::InputParameter, None));
         }
         local
     }
@@ -127,7 +135,7 @@ impl<'a> Borders<'a> {
     /// A wire of the module that carries the constant `id`.
     fn constant(&self, module: &mut Module, id: NodeId, constants: &mut HashMap<NodeId, u32>) -> u32 {
         let number = module.wires.len() as u32;
-        let mut wire = Wire::new(id, self.design.node(id), AtomKind::Constant);
+        let mut wire = Wire::new(id, self.design.node(id), AtomKind::Constant, None);
         if let Op::Constant(value) = self.design.node(id).op {
             (wire.value, wire.next) = (value, value);
         }

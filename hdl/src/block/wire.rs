@@ -19,6 +19,8 @@ pub struct WireType {
     pub signed: bool,
     /// Its format as text, for viewers.
     pub format: String,
+    /// The stated fact that its width rests on, if it does.
+    pub fact: Option<String>,
     id: usize,
 }
 
@@ -33,7 +35,7 @@ pub struct Wire {
 }
 
 impl Wire {
-    pub(super) fn new(id: NodeId, node: &Node, kind: AtomKind) -> Wire {
+    pub(super) fn new(id: NodeId, node: &Node, kind: AtomKind, fact: Option<String>) -> Wire {
         let wire_type = WireType {
             name: node.name.clone(),
             node: id,
@@ -41,6 +43,7 @@ impl Wire {
             width: node.width(),
             signed: node.range.signed(),
             format: node.format().to_string(),
+            fact,
             id: get_signal_id(),
         };
         Wire { value: 0, next: 0, changed: false, driven: false, wire_type: Box::new(wire_type) }

@@ -29,6 +29,8 @@ pub(super) struct State {
     unnamed: HashSet<NodeId>,
     /// What computes which signal, so that nothing is built twice in a unit.
     computed: HashMap<(ScopeId, Op, Register), NodeId>,
+    /// What the next unit's instance is to be called, if not after the unit.
+    pub instance: Option<String>,
     too_wide: Option<TooWide>,
 }
 
@@ -51,7 +53,17 @@ impl State {
         let names = CONTROL.map(|n| (ScopeId::TOP, n.to_owned())).into();
         let scope = ScopeId::TOP;
         let computed = HashMap::new();
-        State { design, target, scope, delays: HashMap::new(), names, unnamed: HashSet::new(), computed, too_wide: None }
+        State {
+            design,
+            target,
+            scope,
+            delays: HashMap::new(),
+            names,
+            unnamed: HashSet::new(),
+            computed,
+            instance: None,
+            too_wide: None,
+        }
     }
 
     pub fn is_constant(&self, id: NodeId) -> Option<i64> {
@@ -183,6 +195,13 @@ impl State {
         let mut design = self.design.clone();
         design.prune();
         Ok(design)
+    }
+
+    /// Calls the output of a unit after the signal that it delays.
+    pub fn name_delayed_output(&mut self, id: NodeId, of: NodeId) {
+        let name = format!("{}_out", self.design.node(of).name);
+        self.unnamed.insert(id);
+        self.name(id, &name);
     }
 
     /// Lets a later name take the place of the one the signal has.

@@ -27,6 +27,12 @@ impl Builder {
         self.leave(&results, outside, inside, entry)
     }
 
+    /// Calls the instance of the unit that `body` opens first `name`.
+    pub fn instance<R>(&self, name: &str, body: impl FnOnce() -> R) -> R {
+        self.state.borrow_mut().instance = Some(name.to_owned());
+        body()
+    }
+
     /// What `body` describes works within one clock: its operators get no registers, its results one each.
     pub fn in_one_clock<O: Bundle>(&self, body: impl FnOnce() -> O) -> O {
         let target = std::mem::replace(&mut self.state.borrow_mut().target, Rc::new(Unregistered));
@@ -63,7 +69,8 @@ impl Builder {
         let mut state = self.state.borrow_mut();
         let outside = state.scope;
         let inside = ScopeId(state.design.scopes.len() as u32);
-        let instance = state.unique(outside, name);
+        let called = state.instance.take();
+        let instance = state.unique(outside, called.as_deref().unwrap_or(name));
         let scope = Scope { unit: name.into(), formula: formula.into(), instance, parent: Some(outside), entry, exit: entry };
         state.design.scopes.push(scope);
         // The names of every module's control ports.
@@ -101,6 +108,9 @@ impl Builder {
         });
         let outputs = results.map(&mut |sig, _| {
             let last = sig.aligned(exit);
+            if last.id() != sig.id() {
+                self.state.borrow_mut().name_delayed_output(last.id(), sig.id());
+            }
             self.not_an_input(&last)
         });
         let mut state = self.state.borrow_mut();

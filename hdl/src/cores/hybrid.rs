@@ -11,8 +11,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<D
     let control = b.control();
     let inputs = hybrid.inputs(spec).map(|port| b.input(port));
     let pixel = Pixel { b: &b, spec, hybrid, first: &control.start, log2_shininess: &inputs.log2_shininess };
-    let q = pixel.operand(&inputs.denominator, (0.0, 1.0));
-    let lights: Vec<Light> = inputs.lights.iter().map(|light| pixel.shade(light, &q)).collect();
+    let q = b.instance("denominator", || pixel.operand(&inputs.denominator, (0.0, 1.0))).named("q");
+    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, &q)).collect();
     let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
     b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
 }
@@ -41,16 +41,21 @@ impl Pixel<'_> {
         units::quadratic(self.b, self.first, differences, limits, self.steps()).rounded(self.hybrid.formats.operand.fraction_bits)
     }
 
-    fn shade(&self, light: &HybridLight<Sig>, q: &Sig) -> Light {
+    fn shade(&self, index: usize, light: &HybridLight<Sig>, q: &Sig) -> Light {
+        let called = |unit: &str| format!("light{index}_{unit}");
+        let b = self.b;
         let formats = &self.hybrid.formats;
         let fraction_bits = formats.base.fraction_bits;
-        let p = self.operand(&light.numerator, (-1.0, 1.0));
+        let p = b.instance(&called("numerator"), || self.operand(&light.numerator, (-1.0, 1.0))).named(&called("p"));
         let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
-        let base = units::divider(self.b, &p, q, fraction_bits, smallest_q);
+        let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
         let most_squarings = self.spec.largest_shininess.ilog2();
+        let (start, step) = (&light.intensity_start, &light.intensity_step);
+        let gouraud = || units::gouraud(b, self.first, start, step, formats, self.steps());
+        let power = || units::power(b, &base, self.log2_shininess, most_squarings, fraction_bits);
         Light {
-            diffuse: units::gouraud(self.b, self.first, &light.intensity_start, &light.intensity_step, formats, self.steps()),
-            specular: units::power(self.b, &base, self.log2_shininess, most_squarings, fraction_bits),
+            diffuse: b.instance(&called("diffuse"), gouraud),
+            specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
         }

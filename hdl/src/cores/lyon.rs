@@ -19,7 +19,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
     let normal = units::interpolate(&b, span, &lyon.formats, spec.longest_span - 1);
     let (n, has_direction) = units::normalise(&b, &normal, lyon, spec.shortest_normal);
     let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
-    let lights: Vec<Light> = inputs.lights.iter().map(|light| pixel.shade(light)).collect();
+    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
     b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
 }
@@ -34,16 +34,18 @@ struct Pixel<'a> {
 }
 
 impl Pixel<'_> {
-    fn shade(&self, light: &LyonLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &LyonLight<Sig>) -> Light {
         let (b, formats) = (self.b, &self.lyon.formats);
+        let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
-        let d = match &light.halfway {
+        let d = b.instance(&called("difference"), || match &light.halfway {
             Some(halfway) => units::halfway_cross_normal(b, &Vector::new(halfway.clone()), self.n, formats),
             None => units::reflection_minus_light(b, self.n, &eye(b), &direction, formats),
-        };
+        });
+        let shape = || units::shape(b, &d, self.shininess, self.has_direction, self.lyon);
         Light {
-            diffuse: units::diffuse(b, self.n, &direction, formats),
-            specular: units::shape(b, &d, self.shininess, self.has_direction, self.lyon),
+            diffuse: b.instance(&called("diffuse"), || units::diffuse(b, self.n, &direction, formats)),
+            specular: b.instance(&called("shape"), shape),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
         }

@@ -1,10 +1,11 @@
 //! Takes out what no output needs.
-use super::{Design, NodeId, Op};
+use super::{Design, LeftOut, Node, NodeId, Op, ScopeId};
 
 impl Design {
     /// Removes signals that reach no output, keeping the order of the rest. Inputs stay: they are the core's interface.
     pub(crate) fn prune(&mut self) {
         let kept = self.needed();
+        self.note_pruned(&kept);
         let mut renumbered = vec![None; self.nodes.len()];
         let mut next = 0;
         for (old, keep) in kept.iter().enumerate() {
@@ -28,6 +29,23 @@ impl Design {
             .into_iter()
             .filter_map(|a| new(a.node).map(|node| super::Assumption { node, ..a }))
             .collect();
+    }
+
+    /// A line for each unit that loses operators or registers.
+    fn note_pruned(&mut self, kept: &[bool]) {
+        let gone =
+            |node: &Node| !matches!(node.op, Op::Constant(_) | Op::Copy(_) | Op::Wrap(_) | Op::ShiftLeft(..) | Op::ShiftRight(..));
+        for scope in (0..self.scopes.len() as u32).map(ScopeId) {
+            let pruned = self.nodes.iter().zip(kept).filter(|(node, kept)| !**kept && node.scope == scope).map(|(node, _)| node);
+            let (operators, bits) = pruned.fold((0, 0), |(operators, bits), node| {
+                (operators + u32::from(gone(node)), bits + if node.registered() { node.width() } else { 0 })
+            });
+            if operators > 0 || bits > 0 {
+                let what = format!("{operators} operators and {bits} register bits");
+                let (unit, why) = (self.path(scope).join("."), "nothing reads what they give".to_owned());
+                self.left_out.push(LeftOut { unit, what, why });
+            }
+        }
     }
 
     fn needed(&self) -> Vec<bool> {

@@ -16,22 +16,23 @@ pub struct Light {
     pub specular_coefficients: Coefficients,
 }
 
-/// The 8-bit codes of red, green and blue: c = ambient + Σ (diffuse · d + specular · f), rounded, at most 255. [METHODS A3]
+/// The 8-bit codes of red, green and blue. [METHODS A3]
 pub fn channels(b: &Builder, ambient: &Coefficients, lights: &[Light]) -> [Sig; 3] {
-    let channel = |c: usize| {
-        let terms: Vec<(Sig, Sig)> = lights.iter().flat_map(|light| terms(light, c)).collect();
-        let inputs = (("ambient", &ambient[c]), ("term", &terms));
-        b.unit("channel", "c = min(ambient + sum of coefficient x intensity, 255) [METHODS A3]", inputs, |_, (ambient, terms)| {
-            let sum = terms.iter().fold(ambient, |sum, (coefficient, intensity)| sum + coefficient * intensity);
-            sum.rounded(0).clamped_above(255).named("code")
-        })
-    };
-    [channel(0), channel(1), channel(2)]
+    let channel = |c: usize, name: &str| b.instance(&format!("{name}_channel"), || channel(b, &ambient[c], lights, c));
+    [channel(0, "red"), channel(1, "green"), channel(2, "blue")]
 }
 
-fn terms(light: &Light, channel: usize) -> [(Sig, Sig); 2] {
-    [
-        (light.diffuse_coefficients[channel].clone(), light.diffuse.clone()),
-        (light.specular_coefficients[channel].clone(), light.specular.clone()),
-    ]
+/// c = ambient + Σ (diffuse coefficient · diffuse + specular coefficient · specular), rounded, at most 255.
+fn channel(b: &Builder, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
+    let coefficients = |light: &Light| [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()];
+    let intensities = |light: &Light| [light.diffuse.clone(), light.specular.clone()];
+    let coefficients: Vec<Sig> = lights.iter().flat_map(coefficients).collect();
+    let intensities: Vec<Sig> = lights.iter().flat_map(intensities).collect();
+    let inputs = (("ambient", ambient), ("coefficient", &coefficients), ("intensity", &intensities));
+    let formula = "c = min(ambient + sum of coefficient x intensity, 255) [METHODS A3]";
+    b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities)| {
+        let sum =
+            coefficients.iter().zip(&intensities).fold(ambient, |sum, (coefficient, intensity)| sum + coefficient * intensity);
+        sum.rounded(0).clamped_above(255).named("code")
+    })
 }

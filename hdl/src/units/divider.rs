@@ -17,9 +17,10 @@ pub fn divider(b: &Builder, p: &Sig, q: &Sig, fraction_bits: u32, smallest_divis
         let whole = p.at_least(&q).named("whole");
         let proper = positive.and(&whole.not()).named("proper");
 
+        let largest = q.format().value(q.range().high).max(1.0);
         // Outside 0 < p < q the rows see 0/1 instead, so that they never overflow.
-        let mut remainder = proper.choose(&p, &zero).clamped_below(0).named("dividend");
-        let divisor = proper.choose(&q, &one).assumed(0.0, q.format().value(q.range().high).max(1.0), "q > 0").named("divisor");
+        let mut remainder = proper.choose(&p, &zero).assumed(0.0, largest, "0 <= p < q").named("dividend");
+        let divisor = proper.choose(&q, &one).assumed(0.0, largest, "q > 0").named("divisor");
         let mut quotient = zero.clone();
         for _ in 0..=fraction_bits {
             let (rest, bit) = row(b, &remainder, &divisor);
@@ -42,8 +43,9 @@ fn row(b: &Builder, remainder: &Sig, divisor: &Sig) -> (Sig, Sig) {
     b.unit("divider_row", "bit = 2r >= q, r' = 2r - bit q", (("r", remainder), ("q", divisor)), |b, (r, q)| {
         let (rest, bit) = b.in_one_clock(|| {
             let doubled = r.doubled();
-            let below = doubled.less_than(&q);
-            let rest = below.choose(&doubled, &(&doubled - &q)).assumed(0.0, largest, "0 <= r < q");
+            let difference = &doubled - &q;
+            let below = difference.less_than(&b.integer(0));
+            let rest = below.choose(&doubled, &difference).assumed(0.0, largest, "0 <= r < q");
             (rest, below.not())
         });
         (rest.named("rest"), bit.named("quotient_bit"))

@@ -61,9 +61,14 @@ fn ports(module: &Module) -> String {
             _ => continue,
         };
         let kind = format!("{direction} {}", shape(about)).trim_end().to_owned();
-        let control = about.name == "reset";
-        let comment = if control { "clears validity".into() } else { format!("{}, clock {stage}", about.format) };
-        rows.push([kind, about.name.clone(), comment]);
+        let comment = match (about.name.as_str(), about.width) {
+            ("reset", _) => "synchronous; clears validity".to_owned(),
+            (_, 1) => format!("bit, clock {stage}"),
+            _ => format!("{}, clock {stage}", about.format),
+        };
+        let row = [kind, about.name.clone(), comment];
+        // Reset belongs beside the clock.
+        if about.name == "reset" { rows.insert(1, row) } else { rows.push(row) }
     }
     aligned_rows(&rows)
 }
@@ -145,6 +150,12 @@ fn delay_chains(module: &Module) -> Vec<Vec<&Wire>> {
     chains
 }
 
+/// The format, and the fact that the width rests on.
+fn described(wire: &Wire) -> String {
+    let WireType { format, fact, .. } = wire.wire_type();
+    fact.as_ref().map_or_else(|| format.clone(), |fact| format!("{format}, since {fact}"))
+}
+
 fn gates(module: &Module, out: &mut String) {
     for cell in module.cells().filter(|c| c.register == Register::None && !matches!(c.op, Op::Constant(_))) {
         let wire = &module.wires()[cell.wire as usize];
@@ -155,7 +166,7 @@ fn gates(module: &Module, out: &mut String) {
         let value = module.expression(cell);
         let _ = match wire.wire_type().kind {
             AtomKind::OutputParameter => writeln!(out, "  assign {} = {value};", wire.wire_type().name),
-            _ => writeln!(out, "  {} = {value};  // {}", declaration("wire", wire), wire.wire_type().format),
+            _ => writeln!(out, "  {} = {value};  // {}", declaration("wire", wire), described(wire)),
         };
     }
 }

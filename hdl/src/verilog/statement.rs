@@ -128,7 +128,7 @@ fn bit(name: &str, number: u32, width: u32) -> String {
 }
 
 fn repeated(text: &str, times: u32) -> String {
-    format!("{{{times}{{{text}}}}}")
+    if times == 1 { text.to_owned() } else { format!("{{{times}{{{text}}}}}") }
 }
 
 /// The operand as a signed expression of its own width, one more for an unsigned net.
@@ -215,6 +215,13 @@ fn low_bits(operand: &Operand, width: u32) -> String {
 
 /// Both sides at one width and signed, or plain where neither can be negative.
 fn less_than(a: &Operand, b: &Operand) -> String {
+    if let (&Operand::Net { name, width, signed: true }, Operand::Literal(0)) = (a, b) {
+        // The sign.
+        return bit(name, width - 1, width);
+    }
+    if let (Operand::Literal(0), &Operand::Net { name, signed: false, .. }) = (a, b) {
+        return format!("|{name}");
+    }
     if is_unsigned(a) && is_unsigned(b) {
         let width = own_width(a).max(own_width(b));
         return format!("{} < {}", extended(a, width), extended(b, width));

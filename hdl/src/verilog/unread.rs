@@ -1,7 +1,7 @@
 //! Bits of nets that nothing reads, so that a linter need not be told to look away.
 use super::statement;
 use crate::block::{AtomKind, Module};
-use crate::design::NodeId;
+use crate::design::{NodeId, Op};
 
 /// The bits of each net that nothing in the module reads, as Verilog selections in the order of the nets.
 pub fn unread_bits(module: &Module) -> Vec<String> {
@@ -12,7 +12,11 @@ pub fn unread_bits(module: &Module) -> Vec<String> {
         for operand in cell.op.operands() {
             let index = operand.0 as usize;
             let own = module.wires()[index].wire_type().width;
-            unread[index] &= statement::unread_bits(cell.op, width, NodeId(operand.0), own);
+            let mask = match sign_alone(module, cell.op) {
+                Some(signed) if signed == operand => all[index] >> 1,
+                _ => statement::unread_bits(cell.op, width, NodeId(operand.0), own),
+            };
+            unread[index] &= mask;
         }
     }
     for child in module.children() {
@@ -24,6 +28,14 @@ pub fn unread_bits(module: &Module) -> Vec<String> {
         .filter(|(wire, _)| !read_outside(wire.wire_type().kind) && !is_reset(module, wire.wire_type().name.as_str()))
         .flat_map(|(wire, &mask)| selections(&wire.wire_type().name, wire.wire_type().width, mask))
         .collect()
+}
+
+/// The signed operand of a comparison with 0, of which only the sign is read.
+fn sign_alone(module: &Module, op: Op) -> Option<NodeId> {
+    let Op::LessThan(a, b) = op else { return None };
+    let [left, right] = [a, b].map(|id| &module.wires()[id.0 as usize]);
+    let with_zero = right.wire_type().kind == AtomKind::Constant && right.value() == 0;
+    (with_zero && left.wire_type().signed).then_some(a)
 }
 
 /// Reset is read by the registers' control, which is no operator.

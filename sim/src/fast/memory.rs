@@ -113,6 +113,20 @@ impl Memory {
         }
     }
 
+    /// Writes a column of 32-bit lanes while the others are read; it must not be among those.
+    pub fn write_narrow(&mut self, index: usize, write: impl FnOnce(&Memory, &mut Column<i32>)) {
+        let mut column = std::mem::take(&mut self.narrow[index]);
+        write(self, &mut column);
+        self.narrow[index] = column;
+    }
+
+    /// Writes a column of 64-bit lanes while the others are read; it must not be among those.
+    pub fn write_wide(&mut self, index: usize, write: impl FnOnce(&Memory, &mut Column<i64>)) {
+        let mut column = std::mem::take(&mut self.wide[index]);
+        write(self, &mut column);
+        self.wide[index] = column;
+    }
+
     /// Goes on to the next batch.
     pub fn advance(&mut self, clocks: usize) {
         self.narrow.iter_mut().for_each(|column| column.advance(clocks));

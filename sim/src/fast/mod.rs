@@ -12,6 +12,7 @@ mod parallel;
 mod plan;
 mod run;
 mod schedule;
+mod serial;
 mod step;
 
 use specula_hdl::Design;

@@ -1,10 +1,8 @@
 //! One step of a batch: a kernel with the columns it reads and writes.
-use std::sync::Arc;
+use specula_kernels::{Binary, Ternary};
 
-use specula_hdl::design::{Op, Table, wrapped};
-use specula_kernels::{Binary, Lane, Ternary, accumulate, hold, look_up};
-
-use super::memory::{Column, Memory, Place};
+use super::memory::{Memory, Place};
+use super::serial::{Member, Serial};
 
 /// A column as one reader sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,46 +28,10 @@ pub enum Work {
     ChooseNarrow(Ternary<i32>, Read, Read, Read),
     /// A multiplexer of 64 bits.
     ChooseWide(Ternary<i64>, Read, Read, Read),
-    /// An accumulator.
-    Accumulate(Accumulator),
-    /// A register with an enable.
-    Hold(Holder),
+    /// Lanes that depend on the lanes before, or on a table.
+    Serial(Serial),
     /// Signals that feed back on each other.
     Component(Vec<Member>),
-    /// A table.
-    LookUp(Arc<[i64]>, Read),
-}
-
-/// value = first ? start : state, then state ← value + step, wrapped.
-#[derive(Clone)]
-pub struct Accumulator {
-    pub first: Read,
-    pub start: Read,
-    pub step: Read,
-    pub width: u32,
-    pub signed: bool,
-    pub state: i64,
-}
-
-/// state ← enable ? value : state.
-#[derive(Clone)]
-pub struct Holder {
-    pub enable: Read,
-    pub value: Read,
-    pub state: i64,
-}
-
-/// A signal of a component.
-#[derive(Clone)]
-pub struct Member {
-    /// Its column.
-    pub out: Place,
-    /// Its operator; operands are numbers of `reads`.
-    pub op: Op,
-    pub reads: Vec<Read>,
-    pub width: u32,
-    pub signed: bool,
-    pub tables: Arc<[Table]>,
 }
 
 /// A step of a batch.
@@ -86,47 +48,37 @@ pub struct Step {
 impl Step {
     /// Evaluates lanes `from..clocks` of this batch; those below `from` belong to clocks before the first and become 0.
     pub fn run(&mut self, memory: &mut Memory, from: usize, clocks: usize) {
+        let out = self.out.index;
         match &mut self.work {
-            Work::Narrow(kernel, a, b) => {
-                let mut out = std::mem::take(&mut memory.narrow[self.out.index]);
+            Work::Narrow(kernel, a, b) => memory.write_narrow(out, |memory, out| {
                 kernel.run(out.write(0, clocks), narrow(memory, *a, clocks), narrow(memory, *b, clocks));
-                memory.narrow[self.out.index] = out;
-            }
-            Work::Widening(kernel, a, b) => {
-                let mut out = std::mem::take(&mut memory.wide[self.out.index]);
+            }),
+            Work::Widening(kernel, a, b) => memory.write_wide(out, |memory, out| {
                 kernel.run(out.write(0, clocks), narrow(memory, *a, clocks), narrow(memory, *b, clocks));
-                memory.wide[self.out.index] = out;
-            }
-            Work::Wide(kernel, a, b) => {
-                let mut out = std::mem::take(&mut memory.wide[self.out.index]);
+            }),
+            Work::Wide(kernel, a, b) => memory.write_wide(out, |memory, out| {
                 kernel.run(out.write(0, clocks), wide(memory, *a, clocks), wide(memory, *b, clocks));
-                memory.wide[self.out.index] = out;
-            }
-            Work::Narrowing(kernel, a, b) => {
-                let mut out = std::mem::take(&mut memory.narrow[self.out.index]);
+            }),
+            Work::Narrowing(kernel, a, b) => memory.write_narrow(out, |memory, out| {
                 kernel.run(out.write(0, clocks), wide(memory, *a, clocks), wide(memory, *b, clocks));
-                memory.narrow[self.out.index] = out;
-            }
-            Work::ChooseNarrow(kernel, c, a, b) => {
-                let mut out = std::mem::take(&mut memory.narrow[self.out.index]);
+            }),
+            Work::ChooseNarrow(kernel, c, a, b) => memory.write_narrow(out, |memory, out| {
                 let (a, b) = (narrow(memory, *a, clocks), narrow(memory, *b, clocks));
                 kernel.run(out.write(0, clocks), narrow(memory, *c, clocks), a, b);
-                memory.narrow[self.out.index] = out;
-            }
-            Work::ChooseWide(kernel, c, a, b) => {
-                let mut out = std::mem::take(&mut memory.wide[self.out.index]);
+            }),
+            Work::ChooseWide(kernel, c, a, b) => memory.write_wide(out, |memory, out| {
                 let (a, b) = (wide(memory, *a, clocks), wide(memory, *b, clocks));
                 kernel.run(out.write(0, clocks), narrow(memory, *c, clocks), a, b);
-                memory.wide[self.out.index] = out;
+            }),
+            Work::Serial(serial) if self.out.wide => {
+                memory.write_wide(out, |memory, out| serial.run(memory, out, from, clocks));
             }
-            Work::Accumulate(accumulator) => accumulator.run(memory, self.out, from, clocks),
-            Work::Hold(holder) => holder.run(memory, self.out, from, clocks),
+            Work::Serial(serial) => memory.write_narrow(out, |memory, out| serial.run(memory, out, from, clocks)),
             Work::Component(members) => {
                 for at in from..clocks {
                     members.iter().for_each(|member| member.evaluate(memory, at));
                 }
             }
-            Work::LookUp(table, address) => look_up_lanes(memory, self.out, table, *address, clocks),
         }
         if from > 0 {
             self.clear(memory, from);
@@ -141,101 +93,12 @@ impl Step {
     }
 }
 
-fn look_up_lanes(memory: &mut Memory, out: Place, table: &[i64], address: Read, clocks: usize) {
-    match out.wide {
-        true => {
-            let mut column = std::mem::take(&mut memory.wide[out.index]);
-            look_up(column.write(0, clocks), narrow(memory, address, clocks), table);
-            memory.wide[out.index] = column;
-        }
-        false => {
-            let mut column = std::mem::take(&mut memory.narrow[out.index]);
-            look_up(column.write(0, clocks), narrow(memory, address, clocks), table);
-            memory.narrow[out.index] = column;
-        }
-    }
-}
-
-fn narrow(memory: &Memory, read: Read, clocks: usize) -> &[i32] {
+/// The lanes of a column as a reader sees them.
+pub fn narrow(memory: &Memory, read: Read, clocks: usize) -> &[i32] {
     memory.narrow[read.place.index].read(read.back, clocks)
 }
 
-fn wide(memory: &Memory, read: Read, clocks: usize) -> &[i64] {
+/// The lanes of a column as a reader sees them.
+pub fn wide(memory: &Memory, read: Read, clocks: usize) -> &[i64] {
     memory.wide[read.place.index].read(read.back, clocks)
-}
-
-/// Runs `$body` with `$lanes` bound to the lanes of a column of either width.
-macro_rules! with_lanes {
-    ($memory:expr, $read:expr, $clocks:expr, $lanes:ident => $body:expr) => {
-        if $read.place.wide {
-            let $lanes = wide($memory, $read, $clocks);
-            $body
-        } else {
-            let $lanes = narrow($memory, $read, $clocks);
-            $body
-        }
-    };
-}
-
-impl Accumulator {
-    fn run(&mut self, memory: &mut Memory, out: Place, from: usize, clocks: usize) {
-        match out.wide {
-            true => {
-                let mut column = std::mem::take(&mut memory.wide[out.index]);
-                self.fill(memory, &mut column, from, clocks);
-                memory.wide[out.index] = column;
-            }
-            false => {
-                let mut column = std::mem::take(&mut memory.narrow[out.index]);
-                self.fill(memory, &mut column, from, clocks);
-                memory.narrow[out.index] = column;
-            }
-        }
-    }
-
-    fn fill<L: Lane>(&mut self, memory: &Memory, out: &mut Column<L>, from: usize, clocks: usize) {
-        let out = out.write(from, clocks);
-        let first = &narrow(memory, self.first, clocks)[from..];
-        let (width, signed) = (self.width, self.signed);
-        let wrap = |raw: i64| wrapped(raw, width, signed);
-        let state = &mut self.state;
-        with_lanes!(memory, self.start, clocks, start => with_lanes!(memory, self.step, clocks, step => {
-            accumulate(out, first, &start[from..], &step[from..], state, wrap)
-        }))
-    }
-}
-
-impl Holder {
-    fn run(&mut self, memory: &mut Memory, out: Place, from: usize, clocks: usize) {
-        match out.wide {
-            true => {
-                let mut column = std::mem::take(&mut memory.wide[out.index]);
-                self.fill(memory, &mut column, from, clocks);
-                memory.wide[out.index] = column;
-            }
-            false => {
-                let mut column = std::mem::take(&mut memory.narrow[out.index]);
-                self.fill(memory, &mut column, from, clocks);
-                memory.narrow[out.index] = column;
-            }
-        }
-    }
-
-    fn fill<L: Lane>(&mut self, memory: &Memory, out: &mut Column<L>, from: usize, clocks: usize) {
-        let out = out.write(from, clocks);
-        let enable = &narrow(memory, self.enable, clocks)[from..];
-        let state = &mut self.state;
-        with_lanes!(memory, self.value, clocks, value => hold(out, enable, &value[from..], state))
-    }
-}
-
-impl Member {
-    fn evaluate(&self, memory: &mut Memory, at: usize) {
-        let value = |operand: specula_hdl::design::NodeId| {
-            let read = self.reads[operand.0 as usize];
-            memory.lane(read.place, at as isize - read.back as isize)
-        };
-        let raw = self.op.evaluate(&self.tables, value);
-        memory.set_lane(self.out, at, wrapped(raw, self.width, self.signed));
-    }
 }

@@ -1,7 +1,7 @@
-//! What `main.cpp` must know of a core's ports.
+//! What `main.cpp` and `timed.cpp` must know of a core's ports.
 use std::fmt::Write;
 
-use crate::external::Ports;
+use crate::external::{Port, Ports};
 
 /// The text of `ports.h`.
 pub fn header(ports: &Ports) -> String {
@@ -19,7 +19,20 @@ pub fn header(ports: &Ports) -> String {
     switch(&mut out, "void set_input(Vcore& core, int number, uint64_t value)", inputs, "return;");
     let all = ports.all().map(|port| format!("return core.{};", port.name));
     switch(&mut out, "uint64_t port(const Vcore& core, int number)", all, "return 0;");
+    sums(&mut out, &ports.outputs);
     out
+}
+
+/// Functions that say whether a pixel leaves, and add its codes to sums.
+fn sums(out: &mut String, outputs: &[Port]) {
+    let Some((valid, codes)) = outputs.split_first() else { return };
+    let _ = writeln!(out, "\nconstexpr int CODES = {};\n", codes.len());
+    let _ = writeln!(out, "static inline bool leaves(const Vcore& core) {{ return core.{}; }}\n", valid.name);
+    let _ = writeln!(out, "static inline void add_codes(const Vcore& core, uint32_t* sums) {{");
+    for (number, code) in codes.iter().enumerate() {
+        let _ = writeln!(out, "  sums[{number}] += core.{};", code.name);
+    }
+    let _ = writeln!(out, "}}");
 }
 
 /// A function that puts a bit to a pin, or does nothing where there is none.

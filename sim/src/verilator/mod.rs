@@ -1,5 +1,7 @@
 //! Verilator: the emitted Verilog, compiled to a program.
 mod glue;
+mod program;
+mod timed;
 
 use std::time::{Duration, Instant};
 
@@ -8,6 +10,9 @@ use specula_hdl::design::NodeId;
 
 use crate::external::{RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool};
 use crate::{Batch, Engine, Flow, SimError, Stimulus};
+
+use program::{PROGRAM, Program};
+pub use timed::{Keeping, TimedVerilator, Timing};
 
 const VERILATOR: Tool = Tool {
     name: "Verilator",
@@ -58,11 +63,19 @@ enum Kind {
 }
 
 impl Kind {
-    /// Directory of its object files; the program in it is called `run`.
+    /// Directory of its object files.
     const fn directory(self) -> &'static str {
         match self {
             Kind::Ports => "ports",
             Kind::Trace => "trace",
+        }
+    }
+
+    /// Verilator's options for it.
+    const fn options(self) -> &'static [&'static str] {
+        match self {
+            Kind::Ports => &[],
+            Kind::Trace => &["--trace"],
         }
     }
 }
@@ -108,34 +121,18 @@ impl<'a> Verilator<'a> {
             return Ok(());
         }
         let begin = Instant::now();
-        VERILATOR.run(self.workshop.path(), &self.arguments(kind))?;
+        let program = Program { directory: kind.directory(), main: "main.cpp", effort: self.effort, options: kind.options() };
+        program.build(&self.workshop)?;
         self.build_time += begin.elapsed();
         self.built[kind as usize] = true;
         Ok(())
-    }
-
-    fn arguments(&self, kind: Kind) -> Vec<String> {
-        let fixed = "--cc --exe --build -j 0 -O3 -Wall --prefix Vcore -o run";
-        let mut arguments: Vec<String> = fixed.split(' ').map(str::to_owned).collect();
-        // The makefile puts its own -Os behind -CFLAGS, so they must be set as well.
-        for flags in ["OPT_FAST", "OPT_SLOW", "OPT_GLOBAL"] {
-            arguments.extend(["-MAKEFLAGS".into(), format!("{flags}={}", self.effort.option())]);
-        }
-        arguments.extend(["--top-module", &self.workshop.ports.core, "-Mdir", kind.directory()].map(str::to_owned));
-        if let Kind::Trace = kind {
-            arguments.push("--trace".into());
-        }
-        arguments.extend([self.workshop.source.clone(), "main.cpp".into()]);
-        // ports.h stands beside main.cpp, not in the directory of the object files.
-        arguments.extend(["-CFLAGS".into(), format!("-I.. {}", self.effort.option())]);
-        arguments
     }
 
     /// Builds the program if need be and runs it.
     fn execute(&mut self, kind: Kind, stimulus: &Stimulus, output: &str, ports: &[usize]) -> Result<(), SimError> {
         self.build(kind)?;
         self.workshop.write_stimulus(stimulus, self.design)?;
-        let program = self.workshop.path().join(kind.directory()).join("run");
+        let program = self.workshop.path().join(kind.directory()).join(PROGRAM);
         let files = [STIMULUS, output].map(str::to_owned);
         let arguments: Vec<String> = files.into_iter().chain(ports.iter().map(usize::to_string)).collect();
         tool::run(program.as_os_str(), self.workshop.path(), &arguments)

@@ -3,10 +3,12 @@
 //! Everything is written into a temporary folder beside its place and moved there once it is complete.
 mod folder;
 mod made;
+mod one_file;
 mod publish;
 mod verilog_file;
 
 pub use folder::Destination;
+pub use one_file::write_file;
 pub use publish::Staging;
 pub use verilog_file::write_verilog;
 

@@ -18,6 +18,11 @@ impl Canvas {
         Canvas { image: RgbImage::from_pixel(width, height, colour), dot }
     }
 
+    /// A drawing that goes on over an image.
+    pub fn over(image: RgbImage, dot: u32) -> Canvas {
+        Canvas { image, dot }
+    }
+
     /// Width of a text in pixels.
     pub fn text_width(text: &str, dot: u32) -> u32 {
         text.chars().count() as u32 * CHARACTER * dot

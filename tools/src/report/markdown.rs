@@ -1,17 +1,15 @@
 //! The report for people: what was built, how well it does, and how to go on with it.
-use std::ops::Range;
-
 use specula_testbench::ErrorFigures;
 
 use super::{facts, ports, units};
 use crate::header::bound;
 use crate::narrowing;
-use crate::run::Run;
+use crate::run::{Run, Written};
 use crate::table::markdown as table;
-use crate::waveform;
+use crate::{waveform, worst};
 
 /// `report.md`. It holds no times, so that the same run gives the same bytes.
-pub fn markdown(run: &Run, window: Option<&Range<u64>>) -> String {
+pub fn markdown(run: &Run, written: &Written) -> String {
     let sections = [
         title(run),
         result(run),
@@ -22,7 +20,7 @@ pub fn markdown(run: &Run, window: Option<&Range<u64>>) -> String {
         units(run),
         left_out(run),
         facts(run),
-        waves(window),
+        waves(run, written),
         verilog(run),
     ];
     sections.join("\n")
@@ -167,8 +165,8 @@ fn facts(run: &Run) -> String {
     )
 }
 
-fn waves(window: Option<&Range<u64>>) -> String {
-    let text = match window {
+fn waves(run: &Run, written: &Written) -> String {
+    let text = match &written.window {
         None => "None was asked for: `--trace worst` shows the clocks around the pixel with the largest error.\n".to_owned(),
         Some(window) => format!(
             "`{dump}` holds every signal in clocks {} to {}. The save file opens the interesting ones as fixed-point numbers:\n\n\
@@ -179,7 +177,16 @@ fn waves(window: Option<&Range<u64>>) -> String {
             save = waveform::SAVE_FILE
         ),
     };
-    format!("## Waveform\n\n{text}")
+    format!("## Waveform\n\n{text}{}", way(run, written))
+}
+
+/// The picture of a pixel's way, if there is one.
+fn way(run: &Run, written: &Written) -> String {
+    if !written.files.iter().any(|file| file == worst::PICTURE) {
+        return String::new();
+    }
+    let pixel = if run.disagreement.is_some() { "the first disagreement" } else { "the pixel with the largest error" };
+    format!("\nThe way of {pixel} through the core, its value of each signal marked:\n\n![way]({})\n", worst::PICTURE)
 }
 
 fn verilog(run: &Run) -> String {

@@ -1,0 +1,204 @@
+//! From a design to steps over columns.
+mod allocate;
+mod reach;
+mod select;
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use specula_hdl::Design;
+use specula_hdl::design::{Node, NodeId, Op, Range, Table};
+use specula_kernels::{Arithmetic, Bits, Level};
+
+use super::flow::{Flow, Recurrence};
+use super::fuse::{Fusion, fuse};
+use super::memory::{Memory, Place};
+use super::schedule::{Group, Needed, groups, skews};
+use super::serial::{Accumulator, Holder, Member, Serial};
+use super::step::{Step, Work};
+
+/// A signal that the caller wants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Watched {
+    /// Its value at clock c stands in lane c - `shift`.
+    Column {
+        /// The column.
+        place: Place,
+        /// Clocks between lane and value.
+        shift: u64,
+    },
+    /// It is always the same.
+    Constant(i64),
+}
+
+/// What is done for a batch of clocks.
+#[derive(Clone)]
+pub struct Plan {
+    /// The columns.
+    pub memory: Memory,
+    /// The columns of the core's inputs that are needed, by signal.
+    pub inputs: HashMap<NodeId, Place>,
+    /// The steps, in order.
+    pub steps: Vec<Step>,
+    /// The wanted signals, in the caller's order.
+    pub watched: Vec<Watched>,
+    /// Clocks by which the column furthest ahead is ahead.
+    pub lead: u64,
+    /// Clocks before its own whose inputs a watched value depends on, up to the beginning of the span that enters then.
+    pub reach: u64,
+    /// Whether all feedback is accumulators that every span loads, so that a run may begin with any span.
+    pub restarts_with_spans: bool,
+}
+
+const NARROW: Range = Range::new(i32::MIN as i64, i32::MAX as i64);
+
+fn fits_narrow(range: Range) -> bool {
+    NARROW.low <= range.low && range.high <= NARROW.high
+}
+
+/// Makes the plan for `watched`, with batches of `batch` clocks.
+pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> Plan {
+    let mut flow = Flow::of(design);
+    let all = Needed::of(design, &flow, watched);
+    let fusion = fuse(design, &mut flow, &all.roots, watched, &|id| all.in_component.contains(&id));
+    let needed = Needed::of(design, &flow, watched);
+    let order = groups(design, &flow, &needed.roots);
+    let skews = skews(design, &flow, &order);
+    let mut planner = Planner {
+        design,
+        flow: &flow,
+        fusion: &fusion,
+        skews: &skews,
+        level,
+        batch,
+        memory: Memory::default(),
+        places: HashMap::new(),
+        constants: HashMap::new(),
+        steps: vec![],
+        tables: design.tables.clone().into(),
+    };
+    planner.allocate(&order, watched);
+    for group in &order {
+        planner.plan_group(group);
+    }
+    let watched_nodes = watched;
+    let watched = watched_nodes.iter().map(|&id| planner.watch(id)).collect();
+    let inputs =
+        planner.places.iter().filter(|(id, _)| design.node(**id).op == Op::Input).map(|(&id, &place)| (id, place)).collect();
+    let reach = planner.reach(&order, watched_nodes);
+    let restarts_with_spans = planner.restarts_with_spans(&order);
+    let lead = skews.values().copied().max().unwrap_or(0);
+    Plan { memory: planner.memory, inputs, steps: planner.steps, watched, lead, reach, restarts_with_spans }
+}
+
+struct Planner<'a> {
+    design: &'a Design,
+    flow: &'a Flow,
+    fusion: &'a Fusion,
+    skews: &'a HashMap<NodeId, u64>,
+    level: Level,
+    batch: usize,
+    memory: Memory,
+    places: HashMap<NodeId, Place>,
+    constants: HashMap<(i64, bool), Place>,
+    steps: Vec<Step>,
+    tables: Arc<[Table]>,
+}
+
+impl Planner<'_> {
+    fn node(&self, id: NodeId) -> &Node {
+        self.design.node(id)
+    }
+
+    fn is_wide(&self, root: NodeId) -> bool {
+        !fits_narrow(self.node(self.fusion.stored(root)).range)
+    }
+
+    fn shift(&self, id: NodeId) -> u64 {
+        let source = self.flow.source(id);
+        self.skews.get(&source.root).copied().unwrap_or(0) + u64::from(source.delay)
+    }
+
+    /// Clocks that a reader of skew `skew` looks back into the column of `operand`.
+    fn back(&self, operand: NodeId, skew: u64) -> usize {
+        // A group's skew is the smallest of its operands' shifts, so this is not negative.
+        (self.shift(operand) - skew) as usize
+    }
+
+    fn watch(&mut self, id: NodeId) -> Watched {
+        let root = self.flow.source(id).root;
+        match self.node(root).op {
+            Op::Constant(value) => Watched::Constant(value),
+            _ => Watched::Column { place: self.places[&root], shift: self.shift(id) },
+        }
+    }
+
+    fn plan_group(&mut self, group: &Group) {
+        match group {
+            Group::Column(root) => self.plan_root(*root),
+            Group::Component(members) => self.plan_component(members),
+        }
+    }
+
+    fn plan_root(&mut self, root: NodeId) {
+        let node = self.node(root).clone();
+        let skew = self.skews[&root];
+        let out = self.places[&root];
+        if let Some(recurrence) = self.flow.recurrences[root.0 as usize] {
+            let work = self.recurrence(recurrence, skew);
+            self.steps.push(Step { out, skew: Some(skew), work });
+            return;
+        }
+        let post = self.fusion.post(root);
+        let work = match node.op {
+            Op::Input | Op::Constant(_) => return,
+            Op::Copy(a) | Op::ShiftRight(a, _) | Op::Wrap(a) => self.arithmetic(Arithmetic::Copy, root, a, a, post),
+            Op::Add(a, b) => self.arithmetic(Arithmetic::Add, root, a, b, post),
+            Op::Sub(a, b) => self.arithmetic(Arithmetic::Sub, root, a, b, post),
+            Op::Mul(a, b) => self.arithmetic(Arithmetic::Mul, root, a, b, post),
+            Op::LessThan(a, b) => Some(self.less_than(a, b, skew)),
+            Op::Select(c, a, b) => self.select(root, c, a, b),
+            Op::And(a, b) => self.bitwise(Bits::And, root, a, b),
+            Op::Or(a, b) => self.bitwise(Bits::Or, root, a, b),
+            Op::ShiftLeft(..) | Op::Not(_) => self.by_constant(root, node.op),
+            Op::LookUp(address, table) => self.look_up(root, address, table),
+        };
+        match work {
+            Some(work) => self.steps.push(Step { out, skew: Some(skew), work }),
+            // Nothing of this kind comes from the builder; what does is evaluated clock by clock, which is always right.
+            None => self.plan_component(&[root]),
+        }
+    }
+
+    fn recurrence(&mut self, recurrence: Recurrence, skew: u64) -> Work {
+        match recurrence {
+            Recurrence::Accumulate { first, start, step, state } => {
+                let range = self.node(state).range;
+                let (width, signed) = (range.width(), range.signed());
+                let (first, start, step) = (self.read(first, skew), self.read(start, skew), self.read(step, skew));
+                Work::Serial(Serial::Accumulate(Accumulator { first, start, step, width, signed, state: 0 }))
+            }
+            Recurrence::Hold { enable, value } => {
+                Work::Serial(Serial::Hold(Holder { enable: self.read(enable, skew), value: self.read(value, skew), state: 0 }))
+            }
+        }
+    }
+
+    fn plan_component(&mut self, members: &[NodeId]) {
+        let skew = self.skews[&members[0]];
+        let member = |this: &mut Self, id: NodeId| {
+            let node = this.node(id).clone();
+            let mut reads = vec![];
+            let op = node.op.map(|operand| {
+                reads.push(operand);
+                NodeId(reads.len() as u32 - 1)
+            });
+            let reads = reads.into_iter().map(|operand| this.read(operand, skew)).collect();
+            let tables = this.tables.clone();
+            Member { out: this.places[&id], op, reads, width: node.width(), signed: node.range.signed(), tables }
+        };
+        let members: Vec<Member> = members.iter().map(|&id| member(self, id)).collect();
+        let out = members[0].out;
+        self.steps.push(Step { out, skew: Some(skew), work: Work::Component(members) });
+    }
+}

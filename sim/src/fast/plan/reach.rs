@@ -1,0 +1,38 @@
+//! How much of the past a plan depends on.
+use std::collections::HashMap;
+
+use specula_hdl::design::NodeId;
+
+use super::Planner;
+use crate::fast::flow::Recurrence;
+use crate::fast::schedule::Group;
+
+impl Planner<'_> {
+    /// How far back the inputs lie that the watched values depend on.
+    pub(super) fn reach(&self, order: &[Group], watched: &[NodeId]) -> u64 {
+        let mut reaches: HashMap<NodeId, u64> = HashMap::new();
+        let reach_of = |reaches: &HashMap<NodeId, u64>, id: NodeId| reaches.get(&self.flow.source(id).root).copied().unwrap_or(0);
+        for group in order {
+            for &member in group.members() {
+                let skew = self.skews[&member];
+                let variable = |o: &NodeId| self.skews.contains_key(&self.flow.source(*o).root);
+                let operands = self.flow.operands(self.design, member).into_iter().filter(variable);
+                let reach = operands.map(|o| reach_of(&reaches, o) + self.back(o, skew) as u64).max().unwrap_or(0);
+                reaches.insert(member, reach);
+            }
+        }
+        watched.iter().map(|&id| self.shift(id) + reach_of(&reaches, id)).max().unwrap_or(0)
+    }
+
+    /// Whether all feedback is accumulators that the beginning of a span loads.
+    pub(super) fn restarts_with_spans(&self, order: &[Group]) -> bool {
+        order.iter().all(|group| match group {
+            Group::Component(_) => false,
+            Group::Column(root) => match self.flow.recurrences[root.0 as usize] {
+                None => true,
+                Some(Recurrence::Accumulate { first, .. }) => self.flow.source(first).root == self.design.start,
+                Some(Recurrence::Hold { .. }) => false,
+            },
+        })
+    }
+}

@@ -1,0 +1,83 @@
+//! Ranges of what is drawn.
+use specula_hdl::Design;
+use specula_hdl::design::{NodeId, Op, Range};
+
+use crate::common::random::Random;
+
+/// Widths at which lanes, products and sums change their kind come up often.
+const WIDTHS: [u32; 16] = [1, 2, 3, 5, 8, 8, 12, 15, 16, 17, 30, 31, 32, 33, 62, 63];
+
+pub fn bit() -> Range {
+    Range::new(0, 1)
+}
+
+pub fn is_bit(range: Range) -> bool {
+    0 <= range.low && range.high <= 1
+}
+
+pub fn width(random: &mut Random) -> u32 {
+    if random.below(3) == 0 { random.between(1, 63) as u32 } else { WIDTHS[random.below(WIDTHS.len())] }
+}
+
+/// Every value of some width.
+pub fn whole(random: &mut Random) -> Range {
+    Range::whole(width(random), random.below(2) == 0)
+}
+
+/// A range with 0 in it, that fills its width or not.
+pub fn around_zero(random: &mut Random) -> Range {
+    let whole = whole(random);
+    match random.below(3) {
+        0 => Range::new(random.between(whole.low, 0), random.between(0, whole.high)),
+        _ => whole,
+    }
+}
+
+/// A constant, small ones and powers of two more often.
+pub fn constant(random: &mut Random) -> i64 {
+    match random.below(4) {
+        0 => 1,
+        1 => random.between(-9, 9),
+        2 => 1 << random.below(40),
+        _ => {
+            let whole = whole(random);
+            random.between(whole.low, whole.high)
+        }
+    }
+}
+
+/// Every value that the operator can give; `None` if it does not fit 63 bits, or if the result's width is its own choice.
+pub fn of(design: &Design, op: Op) -> Option<Range> {
+    let range = |id: NodeId| design.node(id).range;
+    match op {
+        Op::Input | Op::Wrap(_) => None,
+        Op::Constant(value) => Some(Range::single(value)),
+        Op::Copy(a) => Some(range(a)),
+        Op::Add(a, b) => range(a).plus(range(b)).narrow().ok(),
+        Op::Sub(a, b) => range(a).minus(range(b)).narrow().ok(),
+        Op::Mul(a, b) if unregistered(design, a) == unregistered(design, b) => range(a).squared().narrow().ok(),
+        Op::Mul(a, b) => range(a).times(range(b)).narrow().ok(),
+        Op::ShiftLeft(a, bits) => range(a).shifted_left(bits).narrow().ok(),
+        Op::ShiftRight(a, bits) => Some(range(a).shifted_right(bits)),
+        Op::LessThan(..) | Op::Not(_) => Some(bit()),
+        Op::And(a, b) | Op::Or(a, b) => Some(bits_of(range(a)).hull(bits_of(range(b)))),
+        Op::Select(_, a, b) => Some(range(a).hull(range(b))),
+        Op::LookUp(at, table) => {
+            let entries = &design.tables[table.0 as usize].entries;
+            let beyond = (range(at).high >= entries.len() as i64).then_some(0);
+            entries.iter().copied().chain(beyond).map(Range::single).reduce(Range::hull)
+        }
+    }
+}
+
+/// The signal that this one is another name of.
+fn unregistered(design: &Design, id: NodeId) -> NodeId {
+    match design.node(id) {
+        node if node.registered() => id,
+        node => if let Op::Copy(from) = node.op { unregistered(design, from) } else { id },
+    }
+}
+
+fn bits_of(range: Range) -> Range {
+    Range::whole(range.width(), range.signed())
+}

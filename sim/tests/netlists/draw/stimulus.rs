@@ -1,0 +1,32 @@
+//! What goes in.
+use specula_hdl::design::Range;
+use specula_hdl::{Design, SpanPacket};
+
+use crate::common::random::Random;
+use crate::profile::Profile;
+
+/// Spans of random inputs; some inputs stay the same for long.
+pub fn packets(random: &mut Random, design: &Design, profile: Profile) -> Vec<SpanPacket> {
+    let ranges: Vec<Range> = design.inputs.iter().map(|id| id.map_or(Range::single(0), |id| design.node(id).range)).collect();
+    let steady: Vec<bool> = ranges.iter().map(|_| random.below(3) == 0).collect();
+    let mut inputs: Vec<i64> = ranges.iter().map(|&range| value(random, range)).collect();
+    let mut packets = vec![];
+    for _ in 0..profile.spans {
+        for ((input, &range), &steady) in inputs.iter_mut().zip(&ranges).zip(&steady) {
+            if !steady || random.below(10) == 0 {
+                *input = value(random, range);
+            }
+        }
+        packets.push(SpanPacket { length: random.between(1, profile.longest.into()) as u32, inputs: inputs.clone() });
+    }
+    packets
+}
+
+fn value(random: &mut Random, range: Range) -> i64 {
+    match random.below(6) {
+        0 => range.low,
+        1 => range.high,
+        2 => random.between(-2, 2).clamp(range.low, range.high),
+        _ => random.between(range.low, range.high),
+    }
+}

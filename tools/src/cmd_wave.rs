@@ -1,0 +1,116 @@
+//! `specula wave`: a window of a waveform as text or as a picture.
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::cli::Verdict;
+use crate::error::ToolError;
+use crate::output::write_file;
+use crate::picture;
+use crate::wave::{self, Asked, Figure, Selection, View, WaveError};
+
+const NOTES: &str = "\
+Numbers are fixed-point where the format is known: from GTKWave's save file beside FILE, of the same name and ending in
+.gtkw, as `specula run` writes it. Others are hexadecimal. Without --signals and --unit, the signals that the save file
+shows are drawn, or without one the outermost unit's.
+
+Time is counted in clocks if a signal named `clock` or `clk` rises at a constant pace: clock c begins with a rising edge.
+Otherwise it is counted in the file's units of time.
+
+Example: specula wave out/teapot/trace.vcd --unit normalise -o normalise.svg";
+
+/// Arguments of `wave`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = NOTES)]
+pub struct Arguments {
+    /// A waveform: VCD or FST, of any tool
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Draw signals whose full names match, such as 'teapot.normalise.*' (`*` and `?`; can be given more than once)
+    #[arg(long, value_name = "GLOB")]
+    signals: Vec<String>,
+    /// Draw signals of the unit with this name
+    #[arg(long, value_name = "NAME")]
+    unit: Option<String>,
+    /// First clock to be drawn, or first time [default: around the save file's marker, or the file's begin]
+    #[arg(long, value_name = "A")]
+    from: Option<u64>,
+    /// Last clock to be drawn, or last time
+    #[arg(long, value_name = "B")]
+    to: Option<u64>,
+    /// Picture to write, .svg or .png [default: text on standard output]
+    #[arg(short, long, value_name = "PICTURE")]
+    output: Option<PathBuf>,
+}
+
+/// Clocks in a picture where nobody says how many.
+const USUAL: u64 = 24;
+/// Characters in a line where nobody's terminal is asked.
+const WIDTH: usize = 120;
+/// Characters in a line, at least and at most, whatever the terminal says.
+const WIDTHS: std::ops::RangeInclusive<usize> = 60..=400;
+
+/// What is made of the figure.
+enum Target<'a> {
+    Text { width: usize },
+    Svg(&'a Path),
+    Png(&'a Path),
+}
+
+impl Arguments {
+    fn target(&self) -> Result<Target<'_>, WaveError> {
+        let Some(path) = &self.output else { return Ok(Target::Text { width: width() }) };
+        match path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).as_deref() {
+            Some("svg") => Ok(Target::Svg(path)),
+            Some("png") => Ok(Target::Png(path)),
+            _ => Err(WaveError::Picture { path: path.clone() }),
+        }
+    }
+}
+
+/// Draws the waveform; of a picture says where it is.
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    let target = arguments.target()?;
+    let figure = figure(arguments, &target)?;
+    let said = match target {
+        Target::Text { width } => wave::text(&figure, width),
+        Target::Svg(path) => {
+            write_file(path, |path| fs::write(path, wave::svg(&figure)))?;
+            said(path, &figure)
+        }
+        Target::Png(path) => {
+            let drawing = wave::png(&figure)?;
+            write_file(path, |path| picture::write_drawing(path, &drawing))?;
+            said(path, &figure)
+        }
+    };
+    write!(stdout, "{said}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
+    Ok(Verdict::Done)
+}
+
+fn figure(arguments: &Arguments, target: &Target) -> Result<Figure, WaveError> {
+    let mut view = View::open(&arguments.file)?;
+    let choice = view.choose(&Selection { patterns: arguments.signals.clone(), unit: arguments.unit.clone() })?;
+    let mut figure = |usual| view.figure(&choice, &Asked { from: arguments.from, to: arguments.to, usual });
+    match *target {
+        Target::Svg(_) | Target::Png(_) => figure(USUAL),
+        // How many clocks fit shows once their values are known.
+        Target::Text { width } => {
+            let widest = figure(wave::most_columns(width))?;
+            figure(wave::columns_beside(&widest, width))
+        }
+    }
+}
+
+/// What is said of a picture.
+fn said(path: &Path, figure: &Figure) -> String {
+    format!("{}: {}, {} signals\n", path.display(), figure.title, figure.rows().count())
+}
+
+/// The terminal's width; a pipe has none.
+fn width() -> usize {
+    let terminal = terminal_size::terminal_size_of(io::stdout());
+    terminal.map_or(WIDTH, |(width, _)| usize::from(width.0)).clamp(*WIDTHS.start(), *WIDTHS.end())
+}

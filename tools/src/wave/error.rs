@@ -1,0 +1,115 @@
+//! Why a waveform cannot be drawn.
+use std::io;
+use std::path::PathBuf;
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Why a waveform cannot be drawn.
+#[derive(Debug, Error, Diagnostic)]
+pub enum WaveError {
+    /// The system does not give the file.
+    #[error("`{}` cannot be read: {reason}", path.display())]
+    #[diagnostic(code(specula::wave::unreadable), help("check the path; `specula run` writes its waveform as `trace.vcd`"))]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        reason: io::Error,
+    },
+    /// The file is of another kind.
+    #[error("`{}` is neither a VCD nor an FST file", path.display())]
+    #[diagnostic(
+        code(specula::wave::kind),
+        help("give what a simulator dumped: `trace.vcd` of `specula run`, or what `$dumpfile` names in a Verilog simulator")
+    )]
+    Kind {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file begins well, and then something is wrong.
+    #[error("`{}` is damaged or incomplete: {reason}", path.display())]
+    #[diagnostic(
+        code(specula::wave::damaged),
+        help("let the simulation end before its dump is read, copy the file again, or convert it with another tool")
+    )]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// There is nothing in the file that could be drawn.
+    #[error("`{}` holds no {missing}", path.display())]
+    #[diagnostic(code(specula::wave::empty), help("dump at least one signal over some time, in Verilog with `$dumpvars`"))]
+    Empty {
+        /// The file.
+        path: PathBuf,
+        /// What it should hold.
+        missing: &'static str,
+    },
+    /// The save file beside the dump cannot be used.
+    #[error("the save file `{}` cannot be read: {reason}", path.display())]
+    #[diagnostic(
+        code(specula::wave::save_file),
+        help("formats of values are taken from it; mend it, or move it away to see values as hexadecimal numbers")
+    )]
+    SaveFile {
+        /// The save file.
+        path: PathBuf,
+        /// What the system says.
+        reason: io::Error,
+    },
+    /// No signal has the name.
+    #[error("no signal is named `{pattern}`")]
+    #[diagnostic(
+        code(specula::wave::signals),
+        help("`*` and `?` match in full names, `top.unit.signal`, dots too; there are, for example, {there}")
+    )]
+    Signals {
+        /// What was asked for.
+        pattern: String,
+        /// Some names that there are.
+        there: String,
+    },
+    /// No unit has the name.
+    #[error("no unit is named `{unit}`")]
+    #[diagnostic(code(specula::wave::unit), help("there are {there}; a signal's full name is that of `--signals`"))]
+    Unit {
+        /// What was asked for.
+        unit: String,
+        /// Units that there are.
+        there: String,
+    },
+    /// The window is empty or outside of the file.
+    #[error("there is nothing to draw from {from} to {to}: the file has {unit} {first} to {last}")]
+    #[diagnostic(code(specula::wave::window), help("give a `--from` and a `--to` among those, `--to` not before `--from`"))]
+    Window {
+        /// `--from`.
+        from: u64,
+        /// `--to`.
+        to: u64,
+        /// What they count.
+        unit: String,
+        /// The first there is.
+        first: u64,
+        /// The last there is.
+        last: u64,
+    },
+    /// A picture of that would be of no use.
+    #[error("a drawing of {signals} signals and {length} instants is too large")]
+    #[diagnostic(code(specula::wave::large), help("choose fewer signals with `--signals` or a shorter time with `--from` and `--to`"))]
+    Large {
+        /// Rows.
+        signals: usize,
+        /// Instants at which they may change.
+        length: u64,
+    },
+    /// The picture's file name does not say what to write.
+    #[error("`{}` is the name of no picture that can be written", path.display())]
+    #[diagnostic(code(specula::wave::picture), help("end it in `.svg` or `.png`, or leave `-o` out to have the waveform as text"))]
+    Picture {
+        /// The name.
+        path: PathBuf,
+    },
+}

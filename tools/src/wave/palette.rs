@@ -1,0 +1,85 @@
+//! Colours of what is drawn, on light and on dark paper.
+use super::sheet::Ink;
+
+/// A colour: red, green and blue.
+pub type Colour = [u8; 3];
+
+/// How an ink paints: areas and words are filled, lines and borders are stroked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Paint {
+    /// Colour of an area or of words.
+    pub fill: Option<Colour>,
+    /// Colour of lines.
+    pub stroke: Option<Colour>,
+}
+
+/// Every ink, those of areas before those of words.
+pub const INKS: [Ink; 14] = [
+    Ink::Paper,
+    Ink::Marker,
+    Ink::Grid,
+    Ink::Level,
+    Ink::Cell,
+    Ink::Unknown,
+    Ink::Highlight,
+    Ink::Title,
+    Ink::Unit,
+    Ink::Name,
+    Ink::Aside,
+    Ink::Value,
+    Ink::HighlightValue,
+    Ink::MarkerNumber,
+];
+
+/// On light paper.
+pub fn light(ink: Ink) -> Paint {
+    match ink {
+        Ink::Paper => fill(0xff_ffff),
+        Ink::Marker => fill(0xff_f3cd),
+        Ink::Grid => stroke(0xd8_dee4),
+        Ink::Level => stroke(0x1a_7f37),
+        Ink::Cell => both(0xf3_f6f9, 0x6e_7781),
+        Ink::Unknown => both(0xff_d8d3, 0xc4_432b),
+        Ink::Highlight => both(0xff_df8e, 0x9a_6700),
+        Ink::Title | Ink::Name | Ink::Value => fill(0x1f_2328),
+        Ink::Unit => fill(0x05_50ae),
+        Ink::Aside => fill(0x59_636e),
+        Ink::HighlightValue => fill(0x3d_2a00),
+        Ink::MarkerNumber => fill(0x7d_4e00),
+    }
+}
+
+/// On dark paper.
+pub fn dark(ink: Ink) -> Paint {
+    match ink {
+        Ink::Paper => fill(0x0d_1117),
+        Ink::Marker => fill(0x2b_230d),
+        Ink::Grid => stroke(0x26_2c36),
+        Ink::Level => stroke(0x56_d364),
+        Ink::Cell => both(0x1a_212b, 0x8b_949e),
+        Ink::Unknown => both(0x5a_1e17, 0xff_7b72),
+        Ink::Highlight => both(0x7a_5600, 0xe3_b341),
+        Ink::Title | Ink::Name | Ink::Value => fill(0xe6_edf3),
+        Ink::Unit => fill(0x79_c0ff),
+        Ink::Aside => fill(0x91_98a1),
+        Ink::HighlightValue => fill(0xff_f8e6),
+        Ink::MarkerNumber => fill(0xe3_b341),
+    }
+}
+
+fn fill(rgb: u32) -> Paint {
+    Paint { fill: Some(colour(rgb)), stroke: None }
+}
+
+fn stroke(rgb: u32) -> Paint {
+    Paint { fill: None, stroke: Some(colour(rgb)) }
+}
+
+fn both(area: u32, border: u32) -> Paint {
+    Paint { fill: Some(colour(area)), stroke: Some(colour(border)) }
+}
+
+fn colour(rgb: u32) -> Colour {
+    let [_, red, green, blue] = rgb.to_be_bytes();
+    [red, green, blue]
+}

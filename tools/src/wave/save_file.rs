@@ -1,0 +1,185 @@
+//! GTKWave's save file beside a dump: which signals to show, in which formats, and the marker.
+//!
+//! What is read is what Specula writes (see `gtkw.rs` in `sim/`), which GTKWave keeps when it saves. Other lines are passed over.
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use super::error::WaveError;
+use super::value::Notation;
+
+/// Bits of GTKWave's flags (`TraceEntFlagBits` of its `analyzer.h`).
+mod flag {
+    pub const DECIMAL: u64 = 1 << 2;
+    pub const BINARY: u64 = 1 << 3;
+    pub const SIGNED_DECIMAL: u64 = 1 << 10;
+    pub const CLOSED: u64 = 1 << 22;
+    pub const GROUP_BEGIN: u64 = 1 << 23;
+    pub const GROUP_END: u64 = 1 << 24;
+    pub const FIXED_POINT: u64 = 1 << 30;
+}
+
+/// A save file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SaveFile {
+    /// Its signals, in its order.
+    pub signals: Vec<SavedSignal>,
+    /// The time that is marked.
+    pub marker: Option<u64>,
+}
+
+/// A signal of a save file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SavedSignal {
+    /// Its full name, without the range of its bits.
+    pub name: String,
+    /// How its values are written.
+    pub notation: Notation,
+    /// Whether it can be seen: not in a group that is closed.
+    pub visible: bool,
+}
+
+impl SaveFile {
+    /// The save file beside a dump: of the same name, with the ending `.gtkw`. None if there is none.
+    ///
+    /// # Errors
+    /// [`WaveError::SaveFile`] if there is one and it cannot be read.
+    pub fn beside(dump: &Path) -> Result<Option<SaveFile>, WaveError> {
+        let path = dump.with_extension("gtkw");
+        match fs::read_to_string(&path) {
+            Ok(text) => Ok(Some(SaveFile::parse(&text))),
+            Err(reason) if reason.kind() == io::ErrorKind::NotFound => Ok(None),
+            Err(reason) => Err(WaveError::SaveFile { path, reason }),
+        }
+    }
+
+    /// Reads a save file's text.
+    pub fn parse(text: &str) -> SaveFile {
+        let mut reader = Reader::default();
+        text.lines().for_each(|line| reader.line(line.trim_end()));
+        reader.file
+    }
+}
+
+/// A save file while it is read.
+#[derive(Default)]
+struct Reader {
+    file: SaveFile,
+    flags: u64,
+    fraction_bits: u32,
+    /// Groups around the line, whether closed, the outermost first.
+    closed: Vec<bool>,
+}
+
+impl Reader {
+    fn line(&mut self, line: &str) {
+        match line.as_bytes().first() {
+            Some(b'@') => self.begin(u64::from_str_radix(&line[1..], 16).unwrap_or(0)),
+            Some(b'[') => self.fraction_bits = fraction_bits(line).unwrap_or(self.fraction_bits),
+            Some(b'*') => self.file.marker = marker(line),
+            Some(b'-') => self.group(),
+            // Groups of bits (#), aliases (+) and translations (^) are of GTKWave's own making.
+            None | Some(b'#' | b'+' | b'^') => {}
+            Some(_) => self.signal(line),
+        }
+    }
+
+    /// What holds for the lines that follow.
+    fn begin(&mut self, flags: u64) {
+        (self.flags, self.fraction_bits) = (flags, 0);
+    }
+
+    fn group(&mut self) {
+        if self.flags & flag::GROUP_BEGIN != 0 {
+            self.closed.push(self.flags & flag::CLOSED != 0);
+        } else if self.flags & flag::GROUP_END != 0 {
+            self.closed.pop();
+        }
+    }
+
+    fn signal(&mut self, line: &str) {
+        let visible = !self.closed.contains(&true);
+        let name = without_range(line).to_owned();
+        self.file.signals.push(SavedSignal { name, notation: self.notation(), visible });
+    }
+
+    fn notation(&self) -> Notation {
+        let fraction_bits = if self.flags & flag::FIXED_POINT != 0 { self.fraction_bits } else { 0 };
+        match self.flags {
+            flags if flags & flag::SIGNED_DECIMAL != 0 => Notation::Decimal { signed: true, fraction_bits },
+            flags if flags & flag::DECIMAL != 0 => Notation::Decimal { signed: false, fraction_bits },
+            flags if flags & flag::BINARY != 0 => Notation::Binary,
+            _ => Notation::Hexadecimal,
+        }
+    }
+}
+
+fn fraction_bits(line: &str) -> Option<u32> {
+    line.strip_prefix("[fpshift_count] ")?.parse().ok().filter(|&bits| bits <= 1024)
+}
+
+/// The first marker, behind the zoom; -1 stands for none.
+fn marker(line: &str) -> Option<u64> {
+    line.split_whitespace().nth(1)?.parse().ok()
+}
+
+/// The name without `[7:0]` at its end.
+fn without_range(name: &str) -> &str {
+    let Some((base, range)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) else { return name };
+    let is_range = range.split_once(':').is_some_and(|(high, low)| high.parse::<i64>().is_ok() && low.parse::<i64>().is_ok());
+    if is_range { base.trim_end() } else { name }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "\
+[*] comment
+[dumpfile] \"trace.vcd\"
+*-4.58 552760 -1 -1
+[treeopen] top.
+@800200
+-control
+@28
+top.valid
+@1000200
+-control
+@c00200
+-span
+@800200
+-inner
+@40000420
+[fpshift_count] 17
+top.n_x[18:0]
+@1000200
+-inner
+@1000200
+-span
+@24
+top.red[7:0]
+@22
+top.mem[3]
+";
+
+    #[test]
+    fn signals_have_their_formats() {
+        let decimal = |signed, fraction_bits| Notation::Decimal { signed, fraction_bits };
+        let expected = [
+            ("top.valid", Notation::Binary, true),
+            ("top.n_x", decimal(true, 17), false),
+            ("top.red", decimal(false, 0), true),
+            ("top.mem[3]", Notation::Hexadecimal, true),
+        ];
+        let expected = expected.map(|(name, notation, visible)| SavedSignal { name: name.to_owned(), notation, visible });
+        assert_eq!(SaveFile::parse(TEXT), SaveFile { signals: expected.to_vec(), marker: Some(552_760) });
+    }
+
+    #[test]
+    fn odd_lines_do_no_harm() {
+        let text = "@zz\n@\n[fpshift_count] x\n[fpshift_count] 99999999999\n*\n*1\n*1 -1\n-\n@1000200\n-\n]\n[\nx]\n\u{e9}[1:0]\n";
+        let names: Vec<String> = SaveFile::parse(text).signals.into_iter().map(|signal| signal.name).collect();
+        assert_eq!(names, ["]", "x]", "\u{e9}"]);
+        assert_eq!(SaveFile::parse("*1 -1"), SaveFile::default());
+    }
+}

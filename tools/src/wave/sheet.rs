@@ -1,0 +1,293 @@
+//! A figure laid out: shapes and words with their places in pixels. SVG and PNG are written from this.
+use super::dump::Segment;
+use super::figure::{Axis, Figure, Row, Shape};
+use super::value::Value;
+
+/// A laid-out drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// What it shows, for those who cannot see it.
+    pub title: String,
+    /// Width and height.
+    pub size: (f64, f64),
+    /// What is on it, from the lowest to the topmost.
+    pub marks: Vec<Mark>,
+}
+
+/// A point: from the left, from the top.
+pub type Point = (f64, f64);
+
+/// Something on a sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Mark {
+    /// A filled rectangle: corner and size.
+    Box(Ink, Point, (f64, f64)),
+    /// Straight lines.
+    Lines(Ink, Vec<(Point, Point)>),
+    /// Lines through points, open; a line each.
+    Traces(Ink, Vec<Vec<Point>>),
+    /// Filled and outlined areas.
+    Areas(Ink, Vec<Vec<Point>>),
+    /// Words that begin at a point of their base line.
+    Words(Ink, Point, String),
+    /// Words that end there.
+    WordsBefore(Ink, Point, String),
+    /// Words in the middle there.
+    WordsAmid(Ink, Point, String),
+}
+
+/// What a mark stands for; the back ends know its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Ink {
+    /// What everything stands on.
+    Paper,
+    /// The drawing's title.
+    Title,
+    /// A unit's name, and the line beside it.
+    Unit,
+    /// A signal's name.
+    Name,
+    /// A format, a column's number, a note.
+    Aside,
+    /// Borders of columns.
+    Grid,
+    /// Lines of bits.
+    Level,
+    /// Cells of values.
+    Cell,
+    /// Cells and bits that are unknown or float.
+    Unknown,
+    /// Cells and bits whose value matters most.
+    Highlight,
+    /// A value in its cell.
+    Value,
+    /// A value that matters most.
+    HighlightValue,
+    /// The band of the marker.
+    Marker,
+    /// The marker's number.
+    MarkerNumber,
+}
+
+/// Width that a character takes, at most.
+pub const CHARACTER: f64 = 8.0;
+/// Height of capitals.
+pub const CAPITAL: f64 = 9.0;
+const MARGIN: f64 = 16.0;
+/// From a row to the next.
+const ROW: f64 = 22.0;
+/// From low to high.
+const WAVE: f64 = 15.0;
+/// Horizontal run of an edge and of a cell's end.
+const SLANT: f64 = 3.0;
+/// A column's width: room for four to eight characters.
+const COLUMN: std::ops::RangeInclusive<f64> = 42.0..=72.0;
+/// Width that all columns together should not exceed, if their least width lets them.
+const COLUMNS: f64 = 1320.0;
+/// Characters of the longest value that columns are made wide for.
+const LONGEST_VALUE: usize = 8;
+
+/// Lays a figure out.
+pub fn sheet(figure: &Figure) -> Sheet {
+    let layout = Layout::new(figure);
+    let mut pen = Pen { layout: &layout, marks: vec![] };
+    pen.columns(&figure.axis);
+    pen.words(Ink::Title, (MARGIN, MARGIN + CAPITAL), &figure.title);
+    let mut top = layout.top;
+    for group in &figure.groups {
+        pen.unit(top, &group.unit);
+        top += ROW;
+        for row in &group.rows {
+            pen.row(top, row, figure);
+            top += ROW;
+        }
+    }
+    top += MARGIN / 2.0;
+    for note in &figure.notes {
+        pen.words(Ink::Aside, (MARGIN, top + CAPITAL), note);
+        top += ROW;
+    }
+    Sheet { title: figure.title.clone(), size: (layout.width, layout.height), marks: pen.marks }
+}
+
+/// Where things stand.
+struct Layout {
+    /// Where columns begin.
+    left: f64,
+    /// A column's width.
+    column: f64,
+    columns: usize,
+    /// Where rows begin.
+    top: f64,
+    /// Where rows end.
+    bottom: f64,
+    width: f64,
+    height: f64,
+}
+
+impl Layout {
+    fn new(figure: &Figure) -> Layout {
+        let columns = figure.axis.numbers.len();
+        let label = |row: &Row| row.name.chars().count() + row.format().chars().count() + 2;
+        let names = figure.rows().map(label).max().unwrap_or(0).max(figure.axis.unit.chars().count() + 1);
+        let left = (MARGIN + CHARACTER * names as f64 + 2.0 * SLANT).round();
+        let wanted = CHARACTER * figure.longest_value(LONGEST_VALUE) as f64 + 4.0 * SLANT;
+        let column = wanted.min(COLUMNS / columns.max(1) as f64).clamp(*COLUMN.start(), *COLUMN.end()).floor();
+        let top = MARGIN + ROW + CAPITAL + ROW / 2.0;
+        let bottom = top + ROW * (figure.groups.len() + figure.rows().count()) as f64;
+        let words = figure.notes.iter().chain([&figure.title]).map(|text| text.chars().count()).max().unwrap_or(0);
+        let right = (left + column * columns as f64).max(MARGIN + CHARACTER * words as f64);
+        let height = bottom + MARGIN + ROW * figure.notes.len() as f64;
+        Layout { left, column, columns, top, bottom, width: (right + MARGIN).ceil(), height: height.ceil() }
+    }
+
+    /// Where a place in columns is.
+    fn x(&self, place: f64) -> f64 {
+        self.left + self.column * place
+    }
+
+    fn right(&self) -> f64 {
+        self.x(self.columns as f64)
+    }
+}
+
+/// Where a value stands in its row.
+struct Extent {
+    from: f64,
+    to: f64,
+    /// Top and bottom of the row's wave.
+    high: f64,
+    low: f64,
+}
+
+struct Pen<'a> {
+    layout: &'a Layout,
+    marks: Vec<Mark>,
+}
+
+impl Pen<'_> {
+    fn words(&mut self, ink: Ink, place: Point, text: &str) {
+        self.marks.push(Mark::Words(ink, place, text.to_owned()));
+    }
+
+    /// Borders of columns, their numbers, and the marker.
+    fn columns(&mut self, axis: &Axis) {
+        let layout = self.layout;
+        let base = layout.top - ROW / 2.0;
+        let border = |column: usize| ((layout.x(column as f64), base + CAPITAL / 2.0), (layout.x(column as f64), layout.bottom));
+        if let Some(marker) = &axis.marker {
+            self.marker(axis.place(marker.start), axis.place(marker.end));
+        }
+        self.marks.push(Mark::Lines(Ink::Grid, (0..=layout.columns).map(border).collect()));
+        self.words(Ink::Aside, (MARGIN, base), &axis.unit);
+        let widest = axis.numbers.last().map_or(1, |number| number.to_string().len() + 1);
+        let every = (CHARACTER * widest as f64 / layout.column).ceil().max(1.0) as usize;
+        let is_marked = |column: usize| axis.marker.as_ref().is_some_and(|marker| axis.place(marker.start) == column as f64);
+        for (column, number) in axis.numbers.iter().enumerate().filter(|(column, _)| column % every == 0 || is_marked(*column)) {
+            let ink = if is_marked(column) { Ink::MarkerNumber } else { Ink::Aside };
+            self.words(ink, (layout.x(column as f64) + SLANT, base), &number.to_string());
+        }
+    }
+
+    fn marker(&mut self, from: f64, to: f64) {
+        let layout = self.layout;
+        let (from, to) = (layout.x(from), layout.x(to).max(layout.x(from) + SLANT / 2.0));
+        if from < layout.right() && to > layout.left {
+            let (from, to, top) = (from.max(layout.left), to.min(layout.right()), layout.top - ROW / 2.0 - CAPITAL - SLANT);
+            self.marks.push(Mark::Box(Ink::Marker, (from, top), (to - from, layout.bottom - top)));
+        }
+    }
+
+    fn unit(&mut self, top: f64, name: &str) {
+        let base = top + (ROW + CAPITAL) / 2.0;
+        self.words(Ink::Unit, (MARGIN, base), name);
+    }
+
+    fn row(&mut self, top: f64, row: &Row, figure: &Figure) {
+        let layout = self.layout;
+        let base = top + (ROW + CAPITAL) / 2.0;
+        self.words(Ink::Name, (MARGIN + CHARACTER, base), &row.name);
+        if !row.format().is_empty() {
+            self.marks.push(Mark::WordsBefore(Ink::Aside, (layout.left - 2.0 * SLANT, base), row.format().to_owned()));
+        }
+        let (high, low) = (top + (ROW - WAVE) / 2.0, top + (ROW + WAVE) / 2.0);
+        let clamp = |time| layout.x(figure.axis.place(time)).clamp(layout.left, layout.right());
+        let extent = |segment: &Segment| Extent { from: clamp(segment.time.start), to: clamp(segment.time.end), high, low };
+        let pieces: Vec<(Extent, &Segment)> = row.segments.iter().map(|segment| (extent(segment), segment)).collect();
+        match row.shape {
+            Shape::Levels => self.levels(row, &pieces),
+            Shape::Cells { .. } => self.cells(row, &pieces),
+        }
+    }
+
+    /// A bit: a line that steps, broken where the bit is unknown.
+    fn levels(&mut self, row: &Row, pieces: &[(Extent, &Segment)]) {
+        let mut traces: Vec<Vec<Point>> = vec![];
+        let mut unknown = vec![];
+        let mut connected = false;
+        for (place, segment) in pieces {
+            let Some(y) = level(place, &segment.value) else {
+                unknown.push(hexagon(place));
+                connected = false;
+                continue;
+            };
+            match traces.last_mut() {
+                Some(trace) if connected => trace.push((place.from + SLANT.min(place.to - place.from), y)),
+                _ => traces.push(vec![(place.from, y)]),
+            }
+            traces.last_mut().into_iter().for_each(|trace| trace.push((place.to, y)));
+            connected = true;
+        }
+        if let Some(highlight) = pieces.iter().find(|(_, segment)| is_highlighted(row, segment)) {
+            let (extent, _) = highlight;
+            self.marks.push(Mark::Areas(Ink::Highlight, vec![hexagon(extent)]));
+        }
+        self.marks.push(Mark::Areas(Ink::Unknown, unknown));
+        self.marks.push(Mark::Traces(Ink::Level, traces));
+    }
+
+    /// Values, each in a cell with pointed ends, as far as they fit.
+    fn cells(&mut self, row: &Row, pieces: &[(Extent, &Segment)]) {
+        for ink in [Ink::Cell, Ink::Unknown, Ink::Highlight] {
+            let these = pieces.iter().filter(|(_, segment)| cell_ink(row, segment) == ink);
+            self.marks.push(Mark::Areas(ink, these.map(|(place, _)| hexagon(place)).collect()));
+        }
+        for (place, segment) in pieces {
+            let room = ((place.to - place.from - 2.0 * SLANT) / CHARACTER).max(0.0) as usize;
+            let ink = if cell_ink(row, segment) == Ink::Highlight { Ink::HighlightValue } else { Ink::Value };
+            if let Some(text) = row.written(&segment.value, room) {
+                let middle = ((place.from + place.to) / 2.0, (place.high + place.low + CAPITAL) / 2.0);
+                self.marks.push(Mark::WordsAmid(ink, middle, text));
+            }
+        }
+    }
+}
+
+/// The height of a bit's line; none if it is unknown.
+fn level(place: &Extent, value: &Value) -> Option<f64> {
+    match value {
+        Value::Bits(bits) if bits == "0" => Some(place.low),
+        Value::Bits(bits) if bits == "1" => Some(place.high),
+        Value::Bits(bits) if bits == "z" => Some((place.high + place.low) / 2.0),
+        _ => None,
+    }
+}
+
+fn cell_ink(row: &Row, segment: &Segment) -> Ink {
+    match &segment.value {
+        _ if is_highlighted(row, segment) => Ink::Highlight,
+        Value::Bits(bits) if !bits.bytes().all(|bit| matches!(bit, b'0' | b'1')) => Ink::Unknown,
+        _ => Ink::Cell,
+    }
+}
+
+fn is_highlighted(row: &Row, segment: &Segment) -> bool {
+    row.highlight.as_ref().is_some_and(|time| segment.time.start < time.end && time.start < segment.time.end)
+}
+
+/// A cell with pointed ends.
+fn hexagon(place: &Extent) -> Vec<Point> {
+    let Extent { from, to, high, low } = *place;
+    let (slant, middle) = (SLANT.min((to - from) / 2.0), (high + low) / 2.0);
+    vec![(from, middle), (from + slant, high), (to - slant, high), (to, middle), (to - slant, low), (from + slant, low)]
+}

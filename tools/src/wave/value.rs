@@ -1,0 +1,176 @@
+//! Values, and how they are written.
+use specula_scene::Format;
+
+/// A value in a dump.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// Bits from the highest to the lowest: `0`, `1`, `x`, `z` and VHDL's others.
+    Bits(String),
+    /// Anything else, as the dump's reader writes it.
+    Text(String),
+}
+
+/// How a signal's values are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Notation {
+    /// A hexadecimal number: of the format nothing is known.
+    Hexadecimal,
+    /// Bits.
+    Binary,
+    /// A fixed-point number.
+    Decimal {
+        /// Whether the highest bit counts negative.
+        signed: bool,
+        /// Bits right of the binary point.
+        fraction_bits: u32,
+    },
+}
+
+/// A number's widest width that is written in decimal.
+const WIDEST: usize = 64;
+
+impl Notation {
+    /// What stands beside a signal's name: its format.
+    pub fn label(self, width: u32) -> String {
+        match self {
+            Notation::Hexadecimal => "hex".to_owned(),
+            Notation::Binary => "bin".to_owned(),
+            Notation::Decimal { signed, fraction_bits } => {
+                let integer_bits = (width - u32::from(signed).min(width)).saturating_sub(fraction_bits);
+                Format { signed, integer_bits, fraction_bits }.to_string()
+            }
+        }
+    }
+
+    /// `value` with as many decimals as it has and `room` characters hold; none if it cannot be written in so few.
+    pub fn written(self, value: &Value, room: usize) -> Option<String> {
+        let text = match (value, self) {
+            (Value::Text(text), _) => text.clone(),
+            (Value::Bits(bits), _) if !bits.bytes().all(|bit| matches!(bit, b'0' | b'1')) => unknown(bits, self),
+            (Value::Bits(bits), Notation::Decimal { signed, fraction_bits }) if bits.len() <= WIDEST => {
+                return fixed_point(raw(bits, signed), fraction_bits, room);
+            }
+            (Value::Bits(bits), Notation::Binary) => bits.clone(),
+            (Value::Bits(bits), _) => hexadecimal(bits),
+        };
+        (text.chars().count() <= room).then_some(text)
+    }
+}
+
+/// The number that the bits stand for.
+fn raw(bits: &str, signed: bool) -> i128 {
+    let unsigned = bits.bytes().fold(0, |number, bit| number << 1 | i128::from(bit == b'1'));
+    if signed && bits.starts_with('1') { unsigned - (1 << bits.len()) } else { unsigned }
+}
+
+/// The number `raw` 2^-f, rounded to what fits. At least one decimal stays, so that a fraction is not taken for an integer.
+fn fixed_point(raw: i128, fraction_bits: u32, room: usize) -> Option<String> {
+    if fraction_bits == 0 {
+        return Some(raw.to_string()).filter(|text| text.len() <= room);
+    }
+    let number = raw as f64 * (-f64::from(fraction_bits)).exp2();
+    // With that many decimals neighbours differ.
+    let most = (f64::from(fraction_bits) * 2f64.log10()).ceil() as usize;
+    let fits = |decimals: &usize| format!("{number:.decimals$}").len() <= room;
+    let decimals = (most.min(1)..=most).rev().find(fits)?;
+    Some(without_idle_zeros(format!("{number:.decimals$}"), number))
+}
+
+/// Takes zeros from the end of a number that is exact without them; the zeros of a rounded one say how far it is rounded.
+fn without_idle_zeros(text: String, number: f64) -> String {
+    if text.parse() != Ok(number) {
+        return text;
+    }
+    let short = text.trim_end_matches('0');
+    short.strip_suffix('.').unwrap_or(short).to_owned()
+}
+
+fn hexadecimal(bits: &str) -> String {
+    nibbles(bits).iter().map(|nibble| digit(nibble)).collect()
+}
+
+/// Bits by fours, from the right.
+fn nibbles(bits: &str) -> Vec<&[u8]> {
+    let bits = bits.as_bytes();
+    let (first, others) = bits.split_at(bits.len() % 4);
+    std::iter::once(first).filter(|first| !first.is_empty()).chain(others.chunks(4)).collect()
+}
+
+/// A digit; `X` where only some of its bits are unknown.
+fn digit(nibble: &[u8]) -> char {
+    let known = nibble.iter().all(|bit| matches!(bit, b'0' | b'1'));
+    let number = nibble.iter().fold(0, |number, &bit| number << 1 | u32::from(bit == b'1'));
+    match nibble {
+        _ if known => char::from_digit(number, 16).unwrap_or('?'),
+        [first, others @ ..] if others.iter().all(|bit| bit == first) => char::from(*first),
+        _ => 'X',
+    }
+}
+
+/// A value with bits that are neither 0 nor 1: the letter alone where all are the same.
+fn unknown(bits: &str, notation: Notation) -> String {
+    let first = bits.chars().next().unwrap_or('x');
+    match notation {
+        _ if bits.chars().all(|bit| bit == first) => first.to_string(),
+        Notation::Binary => bits.to_owned(),
+        _ => hexadecimal(bits),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(notation: Notation, bits: &str, room: usize) -> Option<String> {
+        notation.written(&Value::Bits(bits.to_owned()), room)
+    }
+
+    const S1_6: Notation = Notation::Decimal { signed: true, fraction_bits: 6 };
+    const U8_0: Notation = Notation::Decimal { signed: false, fraction_bits: 0 };
+
+    #[test]
+    fn numbers_take_the_room_there_is() {
+        let number = |room| written(S1_6, "11011001", room);
+        // -39/64; two decimals tell it from its neighbours.
+        assert_eq!(number(20).as_deref(), Some("-0.61"));
+        assert_eq!(number(5).as_deref(), Some("-0.61"));
+        assert_eq!(number(4).as_deref(), Some("-0.6"));
+        assert_eq!(number(3), None);
+    }
+
+    #[test]
+    fn exact_numbers_have_no_idle_zeros() {
+        assert_eq!(written(S1_6, "00100000", 9).as_deref(), Some("0.5"));
+        assert_eq!(written(S1_6, "01000000", 9).as_deref(), Some("1"));
+        assert_eq!(written(S1_6, "10000000", 9).as_deref(), Some("-2"));
+        assert_eq!(written(U8_0, "11001000", 9).as_deref(), Some("200"));
+        assert_eq!(written(U8_0, "11001000", 2), None);
+    }
+
+    #[test]
+    fn unknown_bits_are_letters() {
+        assert_eq!(written(U8_0, "xxxxxxxx", 1).as_deref(), Some("x"));
+        assert_eq!(written(Notation::Hexadecimal, "zzzz00xx1111", 9).as_deref(), Some("zXf"));
+        assert_eq!(written(Notation::Binary, "1x", 2).as_deref(), Some("1x"));
+    }
+
+    #[test]
+    fn hexadecimal_numbers_begin_at_the_right() {
+        assert_eq!(written(Notation::Hexadecimal, "1011110", 9).as_deref(), Some("5e"));
+        assert_eq!(written(Notation::Hexadecimal, "0", 9).as_deref(), Some("0"));
+    }
+
+    #[test]
+    fn wide_numbers_are_hexadecimal() {
+        let bits = "1".repeat(65);
+        assert_eq!(written(U8_0, &bits, 99).as_deref(), Some("1ffffffffffffffff"));
+        assert_eq!(written(U8_0, &"1".repeat(63), 99).as_deref(), Some("9223372036854775807"));
+    }
+
+    #[test]
+    fn labels_are_formats() {
+        assert_eq!(S1_6.label(8), "S1.6");
+        assert_eq!(Notation::Decimal { signed: true, fraction_bits: 17 }.label(1), "S0.17");
+        assert_eq!(Notation::Hexadecimal.label(8), "hex");
+    }
+}

@@ -1,0 +1,65 @@
+//! The picture of a pixel's way through the core: the worst one's, or the first one's that disagrees.
+use std::fs;
+use std::ops::Range;
+
+use specula_hdl::Design;
+use specula_hdl::design::{NodeId, Op, ScopeId};
+use specula_sim::gtkw;
+
+use crate::error::ToolError;
+use crate::output::Staging;
+use crate::run::Run;
+use crate::wave::{self, Asked, View};
+use crate::waveform;
+
+/// The picture.
+pub const PICTURE: &str = "worst.svg";
+
+/// Bytes of a waveform that is read again for a picture, at most. A larger one was asked for by its clocks, and takes a while to read.
+const LARGEST_DUMP: u64 = 8 << 20;
+/// Rows of units, at most; where there are more, values on a unit's way to its result are left out.
+const MOST_ROWS: usize = 26;
+/// Clocks shown before the pixel enters and after it leaves.
+const AROUND: u64 = 2;
+
+/// Draws the pixel's way from the waveform that has just been written; nothing if that does not hold it or is very large.
+pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Result<(), ToolError> {
+    let Some(leaves) = run.clock_to_look_at().filter(|clock| window.is_some_and(|window| window.contains(clock))) else {
+        return Ok(());
+    };
+    let dump = staging.file(waveform::DUMP);
+    if fs::metadata(&dump).map_err(staging.failed(waveform::DUMP))?.len() > LARGEST_DUMP {
+        return Ok(());
+    }
+    let design = &run.bench.design;
+    let enters = leaves.saturating_sub(design.latency().into());
+    let mut view = View::open(&dump)?;
+    let choice = view.named(&way(design, enters));
+    let asked = Asked { from: Some(enters.saturating_sub(AROUND)), to: Some(leaves + AROUND), usual: 0 };
+    let mut figure = view.figure(&choice, &asked)?;
+    figure.notes = vec!["A pixel's way through the core: marked values belong to the pixel that leaves in the marked clock.".to_owned()];
+    fs::write(staging.file(PICTURE), wave::svg(&figure)).map_err(staging.failed(PICTURE))?;
+    Ok(())
+}
+
+/// Names of the signals along a pixel's way, and the clock in which each has that pixel's value.
+fn way(design: &Design, enters: u64) -> Vec<(String, u64)> {
+    let core = [design.valid_out].into_iter().chain(design.outputs.iter().copied());
+    let nodes = [design.valid].into_iter().chain(in_units(design)).chain(core);
+    nodes.map(|id| (design.full_name(id), enters + u64::from(design.node(id).stage))).collect()
+}
+
+/// What the core's units compute, unit by unit and in the order of time.
+fn in_units(design: &Design) -> Vec<NodeId> {
+    let of_unit = |id: &NodeId| design.scope(design.node(*id).scope).parent == Some(ScopeId::TOP);
+    // Ports and delays repeat what another row shows.
+    let computed = |id: &NodeId| !matches!(design.node(*id).op, Op::Copy(_));
+    let mut nodes: Vec<NodeId> = gtkw::interesting(design).into_iter().filter(|id| of_unit(id) && computed(id)).collect();
+    let results = |id: &NodeId| design.node(*id).stage == design.scope(design.node(*id).scope).exit;
+    if nodes.len() > MOST_ROWS {
+        nodes.retain(results);
+    }
+    nodes.truncate(2 * MOST_ROWS);
+    nodes.sort_by_key(|id| (design.scope(design.node(*id).scope).entry, design.node(*id).scope, design.node(*id).stage, *id));
+    nodes
+}
