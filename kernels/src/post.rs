@@ -104,7 +104,8 @@ impl Post {
     pub(crate) fn amounts(self, lane_bits: u32) -> Amounts {
         let shift = match self.shift {
             Shift::None => 0,
-            Shift::Floor(bits) | Shift::Round(bits) => bits,
+            // Shifting all bits out leaves the sign, as shifting all but one does; processors would take the amount modulo the lane.
+            Shift::Floor(bits) | Shift::Round(bits) => bits.min(lane_bits - 1),
         };
         let unused = match self.wrap {
             Wrap::None => 0,

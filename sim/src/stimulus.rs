@@ -70,12 +70,13 @@ impl<'a> Stimulus<'a> {
         self.reaching_back(window, design.latency().into())
     }
 
-    /// The part of the run from the beginning of the span that enters `clocks` before `window` to the window's end.
+    /// The part of the run from `clocks` before the beginning of the span that enters `clocks` before `window` to the window's end.
     pub(crate) fn reaching_back(&self, window: &Range<u64>, clocks: u64) -> Stimulus<'a> {
         let early = window.start.saturating_sub(clocks);
         // Behind the last span accumulators go on from it.
         let span = self.begins.partition_point(|&begin| begin <= early).min(self.begins.len() - 1).saturating_sub(1);
-        let first = self.begins[span].min(early);
+        // What a span loads may be added to by something that is older by up to as many clocks.
+        let first = self.begins[span].saturating_sub(clocks).min(early);
         let end = window.end.min(self.clocks.end);
         Stimulus { spans: self.spans, begins: self.begins.clone(), clocks: first.max(self.clocks.start)..end }
     }

@@ -5,6 +5,7 @@ use std::time::Instant;
 use specula_hdl::Design;
 use specula_hdl::design::{NodeId, Op};
 use specula_scene::{CoreSpec, Frame};
+use specula_sim::fast::Settings;
 use specula_sim::{Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, Stimulus, Verilator};
 
 use crate::arrival::Arrivals;
@@ -43,7 +44,10 @@ impl EngineKind {
 
     fn engine<'a>(self, design: &'a Design) -> Result<Box<dyn Engine + 'a>, BenchError> {
         match self {
-            EngineKind::Fast => Ok(Box::new(Fast::new(design))),
+            EngineKind::Fast => {
+                let threads = std::thread::available_parallelism().map_or(1, usize::from);
+                Ok(Box::new(Fast::with_settings(design, Settings { threads, ..Settings::default() })))
+            }
             EngineKind::RustHdl => Ok(Box::new(RustHdl::new(design)?)),
             EngineKind::Verilator => Ok(Box::new(Verilator::new(design, Effort::FastBuild)?)),
             EngineKind::Icarus => Ok(Box::new(Icarus::new(design)?)),

@@ -1,4 +1,6 @@
 //! Where values come from: registers and ports become delays of the column they copy.
+use std::collections::HashSet;
+
 use specula_hdl::Design;
 use specula_hdl::design::{Node, NodeId, Op, Register, WideRange};
 
@@ -78,6 +80,15 @@ impl Flow {
             recurrences.push(recurrence(design, id, node));
         }
         Flow { sources, recurrences }
+    }
+
+    /// Forgets the recurrences of these signals; says whether there were any.
+    pub fn drop_recurrences(&mut self, of: &HashSet<NodeId>) -> bool {
+        let mut dropped = false;
+        for id in of {
+            dropped |= self.recurrences[id.0 as usize].take().is_some();
+        }
+        dropped
     }
 
     /// Where a signal's value comes from.

@@ -72,7 +72,8 @@ pub fn fuse(
         if in_component(id) || flow.recurrences[id.0 as usize].is_some() {
             continue;
         }
-        let Some(operand) = narrowed_operand(design, id) else { continue };
+        // A register may read a later signal without being feedback; what has not been looked at yet cannot take it in.
+        let Some(operand) = narrowed_operand(design, id).filter(|&operand| operand < id) else { continue };
         let Source { root, delay } = flow.source(operand);
         let reads_alone = readers.only(fusion.stored(root)) == Some(id);
         let absorbs = is_arithmetic(design, root) && !in_component(root) && flow.recurrences[root.0 as usize].is_none();
@@ -83,7 +84,7 @@ pub fn fuse(
         let node = design.node(id);
         let fused = match node.op {
             Op::Add(..) => {
-                let shift_follows = readers.only(id).is_some_and(|next| is_halving(design, flow, next, id));
+                let shift_follows = readers.only(id).is_some_and(|next| next > id && is_halving(design, flow, next, id));
                 if post.wrap == Wrap::None && !matches!(post.shift, Shift::Round(_)) && shift_follows {
                     half_rounded.insert(root);
                     Some(post)

@@ -1,11 +1,13 @@
 //! Makes a failing run small: tries to take away a piece, and keeps what still fails.
-mod reduce;
 mod rebuild;
+mod reduce;
+
+pub use rebuild::without_unused;
 
 use std::time::{Duration, Instant};
 
 use crate::case::Case;
-use crate::check;
+use crate::check::{self, Failure};
 
 /// How long it is worth trying.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -13,11 +15,12 @@ const PATIENCE: Duration = Duration::from_secs(20);
 /// A smaller run that fails as well.
 pub fn minimised(case: Case) -> Case {
     let begin = Instant::now();
+    let Some(kind) = kind(&case) else { return case };
     let mut best = case;
     loop {
         let before = size(&best);
         for reduction in reduce::ALL {
-            best = pass(best, reduction, begin);
+            best = pass(best, reduction, &kind, begin);
         }
         if size(&best) >= before || begin.elapsed() > PATIENCE {
             return best;
@@ -25,13 +28,23 @@ pub fn minimised(case: Case) -> Case {
     }
 }
 
+/// What is wrong with a run, numbers aside: a run that fails in another way is another failure.
+fn kind(case: &Case) -> Option<String> {
+    Some(match check::failure(case)? {
+        Failure::Panic(message) => message.chars().filter(|c| !c.is_ascii_digit()).collect(),
+        Failure::Error(message) => message,
+        Failure::Clocks { .. } => "clocks".to_owned(),
+        Failure::Value { .. } => "value".to_owned(),
+    })
+}
+
 /// Applies a reduction at each place, from the last to the first, as long as the run still fails.
-fn pass(mut best: Case, reduction: &reduce::Reduction, begin: Instant) -> Case {
+fn pass(mut best: Case, reduction: &reduce::Reduction, wanted: &str, begin: Instant) -> Case {
     let mut place = (reduction.places)(&best);
     while place > 0 && begin.elapsed() <= PATIENCE {
         place -= 1;
         let Some(candidate) = (reduction.at)(&best, place) else { continue };
-        if check::failure(&candidate).is_some() {
+        if kind(&candidate).is_some_and(|kind| kind == wanted) {
             best = candidate;
             place = place.min((reduction.places)(&best));
         }

@@ -1,1 +1,67 @@
-//! Drawn netlists as Verilog.
+//! Drawn netlists as Verilog, in Verilator and in Icarus, every signal at every clock.
+//!
+//! They are few and large, since building one takes seconds.
+mod known;
+
+use specula_hdl::design::{NodeId, Op};
+use specula_sim::{Columns, Effort, Engine, Icarus, Verilator};
+
+use crate::case::Case;
+use crate::common::random::Random;
+use crate::common::{engines, tools};
+use crate::draw;
+use crate::minimise::without_unused;
+use crate::profile::Profile;
+
+const SEED: u64 = 2001;
+const NETLISTS: u64 = 2;
+
+#[test]
+fn as_verilog() {
+    println!("seed {SEED}");
+    for number in 0..NETLISTS {
+        let case = pruned(draw::case(&mut Random(SEED + number), Profile::verilog()));
+        let expected = case.expected().unwrap();
+        let signals: Vec<NodeId> =
+            case.design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect();
+        if let Some(mut verilator) = tools::installed(Verilator::new(&case.design, Effort::FastBuild)) {
+            compare(&case, &expected, &signals, &mut verilator, |_, _| true);
+        }
+        if let Some(mut icarus) = tools::installed(Icarus::new(&case.design)) {
+            let known = known::known(&case.design, &expected);
+            compare(&case, &expected, &signals, &mut icarus, |node, clock| known[node.0 as usize][clock]);
+        }
+    }
+}
+
+/// The netlist without the signals that no output needs, which a linter complains of and the builder leaves out.
+fn pruned(case: Case) -> Case {
+    let outputs = case.design.outputs.iter().chain([&case.design.valid_out]);
+    let watched = outputs.chain(case.design.inputs.iter().flatten()).copied().collect();
+    without_unused(&Case { watched, ..case })
+}
+
+/// Compares the values that count.
+fn compare(
+    case: &Case,
+    expected: &[Vec<i64>],
+    signals: &[NodeId],
+    engine: &mut dyn Engine,
+    counts: impl Fn(NodeId, usize) -> bool,
+) {
+    let got: Columns = engines::run(engine, &case.stimulus(), signals).unwrap();
+    let (mut compared, mut all) = (0, 0);
+    for (&node, column) in signals.iter().zip(&got.values) {
+        let wanted = &expected[node.0 as usize];
+        for clock in 0..wanted.len() {
+            all += 1;
+            if counts(node, clock) {
+                compared += 1;
+                let (name, op) = (case.design.full_name(node), case.design.node(node).op);
+                assert_eq!(column[clock], wanted[clock], "{}: {name} ({op:?}) at clock {clock}", engine.name());
+            }
+        }
+    }
+    println!("{}: {} signals, {compared} of {all} values", engine.name(), signals.len());
+    assert!(compared > all / 3, "hardly anything was compared");
+}

@@ -42,7 +42,7 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// The wanted signals, in the caller's order.
     pub watched: Vec<Watched>,
-    /// Clocks by which the column furthest ahead is ahead.
+    /// Clocks by which the column furthest ahead, or the value furthest behind its column, is so.
     pub lead: u64,
     /// Clocks before its own whose inputs a watched value depends on, up to the beginning of the span that enters then.
     pub reach: u64,
@@ -59,7 +59,11 @@ fn fits_narrow(range: Range) -> bool {
 /// Makes the plan for `watched`, with batches of `batch` clocks.
 pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> Plan {
     let mut flow = Flow::of(design);
-    let all = Needed::of(design, &flow, watched);
+    let mut all = Needed::of(design, &flow, watched);
+    // A recurrence that feeds back on others too is part of a component like any other signal.
+    while flow.drop_recurrences(&all.in_component) {
+        all = Needed::of(design, &flow, watched);
+    }
     let fusion = fuse(design, &mut flow, &all.roots, watched, &|id| all.in_component.contains(&id));
     let needed = Needed::of(design, &flow, watched);
     let order = groups(design, &flow, &needed.roots);
@@ -87,7 +91,8 @@ pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> 
         planner.places.iter().filter(|(id, _)| design.node(**id).op == Op::Input).map(|(&id, &place)| (id, place)).collect();
     let reach = planner.reach(&order, watched_nodes);
     let restarts_with_spans = planner.restarts_with_spans(&order);
-    let lead = skews.values().copied().max().unwrap_or(0);
+    // The first rows of a signal behind registers lie that many lanes back.
+    let lead = skews.values().copied().chain(watched_nodes.iter().map(|&id| planner.shift(id))).max().unwrap_or(0);
     Plan { memory: planner.memory, inputs, steps: planner.steps, watched, lead, reach, restarts_with_spans }
 }
 
@@ -152,11 +157,11 @@ impl Planner<'_> {
         let post = self.fusion.post(root);
         let work = match node.op {
             Op::Input | Op::Constant(_) => return,
-            Op::Copy(a) | Op::ShiftRight(a, _) | Op::Wrap(a) => self.arithmetic(Arithmetic::Copy, root, a, a, post),
-            Op::Add(a, b) => self.arithmetic(Arithmetic::Add, root, a, b, post),
-            Op::Sub(a, b) => self.arithmetic(Arithmetic::Sub, root, a, b, post),
-            Op::Mul(a, b) => self.arithmetic(Arithmetic::Mul, root, a, b, post),
-            Op::LessThan(a, b) => Some(self.less_than(a, b, skew)),
+            Op::Copy(a) | Op::ShiftRight(a, _) | Op::Wrap(a) => Some(self.arithmetic(Arithmetic::Copy, root, a, a, post)),
+            Op::Add(a, b) => Some(self.arithmetic(Arithmetic::Add, root, a, b, post)),
+            Op::Sub(a, b) => Some(self.arithmetic(Arithmetic::Sub, root, a, b, post)),
+            Op::Mul(a, b) => Some(self.arithmetic(Arithmetic::Mul, root, a, b, post)),
+            Op::LessThan(a, b) => self.less_than(root, a, b),
             Op::Select(c, a, b) => self.select(root, c, a, b),
             Op::And(a, b) => self.bitwise(Bits::And, root, a, b),
             Op::Or(a, b) => self.bitwise(Bits::Or, root, a, b),

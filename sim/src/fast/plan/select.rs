@@ -1,8 +1,6 @@
 //! The kernel for an operator: which lanes it reads, computes and writes.
 use specula_hdl::design::{NodeId, Op, Range, TableId};
-use specula_kernels::{
-    Arithmetic, Bits, Post, Shift, Wrap, bits, choose, less_than, narrow, narrow_through_wide, narrowing, wide, widening,
-};
+use specula_kernels::{Arithmetic, Bits, Post, bits, choose, less_than, narrow, narrow_through_wide, narrowing, wide, widening};
 
 use super::{Planner, fits_narrow};
 use crate::fast::flow::raw_range;
@@ -47,16 +45,17 @@ impl Planner<'_> {
         Read { place: twin, back: read.back }
     }
 
-    pub(super) fn arithmetic(&mut self, operator: Arithmetic, root: NodeId, a: NodeId, b: NodeId, post: Post) -> Option<Work> {
+    /// The kernel of an arithmetic operator. A signal's range is proven, so its raw result needs no wrapping.
+    pub(super) fn arithmetic(&mut self, operator: Arithmetic, root: NodeId, a: NodeId, b: NodeId, post: Post) -> Work {
         let skew = self.skews[&root];
-        let raw = raw_range(self.design, raw_operator(self.node(root).op)).narrow().ok()?;
-        let post = self.checked_post(root, raw, post)?;
+        // Where operands depend on each other, the signal's own range may be narrower than what theirs give.
+        let raw = raw_range(self.design, raw_operator(self.node(root).op)).narrow().unwrap_or(self.node(root).range);
         let (a, b) = (self.read(a, skew), self.read(b, skew));
         let (wide_operands, wide_result) = (a.place.wide || b.place.wide, self.places[&root].wide);
         // Rounding adds 1 to the raw result, so it must not be at the lane's end.
         let narrow_compute = fits_narrow(Range::new(raw.low, raw.high.saturating_add(1)));
         let level = self.level;
-        Some(match (wide_operands, narrow_compute, wide_result) {
+        match (wide_operands, narrow_compute, wide_result) {
             (false, true, false) => Work::Narrow(narrow(operator, post, level), a, b),
             (false, false, false) => Work::Narrow(narrow_through_wide(operator, post, level), a, b),
             (false, _, true) => Work::Widening(widening(operator, post, level), a, b),
@@ -68,29 +67,20 @@ impl Planner<'_> {
                 let (a, b) = (self.widened(a), self.widened(b));
                 Work::Wide(wide(operator, post, level), a, b)
             }
-        })
-    }
-
-    /// The post-operation, with the wrapping that the signal's width asks for where its range does not hold every raw result.
-    fn checked_post(&self, root: NodeId, raw: Range, post: Post) -> Option<Post> {
-        let own = self.node(root).range;
-        let contained = own.low <= raw.low && raw.high <= own.high;
-        let plain = matches!(self.node(root).op, Op::Add(..) | Op::Sub(..) | Op::Mul(..));
-        match (contained || !plain, post == Post::default()) {
-            (true, _) => Some(post),
-            (false, true) if own.signed() => Some(Post { shift: Shift::None, wrap: Wrap::Signed(own.width()) }),
-            (false, true) => Some(Post { shift: Shift::None, wrap: Wrap::Unsigned(own.width()) }),
-            (false, false) => None,
         }
     }
 
-    pub(super) fn less_than(&mut self, a: NodeId, b: NodeId, skew: u64) -> Work {
+    pub(super) fn less_than(&mut self, root: NodeId, a: NodeId, b: NodeId) -> Option<Work> {
+        let skew = self.skews[&root];
         let (a, b) = (self.read(a, skew), self.read(b, skew));
+        if self.places[&root].wide {
+            return None;
+        }
         if a.place.wide || b.place.wide {
             let (a, b) = (self.widened(a), self.widened(b));
-            return Work::Narrowing(less_than::<i64>(self.level), a, b);
+            return Some(Work::Narrowing(less_than::<i64>(self.level), a, b));
         }
-        Work::Narrow(less_than::<i32>(self.level), a, b)
+        Some(Work::Narrow(less_than::<i32>(self.level), a, b))
     }
 
     /// Whether an operator that has no post-operation stays within its signal's range.
@@ -143,7 +133,7 @@ impl Planner<'_> {
             Op::Not(a) => {
                 let one = self.constant(1, false);
                 let a = self.read(a, skew);
-                (!a.place.wide).then(|| Work::Narrow(narrow(Arithmetic::Sub, post, self.level), one, a))
+                (!a.place.wide && !self.places[&root].wide).then(|| Work::Narrow(narrow(Arithmetic::Sub, post, self.level), one, a))
             }
             Op::ShiftLeft(a, bits) if bits < 62 => {
                 let a = self.read(a, skew);

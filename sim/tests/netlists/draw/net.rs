@@ -57,6 +57,7 @@ impl<'r> Net<'r> {
 
     /// A new signal with a range that is known to be true.
     pub fn place(&mut self, op: Op, register: Register, range: Range) -> NodeId {
+        assert!(range.width() <= 63, "{op:?} is too wide");
         let id = NodeId(self.design.nodes.len() as u32);
         let mut node = node(self.design.nodes.len(), op, register, range, self.scope);
         let before = op.operands().filter(|&o| o < id).map(|o| self.design.node(o).stage).max().unwrap_or(0);

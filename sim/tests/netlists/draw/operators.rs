@@ -11,7 +11,7 @@ pub fn any(net: &mut Net) {
         0..=2 => Op::Add(a, b),
         3..=5 => Op::Sub(a, b),
         6..=7 => Op::Mul(a, b),
-        8 => Op::Mul(a, a),
+        8 => Op::Mul(a, other_name(net, a)),
         9 => Op::ShiftLeft(a, net.random.below(40) as u32),
         10 => shift_right(net, a),
         11 | 12 => return wrap(net, a, register),
@@ -29,6 +29,11 @@ pub fn any(net: &mut Net) {
         // Too wide: what the next operators read gets narrower.
         wrap(net, a, register);
     }
+}
+
+/// The signal, or a copy of it: its square has a range that the ranges of the operands alone do not show.
+fn other_name(net: &mut Net, a: NodeId) -> NodeId {
+    if net.random.below(2) == 0 { a } else { net.add(Op::Copy(a), Register::None).unwrap_or(a) }
 }
 
 /// The low bits, fewer or more than the operand has.

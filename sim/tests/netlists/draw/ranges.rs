@@ -60,21 +60,33 @@ pub fn of(design: &Design, op: Op) -> Option<Range> {
         Op::ShiftLeft(a, bits) => range(a).shifted_left(bits).narrow().ok(),
         Op::ShiftRight(a, bits) => Some(range(a).shifted_right(bits)),
         Op::LessThan(..) | Op::Not(_) => Some(bit()),
-        Op::And(a, b) | Op::Or(a, b) => Some(bits_of(range(a)).hull(bits_of(range(b)))),
-        Op::Select(_, a, b) => Some(range(a).hull(range(b))),
+        Op::And(a, b) | Op::Or(a, b) => hull(bits_of(range(a)), bits_of(range(b))),
+        Op::Select(_, a, b) => hull(range(a), range(b)),
         Op::LookUp(at, table) => {
             let entries = &design.tables[table.0 as usize].entries;
             let beyond = (range(at).high >= entries.len() as i64).then_some(0);
+            // All entries are of one width and sign.
             entries.iter().copied().chain(beyond).map(Range::single).reduce(Range::hull)
         }
     }
+}
+
+/// Both ranges, if that fits 63 bits.
+pub fn hull(a: Range, b: Range) -> Option<Range> {
+    a.hull(b).plus(Range::single(0)).narrow().ok()
 }
 
 /// The signal that this one is another name of.
 fn unregistered(design: &Design, id: NodeId) -> NodeId {
     match design.node(id) {
         node if node.registered() => id,
-        node => if let Op::Copy(from) = node.op { unregistered(design, from) } else { id },
+        node => {
+            if let Op::Copy(from) = node.op {
+                unregistered(design, from)
+            } else {
+                id
+            }
+        }
     }
 }
 

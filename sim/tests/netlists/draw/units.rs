@@ -43,6 +43,11 @@ fn take(net: &mut Net, from: ScopeId, to: ScopeId) {
         id = net.place(Op::Copy(id), Register::None, range);
     }
     net.scope = to;
+    // An instance's pin is connected once.
+    let there = net.design.nodes.iter().any(|node| node.scope == to && node.op == Op::Copy(id));
+    if net.profile.verilog && there {
+        return;
+    }
     net.place(Op::Copy(id), Register::None, range);
 }
 

@@ -1,0 +1,68 @@
+//! Comparisons, bits and choices.
+use proptest::prelude::*;
+use specula_kernels::{Bits, Lane, bits, choose, less_than};
+
+use crate::lanes::{Shape, column, in_lanes, levels, numbers, shape, unfilled};
+
+fn compared<L: Lane + PartialOrd>(shape: Shape, a: &[i64], b: &[i64]) {
+    let (x, y) = (in_lanes::<L>(a), in_lanes::<L>(b));
+    let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(|(a, b)| i64::from(a < b)).collect();
+    for level in levels() {
+        let mut out = unfilled::<i32>(shape.lanes);
+        less_than::<L>(level).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
+        assert_eq!(numbers(&out), expected, "{}", level.name());
+    }
+}
+
+fn combined<L>(shape: Shape, a: &[i64], b: &[i64])
+where
+    L: Lane + std::ops::BitAnd<Output = L> + std::ops::BitOr<Output = L>,
+{
+    let (x, y) = (in_lanes::<L>(a), in_lanes::<L>(b));
+    let meanings: [(Bits, fn(i64, i64) -> i64); 2] = [(Bits::And, |a, b| a & b), (Bits::Or, |a, b| a | b)];
+    for (operator, meaning) in meanings {
+        let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(|(&a, &b)| meaning(a, b)).collect();
+        for level in levels() {
+            let mut out = unfilled::<L>(shape.lanes);
+            bits::<L>(operator, level).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
+            assert_eq!(numbers(&out), expected, "{operator:?} {}", level.name());
+        }
+    }
+}
+
+fn chosen<L: Lane>(shape: Shape, condition: &[i64], yes: &[i64], no: &[i64]) {
+    let (c, x, y) = (in_lanes::<i32>(condition), in_lanes::<L>(yes), in_lanes::<L>(no));
+    let branches = shape.of(yes, 0).iter().zip(shape.of(no, 1));
+    let expected: Vec<i64> =
+        shape.of(condition, 2).iter().zip(branches).map(|(&c, (&yes, &no))| if c != 0 { yes } else { no }).collect();
+    for level in levels() {
+        let mut out = unfilled::<L>(shape.lanes);
+        choose::<L>(level).run(&mut out, shape.of(&c, 2), shape.of(&x, 0), shape.of(&y, 1));
+        assert_eq!(numbers(&out), expected, "{}", level.name());
+    }
+}
+
+/// Columns that are equal in many lanes, so that comparisons see equal values.
+fn alike(bits: u32) -> impl Strategy<Value = (Vec<i64>, Vec<i64>)> {
+    (column(bits), column(bits), any::<bool>()).prop_map(|(a, b, same)| if same { (a.clone(), a) } else { (a, b) })
+}
+
+proptest! {
+    #[test]
+    fn less(shape in shape(), (a, b) in alike(32), (c, d) in alike(64)) {
+        compared::<i32>(shape, &a, &b);
+        compared::<i64>(shape, &c, &d);
+    }
+
+    #[test]
+    fn bitwise(shape in shape(), (a, b) in alike(32), (c, d) in alike(64)) {
+        combined::<i32>(shape, &a, &b);
+        combined::<i64>(shape, &c, &d);
+    }
+
+    #[test]
+    fn choices(shape in shape(), condition in column(1), (a, b) in alike(32), (c, d) in alike(64)) {
+        chosen::<i32>(shape, &condition, &a, &b);
+        chosen::<i64>(shape, &condition, &c, &d);
+    }
+}
