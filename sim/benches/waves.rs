@@ -1,9 +1,11 @@
 //! How fast waveforms of every signal are written: the teapot's core at 640x480, in rounds that take the ways of writing in turn.
 //!
 //! ```text
-//! cargo bench -p specula-sim --bench waves -- [ROUNDS [DIRECTORY]]
+//! cargo bench -p specula-sim --bench waves -- [ROUNDS [DIRECTORY [PART]]]
 //! ```
-//! Files go to DIRECTORY, or the one for temporary files. Verilator's own traces are timed in the same rounds.
+//! Files go to DIRECTORY, or the one for temporary files. Verilator's own traces are timed in the same rounds. With PART, only ways whose
+//! name has it as a part are taken.
+use std::cell::LazyCell;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -17,6 +19,7 @@ fn main() {
     let mut arguments = std::env::args().skip(1).filter(|argument| argument != "--bench");
     let rounds = arguments.next().map_or(5, |rounds| rounds.parse().expect("ROUNDS is a number"));
     let directory = arguments.next().map_or_else(std::env::temp_dir, PathBuf::from);
+    let part = arguments.next().unwrap_or_default();
 
     let scene = specula_scene::load("teapot", Some((640, 480))).expect("the scene is built in");
     let spec = scene.core_spec(None).expect("the scene has a core");
@@ -27,11 +30,13 @@ fn main() {
     let bench = Bench { design: &design, stimulus: &stimulus, signals, directory: &directory };
     println!("{} signals, {} clocks", bench.signals.len(), stimulus.clocks().end);
 
-    let verilator = |keeping| TimedVerilator::build(&design, &stimulus, keeping).expect("Verilator is installed");
-    let [verilator_vcd, verilator_fst] = [Keeping::Vcd, Keeping::Fst].map(verilator);
+    let build = |keeping| TimedVerilator::build(&design, &stimulus, keeping).expect("Verilator is installed");
+    // Built when they are first wanted.
+    let verilator_vcd = LazyCell::new(|| build(Keeping::Vcd));
+    let verilator_fst = LazyCell::new(|| build(Keeping::Fst));
     let external = |program: &TimedVerilator, dump: &Path| program.run(packets.len(), dump).expect("the program works").seconds;
     let file = |name: &str| directory.join(name);
-    let mut rows = [
+    let mut rows = vec![
         Row::new("every signal, nothing written", || bench.engine(|_| Ok(()))),
         Row::new("VCD to a null sink", || bench.vcd(io::sink())),
         Row::new("VCD to /dev/null, by Verilator", || external(&verilator_vcd, Path::new("/dev/null"))),
@@ -40,6 +45,7 @@ fn main() {
         Row::new("FST to a file", || bench.fst(bench.file("waves.fst"))),
         Row::new("FST to a file, by Verilator", || external(&verilator_fst, &file("verilator.fst"))),
     ];
+    rows.retain(|row| row.name.contains(&part));
     for _ in 0..rounds {
         rows.iter_mut().for_each(Row::take);
     }

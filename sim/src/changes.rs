@@ -54,15 +54,15 @@ impl Changes {
     }
 }
 
-/// The numbers of the bits that are set.
+/// The numbers of the bits that are set, the lowest first.
 #[inline]
-fn ones(bits: u64) -> impl Iterator<Item = usize> {
+pub fn ones(bits: u64) -> impl Iterator<Item = usize> {
     let after = |&bits: &u64| Some(bits & (bits - 1)).filter(|&rest| rest != 0);
     std::iter::successors(Some(bits).filter(|&bits| bits != 0), after).map(|bits| bits.trailing_zeros() as usize)
 }
 
 /// A bit for each row whose value is not that of the row before, which is `last` before the first; `last` becomes that of the last.
-fn changes(lanes: Lanes, last: &mut i64) -> u64 {
+pub fn changes(lanes: Lanes, last: &mut i64) -> u64 {
     match lanes {
         Lanes::Narrow(lanes) => {
             let (Some(&first), Some(&end)) = (lanes.first(), lanes.last()) else { return 0 };
@@ -81,18 +81,30 @@ fn changes(lanes: Lanes, last: &mut i64) -> u64 {
 
 /// The bits of all rows but the first.
 fn changes_within<T: Copy + PartialEq>(lanes: &[T]) -> u64 {
-    // Bytes first: lanes are compared and narrowed many at a time.
-    let mut changed = [0u8; BLOCK];
-    for (changed, (after, before)) in changed[1..].iter_mut().zip(lanes[1..].iter().zip(lanes)) {
-        *changed = u8::from(after != before);
-    }
-    let (bytes, _) = changed.as_chunks::<8>();
-    bytes.iter().rev().fold(0, |bits, &bytes| bits << 8 | lowest_bits(u64::from_le_bytes(bytes)))
+    let halves = lanes.chunks(HALF).zip(lanes[1..].chunks(HALF));
+    halves.enumerate().fold(0, |bits, (half, (before, after))| bits | u64::from(differences(before, after)) << (HALF * half)) << 1
 }
 
-/// The lowest bit of each byte, gathered: the multiplication moves that of byte i, bit 8 i, to bit 56 + i.
-fn lowest_bits(bytes: u64) -> u64 {
-    bytes.wrapping_mul(0x0102_0408_1020_4080) >> 56
+/// Rows whose bits fit into a narrow lane.
+const HALF: usize = BLOCK / 2;
+/// A bit for each of these rows.
+const BIT: [u32; HALF] = bits();
+
+const fn bits() -> [u32; HALF] {
+    let mut bits = [0; HALF];
+    let mut row = 0;
+    while row < HALF {
+        bits[row] = 1 << row;
+        row += 1;
+    }
+    bits
+}
+
+/// A bit for each row whose values differ, up to [`HALF`] of them.
+fn differences<T: Copy + PartialEq>(before: &[T], after: &[T]) -> u32 {
+    // A mask for each row, and no shifts: this becomes a loop over vectors.
+    let rows = before.iter().zip(after).zip(&BIT);
+    rows.fold(0, |bits, ((before, after), bit)| bits | if before != after { *bit } else { 0 })
 }
 
 /// Turns rows into columns [Warren, Hacker's Delight, section 7-3].

@@ -9,13 +9,13 @@ use specula_hdl::Design;
 use specula_hdl::design::{NodeId, Scope, ScopeId};
 
 use crate::changes::{BLOCK, Changes};
-use crate::outline::{Entry, outline};
+use crate::outline::{self, Entry, Outline};
 use crate::vcd::PERIOD;
 use crate::{Batch, Lanes, digits};
 
 /// Bytes of changes that are gathered before they are written as a section of the file. The larger, the better they are compressed;
 /// `fst-writer` counts them in 32 bits.
-const SECTION: usize = 32 << 20;
+const SECTION: usize = 2 << 20;
 /// The field for the program's name has 128 bytes, the last of them 0.
 const LONGEST_VERSION: usize = 127;
 /// Times are in units of 10^-9 seconds.
@@ -49,15 +49,20 @@ impl<W: Write + Seek> Waves<W> {
     pub fn begin(out: W, design: &Design, nodes: &[NodeId], about: &str) -> io::Result<Waves<W>> {
         let mut header = Header(FstHeaderWriter::new(BufWriter::new(out), &info(about)).map_err(failed)?);
         header.unit(design.scope(ScopeId::TOP))?;
-        let clock = header.variable("clock", 1)?;
-        let reset = header.variable("reset", 1)?;
-        let mut variables = vec![];
-        for entry in outline(design, nodes) {
+        let clock = header.variable("clock", 1, None)?;
+        let reset = header.variable("reset", 1, None)?;
+        let outline = Outline::new(design, nodes);
+        let mut variables: Vec<Variable> = vec![];
+        for entry in outline.entries {
             match entry {
                 Entry::Unit(scope) => header.unit(scope)?,
-                Entry::Signal(column, node) => {
-                    let width = node.width();
-                    variables.push(Variable { id: header.variable(&node.name, width)?, column, width });
+                Entry::Signal(node, number) => {
+                    let known = variables.get(number).map(|variable| variable.id);
+                    let id = header.variable(&node.name, node.width(), known)?;
+                    if known.is_none() {
+                        let outline::Variable { column, width } = outline.variables[number];
+                        variables.push(Variable { id, column, width });
+                    }
                 }
                 Entry::End => header.0.up_scope().map_err(failed)?,
             }
@@ -130,10 +135,11 @@ impl<W: Write + Seek> Header<W> {
         self.0.scope(&scope.instance, &scope.unit, FstScopeType::Module).map_err(failed)
     }
 
-    fn variable(&mut self, name: &str, width: u32) -> io::Result<FstSignalId> {
+    /// A name for a variable: for the one that is `known`, or for a new one.
+    fn variable(&mut self, name: &str, width: u32, known: Option<FstSignalId>) -> io::Result<FstSignalId> {
         let name = if width > 1 { format!("{name} [{}:0]", width - 1) } else { name.to_owned() };
         let bits = FstSignalType::bit_vec(width);
-        self.0.var(name, bits, FstVarType::Wire, FstVarDirection::Implicit, None).map_err(failed)
+        self.0.var(name, bits, FstVarType::Wire, FstVarDirection::Implicit, known).map_err(failed)
     }
 }
 

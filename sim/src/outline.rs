@@ -1,61 +1,100 @@
 //! What a waveform declares: units with their signals in them, in the order in which a file lists them.
+use std::collections::HashMap;
+
 use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, Op, Scope, ScopeId};
+use specula_hdl::design::{Node, NodeId, Op, Register, Scope, ScopeId};
+
+/// What a waveform declares.
+#[derive(Debug)]
+pub struct Outline<'a> {
+    /// What is inside the core, and the end of the core.
+    pub entries: Vec<Entry<'a>>,
+    /// The variables whose values the file holds.
+    pub variables: Vec<Variable>,
+}
 
 /// An entry of the list.
 #[derive(Clone, Copy, Debug)]
 pub enum Entry<'a> {
     /// A unit begins: first its signals, then the units within it.
     Unit(&'a Scope),
-    /// A signal, and its column among those that are written.
-    Signal(usize, &'a Node),
+    /// A signal, and the number of its variable. Signals that are connected have one variable, which
+    /// the first of them brings: numbers of variables are in the order of the entries.
+    Signal(&'a Node, usize),
     /// The innermost unit that has begun ends.
     End,
 }
 
-/// What is inside the core for `nodes`, and the end of the core; constants are left out, and units in which nothing is shown.
-pub fn outline<'a>(design: &'a Design, nodes: &[NodeId]) -> Vec<Entry<'a>> {
-    let units = design.scopes.len();
-    let mut outline = Outline { design, signals: vec![vec![]; units], shown: vec![false; units], entries: vec![] };
-    for (column, &id) in nodes.iter().enumerate() {
-        outline.admit(column, design.node(id));
-    }
-    outline.inside(ScopeId::TOP);
-    outline.entries
-}
-
-struct Outline<'a> {
-    design: &'a Design,
-    /// The signals of each unit, with their columns.
-    signals: Vec<Vec<(usize, &'a Node)>>,
-    /// Whether something is shown in a unit or in one within it.
-    shown: Vec<bool>,
-    entries: Vec<Entry<'a>>,
+/// Something that has values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Variable {
+    /// The column in which they are.
+    pub column: usize,
+    /// Width in bits.
+    pub width: u32,
 }
 
 impl<'a> Outline<'a> {
-    fn admit(&mut self, column: usize, node: &'a Node) {
-        if matches!(node.op, Op::Constant(_)) {
-            return;
+    /// The outline for `nodes`; constants are left out, and units in which nothing is shown.
+    pub fn new(design: &'a Design, nodes: &[NodeId]) -> Outline<'a> {
+        let units = design.scopes.len();
+        let mut draft = Draft { design, signals: vec![vec![]; units], shown: vec![false; units], known: HashMap::new() };
+        for (column, &id) in nodes.iter().enumerate().filter(|&(_, &id)| !matches!(design.node(id).op, Op::Constant(_))) {
+            draft.admit(column, id);
         }
-        self.signals[node.scope.0 as usize].push((column, node));
-        let mut at = Some(node.scope);
+        let mut outline = Outline { entries: vec![], variables: vec![] };
+        draft.inside(ScopeId::TOP, &mut outline);
+        outline
+    }
+}
+
+/// The signal that `id` is connected to: ports of units have the value of what is behind them, bit by bit.
+fn origin(design: &Design, id: NodeId) -> NodeId {
+    let node = design.node(id);
+    match node.op {
+        Op::Copy(of) if node.register == Register::None && design.node(of).width() == node.width() => origin(design, of),
+        _ => id,
+    }
+}
+
+/// An outline while it is made.
+struct Draft<'a> {
+    design: &'a Design,
+    /// The signals of each unit, with their columns.
+    signals: Vec<Vec<(usize, NodeId)>>,
+    /// Whether something is shown in a unit or in one within it.
+    shown: Vec<bool>,
+    /// The variables of signals that others are connected to.
+    known: HashMap<NodeId, usize>,
+}
+
+impl<'a> Draft<'a> {
+    fn admit(&mut self, column: usize, id: NodeId) {
+        let scope = self.design.node(id).scope;
+        self.signals[scope.0 as usize].push((column, id));
+        let mut at = Some(scope);
         while let Some(scope) = at.filter(|scope| !self.shown[scope.0 as usize]) {
             self.shown[scope.0 as usize] = true;
             at = self.design.scope(scope).parent;
         }
     }
 
-    fn inside(&mut self, scope: ScopeId) {
-        let signals = std::mem::take(&mut self.signals[scope.0 as usize]);
-        self.entries.extend(signals.into_iter().map(|(column, node)| Entry::Signal(column, node)));
+    fn inside(&mut self, scope: ScopeId, outline: &mut Outline<'a>) {
+        for (column, id) in std::mem::take(&mut self.signals[scope.0 as usize]) {
+            let node = self.design.node(id);
+            let variable = *self.known.entry(origin(self.design, id)).or_insert(outline.variables.len());
+            if variable == outline.variables.len() {
+                outline.variables.push(Variable { column, width: node.width() });
+            }
+            outline.entries.push(Entry::Signal(node, variable));
+        }
         for index in 0..self.design.scopes.len() as u32 {
             let inner = self.design.scope(ScopeId(index));
             if inner.parent == Some(scope) && self.shown[index as usize] {
-                self.entries.push(Entry::Unit(inner));
-                self.inside(ScopeId(index));
+                outline.entries.push(Entry::Unit(inner));
+                self.inside(ScopeId(index), outline);
             }
         }
-        self.entries.push(Entry::End);
+        outline.entries.push(Entry::End);
     }
 }

@@ -1,6 +1,7 @@
 //! Drives a core with a scene's spans, compares every pixel with independent models, and measures error and run time.
 mod arrival;
 mod assumptions;
+pub mod bench;
 mod compare;
 mod error;
 mod image;

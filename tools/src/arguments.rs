@@ -41,7 +41,7 @@ impl SceneArguments {
 }
 
 /// `--size`.
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
+pub fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let number = |digits: &str| digits.parse::<u32>().ok().filter(|_| digits.bytes().all(|b| b.is_ascii_digit()));
     let numbers = text.split_once('x').and_then(|(width, height)| Some((number(width)?, number(height)?)));
     let size = numbers.ok_or("write width and height in pixels, as in 640x480")?;
@@ -68,7 +68,8 @@ fn parse_cycles(text: &str) -> Result<std::ops::Range<u64>, String> {
     if first < end { Ok(first..end) } else { Err(format!("{first}..{end} is empty: the first number must be the smaller one")) }
 }
 
-fn method_parser() -> impl TypedValueParser<Value = Method> {
+/// `--method`.
+pub fn method_parser() -> impl TypedValueParser<Value = Method> {
     PossibleValuesParser::new(Method::ALL.map(Method::name)).try_map(|name| Method::from_name(&name))
 }
 

@@ -4,7 +4,7 @@ use std::io::Write;
 use clap::{Parser, Subcommand};
 
 use crate::error::ToolError;
-use crate::{cmd_generate, cmd_methods, cmd_run, cmd_scenes, cmd_wave};
+use crate::{cmd_bench, cmd_generate, cmd_methods, cmd_run, cmd_scenes, cmd_wave};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -31,6 +31,8 @@ pub enum Command {
     Generate(cmd_generate::Arguments),
     /// Draw a window of a waveform as text or as a picture
     Wave(cmd_wave::Arguments),
+    /// Measure how fast each simulator on this machine runs the core for a scene
+    Bench(cmd_bench::Arguments),
     /// List the built-in scenes
     #[command(after_help = "Example: specula scenes")]
     Scenes,
@@ -55,6 +57,7 @@ impl Command {
             Command::Run(arguments) => cmd_run::execute(arguments, stdout),
             Command::Generate(arguments) => cmd_generate::execute(arguments, stdout),
             Command::Wave(arguments) => cmd_wave::execute(arguments, stdout),
+            Command::Bench(arguments) => cmd_bench::execute(arguments, stdout),
             Command::Scenes => cmd_scenes::execute(stdout),
             Command::Methods => cmd_methods::execute(stdout),
         }

@@ -17,9 +17,9 @@ use crate::run::{Run, Written};
 use crate::{picture, progress, report, summary, verilog, waveform, worst};
 
 const EXAMPLE: &str = "\
-Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd, trace.gtkw, worst.svg (the worst
-pixel on its way through the core), report.md and report.json.
-DIR is replaced as a whole when everything is there; files in it that Specula did not write stay.
+Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd, trace.gtkw,
+worst.svg (the worst pixel's way through the core), report.md and report.json. DIR is replaced as a
+whole when everything is there; files in it that Specula did not write stay.
 
 Exit status: 0 if every pixel agrees, 1 if not, 2 if the run could not be made.
 
@@ -119,11 +119,9 @@ fn write_files(staging: &Staging, run: &Run, written: &Written) -> Result<String
     picture::write_drawing(&staging.file(ERROR), &map).map_err(staging.failed(ERROR))?;
     let source = verilog::text(&run.origin, run.bench.spec, &run.bench.design);
     let json = report::json(run, written).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
-    for (name, text) in [
-        (verilog::file_name(run.module).as_str(), &source),
-        (MARKDOWN, &report::markdown(run, written)),
-        (REPORT, &json),
-    ] {
+    for (name, text) in
+        [(verilog::file_name(run.module).as_str(), &source), (MARKDOWN, &report::markdown(run, written)), (REPORT, &json)]
+    {
         fs::write(staging.file(name), text).map_err(staging.failed(name))?;
     }
     Ok(json)

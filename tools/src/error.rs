@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use miette::Diagnostic;
 use specula_scene::SceneError;
 use specula_testbench::BenchError;
+use specula_testbench::bench::MeasureError;
 use thiserror::Error;
 
 use crate::wave::WaveError;
@@ -20,6 +21,14 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Bench(#[from] BenchError),
+    /// Engines cannot be measured.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Measure(Box<MeasureError>),
+    /// The measurement cannot be put into JSON.
+    #[error("the measurement cannot be written as JSON: {0}")]
+    #[diagnostic(code(specula::measure::json), help("this is a fault of Specula's: please report it with the scene"))]
+    Json(serde_json::Error),
     /// The output folder cannot be used.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -46,6 +55,12 @@ pub enum ToolError {
 impl From<SceneError> for ToolError {
     fn from(error: SceneError) -> ToolError {
         ToolError::Scene(Box::new(error))
+    }
+}
+
+impl From<MeasureError> for ToolError {
+    fn from(error: MeasureError) -> ToolError {
+        ToolError::Measure(Box::new(error))
     }
 }
 

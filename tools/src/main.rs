@@ -1,6 +1,7 @@
 //! Specula's command line: a scene goes in, checked shading hardware comes out.
 mod arguments;
 mod cli;
+mod cmd_bench;
 mod cmd_generate;
 mod cmd_methods;
 mod cmd_run;

@@ -16,3 +16,16 @@ pub fn bar(doing: &'static str, clocks: u64) -> ProgressBar {
         Err(_) => bar,
     }
 }
+
+/// Which step is being done, and how many of how many are.
+pub fn steps() -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(0);
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}") {
+        Ok(style) => bar.with_style(style),
+        // As above.
+        Err(_) => bar,
+    }
+}

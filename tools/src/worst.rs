@@ -37,7 +37,8 @@ pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Resul
     let choice = view.named(&way(design, enters));
     let asked = Asked { from: Some(enters.saturating_sub(AROUND)), to: Some(leaves + AROUND), usual: 0 };
     let mut figure = view.figure(&choice, &asked)?;
-    figure.notes = vec!["A pixel's way through the core: marked values belong to the pixel that leaves in the marked clock.".to_owned()];
+    figure.notes =
+        vec!["A pixel's way through the core: marked values belong to the pixel that leaves in the marked clock.".to_owned()];
     fs::write(staging.file(PICTURE), wave::svg(&figure)).map_err(staging.failed(PICTURE))?;
     Ok(())
 }
@@ -52,8 +53,12 @@ fn way(design: &Design, enters: u64) -> Vec<(String, u64)> {
 /// What the core's units compute, unit by unit and in the order of time.
 fn in_units(design: &Design) -> Vec<NodeId> {
     let of_unit = |id: &NodeId| design.scope(design.node(*id).scope).parent == Some(ScopeId::TOP);
-    // Ports and delays repeat what another row shows.
-    let computed = |id: &NodeId| !matches!(design.node(*id).op, Op::Copy(_));
+    // Ports and delays repeat what another row shows; results of inner units have no other row.
+    let scope = |id: NodeId| design.node(id).scope;
+    let computed = |id: &NodeId| match design.node(*id).op {
+        Op::Copy(of) => design.scope(scope(of)).parent == Some(scope(*id)),
+        _ => true,
+    };
     let mut nodes: Vec<NodeId> = gtkw::interesting(design).into_iter().filter(|id| of_unit(id) && computed(id)).collect();
     let results = |id: &NodeId| design.node(*id).stage == design.scope(design.node(*id).scope).exit;
     if nodes.len() > MOST_ROWS {

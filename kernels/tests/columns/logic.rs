@@ -19,9 +19,9 @@ where
     L: Lane + std::ops::BitAnd<Output = L> + std::ops::BitOr<Output = L>,
 {
     let (x, y) = (in_lanes::<L>(a), in_lanes::<L>(b));
-    let meanings: [(Bits, fn(i64, i64) -> i64); 2] = [(Bits::And, |a, b| a & b), (Bits::Or, |a, b| a | b)];
-    for (operator, meaning) in meanings {
-        let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(|(&a, &b)| meaning(a, b)).collect();
+    for operator in [Bits::And, Bits::Or] {
+        let meaning = |(&a, &b): (&i64, &i64)| if operator == Bits::And { a & b } else { a | b };
+        let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(meaning).collect();
         for level in levels() {
             let mut out = unfilled::<L>(shape.lanes);
             bits::<L>(operator, level).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));

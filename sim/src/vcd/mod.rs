@@ -7,7 +7,7 @@
 //! most of the time of a run that is traced would go into it. That crate reads what others write.
 mod header;
 mod record;
-mod text;
+mod rows;
 mod waves;
 
 use std::io::{self, Write};

@@ -8,7 +8,8 @@ pub const ROOM: usize = 80;
 /// How a variable's lines are made.
 #[derive(Clone, Copy, Debug)]
 pub struct Record {
-    width: u32,
+    /// Bits of a value.
+    pub width: u32,
     /// What comes behind the bits, and its length.
     tail: [u8; 8],
     tail_length: u8,
@@ -23,32 +24,43 @@ impl Record {
         Record { width, tail, tail_length: text.len() as u8 }
     }
 
-    /// Puts the line that says `value` to the beginning of `room`, and gives its length; the rest of the room is spoilt.
+    /// Bytes of its longest line.
+    pub fn longest(&self) -> usize {
+        usize::from(self.width > 1) + self.width as usize + usize::from(self.tail_length)
+    }
+
+    /// The line of a single bit, as [`vector`](Record::vector) makes one of many.
+    #[inline(always)]
+    pub fn bit(&self, value: i64, room: &mut [u8; ROOM]) -> usize {
+        room[0] = b'0' + (value & 1) as u8;
+        room[1..9].copy_from_slice(&self.tail);
+        1 + usize::from(self.tail_length)
+    }
+
+    /// Puts the line that says `value` to the beginning of `room`, and gives its length; the rest of the room is spoilt. The value has
+    /// at least 2 bits and at most `BYTES` bytes.
     ///
     /// Zeros on the left are left out: readers put them back, as a value that is short is extended by zeros if it begins with a digit
     /// [IEEE 1364-2005, table 18-1]. Ones on the left must stay.
-    #[inline]
-    pub fn write(&self, value: i64, room: &mut [u8; ROOM]) -> usize {
+    #[inline(always)]
+    pub fn vector<const BYTES: usize>(&self, value: i64, room: &mut [u8; ROOM]) -> usize {
         room[0] = b'b';
-        let begin = usize::from(self.width > 1);
-        // The value's bits at the top, so that the digits come from the left.
+        // The value's bits at the top, so that the digits come from the left; the last of them stays, whatever it is.
         let bits = (value as u64) << (64 - self.width);
-        let left_out = bits.leading_zeros().min(self.width - 1);
+        let left_out = (bits | 1 << (64 - self.width)).leading_zeros();
         let bits = (bits << left_out).to_be_bytes();
-        let mut put = |byte: usize| room[begin + 8 * byte..][..8].copy_from_slice(&digits::OF_BYTE[usize::from(bits[byte])]);
-        // Half of the digits are always made: making only those that are wanted costs more in mispredicted branches.
-        (0..4).for_each(&mut put);
-        if self.width > 32 {
-            (4..8).for_each(put);
+        // All digits are made, wanted or not: to make only some costs more, in branches that are not foreseen.
+        for (place, &byte) in room[1..].chunks_exact_mut(8).zip(&bits[..BYTES]) {
+            place.copy_from_slice(&digits::OF_BYTE[usize::from(byte)]);
         }
-        let end = begin + (self.width - left_out) as usize;
+        let end = 1 + (self.width - left_out) as usize;
         room[end..end + 8].copy_from_slice(&self.tail);
         end + usize::from(self.tail_length)
     }
 }
 
-/// The code of a variable: up to five printable characters, the shortest first.
-pub fn code(number: u32) -> String {
+/// The code of a variable: printable characters, the shortest first; up to five, as numbers of signals have 32 bits.
+pub fn code(number: usize) -> String {
     let mut code = String::new();
     let mut rest = Some(number);
     while let Some(number) = rest {
@@ -66,7 +78,12 @@ mod tests {
 
     fn line(width: u32, value: i64) -> String {
         let mut room = [0; ROOM];
-        let length = Record::new(width, "~~~~~").write(value, &mut room);
+        let record = Record::new(width, "~~~~~");
+        let length = match width {
+            1 => record.bit(value, &mut room),
+            2..=32 => record.vector::<4>(value, &mut room),
+            _ => record.vector::<8>(value, &mut room),
+        };
         String::from_utf8_lossy(&room[..length]).into_owned()
     }
 
@@ -85,7 +102,7 @@ mod tests {
 
     #[test]
     fn codes_differ_and_fit() {
-        let numbers = (0..20_000).chain([u32::MAX - 1, u32::MAX]);
+        let numbers = (0..20_000).chain([0xFFFF_FFFE, 0xFFFF_FFFF]);
         let codes: HashSet<String> = numbers.map(code).collect();
         assert_eq!(codes.len(), 20_002);
         assert!(codes.iter().all(|code| code.len() <= 5 && code.bytes().all(|byte| byte.is_ascii_graphic())));

@@ -1,22 +1,31 @@
 //! A file alone, wherever the user wants it.
+use std::fs;
 use std::io;
 use std::path::Path;
 
 use super::TEMPORARY;
+use super::made::MadeFolders;
 use crate::error::OutputError;
 
-/// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder has to be there.
+/// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder is made if it is not there.
 ///
 /// # Errors
 /// [`OutputError`] if the system refuses.
 pub fn write_file(path: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), OutputError> {
     let beside = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if let Some(at) = beside.ancestors().find(|path| path.symlink_metadata().is_ok()).filter(|path| !path.is_dir()) {
+        return Err(OutputError::NotAFolder { folder: beside.to_owned(), at: at.to_owned() });
+    }
     let publish = || {
+        let made = MadeFolders::make(beside)?;
         let temporary = tempfile::Builder::new().prefix(TEMPORARY).tempdir_in(beside)?;
         // With the same ending, by which pictures are told apart.
         let new = temporary.path().join(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
         write(&new)?;
-        std::fs::rename(&new, path)
+        fs::rename(&new, path)?;
+        drop(temporary);
+        made.keep();
+        Ok(())
     };
     publish().map_err(OutputError::system(path))
 }

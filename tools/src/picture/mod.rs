@@ -6,10 +6,12 @@ mod scale;
 pub use canvas::Canvas;
 pub use heat_map::heat_map;
 
-use std::io;
+use std::fs::File;
+use std::io::{self, BufWriter};
 use std::path::Path;
 
-use image::{ExtendedColorType, ImageError, ImageFormat, RgbImage};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, RgbImage};
 use specula_testbench::Image;
 
 /// Writes a picture as PNG.
@@ -22,10 +24,22 @@ pub fn write_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
     write_png(path, drawing.as_raw(), drawing.dimensions())
 }
 
+/// Writes a drawing of lines and words as PNG: without filters, which spoil its long runs of one colour.
+pub fn write_line_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
+    let file = BufWriter::new(File::create(path)?);
+    let encoder = PngEncoder::new_with_quality(file, CompressionType::Default, FilterType::NoFilter);
+    let (width, height) = drawing.dimensions();
+    encoder.write_image(drawing.as_raw(), width, height, ExtendedColorType::Rgb8).map_err(io_error)
+}
+
 fn write_png(path: &Path, bytes: &[u8], (width, height): (u32, u32)) -> io::Result<()> {
     let saved = image::save_buffer_with_format(path, bytes, width, height, ExtendedColorType::Rgb8, ImageFormat::Png);
-    saved.map_err(|error| match error {
+    saved.map_err(io_error)
+}
+
+fn io_error(error: ImageError) -> io::Error {
+    match error {
         ImageError::IoError(error) => error,
         other => io::Error::other(other),
-    })
+    }
 }

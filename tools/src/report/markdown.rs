@@ -186,7 +186,10 @@ fn way(run: &Run, written: &Written) -> String {
         return String::new();
     }
     let pixel = if run.disagreement.is_some() { "the first disagreement" } else { "the pixel with the largest error" };
-    format!("\nThe way of {pixel} through the core, its value of each signal marked:\n\n![way]({})\n", worst::PICTURE)
+    format!(
+        "\nThe way of {pixel} through the core, its value of each signal marked:\n\n[![way]({file})]({file})\n",
+        file = worst::PICTURE
+    )
 }
 
 fn verilog(run: &Run) -> String {

@@ -1,22 +1,39 @@
 //! A dump: the variables of a VCD or FST file, and the values they take.
+use std::collections::HashMap;
 use std::fs::File;
 use std::io::{self, BufReader};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use wellen::simple::{self, Waveform};
-use wellen::{FileFormat, Hierarchy, ItemRef, ScopeRef, SignalRef, SignalValueRef, TimescaleUnit, VarDirection, VarRef, WellenError, viewers};
+use wellen::viewers::{self, BodyResult, HeaderResult};
+use wellen::{
+    FileFormat, Hierarchy, ItemRef, LoadOptions, ScopeRef, Signal, SignalRef, SignalSource, SignalValueRef, TimeTable,
+    TimescaleUnit, VarDirection, VarRef, WellenError,
+};
 
 use super::error::WaveError;
+use super::fst_check;
 use super::guard::guarded;
 use super::value::Value;
+
+/// Width of a signal in bits, at most: its reader makes room for all of them, whether or not the file has them.
+const WIDEST: u32 = 1 << 20;
 
 /// An opened dump.
 pub struct Dump {
     path: PathBuf,
-    waves: Waveform,
+    waves: Waves,
     /// Every variable, in the order of the file.
     pub variables: Vec<Variable>,
+}
+
+/// What the reader keeps of a file.
+struct Waves {
+    hierarchy: Hierarchy,
+    source: SignalSource,
+    times: TimeTable,
+    /// Those that have been loaded.
+    signals: HashMap<SignalRef, Signal>,
 }
 
 /// A variable of a dump.
@@ -62,13 +79,14 @@ impl Dump {
     pub fn open(path: &Path) -> Result<Dump, WaveError> {
         let mut input = reader(path).map_err(|reason| WaveError::Unreadable { path: path.to_owned(), reason })?;
         match viewers::detect_file_format(&mut input) {
-            FileFormat::Vcd | FileFormat::Fst => {}
+            FileFormat::Vcd => {}
+            FileFormat::Fst => fst_check::check(&mut input).map_err(|wrong| damaged(path, &wrong.to_string()))?,
             FileFormat::Ghw | FileFormat::Unknown => return Err(WaveError::Kind { path: path.to_owned() }),
         }
         let waves = read(path, input)?;
-        let variables = variables(waves.hierarchy());
+        let variables = variables(&waves.hierarchy);
         let empty = |missing| Err(WaveError::Empty { path: path.to_owned(), missing });
-        match (variables.is_empty(), waves.time_table().is_empty()) {
+        match (variables.is_empty(), waves.times.is_empty()) {
             (true, _) => empty("signals"),
             (_, true) => empty("values"),
             _ => Ok(Dump { path: path.to_owned(), waves, variables }),
@@ -82,7 +100,7 @@ impl Dump {
 
     /// The times at which something happens, increasing; there is at least one.
     pub fn times(&self) -> &[u64] {
-        self.waves.time_table()
+        &self.waves.times
     }
 
     /// From the first time to the last.
@@ -91,13 +109,13 @@ impl Dump {
         times.first().copied().unwrap_or(0)..times.last().copied().unwrap_or(0)
     }
 
-    /// The unit of time, such as `ns` or `x 10 ps`.
+    /// The unit of time, such as `ns` or `10 ps`.
     pub fn time_unit(&self) -> String {
-        let timescale = self.waves.hierarchy().timescale();
+        let timescale = self.waves.hierarchy.timescale();
         let named = timescale.and_then(|scale| Some((scale.factor, unit_name(scale.unit)?)));
-        named.map_or("time units".to_owned(), |(factor, unit)| match factor {
+        named.map_or("unknown units".to_owned(), |(factor, unit)| match factor {
             1 => unit.to_owned(),
-            factor => format!("x {factor} {unit}"),
+            factor => format!("{factor} {unit}"),
         })
     }
 
@@ -107,12 +125,22 @@ impl Dump {
     /// [`WaveError::Damaged`] if they cannot be read.
     pub fn load(&mut self, variables: &[usize]) -> Result<(), WaveError> {
         let signals: Vec<SignalRef> = variables.iter().map(|&index| self.variables[index].signal).collect();
-        guarded(|| self.waves.load_signals(&signals)).map_err(|said| damaged(&self.path, &said))
+        let Waves { hierarchy, source, .. } = &mut self.waves;
+        let loaded = guarded(|| source.load_signals(&signals, hierarchy, false)).map_err(|said| damaged(&self.path, &said))?;
+        self.waves.signals.extend(loaded.into_iter().map(|signal| (signal.signal_ref(), signal)));
+        Ok(())
     }
 
     /// The values of a loaded variable in `window`, in order; a time before the first value has none.
-    pub fn segments(&self, variable: usize, window: &Range<u64>) -> Vec<Segment> {
-        let Some(signal) = self.waves.get_signal(self.variables[variable].signal) else { return vec![] };
+    ///
+    /// # Errors
+    /// [`WaveError::Damaged`] if they are not what the file's header says.
+    pub fn segments(&self, variable: usize, window: &Range<u64>) -> Result<Vec<Segment>, WaveError> {
+        let Some(signal) = self.waves.signals.get(&self.variables[variable].signal) else { return Ok(vec![]) };
+        guarded(|| self.segments_of(signal, window)).map_err(|said| damaged(&self.path, &said))
+    }
+
+    fn segments_of(&self, signal: &Signal, window: &Range<u64>) -> Vec<Segment> {
         let times = self.times();
         let time = |index: u32| times[index as usize];
         let changes = signal.time_indices();
@@ -161,18 +189,30 @@ fn reader(path: &Path) -> io::Result<BufReader<File>> {
 
 /// Reads from an open file and not from a path: that way wellen maps no memory that somebody else may cut off, and stays on this thread, where
 /// it may print a warning though standard output is locked.
-fn read(path: &Path, input: BufReader<File>) -> Result<Waveform, WaveError> {
-    let read = guarded(|| simple::read_from_reader(input)).map_err(|said| damaged(path, &said))?;
-    read.map_err(|error| match error {
+fn read(path: &Path, input: BufReader<File>) -> Result<Waves, WaveError> {
+    let refused = |error| match error {
         WellenError::FailedToLoad(_, reason) => damaged(path, &reason),
         WellenError::UnknownFileFormat => WaveError::Kind { path: path.to_owned() },
         WellenError::Io(reason) => WaveError::Unreadable { path: path.to_owned(), reason },
-    })
+    };
+    let panicked = |said: String| damaged(path, &said);
+    let header = guarded(|| viewers::read_header(input, &LoadOptions::default())).map_err(panicked)?.map_err(refused)?;
+    let HeaderResult { hierarchy, body, .. } = header;
+    if let Some(width) =
+        hierarchy.all_vars().filter_map(|variable| hierarchy[variable].length(&hierarchy)).find(|&width| width > WIDEST)
+    {
+        return Err(damaged(path, &format!("a signal has {width} bits")));
+    }
+    let BodyResult { source, time_table } =
+        guarded(|| viewers::read_body(body, &hierarchy, None)).map_err(panicked)?.map_err(refused)?;
+    Ok(Waves { hierarchy, source, times: time_table, signals: HashMap::new() })
 }
 
 /// The error for what the reader says, which may be long and hold pieces of the file.
 fn damaged(path: &Path, said: &str) -> WaveError {
     const LONGEST: usize = 120;
+    // wellen's words for a header without an end.
+    let said = if said.starts_with("I/O operation failed") { "it ends too early" } else { said };
     let line = clean(said.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("it cannot be understood"));
     let reason = if line.chars().count() > LONGEST { line.chars().take(LONGEST).chain("...".chars()).collect() } else { line };
     WaveError::Damaged { path: path.to_owned(), reason }

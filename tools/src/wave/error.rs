@@ -82,23 +82,20 @@ pub enum WaveError {
         there: String,
     },
     /// The window is empty or outside of the file.
-    #[error("there is nothing to draw from {from} to {to}: the file has {unit} {first} to {last}")]
-    #[diagnostic(code(specula::wave::window), help("give a `--from` and a `--to` among those, `--to` not before `--from`"))]
+    #[error("`{asked}` leaves nothing to draw: the file has {there}")]
+    #[diagnostic(code(specula::wave::window), help("choose among those, with `--to` not before `--from`"))]
     Window {
-        /// `--from`.
-        from: u64,
-        /// `--to`.
-        to: u64,
-        /// What they count.
-        unit: String,
-        /// The first there is.
-        first: u64,
-        /// The last there is.
-        last: u64,
+        /// What was asked for.
+        asked: String,
+        /// What there is.
+        there: String,
     },
     /// A picture of that would be of no use.
-    #[error("a drawing of {signals} signals and {length} instants is too large")]
-    #[diagnostic(code(specula::wave::large), help("choose fewer signals with `--signals` or a shorter time with `--from` and `--to`"))]
+    #[error("a drawing of {length} instants in {signals} rows is too large")]
+    #[diagnostic(
+        code(specula::wave::large),
+        help("choose fewer signals with `--signals` or a shorter time with `--from` and `--to`")
+    )]
     Large {
         /// Rows.
         signals: usize,

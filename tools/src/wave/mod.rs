@@ -4,6 +4,7 @@
 mod dump;
 mod error;
 mod figure;
+mod fst_check;
 mod guard;
 mod palette;
 mod png;
@@ -23,3 +24,6 @@ pub use selection::Selection;
 pub use svg::svg;
 pub use text::{columns_beside, most_columns, text};
 pub use view::{Asked, View};
+
+#[cfg(test)]
+mod tests;

@@ -14,10 +14,11 @@ pub struct Paint {
 }
 
 /// Every ink, those of areas before those of words.
-pub const INKS: [Ink; 14] = [
+pub const INKS: [Ink; 15] = [
     Ink::Paper,
     Ink::Marker,
     Ink::Grid,
+    Ink::High,
     Ink::Level,
     Ink::Cell,
     Ink::Unknown,
@@ -37,6 +38,7 @@ pub fn light(ink: Ink) -> Paint {
         Ink::Paper => fill(0xff_ffff),
         Ink::Marker => fill(0xff_f3cd),
         Ink::Grid => stroke(0xd8_dee4),
+        Ink::High => fill(0xe3_f6e7),
         Ink::Level => stroke(0x1a_7f37),
         Ink::Cell => both(0xf3_f6f9, 0x6e_7781),
         Ink::Unknown => both(0xff_d8d3, 0xc4_432b),
@@ -55,6 +57,7 @@ pub fn dark(ink: Ink) -> Paint {
         Ink::Paper => fill(0x0d_1117),
         Ink::Marker => fill(0x2b_230d),
         Ink::Grid => stroke(0x26_2c36),
+        Ink::High => fill(0x12_2b1a),
         Ink::Level => stroke(0x56_d364),
         Ink::Cell => both(0x1a_212b, 0x8b_949e),
         Ink::Unknown => both(0x5a_1e17, 0xff_7b72),

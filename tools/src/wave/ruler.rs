@@ -34,7 +34,7 @@ impl Ruler {
         let Some((index, _)) = clocks.min_by_key(|(_, variable)| variable.scopes.len()) else { return Ok(Ruler::Time) };
         dump.load(&[index])?;
         let all = 0..u64::MAX;
-        let segments = dump.segments(index, &all);
+        let segments = dump.segments(index, &all)?;
         let rises = segments.iter().filter(|segment| segment.value == Value::Bits("1".to_owned()));
         Ok(constant_pace(&rises.map(|segment| segment.time.start).collect::<Vec<_>>()).unwrap_or(Ruler::Time))
     }
@@ -44,6 +44,15 @@ impl Ruler {
         match self {
             Ruler::Clocks { .. } => "clocks".to_owned(),
             Ruler::Time => dump.time_unit(),
+        }
+    }
+
+    /// A window in words.
+    pub fn described(&self, window: &RangeInclusive<u64>, dump: &Dump) -> String {
+        let (first, last) = (window.start(), window.end());
+        match self {
+            Ruler::Clocks { .. } => format!("clocks {first} to {last}"),
+            Ruler::Time => format!("{first} to {last}, in {}", dump.time_unit()),
         }
     }
 

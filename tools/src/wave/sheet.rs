@@ -1,4 +1,6 @@
 //! A figure laid out: shapes and words with their places in pixels. SVG and PNG are written from this.
+use std::ops::RangeInclusive;
+
 use super::dump::Segment;
 use super::figure::{Axis, Figure, Row, Shape};
 use super::value::Value;
@@ -53,6 +55,8 @@ pub enum Ink {
     Grid,
     /// Lines of bits.
     Level,
+    /// What lies below the line of a bit that is 1.
+    High,
     /// Cells of values.
     Cell,
     /// Cells and bits that are unknown or float.
@@ -80,8 +84,8 @@ const ROW: f64 = 22.0;
 const WAVE: f64 = 15.0;
 /// Horizontal run of an edge and of a cell's end.
 const SLANT: f64 = 3.0;
-/// A column's width: room for four to eight characters.
-const COLUMN: std::ops::RangeInclusive<f64> = 42.0..=72.0;
+/// A column's width: room for five to eight characters.
+const COLUMN: RangeInclusive<f64> = 48.0..=72.0;
 /// Width that all columns together should not exceed, if their least width lets them.
 const COLUMNS: f64 = 1320.0;
 /// Characters of the longest value that columns are made wide for.
@@ -160,6 +164,9 @@ struct Extent {
     low: f64,
 }
 
+/// A value and its place.
+type Piece<'a> = (Extent, &'a Segment);
+
 struct Pen<'a> {
     layout: &'a Layout,
     marks: Vec<Mark>,
@@ -213,15 +220,17 @@ impl Pen<'_> {
         let (high, low) = (top + (ROW - WAVE) / 2.0, top + (ROW + WAVE) / 2.0);
         let clamp = |time| layout.x(figure.axis.place(time)).clamp(layout.left, layout.right());
         let extent = |segment: &Segment| Extent { from: clamp(segment.time.start), to: clamp(segment.time.end), high, low };
-        let pieces: Vec<(Extent, &Segment)> = row.segments.iter().map(|segment| (extent(segment), segment)).collect();
+        let pieces: Vec<Piece> = row.segments.iter().map(|segment| (extent(segment), segment)).collect();
+        let highlight = row.highlight.as_ref().map(|time| Extent { from: clamp(time.start), to: clamp(time.end), high, low });
+        let highlight = highlight.filter(|place| place.to > place.from);
         match row.shape {
-            Shape::Levels => self.levels(row, &pieces),
-            Shape::Cells { .. } => self.cells(row, &pieces),
+            Shape::Levels => self.levels(&pieces, highlight.as_ref()),
+            Shape::Cells { .. } => self.cells(row, &pieces, highlight.as_ref()),
         }
     }
 
     /// A bit: a line that steps, broken where the bit is unknown.
-    fn levels(&mut self, row: &Row, pieces: &[(Extent, &Segment)]) {
+    fn levels(&mut self, pieces: &[Piece], highlight: Option<&Extent>) {
         let mut traces: Vec<Vec<Point>> = vec![];
         let mut unknown = vec![];
         let mut connected = false;
@@ -238,27 +247,34 @@ impl Pen<'_> {
             traces.last_mut().into_iter().for_each(|trace| trace.push((place.to, y)));
             connected = true;
         }
-        if let Some(highlight) = pieces.iter().find(|(_, segment)| is_highlighted(row, segment)) {
-            let (extent, _) = highlight;
-            self.marks.push(Mark::Areas(Ink::Highlight, vec![hexagon(extent)]));
-        }
+        let high = pieces.iter().filter(|(place, segment)| level(place, &segment.value) == Some(place.high));
+        self.marks.push(Mark::Areas(Ink::High, high.map(|(place, _)| below(place)).collect()));
+        self.marks.push(Mark::Areas(Ink::Highlight, highlight.into_iter().map(hexagon).collect()));
         self.marks.push(Mark::Areas(Ink::Unknown, unknown));
         self.marks.push(Mark::Traces(Ink::Level, traces));
     }
 
     /// Values, each in a cell with pointed ends, as far as they fit.
-    fn cells(&mut self, row: &Row, pieces: &[(Extent, &Segment)]) {
-        for ink in [Ink::Cell, Ink::Unknown, Ink::Highlight] {
-            let these = pieces.iter().filter(|(_, segment)| cell_ink(row, segment) == ink);
+    fn cells(&mut self, row: &Row, pieces: &[Piece], highlight: Option<&Extent>) {
+        for ink in [Ink::Cell, Ink::Unknown] {
+            let these = pieces.iter().filter(|(_, segment)| cell_ink(&segment.value) == ink);
             self.marks.push(Mark::Areas(ink, these.map(|(place, _)| hexagon(place)).collect()));
         }
+        self.marks.push(Mark::Areas(Ink::Highlight, highlight.into_iter().map(hexagon).collect()));
         for (place, segment) in pieces {
-            let room = ((place.to - place.from - 2.0 * SLANT) / CHARACTER).max(0.0) as usize;
-            let ink = if cell_ink(row, segment) == Ink::Highlight { Ink::HighlightValue } else { Ink::Value };
-            if let Some(text) = row.written(&segment.value, room) {
-                let middle = ((place.from + place.to) / 2.0, (place.high + place.low + CAPITAL) / 2.0);
-                self.marks.push(Mark::WordsAmid(ink, middle, text));
+            match highlight.filter(|highlight| highlight.from < place.to && place.from < highlight.to) {
+                Some(highlight) => self.value(Ink::HighlightValue, highlight, row, segment),
+                None => self.value(Ink::Value, place, row, segment),
             }
+        }
+    }
+
+    /// A value in the middle of its cell, if it fits.
+    fn value(&mut self, ink: Ink, place: &Extent, row: &Row, segment: &Segment) {
+        let room = ((place.to - place.from - 2.0 * SLANT) / CHARACTER).max(0.0) as usize;
+        if let Some(text) = row.written(&segment.value, room) {
+            let middle = ((place.from + place.to) / 2.0, (place.high + place.low + CAPITAL) / 2.0);
+            self.marks.push(Mark::WordsAmid(ink, middle, text));
         }
     }
 }
@@ -273,16 +289,17 @@ fn level(place: &Extent, value: &Value) -> Option<f64> {
     }
 }
 
-fn cell_ink(row: &Row, segment: &Segment) -> Ink {
-    match &segment.value {
-        _ if is_highlighted(row, segment) => Ink::Highlight,
+fn cell_ink(value: &Value) -> Ink {
+    match value {
         Value::Bits(bits) if !bits.bytes().all(|bit| matches!(bit, b'0' | b'1')) => Ink::Unknown,
         _ => Ink::Cell,
     }
 }
 
-fn is_highlighted(row: &Row, segment: &Segment) -> bool {
-    row.highlight.as_ref().is_some_and(|time| segment.time.start < time.end && time.start < segment.time.end)
+/// What lies below a bit's line.
+fn below(place: &Extent) -> Vec<Point> {
+    let Extent { from, to, high, low } = *place;
+    vec![(from, low), (from + SLANT.min(to - from), high), (to, high), (to, low)]
 }
 
 /// A cell with pointed ends.

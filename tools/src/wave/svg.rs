@@ -34,7 +34,8 @@ fn colours() -> String {
 }
 
 fn rule(ink: Ink, paint: Paint) -> String {
-    let colour = |colour: Option<Colour>| colour.map_or("none".to_owned(), |[red, green, blue]| format!("#{red:02x}{green:02x}{blue:02x}"));
+    let colour =
+        |colour: Option<Colour>| colour.map_or("none".to_owned(), |[red, green, blue]| format!("#{red:02x}{green:02x}{blue:02x}"));
     let stroke = paint.stroke.map(|rgb| format!(";stroke:{}", colour(Some(rgb)))).unwrap_or_default();
     format!(".{}{{fill:{}{stroke}}}\n", class(ink), colour(paint.fill))
 }
@@ -90,6 +91,7 @@ fn class(ink: Ink) -> &'static str {
         Ink::Aside => "aside",
         Ink::Grid => "grid",
         Ink::Level => "level",
+        Ink::High => "high",
         Ink::Cell => "cell",
         Ink::Unknown => "unknown",
         Ink::Highlight => "highlight",

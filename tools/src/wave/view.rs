@@ -27,6 +27,15 @@ pub struct Asked {
     pub usual: u64,
 }
 
+impl Asked {
+    /// As it was asked for.
+    fn described(&self) -> String {
+        let ends = [("--from", self.from), ("--to", self.to)];
+        let ends = ends.iter().filter_map(|(name, number)| number.map(|number| format!("{name} {number}")));
+        ends.collect::<Vec<_>>().join(" ")
+    }
+}
+
 /// Values in a figure, at most: more of them are of no use to anybody.
 const MOST_VALUES: u64 = 200_000;
 /// Columns, where time is in the file's units.
@@ -68,7 +77,7 @@ impl View {
         }
         let axis = self.axis(&window);
         self.dump.load(&choice.signals.iter().map(|signal| signal.variable).collect::<Vec<_>>())?;
-        let groups = self.groups(&choice.signals, &axis);
+        let groups = self.groups(&choice.signals, &axis)?;
         Ok(Figure { title: self.title(&window), notes: self.notes(choice, &window), axis, groups })
     }
 
@@ -84,11 +93,11 @@ impl View {
     }
 
     /// The signals, those of a unit together where they follow each other.
-    fn groups(&self, signals: &[Chosen], axis: &Axis) -> Vec<Group> {
+    fn groups(&self, signals: &[Chosen], axis: &Axis) -> Result<Vec<Group>, WaveError> {
         let unit = |signal: &Chosen| self.dump.variables[signal.variable].unit();
-        let rows = |signals: &[Chosen]| signals.iter().map(|signal| self.row(signal, axis)).collect();
         let groups = signals.chunk_by(|one, next| unit(one) == unit(next));
-        groups.map(|signals| Group { unit: unit(&signals[0]), rows: rows(signals) }).collect()
+        let rows = |signals: &[Chosen]| signals.iter().map(|signal| self.row(signal, axis)).collect::<Result<_, _>>();
+        groups.map(|signals| Ok(Group { unit: unit(&signals[0]), rows: rows(signals)? })).collect()
     }
 
     /// What is drawn, in the ruler's numbers.
@@ -103,8 +112,7 @@ impl View {
         });
         let to = asked.to.unwrap_or(if asked.from.is_some() { from.saturating_add(length).min(last) } else { *usual.end() });
         if from > to || from > last || to < first {
-            let unit = self.ruler.unit(&self.dump);
-            return Err(WaveError::Window { from, to, unit, first, last });
+            return Err(WaveError::Window { asked: asked.described(), there: self.ruler.described(&extent, &self.dump) });
         }
         Ok(from.max(first)..=to.min(last))
     }
@@ -156,40 +164,35 @@ impl View {
         self.ruler.time(number)..self.ruler.time(number.saturating_add(1))
     }
 
-    fn row(&self, signal: &Chosen, axis: &Axis) -> Row {
+    fn row(&self, signal: &Chosen, axis: &Axis) -> Result<Row, WaveError> {
         let variable = &self.dump.variables[signal.variable];
-        Row {
+        Ok(Row {
             name: variable.name.clone(),
             shape: shape(variable, signal),
-            segments: self.dump.segments(signal.variable, &axis.window()),
+            segments: self.dump.segments(signal.variable, &axis.window())?,
             highlight: signal.highlight.map(|number| self.clock(number)),
-        }
+        })
     }
 
     fn title(&self, window: &RangeInclusive<u64>) -> String {
-        let (file, unit) = (self.dump.file_name(), self.ruler.unit(&self.dump));
-        match self.ruler {
-            Ruler::Clocks { .. } => format!("{file}, {unit} {} to {}", window.start(), window.end()),
-            Ruler::Time => format!("{file}, {} to {} {unit}", window.start(), window.end()),
-        }
+        format!("{}, {}", self.dump.file_name(), self.ruler.described(window, &self.dump))
     }
 
     fn notes(&self, choice: &Choice, window: &RangeInclusive<u64>) -> Vec<String> {
         let extent = self.ruler.extent(&self.dump);
-        let unit = self.ruler.unit(&self.dump);
-        let more = (choice.left_out > 0).then(|| format!("{} more signals are left out: choose with --signals or --unit", choice.left_out));
-        let longer = (extent != *window).then(|| match self.ruler {
-            Ruler::Clocks { .. } => format!("the file has {unit} {} to {}: choose with --from and --to", extent.start(), extent.end()),
-            Ruler::Time => format!("the file has {} to {} {unit}: choose with --from and --to", extent.start(), extent.end()),
-        });
-        more.into_iter().chain(longer).collect()
+        let more = |number| format!("{number} more signals are left out: choose with --signals or --unit");
+        let longer = || format!("the file has {}: choose with --from and --to", self.ruler.described(&extent, &self.dump));
+        let more = (choice.left_out > 0).then(|| more(choice.left_out));
+        more.into_iter().chain((extent != *window).then(longer)).collect()
     }
 }
 
 fn shape(variable: &Variable, signal: &Chosen) -> Shape {
     match variable.width {
         Some(1) => Shape::Levels,
-        width => Shape::Cells { notation: signal.notation, format: width.map(|width| signal.notation.label(width)).unwrap_or_default() },
+        width => {
+            Shape::Cells { notation: signal.notation, format: width.map(|width| signal.notation.label(width)).unwrap_or_default() }
+        }
     }
 }
 

@@ -1,7 +1,9 @@
 //! The program as its users see it: what it prints, what it writes, and how it ends.
+mod bench;
 mod errors;
 mod generate;
 mod help;
 mod output;
 mod program;
 mod run;
+mod wave;

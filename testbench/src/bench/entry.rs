@@ -1,0 +1,91 @@
+//! What is measured.
+use specula_sim::fast::Level;
+
+/// An engine that is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Engine {
+    /// The columnar engine.
+    Fast,
+    /// rust-hdl's simulator.
+    RustHdl,
+    /// Verilator on the emitted Verilog.
+    Verilator,
+    /// Icarus Verilog on the emitted Verilog.
+    Icarus,
+}
+
+impl Engine {
+    /// Its name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Engine::Fast => "fast",
+            Engine::RustHdl => "rust-hdl",
+            Engine::Verilator => "verilator",
+            Engine::Icarus => "iverilog",
+        }
+    }
+}
+
+/// What an engine keeps of every clock.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// The outputs.
+    Outputs,
+    /// Every signal, in memory.
+    EverySignal,
+    /// Every signal, in a value change dump.
+    Vcd,
+    /// The same, and nobody takes the bytes: what making them costs.
+    VcdNull,
+    /// Every signal, in a fast signal trace.
+    Fst,
+}
+
+impl Mode {
+    /// Every mode.
+    pub const ALL: [Mode; 5] = [Mode::Outputs, Mode::EverySignal, Mode::Vcd, Mode::VcdNull, Mode::Fst];
+
+    /// Its name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Mode::Outputs => "outputs",
+            Mode::EverySignal => "every-signal",
+            Mode::Vcd => "vcd",
+            Mode::VcdNull => "vcd-null",
+            Mode::Fst => "fst",
+        }
+    }
+}
+
+/// An engine in a mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The engine.
+    pub engine: Engine,
+    /// What it keeps.
+    pub mode: Mode,
+    /// Where there are several of an engine, which of them: the instruction set that it uses, or the compiler's option.
+    pub variant: Option<&'static str>,
+    /// Threads that it works with.
+    pub threads: usize,
+}
+
+impl Entry {
+    /// An engine of which there is only one.
+    pub(crate) const fn only(engine: Engine, mode: Mode) -> Entry {
+        Entry { engine, mode, variant: None, threads: 1 }
+    }
+
+    /// The columnar engine.
+    pub(crate) const fn fast(mode: Mode, level: Level, threads: usize) -> Entry {
+        Entry { engine: Engine::Fast, mode, variant: Some(level.name()), threads }
+    }
+
+    /// In words.
+    pub fn describe(&self) -> String {
+        let mut words = vec![self.engine.name(), self.mode.name()];
+        words.extend(self.variant);
+        let threads = if self.threads > 1 { format!(" {} threads", self.threads) } else { String::new() };
+        words.join(" ") + &threads
+    }
+}

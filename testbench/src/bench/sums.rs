@@ -1,0 +1,93 @@
+//! Sums of codes, by which engines are checked while they are measured.
+use std::ops::Range;
+
+use specula_hdl::Design;
+use specula_hdl::design::NodeId;
+use specula_sim::{Batch, Lanes, Stimulus};
+
+/// The sum of each output over all pixels, modulo 2^32: as narrow as lanes are, so that adding up costs next to nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Sums(pub [u32; 3]);
+
+impl Sums {
+    /// Adds the codes of pixels.
+    pub fn add_pixels(&mut self, codes: &[[u8; 3]]) {
+        for code in codes {
+            *self = self.plus(Sums(code.map(u32::from)));
+        }
+    }
+
+    /// Both together.
+    pub fn plus(self, other: Sums) -> Sums {
+        Sums(std::array::from_fn(|c| self.0[c].wrapping_add(other.0[c])))
+    }
+
+    /// As many of it.
+    pub fn times(self, count: usize) -> Sums {
+        // Modulo 2^32 on both sides.
+        Sums(self.0.map(|sum| sum.wrapping_mul(count as u32)))
+    }
+}
+
+/// Adds up the outputs while an engine runs, over the clocks in which pixels must leave.
+pub(crate) struct Summing {
+    /// The outputs' places among the watched signals.
+    places: Vec<usize>,
+    leaving: Range<u64>,
+    sums: Sums,
+}
+
+impl Summing {
+    /// For a run of this stimulus that watches these signals, the outputs among them.
+    pub fn new(design: &Design, watched: &[NodeId], stimulus: &Stimulus) -> Summing {
+        let latency = u64::from(design.latency());
+        let place = |node: &NodeId| watched.iter().position(|watched| watched == node);
+        Summing {
+            places: design.outputs.iter().filter_map(place).collect(),
+            leaving: latency..latency + stimulus.pixels(),
+            sums: Sums::default(),
+        }
+    }
+
+    /// Adds the pixels of a batch.
+    pub fn take(&mut self, batch: &Batch) {
+        let span = batch.span();
+        let row = |clock: u64| (clock.clamp(span.start, span.end) - span.start) as usize;
+        let rows = row(self.leaving.start)..row(self.leaving.end);
+        for (sum, &place) in self.sums.0.iter_mut().zip(&self.places) {
+            *sum = sum.wrapping_add(added_up(batch.lanes()[place].rows(rows.clone())));
+        }
+    }
+
+    /// The sums so far.
+    pub fn sums(&self) -> Sums {
+        self.sums
+    }
+}
+
+/// The sum of the lanes, modulo 2^32.
+fn added_up(lanes: Lanes) -> u32 {
+    match lanes {
+        Lanes::Narrow(lanes) => lanes.iter().fold(0, |sum: u32, &lane| sum.wrapping_add(lane as u32)),
+        Lanes::Wide(lanes) => lanes.iter().fold(0, |sum: u32, &lane| sum.wrapping_add(lane as u32)),
+        Lanes::Constant(value, clocks) => (value as u32).wrapping_mul(clocks as u32),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lanes_of_every_kind_are_added_up_modulo_2_to_the_32() {
+        assert_eq!(added_up(Lanes::Narrow(&[3, -1, i32::MAX])), 0x8000_0001);
+        assert_eq!(added_up(Lanes::Wide(&[3, -1, i64::MAX])), 1);
+        assert_eq!(added_up(Lanes::Constant(-2, 3)), 6u32.wrapping_neg());
+    }
+
+    #[test]
+    fn sums_of_repeated_frames_wrap() {
+        let frame = Sums([3_000_000_000, 1, 0]);
+        assert_eq!(frame.times(3), frame.plus(frame).plus(frame));
+    }
+}

@@ -1,0 +1,139 @@
+//! A measurement for programs.
+use serde::Serialize;
+use specula_testbench::bench::{Row, Skipped};
+
+use super::Measured;
+
+/// What `bench --json` prints.
+#[derive(Serialize)]
+struct Report<'a> {
+    /// Of Specula.
+    version: &'static str,
+    scene: &'a str,
+    method: &'static str,
+    width: u32,
+    height: u32,
+    spans: usize,
+    /// Clocks that a frame takes.
+    cycles: u64,
+    machine: MachineFacts<'a>,
+    design: DesignFacts,
+    rounds: usize,
+    rows: Vec<RowFacts>,
+    skipped: Vec<SkippedFacts<'a>>,
+}
+
+#[derive(Serialize)]
+struct MachineFacts<'a> {
+    cpu_model: &'a str,
+    /// That the columnar engine uses.
+    instruction_set: &'static str,
+    cores: usize,
+    /// At most, in any row.
+    threads: usize,
+    /// With their versions.
+    tools: &'a [String],
+}
+
+#[derive(Serialize)]
+struct DesignFacts {
+    signals: usize,
+    multipliers: usize,
+    adders: usize,
+    multiplexers: usize,
+    registers: usize,
+    register_bits: u64,
+    latency: u32,
+}
+
+#[derive(Serialize)]
+struct RowFacts {
+    engine: &'static str,
+    mode: &'static str,
+    variant: Option<&'static str>,
+    threads: usize,
+    /// Median of the rounds.
+    cycles_per_second: f64,
+    /// Of the medians, to Verilator with its outputs alone.
+    ratio_to_verilator: Option<f64>,
+    build_seconds: f64,
+    /// Of each run.
+    cycles: u64,
+    /// Cycles per second, round by round.
+    rounds: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct SkippedFacts<'a> {
+    engine: &'static str,
+    mode: Option<&'static str>,
+    reason: &'a str,
+}
+
+/// The measurement as text.
+pub fn text(measured: &Measured) -> serde_json::Result<String> {
+    let mut text = serde_json::to_string_pretty(&report(measured))?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn report<'a>(measured: &'a Measured) -> Report<'a> {
+    let Measured { scene, bench, extent, measurement } = measured;
+    Report {
+        version: env!("CARGO_PKG_VERSION"),
+        scene,
+        method: bench.spec.method().name(),
+        width: bench.frame.width,
+        height: bench.frame.height,
+        spans: bench.frame.spans.len(),
+        cycles: measurement.clocks_of_a_frame,
+        machine: machine(measured),
+        design: design(measured),
+        rounds: extent.rounds,
+        rows: measurement.rows.iter().map(|row| row_facts(measured, row)).collect(),
+        skipped: measurement.skipped.iter().map(skipped).collect(),
+    }
+}
+
+fn machine<'a>(measured: &'a Measured) -> MachineFacts<'a> {
+    let machine = &measured.measurement.machine;
+    MachineFacts {
+        cpu_model: &machine.cpu,
+        instruction_set: machine.instruction_set,
+        cores: machine.cores,
+        threads: measured.measurement.rows.iter().map(|row| row.entry.threads).max().unwrap_or(1),
+        tools: &machine.tools,
+    }
+}
+
+fn design(measured: &Measured) -> DesignFacts {
+    let design = &measured.bench.design;
+    let size = design.size();
+    DesignFacts {
+        signals: design.nodes.len(),
+        multipliers: size.multipliers,
+        adders: size.adders,
+        multiplexers: size.multiplexers,
+        registers: design.nodes.iter().filter(|node| node.registered()).count(),
+        register_bits: size.register_bits,
+        latency: design.latency(),
+    }
+}
+
+fn row_facts(measured: &Measured, row: &Row) -> RowFacts {
+    RowFacts {
+        engine: row.entry.engine.name(),
+        mode: row.entry.mode.name(),
+        variant: row.entry.variant,
+        threads: row.entry.threads,
+        cycles_per_second: row.rate(),
+        ratio_to_verilator: measured.measurement.ratio_to_verilator(row),
+        build_seconds: row.build_seconds,
+        cycles: row.clocks,
+        rounds: row.rates.clone(),
+    }
+}
+
+fn skipped(skipped: &Skipped) -> SkippedFacts<'_> {
+    SkippedFacts { engine: skipped.engine.name(), mode: skipped.mode.map(|mode| mode.name()), reason: &skipped.reason }
+}
