@@ -2,6 +2,8 @@
 //!
 //! The format is not documented; what is written here was tried with GTKWave 3.3.118, which shows fractions below 10^-4 as 0. Flags stand before a signal as `@` and a
 //! hexadecimal number, bits as in `TraceEntFlagBits` of GTKWave's `analyzer.h`.
+//!
+//! None is written for Surfer: we found no description of its state files (`.surf.ron`), and no promise that they stay as they are.
 use std::collections::HashSet;
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
@@ -191,41 +193,6 @@ fn is_interesting(design: &Design, id: NodeId, node: &Node) -> bool {
             // An input port of a unit; what comes out of one is shown there, not where it is read.
             design.scope(node.scope).parent == Some(design.node(of).scope)
         }
-        _ => is_named(node),
+        _ => node.named,
     }
 }
-
-/// Whether somebody gave it its name. The builder numbers what has none (`product_3`) and delays (`n_x_d2`).
-fn is_named(node: &Node) -> bool {
-    let Some((base, last)) = node.name.rsplit_once('_') else { return true };
-    let numbered = last.parse::<u32>().is_ok();
-    let delayed = last.strip_prefix('d').is_some_and(|clocks| clocks.parse::<u32>().is_ok()) && matches!(node.op, Op::Copy(_));
-    !(delayed || numbered && STAND_INS.contains(&base))
-}
-
-/// What the builder calls signals that nobody gave a name, before their number; of the validity chain, all but the end.
-const STAND_INS: &[&str] = &[
-    "accumulated",
-    "appended",
-    "assumed",
-    "both",
-    "chosen",
-    "clamped",
-    "difference",
-    "either",
-    "entry",
-    "held",
-    "kept",
-    "less",
-    "next",
-    "not",
-    "product",
-    "registered",
-    "rounded",
-    "rounding",
-    "shifted",
-    "sum",
-    "truncated",
-    "valid",
-    "value",
-];

@@ -14,10 +14,11 @@ use crate::error::ToolError;
 use crate::header::Origin;
 use crate::output::{Destination, REPORT, Staging};
 use crate::run::{Run, Written};
+use crate::trace_file::TraceFormat;
 use crate::{picture, progress, report, summary, verilog, waveform, worst};
 
 const EXAMPLE: &str = "\
-Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd, trace.gtkw,
+Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd (or .fst), trace.gtkw,
 worst.svg (the worst pixel's way through the core), report.md and report.json. DIR is replaced as a
 whole when everything is there; files in it that Specula did not write stay.
 
@@ -38,6 +39,9 @@ pub struct Arguments {
     /// If the core disagrees with its models, worst and none give 200 around the first disagreement
     #[arg(long, value_name = "CLOCKS", default_value = "worst", value_parser = parse_choice)]
     trace: Choice,
+    /// The waveform's file
+    #[arg(long, value_name = "FORMAT", default_value = "vcd")]
+    trace_format: TraceFormat,
     /// Print report.json instead of the summary
     #[arg(long)]
     json: bool,
@@ -69,6 +73,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
         origin: Origin::new(&arguments.scene, spec.method()),
         bench: &bench,
         engine: arguments.engine,
+        trace_format: arguments.trace_format,
         disagreement: Disagreement::of(&outcome, bench.frame, bench.design.latency()),
         outcome: &outcome,
     };
@@ -98,13 +103,19 @@ fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
 
 /// Every file that a run can write.
 fn file_names(module: &str) -> Vec<String> {
-    let fixed = [SIMULATED, EXPECTED, EXACT, ERROR, waveform::DUMP, waveform::SAVE_FILE, worst::PICTURE, MARKDOWN, REPORT];
-    [verilog::file_name(module)].into_iter().chain(fixed.map(str::to_owned)).collect()
+    let pictures = [SIMULATED, EXPECTED, EXACT, ERROR];
+    let names = pictures.into_iter().chain(optional_names()).chain([MARKDOWN, REPORT]);
+    [verilog::file_name(module)].into_iter().chain(names.map(str::to_owned)).collect()
+}
+
+/// The waveform and what is made of it.
+fn optional_names() -> impl Iterator<Item = &'static str> {
+    TraceFormat::ALL.map(TraceFormat::file_name).into_iter().chain([waveform::SAVE_FILE, worst::PICTURE])
 }
 
 /// The files that this run writes, of which the waveform and what is made of it are there if they are written at all.
 fn files(module: &str, staging: &Staging) -> Vec<String> {
-    let is_optional = |name: &str| [waveform::DUMP, waveform::SAVE_FILE, worst::PICTURE].contains(&name);
+    let is_optional = |name: &str| optional_names().any(|optional| optional == name);
     file_names(module).into_iter().filter(|name| !is_optional(name) || staging.file(name).exists()).collect()
 }
 

@@ -18,6 +18,7 @@ mod report;
 mod run;
 mod summary;
 mod table;
+mod trace_file;
 mod verilog;
 mod wave;
 mod waveform;

@@ -6,6 +6,7 @@ use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::disagreement::Disagreement;
 use crate::header::Origin;
+use crate::trace_file::TraceFormat;
 
 /// A run that has been simulated and compared.
 pub struct Run<'a> {
@@ -19,6 +20,8 @@ pub struct Run<'a> {
     pub bench: &'a Bench<'a>,
     /// What ran it.
     pub engine: EngineKind,
+    /// The kind of file for its waveform.
+    pub trace_format: TraceFormat,
     /// What came of it.
     pub outcome: &'a Outcome,
     /// What of it is not as it must be.

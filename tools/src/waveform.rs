@@ -3,10 +3,8 @@ use std::fs::{self, File};
 use std::io;
 use std::ops::Range;
 
-use specula_hdl::Design;
+use specula_sim::Flow;
 use specula_sim::gtkw::{self, View};
-use specula_sim::vcd::Waves;
-use specula_sim::{Batch, Flow};
 use specula_testbench::Bench;
 use specula_testbench::trace::{Choice, WORST_WINDOW};
 
@@ -15,9 +13,8 @@ use crate::error::ToolError;
 use crate::output::Staging;
 use crate::progress;
 use crate::run::Run;
+use crate::trace_file::TraceFile;
 
-/// The value change dump.
-pub const DUMP: &str = "trace.vcd";
 /// GTKWave's save file.
 pub const SAVE_FILE: &str = "trace.gtkw";
 
@@ -51,10 +48,11 @@ pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
 ///
 /// The clocks go from the engine to the file a batch at a time, so that a long run does not have to fit into memory.
 pub fn write(staging: &Staging, run: &Run, choice: &Choice) -> Result<Option<Range<u64>>, ToolError> {
-    let file = File::create(staging.file(DUMP)).map_err(staging.failed(DUMP))?;
+    let name = run.trace_format.file_name();
+    let file = File::create(staging.file(name)).map_err(staging.failed(name))?;
     let about =
         format!("Specula {}, scene {}, method {}", env!("CARGO_PKG_VERSION"), run.origin.scene, run.bench.spec.method().name());
-    let mut dump = Dump { design: &run.bench.design, about: &about, file: Some(file), waves: None };
+    let mut dump = TraceFile::new(file, run.trace_format, &run.bench.design, &about);
     let mut written = Ok(());
     let bar = progress::bar("tracing", run.outcome.cycles + 1);
     let window = run.bench.trace(run.engine, choice, run.outcome, &mut |columns| {
@@ -64,38 +62,17 @@ pub fn write(staging: &Staging, run: &Run, choice: &Choice) -> Result<Option<Ran
     });
     bar.finish_and_clear();
     let window = window?;
-    written.and_then(|()| dump.end()).map_err(staging.failed(DUMP))?;
+    written.and_then(|()| dump.end()).map_err(staging.failed(name))?;
     match &window {
         Some(window) => write_save_file(staging, run, window).map_err(staging.failed(SAVE_FILE))?,
-        None => fs::remove_file(staging.file(DUMP)).map_err(staging.failed(DUMP))?,
+        None => fs::remove_file(staging.file(name)).map_err(staging.failed(name))?,
     }
     Ok(window)
 }
 
-/// The dump while it is written; its header needs the first batch.
-struct Dump<'a> {
-    design: &'a Design,
-    about: &'a str,
-    file: Option<File>,
-    waves: Option<Waves<File>>,
-}
-
-impl Dump<'_> {
-    fn append(&mut self, columns: &Batch) -> io::Result<()> {
-        if let Some(file) = self.file.take() {
-            self.waves = Some(Waves::begin(file, self.design, columns.nodes(), self.about)?);
-        }
-        self.waves.as_mut().map_or(Ok(()), |waves| waves.append(columns))
-    }
-
-    fn end(self) -> io::Result<()> {
-        self.waves.map_or(Ok(()), Waves::end)
-    }
-}
-
 fn write_save_file(staging: &Staging, run: &Run, window: &Range<u64>) -> io::Result<()> {
     let marker = run.clock_to_look_at().filter(|clock| window.contains(clock));
-    let view = View { dump_file: DUMP, window: window.clone(), marker };
+    let view = View { dump_file: run.trace_format.file_name(), window: window.clone(), marker };
     let design = &run.bench.design;
     gtkw::write(File::create(staging.file(SAVE_FILE))?, design, &gtkw::interesting(design), &view)
 }

@@ -10,7 +10,6 @@ use crate::error::ToolError;
 use crate::output::Staging;
 use crate::run::Run;
 use crate::wave::{self, Asked, View};
-use crate::waveform;
 
 /// The picture.
 pub const PICTURE: &str = "worst.svg";
@@ -27,8 +26,9 @@ pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Resul
     let Some(leaves) = run.clock_to_look_at().filter(|clock| window.is_some_and(|window| window.contains(clock))) else {
         return Ok(());
     };
-    let dump = staging.file(waveform::DUMP);
-    if fs::metadata(&dump).map_err(staging.failed(waveform::DUMP))?.len() > LARGEST_DUMP {
+    let name = run.trace_format.file_name();
+    let dump = staging.file(name);
+    if fs::metadata(&dump).map_err(staging.failed(name))?.len() > LARGEST_DUMP {
         return Ok(());
     }
     let design = &run.bench.design;

@@ -39,6 +39,6 @@ impl super::Builder {
         let (scope, own) = (state.scope, NodeId(state.design.nodes.len() as u32));
         let name = state.unique(scope, "state");
         let register = Register::Data;
-        state.push(Node { op: Op::Copy(own), register, range, fraction_bits, error: 0.0, stage, scope, name })
+        state.push(Node { op: Op::Copy(own), register, range, fraction_bits, error: 0.0, stage, scope, name, named: true })
     }
 }

@@ -88,6 +88,7 @@ impl State {
             stage: 0,
             scope: self.scope,
             name: String::new(),
+            named: false,
         };
         self.push(node)
     }
@@ -95,7 +96,7 @@ impl State {
     pub fn open_input(&mut self, name: &str, range: Range, fraction_bits: u32, error: f64) -> NodeId {
         let name = self.unique(self.scope, name);
         let (op, register, scope) = (Op::Input, Register::None, self.scope);
-        self.push(Node { op, register, range, fraction_bits, error, stage: 0, scope, name })
+        self.push(Node { op, register, range, fraction_bits, error, stage: 0, scope, name, named: true })
     }
 
     /// Adds an operator, or what it folds to. Operands are in this unit and of one stage.
@@ -120,6 +121,7 @@ impl State {
             stage: stage + clocks,
             scope,
             name,
+            named: true,
         };
         let id = self.push(node);
         self.unnamed.insert(id);
@@ -162,6 +164,7 @@ impl State {
         let node = self.design.node(id).clone();
         let name = self.unique(node.scope, &delayed_name(&node.name));
         let delayed = self.push(Node { op: Op::Copy(id), register: Register::Data, stage: node.stage + 1, name, ..node });
+        self.design.nodes[delayed.0 as usize].named = false;
         self.delays.insert(id, delayed);
         delayed
     }
@@ -174,6 +177,7 @@ impl State {
             let name = if clock == stage { "valid_out".to_owned() } else { format!("valid_{clock}") };
             let name = self.unique(ScopeId::TOP, &name);
             at = self.push(Node { op: Op::Copy(at), register: Register::Validity, stage: clock, name, ..node });
+            self.design.nodes[at.0 as usize].named = clock == stage;
         }
         at
     }
@@ -193,6 +197,9 @@ impl State {
             return Err(too_wide);
         }
         let mut design = self.design.clone();
+        for &NodeId(index) in &self.unnamed {
+            design.nodes[index as usize].named = false;
+        }
         design.prune();
         Ok(design)
     }
@@ -202,6 +209,7 @@ impl State {
         let name = format!("{}_out", self.design.node(of).name);
         self.unnamed.insert(id);
         self.name(id, &name);
+        self.design.nodes[id.0 as usize].named = true;
     }
 
     /// Lets a later name take the place of the one the signal has.
@@ -252,8 +260,9 @@ impl State {
         })
     }
 
+    /// Adds a signal, which counts as named until something else is said of it.
     pub fn push(&mut self, node: Node) -> NodeId {
-        self.design.nodes.push(node);
+        self.design.nodes.push(Node { named: true, ..node });
         NodeId(self.design.nodes.len() as u32 - 1)
     }
 }

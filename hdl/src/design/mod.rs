@@ -55,6 +55,8 @@ pub struct Node {
     pub scope: ScopeId,
     /// Its name, unique in its unit.
     pub name: String,
+    /// Whether somebody gave it its name; those of the others say what computes them, or whose delay they are, with a number behind.
+    pub named: bool,
 }
 
 impl Node {

@@ -24,7 +24,7 @@ impl Profile {
 
     pub fn large(number: u64) -> Profile {
         let signals = 200 + (number as usize * 37) % 401;
-        Profile { signals, units: number as usize % 9, spans: 10, longest: 8, feedback: number % 3 != 0, verilog: false }
+        Profile { signals, units: number as usize % 9, spans: 10, longest: 8, feedback: !number.is_multiple_of(3), verilog: false }
     }
 
     pub fn long(number: u64) -> Profile {

@@ -33,6 +33,7 @@ fn spoilt_run(words: &[&str], folder: &Path, spoil: impl FnOnce(&mut Outcome) ->
         origin: Origin::new(&arguments.scene, spec.method()),
         bench: &bench,
         engine: arguments.engine,
+        trace_format: arguments.trace_format,
         disagreement: Disagreement::of(&outcome, bench.frame, bench.design.latency()),
         outcome: &outcome,
     };
@@ -78,7 +79,7 @@ fn a_wrong_pixel_is_named_and_shown() {
 fn a_waveform_is_left_though_none_was_asked_for() {
     let place = TempDir::new().expect("there is room");
     spoilt_run(&["--trace", "none"], &place.path().join("run"), spoil_a_pixel);
-    assert!(place.path().join("run").join(waveform::DUMP).exists());
+    assert!(place.path().join("run").join(TraceFormat::Vcd.file_name()).exists());
 }
 
 #[test]

@@ -173,7 +173,7 @@ fn waves(run: &Run, written: &Written) -> String {
              ```sh\ngtkwave {dump} {save}\n```\n",
             window.start,
             window.end - 1,
-            dump = waveform::DUMP,
+            dump = run.trace_format.file_name(),
             save = waveform::SAVE_FILE
         ),
     };

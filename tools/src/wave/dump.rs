@@ -1,23 +1,14 @@
 //! A dump: the variables of a VCD or FST file, and the values they take.
-use std::collections::HashMap;
-use std::fs::File;
-use std::io::{self, BufReader};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use wellen::viewers::{self, BodyResult, HeaderResult};
-use wellen::{
-    FileFormat, Hierarchy, ItemRef, LoadOptions, ScopeRef, Signal, SignalRef, SignalSource, SignalValueRef, TimeTable,
-    TimescaleUnit, VarDirection, VarRef, WellenError,
-};
+use wellen::{Signal, SignalRef, SignalValueRef, TimescaleUnit};
 
 use super::error::WaveError;
-use super::fst_check;
 use super::guard::guarded;
+use super::reader::{Waves, damaged};
 use super::value::Value;
-
-/// Width of a signal in bits, at most: its reader makes room for all of them, whether or not the file has them.
-const WIDEST: u32 = 1 << 20;
+use super::variables::{Variable, clean, variables};
 
 /// An opened dump.
 pub struct Dump {
@@ -25,41 +16,6 @@ pub struct Dump {
     waves: Waves,
     /// Every variable, in the order of the file.
     pub variables: Vec<Variable>,
-}
-
-/// What the reader keeps of a file.
-struct Waves {
-    hierarchy: Hierarchy,
-    source: SignalSource,
-    times: TimeTable,
-    /// Those that have been loaded.
-    signals: HashMap<SignalRef, Signal>,
-}
-
-/// A variable of a dump.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Variable {
-    /// Names of the scopes it is in, from the outside in.
-    pub scopes: Vec<String>,
-    /// Its name in its scope.
-    pub name: String,
-    /// Width in bits; none for text, real numbers and events.
-    pub width: Option<u32>,
-    /// Whether the file says that it is a port.
-    pub port: bool,
-    signal: SignalRef,
-}
-
-impl Variable {
-    /// The scopes' names, joined by dots.
-    pub fn unit(&self) -> String {
-        self.scopes.join(".")
-    }
-
-    /// Full name: scopes and all, joined by dots.
-    pub fn full_name(&self) -> String {
-        self.scopes.iter().chain([&self.name]).map(String::as_str).collect::<Vec<_>>().join(".")
-    }
 }
 
 /// A value, from when to when.
@@ -77,13 +33,7 @@ impl Dump {
     /// # Errors
     /// [`WaveError`] if it is not there, not a dump, damaged, or without signals or times.
     pub fn open(path: &Path) -> Result<Dump, WaveError> {
-        let mut input = reader(path).map_err(|reason| WaveError::Unreadable { path: path.to_owned(), reason })?;
-        match viewers::detect_file_format(&mut input) {
-            FileFormat::Vcd => {}
-            FileFormat::Fst => fst_check::check(&mut input).map_err(|wrong| damaged(path, &wrong.to_string()))?,
-            FileFormat::Ghw | FileFormat::Unknown => return Err(WaveError::Kind { path: path.to_owned() }),
-        }
-        let waves = read(path, input)?;
+        let waves = Waves::read(path)?;
         let variables = variables(&waves.hierarchy);
         let empty = |missing| Err(WaveError::Empty { path: path.to_owned(), missing });
         match (variables.is_empty(), waves.times.is_empty()) {
@@ -181,85 +131,9 @@ fn unit_name(unit: TimescaleUnit) -> Option<&'static str> {
     }
 }
 
-fn reader(path: &Path) -> io::Result<BufReader<File>> {
-    let file = File::open(path)?;
-    // A folder can be opened, and a pipe cannot be read twice.
-    if file.metadata()?.is_file() { Ok(BufReader::new(file)) } else { Err(io::Error::other("it is not a regular file")) }
-}
-
-/// Reads from an open file and not from a path: that way wellen maps no memory that somebody else may cut off, and stays on this thread, where
-/// it may print a warning though standard output is locked.
-fn read(path: &Path, input: BufReader<File>) -> Result<Waves, WaveError> {
-    let refused = |error| match error {
-        WellenError::FailedToLoad(_, reason) => damaged(path, &reason),
-        WellenError::UnknownFileFormat => WaveError::Kind { path: path.to_owned() },
-        WellenError::Io(reason) => WaveError::Unreadable { path: path.to_owned(), reason },
-    };
-    let panicked = |said: String| damaged(path, &said);
-    let header = guarded(|| viewers::read_header(input, &LoadOptions::default())).map_err(panicked)?.map_err(refused)?;
-    let HeaderResult { hierarchy, body, .. } = header;
-    if let Some(width) =
-        hierarchy.all_vars().filter_map(|variable| hierarchy[variable].length(&hierarchy)).find(|&width| width > WIDEST)
-    {
-        return Err(damaged(path, &format!("a signal has {width} bits")));
-    }
-    let BodyResult { source, time_table } =
-        guarded(|| viewers::read_body(body, &hierarchy, None)).map_err(panicked)?.map_err(refused)?;
-    Ok(Waves { hierarchy, source, times: time_table, signals: HashMap::new() })
-}
-
-/// The error for what the reader says, which may be long and hold pieces of the file.
-fn damaged(path: &Path, said: &str) -> WaveError {
-    const LONGEST: usize = 120;
-    // wellen's words for a header without an end.
-    let said = if said.starts_with("I/O operation failed") { "it ends too early" } else { said };
-    let line = clean(said.lines().map(str::trim).find(|line| !line.is_empty()).unwrap_or("it cannot be understood"));
-    let reason = if line.chars().count() > LONGEST { line.chars().take(LONGEST).chain("...".chars()).collect() } else { line };
-    WaveError::Damaged { path: path.to_owned(), reason }
-}
-
-fn variables(hierarchy: &Hierarchy) -> Vec<Variable> {
-    let mut found = vec![];
-    let items: Vec<ItemRef> = hierarchy.items().collect();
-    // Not recursive: files say how deep scopes nest.
-    let mut open: Vec<(ItemRef, Vec<String>)> = items.into_iter().rev().map(|item| (item, vec![])).collect();
-    while let Some((item, scopes)) = open.pop() {
-        match item {
-            ItemRef::Var(variable) => found.push(variable_of(hierarchy, variable, scopes)),
-            ItemRef::Scope(scope) => open.extend(inside(hierarchy, scope, &scopes)),
-        }
-    }
-    found
-}
-
-/// What is in a scope, last first: variables, then inner scopes.
-fn inside(hierarchy: &Hierarchy, scope: ScopeRef, outer: &[String]) -> Vec<(ItemRef, Vec<String>)> {
-    let scope = &hierarchy[scope];
-    let path: Vec<String> = outer.iter().cloned().chain([clean(scope.name(hierarchy))]).collect();
-    let (variables, scopes): (Vec<_>, Vec<_>) = scope.items(hierarchy).partition(|item| matches!(item, ItemRef::Var(_)));
-    variables.into_iter().chain(scopes).rev().map(|item| (item, path.clone())).collect()
-}
-
-fn variable_of(hierarchy: &Hierarchy, variable: VarRef, scopes: Vec<String>) -> Variable {
-    let variable = &hierarchy[variable];
-    let vector = variable.is_bit_vector(hierarchy) || variable.is_1bit(hierarchy);
-    Variable {
-        scopes,
-        name: clean(variable.name(hierarchy)),
-        width: variable.length(hierarchy).filter(|&width| vector && width > 0),
-        port: matches!(variable.direction(), VarDirection::Input | VarDirection::Output | VarDirection::InOut),
-        signal: variable.signal_ref(),
-    }
-}
-
 fn value_of(value: SignalValueRef) -> Value {
     match value.to_bit_string() {
         Some(bits) => Value::Bits(bits),
         None => Value::Text(clean(&value.to_string())),
     }
-}
-
-/// Without control characters, which a terminal would obey and XML does not allow.
-fn clean(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

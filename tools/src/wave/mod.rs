@@ -6,8 +6,10 @@ mod error;
 mod figure;
 mod fst_check;
 mod guard;
+mod layout;
 mod palette;
 mod png;
+mod reader;
 mod ruler;
 mod save_file;
 mod selection;
@@ -15,6 +17,7 @@ mod sheet;
 mod svg;
 mod text;
 mod value;
+mod variables;
 mod view;
 
 pub use error::WaveError;

@@ -4,8 +4,9 @@ use tiny_skia::{Color, FillRule, Path, PathBuilder, Pixmap, Rect, Stroke, Transf
 
 use super::error::WaveError;
 use super::figure::Figure;
+use super::layout::CAPITAL;
 use super::palette::{Colour, light};
-use super::sheet::{CAPITAL, Ink, Mark, Point, Sheet, sheet};
+use super::sheet::{Ink, Mark, Point, Sheet, sheet};
 use crate::picture::Canvas;
 
 /// Pixels for each pixel of the sheet, and for each dot of a character.

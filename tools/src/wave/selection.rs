@@ -3,10 +3,11 @@ use std::collections::{HashMap, HashSet};
 
 use wildmatch::WildMatch;
 
-use super::dump::{Dump, Variable};
+use super::dump::Dump;
 use super::error::WaveError;
 use super::save_file::SaveFile;
 use super::value::Notation;
+use super::variables::Variable;
 
 /// What somebody wants to see.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

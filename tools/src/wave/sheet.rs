@@ -1,8 +1,7 @@
 //! A figure laid out: shapes and words with their places in pixels. SVG and PNG are written from this.
-use std::ops::RangeInclusive;
-
 use super::dump::Segment;
 use super::figure::{Axis, Figure, Row, Shape};
+use super::layout::{CAPITAL, CHARACTER, Layout, MARGIN, ROW, SLANT};
 use super::value::Value;
 
 /// A laid-out drawing.
@@ -73,23 +72,8 @@ pub enum Ink {
     MarkerNumber,
 }
 
-/// Width that a character takes, at most.
-pub const CHARACTER: f64 = 8.0;
-/// Height of capitals.
-pub const CAPITAL: f64 = 9.0;
-const MARGIN: f64 = 16.0;
-/// From a row to the next.
-const ROW: f64 = 22.0;
 /// From low to high.
 const WAVE: f64 = 15.0;
-/// Horizontal run of an edge and of a cell's end.
-const SLANT: f64 = 3.0;
-/// A column's width: room for five to eight characters.
-const COLUMN: RangeInclusive<f64> = 48.0..=72.0;
-/// Width that all columns together should not exceed, if their least width lets them.
-const COLUMNS: f64 = 1320.0;
-/// Characters of the longest value that columns are made wide for.
-const LONGEST_VALUE: usize = 8;
 
 /// Lays a figure out.
 pub fn sheet(figure: &Figure) -> Sheet {
@@ -112,47 +96,6 @@ pub fn sheet(figure: &Figure) -> Sheet {
         top += ROW;
     }
     Sheet { title: figure.title.clone(), size: (layout.width, layout.height), marks: pen.marks }
-}
-
-/// Where things stand.
-struct Layout {
-    /// Where columns begin.
-    left: f64,
-    /// A column's width.
-    column: f64,
-    columns: usize,
-    /// Where rows begin.
-    top: f64,
-    /// Where rows end.
-    bottom: f64,
-    width: f64,
-    height: f64,
-}
-
-impl Layout {
-    fn new(figure: &Figure) -> Layout {
-        let columns = figure.axis.numbers.len();
-        let label = |row: &Row| row.name.chars().count() + row.format().chars().count() + 2;
-        let names = figure.rows().map(label).max().unwrap_or(0).max(figure.axis.unit.chars().count() + 1);
-        let left = (MARGIN + CHARACTER * names as f64 + 2.0 * SLANT).round();
-        let wanted = CHARACTER * figure.longest_value(LONGEST_VALUE) as f64 + 4.0 * SLANT;
-        let column = wanted.min(COLUMNS / columns.max(1) as f64).clamp(*COLUMN.start(), *COLUMN.end()).floor();
-        let top = MARGIN + ROW + CAPITAL + ROW / 2.0;
-        let bottom = top + ROW * (figure.groups.len() + figure.rows().count()) as f64;
-        let words = figure.notes.iter().chain([&figure.title]).map(|text| text.chars().count()).max().unwrap_or(0);
-        let right = (left + column * columns as f64).max(MARGIN + CHARACTER * words as f64);
-        let height = bottom + MARGIN + ROW * figure.notes.len() as f64;
-        Layout { left, column, columns, top, bottom, width: (right + MARGIN).ceil(), height: height.ceil() }
-    }
-
-    /// Where a place in columns is.
-    fn x(&self, place: f64) -> f64 {
-        self.left + self.column * place
-    }
-
-    fn right(&self) -> f64 {
-        self.x(self.columns as f64)
-    }
 }
 
 /// Where a value stands in its row.

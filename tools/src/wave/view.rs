@@ -2,12 +2,13 @@
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 
-use super::dump::{Dump, Variable};
+use super::dump::Dump;
 use super::error::WaveError;
 use super::figure::{Axis, Figure, Group, Row, Shape};
 use super::ruler::Ruler;
 use super::save_file::SaveFile;
 use super::selection::{Choice, Chosen, Selection, named};
+use super::variables::Variable;
 
 /// A dump, its save file and its ruler.
 pub struct View {

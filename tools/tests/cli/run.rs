@@ -127,6 +127,22 @@ fn the_window_is_the_one_asked_for() {
 }
 
 #[test]
+fn a_waveform_may_be_compressed() {
+    let place = Place::new();
+    place.succeeds(&SMALL);
+    place.succeeds(&small(&["--trace-format", "fst"]));
+    // The other kind of an earlier run is gone.
+    let names: Vec<String> = FILES.iter().map(|name| name.replace(".vcd", ".fst")).collect();
+    let mut names: Vec<&str> = names.iter().map(String::as_str).collect();
+    names.sort_unstable();
+    assert_eq!(place.names("out/teapot"), names);
+    let save_file = fs::read_to_string(place.path("out/teapot/trace.gtkw")).unwrap();
+    assert!(save_file.contains("[dumpfile] \"trace.fst\""), "{save_file}");
+    let report = fs::read_to_string(place.path("out/teapot/report.md")).unwrap();
+    assert!(report.contains("gtkwave trace.fst trace.gtkw"), "{report}");
+}
+
+#[test]
 fn meshes_and_scene_files_are_scenes_too() {
     let place = Place::new();
     place.write("Tri angle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -24,15 +24,27 @@ impl Planner<'_> {
         watched.iter().map(|&id| self.shift(id) + reach_of(&reaches, id)).max().unwrap_or(0)
     }
 
-    /// Whether all feedback is accumulators that the beginning of a span loads.
+    /// Whether all feedback is accumulators that the beginning of a span loads, and none adds what another was in the span before.
     pub(super) fn restarts_with_spans(&self, order: &[Group]) -> bool {
-        order.iter().all(|group| match group {
-            Group::Component(_) => false,
-            Group::Column(root) => match self.flow.recurrences[root.0 as usize] {
-                None => true,
-                Some(Recurrence::Accumulate { first, .. }) => self.flow.source(first).root == self.design.start,
-                Some(Recurrence::Hold { .. }) => false,
-            },
-        })
+        // For each root that depends on an accumulator, how many clocks before its own.
+        let mut ages: HashMap<NodeId, usize> = HashMap::new();
+        for group in order {
+            let Group::Column(root) = group else { return false };
+            let skew = self.skews[root];
+            let operands = self.flow.operands(self.design, *root).into_iter();
+            let age_of = |o: NodeId| ages.get(&self.flow.source(o).root).map(|age| age + self.back(o, skew));
+            let age = operands.filter_map(age_of).max();
+            match self.flow.recurrences[root.0 as usize] {
+                None => ages.extend(age.map(|age| (*root, age))),
+                Some(Recurrence::Hold { .. }) => return false,
+                Some(Recurrence::Accumulate { first, .. }) => {
+                    if self.flow.source(first).root != self.design.start || age.is_some_and(|age| age > 0) {
+                        return false;
+                    }
+                    ages.insert(*root, 0);
+                }
+            }
+        }
+        true
     }
 }

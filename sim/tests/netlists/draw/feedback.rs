@@ -58,9 +58,10 @@ pub fn held(net: &mut Net) {
     net.place(Op::Select(enable, value, own), Register::Data, range);
 }
 
-/// A bit; for Verilog, where it can be had, one that is 1 often, so that little depends on what was there before.
+/// A bit. That spans load is what accumulators are for; and in Verilog little shall depend on what was there before.
 fn enabling(net: &mut Net) -> NodeId {
-    if net.profile.verilog && net.scope == ScopeId::TOP { net.design.start } else { net.pick_bit() }
+    let by_spans = net.profile.verilog || net.random.below(2) == 0;
+    if by_spans && net.scope == ScopeId::TOP { net.design.start } else { net.pick_bit() }
 }
 
 /// A register with an enable and a load.

@@ -43,7 +43,7 @@ pub fn empty() -> Design {
 
 /// A signal, named after its number.
 pub fn node(number: usize, op: Op, register: Register, range: Range, scope: ScopeId) -> Node {
-    Node { op, register, range, fraction_bits: 0, error: 0.0, stage: 0, scope, name: format!("n{number}") }
+    Node { op, register, range, fraction_bits: 0, error: 0.0, stage: 0, scope, name: format!("n{number}"), named: true }
 }
 
 impl<'r> Net<'r> {

@@ -6,14 +6,13 @@ use specula_hdl::design::{Node, Op, Register};
 
 /// For every signal at every clock, whether it is known; `values` are those of a run from clock 0 on.
 pub fn known(design: &Design, values: &[Vec<i64>]) -> Vec<Vec<bool>> {
-    let clocks = values.first().map_or(0, Vec::len);
     let mut registers = vec![false; design.nodes.len()];
     // In the clock of reset no value is known but the inputs and what holds validity.
     let reset = settled(design, &registers, &|_| None);
     registers = after_edge(design, &reset, &|_| None);
     let mut columns = vec![vec![]; design.nodes.len()];
-    for clock in 0..clocks {
-        let value = |node: usize| Some(values[node][clock]);
+    for clock in 0..values.first().map_or(0, Vec::len) {
+        let value = |node: usize| values[node].get(clock).copied();
         let now = settled(design, &registers, &value);
         columns.iter_mut().zip(&now).for_each(|(column, &known)| column.push(known));
         registers = after_edge(design, &now, &value);

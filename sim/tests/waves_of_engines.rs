@@ -1,0 +1,36 @@
+//! The waveforms of every engine are the same, signal by signal and clock by clock.
+mod common;
+
+use specula_hdl::design::{NodeId, Op};
+use specula_scene::Method;
+use specula_sim::{Effort, Engine, Fast, Icarus, RustHdl, Stimulus, Verilator};
+
+use common::dump::{Format, read, written};
+use common::{engines, frames, tools};
+
+#[test]
+fn waveforms_of_all_engines_agree() {
+    let frame = frames::frame(7, 1, 5);
+    let spec = frames::spec(&frame, Method::Lyon);
+    let design = frames::design(&spec);
+    let packets = frames::packets(&spec, &frame);
+    let stimulus = Stimulus::whole(&packets, &design);
+    let all: Vec<NodeId> = design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect();
+    let file = |engine: &mut dyn Engine| {
+        let columns = engines::run(engine, &stimulus, &all).unwrap();
+        written(Format::Vcd, &design, &columns, 1024)
+    };
+    let reference = file(&mut RustHdl::new(&design).unwrap());
+    assert!(file(&mut Fast::new(&design)) == reference, "the fast engine's waveform differs from rust-hdl's");
+    let wanted = read(reference, &design, &all, stimulus.clocks());
+    if let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) {
+        // Its registers begin as rust-hdl's do.
+        let got = read(file(&mut verilator), &design, &all, stimulus.clocks());
+        engines::assert_same(&design, &wanted, &got, 0, verilator.name());
+    }
+    if let Some(mut icarus) = tools::installed(Icarus::new(&design)) {
+        // Its registers are X, read as 0, until the first pixel has passed.
+        let got = read(file(&mut icarus), &design, &all, stimulus.clocks());
+        engines::assert_same(&design, &wanted, &got, u64::from(design.latency()), icarus.name());
+    }
+}
