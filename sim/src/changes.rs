@@ -111,7 +111,8 @@ fn differences<T: Copy + PartialEq>(before: &[T], after: &[T]) -> u32 {
 fn transpose(square: &mut [u64; BLOCK]) {
     let (mut width, mut low) = (32, 0x0000_0000_FFFF_FFFF);
     while width != 0 {
-        for pair in (0..BLOCK / 2).map(|i| (i & !(width - 1)) * 2 | i & (width - 1)) {
+        // Rows whose number has no bit `width`; the other of each pair has it.
+        for pair in (0..BLOCK).filter(|row| row & width == 0) {
             let swapped = (square[pair] >> width ^ square[pair + width]) & low;
             square[pair] ^= swapped << width;
             square[pair + width] ^= swapped;
@@ -130,10 +131,8 @@ mod tests {
         let mut square = std::array::from_fn(|row| (row as u64 + 3).wrapping_mul(0x9E37_79B9_7F4A_7C15));
         let before: [u64; BLOCK] = square;
         transpose(&mut square);
-        for row in 0..BLOCK {
-            for column in 0..BLOCK {
-                assert_eq!(square[row] >> column & 1, before[column] >> row & 1);
-            }
+        for (number, row) in square.iter().enumerate() {
+            assert!(before.iter().enumerate().all(|(column, bits)| row >> column & 1 == bits >> number & 1));
         }
     }
 

@@ -18,9 +18,9 @@ use crate::trace_file::TraceFormat;
 use crate::{picture, progress, report, summary, verilog, waveform, worst};
 
 const EXAMPLE: &str = "\
-Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd (or .fst), trace.gtkw,
-worst.svg (the worst pixel's way through the core), report.md and report.json. DIR is replaced as a
-whole when everything is there; files in it that Specula did not write stay.
+Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst,
+trace.gtkw, worst.svg (the worst pixel's way through the core), report.md and report.json. DIR is
+replaced as a whole when everything is there; files in it that Specula did not write stay.
 
 Exit status: 0 if every pixel agrees, 1 if not, 2 if the run could not be made.
 

@@ -58,8 +58,8 @@ impl<'a> TraceFile<'a> {
 
     fn begin(&self, file: File, batch: &Batch) -> io::Result<Waves> {
         Ok(match self.format {
-            TraceFormat::Vcd => Waves::Vcd(vcd::Waves::begin(file, self.design, batch.nodes(), self.about)?),
-            TraceFormat::Fst => Waves::Fst(fst::Waves::begin(file, self.design, batch.nodes(), self.about)?),
+            TraceFormat::Vcd => Waves::Vcd(Box::new(vcd::Waves::begin(file, self.design, batch.nodes(), self.about)?)),
+            TraceFormat::Fst => Waves::Fst(Box::new(fst::Waves::begin(file, self.design, batch.nodes(), self.about)?)),
         })
     }
 
@@ -75,6 +75,6 @@ impl<'a> TraceFile<'a> {
 
 /// A waveform under way.
 enum Waves {
-    Vcd(vcd::Waves<File>),
-    Fst(fst::Waves<File>),
+    Vcd(Box<vcd::Waves<File>>),
+    Fst(Box<fst::Waves<File>>),
 }

@@ -7,7 +7,7 @@ pub fn spread(core: &mut CoreSpec, draw: &[f64; 8]) {
     let steps_bits = core.longest_span.ilog2();
     match &mut core.method {
         MethodSpec::Lyon(lyon) => spread_lyon(lyon, steps_bits, draw),
-        MethodSpec::Hybrid(hybrid) => spread_hybrid(hybrid, draw),
+        MethodSpec::Hybrid(hybrid) => spread_hybrid(hybrid, steps_bits, draw),
     }
 }
 
@@ -30,12 +30,13 @@ fn spread_lyon(lyon: &mut LyonSpec, steps_bits: u32, draw: &[f64; 8]) {
     lyon.difference = if draw[3] < 0.5 { Difference::HalfwayCrossNormal } else { Difference::ReflectionMinusLight };
 }
 
-fn spread_hybrid(hybrid: &mut HybridSpec, draw: &[f64; 8]) {
+fn spread_hybrid(hybrid: &mut HybridSpec, steps_bits: u32, draw: &[f64; 8]) {
     let f = &mut hybrid.formats;
     f.diffuse.fraction_bits = between(4, 24, draw[0]);
-    f.diffuse_accumulator.fraction_bits = between(f.diffuse.fraction_bits, 56, draw[1]);
+    // First differences add up to S/2 units of the last place, second ones to S²/4; both must stay well below 1.
+    f.diffuse_accumulator.fraction_bits = between(f.diffuse.fraction_bits.max(steps_bits + 3), 56, draw[1]);
     f.operand.fraction_bits = between(4, 24, draw[2]);
-    f.accumulator.fraction_bits = between(f.operand.fraction_bits, 56, draw[3]);
+    f.accumulator.fraction_bits = between(f.operand.fraction_bits.max(2 * steps_bits + 3), 56, draw[3]);
     f.base.fraction_bits = between(4, 24, draw[4]);
 }
 

@@ -6,19 +6,22 @@ use crate::raw::{Raw, round};
 
 pub fn code(spec: &LyonSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let (diffuse_bits, shape_bits) = (spec.formats.diffuse.fraction_bits, spec.formats.shape.fraction_bits);
-    let n = normal(spec, raw, i);
+    let (n, z) = normal(spec, raw, i);
     let bits = diffuse_bits.max(shape_bits);
     let mut terms = Vec::new();
     for light in 0..lights {
         let l = raw.vector(&format!("light{light}_direction"));
         let cosine = round(dot(n, l), 2 * spec.formats.vector.fraction_bits, diffuse_bits).max(0);
         terms.push((format!("light{light}_diffuse"), cosine << (bits - diffuse_bits)));
-        terms.push((format!("light{light}_specular"), shape(spec, raw, n, light) << (bits - shape_bits)));
+        // A normal that rounds to nothing has no direction.
+        let highlight = if z == 0 { 0 } else { shape(spec, raw, n, light) };
+        terms.push((format!("light{light}_specular"), highlight << (bits - shape_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }
 
-fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> [i128; 3] {
+/// n and z.
+fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> ([i128; 3], i128) {
     let f = &spec.formats;
     let (v, w, zf, gf) = (f.vector.fraction_bits, f.weight.fraction_bits, f.length_squared.fraction_bits, f.gain.fraction_bits);
     let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
@@ -35,7 +38,7 @@ fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> [i128; 3] {
         let factor = round((3 << (zf + gf)) - z * square, zf + gf, gf);
         g = round(g * factor, 2 * gf + 1, gf);
     }
-    lerp.map(|c| round(g * c, gf + v, v))
+    (lerp.map(|c| round(g * c, gf + v, v)), z)
 }
 
 fn shape(spec: &LyonSpec, raw: &Raw, n: [i128; 3], light: usize) -> i128 {

@@ -17,7 +17,7 @@ pub struct Rows {
     /// From the beginning of a row to that of the next.
     stride: usize,
     /// Where the text of each row ends.
-    ends: [usize; BLOCK],
+    ends: Box<[usize; BLOCK]>,
 }
 
 impl Rows {
@@ -26,7 +26,7 @@ impl Rows {
         // The longest text never spoils the next row.
         let stride = longest + ROOM;
         let rows = (MOST / stride).clamp(1, BLOCK);
-        let mut rows = Rows { text: vec![0; rows * stride], stride, ends: [0; BLOCK] };
+        let mut rows = Rows { text: vec![0; rows * stride], stride, ends: Box::new([0; BLOCK]) };
         rows.clear();
         rows
     }

@@ -70,6 +70,7 @@ pub fn measure(bench: &Bench, extent: Extent, progress: &mut dyn FnMut(&Step)) -
         progress(&Step::Trying { entry: contestant.entry() });
         records.push(Record { spans: enough_spans(contestant.as_mut(), &workload, extent.seconds)?, ..Record::default() });
     }
+    level(&contestants, &mut records);
     let rounds = extent.rounds.max(1);
     let all = rounds * contestants.len();
     for round in 0..rounds {
@@ -117,6 +118,17 @@ fn checked(contestant: &mut dyn Contestant, workload: &Workload, spans: usize) -
     Err(MeasureError::WrongSums { entry: contestant.entry().describe(), spans, given, expected })
 }
 
+/// Gives all that write waveforms the same spans, as many as the fastest of them needs: what a waveform costs depends on how many signals
+/// change, and that on the part of the frame.
+fn level(contestants: &[Box<dyn Contestant + '_>], records: &mut [Record]) {
+    for mode in [Mode::Vcd, Mode::VcdNull, Mode::Fst] {
+        let of_mode = |number: &usize| contestants[*number].entry().mode == mode;
+        let numbers: Vec<usize> = (0..records.len()).filter(of_mode).collect();
+        let most = numbers.iter().map(|&number| records[number].spans).max().unwrap_or(0);
+        numbers.iter().for_each(|&number| records[number].spans = most);
+    }
+}
+
 /// How many spans take about `seconds`; trying warms up as well.
 fn enough_spans(contestant: &mut dyn Contestant, workload: &Workload, seconds: f64) -> Result<usize, MeasureError> {
     contestant.start_up()?;
@@ -146,11 +158,12 @@ mod tests {
     struct Fake<'a> {
         workload: &'a Workload,
         more: usize,
+        mode: Mode,
     }
 
     impl Contestant for Fake<'_> {
         fn entry(&self) -> Entry {
-            Entry::only(Engine::RustHdl, Mode::Outputs)
+            Entry::only(Engine::RustHdl, self.mode)
         }
 
         fn start_up(&mut self) -> Result<f64, MeasureError> {
@@ -171,7 +184,7 @@ mod tests {
     #[test]
     fn a_run_is_long_enough_and_counts_its_clocks() {
         with_workload(|workload| {
-            let mut fake = Fake { workload, more: 0 };
+            let mut fake = Fake { workload, more: 0, mode: Mode::Outputs };
             let spans = enough_spans(&mut fake, workload, 1.0).unwrap();
             assert!((800..=1100).contains(&spans), "{spans}");
             let mut record = Record { spans, ..Record::default() };
@@ -183,10 +196,21 @@ mod tests {
     }
 
     #[test]
+    fn waveforms_are_compared_over_the_same_spans() {
+        with_workload(|workload| {
+            let fake = |mode| Box::new(Fake { workload, more: 0, mode }) as Box<dyn Contestant>;
+            let contestants = [Mode::Vcd, Mode::Outputs, Mode::Vcd, Mode::Fst].map(fake);
+            let mut records = [5, 6, 7, 3].map(|spans| Record { spans, ..Record::default() });
+            level(&contestants, &mut records);
+            assert_eq!(records.map(|record| record.spans), [7, 6, 7, 3]);
+        });
+    }
+
+    #[test]
     fn wrong_pixels_are_an_error() {
         with_workload(|workload| {
             assert_ne!(workload.sums(1), Sums::default());
-            let error = checked(&mut Fake { workload, more: 1 }, workload, 20).unwrap_err();
+            let error = checked(&mut Fake { workload, more: 1, mode: Mode::Outputs }, workload, 20).unwrap_err();
             assert!(matches!(error, MeasureError::WrongSums { spans: 20, .. }), "{error}");
         });
     }
