@@ -1,4 +1,5 @@
 //! Verilator at its fastest, for measuring: a program that holds its stimulus in memory and times itself.
+use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
 use std::time::Instant;
@@ -52,6 +53,7 @@ pub struct Timing {
 /// A design and a frame compiled for measuring; both are verilated with `-O3` and compiled with `-O3`.
 pub struct TimedVerilator {
     workshop: Workshop,
+    keeping: Keeping,
     build_seconds: f64,
 }
 
@@ -70,7 +72,7 @@ impl TimedVerilator {
         let begin = Instant::now();
         let program = Program { directory: "timed", main: "timed.cpp", effort: Effort::FastRun, options: keeping.options() };
         program.build(&workshop)?;
-        Ok(TimedVerilator { workshop, build_seconds: begin.elapsed().as_secs_f64() })
+        Ok(TimedVerilator { workshop, keeping, build_seconds: begin.elapsed().as_secs_f64() })
     }
 
     /// Seconds that Verilator and the C++ compiler took.
@@ -81,8 +83,12 @@ impl TimedVerilator {
     /// Shades the first `spans` spans of an endless row of frames and writes `dump`, if the program is one that does.
     ///
     /// # Errors
-    /// [`SimError::ToolFailed`] if the program fails, [`SimError::File`] if it does not say what it measured.
+    /// [`SimError::ToolFailed`] if the program fails, [`SimError::File`] if it does not say what it measured, or if `dump` is not a
+    /// file that the program may replace.
     pub fn run(&self, spans: usize, dump: &Path) -> Result<Timing, SimError> {
+        if self.keeping == Keeping::Fst {
+            replaceable(dump).map_err(SimError::file(format!("replace `{}` by a waveform", dump.display())))?;
+        }
         let program = self.workshop.path().join("timed").join(PROGRAM);
         let dump = dump.to_string_lossy().into_owned();
         let arguments = [STIMULUS.to_owned(), RESULT.to_owned(), spans.to_string(), dump];
@@ -91,6 +97,15 @@ impl TimedVerilator {
         let read = self.workshop.open(RESULT)?.read_to_string(&mut text);
         let timing = read.and_then(|_| timing(&text).ok_or_else(|| io::Error::other(format!("`{text}` is no result"))));
         timing.map_err(SimError::file("read what a simulator measured"))
+    }
+}
+
+/// Refuses what is there and is not a file. Verilator's FST writer removes what has the file's name before it makes the file: given
+/// the null device by a privileged user, it would remove the device from the system.
+fn replaceable(dump: &Path) -> io::Result<()> {
+    match fs::symlink_metadata(dump) {
+        Ok(there) if !there.is_file() => Err(io::Error::other("it is there and is not a file")),
+        _ => Ok(()),
     }
 }
 
@@ -104,6 +119,18 @@ fn timing(text: &str) -> Option<Timing> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_files_are_replaced() {
+        let place = tempfile::tempdir().unwrap();
+        let file = place.path().join("waveform");
+        assert!(replaceable(&file).is_ok());
+        fs::write(&file, "").unwrap();
+        assert!(replaceable(&file).is_ok());
+        assert!(replaceable(place.path()).is_err());
+        #[cfg(unix)]
+        assert!(replaceable(Path::new("/dev/null")).is_err());
+    }
 
     #[test]
     fn results_are_read_or_refused() {
