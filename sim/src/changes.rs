@@ -31,7 +31,7 @@ impl Changes {
         for ((square, lanes), last) in self.squares.iter_mut().zip(lanes.chunks(64)).zip(self.last.chunks_mut(64)) {
             *square = [0; BLOCK];
             for ((bits, lanes), last) in square.iter_mut().zip(lanes).zip(last) {
-                *bits = changes(lanes.rows(rows.clone()), last);
+                *bits = changes(*lanes, rows.clone(), last);
             }
             transpose(square);
         }
@@ -61,28 +61,30 @@ pub fn ones(bits: u64) -> impl Iterator<Item = usize> {
     std::iter::successors(Some(bits).filter(|&bits| bits != 0), after).map(|bits| bits.trailing_zeros() as usize)
 }
 
-/// A bit for each row whose value is not that of the row before, which is `last` before the first; `last` becomes that of the last.
-pub fn changes(lanes: Lanes, last: &mut i64) -> u64 {
+/// A bit for each of these rows, up to [`BLOCK`], whose value is not that of the row before. Before the first row of the lanes it is
+/// `last`, which becomes that of the last of these.
+pub fn changes(lanes: Lanes, rows: Range<usize>, last: &mut i64) -> u64 {
     match lanes {
-        Lanes::Narrow(lanes) => {
-            let (Some(&first), Some(&end)) = (lanes.first(), lanes.last()) else { return 0 };
-            let at_first = i64::from(first) != std::mem::replace(last, end.into());
-            changes_within(lanes) | u64::from(at_first)
-        }
-        Lanes::Wide(lanes) => {
-            let (Some(&first), Some(&end)) = (lanes.first(), lanes.last()) else { return 0 };
-            let at_first = first != std::mem::replace(last, end);
-            changes_within(lanes) | u64::from(at_first)
-        }
-        Lanes::Constant(_, 0) => 0,
+        Lanes::Narrow(lanes) => changes_of(lanes, rows, last),
+        Lanes::Wide(lanes) => changes_of(lanes, rows, last),
+        Lanes::Constant(..) if rows.is_empty() => 0,
         Lanes::Constant(value, _) => u64::from(value != std::mem::replace(last, value)),
     }
 }
 
-/// The bits of all rows but the first.
-fn changes_within<T: Copy + PartialEq>(lanes: &[T]) -> u64 {
-    let halves = lanes.chunks(HALF).zip(lanes[1..].chunks(HALF));
-    halves.enumerate().fold(0, |bits, (half, (before, after))| bits | u64::from(differences(before, after)) << (HALF * half)) << 1
+fn changes_of<T: Copy + PartialEq + Into<i64>>(lanes: &[T], rows: Range<usize>, last: &mut i64) -> u64 {
+    let (Some(&first), Some(&end)) = (lanes[rows.clone()].first(), lanes[rows.clone()].last()) else { return 0 };
+    let before = std::mem::replace(last, end.into());
+    match rows.start.checked_sub(1) {
+        Some(start) => differences(&lanes[start..rows.end - 1], &lanes[rows]),
+        None => differences(&lanes[..rows.end - 1], &lanes[1..rows.end]) << 1 | u64::from(first.into() != before),
+    }
+}
+
+/// A bit for each row whose values differ, up to [`BLOCK`] of them.
+fn differences<T: Copy + PartialEq>(before: &[T], after: &[T]) -> u64 {
+    let halves = before.chunks(HALF).zip(after.chunks(HALF)).enumerate();
+    halves.fold(0, |bits, (half, (before, after))| bits | u64::from(differences_of_half(before, after)) << (HALF * half))
 }
 
 /// Rows whose bits fit into a narrow lane.
@@ -101,10 +103,10 @@ const fn bits() -> [u32; HALF] {
 }
 
 /// A bit for each row whose values differ, up to [`HALF`] of them.
-fn differences<T: Copy + PartialEq>(before: &[T], after: &[T]) -> u32 {
-    // A mask for each row, and no shifts: this becomes a loop over vectors.
+fn differences_of_half<T: Copy + PartialEq>(before: &[T], after: &[T]) -> u32 {
+    // A mask for each row, no shift and no branch: this becomes a loop over vectors.
     let rows = before.iter().zip(after).zip(&BIT);
-    rows.fold(0, |bits, ((before, after), bit)| bits | if before != after { *bit } else { 0 })
+    rows.fold(0, |bits, ((before, after), bit)| bits | bit & u32::from(before != after).wrapping_neg())
 }
 
 /// Turns rows into columns [Warren, Hacker's Delight, section 7-3].

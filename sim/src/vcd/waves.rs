@@ -72,9 +72,9 @@ impl<W: Write> Waves<W> {
     fn changes(&mut self, lanes: &[Lanes], rows: Range<usize>) {
         let first = u64::from(self.next.is_none());
         for variable in &mut self.variables {
-            let lanes = lanes[variable.column].rows(rows.clone());
-            let changed = changes(lanes, &mut variable.last) | first;
-            self.rows.values(changed, &variable.record, lanes);
+            let lanes = lanes[variable.column];
+            let changed = changes(lanes, rows.clone(), &mut variable.last) | first;
+            self.rows.values(changed, &variable.record, lanes.rows(rows.clone()));
         }
     }
 
