@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op};
+use specula_hdl::design::NodeId;
 use specula_sim::{Batch, Engine, Fast, Flow, Keeping, Stimulus, TimedVerilator, fst, vcd};
 
 fn main() {
@@ -26,7 +26,7 @@ fn main() {
     let design = specula_hdl::elaborate(&spec, "teapot").expect("the core can be built");
     let packets: Vec<_> = scene.frame.spans.iter().map(|span| spec.packet(&scene.frame, span)).collect();
     let stimulus = Stimulus::whole(&packets, &design);
-    let signals = design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect();
+    let signals = design.variables();
     let bench = Bench { design: &design, stimulus: &stimulus, signals, directory: &directory };
     println!("{} signals, {} clocks", bench.signals.len(), stimulus.clocks().end);
 

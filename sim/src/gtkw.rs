@@ -180,7 +180,7 @@ fn unit_outputs(design: &Design) -> HashSet<NodeId> {
         _ => None,
     };
     let outputs = design.nodes.iter().filter_map(read);
-    outputs.filter(|&of| !matches!(design.node(of).op, Op::Constant(_))).collect()
+    outputs.filter(|&of| design.node(of).op.constant().is_none()).collect()
 }
 
 fn is_interesting(design: &Design, id: NodeId, node: &Node) -> bool {

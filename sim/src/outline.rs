@@ -39,7 +39,7 @@ impl<'a> Outline<'a> {
     pub fn new(design: &'a Design, nodes: &[NodeId]) -> Outline<'a> {
         let units = design.scopes.len();
         let mut draft = Draft { design, signals: vec![vec![]; units], shown: vec![false; units], known: HashMap::new() };
-        for (column, &id) in nodes.iter().enumerate().filter(|&(_, &id)| !matches!(design.node(id).op, Op::Constant(_))) {
+        for (column, &id) in nodes.iter().enumerate().filter(|&(_, &id)| design.node(id).op.constant().is_none()) {
             draft.admit(column, id);
         }
         let mut outline = Outline { entries: vec![], variables: vec![] };

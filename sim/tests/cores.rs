@@ -2,7 +2,7 @@
 mod common;
 
 use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op};
+use specula_hdl::design::NodeId;
 use specula_scene::Method;
 use specula_sim::{Effort, Engine, Icarus, RustHdl, Stimulus, Verilator};
 
@@ -42,7 +42,7 @@ fn the_hybrids_outputs_agree() {
 
 /// Every signal that is no constant.
 fn signals(design: &Design) -> Vec<NodeId> {
-    design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect()
+    design.variables()
 }
 
 #[test]

@@ -19,7 +19,7 @@ fn window(method: Method) -> (Design, Columns) {
     let spec = frames::spec(&frame, method);
     let design = frames::design(&spec);
     let packets = frames::packets(&spec, &frame);
-    let all: Vec<NodeId> = design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect();
+    let all: Vec<NodeId> = design.variables();
     let stimulus = Stimulus::whole(&packets, &design).leading_to(&(240..250), &design);
     let columns = engines::run(&mut Fast::new(&design), &stimulus, &all).unwrap();
     assert!(columns.first_clock > 0);
@@ -132,7 +132,7 @@ fn every_width() -> Design {
 
 /// The columns of every signal, between its extremes.
 fn extremes(design: &Design, clocks: usize) -> Columns {
-    let nodes: Vec<NodeId> = design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect();
+    let nodes: Vec<NodeId> = design.variables();
     let mut columns = Columns::new(&nodes);
     columns.first_clock = 7;
     for (index, &id) in nodes.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! The waveforms of every engine are the same, signal by signal and clock by clock.
 mod common;
 
-use specula_hdl::design::{NodeId, Op};
+use specula_hdl::design::NodeId;
 use specula_scene::Method;
 use specula_sim::{Effort, Engine, Fast, Icarus, RustHdl, Stimulus, Verilator};
 
@@ -15,7 +15,7 @@ fn waveforms_of_all_engines_agree() {
     let design = frames::design(&spec);
     let packets = frames::packets(&spec, &frame);
     let stimulus = Stimulus::whole(&packets, &design);
-    let all: Vec<NodeId> = design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect();
+    let all: Vec<NodeId> = design.variables();
     let file = |engine: &mut dyn Engine| {
         let columns = engines::run(engine, &stimulus, &all).unwrap();
         written(Format::Vcd, &design, &columns, 1024)

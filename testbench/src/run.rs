@@ -3,7 +3,7 @@ use std::ops::Range;
 use std::time::Instant;
 
 use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op};
+use specula_hdl::design::NodeId;
 use specula_scene::{CoreSpec, Frame};
 use specula_sim::fast::Settings;
 use specula_sim::{Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, Stimulus, Verilator};
@@ -154,7 +154,7 @@ impl<'a> Bench<'a> {
         let worst = outcome.comparison.worst_pixel.as_ref();
         let Some(window) = choice.window(&whole, self.design.latency(), worst) else { return Ok(None) };
         let lead = whole.leading_to(&window, &self.design);
-        let nodes: Vec<NodeId> = self.design.iter().filter(|(_, n)| !matches!(n.op, Op::Constant(_))).map(|(id, _)| id).collect();
+        let nodes: Vec<NodeId> = self.design.variables();
         engine.engine(&self.design)?.run(&lead, &nodes, &mut |columns| sink(&columns.within(&window)))?;
         Ok(Some(window))
     }

@@ -1,5 +1,5 @@
 //! The fast engine against rust-hdl, on every signal and clock of both cores.
-use specula_hdl::design::{NodeId, Op};
+use specula_hdl::design::NodeId;
 use specula_scene::{Method, load};
 use specula_sim::fast::{Level, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};
@@ -25,8 +25,7 @@ fn every_signal_agrees_with_rust_hdl_at_every_clock() {
             let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
             let spans = FrameSpans::new(&loaded.frame, &spec);
             let stimulus = Stimulus::whole(&spans, &bench.design);
-            let nodes: Vec<NodeId> =
-                bench.design.iter().filter(|(_, n)| !matches!(n.op, Op::Constant(_))).map(|(id, _)| id).collect();
+            let nodes: Vec<NodeId> = bench.design.variables();
             let expected = all_columns(&mut RustHdl::new(&bench.design).unwrap(), &stimulus, &nodes);
             let baseline = Level::BASELINE;
             for (batch, level, threads) in

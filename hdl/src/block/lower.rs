@@ -31,12 +31,12 @@ impl<'a> Borders<'a> {
         let mut outputs: HashSet<NodeId> = design.outputs.iter().copied().chain([design.valid_out]).collect();
         let mut members: HashMap<ScopeId, Vec<NodeId>> = HashMap::new();
         for (id, node) in design.iter() {
-            if matches!(node.op, Op::Constant(_)) {
+            if node.op.constant().is_some() {
                 continue;
             }
             members.entry(node.scope).or_default().push(id);
             let inner = node.op.operands().filter(|&o| design.scope(design.node(o).scope).parent == Some(node.scope));
-            outputs.extend(inner.filter(|&o| !matches!(design.node(o).op, Op::Constant(_))));
+            outputs.extend(inner.filter(|&o| design.node(o).op.constant().is_none()));
         }
         Borders { design, outputs, members, tables: design.tables.clone().into() }
     }
@@ -62,7 +62,7 @@ impl<'a> Borders<'a> {
     }
 
     fn is_constant(&self, id: NodeId) -> bool {
-        matches!(self.design.node(id).op, Op::Constant(_))
+        self.design.node(id).op.constant().is_some()
     }
 
     fn module(&self, scope: ScopeId) -> Module {

@@ -181,7 +181,7 @@ impl Logic for Module {
     fn hdl(&self) -> Verilog {
         let mut lines = vec![];
         let name = |wire: u32| &self.wires[wire as usize].wire_type().name;
-        for cell in self.gates.iter().filter(|c| !matches!(c.op, Op::Constant(_))) {
+        for cell in self.gates.iter().filter(|c| c.op.constant().is_none()) {
             lines.push(format!("always @(*) {}", self.assignment(cell)));
         }
         for cell in &self.registers {
@@ -235,7 +235,7 @@ impl Block for Module {
     fn accept(&self, name: &str, probe: &mut dyn Probe) {
         probe.visit_start_scope(name, self);
         self.clock.accept("clock", probe);
-        let constants: Vec<u32> = self.gates.iter().filter(|c| matches!(c.op, Op::Constant(_))).map(|c| c.wire).collect();
+        let constants: Vec<u32> = self.gates.iter().filter(|c| c.op.constant().is_some()).map(|c| c.wire).collect();
         for (number, wire) in self.wires.iter().enumerate() {
             if !constants.contains(&(number as u32)) {
                 wire.accept(&wire.wire_type().name, probe);

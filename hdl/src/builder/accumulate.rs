@@ -21,7 +21,7 @@ impl Sig {
         let assumed = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64).hull(start.range());
         let whole = Range::whole(assumed.width(), assumed.signed());
         let state = builder.feedback_register(whole, fraction_bits, stage);
-        let facts = |range: Range, kind| Facts { range: range.plus(Range::single(0)), fraction_bits, error, kind };
+        let facts = |range: Range, kind| Facts { range: range.into(), fraction_bits, error, kind };
         let select = Op::Select(first.id(), start.id(), state);
         let value = builder.emit(select, Register::None, facts(whole.hull(start.range()), "value"));
         let next_range = Facts { range: value.range().plus(step.range()), ..facts(whole, "next") };

@@ -5,7 +5,7 @@ use crate::design::{Op, Range, WideRange};
 const BIT: Range = Range::new(0, 1);
 
 fn bit() -> (WideRange, u32, f64) {
-    (BIT.plus(Range::single(0)), 0, 0.0)
+    (BIT.into(), 0, 0.0)
 }
 
 impl Sig {
@@ -53,7 +53,7 @@ impl Sig {
     pub fn choose(&self, yes: &Sig, no: &Sig) -> Sig {
         let fraction_bits = yes.fraction_bits().max(no.fraction_bits());
         let (a, b) = (yes.with_fraction_bits(fraction_bits), no.with_fraction_bits(fraction_bits));
-        let range = a.range().hull(b.range()).plus(Range::single(0));
+        let range = a.range().hull(b.range()).into();
         let facts = (range, fraction_bits, a.error().max(b.error()));
         Sig::operator([self, &a, &b], |[c, a, b]| Op::Select(c, a, b), facts, "chosen")
     }

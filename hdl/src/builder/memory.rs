@@ -39,7 +39,7 @@ impl Sig {
         let builder = &self.builder;
         // The register is placed before the multiplexer that reads it, and its operand is set when that is there.
         let state = builder.own_register(range, fraction_bits, error, stage + 1, Op::Copy);
-        let facts = Facts { range: range.plus(Range::single(0)), fraction_bits, error, kind: "kept" };
+        let facts = Facts { range: range.into(), fraction_bits, error, kind: "kept" };
         let kept = builder.emit(Op::Select(enable.id(), value.id(), state.id()), Register::None, facts);
         builder.state.borrow_mut().design.nodes[state.id().0 as usize].op = Op::Select(load.id(), loaded.id(), kept.id());
         state

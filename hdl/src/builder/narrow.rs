@@ -40,7 +40,7 @@ impl Sig {
         }
         let range = self.range().shifted_right(dropped);
         let error = self.error() * (-f64::from(dropped)).exp2() + 1.0;
-        let facts = Facts { range: range.plus(Range::single(0)), fraction_bits, error, kind };
+        let facts = Facts { range: range.into(), fraction_bits, error, kind };
         self.builder.emit(Op::ShiftRight(self.id(), dropped), Register::None, facts)
     }
 
@@ -77,12 +77,8 @@ impl Sig {
 
     /// After a clamp: the range that the clamp leaves, which the hull of its branches does not show.
     fn known_within(self, range: Range, error: f64) -> Sig {
-        let facts = Facts {
-            range: range.plus(Range::single(0)),
-            fraction_bits: self.fraction_bits(),
-            error: error.min(range.extent()),
-            kind: "clamped",
-        };
+        let facts =
+            Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: error.min(range.extent()), kind: "clamped" };
         match self.range() == range {
             true => self.with_error(error.min(range.extent())),
             false => self.builder.emit(Op::Wrap(self.id()), Register::None, facts),
@@ -101,7 +97,7 @@ impl Sig {
         }
         self.builder.state.borrow_mut().design.assumptions.push(Assumption { fact: fact.into(), node: self.id(), range });
         let facts = Facts {
-            range: range.plus(Range::single(0)),
+            range: range.into(),
             fraction_bits: self.fraction_bits(),
             error: self.error().min(range.extent()),
             kind: "assumed",

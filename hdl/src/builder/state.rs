@@ -67,10 +67,7 @@ impl State {
     }
 
     pub fn is_constant(&self, id: NodeId) -> Option<i64> {
-        match self.design.node(id).op {
-            Op::Constant(value) => Some(value),
-            _ => None,
-        }
+        self.design.node(id).op.constant()
     }
 
     pub fn leave_out(&mut self, what: &str, why: &str) {

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::state::Facts;
 use super::{Builder, Bundle, Inputs, Sig};
-use crate::design::{Node, NodeId, Op, Range, Register, Scope, ScopeId};
+use crate::design::{Node, NodeId, Op, Register, Scope, ScopeId};
 use crate::target::Unregistered;
 use crate::verilog::CONTROL;
 
@@ -47,12 +47,7 @@ impl Builder {
     }
 
     fn behind_a_register(&self, sig: &Sig) -> Sig {
-        let facts = Facts {
-            range: sig.range().plus(Range::single(0)),
-            fraction_bits: sig.fraction_bits(),
-            error: sig.error(),
-            kind: "registered",
-        };
+        let facts = Facts { range: sig.range().into(), fraction_bits: sig.fraction_bits(), error: sig.error(), kind: "registered" };
         self.emit(Op::Copy(sig.id()), Register::Data, facts)
     }
 

@@ -171,6 +171,11 @@ impl Design {
         self.nodes.iter().enumerate().map(|(i, node)| (NodeId(i as u32), node))
     }
 
+    /// Every signal that is no constant.
+    pub fn variables(&self) -> Vec<NodeId> {
+        self.iter().filter(|(_, node)| node.op.constant().is_none()).map(|(id, _)| id).collect()
+    }
+
     /// Clocks from a pixel's entry to its exit.
     pub fn latency(&self) -> u32 {
         self.node(self.valid_out).stage

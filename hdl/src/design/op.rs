@@ -56,6 +56,14 @@ pub enum Op {
 }
 
 impl Op {
+    /// The value, if it is the same at every clock.
+    pub const fn constant(self) -> Option<i64> {
+        match self {
+            Op::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
     /// The signals it reads, in order.
     pub fn operands(&self) -> impl Iterator<Item = NodeId> + use<> {
         let slots = match *self {

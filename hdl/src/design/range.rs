@@ -117,7 +117,13 @@ impl Range {
     }
 
     fn wide(self) -> WideRange {
-        WideRange { low: self.low.into(), high: self.high.into() }
+        self.into()
+    }
+}
+
+impl From<Range> for WideRange {
+    fn from(range: Range) -> WideRange {
+        WideRange { low: range.low.into(), high: range.high.into() }
     }
 }
 

@@ -34,7 +34,7 @@ pub struct UnitSize {
 impl Size {
     fn count(&mut self, design: &Design, node: &Node) {
         let width = |id| u64::from(design.node(id).width());
-        let constant = |id| matches!(design.node(id).op, Op::Constant(_));
+        let constant = |id| design.node(id).op.constant().is_some();
         match node.op {
             Op::Mul(a, b) if !constant(a) && !constant(b) => {
                 self.multipliers += 1;

@@ -157,7 +157,7 @@ fn described(wire: &Wire) -> String {
 }
 
 fn gates(module: &Module, out: &mut String) {
-    for cell in module.cells().filter(|c| c.register == Register::None && !matches!(c.op, Op::Constant(_))) {
+    for cell in module.cells().filter(|c| c.register == Register::None && c.op.constant().is_none()) {
         let wire = &module.wires()[cell.wire as usize];
         if is_table(cell) {
             let _ = writeln!(out, "  always @(*) begin\n    {}\n  end", module.assignment(cell));

@@ -69,7 +69,7 @@ impl Flow {
         for (id, node) in design.iter() {
             let delay = u32::from(node.register != Register::None);
             let copied = node.op.operands().next().filter(|_| keeps_value(design, node) && !looks_ahead(id, node));
-            let constant = |o: NodeId| matches!(design.node(o).op, Op::Constant(_));
+            let constant = |o: NodeId| design.node(o).op.constant().is_some();
             sources.push(match copied.filter(|&o| !constant(o)) {
                 Some(o) => {
                     let Source { root, delay: before } = sources[o.0 as usize];
@@ -123,7 +123,7 @@ fn recurrence(design: &Design, id: NodeId, node: &Node) -> Option<Recurrence> {
 pub fn raw_range(design: &Design, op: Op) -> WideRange {
     use specula_hdl::design::Range;
     let range = |id: NodeId| design.node(id).range;
-    let same = |r: Range| r.plus(Range::single(0));
+    let same = |r: Range| r.into();
     match op {
         Op::Input => same(Range::new(0, 0)),
         Op::Constant(value) => same(Range::single(value)),

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use petgraph::algo::tarjan_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
 use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op};
+use specula_hdl::design::NodeId;
 
 use super::flow::{Flow, Source};
 
@@ -36,7 +36,7 @@ pub struct Needed {
 }
 
 fn is_constant(design: &Design, id: NodeId) -> bool {
-    matches!(design.node(id).op, Op::Constant(_))
+    design.node(id).op.constant().is_some()
 }
 
 fn operand_roots(design: &Design, flow: &Flow, root: NodeId) -> Vec<NodeId> {

@@ -3,7 +3,7 @@
 //! They are few and large, since building one takes seconds; every signal of the core leaves it.
 mod known;
 
-use specula_hdl::design::{NodeId, Op};
+use specula_hdl::design::NodeId;
 use specula_sim::{Columns, Effort, Engine, Icarus, Verilator};
 
 use crate::case::Case;
@@ -22,8 +22,7 @@ fn as_verilog() {
     for number in 0..NETLISTS {
         let case = pruned(draw::case(&mut Random(SEED + number), Profile::verilog()));
         let expected = case.expected().unwrap();
-        let signals: Vec<NodeId> =
-            case.design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect();
+        let signals: Vec<NodeId> = case.design.variables();
         if let Some(mut verilator) = tools::installed(Verilator::new(&case.design, Effort::FastBuild)) {
             let outputs: Vec<NodeId> = [case.design.valid_out].iter().chain(&case.design.outputs).copied().collect();
             compare(&case, &expected, &outputs, &mut verilator, |_, _| true);

@@ -2,7 +2,7 @@
 use std::time::Instant;
 
 use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op};
+use specula_hdl::design::NodeId;
 use specula_sim::{Engine, Flow, Stimulus};
 
 use super::contestant::Timed;
@@ -35,9 +35,4 @@ pub(crate) fn timed(
     ended.map_err(|reason| MeasureError::Waveform { entry: entry.describe(), reason })?;
     let clocks = stimulus.clocks();
     Ok(Timed { seconds, clocks: clocks.end - clocks.start, sums: summing.sums() })
-}
-
-/// Every signal but the constants.
-pub(crate) fn all_signals(design: &Design) -> Vec<NodeId> {
-    design.iter().filter(|(_, node)| !matches!(node.op, Op::Constant(_))).map(|(id, _)| id).collect()
 }

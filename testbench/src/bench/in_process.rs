@@ -8,7 +8,7 @@ use specula_hdl::design::{NodeId, ScopeId};
 use specula_sim::fast::Settings;
 use specula_sim::{Engine, Fast, Flow, RustHdl, SimError, Stimulus};
 
-use super::clocked::{all_signals, timed};
+use super::clocked::timed;
 use super::contestant::{Contestant, Timed};
 use super::keeper::keeper;
 use super::scratch::Scratch;
@@ -54,7 +54,7 @@ pub(crate) struct InProcess<'a> {
 
 impl InProcess<'_> {
     fn watched(&self, design: &Design) -> Vec<NodeId> {
-        if self.entry.mode == Mode::Outputs { design.outputs.clone() } else { all_signals(design) }
+        if self.entry.mode == Mode::Outputs { design.outputs.clone() } else { design.variables() }
     }
 
     fn failed(&self) -> impl FnOnce(io::Error) -> MeasureError + use<> {
