@@ -66,8 +66,8 @@ impl Format {
     }
 }
 
-/// 2^`exponent`, exactly, for exponents of normal numbers, which fraction bits up to 63 are: the exponent field biased by 1023.
-fn power_of_two(exponent: i64) -> f64 {
+/// 2^`exponent`, exactly and on every machine, for exponents from -1022 to 1023: the exponent field biased by 1023.
+pub const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 

@@ -17,7 +17,7 @@ impl Sig {
         let (first, start, step) = (first.aligned(stage), start.aligned(stage), step.aligned(stage));
         let error = start.error() + f64::from(steps) * step.error();
 
-        let raw = |value: f64| value * f64::from(fraction_bits).exp2();
+        let raw = |value: f64| value / start.ulp();
         let assumed = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64).hull(start.range());
         let whole = Range::whole(assumed.width(), assumed.signed());
         let state = builder.feedback_register(whole, fraction_bits, stage);

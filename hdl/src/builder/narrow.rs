@@ -1,4 +1,6 @@
 //! Narrowing: always explicit, always named in the spec.
+use specula_scene::format::power_of_two;
+
 use super::Sig;
 use super::state::Facts;
 use crate::design::{Assumption, Op, Range, Register};
@@ -10,7 +12,7 @@ impl Sig {
             0 => self.clone(),
             // floor((x + 2^(d-1)) / 2^d) = floor((floor(x / 2^(d-1)) + 1) / 2): the adder need not see the bits that go.
             dropped => {
-                let error = self.error() * (-f64::from(dropped)).exp2() + 0.5;
+                let error = self.error() * power_of_two(-i64::from(dropped)) + 0.5;
                 self.shortened(fraction_bits + 1, "kept").plus_one_ulp().shortened(fraction_bits, "rounded").with_error(error)
             }
         }
@@ -39,7 +41,7 @@ impl Sig {
             return self.builder.sig(id);
         }
         let range = self.range().shifted_right(dropped);
-        let error = self.error() * (-f64::from(dropped)).exp2() + 1.0;
+        let error = self.error() * power_of_two(-i64::from(dropped)) + 1.0;
         let facts = Facts { range: range.into(), fraction_bits, error, kind };
         self.builder.emit(Op::ShiftRight(self.id(), dropped), Register::None, facts)
     }
@@ -89,7 +91,7 @@ impl Sig {
     ///
     /// The bits that the fact makes superfluous are dropped.
     pub fn assumed(&self, low: f64, high: f64, fact: &str) -> Sig {
-        let raw = |value: f64| value * f64::from(self.fraction_bits()).exp2();
+        let raw = |value: f64| value / self.ulp();
         let stated = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64);
         let range = self.range().clamped_to(stated);
         if range == self.range() {
@@ -113,14 +115,14 @@ impl Sig {
 
     /// As [`Sig::proven_error`], the bound given as a value.
     pub fn proven_error_value(self, error: f64) -> Sig {
-        let in_ulps = error * f64::from(self.fraction_bits()).exp2();
+        let in_ulps = error / self.ulp();
         self.proven_error(in_ulps)
     }
 
     /// States the bound on |fixed - real| of what propagation sees nothing of, such as a number put together from bits, or a bit that
     /// may come out otherwise than the real one. The unit gives the proof above it.
     pub fn stated_error_value(self, error: f64) -> Sig {
-        let in_ulps = error * f64::from(self.fraction_bits()).exp2();
+        let in_ulps = error / self.ulp();
         self.with_error(in_ulps)
     }
 

@@ -1,5 +1,6 @@
 //! A value being described.
 use specula_scene::Format;
+use specula_scene::format::power_of_two;
 
 use super::Builder;
 use super::state::Facts;
@@ -45,6 +46,11 @@ impl Sig {
         crate::design::Node { fraction_bits: self.fraction_bits, ..node }.format()
     }
 
+    /// Weight of its last place.
+    pub fn ulp(&self) -> f64 {
+        power_of_two(-i64::from(self.fraction_bits))
+    }
+
     /// Bound on |fixed - real|, in units of the last place.
     pub fn error(&self) -> f64 {
         self.builder.state.borrow().design.node(self.id).error
@@ -52,7 +58,7 @@ impl Sig {
 
     /// Bound on |fixed - real|, as a value.
     pub fn error_value(&self) -> f64 {
-        self.error() * (-f64::from(self.fraction_bits)).exp2()
+        self.error() * self.ulp()
     }
 
     /// Gives it a name, unless it has one.
@@ -95,7 +101,7 @@ impl Sig {
         let facts = Facts {
             range: self.range().shifted_left(bits),
             fraction_bits: self.fraction_bits + bits,
-            error: self.error() * f64::from(bits).exp2(),
+            error: self.error() * power_of_two(bits.into()),
             kind: "shifted",
         };
         let op = Op::ShiftLeft(self.id, bits);

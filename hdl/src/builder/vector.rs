@@ -1,6 +1,8 @@
 //! Vectors of three components.
 use std::ops::{Add, Sub};
 
+use specula_scene::format::power_of_two;
+
 use super::Sig;
 
 /// A vector in view space.
@@ -34,7 +36,7 @@ impl Vector {
 
     /// The length that it does not exceed: what has been stated of it, or the diagonal of the components' ranges.
     pub fn longest(&self) -> f64 {
-        let reach = |sig: &Sig| sig.range().magnitude() * (-f64::from(sig.fraction_bits())).exp2();
+        let reach = |sig: &Sig| sig.range().magnitude() * sig.ulp();
         let diagonal = [&self.x, &self.y, &self.z].map(|sig| reach(sig).powi(2)).into_iter().sum::<f64>().sqrt();
         self.longest.min(diagonal)
     }
@@ -90,7 +92,7 @@ impl Vector {
 
     /// Each component rounded to `fraction_bits`, which makes the vector longer by √3/2 units of the last place at most.
     pub fn rounded(&self, fraction_bits: u32) -> Vector {
-        let longest = self.longest + 0.75f64.sqrt() * (-f64::from(fraction_bits)).exp2();
+        let longest = self.longest + 0.75f64.sqrt() * power_of_two(-i64::from(fraction_bits));
         self.map(|component| component.rounded(fraction_bits)).no_longer_than(longest)
     }
 

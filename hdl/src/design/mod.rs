@@ -183,7 +183,7 @@ impl Design {
 
     /// Bound on the error of an output, in LSBs: rounding and quantised inputs against the same method in exact arithmetic.
     pub fn error_bound(&self) -> f64 {
-        let in_lsb = |&id: &NodeId| self.node(id).error * (-f64::from(self.node(id).fraction_bits)).exp2();
+        let in_lsb = |&id: &NodeId| self.node(id).error * self.node(id).format().ulp();
         self.outputs.iter().map(in_lsb).fold(0.0, f64::max)
     }
 

@@ -1,4 +1,6 @@
 //! Division.
+use specula_scene::format::power_of_two;
+
 use crate::builder::{Builder, Sig};
 
 /// p/q clamped to [0, 1], to `fraction_bits`, correctly rounded (ties up): 0 where p ≤ 0 or q ≤ 0, else 1 where p ≥ q.
@@ -11,7 +13,7 @@ use crate::builder::{Builder, Sig};
 /// unit of the last place; by 1 at most where nothing is known of q.
 pub fn divider(b: &Builder, p: &Sig, q: &Sig, fraction_bits: u32, smallest_divisor: f64) -> Sig {
     b.unit("divider", "b = p/q, clamped to [0, 1]", (("p", p), ("q", q)), |b, (p, q)| {
-        let error = quotient_error(&p, &q, smallest_divisor) + 0.5 * (-f64::from(fraction_bits)).exp2();
+        let error = quotient_error(&p, &q, smallest_divisor) + 0.5 * power_of_two(-i64::from(fraction_bits));
         let (zero, one) = (b.integer(0), b.integer(1));
         let positive = zero.less_than(&p).and(&zero.less_than(&q)).named("positive");
         let whole = p.at_least(&q).named("whole");

@@ -24,7 +24,7 @@ pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps:
     let inputs =
         (("start", span.first), ("normal_start", span.start), ("normal_delta", span.delta), ("weight_step", span.weight_step));
     b.unit("interpolate", "N' = N0 + a (N1 - N0) [Lyon, TR 43]", inputs, |b, (first, start, delta, step)| {
-        let slack = f64::from(steps) * (-f64::from(formats.weight_accumulator.fraction_bits)).exp2();
+        let slack = f64::from(steps) * formats.weight_accumulator.ulp();
         let a = Sig::accumulated(&first, &b.integer(0), &step, (0.0, 1.0 + slack), steps, "0 <= a <= 1");
         let overshoot = overshoot(formats, steps);
         let a = a.rounded(formats.weight.fraction_bits).assumed(0.0, 1.0 + overshoot, "0 <= a <= 1").named("weight");

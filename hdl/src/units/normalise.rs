@@ -1,4 +1,5 @@
 //! Approximate normalisation.
+use specula_scene::Format;
 use specula_scene::spec::lyon::{LyonFormats, LyonSpec, Normalisation};
 
 use crate::builder::{Builder, Sig, Vector};
@@ -13,13 +14,13 @@ fn longest_scaled(longest: f64) -> f64 {
 }
 
 fn coarsest_ulp(formats: &LyonFormats) -> f64 {
-    let fraction_bits = [formats.vector, formats.length_squared, formats.gain].map(|f| f.fraction_bits);
-    (-f64::from(fraction_bits.into_iter().min().unwrap_or(0))).exp2()
+    [formats.vector, formats.length_squared, formats.gain].map(Format::ulp).into_iter().fold(0.0, f64::max)
 }
 
 /// Brings N' near unit length: n = g N' with g about 1/|N'|. [Lyon, TR 43; METHODS B8, B9]
 ///
-/// Both ends of a span lie in the unit ball, so |N'| ≤ 1 up to rounding. n is off by g e_N' + |N'| e_g, with the bounds of [`GainBound`] for normals no shorter than `shortest`.
+/// Both ends of a span lie in the unit ball, so |N'| ≤ 1 up to rounding. n is off by g e_N' + |N'| e_g, with the bounds of
+/// [`GainBound`] for normals no shorter than `shortest`.
 ///
 /// Beside n goes a bit that says whether N' has a direction at all (EXTREMES row 1). It is off by 1 where rounding may decide that.
 pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> (Vector, Sig) {
