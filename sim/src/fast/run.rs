@@ -66,11 +66,13 @@ impl<'a> Run<'a> {
             let before = step.skew.map_or(0, |skew| (-(skew as i64) - self.position).clamp(0, self.lanes as i64) as usize);
             step.run(&mut self.plan.memory, before, self.lanes);
         }
-        let reached = |watched: &Watched| match *watched {
-            Watched::Column { shift, .. } => self.position + self.lanes as i64 + shift as i64,
-            Watched::Constant(_) => i64::MAX,
+        let reached = match self.plan.least_shift {
+            Some(shift) => self.position + self.lanes as i64 + shift as i64,
+            // Constants are known at every clock, and nothing is never shown.
+            None if self.plan.watched.is_empty() => 0,
+            None => end,
         };
-        let end = self.plan.watched.iter().map(reached).min().unwrap_or(0).clamp(0, end) as u64;
+        let end = reached.clamp(0, end) as u64;
         // At first, columns that are ahead have nothing to show.
         let rows = self.reported..end.max(self.reported);
         self.reported = rows.end;

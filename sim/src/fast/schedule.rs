@@ -27,14 +27,6 @@ impl Group {
     }
 }
 
-/// The roots that the watched signals depend on, in id order, and those of them that stand in a component.
-pub struct Needed {
-    /// In id order.
-    pub roots: Vec<NodeId>,
-    /// Members of components.
-    pub in_component: HashSet<NodeId>,
-}
-
 fn is_constant(design: &Design, id: NodeId) -> bool {
     design.node(id).op.constant().is_some()
 }
@@ -43,25 +35,27 @@ fn operand_roots(design: &Design, flow: &Flow, root: NodeId) -> Vec<NodeId> {
     flow.operands(design, root).into_iter().map(|o| flow.source(o).root).filter(|&r| !is_constant(design, r)).collect()
 }
 
-impl Needed {
-    /// What `watched` needs.
-    pub fn of(design: &Design, flow: &Flow, watched: &[NodeId]) -> Needed {
-        let mut seen = HashSet::new();
-        let mut open: Vec<NodeId> = watched.iter().map(|&w| flow.source(w).root).collect();
-        while let Some(root) = open.pop() {
-            if !is_constant(design, root) && seen.insert(root) {
-                open.extend(operand_roots(design, flow, root));
-            }
+/// The roots that the watched signals depend on, in id order.
+pub fn needed(design: &Design, flow: &Flow, watched: &[NodeId]) -> Vec<NodeId> {
+    let mut seen = HashSet::new();
+    let mut open: Vec<NodeId> = watched.iter().map(|&w| flow.source(w).root).collect();
+    while let Some(root) = open.pop() {
+        if !is_constant(design, root) && seen.insert(root) {
+            open.extend(operand_roots(design, flow, root));
         }
-        let mut roots: Vec<NodeId> = seen.into_iter().collect();
-        roots.sort_unstable();
-        let in_component = groups(design, flow, &roots)
-            .into_iter()
-            .filter_map(|group| if let Group::Component(members) = group { Some(members) } else { None })
-            .flatten()
-            .collect();
-        Needed { roots, in_component }
     }
+    let mut roots: Vec<NodeId> = seen.into_iter().collect();
+    roots.sort_unstable();
+    roots
+}
+
+/// The members of all components.
+pub fn in_components(groups: &[Group]) -> HashSet<NodeId> {
+    let members = |group: &Group| match group {
+        Group::Component(members) => members.clone(),
+        Group::Column(_) => vec![],
+    };
+    groups.iter().flat_map(members).collect()
 }
 
 /// The groups of `roots`, operands first.

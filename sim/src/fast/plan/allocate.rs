@@ -11,38 +11,34 @@ impl Planner<'_> {
     /// Gives every root a column; those that are read in their own lane only, and not watched, share memory.
     pub(super) fn allocate(&mut self, order: &[Group], watched: &[NodeId]) {
         let (history, last_use) = self.uses(order, watched);
-        let lasting: HashSet<NodeId> = watched.iter().map(|&w| self.flow.source(w).root).collect();
-        let mut free: [Vec<Place>; 2] = [vec![], vec![]];
+        let keeps = |root: NodeId| history.get(&root).copied().unwrap_or(0);
+        let sharing = self.sharing(order, watched, &keeps);
         let mut ending: HashMap<usize, Vec<NodeId>> = HashMap::new();
-        for (&root, &group) in &last_use {
+        for (&root, &group) in last_use.iter().filter(|(root, _)| sharing.contains(root)) {
             ending.entry(group).or_default().push(root);
         }
+        let mut free: [Vec<Place>; 2] = [vec![], vec![]];
         for (number, group) in order.iter().enumerate() {
             for &root in group.members() {
-                let keeps = history.get(&root).copied().unwrap_or(0);
-                let shared = self.may_share(root, group, keeps, &lasting);
                 let wide = self.is_wide(root);
-                let reused = if shared { free[usize::from(wide)].pop() } else { None };
-                let place = reused.unwrap_or_else(|| self.memory.add(wide, keeps, self.batch));
+                let reused = if sharing.contains(&root) { free[usize::from(wide)].pop() } else { None };
+                let place = reused.unwrap_or_else(|| self.memory.add(wide, keeps(root), self.batch));
                 self.places.insert(root, place);
             }
             let mut ended = ending.remove(&number).unwrap_or_default();
             ended.sort_unstable();
-            for root in ended {
-                let keeps = history.get(&root).copied().unwrap_or(0);
-                let column = Group::Column(root);
-                let holder = order.iter().find(|g| g.members().contains(&root)).unwrap_or(&column);
-                if self.may_share(root, holder, keeps, &lasting) {
-                    let place = self.places[&root];
-                    free[usize::from(place.wide)].push(place);
-                }
+            for place in ended.iter().map(|root| self.places[root]) {
+                free[usize::from(place.wide)].push(place);
             }
         }
     }
 
-    fn may_share(&self, root: NodeId, group: &Group, history: usize, lasting: &HashSet<NodeId>) -> bool {
-        let plain = matches!(group, Group::Column(_)) && self.node(root).op != Op::Input;
-        plain && history == 0 && !lasting.contains(&root)
+    /// The roots whose columns may be used again once they have been read.
+    fn sharing(&self, order: &[Group], watched: &[NodeId], keeps: &dyn Fn(NodeId) -> usize) -> HashSet<NodeId> {
+        let lasting: HashSet<NodeId> = watched.iter().map(|&w| self.flow.source(w).root).collect();
+        let column = |group: &Group| if let Group::Column(root) = group { Some(*root) } else { None };
+        let shares = |root: &NodeId| self.node(*root).op != Op::Input && keeps(*root) == 0 && !lasting.contains(root);
+        order.iter().filter_map(column).filter(shares).collect()
     }
 
     /// For each root, the clocks that readers look back, and the last group that reads it.

@@ -3,7 +3,7 @@ mod allocate;
 mod reach;
 mod select;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use specula_hdl::Design;
@@ -13,7 +13,7 @@ use specula_kernels::{Arithmetic, Bits, Level};
 use super::flow::{Flow, Recurrence};
 use super::fuse::{Fusion, fuse};
 use super::memory::{Memory, Place};
-use super::schedule::{Group, Needed, groups, skews};
+use super::schedule::{Group, groups, in_components, needed, skews};
 use super::serial::{Accumulator, Holder, Member, Serial};
 use super::step::{Step, Work};
 
@@ -42,6 +42,8 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// The wanted signals, in the caller's order.
     pub watched: Vec<Watched>,
+    /// The smallest shift of a watched column: no clock is shown before that column has reached it. `None` if no column is watched.
+    pub least_shift: Option<u64>,
     /// Clocks by which the column furthest ahead, or the value furthest behind its column, is so.
     pub lead: u64,
     /// Clocks before its own whose inputs a watched value depends on, up to the beginning of the span that enters then.
@@ -59,14 +61,10 @@ fn fits_narrow(range: Range) -> bool {
 /// Makes the plan for `watched`, with batches of `batch` clocks.
 pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> Plan {
     let mut flow = Flow::of(design);
-    let mut all = Needed::of(design, &flow, watched);
-    // A recurrence that feeds back on others too is part of a component like any other signal.
-    while flow.drop_recurrences(&all.in_component) {
-        all = Needed::of(design, &flow, watched);
-    }
-    let fusion = fuse(design, &mut flow, &all.roots, watched, &|id| all.in_component.contains(&id));
-    let needed = Needed::of(design, &flow, watched);
-    let order = groups(design, &flow, &needed.roots);
+    let (roots, in_component) = without_hidden_feedback(design, &mut flow, watched);
+    let fusion = fuse(design, &mut flow, &roots, watched, &|id| in_component.contains(&id));
+    // What has been fused into another is no root any more.
+    let order = groups(design, &flow, &needed(design, &flow, watched));
     let skews = skews(design, &flow, &order);
     let mut planner = Planner {
         design,
@@ -86,14 +84,28 @@ pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> 
         planner.plan_group(group);
     }
     let watched_nodes = watched;
-    let watched = watched_nodes.iter().map(|&id| planner.watch(id)).collect();
+    let watched: Vec<Watched> = watched_nodes.iter().map(|&id| planner.watch(id)).collect();
+    let shift = |watched: &Watched| if let Watched::Column { shift, .. } = watched { Some(*shift) } else { None };
+    let least_shift = watched.iter().filter_map(shift).min();
     let inputs =
         planner.places.iter().filter(|(id, _)| design.node(**id).op == Op::Input).map(|(&id, &place)| (id, place)).collect();
     let reach = planner.reach(&order, watched_nodes);
     let restarts_with_spans = planner.restarts_with_spans(&order);
     // The first rows of a signal behind registers lie that many lanes back.
     let lead = skews.values().copied().chain(watched_nodes.iter().map(|&id| planner.shift(id))).max().unwrap_or(0);
-    Plan { memory: planner.memory, inputs, steps: planner.steps, watched, lead, reach, restarts_with_spans }
+    Plan { memory: planner.memory, inputs, steps: planner.steps, watched, least_shift, lead, reach, restarts_with_spans }
+}
+
+/// The roots that are needed, and those of them that stand in components. A recurrence that feeds back on others too becomes part of
+/// a component like any other signal.
+fn without_hidden_feedback(design: &Design, flow: &mut Flow, watched: &[NodeId]) -> (Vec<NodeId>, HashSet<NodeId>) {
+    loop {
+        let roots = needed(design, flow, watched);
+        let in_component = in_components(&groups(design, flow, &roots));
+        if !flow.drop_recurrences(&in_component) {
+            return (roots, in_component);
+        }
+    }
 }
 
 struct Planner<'a> {
