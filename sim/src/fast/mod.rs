@@ -31,7 +31,7 @@ pub struct Settings {
     pub batch: usize,
     /// The instruction set.
     pub level: Level,
-    /// Threads that work at once, at least 1.
+    /// Threads that work at once, at least 1; one does where many signals are watched.
     pub threads: usize,
     /// Clocks that a thread works on at a time, at least 1, where there are several.
     pub piece: usize,
@@ -69,7 +69,7 @@ impl Engine for Fast<'_> {
 
     fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
         let plan = plan(self.design, watched, self.settings.batch, self.settings.level);
-        match parallel::pool(self.settings.threads, &plan) {
+        match parallel::pool(self.settings, &plan) {
             Some(pool) => Pieces { plan: &plan, design: self.design, stimulus, settings: self.settings, watched }.run(&pool, sink),
             None => Run::new(plan, self.design, stimulus, self.settings.batch).finish(watched, sink),
         }

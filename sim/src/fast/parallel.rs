@@ -15,13 +15,18 @@ use super::plan::Plan;
 use super::run::Run;
 use crate::{Batch, Columns, Flow, Stimulus};
 
-/// Threads for a plan, if it can be cut into pieces and more than one thread is wanted.
-pub fn pool(threads: usize, plan: &Plan) -> Option<ThreadPool> {
-    if threads < 2 || !plan.restarts_with_spans {
+/// Values that a piece may hold: 8 MiB. A piece is copied before it is handed over, so where many signals are watched one thread, which
+/// shows its columns in place, is faster, and its memory does not grow with the piece.
+const MOST_VALUES: usize = 1 << 20;
+
+/// Threads for a plan, if more than one is wanted, it can be cut into pieces, and pieces of so many clocks are small.
+pub fn pool(settings: Settings, plan: &Plan) -> Option<ThreadPool> {
+    let values = plan.watched.len().saturating_mul(settings.piece);
+    if settings.threads < 2 || !plan.restarts_with_spans || values > MOST_VALUES {
         return None;
     }
     // Where no threads are to be had, the run goes on without.
-    ThreadPoolBuilder::new().num_threads(threads).build().ok()
+    ThreadPoolBuilder::new().num_threads(settings.threads).build().ok()
 }
 
 /// A run that is cut into pieces.
