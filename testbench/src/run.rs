@@ -42,6 +42,14 @@ impl EngineKind {
         }
     }
 
+    /// The name of the program that it is, as tables of measurements have it: Icarus's compiler is called otherwise than its engine.
+    pub const fn program(self) -> &'static str {
+        match self {
+            EngineKind::Icarus => "iverilog",
+            other => other.name(),
+        }
+    }
+
     fn engine<'a>(self, design: &'a Design) -> Result<Box<dyn Engine + 'a>, BenchError> {
         match self {
             EngineKind::Fast => {
@@ -125,7 +133,8 @@ impl<'a> Bench<'a> {
         let Arrivals { codes, wrong_clocks, .. } = arrivals;
         let comparison = compare::compare(self.spec, self.frame, &codes)?;
         let latency = self.design.latency();
-        let worst_cycle = comparison.worst_pixel.as_ref().map(|worst| trace::leaving_clock(&stimulus, latency, worst));
+        let worst_cycle =
+            comparison.worst_pixel.as_ref().map(|worst| trace::leaving_clock(&stimulus, latency, worst.span, worst.pixel));
         Ok(Outcome {
             pixels: stimulus.pixels(),
             cycles: stimulus.pixels() + u64::from(latency),
@@ -157,6 +166,12 @@ impl<'a> Bench<'a> {
         let nodes: Vec<NodeId> = self.design.variables();
         engine.engine(&self.design)?.run(&lead, &nodes, &mut |columns| sink(&columns.within(&window)))?;
         Ok(Some(window))
+    }
+
+    /// The clock in which pixel number `pixel` of span number `span` leaves the core.
+    pub fn leaving_clock(&self, span: usize, pixel: u32) -> u64 {
+        let spans = FrameSpans::new(self.frame, self.spec);
+        trace::leaving_clock(&Stimulus::whole(&spans, &self.design), self.design.latency(), span, pixel)
     }
 
     /// Outputs and signals with stated facts.

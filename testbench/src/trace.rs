@@ -31,9 +31,10 @@ impl Choice {
             Choice::None => return None,
             Choice::All => all.clone(),
             Choice::Cycles(clocks) => clocks.clone(),
-            Choice::Span(index) => stimulus.begin_of(*index)..stimulus.begin_of(index + 1) + u64::from(latency) + 1,
+            Choice::Span(index) => stimulus.begin_of(*index)..stimulus.begin_of(index.saturating_add(1)) + u64::from(latency) + 1,
             Choice::Worst => {
-                let leaves = leaving_clock(stimulus, latency, worst?);
+                let worst = worst?;
+                let leaves = leaving_clock(stimulus, latency, worst.span, worst.pixel);
                 // Round the pixel's way through the core: its exit stands three quarters into the window.
                 let first = (leaves + WORST_WINDOW / 4).saturating_sub(WORST_WINDOW);
                 first..first + WORST_WINDOW
@@ -44,7 +45,7 @@ impl Choice {
     }
 }
 
-/// The clock in which a pixel leaves the core.
-pub fn leaving_clock(stimulus: &Stimulus, latency: u32, pixel: &WorstPixel) -> u64 {
-    stimulus.begin_of(pixel.span) + u64::from(pixel.pixel) + u64::from(latency)
+/// The clock in which pixel number `pixel` of span number `span` leaves the core.
+pub fn leaving_clock(stimulus: &Stimulus, latency: u32, span: usize, pixel: u32) -> u64 {
+    stimulus.begin_of(span) + u64::from(pixel) + u64::from(latency)
 }

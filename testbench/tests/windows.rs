@@ -148,7 +148,7 @@ fn the_worst_cycle_is_where_the_worst_pixel_leaves() {
         let clock = outcome.worst_cycle.unwrap();
         let spans = FrameSpans::new(&frame, &core);
         let stimulus = Stimulus::whole(&spans, &bench.design);
-        assert_eq!(clock, leaving_clock(&stimulus, bench.design.latency(), &worst));
+        assert_eq!(clock, leaving_clock(&stimulus, bench.design.latency(), worst.span, worst.pixel));
         let (_, columns) = trace(&bench, &Choice::Cycles(clock..clock + 1), &outcome);
         let at = |node| columns.of(node).unwrap()[0];
         let code: Vec<i64> = bench.design.outputs.iter().map(|&output| at(output)).collect();

@@ -85,7 +85,7 @@ fn measured(bench: &Bench, extent: Extent) -> Result<Measurement, ToolError> {
 
 fn described(step: &Step) -> String {
     match step {
-        Step::Building { engine, mode } => format!("building {} for {}", engine.name(), mode.name()),
+        Step::Building { engine, mode } => format!("building {} for {}", engine.program(), mode.name()),
         Step::Trying { entry } => format!("trying {}", entry.describe()),
         Step::Measuring { entry, .. } => format!("measuring {}", entry.describe()),
     }

@@ -67,19 +67,24 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     waveform::check(&arguments.trace, &bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
 
-    let run = Run {
-        name: &scene.name,
-        module: &module,
-        origin: Origin::new(&arguments.scene, spec.method()),
-        bench: &bench,
-        engine: arguments.engine,
-        trace_format: arguments.trace_format,
-        disagreement: Disagreement::of(&outcome, bench.frame, bench.design.latency()),
-        outcome: &outcome,
-    };
+    let run = run_of(arguments, (&scene.name, &module), &bench, &outcome);
     let text = write(arguments, begin, &destination, &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
+}
+
+/// What came of a run, with what disagrees in it.
+fn run_of<'a>(arguments: &Arguments, (name, module): (&'a str, &'a str), bench: &'a Bench<'a>, outcome: &'a Outcome) -> Run<'a> {
+    Run {
+        name,
+        module,
+        origin: Origin::new(&arguments.scene, bench.spec.method()),
+        bench,
+        engine: arguments.engine,
+        trace_format: arguments.trace_format,
+        disagreement: Disagreement::of(outcome, bench),
+        outcome,
+    }
 }
 
 /// Writes everything, and gives what is to be printed.

@@ -1,6 +1,5 @@
 //! What of a run is not as it must be.
-use specula_scene::Frame;
-use specula_testbench::{Mismatch, Outcome, Violation};
+use specula_testbench::{Bench, Mismatch, Outcome, Violation};
 
 /// Everything that disagrees, first occurrences in full.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,12 +17,12 @@ pub struct Disagreement {
 }
 
 impl Disagreement {
-    /// What disagrees in `outcome`, if anything does.
-    pub fn of(outcome: &Outcome, frame: &Frame, latency: u32) -> Option<Disagreement> {
-        let first = outcome.comparison.first_mismatch.clone();
+    /// What disagrees in the `outcome` of a bench, if anything does.
+    pub fn of(outcome: &Outcome, bench: &Bench) -> Option<Disagreement> {
+        let with_clock = |mismatch: &Mismatch| (mismatch.clone(), bench.leaving_clock(mismatch.span, mismatch.pixel));
         let disagreement = Disagreement {
             mismatches: outcome.comparison.mismatches,
-            first_mismatch: first.map(|mismatch| (leaving_clock(&mismatch, frame, latency), mismatch)).map(|(c, m)| (m, c)),
+            first_mismatch: outcome.comparison.first_mismatch.as_ref().map(with_clock),
             wrong_clocks: outcome.wrong_clocks.len(),
             first_wrong_clock: outcome.wrong_clocks.first().copied(),
             violation: outcome.violation.clone(),
@@ -60,12 +59,6 @@ impl Disagreement {
             .map(|v| format!("`{}` does not hold: signal {} is {} in cycle {}", v.fact, v.signal, v.value, v.clock));
         [pixel, clocks, fact].into_iter().flatten().collect()
     }
-}
-
-/// The clock in which a pixel leaves the core: spans follow each other with no clock between.
-fn leaving_clock(mismatch: &Mismatch, frame: &Frame, latency: u32) -> u64 {
-    let before: u64 = frame.spans.iter().take(mismatch.span).map(|span| u64::from(span.length)).sum();
-    before + u64::from(mismatch.pixel) + u64::from(latency)
 }
 
 fn codes([r, g, b]: [u8; 3]) -> String {

@@ -1,30 +1,7 @@
 //! What is measured.
 use specula_sim::fast::Level;
 
-/// An engine that is measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Engine {
-    /// The columnar engine.
-    Fast,
-    /// rust-hdl's simulator.
-    RustHdl,
-    /// Verilator on the emitted Verilog.
-    Verilator,
-    /// Icarus Verilog on the emitted Verilog.
-    Icarus,
-}
-
-impl Engine {
-    /// Its name in tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Engine::Fast => "fast",
-            Engine::RustHdl => "rust-hdl",
-            Engine::Verilator => "verilator",
-            Engine::Icarus => "iverilog",
-        }
-    }
-}
+use crate::EngineKind;
 
 /// What an engine keeps of every clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +38,7 @@ impl Mode {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// The engine.
-    pub engine: Engine,
+    pub engine: EngineKind,
     /// What it keeps.
     pub mode: Mode,
     /// Where there are several of an engine, which of them: the instruction set that it uses, or the compiler's option.
@@ -72,18 +49,18 @@ pub struct Entry {
 
 impl Entry {
     /// An engine of which there is only one.
-    pub(crate) const fn only(engine: Engine, mode: Mode) -> Entry {
+    pub(crate) const fn only(engine: EngineKind, mode: Mode) -> Entry {
         Entry { engine, mode, variant: None, threads: 1 }
     }
 
     /// The columnar engine.
     pub(crate) const fn fast(mode: Mode, level: Level, threads: usize) -> Entry {
-        Entry { engine: Engine::Fast, mode, variant: Some(level.name()), threads }
+        Entry { engine: EngineKind::Fast, mode, variant: Some(level.name()), threads }
     }
 
     /// In words.
     pub fn describe(&self) -> String {
-        let mut words = vec![self.engine.name(), self.mode.name()];
+        let mut words = vec![self.engine.program(), self.mode.name()];
         words.extend(self.variant);
         let threads = if self.threads > 1 { format!(" {} threads", self.threads) } else { String::new() };
         words.join(" ") + &threads

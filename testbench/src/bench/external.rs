@@ -10,8 +10,8 @@ use super::keeper::keeper;
 use super::scratch::Scratch;
 use super::sums::Sums;
 use super::workload::Workload;
-use super::{Engine, Entry, MeasureError, Mode};
-use crate::Bench;
+use super::{Entry, MeasureError, Mode};
+use crate::{Bench, EngineKind};
 
 /// Where bytes go that nobody wants.
 const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
@@ -31,7 +31,7 @@ impl Verilated<'_> {
 
 impl Contestant for Verilated<'_> {
     fn entry(&self) -> Entry {
-        Entry { variant: Some("-O3"), ..Entry::only(Engine::Verilator, self.mode) }
+        Entry { variant: Some("-O3"), ..Entry::only(EngineKind::Verilator, self.mode) }
     }
 
     fn start_up(&mut self) -> Result<f64, MeasureError> {
@@ -58,7 +58,7 @@ pub(crate) struct Interpreted<'a> {
 
 impl Contestant for Interpreted<'_> {
     fn entry(&self) -> Entry {
-        Entry::only(Engine::Icarus, Mode::Outputs)
+        Entry::only(EngineKind::Icarus, Mode::Outputs)
     }
 
     fn start_up(&mut self) -> Result<f64, MeasureError> {

@@ -11,8 +11,8 @@ use super::in_process::{InProcess, Kind};
 use super::rounds::Step;
 use super::scratch::Scratch;
 use super::workload::Workload;
-use super::{Engine, Entry, MeasureError, Mode, Skipped};
-use crate::Bench;
+use super::{Entry, MeasureError, Mode, Skipped};
+use crate::{Bench, EngineKind};
 
 /// Threads of the rows that have several.
 const THREADS: usize = 2;
@@ -62,7 +62,7 @@ impl<'a> Field<'a> {
 
     fn add_rust_hdl(&mut self) {
         for mode in [Mode::Outputs, Mode::EverySignal] {
-            self.add_in_process(Entry::only(Engine::RustHdl, mode), Kind::RustHdl);
+            self.add_in_process(Entry::only(EngineKind::RustHdl, mode), Kind::RustHdl);
         }
     }
 
@@ -73,7 +73,7 @@ impl<'a> Field<'a> {
 
     fn add_verilator(&mut self, progress: &mut dyn FnMut(&Step)) -> Result<(), MeasureError> {
         if let Err(absent) = Verilator::present() {
-            self.skip(Engine::Verilator, None, reason(absent)?);
+            self.skip(EngineKind::Verilator, None, reason(absent)?);
             return Ok(());
         }
         let programs: [(Keeping, &[Mode]); 4] = [
@@ -85,12 +85,12 @@ impl<'a> Field<'a> {
         let source = self.workload.spans(self.workload.frame());
         let frame = Stimulus::whole(&source, &self.bench.design);
         for (keeping, modes) in programs {
-            progress(&Step::Building { engine: Engine::Verilator, mode: modes[0] });
+            progress(&Step::Building { engine: EngineKind::Verilator, mode: modes[0] });
             match TimedVerilator::build(&self.bench.design, &frame, keeping) {
                 Ok(program) => self.add_verilated(&Rc::new(program), modes),
                 // It needs headers of zlib, which a system with Verilator need not have.
                 Err(SimError::ToolFailed { output, .. }) if keeping == Keeping::Fst => {
-                    self.skip(Engine::Verilator, Some(Mode::Fst), without_fst(&output));
+                    self.skip(EngineKind::Verilator, Some(Mode::Fst), without_fst(&output));
                 }
                 Err(error) => return Err(error.into()),
             }
@@ -108,12 +108,12 @@ impl<'a> Field<'a> {
         let &mut Field { bench, workload, scratch, .. } = self;
         match Icarus::new(&bench.design) {
             Ok(engine) => self.contestants.push(Box::new(Interpreted { bench, workload, engine, scratch })),
-            Err(absent) => self.skip(Engine::Icarus, None, reason(absent)?),
+            Err(absent) => self.skip(EngineKind::Icarus, None, reason(absent)?),
         }
         Ok(())
     }
 
-    fn skip(&mut self, engine: Engine, mode: Option<Mode>, reason: String) {
+    fn skip(&mut self, engine: EngineKind, mode: Option<Mode>, reason: String) {
         self.skipped.push(Skipped { engine, mode, reason });
     }
 }

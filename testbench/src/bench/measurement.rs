@@ -1,5 +1,6 @@
 //! What was measured.
-use super::{Engine, Entry, Machine, Mode};
+use super::{Entry, Machine, Mode};
+use crate::EngineKind;
 
 /// A whole measurement.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +32,7 @@ pub struct Row {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Skipped {
     /// The engine.
-    pub engine: Engine,
+    pub engine: EngineKind,
     /// The mode; all of them if there is none.
     pub mode: Option<Mode>,
     /// Why not, and what to do about it.
@@ -48,7 +49,7 @@ impl Row {
 impl Measurement {
     /// How many times as fast as Verilator with its outputs alone; `None` if that did not take part.
     pub fn ratio_to_verilator(&self, row: &Row) -> Option<f64> {
-        let is_reference = |row: &&Row| row.entry.engine == Engine::Verilator && row.entry.mode == Mode::Outputs;
+        let is_reference = |row: &&Row| row.entry.engine == EngineKind::Verilator && row.entry.mode == Mode::Outputs;
         self.rows.iter().find(is_reference).map(|reference| row.rate() / reference.rate())
     }
 }

@@ -25,7 +25,7 @@ mod scratch;
 mod sums;
 mod workload;
 
-pub use entry::{Engine, Entry, Mode};
+pub use entry::{Entry, Mode};
 pub use error::MeasureError;
 pub use machine::Machine;
 pub use measurement::{Measurement, Row, Skipped};

@@ -4,8 +4,8 @@ use super::field::Field;
 use super::measurement::median;
 use super::scratch::Scratch;
 use super::workload::Workload;
-use super::{Engine, Entry, Machine, MeasureError, Measurement, Mode, Row};
-use crate::Bench;
+use super::{Entry, Machine, MeasureError, Measurement, Mode, Row};
+use crate::{Bench, EngineKind};
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub enum Step {
     /// A program is built.
     Building {
         /// The engine.
-        engine: Engine,
+        engine: EngineKind,
         /// The mode that it is for.
         mode: Mode,
     },
@@ -163,7 +163,7 @@ mod tests {
 
     impl Contestant for Fake<'_> {
         fn entry(&self) -> Entry {
-            Entry::only(Engine::RustHdl, self.mode)
+            Entry::only(EngineKind::RustHdl, self.mode)
         }
 
         fn start_up(&mut self) -> Result<f64, MeasureError> {

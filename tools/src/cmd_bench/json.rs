@@ -122,7 +122,7 @@ fn design(measured: &Measured) -> DesignFacts {
 
 fn row_facts(measured: &Measured, row: &Row) -> RowFacts {
     RowFacts {
-        engine: row.entry.engine.name(),
+        engine: row.entry.engine.program(),
         mode: row.entry.mode.name(),
         variant: row.entry.variant,
         threads: row.entry.threads,
@@ -135,5 +135,5 @@ fn row_facts(measured: &Measured, row: &Row) -> RowFacts {
 }
 
 fn skipped(skipped: &Skipped) -> SkippedFacts<'_> {
-    SkippedFacts { engine: skipped.engine.name(), mode: skipped.mode.map(|mode| mode.name()), reason: &skipped.reason }
+    SkippedFacts { engine: skipped.engine.program(), mode: skipped.mode.map(|mode| mode.name()), reason: &skipped.reason }
 }

@@ -41,7 +41,7 @@ fn facts(measured: &Measured) -> Vec<[String; 2]> {
 fn cells(measured: &Measured, row: &Row) -> [String; 8] {
     let rate = row.rate();
     [
-        row.entry.engine.name().to_owned(),
+        row.entry.engine.program().to_owned(),
         row.entry.mode.name().to_owned(),
         row.entry.variant.unwrap_or("").to_owned(),
         format!("{:>7}", row.entry.threads),
@@ -54,5 +54,5 @@ fn cells(measured: &Measured, row: &Row) -> [String; 8] {
 
 fn skipped(skipped: &Skipped) -> String {
     let mode = skipped.mode.map_or(String::new(), |mode| format!(" {}", mode.name()));
-    format!("without {}{mode}: {}\n", skipped.engine.name(), skipped.reason)
+    format!("without {}{mode}: {}\n", skipped.engine.program(), skipped.reason)
 }

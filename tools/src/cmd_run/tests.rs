@@ -27,16 +27,7 @@ fn spoilt_run(words: &[&str], folder: &Path, spoil: impl FnOnce(&mut Outcome) ->
     let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
-    let run = Run {
-        name: &scene.name,
-        module: &scene.name,
-        origin: Origin::new(&arguments.scene, spec.method()),
-        bench: &bench,
-        engine: arguments.engine,
-        trace_format: arguments.trace_format,
-        disagreement: Disagreement::of(&outcome, bench.frame, bench.design.latency()),
-        outcome: &outcome,
-    };
+    let run = run_of(&arguments, (&scene.name, &scene.name), &bench, &outcome);
     let destination = Destination::check(folder, &file_names(run.module)).expect("the folder can be written");
     write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))

@@ -1,11 +1,11 @@
-//! Quantisation errors of 50 000 spans a row, for the documentation:
-//! `cargo test -p specula-golden --release --test measure -- --ignored --nocapture`.
+//! Quantisation errors of 50 000 spans a row, for the documentation: `cargo run -p specula-golden --release --example measure`.
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
 use specula_scene::spec::MethodSpec;
 use specula_scene::spec::lyon::Difference;
 use specula_scene::{CoreSpec, Material, Method};
 
+#[path = "../tests/common/mod.rs"]
 mod common;
 use common::draw::{Drawn, Draws, Range, draw_frame};
 use common::{material, mirror, packet, spec, value};
@@ -54,9 +54,7 @@ fn row(name: &str, range: Range, method: Method, material: &Material, change: im
     println!("{name:34} {method:7} n = {n:4}: largest {:.3}, rms {rms:.3} LSB, {} codes", errors.largest, errors.most_codes);
 }
 
-#[test]
-#[ignore = "prints figures and takes a minute"]
-fn print_errors() {
+fn main() {
     for method in Method::ALL {
         for n in [1, 4, 16, 64, 256] {
             row("30 degrees, highlight alone", TYPICAL, method, &mirror(n), |_| ());
