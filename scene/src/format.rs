@@ -2,6 +2,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// The widest signal anywhere in a design, in bits (DESIGN.md section 2).
@@ -63,6 +64,11 @@ impl Format {
         let scaled = (value * power_of_two(self.fraction_bits.into()) + 0.5).floor();
         // `as` saturates at i64's ends and maps NaN to 0.
         (scaled as i64).clamp(self.min_raw(), self.max_raw())
+    }
+
+    /// [`Format::quantise`] for each component.
+    pub fn quantise_vector(self, vector: DVec3) -> [i64; 3] {
+        vector.to_array().map(|component| self.quantise(component))
     }
 }
 

@@ -122,4 +122,19 @@ impl Frame {
         let longest = ends[0].length().max(ends[1].length());
         if longest > 0.0 { ends.map(|n| n / longest) } else { ends }
     }
+
+    /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one pixel k is 0.
+    pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
+        let [start, end] = self.end_normals(span);
+        [start, (end - start) / f64::from(span.steps().max(1))]
+    }
+
+    /// Gouraud's intensity at the first pixel and its step: max(N·L, 0) at the triangle's vertices, interpolated linearly
+    /// [lecture, eq. 3.2 to 3.6].
+    pub fn gouraud(&self, span: &Span, light: DVec3) -> [f64; 2] {
+        let at_vertices = self.triangles[span.triangle].normals.map(|n| n.dot(light).max(0.0));
+        let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
+        let (start, end) = (at(span.start), at(span.end));
+        [start, (end - start) / f64::from(span.steps().max(1))]
+    }
 }

@@ -6,7 +6,6 @@ use specula_hdl::verilog::Header;
 use specula_scene::{CoreSpec, Method, builtin_names};
 
 use crate::arguments::SceneArguments;
-use crate::narrowing;
 use crate::table;
 
 /// The scene and the command, as files name them.
@@ -49,11 +48,11 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
         String::new(),
         format!("Method {}: {}.", method.name(), method.summary()),
     ];
-    let options: Vec<[String; 2]> = narrowing::options(spec).into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
+    let options: Vec<[String; 2]> = spec.options().into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
     lines.extend(indented(&table::lines(&options)));
     lines.push("Values are rounded, to nearest and ties up, in these places and no others. S1.10 has a sign, 1 integer".into());
     lines.push("bit and 10 fraction bits; U has no sign.".into());
-    let points = narrowing::points(spec);
+    let points = spec.narrowing_points();
     let points: Vec<[String; 3]> = points.iter().map(|p| [p.name.to_owned(), p.format.to_string(), p.value.to_owned()]).collect();
     lines.extend(indented(&table::lines(&points)));
     lines.push(format!("Initiation interval 1 clock; latency {} clocks.", design.latency()));

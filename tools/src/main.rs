@@ -10,7 +10,6 @@ mod cmd_wave;
 mod disagreement;
 mod error;
 mod header;
-mod narrowing;
 mod output;
 mod picture;
 mod progress;

@@ -5,6 +5,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::gouraud;
+use super::method::ShadePixel;
 use super::shape::power;
 
 /// One span, shaded by `hybrid`.
@@ -30,9 +31,10 @@ impl<'a> HybridSpan<'a> {
             coefficients: Coefficients::new(frame, span),
         }
     }
+}
 
-    /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel.
-    pub fn pixel(&self, i: u32) -> [f64; 3] {
+impl ShadePixel for HybridSpan<'_> {
+    fn pixel(&self, i: u32) -> [f64; 3] {
         let weights = self.span.weights(i);
         let normal = self.start + self.span.parameter(i) * self.delta;
         self.coefficients.sum(|light| Amounts {

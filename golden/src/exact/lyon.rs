@@ -6,6 +6,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
+use super::method::ShadePixel;
 use super::normalisation::gain;
 use super::reflection::{halfway_cross_normal, reflection_minus_light};
 use super::shape::f_k;
@@ -34,13 +35,6 @@ impl<'a> LyonSpan<'a> {
         }
     }
 
-    /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel.
-    pub fn pixel(&self, i: u32) -> [f64; 3] {
-        let normal = self.normal(i);
-        self.coefficients
-            .sum(|light| Amounts { diffuse: lambert(normal, light.direction), specular: self.highlight(normal, light.direction) })
-    }
-
     /// n = g N' with N' = N0 + t(N1 - N0), about 1 long.
     pub fn normal(&self, i: u32) -> DVec3 {
         let interpolated = self.start + self.span.parameter(i) * self.delta;
@@ -57,5 +51,13 @@ impl<'a> LyonSpan<'a> {
             Difference::HalfwayCrossNormal => halfway_cross_normal(normal, light),
         };
         f_k(self.half_shininess * difference.length_squared(), self.spec.squarings)
+    }
+}
+
+impl ShadePixel for LyonSpan<'_> {
+    fn pixel(&self, i: u32) -> [f64; 3] {
+        let normal = self.normal(i);
+        self.coefficients
+            .sum(|light| Amounts { diffuse: lambert(normal, light.direction), specular: self.highlight(normal, light.direction) })
     }
 }

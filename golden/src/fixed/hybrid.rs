@@ -1,7 +1,7 @@
 //! `hybrid`, bit for bit [Hast, Barrera and Bengtsson, eq. 17 to 26; METHODS.md C3; `docs/arithmetic.md`].
 use specula_scene::Format;
-use specula_scene::spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpec, Quadratic};
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_scene::spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpec};
+use specula_scene::spec::{CoreSpec, InputPort, Quadratic};
 
 use super::colour::{Colour, sum_format};
 use super::method::{Method, Values};

@@ -1,4 +1,4 @@
-//! What the two methods have in common.
+//! What methods have in common.
 use specula_scene::SpanPacket;
 use specula_scene::spec::InputPort;
 

@@ -12,21 +12,16 @@ use super::packet::{self, PacketError};
 pub struct Model {
     ports: Vec<InputPort>,
     longest_span: u32,
-    method: AnyMethod,
-}
-
-enum AnyMethod {
-    Lyon(Box<Lyon>),
-    Hybrid(Box<Hybrid>),
+    method: Box<dyn ShadeSpan>,
 }
 
 impl Model {
     /// The model of the core that a spec describes. The spec is one that `CoreSpec::check` accepts; the widths in which numbers are
     /// exact here rest on it.
     pub fn new(spec: &CoreSpec) -> Model {
-        let method = match &spec.method {
-            MethodSpec::Lyon(lyon) => AnyMethod::Lyon(Box::new(Lyon::new(spec, lyon))),
-            MethodSpec::Hybrid(hybrid) => AnyMethod::Hybrid(Box::new(Hybrid::new(spec, hybrid))),
+        let method: Box<dyn ShadeSpan> = match &spec.method {
+            MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
+            MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -37,10 +32,7 @@ impl Model {
     /// [`PacketError`] if the packet is not one for this core; `out` is then as it was.
     pub fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
         packet::check(packet, &self.ports, self.longest_span)?;
-        match &self.method {
-            AnyMethod::Lyon(lyon) => shade(&**lyon, packet, out),
-            AnyMethod::Hybrid(hybrid) => shade(&**hybrid, packet, out),
-        }
+        self.method.shade(packet, out)
     }
 
     /// Every named value of pixel `i`, in the order of the data. `<l>` counts lights, `<s>` steps, both from 0.
@@ -68,24 +60,30 @@ impl Model {
         if i >= packet.length {
             return Err(PacketError::NoSuchPixel { pixel: i, length: packet.length });
         }
-        match &self.method {
-            AnyMethod::Lyon(lyon) => trace(&**lyon, packet, i),
-            AnyMethod::Hybrid(hybrid) => trace(&**hybrid, packet, i),
-        }
+        self.method.trace(packet, i)
     }
 }
 
-fn shade<M: Method>(method: &M, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
-    let inputs = read(method, packet)?;
-    out.extend((0..packet.length).map(|i| method.pixel(&inputs, i, &mut Nobody)));
-    Ok(())
+/// A method, once it has read its packets itself.
+trait ShadeSpan: Send + Sync {
+    fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError>;
+
+    fn trace(&self, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError>;
 }
 
-fn trace<M: Method>(method: &M, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError> {
-    let inputs = read(method, packet)?;
-    let mut notebook = Notebook::default();
-    method.pixel(&inputs, i, &mut notebook);
-    Ok(notebook.0)
+impl<M: Method + Send + Sync> ShadeSpan for M {
+    fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
+        let inputs = read(self, packet)?;
+        out.extend((0..packet.length).map(|i| self.pixel(&inputs, i, &mut Nobody)));
+        Ok(())
+    }
+
+    fn trace(&self, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError> {
+        let inputs = read(self, packet)?;
+        let mut notebook = Notebook::default();
+        self.pixel(&inputs, i, &mut notebook);
+        Ok(notebook.0)
+    }
 }
 
 fn read<M: Method>(method: &M, packet: &SpanPacket) -> Result<M::Inputs, PacketError> {

@@ -38,10 +38,13 @@ pub fn mirror(shininess: u32) -> Material {
 
 /// The spec that the documented defaults give, for spans of up to 4 pixels at least.
 pub fn spec(frame: &Frame, method: Method) -> Result<CoreSpec, SpecError> {
-    let mut needs = Needs::of(frame);
-    // The defaults of `hybrid` for shorter spans are refused: its accumulator is then coarser than its operands.
-    needs.longest_span = needs.longest_span.max(4);
-    CoreSpec::for_scene(&needs, None, Some(method))
+    CoreSpec::for_scene(&needs(frame), None, Some(method))
+}
+
+/// A frame's needs, and spans of up to 4 pixels at least.
+pub fn needs(frame: &Frame) -> Needs {
+    let needs = Needs::of(frame);
+    Needs { longest_span: needs.longest_span.max(4), ..needs }
 }
 
 /// A span set up for a core, kept within its ports' ranges: with 51 fraction bits or more, N·N = 1 + 2^-52 of a unit normal is not.

@@ -6,15 +6,17 @@ use specula_golden::fixed::Model;
 use specula_scene::spec::{CoreSpec, MethodSpec, SpanPacket};
 use specula_scene::{Frame, Method};
 
+#[path = "../../../scene/tests/common/any_spec.rs"]
+mod any_spec;
 #[path = "../common/mod.rs"]
 mod common;
-mod formats;
 mod hybrid;
 mod lyon;
 mod raw;
 
+use any_spec::any_spec;
 use common::draw::{Draw, Range, draw_frame};
-use common::{material, packet, spec};
+use common::{material, needs, packet};
 use raw::Raw;
 
 const ANY: Range = Range { widest: 179.0, tilt: 180.0, log2_length: 10.0, lights: 3 };
@@ -35,11 +37,16 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
     Ok(())
 }
 
-fn core_for(frame: &Frame, method: Method, bits: &[f64; 8]) -> CoreSpec {
-    let mut core = spec(frame, method).expect("defaults serve every frame drawn here");
-    formats::spread(&mut core, bits);
-    core.check().expect("formats are drawn from those allowed");
-    core
+/// A spec with formats and options that `draw` decides, each of which is from 0 to 1.
+fn core_for(frame: &Frame, method: Method, draw: &[f64; 8]) -> CoreSpec {
+    // Eight draws decide a few more things: digits further down are as good as draws of their own.
+    let mut drawn = 0;
+    any_spec(&needs(frame), method, |low, high| {
+        let digits = draw[drawn % 8] * 7_f64.powi((drawn / 8) as i32);
+        drawn += 1;
+        let part = if digits > 1.0 { digits.fract() } else { digits };
+        low + (f64::from(high - low) * part).round() as u32
+    })
 }
 
 proptest! {

@@ -1,6 +1,7 @@
 //! Hast's hybrid core.
 use specula_scene::CoreSpec;
-use specula_scene::spec::hybrid::{HybridLight, HybridSpec, Quadratic};
+use specula_scene::spec::Quadratic;
+use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
 
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;

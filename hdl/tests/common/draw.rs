@@ -1,8 +1,11 @@
 //! Specs and frames drawn at random, the same ones for the same seed.
 use glam::DVec3;
-use specula_scene::spec::lyon::{Difference, Normalisation};
-use specula_scene::spec::{CoreSpec, HybridSpec, LyonSpec, MethodSpec};
-use specula_scene::{DirectionalLight, Format, Frame, Material, Method, Needs, Span, Triangle};
+use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, Triangle};
+
+#[path = "../../../scene/tests/common/any_spec.rs"]
+mod any_spec;
+
+use any_spec::any_spec;
 
 /// Draws numbers [Steele, Lea and Flood, SplitMix64].
 pub struct Draw(u64);
@@ -110,36 +113,7 @@ fn span(draw: &mut Draw, row: usize, length: u32) -> Span {
 pub fn spec(draw: &mut Draw, frame: &Frame, method: Method) -> CoreSpec {
     let mut needs = Needs::of(frame);
     needs.longest_span = draw.one_of(&[needs.longest_span, 8192]);
-    let mut spec = CoreSpec::for_scene(&needs, None, Some(method)).expect("the defaults serve every frame");
+    let mut spec = any_spec(&needs, method, |low, high| draw.between(low, high));
     spec.coefficient.integer_bits = draw.between(spec.coefficient.integer_bits, 16);
-    let span_bits = spec.longest_span.ilog2();
-    match &mut spec.method {
-        MethodSpec::Lyon(lyon) => spread_lyon(draw, lyon, span_bits),
-        MethodSpec::Hybrid(hybrid) => spread_hybrid(draw, hybrid, span_bits),
-    }
-    spec.check().unwrap_or_else(|error| panic!("drawn outside what is accepted: {error}\n{spec:?}"));
     spec
-}
-
-fn spread_lyon(draw: &mut Draw, lyon: &mut LyonSpec, span_bits: u32) {
-    lyon.normalisation = draw.one_of(&[Normalisation::G1, Normalisation::G2]);
-    lyon.newton_steps = draw.between(0, 3);
-    lyon.difference = draw.one_of(&[Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight]);
-    lyon.squarings = draw.between(0, 3);
-    let f = &mut lyon.formats;
-    for format in [&mut f.weight, &mut f.vector, &mut f.length_squared, &mut f.gain, &mut f.diffuse, &mut f.shape] {
-        format.fraction_bits = draw.between(4, 24);
-    }
-    f.difference.fraction_bits = draw.between(4, 20);
-    f.weight_accumulator.fraction_bits = draw.between(f.weight.fraction_bits.max(span_bits + 3), 56);
-}
-
-fn spread_hybrid(draw: &mut Draw, hybrid: &mut HybridSpec, span_bits: u32) {
-    let f = &mut hybrid.formats;
-    for format in [&mut f.diffuse, &mut f.operand, &mut f.base] {
-        format.fraction_bits = draw.between(4, 24);
-    }
-    let finer = |draw: &mut Draw, format: Format, fewest: u32| draw.between(format.fraction_bits.max(fewest), 56);
-    f.diffuse_accumulator.fraction_bits = finer(draw, f.diffuse, span_bits + 3);
-    f.accumulator.fraction_bits = finer(draw, f.operand, 2 * span_bits + 3);
 }

@@ -6,10 +6,12 @@ use crate::format::Format;
 pub enum SpecError {
     /// No method has that name.
     #[error("there is no method `{name}`")]
-    #[diagnostic(code(specula::spec::method), help("`specula methods` lists them: lyon, hybrid"))]
+    #[diagnostic(code(specula::spec::method), help("`specula methods` lists them: {known}"))]
     UnknownMethod {
         /// The name given.
         name: String,
+        /// The names there are.
+        known: String,
     },
     /// The power by squaring takes powers of two only.
     #[error("the method `hybrid` raises to n = 2^j by squaring, and a material has shininess {shininess}")]

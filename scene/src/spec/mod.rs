@@ -2,23 +2,36 @@
 //!
 //! About arithmetic they share the *narrowing points*: each place where a value is rounded has a name and a [`Format`] here.
 //! Rounding is to nearest, ties up (add half a unit in the last place, then floor); between narrowing points arithmetic is exact.
+//!
+//! A method is a folder: `mod.rs` has its options and formats, `inputs` the ports of its cores, `choose` the formats for a scene and what
+//! may be asked for, `set_up` the host's work for a span. A line in [`method`] makes it known.
 mod choose;
+mod describe;
 mod error;
 pub mod hybrid;
+mod inputs;
 pub mod lyon;
-mod packet;
+mod method;
+mod narrowing;
+mod options;
 mod port;
+mod quadratic;
+mod set_up;
 
 use serde::Serialize;
 
 use crate::format::Format;
 
-pub use choose::CoreOptions;
+use describe::Describe;
 pub use error::SpecError;
 pub use hybrid::{HybridInputs, HybridSpec};
 pub use lyon::{LyonInputs, LyonSpec};
-pub use packet::{SetUp, SpanPacket};
+pub use method::{Choice, Method, MethodSpec};
+pub use narrowing::NarrowingPoint;
+pub use options::CoreOptions;
 pub use port::InputPort;
+pub use quadratic::Quadratic;
+pub use set_up::{SetUp, SpanPacket};
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.
 pub const COEFFICIENT_FRACTION_BITS: u32 = 6;
@@ -48,79 +61,19 @@ pub struct CoreSpec {
     pub method: MethodSpec,
 }
 
-/// How pixels are shaded.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum MethodSpec {
-    /// Lyon's reformulation of Phong shading for hardware.
-    Lyon(LyonSpec),
-    /// Gouraud diffuse with Hast's specular recurrence.
-    Hybrid(HybridSpec),
-}
-
-/// The methods there are, by the names users give them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// [`MethodSpec::Lyon`].
-    Lyon,
-    /// [`MethodSpec::Hybrid`].
-    Hybrid,
-}
-
-impl Method {
-    /// Every method.
-    pub const ALL: [Method; 2] = [Method::Lyon, Method::Hybrid];
-
-    /// The name that the command line and scene files use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Method::Lyon => "lyon",
-            Method::Hybrid => "hybrid",
-        }
-    }
-
-    /// One line on what it does, with its source.
-    pub const fn summary(self) -> &'static str {
-        match self {
-            Method::Lyon => "per-pixel normal, approximate normalisation, shape function f_k [Lyon, TR 43]",
-            Method::Hybrid => "Gouraud diffuse, specular base p/q by forward differences [Hast et al., eq. 17-26]",
-        }
-    }
-
-    /// The method of that name.
-    ///
-    /// # Errors
-    /// [`SpecError::UnknownMethod`] if there is none.
-    pub fn from_name(name: &str) -> Result<Method, SpecError> {
-        let found = Method::ALL.into_iter().find(|m| m.name() == name);
-        found.ok_or_else(|| SpecError::UnknownMethod { name: name.to_owned() })
-    }
-}
-
 impl CoreSpec {
     /// Which method this is.
     pub fn method(&self) -> Method {
-        match self.method {
-            MethodSpec::Lyon(_) => Method::Lyon,
-            MethodSpec::Hybrid(_) => Method::Hybrid,
-        }
+        self.method.method()
     }
 
     /// The data inputs of the core in the order in which packets hold them; `valid` and `start` come beside them.
     pub fn inputs(&self) -> Vec<InputPort> {
-        match &self.method {
-            MethodSpec::Lyon(lyon) => lyon.inputs(self).to_vec(),
-            MethodSpec::Hybrid(hybrid) => hybrid.inputs(self).to_vec(),
-        }
-    }
-
-    /// A colour coefficient's port.
-    fn coefficient_port(&self, name: String) -> InputPort {
-        InputPort::whole(name, self.coefficient)
+        self.method.describe().ports(self)
     }
 
     /// Ports of the coefficients of the three channels.
     fn colour_ports(&self, name: &str) -> [InputPort; 3] {
-        ["r", "g", "b"].map(|channel| self.coefficient_port(format!("{name}_{channel}")))
+        ["r", "g", "b"].map(|channel| InputPort::whole(format!("{name}_{channel}"), self.coefficient))
     }
 }

@@ -3,7 +3,6 @@ use specula_testbench::ErrorFigures;
 
 use super::{facts, ports, units};
 use crate::header::bound;
-use crate::narrowing;
 use crate::run::{Run, Written};
 use crate::table::markdown as table;
 use crate::{waveform, worst};
@@ -100,9 +99,11 @@ fn figures(name: &str, figures: &ErrorFigures) -> [String; 5] {
 }
 
 fn built(run: &Run) -> String {
-    let options: Vec<[String; 2]> =
-        narrowing::options(run.bench.spec).into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
-    let points: Vec<[String; 4]> = narrowing::points(run.bench.spec)
+    let options: Vec<[String; 2]> = run.bench.spec.options().into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
+    let points: Vec<[String; 4]> = run
+        .bench
+        .spec
+        .narrowing_points()
         .iter()
         .map(|point| {
             let name = format!("`{}`", point.name);

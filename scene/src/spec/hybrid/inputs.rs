@@ -1,0 +1,63 @@
+//! The inputs of a `hybrid` core.
+use super::HybridSpec;
+use crate::format::Format;
+use crate::spec::inputs::inputs;
+use crate::spec::quadratic::Quadratic;
+use crate::spec::{CoreSpec, InputPort};
+
+inputs! {
+    /// The core's inputs, or whatever belongs to each of them.
+    HybridInputs {
+        /// q = N·N.
+        denominator: group(Quadratic),
+        /// j, with n = 2^j.
+        log2_shininess: one,
+        /// Ambient light sent back, in LSBs.
+        ambient: vector,
+        /// What belongs to each light.
+        lights: many(HybridLight),
+    }
+}
+
+inputs! {
+    /// Inputs that belong to one light.
+    HybridLight {
+        /// p = 2(N·V)(N·L) - (L·V)(N·N).
+        numerator: group(Quadratic),
+        /// Gouraud's intensity at the first pixel.
+        intensity_start: one,
+        /// What it grows by with each pixel; 0 in a span of one pixel.
+        intensity_step: one,
+        /// Diffuse coefficient, in LSBs.
+        diffuse: vector,
+        /// Specular coefficient, in LSBs.
+        specular: vector,
+    }
+}
+
+impl HybridSpec {
+    /// The ports of a core with this method.
+    ///
+    /// With |N| ≤ 1 along the span, |p| ≤ q ≤ 1; differences of neighbours follow, 2 and 4 for p, 1 and 2 for q.
+    pub fn inputs(&self, core: &CoreSpec) -> HybridInputs<InputPort> {
+        let exponent = Format::unsigned(4, 0);
+        HybridInputs {
+            denominator: Quadratic::ports("denominator", self.formats.accumulator, [(0.0, 1.0), (-1.0, 1.0), (0.0, 2.0)]),
+            log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
+            ambient: core.colour_ports("ambient"),
+            lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
+        }
+    }
+
+    fn light_inputs(&self, core: &CoreSpec, index: usize) -> HybridLight<InputPort> {
+        let accumulator = self.formats.diffuse_accumulator;
+        let limits = [(-1.0, 1.0), (-2.0, 2.0), (-4.0, 4.0)];
+        HybridLight {
+            numerator: Quadratic::ports(&format!("light{index}_numerator"), self.formats.accumulator, limits),
+            intensity_start: InputPort::between(format!("light{index}_intensity_start"), accumulator, 0.0, 1.0),
+            intensity_step: InputPort::between(format!("light{index}_intensity_step"), accumulator, -1.0, 1.0),
+            diffuse: core.colour_ports(&format!("light{index}_diffuse")),
+            specular: core.colour_ports(&format!("light{index}_specular")),
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! A core's inputs by name, for whatever belongs to each of them: its port, its signal, its raw value.
+
+/// Defines a struct of a core's inputs, in port order, with `map` over all of them.
+///
+/// A field is `one` input, a `vector` of three, a `vector_if_any`, a `group(Type)` of inputs that is such a struct itself, or `many(Type)`
+/// of them.
+macro_rules! inputs {
+    ($(#[$about:meta])* $name:ident { $($(#[$field_about:meta])* $field:ident: $kind:ident $(($inner:ident))?,)* }) => {
+        $(#[$about])*
+        pub struct $name<T> {
+            $($(#[$field_about])* pub $field: inputs!(@type $kind $(($inner))?),)*
+        }
+
+        impl<T> $name<T> {
+            /// Applies `f` to every input, in port order.
+            pub fn map<U>(&self, mut f: impl FnMut(&T) -> U) -> $name<U> {
+                self.map_with(&mut f)
+            }
+
+            /// As `map`, for those that go on with `f` afterwards.
+            pub(in crate::spec) fn map_with<U>(&self, f: &mut impl FnMut(&T) -> U) -> $name<U> {
+                $name { $($field: inputs!(@map f, &self.$field, $kind),)* }
+            }
+
+            /// Every input, in port order.
+            pub fn to_vec(&self) -> Vec<T>
+            where
+                T: Clone,
+            {
+                let mut all = Vec::new();
+                self.map(|x| all.push(x.clone()));
+                all
+            }
+        }
+    };
+    (@type one) => { T };
+    (@type vector) => { [T; 3] };
+    (@type vector_if_any) => { Option<[T; 3]> };
+    (@type group($inner:ident)) => { $inner<T> };
+    (@type many($inner:ident)) => { Vec<$inner<T>> };
+    (@map $f:ident, $value:expr, one) => { $f($value) };
+    (@map $f:ident, $value:expr, vector) => { $value.each_ref().map(&mut *$f) };
+    (@map $f:ident, $value:expr, vector_if_any) => { $value.as_ref().map(|v| v.each_ref().map(&mut *$f)) };
+    (@map $f:ident, $value:expr, group) => { $value.map_with($f) };
+    (@map $f:ident, $value:expr, many) => { $value.iter().map(|each| each.map_with($f)).collect() };
+}
+
+pub(super) use inputs;

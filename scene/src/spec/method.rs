@@ -1,0 +1,105 @@
+//! The methods there are.
+use serde::Serialize;
+
+use super::choose::merged;
+use super::{Describe, HybridSpec, LyonSpec, SpecError};
+use crate::needs::Needs;
+
+/// An option of a method, and what it may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// Its key in the method's table.
+    pub key: &'static str,
+    /// Its values, as TOML writes them.
+    pub values: &'static [&'static str],
+}
+
+/// Defines the methods: a spec type each, the name users give it, and one line on what it does, with its source.
+macro_rules! methods {
+    ($($(#[$about:meta])* $method:ident($spec:ident) = $name:literal, $summary:literal;)*) => {
+        /// How pixels are shaded.
+        #[derive(Clone, Debug, PartialEq, Serialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum MethodSpec {
+            $($(#[$about])* $method($spec),)*
+        }
+
+        /// The methods there are, by the names users give them.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Method {
+            $(#[doc = concat!("[`MethodSpec::", stringify!($method), "`].")] $method,)*
+        }
+
+        impl Method {
+            /// Every method.
+            pub const ALL: [Method; [$($name),*].len()] = [$(Method::$method),*];
+
+            /// The name that the command line and scene files use.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Method::$method => $name,)*
+                }
+            }
+
+            /// One line on what it does, with its source.
+            pub const fn summary(self) -> &'static str {
+                match self {
+                    $(Method::$method => $summary,)*
+                }
+            }
+
+            /// The options it takes in a scene file beside formats.
+            pub const fn choices(self) -> &'static [Choice] {
+                match self {
+                    $(Method::$method => $spec::CHOICES,)*
+                }
+            }
+
+            /// Its options and formats for a scene with these needs, with `changes` in place of the defaults.
+            pub(super) fn spec(self, needs: &Needs, changes: &toml::Table) -> Result<MethodSpec, SpecError> {
+                match self {
+                    $(Method::$method => merged(&$spec::for_needs(needs), changes).map(MethodSpec::$method),)*
+                }
+            }
+        }
+
+        impl MethodSpec {
+            /// Which method this is.
+            pub const fn method(&self) -> Method {
+                match self {
+                    $(MethodSpec::$method(_) => Method::$method,)*
+                }
+            }
+
+            /// What it says of itself.
+            pub(super) fn describe(&self) -> &dyn Describe {
+                match self {
+                    $(MethodSpec::$method(spec) => spec,)*
+                }
+            }
+        }
+    };
+}
+
+methods! {
+    /// Lyon's reformulation of Phong shading for hardware.
+    Lyon(LyonSpec) = "lyon", "per-pixel normal, approximate normalisation, shape function f_k [Lyon, TR 43]";
+    /// Gouraud diffuse with Hast's specular recurrence.
+    Hybrid(HybridSpec) = "hybrid", "Gouraud diffuse, specular base p/q by forward differences [Hast et al., eq. 17-26]";
+}
+
+impl Method {
+    /// The method of that name.
+    ///
+    /// # Errors
+    /// [`SpecError::UnknownMethod`] if there is none.
+    pub fn from_name(name: &str) -> Result<Method, SpecError> {
+        let found = Method::ALL.into_iter().find(|m| m.name() == name);
+        found.ok_or_else(|| SpecError::UnknownMethod { name: name.to_owned(), known: Method::names() })
+    }
+
+    /// Every method's name, for messages.
+    pub(super) fn names() -> String {
+        Method::ALL.map(Method::name).join(", ")
+    }
+}

@@ -1,0 +1,77 @@
+//! The `[core]` table of a scene file.
+use std::fmt;
+use std::str::FromStr;
+
+use serde::Deserialize;
+use serde::de::{self, Deserializer, MapAccess, Visitor};
+
+use super::{Method, SpecError};
+
+/// The `[core]` table of a scene file: a method's name, and a table of options for any of the methods.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CoreOptions {
+    /// Name of the method.
+    pub method: Option<String>,
+    /// Options that differ from the defaults.
+    tables: Vec<(Method, toml::Table)>,
+}
+
+impl CoreOptions {
+    /// The options of a method that differ from the defaults.
+    pub fn of(&self, method: Method) -> toml::Table {
+        self.tables.iter().find(|(of, _)| *of == method).map(|(_, table)| table.clone()).unwrap_or_default()
+    }
+}
+
+impl FromStr for CoreOptions {
+    type Err = SpecError;
+
+    /// Reads the table's contents as TOML.
+    fn from_str(text: &str) -> Result<CoreOptions, SpecError> {
+        toml::from_str(text).map_err(|error| SpecError::Core { message: error.message().to_owned() })
+    }
+}
+
+enum Key {
+    Method,
+    Table(Method),
+}
+
+impl<'de> Deserialize<'de> for Key {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Key, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        if name == "method" {
+            return Ok(Key::Method);
+        }
+        let unknown =
+            |_| de::Error::custom(format!("unknown field `{name}`, expected `method` or a method's name ({})", Method::names()));
+        Method::from_name(&name).map(Key::Table).map_err(unknown)
+    }
+}
+
+impl<'de> Deserialize<'de> for CoreOptions {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<CoreOptions, D::Error> {
+        deserializer.deserialize_map(Keys)
+    }
+}
+
+struct Keys;
+
+impl<'de> Visitor<'de> for Keys {
+    type Value = CoreOptions;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a table with a method's name and options")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<CoreOptions, A::Error> {
+        let mut options = CoreOptions::default();
+        while let Some(key) = map.next_key()? {
+            match key {
+                Key::Method => options.method = Some(map.next_value()?),
+                Key::Table(method) => options.tables.push((method, map.next_value()?)),
+            }
+        }
+        Ok(options)
+    }
+}

@@ -1,0 +1,88 @@
+//! Set-up of one span: what the host works out in f64 and quantises into the core's formats.
+use super::{CoreSpec, FULL_SCALE};
+use crate::frame::{Colour, DirectionalLight, Frame, Material, Span};
+
+/// What a core is given of one span.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SpanPacket {
+    /// Clocks for which the span goes in, one per pixel.
+    pub length: u32,
+    /// Raw values of [`CoreSpec::inputs`], in that order.
+    pub inputs: Vec<i64>,
+}
+
+/// Sets up spans of one frame for a core; what does not change from span to span is worked out once.
+pub struct SetUp<'a> {
+    frame: &'a Frame,
+    /// Smallest and largest raw value of each input.
+    ranges: Vec<(i64, i64)>,
+    /// What belongs to each material of the frame.
+    materials: Vec<MaterialInputs>,
+    method: Box<dyn SetUpSpan + 'a>,
+}
+
+/// A method's part of the set-up.
+pub trait SetUpSpan: Sync {
+    /// Raw values of the method's ports, in their order. They may lie outside the ports' ranges by what f64 rounds.
+    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64>;
+}
+
+/// Inputs that depend on the material alone.
+pub struct MaterialInputs {
+    /// Ambient light sent back.
+    pub ambient: [i64; 3],
+    /// Coefficients under each light.
+    pub lights: Vec<Coefficients>,
+}
+
+/// A light's colour times a material's reflectances.
+pub struct Coefficients {
+    /// Diffuse, red, green and blue.
+    pub diffuse: [i64; 3],
+    /// Specular, red, green and blue.
+    pub specular: [i64; 3],
+}
+
+impl<'a> SetUp<'a> {
+    /// The set-up of spans of `frame` for `core`.
+    pub fn new(core: &'a CoreSpec, frame: &'a Frame) -> SetUp<'a> {
+        SetUp {
+            frame,
+            ranges: core.inputs().iter().map(|port| port.range).collect(),
+            materials: frame.materials.iter().map(|material| MaterialInputs::new(core, frame, material)).collect(),
+            method: core.method.describe().set_up(frame),
+        }
+    }
+
+    /// Sets up a span. Every value is within its port's range.
+    pub fn packet(&self, span: &Span) -> SpanPacket {
+        let material = &self.materials[self.frame.triangles[span.triangle].material];
+        let mut inputs = self.method.inputs(span, material);
+        // In exact arithmetic nothing is out of range; f64 may be by some units of its own last place, as N·N of a unit vector is.
+        for (value, &(low, high)) in inputs.iter_mut().zip(&self.ranges) {
+            *value = (*value).clamp(low, high);
+        }
+        SpanPacket { length: span.length, inputs }
+    }
+}
+
+impl MaterialInputs {
+    fn new(core: &CoreSpec, frame: &Frame, material: &Material) -> MaterialInputs {
+        // Light times reflectance, in LSBs.
+        let product = |reflectance: Colour, light: Colour| {
+            std::array::from_fn(|c| core.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c]))
+        };
+        let under = |light: &DirectionalLight| Coefficients {
+            diffuse: product(material.diffuse, light.colour),
+            specular: product(material.specular, light.colour),
+        };
+        MaterialInputs { ambient: product(material.ambient, frame.ambient), lights: frame.lights.iter().map(under).collect() }
+    }
+}
+
+impl CoreSpec {
+    /// Sets up a span for this core; [`SetUp`] sets up many.
+    pub fn packet(&self, frame: &Frame, span: &Span) -> SpanPacket {
+        SetUp::new(self, frame).packet(span)
+    }
+}
