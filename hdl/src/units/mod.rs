@@ -8,6 +8,7 @@ mod normalise;
 mod power;
 mod quadratic;
 mod shape;
+mod square_root;
 
 pub use colour::{Coefficients, Light, channels};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
@@ -18,6 +19,7 @@ pub use normalise::normalise;
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
 pub use shape::shape;
+pub use square_root::square_root;
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.
