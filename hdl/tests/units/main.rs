@@ -7,7 +7,10 @@ mod difference;
 mod diffuse;
 mod divider;
 mod normalise;
+mod normalise_exactly;
 mod power;
+mod quotient;
+mod reciprocal_square_root;
 mod shape;
 mod square_root;
 
