@@ -8,6 +8,9 @@ use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
 
 fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
     Needs {
+        local_lights: Vec::new(),
+        local_eye: false,
+        shortest_way: 1.0,
         lights,
         longest_span,
         largest_shininess,

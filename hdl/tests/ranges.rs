@@ -18,11 +18,9 @@ fn stays_in_range(seed: u64, method: Method) {
 }
 
 #[test]
-fn lyon_stays_in_its_ranges() {
-    (0..250).for_each(|seed| stays_in_range(seed, Method::Lyon));
-}
-
-#[test]
-fn hybrid_stays_in_its_ranges() {
-    (0..250).for_each(|seed| stays_in_range(seed, Method::Hybrid));
+fn every_method_stays_in_its_ranges() {
+    for method in Method::ALL {
+        println!("{}", method.name());
+        (0..150).for_each(|seed| stays_in_range(seed, method));
+    }
 }

@@ -10,12 +10,15 @@ use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
 fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
     let needs = Needs {
         lights: 1,
+        local_lights: Vec::new(),
+        local_eye: false,
         longest_span: 4,
         largest_shininess: 4,
         uneven_shininess: None,
         brightest_coefficient: 1.0,
         widest_angle: 20.0,
         shortest_normal: 0.95,
+        shortest_way: 1.0,
     };
     let mut spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
     match &mut spec.method {
@@ -32,6 +35,7 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
             (f.diffuse_accumulator.fraction_bits, f.diffuse.fraction_bits) = (9, 6);
             (f.accumulator.fraction_bits, f.operand.fraction_bits, f.base.fraction_bits) = (12, 8, 4);
         }
+        _ => (),
     }
     change(&mut spec);
     spec.check().unwrap();

@@ -1,7 +1,7 @@
 //! What a scene has where it says nothing.
 use glam::DVec3;
 
-use crate::picture::{Light, LightSpace};
+use crate::picture::{Light, LightSource, LightSpace};
 use crate::{Colour, Material};
 
 /// Width and height of a picture in pixels.
@@ -20,5 +20,6 @@ pub fn material() -> Material {
 
 /// The light of a scene without one: white, from the left above the eye.
 pub fn light() -> Light {
-    Light { direction: DVec3::new(-0.5, 0.8, 1.0), space: LightSpace::View, colour: [1.0; 3] }
+    let source = LightSource::Directional { direction: DVec3::new(-0.5, 0.8, 1.0) };
+    Light { source, space: LightSpace::View, colour: [1.0; 3] }
 }

@@ -31,11 +31,33 @@ pub struct DirectionalLight {
     pub colour: Colour,
 }
 
+/// A light at a place, as bright near as far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocalLight {
+    /// Where it is, in view space.
+    pub position: DVec3,
+    /// What narrows it to a cone, if anything does.
+    pub spot: Option<Spot>,
+    /// Its colour and strength.
+    pub colour: Colour,
+}
+
+/// Warn's spot: a light's strength is max(-L·axis, 0)^exponent of itself [Hast et al., after eq. 35].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spot {
+    /// Unit vector along which it shines, in view space.
+    pub axis: DVec3,
+    /// The exponent p, 1 to 8191.
+    pub exponent: u32,
+}
+
 /// A triangle that can be seen, with what shading needs of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
     /// Unit normals at the three vertices, in view space.
     pub normals: [DVec3; 3],
+    /// The three vertices, in view space.
+    pub positions: [DVec3; 3],
     /// Index into [`Frame::materials`].
     pub material: usize,
 }
@@ -86,8 +108,13 @@ pub struct Frame {
     pub background: [u8; 3],
     /// Colour of the ambient light.
     pub ambient: Colour,
-    /// Lights at infinity, at least one.
+    /// Lights at infinity.
     pub lights: Vec<DirectionalLight>,
+    /// Lights at a place, which are counted after those at infinity; there is at least one of either.
+    pub local_lights: Vec<LocalLight>,
+    /// Where the eye is that sees highlights, in view space; at infinity in the direction [`EYE`] if nowhere. Visibility is settled
+    /// along parallel lines either way.
+    pub eye: Option<DVec3>,
     /// Materials that triangles name.
     pub materials: Vec<Material>,
     /// Triangles that spans name.
@@ -113,14 +140,29 @@ impl Frame {
         normals[0] * weights[0] + normals[1] * weights[1] + normals[2] * weights[2]
     }
 
+    /// Colours of all lights, those at infinity first.
+    pub fn light_colours(&self) -> impl Iterator<Item = Colour> + '_ {
+        self.lights.iter().map(|light| light.colour).chain(self.local_lights.iter().map(|light| light.colour))
+    }
+
+    /// The point of a span's triangle at barycentric `weights`, in view space.
+    pub fn position_at(&self, span: &Span, weights: [f64; 3]) -> DVec3 {
+        let positions = &self.triangles[span.triangle].positions;
+        positions[0] * weights[0] + positions[1] * weights[1] + positions[2] * weights[2]
+    }
+
+    /// Vectors from a span's first and last pixel to a `place` in view space, scaled by one common factor so that the longer has length
+    /// 1: what METHODS C15 to C18 call F - P, scaled beforehand. Two vectors of length 0 stay so.
+    pub fn end_vectors_to(&self, span: &Span, place: DVec3) -> [DVec3; 2] {
+        scaled_to_unit([span.start, span.end].map(|weights| place - self.position_at(span, weights)))
+    }
+
     /// The normals at a span's first and last pixel, scaled by one common factor so that the longer has length 1.
     ///
     /// The common factor leaves every direction along the span as it is and keeps each interpolated normal within the unit ball.
     /// Two normals of length 0 stay so.
     pub fn end_normals(&self, span: &Span) -> [DVec3; 2] {
-        let ends = [self.normal_at(span, span.start), self.normal_at(span, span.end)];
-        let longest = ends[0].length().max(ends[1].length());
-        if longest > 0.0 { ends.map(|n| n / longest) } else { ends }
+        scaled_to_unit([self.normal_at(span, span.start), self.normal_at(span, span.end)])
     }
 
     /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one pixel k is 0.
@@ -137,4 +179,10 @@ impl Frame {
         let (start, end) = (at(span.start), at(span.end));
         [start, (end - start) / f64::from(span.steps().max(1))]
     }
+}
+
+/// Two vectors, scaled by one common factor so that the longer has length 1; two of length 0 stay so.
+fn scaled_to_unit(ends: [DVec3; 2]) -> [DVec3; 2] {
+    let longest = ends[0].length().max(ends[1].length());
+    if longest > 0.0 { ends.map(|vector| vector / longest) } else { ends }
 }

@@ -1,11 +1,18 @@
 //! What a frame makes use of, as far as the first cores ask: it decides widths and checks that a core fits.
-use crate::frame::{Frame, Span};
+use glam::DVec3;
+use serde::Serialize;
+
+use crate::frame::{Frame, LocalLight, Span};
 
 /// What shading this frame needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Needs {
-    /// Number of lights.
+    /// Number of lights, those at a place included.
     pub lights: usize,
+    /// Lights at a place, which are the last ones.
+    pub local_lights: Vec<LocalKind>,
+    /// Whether the eye that sees highlights is at a place.
+    pub local_eye: bool,
     /// Pixels of the longest span.
     pub longest_span: u32,
     /// Largest exponent n of a material.
@@ -18,6 +25,25 @@ pub struct Needs {
     pub widest_angle: f64,
     /// Length of the shortest interpolated normal, in units of the longer end normal of its span; 0 to 1.
     pub shortest_normal: f64,
+    /// Length of the shortest vector from a pixel to a light or an eye at a place, in units of the longer one at the ends of its span; 0
+    /// to 1, and 1 if there are none.
+    pub shortest_way: f64,
+}
+
+/// What a light at a place is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LocalKind {
+    /// It shines to all sides alike.
+    Point,
+    /// It shines most of all along its axis.
+    Spot,
+}
+
+impl LocalKind {
+    fn of(light: &LocalLight) -> LocalKind {
+        if light.spot.is_some() { LocalKind::Spot } else { LocalKind::Point }
+    }
 }
 
 impl Needs {
@@ -26,13 +52,16 @@ impl Needs {
         let used = || frame.spans.iter().map(|span| frame.material(span));
         let shininess = || used().map(|m| m.shininess);
         Needs {
-            lights: frame.lights.len(),
+            lights: frame.lights.len() + frame.local_lights.len(),
+            local_lights: frame.local_lights.iter().map(LocalKind::of).collect(),
+            local_eye: frame.eye.is_some(),
             longest_span: frame.spans.iter().map(|s| s.length).max().unwrap_or(1),
             largest_shininess: shininess().max().unwrap_or(1),
             uneven_shininess: shininess().find(|n| !n.is_power_of_two()),
             brightest_coefficient: brightest_coefficient(frame),
             widest_angle: frame.spans.iter().map(|s| angle(frame, s)).fold(0.0, f64::max),
             shortest_normal: frame.spans.iter().map(|s| shortest(frame, s)).fold(1.0, f64::min),
+            shortest_way: frame.spans.iter().map(|s| shortest_way(frame, s)).fold(1.0, f64::min),
         }
     }
 }
@@ -42,9 +71,9 @@ fn brightest_coefficient(frame: &Frame) -> f64 {
     for material in &frame.materials {
         for channel in 0..3 {
             brightest = brightest.max(material.ambient[channel] * frame.ambient[channel]);
-            for light in &frame.lights {
+            for colour in frame.light_colours() {
                 let reflectance = material.diffuse[channel].max(material.specular[channel]);
-                brightest = brightest.max(reflectance * light.colour[channel]);
+                brightest = brightest.max(reflectance * colour[channel]);
             }
         }
     }
@@ -59,7 +88,15 @@ fn angle(frame: &Frame, span: &Span) -> f64 {
 
 /// Smallest |N| over the span: where the foot of the perpendicular from the origin falls on the segment between the ends.
 fn shortest(frame: &Frame, span: &Span) -> f64 {
-    let [a, b] = frame.end_normals(span);
+    shortest_between(frame.end_normals(span))
+}
+
+fn shortest_way(frame: &Frame, span: &Span) -> f64 {
+    let places = frame.local_lights.iter().map(|light| light.position).chain(frame.eye);
+    places.map(|place| shortest_between(frame.end_vectors_to(span, place))).fold(1.0, f64::min)
+}
+
+fn shortest_between([a, b]: [DVec3; 2]) -> f64 {
     let delta = b - a;
     let foot = if delta.length_squared() > 0.0 { -a.dot(delta) / delta.length_squared() } else { 0.0 };
     (a + delta * foot.clamp(0.0, 1.0)).length()

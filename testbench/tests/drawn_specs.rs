@@ -46,11 +46,9 @@ fn errors_stay_within_bounds(design: &Design, spec: &CoreSpec, frame: &Frame, si
 }
 
 #[test]
-fn lyon_agrees() {
-    (0..250).for_each(|seed| agrees(seed, Method::Lyon));
-}
-
-#[test]
-fn hybrid_agrees() {
-    (0..250).for_each(|seed| agrees(seed, Method::Hybrid));
+fn every_method_agrees() {
+    for method in Method::ALL {
+        println!("{}", method.name());
+        (0..150).for_each(|seed| agrees(seed, method));
+    }
 }

@@ -11,7 +11,7 @@ pub(super) struct Coefficients {
 
 /// One light as a material answers it.
 pub(super) struct Light {
-    /// L.
+    /// L of a light at infinity; 0 for one at a place.
     pub direction: DVec3,
     diffuse: [f64; 3],
     specular: [f64; 3],
@@ -27,19 +27,25 @@ pub(super) struct Amounts {
 impl Coefficients {
     pub fn new(frame: &Frame, span: &Span) -> Coefficients {
         let material = frame.material(span);
-        let light = |light: &specula_scene::DirectionalLight| Light {
-            direction: light.direction,
-            diffuse: product(material.diffuse, light.colour),
-            specular: product(material.specular, light.colour),
+        let directions = frame.lights.iter().map(|light| light.direction).chain(frame.local_lights.iter().map(|_| DVec3::ZERO));
+        let light = |(direction, colour)| Light {
+            direction,
+            diffuse: product(material.diffuse, colour),
+            specular: product(material.specular, colour),
         };
-        Coefficients { ambient: product(material.ambient, frame.ambient), lights: frame.lights.iter().map(light).collect() }
+        let lights = directions.zip(frame.light_colours()).map(light).collect();
+        Coefficients { ambient: product(material.ambient, frame.ambient), lights }
     }
 
     /// Ambient + Σ over lights (diffuse + specular), at most 255 [METHODS.md A3].
     pub fn sum(&self, amounts: impl Fn(&Light) -> Amounts) -> [f64; 3] {
+        self.sum_of(self.lights.iter().map(amounts))
+    }
+
+    /// As [`Coefficients::sum`], with each light's amounts in order.
+    pub fn sum_of(&self, amounts: impl Iterator<Item = Amounts>) -> [f64; 3] {
         let mut colour = self.ambient;
-        for light in &self.lights {
-            let amounts = amounts(light);
+        for (light, amounts) in self.lights.iter().zip(amounts) {
             for (c, channel) in colour.iter_mut().enumerate() {
                 *channel += light.diffuse[c] * amounts.diffuse + light.specular[c] * amounts.specular;
             }

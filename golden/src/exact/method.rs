@@ -2,7 +2,7 @@
 use specula_scene::spec::MethodSpec;
 use specula_scene::{CoreSpec, Frame, Span};
 
-use super::{HybridSpan, LyonSpan};
+use super::{HybridSpan, LyonSpan, PhongSpan};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -18,6 +18,7 @@ impl<'a> MethodSpan<'a> {
     pub fn new(spec: &'a CoreSpec, frame: &'a Frame, span: &'a Span) -> Self {
         MethodSpan(match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(LyonSpan::new(lyon, frame, span)),
+            MethodSpec::Phong(phong) => Box::new(PhongSpan::with_highlight(frame, span, phong.highlight)),
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
         })
     }

@@ -4,10 +4,11 @@
 mod coefficients;
 pub mod diffuse;
 pub mod hybrid;
+pub mod illumination;
 pub mod lyon;
 mod method;
 pub mod normalisation;
-mod phong;
+pub mod phong;
 pub mod reflection;
 pub mod shape;
 

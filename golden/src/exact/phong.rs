@@ -1,42 +1,79 @@
 //! Phong shading as it is meant.
 use glam::DVec3;
+use specula_scene::spec::phong::Highlight;
 use specula_scene::{Frame, Span};
 
-use super::coefficients::{Amounts, Coefficients, Light};
+use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
+use super::illumination::{self, Illumination};
+use super::method::ShadePixel;
 use super::normalisation::unit;
-use super::reflection::reflect;
 use super::shape::power;
 
 /// True shading of one span: the normal interpolated linearly between the triangle's vertices and normalised at each pixel, then
-/// ambient + Σ kd max(N·L, 0) + ks max(R·L, 0)^n with R = 2(N·V)N - V [METHODS.md A3, A5, B1].
+/// ambient + Σ kd max(N·L, 0) + ks max(R·L, 0)^n with R = 2(N·V)N - V [METHODS.md A3, A5, B1], or Blinn's lobes in place of the last.
 pub struct PhongSpan<'a> {
     frame: &'a Frame,
     span: &'a Span,
+    highlight: Highlight,
     shininess: u32,
     coefficients: Coefficients,
 }
 
 impl<'a> PhongSpan<'a> {
-    /// Sets up a span of a frame.
+    /// Sets up a span of a frame for Phong's own highlight.
     pub fn new(frame: &'a Frame, span: &'a Span) -> Self {
+        PhongSpan::with_highlight(frame, span, Highlight::Reflection)
+    }
+
+    /// Sets up a span of a frame.
+    pub fn with_highlight(frame: &'a Frame, span: &'a Span, highlight: Highlight) -> Self {
         let shininess = frame.material(span).shininess;
-        PhongSpan { frame, span, shininess, coefficients: Coefficients::new(frame, span) }
+        PhongSpan { frame, span, highlight, shininess, coefficients: Coefficients::new(frame, span) }
     }
 
     /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel. Where the interpolated normal vanishes, ambient light is all there is.
     pub fn pixel(&self, i: u32) -> [f64; 3] {
-        match unit(self.frame.normal_at(self.span, self.span.weights(i))) {
-            Some(normal) => self.lit(normal),
+        let weights = self.span.weights(i);
+        match unit(self.frame.normal_at(self.span, weights)) {
+            Some(normal) => self.lit(normal, weights),
             None => self.coefficients.sum(|_| Amounts::default()),
         }
     }
 
-    fn lit(&self, normal: DVec3) -> [f64; 3] {
-        let reflection = reflect(normal);
-        self.coefficients.sum(|light: &Light| Amounts {
-            diffuse: lambert(normal, light.direction),
-            specular: power(reflection.dot(light.direction), self.shininess),
-        })
+    fn lit(&self, normal: DVec3, weights: [f64; 3]) -> [f64; 3] {
+        let view = illumination::view(self.frame, self.span, weights);
+        let amounts = |light: Option<Illumination>| match light {
+            Some(Illumination { direction, share }) => Amounts {
+                diffuse: share * lambert(normal, direction),
+                specular: share * view.map_or(0.0, |view| self.highlight(normal, direction, view)),
+            },
+            None => Amounts::default(),
+        };
+        self.coefficients.sum_of(illumination::lights(self.frame, self.span, weights).map(amounts))
     }
+
+    fn highlight(&self, normal: DVec3, light: DVec3, view: DVec3) -> f64 {
+        match self.highlight {
+            Highlight::Reflection => power(2.0 * normal.dot(view) * normal.dot(light) - view.dot(light), self.shininess),
+            Highlight::Blinn => power(cosine_to_halfway(normal, light, view), 4 * self.shininess),
+            Highlight::TrowbridgeReitz => trowbridge_reitz(cosine_to_halfway(normal, light, view), self.shininess),
+        }
+    }
+}
+
+impl ShadePixel for PhongSpan<'_> {
+    fn pixel(&self, i: u32) -> [f64; 3] {
+        PhongSpan::pixel(self, i)
+    }
+}
+
+/// H*·N with H* = (L + V)/|L + V|, kept within 0 to 1; 0 for L = -V (EXTREMES row 12).
+pub fn cosine_to_halfway(normal: DVec3, light: DVec3, view: DVec3) -> f64 {
+    unit(light + view).map_or(0.0, |halfway| halfway.dot(normal).clamp(0.0, 1.0))
+}
+
+/// Trowbridge and Reitz's (1/(1 + (1 - c²) n))², c = H*·N from 0 to 1 [Lyon, TR 43, appendix, formulation 12].
+pub fn trowbridge_reitz(cosine: f64, n: u32) -> f64 {
+    (1.0 + (1.0 - cosine * cosine) * f64::from(n)).recip().powi(2)
 }

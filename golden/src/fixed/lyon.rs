@@ -7,16 +7,12 @@ use super::colour::{Colour, sum_format};
 use super::method::{Method, Values};
 use super::number::Wide;
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
-use super::packet::PacketError;
+use super::packet::{self, PacketError};
 use super::vector::{Vector, cross, dot};
 
 /// V = (0, 0, 1).
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
 const THREE: Wide = Wide::lit("3");
-/// The largest |N|² of an end normal. A unit vector in `S1.4`, the coarsest format, comes to (1 + √3/32)² = 1.112 at most.
-const LONGEST_SQUARED: Wide = Wide::lit("1.25");
-/// The largest weight at the last pixel; 1, and what the rounding of 1/S adds to it.
-const LARGEST_WEIGHT: Wide = Wide::lit("1.0625");
 
 /// The method in one core's formats.
 pub(super) struct Lyon {
@@ -54,14 +50,8 @@ impl Method for Lyon {
     /// z·g2² < 1.42, inside the 3 below which g(3 - z g²)/2 goes towards 1/√z, and |n| = g√z < 1.2 at first and 1 after a step, before
     /// rounding.
     fn check(&self, inputs: &LyonInputs<Wide>, length: u32) -> Result<(), PacketError> {
-        let start = inputs.normal_start;
-        let end: Vector = std::array::from_fn(|c| start[c] + inputs.normal_delta[c]);
-        let too_long = |normal: &Vector| dot(normal, normal) > LONGEST_SQUARED;
-        if too_long(&start) || too_long(&end) {
-            return Err(PacketError::LongNormal);
-        }
-        let weight = inputs.weight_step * Wide::from_num(length - 1);
-        if weight > LARGEST_WEIGHT { Err(PacketError::Weight { weight: weight.to_num() }) } else { Ok(()) }
+        packet::check_ends(&inputs.normal_start, &inputs.normal_delta)?;
+        packet::check_weight(inputs.weight_step, length)
     }
 
     fn pixel(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

@@ -9,6 +9,9 @@ mod model;
 mod number;
 mod observer;
 mod packet;
+mod phong;
+mod power;
+mod root;
 mod vector;
 
 pub use model::Model;

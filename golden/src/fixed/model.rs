@@ -7,6 +7,7 @@ use super::lyon::Lyon;
 use super::method::{Method, Values};
 use super::observer::{Nobody, Notebook, Observation};
 use super::packet::{self, PacketError};
+use super::phong::Phong;
 
 /// The bit-true model of a core.
 pub struct Model {
@@ -21,6 +22,7 @@ impl Model {
     pub fn new(spec: &CoreSpec) -> Model {
         let method: Box<dyn ShadeSpan> = match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
+            MethodSpec::Phong(phong) => Box::new(Phong::new(spec, phong)),
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }

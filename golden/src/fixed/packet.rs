@@ -2,6 +2,9 @@
 use specula_scene::SpanPacket;
 use specula_scene::spec::InputPort;
 
+use super::number::Wide;
+use super::vector::{Vector, dot};
+
 /// Why a packet does not fit a core.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PacketError {
@@ -33,9 +36,9 @@ pub enum PacketError {
         /// Pixels of the longest span.
         longest: u32,
     },
-    /// An end normal is not a unit vector, nor shorter.
-    #[error("a normal is longer than 1")]
-    LongNormal,
+    /// A vector at the end of a span is not a unit vector, nor shorter.
+    #[error("a vector at the end of the span is longer than 1")]
+    LongVector,
     /// Weight steps do not end at 1: 1/S is too coarse in the accumulator's format, or belongs to a shorter span.
     #[error("the weight of the last normal grows to {weight} along the span, past 1")]
     Weight {
@@ -50,6 +53,24 @@ pub enum PacketError {
         /// Pixels of the span.
         length: u32,
     },
+}
+
+/// The largest |N|² of a vector at the end of a span. A unit vector in `S1.4`, the coarsest format, comes to (1 + √3/32)² = 1.112 at most.
+const LONGEST_SQUARED: Wide = Wide::lit("1.25");
+/// The largest weight at the last pixel; 1, and what the rounding of 1/S adds to it.
+const LARGEST_WEIGHT: Wide = Wide::lit("1.0625");
+
+/// Whether a vector that is interpolated along the span is within the unit ball at both ends, but for rounding.
+pub(super) fn check_ends(start: &Vector, delta: &Vector) -> Result<(), PacketError> {
+    let end: Vector = std::array::from_fn(|c| start[c] + delta[c]);
+    let too_long = |vector: &Vector| dot(vector, vector) > LONGEST_SQUARED;
+    if too_long(start) || too_long(&end) { Err(PacketError::LongVector) } else { Ok(()) }
+}
+
+/// Whether the weight ends at 1.
+pub(super) fn check_weight(step: Wide, length: u32) -> Result<(), PacketError> {
+    let weight = step * Wide::from_num(length - 1);
+    if weight > LARGEST_WEIGHT { Err(PacketError::Weight { weight: weight.to_num() }) } else { Ok(()) }
 }
 
 /// Whether a packet is one for these ports.

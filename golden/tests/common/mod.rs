@@ -20,8 +20,10 @@ pub fn frame(normals: [DVec3; 2], length: u32, lights: &[DVec3], material: Mater
         background: [0; 3],
         ambient: WHITE,
         lights: lights.iter().map(light).collect(),
+        local_lights: Vec::new(),
+        eye: None,
         materials: vec![material],
-        triangles: vec![Triangle { normals: [normals[0], normals[1], normals[0]], material: 0 }],
+        triangles: vec![Triangle { normals: [normals[0], normals[1], normals[0]], positions: [DVec3::ZERO; 3], material: 0 }],
         spans: vec![span],
     }
 }

@@ -74,7 +74,7 @@ fn packets_past_the_unit_ball_are_refused() {
         }
         Model::new(&core).shade(&packet, &mut Vec::new())
     };
-    assert_eq!(with_high(["normal_start_x", "normal_start_y", ""]), Err(PacketError::LongNormal));
-    assert_eq!(with_high(["normal_delta_x", "", ""]), Err(PacketError::LongNormal));
+    assert_eq!(with_high(["normal_start_x", "normal_start_y", ""]), Err(PacketError::LongVector));
+    assert_eq!(with_high(["normal_delta_x", "", ""]), Err(PacketError::LongVector));
     assert_eq!(with_high(["weight_step", "", ""]), Err(PacketError::Weight { weight: 7.0 }));
 }

@@ -1,10 +1,11 @@
 //! `fixed` against whole-number arithmetic with shifts, written apart from it, at every format that a spec may have.
 //!
 //! It runs with overflow checks, so it tries the widths that `fixed::number` argues for, too.
+use glam::DVec3;
 use proptest::prelude::*;
 use specula_golden::fixed::Model;
 use specula_scene::spec::{CoreSpec, MethodSpec, SpanPacket};
-use specula_scene::{Frame, Method};
+use specula_scene::{Frame, LocalLight, Method, Spot};
 
 #[path = "../../../scene/tests/common/any_spec.rs"]
 mod any_spec;
@@ -12,6 +13,8 @@ mod any_spec;
 mod common;
 mod hybrid;
 mod lyon;
+mod phong;
+mod power;
 mod raw;
 
 use any_spec::any_spec;
@@ -30,6 +33,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
     for i in (0..packet.length).step_by(1 + packet.length as usize / 50) {
         let expected = match &core.method {
             MethodSpec::Lyon(spec) => lyon::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Phong(spec) => phong::code(spec, &raw, core.lights, i),
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
@@ -55,6 +59,29 @@ proptest! {
     #[test]
     fn lyon(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Lyon, &draw, &bits, n)?;
+    }
+
+    #[test]
+    fn phong(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+        check(Method::Phong, &draw, &bits, n)?;
+    }
+
+    /// Lights and the eye at places near the surface, and one in it.
+    #[test]
+    fn phong_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+        let mut frame = draw_frame(ANY, &draw, material(draw[8], draw[9], 3.0 * draw[10], n)).frame;
+        frame.triangles[0].positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let place = |k: usize| DVec3::new(draw[k], draw[k + 1], draw[k + 2] - 0.5);
+        let spot = Spot { axis: -place(3).normalize_or(DVec3::Z), exponent: 1 + (n % 300) };
+        frame.lights.truncate(1);
+        frame.local_lights = vec![
+            LocalLight { position: place(0), spot: None, colour: [1.0; 3] },
+            LocalLight { position: place(3), spot: Some(spot), colour: [0.5, 1.0, 2.0] },
+            LocalLight { position: DVec3::ZERO, spot: None, colour: [1.0; 3] },
+        ];
+        frame.eye = (draw[11] < 0.7).then(|| place(6));
+        let core = core_for(&frame, Method::Phong, &bits);
+        codes_agree(&core, &frame, &packet(&core, &frame))?;
     }
 
     #[test]

@@ -4,16 +4,33 @@ use std::collections::HashMap;
 use specula_scene::spec::{CoreSpec, SpanPacket};
 
 /// A packet's raw values, by the names of their ports.
-pub struct Raw(HashMap<String, i128>);
+pub struct Raw {
+    values: HashMap<String, i128>,
+    largest: HashMap<String, i128>,
+}
 
 impl Raw {
     pub fn new(core: &CoreSpec, packet: &SpanPacket) -> Raw {
-        let names = core.inputs().into_iter().map(|port| port.name);
-        Raw(names.zip(packet.inputs.iter().map(|&raw| i128::from(raw))).collect())
+        let ports = core.inputs();
+        let names = || ports.iter().map(|port| port.name.clone());
+        Raw {
+            values: names().zip(packet.inputs.iter().map(|&raw| i128::from(raw))).collect(),
+            largest: names().zip(ports.iter().map(|port| i128::from(port.range.1))).collect(),
+        }
     }
 
     pub fn get(&self, name: &str) -> i128 {
-        self.0[name]
+        self.values[name]
+    }
+
+    /// Whether there is a port of that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.values.contains_key(name)
+    }
+
+    /// The largest raw value that the port takes.
+    pub fn largest(&self, name: &str) -> i128 {
+        self.largest[name]
     }
 
     pub fn vector(&self, name: &str) -> [i128; 3] {

@@ -2,6 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::lyon::{LyonLight, LyonSpec};
 
+use super::eye;
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
 use crate::units::{self, Light, SpanNormals};
@@ -50,9 +51,4 @@ impl Pixel<'_> {
             specular_coefficients: light.specular.clone(),
         }
     }
-}
-
-/// V = (0, 0, 1): the eye is at infinity, so what multiplies its components folds away.
-fn eye(b: &Builder) -> Vector {
-    Vector::new([0, 0, 1].map(|component| b.integer(component)))
 }

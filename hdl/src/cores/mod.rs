@@ -1,12 +1,13 @@
 //! Cores: units put together so that a span goes in and one pixel comes out per clock.
 mod hybrid;
 mod lyon;
+mod phong;
 
 use std::rc::Rc;
 
 use specula_scene::{CoreSpec, MethodSpec};
 
-use crate::builder::{Builder, TooWide};
+use crate::builder::{Builder, TooWide, Vector};
 use crate::design::Design;
 use crate::target::Generic;
 
@@ -18,8 +19,16 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
     let builder = |formula| Builder::new(name, formula, Rc::new(Generic));
     match &spec.method {
         MethodSpec::Lyon(lyon) => lyon::core(builder("Lyon's reformulation of Phong shading [Lyon, TR 43]"), spec, lyon),
+        MethodSpec::Phong(phong) => {
+            phong::core(builder("Phong shading with true normalisation [lecture, eq. 2.1, 4.1, 4.2]"), spec, phong)
+        }
         MethodSpec::Hybrid(hybrid) => {
             hybrid::core(builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"), spec, hybrid)
         }
     }
+}
+
+/// V = (0, 0, 1): the eye is at infinity, so what multiplies its components folds away.
+fn eye(b: &Builder) -> Vector {
+    Vector::new([0, 0, 1].map(|component| b.integer(component)))
 }

@@ -1,4 +1,5 @@
-//! The normal along a span.
+//! Vectors along a span.
+use specula_scene::Format;
 use specula_scene::spec::lyon::LyonFormats;
 
 use crate::builder::{Builder, Sig, Vector};
@@ -15,31 +16,67 @@ pub struct SpanNormals<'a> {
     pub weight_step: &'a Sig,
 }
 
+/// Where an interpolation rounds.
+#[derive(Clone, Copy, Debug)]
+pub struct Interpolation {
+    /// The weight's accumulator.
+    pub accumulator: Format,
+    /// The weight.
+    pub weight: Format,
+    /// Components of the vector.
+    pub vector: Format,
+    /// Steps of the longest span.
+    pub steps: u32,
+}
+
 /// Interpolates linearly: N' = N0 + a (N1 - N0), where a grows by 1/S with each of at most `steps` + 1 pixels.
 /// [Lyon, TR 43; METHODS B12]
-///
-/// N0 and N1 are unit vectors but for rounding, √3/2 units of the last place. With a ≤ 1 + o, where o is [`overshoot`], N' is longer
-/// than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o.
 pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps: u32) -> Vector {
     let inputs =
         (("start", span.first), ("normal_start", span.start), ("normal_delta", span.delta), ("weight_step", span.weight_step));
+    let &LyonFormats { weight_accumulator: accumulator, weight, vector, .. } = formats;
+    let to = Interpolation { accumulator, weight, vector, steps };
     b.unit("interpolate", "N' = N0 + a (N1 - N0) [Lyon, TR 43]", inputs, |b, (first, start, delta, step)| {
-        let slack = f64::from(steps) * formats.weight_accumulator.ulp();
-        let a = Sig::accumulated(&first, &b.integer(0), &step, (0.0, 1.0 + slack), steps, "0 <= a <= 1");
-        let overshoot = overshoot(formats, steps);
-        let a = a.rounded(formats.weight.fraction_bits).assumed(0.0, 1.0 + overshoot, "0 <= a <= 1").named("weight");
-        let normal = (&start + &delta.scaled(&a)).no_longer_than((1.0 + formats.vector.ulp()) * (1.0 + 2.0 * overshoot));
-        let normal = normal.components_assumed_within(1.0 + 2.0 * overshoot, "|N'| <= 1");
-        normal.rounded(formats.vector.fraction_bits).named("normal")
+        let a = weight_along(b, &first, &step, to);
+        between(&start, &delta, &a, to, "|N'| <= 1").named("normal")
     })
+}
+
+/// The weight a = i/S by itself, for several vectors. [Lyon, TR 43; METHODS B12]
+pub fn weight(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
+    b.unit("weight", "a(i) = i/S [Lyon, TR 43]", (("start", first), ("weight_step", step)), |b, (first, step)| {
+        weight_along(b, &first, &step, to)
+    })
+}
+
+/// A vector along the span, X' = X0 + a (X1 - X0), whose ends lie in the unit ball. [METHODS B12, C15]
+pub fn along(b: &Builder, start: &Vector, delta: &Vector, a: &Sig, to: Interpolation) -> Vector {
+    let inputs = (("vector_start", start), ("vector_delta", delta), ("weight", a));
+    b.unit("along", "X' = X0 + a (X1 - X0) [METHODS B12, C15]", inputs, |_, (start, delta, a)| {
+        between(&start, &delta, &a, to, "|X'| <= 1").named("vector")
+    })
+}
+
+fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
+    let slack = f64::from(to.steps) * to.accumulator.ulp();
+    let a = Sig::accumulated(first, &b.integer(0), step, (0.0, 1.0 + slack), to.steps, "0 <= a <= 1");
+    a.rounded(to.weight.fraction_bits).assumed(0.0, 1.0 + overshoot(to), "0 <= a <= 1").named("weight")
+}
+
+/// X0 and X1 lie in the unit ball but for rounding, √3/2 units of the last place. With a ≤ 1 + o, where o is [`overshoot`], X' is
+/// longer than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o.
+fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
+    let reach = 1.0 + 2.0 * overshoot(to);
+    let vector = (start + &delta.scaled(a)).no_longer_than((1.0 + to.vector.ulp()) * reach);
+    vector.components_assumed_within(reach, fact).rounded(to.vector.fraction_bits)
 }
 
 /// How far past 1 the weight can come out.
 ///
 /// The accumulator is off by S/2 units of its last place at most. By default its extra bits keep that below half a unit of a's, so
 /// that a ≤ 1 after rounding; a spec may ask for fewer.
-fn overshoot(formats: &LyonFormats, steps: u32) -> f64 {
-    let accumulated = 0.5 * f64::from(steps) * formats.weight_accumulator.ulp();
-    let half = 0.5 * formats.weight.ulp();
+fn overshoot(to: Interpolation) -> f64 {
+    let accumulated = 0.5 * f64::from(to.steps) * to.accumulator.ulp();
+    let half = 0.5 * to.weight.ulp();
     if accumulated < half { 0.0 } else { accumulated + half }
 }

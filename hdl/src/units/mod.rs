@@ -1,8 +1,11 @@
 //! Units: short functions from signals to signals that read like the papers' formulas.
+mod any_power;
 mod colour;
+mod cosines;
 mod difference;
 mod diffuse;
 mod divider;
+mod fixed_log;
 mod interpolate;
 mod normalise;
 mod normalise_exactly;
@@ -12,11 +15,13 @@ mod reciprocal_square_root;
 mod shape;
 mod square_root;
 
+pub use any_power::any_power;
 pub use colour::{Coefficients, Light, channels};
+pub use cosines::{cosine, halfway_cosine, halfway_gain, reflected_cosine, spot_cosine, trowbridge_reitz};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
-pub use interpolate::{SpanNormals, interpolate};
+pub use interpolate::{Interpolation, SpanNormals, along, interpolate, weight};
 pub use normalise::normalise;
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;

@@ -1,6 +1,6 @@
 //! Specs and frames drawn at random, the same ones for the same seed.
 use glam::DVec3;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, Triangle};
+use specula_scene::{CoreSpec, DirectionalLight, Frame, LocalLight, Material, Method, Needs, Span, Spot, Triangle};
 
 #[path = "../../../scene/tests/common/any_spec.rs"]
 mod any_spec;
@@ -55,21 +55,48 @@ impl Draw {
     }
 }
 
+/// Triangles in a frame, each with a span.
+const TRIANGLES: usize = 6;
+
 /// A frame of a few triangles and a span of each, one to a row; the first span is the longest.
 pub fn frame(draw: &mut Draw, method: Method, longest: u32) -> Frame {
-    let triangles = 6;
-    let lengths: Vec<u32> = (0..triangles).map(|i| if i == 0 { longest } else { draw.between(1, longest) }).collect();
+    let lengths: Vec<u32> = (0..TRIANGLES).map(|i| if i == 0 { longest } else { draw.between(1, longest) }).collect();
     let lights = draw.between(1, 4);
+    // Only `phong` takes lights and eye at places.
+    let local = if method == Method::Phong { draw.between(0, lights) } else { 0 };
+    let viewer = if method == Method::Phong { draw.between(0, 1) } else { 0 };
+    let triangles: Vec<Triangle> = (0..TRIANGLES).map(|material| triangle(draw, material)).collect();
     Frame {
         width: longest,
-        height: triangles as u32,
+        height: TRIANGLES as u32,
         background: [1, 2, 3],
         ambient: [draw.unit(); 3],
-        lights: (0..lights).map(|_| DirectionalLight { direction: draw.direction(), colour: colour(draw, 2.0) }).collect(),
-        materials: (0..triangles).map(|_| material(draw, method)).collect(),
-        triangles: (0..triangles).map(|material| Triangle { normals: normals(draw), material }).collect(),
+        lights: (local..lights).map(|_| DirectionalLight { direction: draw.direction(), colour: colour(draw, 2.0) }).collect(),
+        local_lights: (0..local).map(|_| local_light(draw, &triangles)).collect(),
+        eye: (0..viewer).map(|_| place_about(draw, &triangles)).next(),
+        materials: (0..TRIANGLES).map(|_| material(draw, method)).collect(),
+        triangles,
         spans: lengths.into_iter().enumerate().map(|(row, length)| span(draw, row, length)).collect(),
     }
+}
+
+fn triangle(draw: &mut Draw, material: usize) -> Triangle {
+    let place = |draw: &mut Draw| 3.0 * draw.unit() * draw.direction();
+    Triangle { normals: normals(draw), positions: [place(draw), place(draw), place(draw)], material }
+}
+
+/// Anywhere, or at the very corner of a triangle.
+fn place_about(draw: &mut Draw, triangles: &[Triangle]) -> DVec3 {
+    match draw.between(0, 3) {
+        0 => draw.one_of(triangles[0].positions.as_slice()),
+        _ => 5.0 * draw.unit() * draw.direction(),
+    }
+}
+
+fn local_light(draw: &mut Draw, triangles: &[Triangle]) -> LocalLight {
+    let spot = Spot { axis: draw.direction(), exponent: draw.between(1, 8191) };
+    let spot = draw.one_of(&[true, false]).then_some(spot);
+    LocalLight { position: place_about(draw, triangles), spot, colour: colour(draw, 2.0) }
 }
 
 fn colour(draw: &mut Draw, brightest: f64) -> [f64; 3] {
@@ -79,8 +106,8 @@ fn colour(draw: &mut Draw, brightest: f64) -> [f64; 3] {
 fn material(draw: &mut Draw, method: Method) -> Material {
     let log2 = draw.between(0, 12);
     let shininess = match method {
-        Method::Lyon => draw.between(1, 8191).min(2 << log2),
         Method::Hybrid => 1 << log2,
+        _ => draw.between(1, 8191).min(2 << log2),
     };
     Material { ambient: colour(draw, 1.0), diffuse: colour(draw, 1.0), specular: colour(draw, 1.0), shininess: shininess.min(8191) }
 }

@@ -1,5 +1,6 @@
 //! Every unit by itself, against whole-number arithmetic written here; small widths exhaustively.
 mod accumulators;
+mod any_power;
 mod channel;
 #[path = "../common/mod.rs"]
 mod common;
@@ -67,12 +68,15 @@ fn rounded(raw: i64, bits: u32) -> i64 {
 fn lyon(fraction_bits: u32) -> LyonSpec {
     let needs = Needs {
         lights: 1,
+        local_lights: Vec::new(),
+        local_eye: false,
         longest_span: 4,
         largest_shininess: 1,
         uneven_shininess: None,
         brightest_coefficient: 1.0,
         widest_angle: 0.0,
         shortest_normal: 1.0,
+        shortest_way: 1.0,
     };
     let mut lyon = LyonSpec::for_needs(&needs);
     let f = &mut lyon.formats;

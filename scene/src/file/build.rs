@@ -5,9 +5,9 @@ use glam::DVec3;
 use toml::Spanned;
 
 use super::values::{Integer, Number};
-use super::{SourceFile, check, object, raw};
+use super::{SourceFile, check, light, object, raw};
 use crate::picture::camera::Camera;
-use crate::picture::{Light, LightSpace, Scene, limits};
+use crate::picture::{Light, Scene, limits};
 use crate::{SceneError, defaults};
 
 /// The most lights a core takes.
@@ -52,6 +52,7 @@ fn camera(source: &SourceFile, given: Option<&Spanned<raw::Camera>>) -> Result<C
         up: raw.up.as_ref().map_or(Ok(DVec3::Y), |up| check::direction(source, "up", up))?,
         target,
         height: raw.height.as_ref().map(|height| positive(source, height)).transpose()?,
+        eye: local_eye(source, raw)?,
     };
     match camera.rotation() {
         Some(_) => Ok(camera),
@@ -62,6 +63,20 @@ fn camera(source: &SourceFile, given: Option<&Spanned<raw::Camera>>) -> Result<C
                 "turn `direction` or `up`: seen from straight above, for one, `up = [0, 0, -1]`; `up` is [0, 1, 0] if left out";
             Err(source.error(at.unwrap_or(given.span()), problem, help))
         }
+    }
+}
+
+/// Where the eye is that sees highlights; nowhere for a viewer at infinity.
+fn local_eye(source: &SourceFile, raw: &raw::Camera) -> Result<Option<DVec3>, SceneError> {
+    let viewers = [("infinite", false), ("local", true)];
+    match (check::word(source, "viewer", raw.viewer.as_ref(), &viewers)?, &raw.eye, &raw.viewer) {
+        (Some(true), Some(eye), _) => check::vector(source, "eye", eye).map(Some),
+        (Some(true), None, Some(viewer)) => Err(source.error(
+            viewer.span(),
+            "a local viewer needs an `eye`",
+            "add `eye`, the place highlights are seen from, and `target`",
+        )),
+        _ => Ok(None),
     }
 }
 
@@ -103,15 +118,5 @@ fn lights(source: &SourceFile, given: &[Spanned<raw::Light>]) -> Result<Vec<Ligh
     if given.is_empty() {
         return Ok(vec![defaults::light()]);
     }
-    given.iter().map(|light| self::light(source, light.get_ref())).collect()
-}
-
-fn light(source: &SourceFile, raw: &raw::Light) -> Result<Light, SceneError> {
-    check::only_kind(source, raw.kind.as_ref(), "directional", &["point", "spot"])?;
-    let spaces = [("world", LightSpace::World), ("view", LightSpace::View)];
-    Ok(Light {
-        direction: check::direction(source, "direction", &raw.direction)?,
-        space: check::word(source, "space", raw.space.as_ref(), &spaces)?.unwrap_or(LightSpace::World),
-        colour: check::colour(source, "colour", raw.colour.as_ref(), 0.0..=1.0, [1.0; 3])?,
-    })
+    given.iter().map(|given| light::light(source, given)).collect()
 }

@@ -2,6 +2,7 @@
 mod build;
 mod check;
 mod core;
+mod light;
 mod object;
 mod raw;
 mod source;

@@ -24,6 +24,7 @@ pub(super) struct Camera {
     pub kind: Option<Spanned<String>>,
     pub direction: Option<Spanned<Vector>>,
     pub eye: Option<Spanned<Vector>>,
+    pub viewer: Option<Spanned<String>>,
     pub target: Option<Spanned<Vector>>,
     pub up: Option<Spanned<Vector>>,
     pub height: Option<Spanned<Number>>,
@@ -33,7 +34,10 @@ pub(super) struct Camera {
 #[serde(deny_unknown_fields)]
 pub(super) struct Light {
     pub kind: Option<Spanned<String>>,
-    pub direction: Spanned<Vector>,
+    pub direction: Option<Spanned<Vector>>,
+    pub position: Option<Spanned<Vector>>,
+    pub target: Option<Spanned<Vector>>,
+    pub exponent: Option<Spanned<Integer>>,
     pub space: Option<Spanned<String>>,
     pub colour: Option<Spanned<Triple>>,
 }

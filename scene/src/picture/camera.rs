@@ -18,12 +18,14 @@ pub struct Camera {
     pub target: Option<DVec3>,
     /// World units from the picture's bottom to its top; what the objects need if none.
     pub height: Option<f64>,
+    /// Where the eye is that sees highlights, in world coordinates; at infinity along `direction` if nowhere.
+    pub eye: Option<DVec3>,
 }
 
 impl Default for Camera {
     /// From the front, a little to the right and above; y up.
     fn default() -> Camera {
-        Camera { direction: DVec3::new(0.5, 0.45, 1.0), up: DVec3::Y, target: None, height: None }
+        Camera { direction: DVec3::new(0.5, 0.45, 1.0), up: DVec3::Y, target: None, height: None, eye: None }
     }
 }
 
@@ -51,8 +53,8 @@ fn unit(v: DVec3) -> Option<DVec3> {
 /// The window of view space that the picture shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    /// View-space x and y at the picture's centre.
-    pub centre: [f64; 2],
+    /// What is at the picture's centre, in view space.
+    pub centre: DVec3,
     /// Units of view space a pixel.
     pub pixel: f64,
 }
@@ -72,13 +74,13 @@ impl Window {
         let half = (bounds[1] - centre).abs().max((bounds[0] - centre).abs());
         let needed = (half.y / height).max(half.x / width) * 2.0 / FILLED;
         let pixel = camera.height.map_or(needed, |units| units / height);
-        (pixel > 0.0 && pixel.is_finite()).then_some(Window { centre: [centre.x, centre.y], pixel })
+        (pixel > 0.0 && pixel.is_finite()).then_some(Window { centre, pixel })
     }
 
     /// Where a point of view space is in a picture of `size`, in pixels from its top left corner.
     pub fn place(&self, point: DVec3, size: (u32, u32)) -> [f64; 2] {
-        let x = f64::from(size.0) / 2.0 + (point.x - self.centre[0]) / self.pixel;
-        let y = f64::from(size.1) / 2.0 - (point.y - self.centre[1]) / self.pixel;
+        let x = f64::from(size.0) / 2.0 + (point.x - self.centre.x) / self.pixel;
+        let y = f64::from(size.1) / 2.0 - (point.y - self.centre.y) / self.pixel;
         [x, y]
     }
 }

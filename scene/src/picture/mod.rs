@@ -5,4 +5,4 @@ pub mod limits;
 pub mod project;
 mod visibility;
 
-pub use project::{Light, LightSpace, Object, Scene};
+pub use project::{Light, LightSource, LightSpace, Object, Scene};

@@ -8,7 +8,7 @@ use super::limits;
 use super::visibility::{Projected, visible_spans};
 use crate::mesh::Mesh;
 use crate::mesh::normals::{direction, newell, normal_matrix};
-use crate::{Colour, DirectionalLight, Frame, Material, Span, Triangle};
+use crate::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle};
 
 /// A mesh put somewhere in the world.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,15 +30,39 @@ pub enum LightSpace {
     View,
 }
 
-/// A light at infinity, as a scene gives it.
+/// A light, as a scene gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// Towards the light; any length but 0.
-    pub direction: DVec3,
-    /// What `direction` is measured in.
+    /// Where it shines from.
+    pub source: LightSource,
+    /// What `source` is measured in.
     pub space: LightSpace,
     /// Its colour and strength.
     pub colour: Colour,
+}
+
+/// Where a light shines from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LightSource {
+    /// From infinity.
+    Directional {
+        /// Towards the light; any length but 0.
+        direction: DVec3,
+    },
+    /// From a place, to all sides.
+    Point {
+        /// The place.
+        position: DVec3,
+    },
+    /// From a place, most of all along one direction.
+    Spot {
+        /// The place.
+        position: DVec3,
+        /// The direction along which it shines; any length but 0.
+        axis: DVec3,
+        /// Warn's exponent, 1 to 8191.
+        exponent: u32,
+    },
 }
 
 /// Everything a picture is made from.
@@ -52,7 +76,7 @@ pub struct Scene {
     pub camera: Camera,
     /// Colour of the ambient light.
     pub ambient: Colour,
-    /// Lights at infinity.
+    /// Lights.
     pub lights: Vec<Light>,
     /// What is to be seen.
     pub objects: Vec<Object>,
@@ -116,12 +140,15 @@ impl Scene {
             return Err(PictureError::NothingVisible);
         }
         let (triangles, spans) = keep_visible(spans, &names, |name| seen[name.object].triangle(name));
+        let view = View { rotation, centre: window.centre };
         Ok(Frame {
             width: self.size.0,
             height: self.size.1,
             background: self.background,
             ambient: self.ambient,
-            lights: self.lights.iter().map(|light| light.seen(rotation)).collect(),
+            lights: self.lights.iter().filter_map(|light| light.at_infinity(view)).collect(),
+            local_lights: self.lights.iter().filter_map(|light| light.at_a_place(view)).collect(),
+            eye: self.camera.eye.map(|eye| rotation * eye),
             materials: self.objects.iter().map(|object| object.material.clone()).collect(),
             triangles,
             spans,
@@ -159,15 +186,53 @@ impl Scene {
     }
 }
 
-impl Light {
-    fn seen(&self, rotation: DMat3) -> DirectionalLight {
-        let largest = self.direction.abs().max_element();
-        let unit = (self.direction / largest).normalize_or(DVec3::Z);
-        let direction = match self.space {
-            LightSpace::World => (rotation * unit).normalize(),
+/// From the world to view space.
+#[derive(Clone, Copy)]
+struct View {
+    rotation: DMat3,
+    /// What is at the picture's centre, in view space.
+    centre: DVec3,
+}
+
+impl View {
+    /// A direction in view space, of length 1.
+    fn direction(self, space: LightSpace, direction: DVec3) -> DVec3 {
+        let largest = direction.abs().max_element();
+        let unit = (direction / largest).normalize_or(DVec3::Z);
+        match space {
+            LightSpace::World => (self.rotation * unit).normalize(),
             LightSpace::View => unit,
+        }
+    }
+
+    /// A place in view space; those given in it are measured from the picture's centre.
+    fn place(self, space: LightSpace, position: DVec3) -> DVec3 {
+        match space {
+            LightSpace::World => self.rotation * position,
+            LightSpace::View => self.centre + position,
+        }
+    }
+}
+
+impl Light {
+    fn at_infinity(&self, view: View) -> Option<DirectionalLight> {
+        match self.source {
+            LightSource::Directional { direction } => {
+                Some(DirectionalLight { direction: view.direction(self.space, direction), colour: self.colour })
+            }
+            LightSource::Point { .. } | LightSource::Spot { .. } => None,
+        }
+    }
+
+    fn at_a_place(&self, view: View) -> Option<LocalLight> {
+        let (position, spot) = match self.source {
+            LightSource::Directional { .. } => return None,
+            LightSource::Point { position } => (position, None),
+            LightSource::Spot { position, axis, exponent } => {
+                (position, Some(Spot { axis: view.direction(self.space, axis), exponent }))
+            }
         };
-        DirectionalLight { direction, colour: self.colour }
+        Some(LocalLight { position: view.place(self.space, position), spot, colour: self.colour })
     }
 }
 
@@ -204,7 +269,7 @@ impl<'a> Seen<'a> {
         let normals = self.object.mesh.normals[name.triangle].map(|n| direction_of(self.to_normals * n).unwrap_or(face));
         let outward = if face.dot(normals.iter().sum()) < 0.0 { -face } else { face };
         let turn = if outward.z < 0.0 { -1.0 } else { 1.0 };
-        Triangle { normals: normals.map(|n| n * turn), material: name.object }
+        Triangle { normals: normals.map(|n| n * turn), positions: corners, material: name.object }
     }
 }
 

@@ -14,7 +14,7 @@ const MOST_COEFFICIENT_BITS: u64 = 16;
 
 impl CoreSpec {
     /// The spec for a scene with these needs: the method asked for on the command line, else the scene file's, else `lyon`, with
-    /// the defaults of NUMERICS.md "Recommended formats", changed where the scene file's `[core]` table says so.
+    /// and `phong` where a light or the eye is at a place, with the defaults of NUMERICS.md "Recommended formats", changed where the scene file's `[core]` table says so.
     ///
     /// # Errors
     /// [`SpecError`] if there is no such method, or the method or its formats cannot serve the scene.
@@ -22,18 +22,31 @@ impl CoreSpec {
         let default = CoreOptions::default();
         let table = table.unwrap_or(&default);
         let named = table.method.as_deref().map(Method::from_name).transpose()?;
-        let method = method.or(named).unwrap_or(Method::Lyon);
+        let method = method.or(named).unwrap_or(Method::default_for(needs));
         let spec = CoreSpec {
             lights: needs.lights,
+            local_lights: needs.local_lights.clone(),
+            local_eye: needs.local_eye,
             longest_span: needs.longest_span.next_power_of_two(),
             largest_shininess: needs.largest_shininess,
             coefficient: coefficient_format(needs.brightest_coefficient),
             shortest_normal: needs.shortest_normal,
+            shortest_way: needs.shortest_way,
             method: method.spec(needs, &table.of(method))?,
         };
         spec.check()?;
-        spec.method.describe().check_serves(needs)?;
+        spec.check_serves(needs)?;
         Ok(spec)
+    }
+
+    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
+        let method = self.method.describe();
+        let local =
+            if !needs.local_lights.is_empty() { Some("a light at a place") } else { needs.local_eye.then_some("a local viewer") };
+        match local {
+            Some(what) if !method.shades_from_places() => Err(SpecError::Local { method: self.method().name(), what }),
+            _ => method.check_serves(needs),
+        }
     }
 
     /// Whether formats and numbers are such that a core can be built.
@@ -42,6 +55,7 @@ impl CoreSpec {
     /// [`SpecError`] names the first that is not.
     pub fn check(&self) -> Result<(), SpecError> {
         within("lights", self.lights as u64, 1, MOST_LIGHTS as u64)?;
+        within("lights at a place", self.local_lights.len() as u64, 0, self.lights as u64)?;
         within("longest_span", self.longest_span.into(), 1, LONGEST_SPAN.into())?;
         within("coefficient integer bits", self.coefficient.integer_bits.into(), 1, MOST_COEFFICIENT_BITS)?;
         within("largest_shininess", self.largest_shininess.into(), 1, LARGEST_SHININESS.into())?;

@@ -33,6 +33,11 @@ pub trait Describe {
         Ok(())
     }
 
+    /// Whether lights and the eye may be at places.
+    fn shades_from_places(&self) -> bool {
+        false
+    }
+
     /// The set-up of a frame's spans for a core with this method.
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a>;
 }

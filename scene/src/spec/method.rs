@@ -2,7 +2,7 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{Describe, HybridSpec, LyonSpec, SpecError};
+use super::{Describe, HybridSpec, LyonSpec, PhongSpec, SpecError};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -84,11 +84,18 @@ macro_rules! methods {
 methods! {
     /// Lyon's reformulation of Phong shading for hardware.
     Lyon(LyonSpec) = "lyon", "per-pixel normal, approximate normalisation, shape function f_k [Lyon, TR 43]";
+    /// Phong shading with true normalisation, lights and eye at infinity or at places.
+    Phong(PhongSpec) = "phong", "per-pixel normal, true normalisation, cos^n or Blinn's distributions [lecture, eq. 2.1, 4.1-4.2]";
     /// Gouraud diffuse with Hast's specular recurrence.
     Hybrid(HybridSpec) = "hybrid", "Gouraud diffuse, specular base p/q by forward differences [Hast et al., eq. 17-26]";
 }
 
 impl Method {
+    /// The method for a scene that names none.
+    pub(super) fn default_for(needs: &Needs) -> Method {
+        if needs.local_eye || !needs.local_lights.is_empty() { Method::Phong } else { Method::Lyon }
+    }
+
     /// The method of that name.
     ///
     /// # Errors

@@ -14,6 +14,7 @@ pub mod lyon;
 mod method;
 mod narrowing;
 mod options;
+pub mod phong;
 mod port;
 mod quadratic;
 mod set_up;
@@ -21,6 +22,7 @@ mod set_up;
 use serde::Serialize;
 
 use crate::format::Format;
+use crate::needs::LocalKind;
 
 use describe::Describe;
 pub use error::SpecError;
@@ -29,6 +31,7 @@ pub use lyon::{LyonInputs, LyonSpec};
 pub use method::{Choice, Method, MethodSpec};
 pub use narrowing::NarrowingPoint;
 pub use options::CoreOptions;
+pub use phong::{PhongInputs, PhongSpec};
 pub use port::InputPort;
 pub use quadratic::Quadratic;
 pub use set_up::{SetUp, SpanPacket};
@@ -49,6 +52,10 @@ pub const LONGEST_SPAN: u32 = 8192;
 pub struct CoreSpec {
     /// Number of lights, 1 to [`MOST_LIGHTS`].
     pub lights: usize,
+    /// What the last of them are that are at a place; those before are at infinity.
+    pub local_lights: Vec<LocalKind>,
+    /// Whether the eye that sees highlights is at a place.
+    pub local_eye: bool,
     /// Longest span the core can take, in pixels.
     pub longest_span: u32,
     /// Largest exponent n the core can take.
@@ -57,6 +64,9 @@ pub struct CoreSpec {
     pub coefficient: Format,
     /// Length of the shortest interpolated normal, relative to the longer end of its span. Error bounds rest on it; widths do not.
     pub shortest_normal: f64,
+    /// Length of the shortest vector to a light or an eye at a place, relative to the longer one at the ends of its span. Error bounds
+    /// rest on it; widths do not.
+    pub shortest_way: f64,
     /// How pixels are shaded.
     pub method: MethodSpec,
 }

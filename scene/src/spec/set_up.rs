@@ -1,6 +1,6 @@
 //! Set-up of one span: what the host works out in f64 and quantises into the core's formats.
 use super::{CoreSpec, FULL_SCALE};
-use crate::frame::{Colour, DirectionalLight, Frame, Material, Span};
+use crate::frame::{Colour, Frame, Material, Span};
 
 /// What a core is given of one span.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,11 +72,11 @@ impl MaterialInputs {
         let product = |reflectance: Colour, light: Colour| {
             std::array::from_fn(|c| core.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c]))
         };
-        let under = |light: &DirectionalLight| Coefficients {
-            diffuse: product(material.diffuse, light.colour),
-            specular: product(material.specular, light.colour),
+        let under = |colour: Colour| Coefficients {
+            diffuse: product(material.diffuse, colour),
+            specular: product(material.specular, colour),
         };
-        MaterialInputs { ambient: product(material.ambient, frame.ambient), lights: frame.lights.iter().map(under).collect() }
+        MaterialInputs { ambient: product(material.ambient, frame.ambient), lights: frame.light_colours().map(under).collect() }
     }
 }
 

@@ -18,7 +18,7 @@ pub struct Row {
 pub fn frame_of(rows: &[Row], lights: &[DVec3]) -> Frame {
     let triangle = |(material, row): (usize, &Row)| {
         let [first, last] = row.normals;
-        Triangle { normals: [first, last, first], material }
+        Triangle { normals: [first, last, first], positions: [DVec3::ZERO; 3], material }
     };
     let span = |(number, row): (usize, &Row)| {
         let (start, end) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
@@ -31,6 +31,8 @@ pub fn frame_of(rows: &[Row], lights: &[DVec3]) -> Frame {
         background: [7, 8, 9],
         ambient: [1.0; 3],
         lights: lights.iter().map(light).collect(),
+        local_lights: Vec::new(),
+        eye: None,
         materials: rows.iter().map(|row| row.material.clone()).collect(),
         triangles: rows.iter().enumerate().map(triangle).collect(),
         spans: rows.iter().enumerate().map(span).collect(),

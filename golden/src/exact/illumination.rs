@@ -1,0 +1,37 @@
+//! Where light comes from and where it goes, at one point.
+use glam::DVec3;
+use specula_scene::frame::EYE;
+use specula_scene::{Frame, LocalLight, Span};
+
+use super::normalisation::unit;
+use super::shape::power;
+
+/// A light as it is seen from one point.
+pub struct Illumination {
+    /// L, a unit vector.
+    pub direction: DVec3,
+    /// How much of it arrives, 0 to 1: Warn's spot factor.
+    pub share: f64,
+}
+
+/// Towards the eye from a pixel of a span, a unit vector; none for an eye at the very point [METHODS.md C18].
+pub fn view(frame: &Frame, span: &Span, weights: [f64; 3]) -> Option<DVec3> {
+    match frame.eye {
+        Some(eye) => unit(eye - frame.position_at(span, weights)),
+        None => Some(EYE),
+    }
+}
+
+/// Every light as it is seen from a pixel of a span, those at infinity first; none for a light at the very point (EXTREMES row 39).
+pub fn lights(frame: &Frame, span: &Span, weights: [f64; 3]) -> impl Iterator<Item = Option<Illumination>> {
+    let position = frame.position_at(span, weights);
+    let at_infinity = frame.lights.iter().map(|light| Some(Illumination { direction: light.direction, share: 1.0 }));
+    at_infinity.chain(frame.local_lights.iter().map(move |light| from_a_place(light, position)))
+}
+
+/// L = (F - P)/|F - P| and, for a spot, max(-L·axis, 0)^p [Hast et al., eq. 35 and after; METHODS.md C15].
+fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
+    let direction = unit(light.position - position)?;
+    let share = light.spot.as_ref().map_or(1.0, |spot| power(-direction.dot(spot.axis), spot.exponent));
+    Some(Illumination { direction, share })
+}

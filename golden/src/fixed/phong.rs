@@ -1,0 +1,183 @@
+//! `phong`, bit for bit [lecture, eq. 2.1, 4.1, 4.2; Lyon, TR 43, appendix; `docs/arithmetic/phong.md`].
+use specula_scene::Format;
+use specula_scene::spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
+use specula_scene::spec::{CoreSpec, InputPort, LARGEST_SHININESS};
+
+use super::colour::{Colour, sum_format};
+use super::method::{Method, Values};
+use super::number::{Wide, round_quotient, round_to};
+use super::observer::{Observer, OfLight, narrow, narrow_vector};
+use super::packet::{self, PacketError};
+use super::power::Power;
+use super::root::reciprocal_square_root;
+use super::vector::{Vector, dot};
+
+/// V = (0, 0, 1).
+const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
+
+/// The method in one core's formats.
+pub(super) struct Phong {
+    highlight: Highlight,
+    formats: PhongFormats,
+    power: Power,
+    spot_power: Power,
+    colour: Format,
+    ports: PhongInputs<InputPort>,
+}
+
+/// A vector brought to unit length; none if it has no direction.
+type Direction = Option<Vector>;
+
+/// A light at a pixel.
+struct Arrival<'a> {
+    light: &'a PhongLight<Wide>,
+    /// L.
+    direction: Vector,
+    view: Direction,
+    n_dot_l: Wide,
+    n_dot_v: Wide,
+    shininess: Wide,
+}
+
+impl Phong {
+    pub fn new(core: &CoreSpec, phong: &PhongSpec) -> Phong {
+        let formats = phong.formats.clone();
+        let bits = |n: u32| u32::BITS - n.leading_zeros();
+        let power = |largest: u32| Power::new(bits(largest), formats.shape.fraction_bits);
+        Phong {
+            highlight: phong.highlight,
+            power: power(core.largest_shininess * phong.highlight.exponent_factor()),
+            spot_power: power(LARGEST_SHININESS),
+            colour: sum_format(core, formats.cosine, formats.shape),
+            ports: phong.inputs(core),
+            formats,
+        }
+    }
+}
+
+impl Method for Phong {
+    type Inputs = PhongInputs<Wide>;
+
+    fn read(&self, mut values: Values<'_>) -> PhongInputs<Wide> {
+        self.ports.map(|port| values.next(port))
+    }
+
+    /// Interpolated vectors stay within the unit ball, but for rounding.
+    fn check(&self, inputs: &PhongInputs<Wide>, length: u32) -> Result<(), PacketError> {
+        let ways =
+            [&inputs.normal].into_iter().chain(&inputs.eye).chain(inputs.lights.iter().filter_map(|light| light.way.as_ref()));
+        for way in ways {
+            packet::check_ends(&way.start, &way.delta)?;
+        }
+        packet::check_weight(inputs.weight_step, length)
+    }
+
+    fn pixel(&self, inputs: &PhongInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+        let accumulated = Wide::from_num(i) * inputs.weight_step;
+        observer.see(format_args!("weight_accumulator"), accumulated, self.formats.weight_accumulator);
+        let weight = narrow(observer, format_args!("weight"), accumulated, self.formats.weight);
+        let normal = self.direction("normal", &inputs.normal, weight, observer);
+        let view = match &inputs.eye {
+            Some(eye) => self.direction("eye", eye, weight, observer),
+            None => Some(EYE),
+        };
+        let mut colour = Colour::ambient(inputs.ambient);
+        let n_dot_v = self.cosine("n_dot_v", normal, view, observer);
+        for (index, light) in inputs.lights.iter().enumerate() {
+            let mut observer = OfLight { observer, index };
+            let direction = match (&light.way, light.direction) {
+                (Some(way), _) => self.direction("way", way, weight, &mut observer),
+                (None, direction) => direction,
+            };
+            let n_dot_l = self.cosine("n_dot_l", normal, direction, &mut observer);
+            let arrival = |direction| Arrival { light, direction, view, n_dot_l, n_dot_v, shininess: inputs.shininess };
+            let (diffuse, specular) = match (normal, direction.map(arrival)) {
+                (Some(_), Some(arrival)) => self.lit(&arrival, &mut observer),
+                _ => (Wide::ZERO, Wide::ZERO),
+            };
+            colour.add(&light.diffuse, diffuse);
+            colour.add(&light.specular, specular);
+        }
+        colour.code(self.colour, observer)
+    }
+}
+
+impl Phong {
+    /// A vector along the span, brought to unit length.
+    fn direction(&self, name: &str, way: &Way<Wide>, weight: Wide, observer: &mut impl Observer) -> Direction {
+        let f = &self.formats;
+        let lerp: Vector = std::array::from_fn(|c| way.start[c] + weight * way.delta[c]);
+        let vector = narrow_vector(observer, &format!("{name}_interpolated"), lerp, f.vector);
+        let z = narrow(observer, format_args!("{name}_length_squared"), dot(&vector, &vector), f.length_squared);
+        let gain = self.gain(z);
+        observer.see(format_args!("{name}_gain"), gain, f.gain);
+        let unit = narrow_vector(observer, name, vector.map(|c| gain * c), f.vector);
+        (z > Wide::ZERO).then_some(unit)
+    }
+
+    /// 1/√z, saturated; 0 where z is.
+    fn gain(&self, z: Wide) -> Wide {
+        reciprocal_square_root(z, self.formats.gain)
+    }
+
+    fn cosine(&self, name: &str, a: Direction, b: Direction, observer: &mut impl Observer) -> Wide {
+        match (a, b) {
+            (Some(a), Some(b)) => narrow(observer, format_args!("{name}"), dot(&a, &b), self.formats.cosine),
+            _ => Wide::ZERO,
+        }
+    }
+
+    /// d and f of a light that arrives from somewhere at a normal that points somewhere.
+    fn lit(&self, at: &Arrival, observer: &mut impl Observer) -> (Wide, Wide) {
+        let diffuse = at.n_dot_l.max(Wide::ZERO);
+        let specular = at.view.map_or(Wide::ZERO, |view| self.specular(at, &view, observer));
+        match (&at.light.axis, at.light.exponent) {
+            (Some(axis), Some(exponent)) => {
+                let shape = self.formats.shape;
+                let cosine = self.base(-dot(&at.direction, axis), "spot_base", observer);
+                let share = self.spot_power.of(cosine, exponent.to_num());
+                observer.see(format_args!("spot"), share, shape);
+                let spotted = |amount| round_to(share * amount, shape.fraction_bits);
+                (spotted(diffuse), spotted(specular))
+            }
+            _ => (diffuse, specular),
+        }
+    }
+
+    fn specular(&self, at: &Arrival, view: &Vector, observer: &mut impl Observer) -> Wide {
+        let f = &self.formats;
+        let exponent = at.shininess.to_num();
+        if self.highlight == Highlight::Reflection {
+            let l_dot_v = at.light.light_dot_view.unwrap_or_else(|| self.l_dot_v(at, view, observer));
+            return self.power.of(self.base(((at.n_dot_v * at.n_dot_l) << 1) - l_dot_v, "base", observer), exponent);
+        }
+        let gain = at.light.halfway_gain.unwrap_or_else(|| {
+            let squared = Wide::from_num(2) + (self.l_dot_v(at, view, observer) << 1);
+            self.gain(narrow(observer, format_args!("halfway_squared"), squared, f.length_squared))
+        });
+        let base = self.base((at.n_dot_l + at.n_dot_v) * gain, "base", observer);
+        match self.highlight {
+            Highlight::Reflection | Highlight::Blinn => self.power.of(base, exponent),
+            Highlight::TrowbridgeReitz => self.trowbridge_reitz(base, at.shininess, observer),
+        }
+    }
+
+    fn l_dot_v(&self, at: &Arrival, view: &Vector, observer: &mut impl Observer) -> Wide {
+        narrow(observer, format_args!("l_dot_v"), dot(view, &at.direction), self.formats.cosine)
+    }
+
+    fn base(&self, value: Wide, name: &str, observer: &mut impl Observer) -> Wide {
+        let base = round_to(value, self.formats.base.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
+        observer.see(format_args!("{name}"), base, self.formats.base);
+        base
+    }
+
+    /// (1/(1 + (1 - b²) n))².
+    fn trowbridge_reitz(&self, base: Wide, shininess: Wide, observer: &mut impl Observer) -> Wide {
+        let f = &self.formats;
+        let x = narrow(observer, format_args!("x"), (Wide::ONE - base * base) * shininess, f.base);
+        let u = round_quotient(Wide::ONE, Wide::ONE + x, f.shape.fraction_bits);
+        observer.see(format_args!("u"), u, f.shape);
+        narrow(observer, format_args!("specular"), u * u, f.shape)
+    }
+}

@@ -1,0 +1,111 @@
+//! `phong` on raw values, lights and eye at infinity or not.
+use specula_scene::spec::PhongSpec;
+use specula_scene::spec::phong::Highlight;
+
+use crate::power;
+use crate::raw::{Raw, round};
+
+/// A unit vector, if it has a direction.
+type Direction = Option<[i128; 3]>;
+
+pub fn code(spec: &PhongSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
+    let f = &spec.formats;
+    let (c, s) = (f.cosine.fraction_bits, f.shape.fraction_bits);
+    let bits = c.max(s);
+    let normal = along(spec, raw, "normal", i);
+    let view = if raw.has("eye_start_x") { along(spec, raw, "eye", i) } else { Some([0, 0, 1 << f.vector.fraction_bits]) };
+    let mut terms = Vec::new();
+    for light in 0..lights {
+        let name = |part: &str| format!("light{light}_{part}");
+        let direction = match raw.has(&name("direction_x")) {
+            true => Some(raw.vector(&name("direction"))),
+            false => along(spec, raw, &name("way"), i),
+        };
+        // Diffuse with the cosine's bits, or the shape's behind a spot.
+        let (diffuse, specular) = match (normal, direction) {
+            (Some(n), Some(l)) => lit(spec, raw, n, l, view, light),
+            _ => (0, 0),
+        };
+        let diffuse_bits = if raw.has(&name("axis_x")) { s } else { c };
+        terms.push((name("diffuse"), diffuse << (bits - diffuse_bits)));
+        terms.push((name("specular"), specular << (bits - s)));
+    }
+    ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
+}
+
+fn along(spec: &PhongSpec, raw: &Raw, name: &str, i: u32) -> Direction {
+    let f = &spec.formats;
+    let (v, w, g) = (f.vector.fraction_bits, f.weight.fraction_bits, f.gain.fraction_bits);
+    let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
+    let (start, delta) = (raw.vector(&format!("{name}_start")), raw.vector(&format!("{name}_delta")));
+    let lerp = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
+    let z = round(dot(lerp, lerp), 2 * v, f.length_squared.fraction_bits);
+    let r = reciprocal_root(z, f.length_squared.fraction_bits, g);
+    (z > 0).then(|| lerp.map(|c| round(r * c, g + v, v)))
+}
+
+/// The r of `to` bits with r - 1/2 ≤ 1/√z < r + 1/2 units of the last place, that is (2r - 1)² z ≤ 4 · 2^2to < (2r + 1)² z, by bisection;
+/// 16 for z ≤ 1/256.
+fn reciprocal_root(z: i128, from: u32, to: u32) -> i128 {
+    if z << 8 <= 1 << from {
+        return 16 << to;
+    }
+    let (mut low, mut high) = (0, 17 << to);
+    while high - low > 1 {
+        let middle = (low + high) / 2;
+        let fits = (2 * middle - 1) * (2 * middle - 1) * z <= 1 << (2 * to + 2 + from);
+        (low, high) = if fits { (middle, high) } else { (low, middle) };
+    }
+    low
+}
+
+fn lit(spec: &PhongSpec, raw: &Raw, n: [i128; 3], l: [i128; 3], view: Direction, light: usize) -> (i128, i128) {
+    let f = &spec.formats;
+    let (v, c, b, s) = (f.vector.fraction_bits, f.cosine.fraction_bits, f.base.fraction_bits, f.shape.fraction_bits);
+    let nl = round(dot(n, l), 2 * v, c);
+    let amounts = (nl.max(0), view.map_or(0, |view| specular(spec, raw, [n, l, view], nl, light)));
+    let name = |part: &str| format!("light{light}_{part}");
+    if !raw.has(&name("axis_x")) {
+        return amounts;
+    }
+    let cosine = round(-dot(l, raw.vector(&name("axis"))), 2 * v, b).clamp(0, 1 << b);
+    let share = power::of(cosine, b, raw.get(&name("exponent")), 13, s);
+    (round(share * amounts.0, s + c, s), round(share * amounts.1, 2 * s, s))
+}
+
+fn specular(spec: &PhongSpec, raw: &Raw, [n, l, view]: [[i128; 3]; 3], nl: i128, light: usize) -> i128 {
+    let f = &spec.formats;
+    let (v, c, b, s, g) =
+        (f.vector.fraction_bits, f.cosine.fraction_bits, f.base.fraction_bits, f.shape.fraction_bits, f.gain.fraction_bits);
+    let name = |part: &str| format!("light{light}_{part}");
+    let nv = round(dot(n, view), 2 * v, c);
+    let vl = || round(dot(view, l), 2 * v, c);
+    let exponent = raw.get("shininess");
+    let exponent_bits = u32::BITS - (raw.largest("shininess") as u32).leading_zeros();
+    if spec.highlight == Highlight::Reflection {
+        let vl = if raw.has(&name("light_dot_view")) { raw.get(&name("light_dot_view")) } else { vl() };
+        let base = round(2 * nv * nl - (vl << c), 2 * c, b).clamp(0, 1 << b);
+        return power::of(base, b, exponent, exponent_bits, s);
+    }
+    let gain = match raw.has(&name("halfway_gain")) {
+        true => raw.get(&name("halfway_gain")),
+        false => {
+            let z = f.length_squared.fraction_bits;
+            reciprocal_root(round((2 << c) + 2 * vl(), c, z), z, g)
+        }
+    };
+    let base = round((nl + nv) * gain, c + g, b).clamp(0, 1 << b);
+    match spec.highlight {
+        Highlight::TrowbridgeReitz => {
+            let x = round(((1 << (2 * b)) - base * base) * exponent, 2 * b, b);
+            // 2^(s + 1) 2^b / (2^b + x), and half of it, rounded up.
+            let u = ((1_i128 << (s + 1 + b)) / ((1 << b) + x) + 1) / 2;
+            round(u * u, 2 * s, s)
+        }
+        _ => power::of(base, b, exponent, exponent_bits, s),
+    }
+}
+
+fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
+    (0..3).map(|c| a[c] * b[c]).sum()
+}

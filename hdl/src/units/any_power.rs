@@ -1,0 +1,125 @@
+//! Powers with any whole exponent: 2^(n log₂ b), by tables and short polynomials.
+//!
+//! Widths and error are derived in docs/arithmetic/units.md.
+use specula_scene::format::power_of_two;
+
+use super::fixed_log;
+use crate::builder::{Builder, Sig};
+
+/// b^n for a base from 0 to 1 and whole n ≥ 1, to `fraction_bits`: faithful, off by less than one unit of the last place.
+///
+/// # Error
+/// A base off by e moves b^n by n e at most, and less than 1 in any case.
+pub fn any_power(b: &Builder, base: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
+    b.unit("any_power", "f = b^n = 2^(n log2 b)", (("base", base), ("n", n)), |b, (base, n)| {
+        let exponent_bits = u64::BITS - n.range().high.unsigned_abs().leading_zeros();
+        let error = (base.error_value() * n.range().magnitude()).min(1.0) + power_of_two(-i64::from(fraction_bits));
+        let (zero, one) = (b.integer(0), b.integer(1));
+        let positive = zero.less_than(&base).named("positive");
+        // Of 0 there is no logarithm; 1 goes in instead.
+        let base = positive.choose(&base, &one).named("positive_base");
+        let minus_log = minus_log2(b, &base, fraction_bits + exponent_bits + 3);
+        let y = (&n * minus_log).rounded(fraction_bits + 6).named("y");
+        let vanishes = y.at_least(&b.integer(i64::from(fraction_bits) + 2)).or(&positive.not()).named("vanishes");
+        let beyond = f64::from(fraction_bits + 2) - power_of_two(-i64::from(fraction_bits + 6));
+        let y = vanishes.choose(&zero, &y).assumed(0.0, beyond, "y < f + 2").named("kept_y");
+        let power = two_to_minus(b, &y, fraction_bits);
+        vanishes.choose(&zero, &power).stated_error_value(error.min(1.0)).named("f")
+    })
+}
+
+/// λ = -log₂ b for 0 < b ≤ 1, to `fraction_bits`, off by less than two units of the last place.
+///
+/// b = m 2^-e with 1 ≤ m < 2; c from a table is about 1/m, r = m c - 1 is small, and λ = e + log₂ c - log₂(1 + r).
+fn minus_log2(b: &Builder, base: &Sig, fraction_bits: u32) -> Sig {
+    b.unit("minus_log2", "l = e + log2 c - log2(1 + r), b = m 2^-e, r = m c - 1", (("base", base),), |b, (base,)| {
+        let index_bits = (fraction_bits + 1).div_ceil(4);
+        let (m, e) = normalised(b, &base);
+        let index = (m.truncated(index_bits) - b.integer(1)).times_power_of_two(index_bits as i32);
+        let last = power_of_two(index_bits.into()) - 1.0;
+        let index = index.assumed(0.0, last, "m < 2").named("index");
+
+        let (reciprocals, logarithms) = tables(index_bits, fraction_bits);
+        let c = index.looked_up(reciprocals, index_bits + 4, 0.5).named("c");
+        let log_c = index.looked_up(logarithms, fraction_bits, 0.5).named("log2_c");
+        let small = power_of_two(-i64::from(index_bits));
+        let r = (&m * c - b.integer(1)).assumed(-small, small, "|m c - 1| <= 2^-i").named("r");
+        let s = r.squared().rounded(fraction_bits).named("r_squared");
+        let t = (&r * &s).rounded(fraction_bits).named("r_cubed");
+        // r - r²/2 + r³/3, 1/3 as 5461/2^14: ln(1 + r) to third order.
+        let third = b.integer(5461).times_power_of_two(-14);
+        let q = (r - s.halved() + t * third).rounded(fraction_bits).named("ln");
+        let scale_bits = fraction_bits - index_bits + 2;
+        let log2_e = b.integer(fixed_log::log2_e(scale_bits)).times_power_of_two(-(scale_bits as i32));
+        let log_rest = (q * log2_e).rounded(fraction_bits).named("log2_rest");
+        (e + log_c - log_rest).at_least_zero().named("minus_log2")
+    })
+}
+
+/// About 1/m for each of the 2^`index_bits` parts of 1 ≤ m < 2, with `index_bits` + 4 fraction bits, and their logarithms.
+fn tables(index_bits: u32, fraction_bits: u32) -> (Vec<i64>, Vec<i64>) {
+    let bits = index_bits + 4;
+    let parts = 1i64 << index_bits;
+    // 1/(1 + (i + 1/2)/2^I) = 2^(I+1)/(2^(I+1) + 2i + 1), rounded.
+    let middle = |i: i64| ((4 * parts << bits) / (2 * parts + 2 * i + 1) + 1) / 2;
+    let reciprocal = |i: i64| match i {
+        0 => 1 << bits,
+        i if i == parts - 1 => 1 << (bits - 1),
+        i => middle(i),
+    };
+    let reciprocals: Vec<i64> = (0..parts).map(reciprocal).collect();
+    let logarithms = reciprocals.iter().map(|&c| fixed_log::log2(c, bits, fraction_bits)).collect();
+    (reciprocals, logarithms)
+}
+
+/// m from 1 up to 2 and e with b = m 2^-e, for 0 < b ≤ 1: shifts by 16, 8, 4, 2 and 1 where they leave the number below 2.
+fn normalised(b: &Builder, base: &Sig) -> (Sig, Sig) {
+    let format = base.fraction_bits();
+    b.unit("normalised", "b = m 2^-e, 1 <= m < 2", (("base", base),), |b, (base,)| {
+        let (mut m, mut e) = (base, b.integer(0));
+        let ulp = power_of_two(-i64::from(format));
+        for shift in [16, 8, 4, 2, 1] {
+            let limit = b.integer(1).times_power_of_two(1 - shift);
+            let shifts = m.less_than(&limit).named("shifts");
+            let least = power_of_two(i64::from(1 - shift)).max(ulp);
+            m = shifts.choose(&m.times_power_of_two(shift), &m).assumed(least, 2.0 - ulp, "2^(1-s) <= m < 2").named("m");
+            e = e.with_bit(&shifts).named("e");
+        }
+        (m, e)
+    })
+}
+
+/// 2^-y for 0 ≤ y < `fraction_bits` + 2, rounded to `fraction_bits`.
+///
+/// y = Y + h/64 + δ: a shift, a table's entry, and 1 - d + d²/2 with d = δ ln 2 < 0.0109, whose cube is lost.
+fn two_to_minus(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
+    b.unit("two_to_minus", "f = 2^-y = 2^-Y 2^(-h/64) (1 - d + d^2/2)", (("y", y),), |b, (y,)| {
+        let bits = fraction_bits + 6;
+        let ulp = power_of_two(-i64::from(bits));
+        let whole = y.truncated(0).named("whole");
+        let upper = y.truncated(6);
+        let h = (&upper - &whole).times_power_of_two(6).assumed(0.0, 63.0, "h < 64").named("h");
+        let delta = (&y - &upper).assumed(0.0, 1.0 / 64.0 - ulp, "delta < 1/64").named("delta");
+        let ln_2 = b.integer(fixed_log::ln_2(bits)).times_power_of_two(-(bits as i32));
+        let d = (delta * ln_2).rounded(bits).named("d");
+        let p = (&d - d.squared().halved()).rounded(bits).named("p");
+        let entries = (0..64).map(|h| fixed_log::two_to_minus(h, bits)).collect();
+        let entry = h.looked_up(entries, bits, 0.5).named("entry");
+        let fraction = (entry * (b.integer(1) - p)).rounded(bits).assumed(0.0, 1.0, "2^-x <= 1").named("fraction");
+        shifted_right(b, &fraction, &whole).rounded(fraction_bits).named("power")
+    })
+}
+
+/// x 2^-Y, exactly.
+fn shifted_right(b: &Builder, x: &Sig, by: &Sig) -> Sig {
+    let most = by.range().high;
+    let (mut x, mut by) = (x.clone(), by.clone());
+    for bit in (0..i64::BITS - most.leading_zeros()).rev() {
+        let shift = 1i64 << bit;
+        let shifts = by.at_least(&b.integer(shift)).named("shifts_right");
+        x = shifts.choose(&x.times_power_of_two(-(shift as i32)), &x).named("shifted");
+        let rest = shifts.choose(&(&by - b.integer(shift)), &by);
+        by = rest.assumed(0.0, (shift - 1) as f64, "Y < 2 s").named("rest");
+    }
+    x
+}

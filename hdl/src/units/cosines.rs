@@ -1,0 +1,59 @@
+//! Highlights from cosines. [METHODS A3; Lyon, TR 43, appendix]
+use super::divider::divider;
+use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
+use crate::builder::{Builder, Sig, Vector};
+
+/// The cosine of the angle between unit vectors, rounded to `fraction_bits`.
+pub fn cosine(b: &Builder, x: &Vector, y: &Vector, fraction_bits: u32) -> Sig {
+    b.unit("cosine", "c = X.Y", (("x", x), ("y", y)), |_, (x, y)| {
+        x.dot_within(&y, (x.longest(), y.longest()), "|X.Y| <= |X||Y|").rounded(fraction_bits).named("cosine")
+    })
+}
+
+/// R·L = 2(N·V)(N·L) - V·L, kept within 0 to 1. [METHODS A3, B1]
+pub fn reflected_cosine(b: &Builder, n_dot_v: &Sig, n_dot_l: &Sig, l_dot_v: &Sig, fraction_bits: u32) -> Sig {
+    let inputs = (("n_dot_v", n_dot_v), ("n_dot_l", n_dot_l), ("l_dot_v", l_dot_v));
+    b.unit("reflected_cosine", "R.L = 2(N.V)(N.L) - V.L", inputs, |_, (n_dot_v, n_dot_l, l_dot_v)| {
+        from_0_to_1(&((n_dot_v * n_dot_l).doubled() - l_dot_v), fraction_bits)
+    })
+}
+
+/// H*·N = (N·L + N·V)/|L + V|, kept within 0 to 1; `gain` is 1/|L + V|. [METHODS B6; Lyon, TR 43, appendix, formulation 5]
+pub fn halfway_cosine(b: &Builder, n_dot_v: &Sig, n_dot_l: &Sig, gain: &Sig, fraction_bits: u32) -> Sig {
+    let inputs = (("n_dot_v", n_dot_v), ("n_dot_l", n_dot_l), ("gain", gain));
+    b.unit("halfway_cosine", "H*.N = (N.L + N.V)/|L + V|", inputs, |_, (n_dot_v, n_dot_l, gain)| {
+        from_0_to_1(&((n_dot_l + n_dot_v) * gain), fraction_bits)
+    })
+}
+
+/// 1/|L + V| = 1/√(2 + 2 V·L). [METHODS B6]
+pub fn halfway_gain(b: &Builder, l_dot_v: &Sig, length_squared_bits: u32, to: ReciprocalRoot) -> Sig {
+    b.unit("halfway_gain", "y = 1/sqrt(2 + 2 V.L)", (("l_dot_v", l_dot_v),), |b, (l_dot_v,)| {
+        let squared = (b.integer(2) + l_dot_v.doubled()).rounded(length_squared_bits).named("halfway_squared");
+        // How short H may be depends on the scene: nothing is known of it here.
+        reciprocal_square_root(b, &squared, to, 0.0)
+    })
+}
+
+/// -L·A of a spot with axis A, kept within 0 to 1. [Hast et al., after eq. 35]
+pub fn spot_cosine(b: &Builder, l: &Vector, axis: &Vector, fraction_bits: u32) -> Sig {
+    b.unit("spot_cosine", "s = -L.A", (("l", l), ("axis", axis)), |_, (l, axis)| {
+        let cosine = l.dot_within(&axis, (l.longest(), axis.longest()), "|L.A| <= |L||A|");
+        from_0_to_1(&-cosine, fraction_bits)
+    })
+}
+
+fn from_0_to_1(value: &Sig, fraction_bits: u32) -> Sig {
+    value.rounded(fraction_bits).at_least_zero().clamped_above(1).named("base")
+}
+
+/// Trowbridge and Reitz's (1/(1 + (1 - c²) n))². [Lyon, TR 43, appendix, formulation 12]
+///
+/// x = (1 - c²) n has the base's fraction bits; 1 + x ≥ 1, so the reciprocal is off by no more than x is.
+pub fn trowbridge_reitz(b: &Builder, base: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
+    b.unit("trowbridge_reitz", "f = (1/(1 + (1 - c^2) n))^2", (("base", base), ("n", n)), |b, (base, n)| {
+        let x = ((b.integer(1) - base.squared()) * n).rounded(base.fraction_bits()).at_least_zero().named("x");
+        let reciprocal = divider(b, &b.integer(1), &(b.integer(1) + x), fraction_bits, 1.0);
+        reciprocal.squared().rounded(fraction_bits).named("f")
+    })
+}

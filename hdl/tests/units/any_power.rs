@@ -1,0 +1,50 @@
+//! Powers with any exponent, against numbers of 100 digits' worth of care: exact rational powers.
+use specula_hdl::units;
+use specula_scene::Format;
+
+use super::{Bench, outputs};
+
+/// Largest distance from the true power, in units of the last place, over `rows` of bases and exponents.
+fn worst(base_bits: u32, largest: u32, fraction_bits: u32, rows: &[Vec<i64>]) -> f64 {
+    let one = 1i64 << base_bits;
+    let bench = Bench::new();
+    let base = bench.input("base", Format::unsigned(1, base_bits), (0, one));
+    let n = bench.input("n", Format::unsigned(15, 0), (1, largest.into()));
+    let f = units::any_power(&bench.b, &base, &n, fraction_bits);
+    assert_eq!((f.fraction_bits(), f.range().high), (fraction_bits, 1 << fraction_bits));
+    let design = bench.finish(&[("f", f)]);
+    let off = |(row, got): (&Vec<i64>, Vec<i64>)| {
+        let (b, n) = (row[0] as f64 / one as f64, row[1] as i32);
+        (got[0] as f64 - b.powi(n) * f64::from(1 << fraction_bits)).abs()
+    };
+    rows.iter().zip(outputs(&design, rows)).map(off).fold(0.0, f64::max)
+}
+
+#[test]
+fn every_small_power_is_faithful() {
+    for (base_bits, largest, fraction_bits) in [(6, 15, 4), (8, 7, 8), (5, 40, 6)] {
+        let bases = 0..=1i64 << base_bits;
+        let rows: Vec<Vec<i64>> = bases.flat_map(|b| (1..=i64::from(largest)).map(move |n| vec![b, n])).collect();
+        let worst = worst(base_bits, largest, fraction_bits, &rows);
+        assert!(worst < 1.0, "{worst} units of the last place");
+    }
+}
+
+/// Bases near enough to 1 for the power to be between 0 and 1; and the ends.
+#[test]
+fn large_exponents_are_faithful() {
+    for (base_bits, largest, fraction_bits) in [(17, 256, 12), (22, 8191, 12), (22, 32764, 16)] {
+        let one = 1i64 << base_bits;
+        let near = |n: i64| (0..400).map(move |i| vec![(one - i * one / (40 * n)).max(0), n]);
+        let exponents = [1, 2, 3, i64::from(largest) / 7, i64::from(largest) - 1, i64::from(largest)];
+        let rows: Vec<Vec<i64>> = exponents.into_iter().flat_map(near).collect();
+        let worst = worst(base_bits, largest, fraction_bits, &rows);
+        assert!(worst < 1.0, "{worst} units of the last place");
+    }
+}
+
+#[test]
+fn the_ends_are_exact() {
+    let ends = vec![vec![0, 1], vec![0, 8191], vec![1 << 16, 1], vec![1 << 16, 8191]];
+    assert_eq!(worst(16, 8191, 12, &ends), 0.0);
+}

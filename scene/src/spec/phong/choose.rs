@@ -1,0 +1,78 @@
+//! Options and formats of `phong`: defaults for a scene, and what may be asked for.
+use super::{Highlight, PhongFormats, PhongSpec};
+use crate::format::Format;
+use crate::frame::Frame;
+use crate::needs::Needs;
+use crate::spec::choose::span_bits;
+use crate::spec::describe::Describe;
+use crate::spec::narrowing::{SIGNED_UNIT, UNIT};
+use crate::spec::set_up::SetUpSpan;
+use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint};
+
+impl PhongSpec {
+    /// Options and their values.
+    pub const CHOICES: &'static [Choice] =
+        &[Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\"", "\"trowbridge-reitz\""] }];
+
+    /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits of it (NUMERICS 3b, "power base bits
+    /// alone", has 16 for n = 256 and 21 for 8000), and as many of what it is made of; short vectors lose bits as they are made long.
+    pub fn for_needs(needs: &Needs) -> PhongSpec {
+        let exponent_bits = needs.largest_shininess.max(1).ilog2();
+        let short = (-needs.shortest_normal.min(needs.shortest_way).max(0.0625).log2()).ceil() as u32;
+        let base = (exponent_bits.max(4) + 9).min(22);
+        let vector = (base + short).min(22);
+        PhongSpec {
+            highlight: Highlight::Reflection,
+            formats: PhongFormats {
+                weight_accumulator: Format::unsigned(1, vector + span_bits(needs.longest_span) + 1),
+                weight: Format::unsigned(1, vector),
+                vector: Format::signed(1, vector),
+                length_squared: Format::unsigned(2, (vector + 2 + short).min(24)),
+                gain: Format::unsigned(4, (vector + 1).min(24)),
+                cosine: Format::signed(1, (base + 1).min(24)),
+                base: Format::unsigned(1, base),
+                shape: Format::unsigned(1, 12),
+            },
+        }
+    }
+}
+
+impl Describe for PhongSpec {
+    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
+        self.inputs(core).to_vec()
+    }
+
+    fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
+        // Taken apart, so that a format that is new there cannot be forgotten here.
+        let &PhongFormats { weight_accumulator, weight, vector, length_squared, gain, cosine, base, shape } = &self.formats;
+        let point = NarrowingPoint::rounded;
+        let accumulated = "step of the interpolation weight, rounded by the host";
+        vec![
+            NarrowingPoint::accumulated("weight_accumulator", weight_accumulator, UNIT, (1, span_bits), accumulated),
+            point("weight", weight, UNIT, "interpolation weight a").no_finer_than(weight_accumulator),
+            point("vector", vector, SIGNED_UNIT, "components of interpolated vectors, and of n, l and v").with_at_most(22),
+            point("length_squared", length_squared, Format::unsigned(2, 0), "squared lengths"),
+            point("gain", gain, Format::unsigned(4, 0), "1 over a length, saturated"),
+            point("cosine", cosine, SIGNED_UNIT, "n.l, n.v and v.l"),
+            point("base", base, UNIT, "R.L or H*.N, clamped to 0..1").with_at_most(22),
+            point("shape", shape, UNIT, "powers, and the share of a spot").with_at_most(16),
+        ]
+    }
+
+    fn options(&self) -> Vec<(&'static str, String)> {
+        let highlight = match self.highlight {
+            Highlight::Reflection => "(R.L)^n, R.L = 2(N.V)(N.L) - V.L",
+            Highlight::Blinn => "(H*.N)^4n, H* = (L + V)/|L + V|",
+            Highlight::TrowbridgeReitz => "(1/(1 + (1 - (H*.N)^2) n))^2",
+        };
+        vec![("highlight", highlight.to_owned())]
+    }
+
+    fn shades_from_places(&self) -> bool {
+        true
+    }
+
+    fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
+        Box::new(super::set_up::PhongSetUp { phong: self, frame })
+    }
+}

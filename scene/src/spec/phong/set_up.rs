@@ -1,0 +1,70 @@
+//! Set-up of a span for `phong`.
+use glam::DVec3;
+
+use super::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
+use crate::frame::{DirectionalLight, EYE, Frame, LocalLight, Span};
+use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+
+/// Sets up the spans of a frame.
+pub(super) struct PhongSetUp<'a> {
+    pub phong: &'a PhongSpec,
+    pub frame: &'a Frame,
+}
+
+impl SetUpSpan for PhongSetUp<'_> {
+    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+        let (f, frame) = (&self.phong.formats, self.frame);
+        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let (at_infinity, local) = material.lights.split_at(frame.lights.len());
+        let at_infinity = frame.lights.iter().zip(at_infinity).map(|(light, c)| self.at_infinity(light, c));
+        let local = frame.local_lights.iter().zip(local).map(|(light, c)| self.at_a_place(span, light, c));
+        let inputs = PhongInputs {
+            normal: way(f, frame.end_normals(span)),
+            weight_step: f.weight_accumulator.quantise(step),
+            shininess: i64::from(frame.material(span).shininess * self.phong.highlight.exponent_factor()),
+            eye: frame.eye.map(|eye| way(f, frame.end_vectors_to(span, eye))),
+            ambient: material.ambient,
+            lights: at_infinity.chain(local).collect(),
+        };
+        inputs.to_vec()
+    }
+}
+
+impl PhongSetUp<'_> {
+    fn at_infinity(&self, light: &DirectionalLight, &Coefficients { diffuse, specular }: &Coefficients) -> PhongLight<i64> {
+        let (f, l) = (&self.phong.formats, light.direction);
+        let constant = self.frame.eye.is_none();
+        let in_reflection = self.phong.highlight == Highlight::Reflection;
+        PhongLight {
+            direction: Some(f.vector.quantise_vector(l)),
+            way: None,
+            axis: None,
+            exponent: None,
+            light_dot_view: (constant && in_reflection).then(|| f.cosine.quantise(l.dot(EYE))),
+            // Where L = -V the gain saturates, and H = 0 makes nothing of it (EXTREMES row 12).
+            halfway_gain: (constant && !in_reflection).then(|| f.gain.quantise((l + EYE).length().recip())),
+            diffuse,
+            specular,
+        }
+    }
+
+    fn at_a_place(&self, span: &Span, light: &LocalLight, &Coefficients { diffuse, specular }: &Coefficients) -> PhongLight<i64> {
+        let f = &self.phong.formats;
+        PhongLight {
+            direction: None,
+            way: Some(way(f, self.frame.end_vectors_to(span, light.position))),
+            axis: light.spot.as_ref().map(|spot| f.vector.quantise_vector(spot.axis)),
+            exponent: light.spot.as_ref().map(|spot| i64::from(spot.exponent)),
+            light_dot_view: None,
+            halfway_gain: None,
+            diffuse,
+            specular,
+        }
+    }
+}
+
+/// A vector along the span, by its values at the ends.
+fn way(formats: &PhongFormats, ends: [DVec3; 2]) -> Way<i64> {
+    let [start, end] = ends.map(|v| formats.vector.quantise_vector(v));
+    Way { start, delta: std::array::from_fn(|i| end[i] - start[i]) }
+}
