@@ -4,7 +4,7 @@ use specula_scene::frame::EYE;
 use specula_scene::{Frame, LocalLight, Span};
 
 use super::normalisation::unit;
-use super::shape::power;
+use super::point_light;
 
 /// A light as it is seen from one point.
 pub struct Illumination {
@@ -31,7 +31,7 @@ pub fn lights(frame: &Frame, span: &Span, weights: [f64; 3]) -> impl Iterator<It
 
 /// L = (F - P)/|F - P| and, for a spot, max(-L·axis, 0)^p [Hast et al., eq. 35 and after; METHODS.md C15].
 fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
-    let direction = unit(light.position - position)?;
-    let share = light.spot.as_ref().map_or(1.0, |spot| power(-direction.dot(spot.axis), spot.exponent));
+    let direction = point_light::direction(light.position, position)?;
+    let share = light.spot.as_ref().map_or(1.0, |spot| point_light::spot(-spot.axis, direction, spot.exponent));
     Some(Illumination { direction, share })
 }

@@ -5,6 +5,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
+use super::distributions::trowbridge_reitz;
 use super::illumination::{self, Illumination};
 use super::method::ShadePixel;
 use super::normalisation::unit;
@@ -57,7 +58,7 @@ impl<'a> PhongSpan<'a> {
         match self.highlight {
             Highlight::Reflection => power(2.0 * normal.dot(view) * normal.dot(light) - view.dot(light), self.shininess),
             Highlight::Blinn => power(cosine_to_halfway(normal, light, view), 4 * self.shininess),
-            Highlight::TrowbridgeReitz => trowbridge_reitz(cosine_to_halfway(normal, light, view), self.shininess),
+            Highlight::TrowbridgeReitz => trowbridge_reitz(cosine_to_halfway(normal, light, view), f64::from(self.shininess)),
         }
     }
 }
@@ -71,9 +72,4 @@ impl ShadePixel for PhongSpan<'_> {
 /// H*·N with H* = (L + V)/|L + V|, kept within 0 to 1; 0 for L = -V (EXTREMES row 12).
 pub fn cosine_to_halfway(normal: DVec3, light: DVec3, view: DVec3) -> f64 {
     unit(light + view).map_or(0.0, |halfway| halfway.dot(normal).clamp(0.0, 1.0))
-}
-
-/// Trowbridge and Reitz's (1/(1 + (1 - c²) n))², c = H*·N from 0 to 1 [Lyon, TR 43, appendix, formulation 12].
-pub fn trowbridge_reitz(cosine: f64, n: u32) -> f64 {
-    (1.0 + (1.0 - cosine * cosine) * f64::from(n)).recip().powi(2)
 }
