@@ -67,19 +67,26 @@ impl<'a> Lanes<'a> {
     }
 }
 
-/// The watched signals over a batch of clocks, as an engine shows them.
-#[derive(Clone, Debug)]
+/// Columns that can be looked at, one for each watched signal.
+pub trait Show {
+    /// All rows of column number `column`.
+    fn lanes(&self, column: usize) -> Lanes<'_>;
+}
+
+/// The watched signals over a batch of clocks, as an engine shows them. A column is looked up when it is asked for, so that what nobody
+/// looks at costs nothing.
+#[derive(Clone)]
 pub struct Batch<'a> {
     first_clock: u64,
-    clocks: usize,
+    rows: Range<usize>,
     nodes: &'a [NodeId],
-    lanes: Vec<Lanes<'a>>,
+    columns: &'a dyn Show,
 }
 
 impl<'a> Batch<'a> {
-    /// `clocks` clocks from `first_clock` on of these signals; all lanes have as many rows.
-    pub fn new(first_clock: u64, clocks: usize, nodes: &'a [NodeId], lanes: Vec<Lanes<'a>>) -> Batch<'a> {
-        Batch { first_clock, clocks, nodes, lanes }
+    /// `clocks` clocks from `first_clock` on of these signals; all columns have as many rows.
+    pub fn new(first_clock: u64, clocks: usize, nodes: &'a [NodeId], columns: &'a dyn Show) -> Batch<'a> {
+        Batch { first_clock, rows: 0..clocks, nodes, columns }
     }
 
     /// The clock of the first row.
@@ -89,12 +96,12 @@ impl<'a> Batch<'a> {
 
     /// Number of clocks.
     pub fn clocks(&self) -> usize {
-        self.clocks
+        self.rows.len()
     }
 
     /// The clocks it covers.
     pub fn span(&self) -> Range<u64> {
-        self.first_clock..self.first_clock + self.clocks as u64
+        self.first_clock..self.first_clock + self.clocks() as u64
     }
 
     /// The signals, in the order of the columns.
@@ -102,14 +109,23 @@ impl<'a> Batch<'a> {
         self.nodes
     }
 
+    /// The values of signal number `column`.
+    ///
+    /// # Panics
+    /// If there are fewer signals.
+    #[inline]
+    pub fn lanes(&self, column: usize) -> Lanes<'a> {
+        self.columns.lanes(column).rows(self.rows.clone())
+    }
+
     /// The values of each signal.
-    pub fn lanes(&self) -> &[Lanes<'a>] {
-        &self.lanes
+    pub fn columns(&self) -> impl Iterator<Item = Lanes<'a>> + '_ {
+        (0..self.nodes.len()).map(|column| self.lanes(column))
     }
 
     /// The values of a signal.
     pub fn of(&self, node: NodeId) -> Option<Lanes<'a>> {
-        self.nodes.iter().position(|&n| n == node).map(|i| self.lanes[i])
+        self.nodes.iter().position(|&n| n == node).map(|column| self.lanes(column))
     }
 
     /// The rows whose clocks lie in `window`.
@@ -117,9 +133,8 @@ impl<'a> Batch<'a> {
         let span = self.span();
         let first = window.start.clamp(span.start, span.end);
         let last = window.end.clamp(first, span.end);
-        let rows = (first - span.start) as usize..(last - span.start) as usize;
-        let lanes = self.lanes.iter().map(|lanes| lanes.rows(rows.clone())).collect();
-        Batch { first_clock: first, clocks: rows.len(), nodes: self.nodes, lanes }
+        let row = |clock: u64| self.rows.start + (clock - span.start) as usize;
+        Batch { first_clock: first, rows: row(first)..row(last), ..*self }
     }
 }
 
@@ -161,8 +176,12 @@ impl Columns {
         if self.clocks() == 0 {
             self.first_clock = batch.first_clock();
         }
-        for (column, lanes) in self.values.iter_mut().zip(batch.lanes()) {
-            column.extend(lanes.iter());
+        for (column, lanes) in self.values.iter_mut().zip(batch.columns()) {
+            match lanes {
+                Lanes::Narrow(lanes) => column.extend(lanes.iter().map(|&lane| i64::from(lane))),
+                Lanes::Wide(lanes) => column.extend_from_slice(lanes),
+                Lanes::Constant(value, clocks) => column.resize(column.len() + clocks, value),
+            }
         }
     }
 
@@ -173,7 +192,12 @@ impl Columns {
 
     /// All of it as a batch.
     pub fn batch(&self) -> Batch<'_> {
-        let lanes = self.values.iter().map(|column| Lanes::Wide(column)).collect();
-        Batch::new(self.first_clock, self.clocks(), &self.nodes, lanes)
+        Batch::new(self.first_clock, self.clocks(), &self.nodes, self)
+    }
+}
+
+impl Show for Columns {
+    fn lanes(&self, column: usize) -> Lanes<'_> {
+        Lanes::Wide(&self.values[column])
     }
 }

@@ -79,7 +79,7 @@ impl<W: Write + Seek> Waves<W> {
     /// # Errors
     /// What the system says if the file cannot be written.
     pub fn append(&mut self, batch: &Batch) -> io::Result<()> {
-        let lanes: Vec<Lanes> = self.variables.iter().map(|variable| batch.lanes()[variable.column]).collect();
+        let lanes: Vec<Lanes> = self.variables.iter().map(|variable| batch.lanes(variable.column)).collect();
         for first in (0..batch.clocks()).step_by(BLOCK) {
             let rows = first..batch.clocks().min(first + BLOCK);
             self.changes.find(&lanes, rows.clone());

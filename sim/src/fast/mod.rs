@@ -8,6 +8,7 @@ mod flow;
 mod fuse;
 mod idle;
 mod input;
+mod kept;
 mod memory;
 mod parallel;
 mod plan;
@@ -40,7 +41,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings { batch: 512, level: Level::best(), threads: 1, piece: 16_384 }
+        Settings { batch: 512, level: Level::best(), threads: 1, piece: 32_768 }
     }
 }
 
@@ -70,9 +71,10 @@ impl Engine for Fast<'_> {
 
     fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
         let plan = plan(self.design, watched, self.settings.batch, self.settings.level);
-        match parallel::pool(self.settings, &plan) {
-            Some(pool) => Pieces { plan: &plan, design: self.design, stimulus, settings: self.settings, watched }.run(&pool, sink),
-            None => Run::new(plan, self.design, stimulus, self.settings.batch).finish(watched, sink),
+        if parallel::pays(self.settings, &plan) {
+            Pieces { plan: &plan, design: self.design, stimulus, settings: self.settings, watched }.run(sink);
+        } else {
+            Run::new(plan, self.design, stimulus, self.settings.batch).finish(watched, sink);
         }
         Ok(())
     }

@@ -2,31 +2,31 @@
 //!
 //! In a pipeline without other feedback than accumulators that every span loads, the values of some clocks depend on the inputs of a
 //! bounded number of clocks before them, from the beginning of a span on. So the run is cut into pieces of clocks, each evaluated by
-//! itself from far enough back, and handed over in order: the same values whatever the number of threads.
+//! itself from far enough back, and handed over in order: the same values whatever the number of threads. Threads take pieces in turn and
+//! go on to their next while the last one is looked at.
 use std::ops::Range;
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::thread::{self, Scope};
 
-use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 
 use super::Settings;
+use super::kept::Kept;
 use super::plan::Plan;
 use super::run::Run;
-use crate::{Batch, Columns, Flow, Stimulus};
+use crate::{Batch, Flow, Stimulus};
 
-/// Values that a piece may hold: 8 MiB. A piece is copied before it is handed over, so where many signals are watched one thread, which
-/// shows its columns in place, is faster, and its memory does not grow with the piece.
-const MOST_VALUES: usize = 1 << 20;
+/// Values that a piece may hold: 8 MiB, where they have 32 bits. A piece is copied before it is handed over, so where many signals are
+/// watched one thread, which shows its columns in place, is faster, and its memory does not grow with the piece.
+const MOST_VALUES: usize = 1 << 21;
+/// Pieces of a thread that may wait to be looked at while it works on another.
+const WAITING: usize = 1;
 
-/// Threads for a plan, if more than one is wanted, it can be cut into pieces, and pieces of so many clocks are small.
-pub fn pool(settings: Settings, plan: &Plan) -> Option<ThreadPool> {
+/// Whether more than one thread is wanted for a plan, it can be cut into pieces, and pieces of so many clocks are small.
+pub fn pays(settings: Settings, plan: &Plan) -> bool {
     let values = plan.watched.len().saturating_mul(settings.piece);
-    if settings.threads < 2 || !plan.restarts_with_spans || values > MOST_VALUES {
-        return None;
-    }
-    // Where no threads are to be had, the run goes on without.
-    ThreadPoolBuilder::new().num_threads(settings.threads).build().ok()
+    settings.threads > 1 && plan.restarts_with_spans && values <= MOST_VALUES
 }
 
 /// A run that is cut into pieces.
@@ -40,15 +40,36 @@ pub struct Pieces<'a> {
 }
 
 impl Pieces<'_> {
-    /// Evaluates as many pieces at once as the pool has threads and hands their clocks over in order.
-    pub fn run(&self, pool: &ThreadPool, sink: &mut dyn FnMut(&Batch) -> Flow) {
-        let pieces: Vec<Range<u64>> = self.pieces().collect();
-        for group in pieces.chunks(2 * pool.current_num_threads()) {
-            let results: Vec<Columns> = pool.install(|| group.par_iter().map(|piece| self.evaluate(piece)).collect());
-            if results.iter().any(|columns| sink(&columns.batch()) == Flow::Stop) {
-                return;
+    /// Evaluates pieces on as many threads as the settings say, and hands their clocks over in order on this one.
+    pub fn run(&self, sink: &mut dyn FnMut(&Batch) -> Flow) {
+        let threads = self.settings.threads;
+        thread::scope(|scope| {
+            let workers: Vec<Option<Receiver<Kept>>> = (0..threads).map(|number| self.worker(scope, number)).collect();
+            for (number, piece) in self.pieces().enumerate() {
+                let kept = match &workers[number % threads] {
+                    Some(results) => results.recv().ok(),
+                    None => Some(self.evaluate(&piece)),
+                };
+                // Nothing comes from a thread that has panicked, and the scope passes its panic on. Threads end when nobody receives.
+                let Some(kept) = kept else { return };
+                if sink(&kept.batch(self.watched)) == Flow::Stop {
+                    return;
+                }
             }
-        }
+        });
+    }
+
+    /// Has every piece whose turn is that of thread `number` evaluated by a thread; `None` where no thread is to be had.
+    fn worker<'scope>(&'scope self, scope: &'scope Scope<'scope, '_>, number: usize) -> Option<Receiver<Kept>> {
+        let (results, receiver) = sync_channel(WAITING);
+        let work = move || {
+            for piece in self.pieces().skip(number).step_by(self.settings.threads) {
+                if results.send(self.evaluate(&piece)).is_err() {
+                    return;
+                }
+            }
+        };
+        thread::Builder::new().spawn_scoped(scope, work).ok().map(|_| receiver)
     }
 
     fn pieces(&self) -> impl Iterator<Item = Range<u64>> {
@@ -57,16 +78,16 @@ impl Pieces<'_> {
         clocks.step_by(self.settings.piece).map(move |first| first..(first + piece).min(end))
     }
 
-    fn evaluate(&self, piece: &Range<u64>) -> Columns {
+    fn evaluate(&self, piece: &Range<u64>) -> Kept {
         let part = self.stimulus.reaching_back(piece, self.plan.reach);
-        let mut columns = Columns::new(self.watched);
+        let mut kept = Kept::new(piece);
         Run::new(self.plan.clone(), self.design, &part, self.settings.batch).finish(self.watched, &mut |shown| {
             let shown = shown.within(piece);
             if shown.clocks() > 0 {
-                columns.extend(&shown);
+                kept.extend(&shown);
             }
             Flow::Continue
         });
-        columns
+        kept
     }
 }

@@ -5,7 +5,9 @@ use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 
 use super::input::InputFeed;
+use super::memory::Memory;
 use super::plan::{Plan, Watched};
+use crate::columns::Show;
 use crate::{Batch, Flow, Lanes, Stimulus};
 
 /// Clocks of reset before the first clock of a run, with all inputs 0: registers that hold data take one step in it.
@@ -46,7 +48,8 @@ impl<'a> Run<'a> {
     /// Runs to the end, or until `sink` stops it. `watched` are the signals that the plan was made for.
     pub fn finish(mut self, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) {
         while let Some(rows) = self.evaluate() {
-            if !rows.is_empty() && sink(&self.show(rows, watched)) == Flow::Stop {
+            let (first, shown) = (self.first_clock + rows.start - RESET_CLOCKS, self.shown(&rows));
+            if !rows.is_empty() && sink(&Batch::new(first, shown.clocks, watched, &shown)) == Flow::Stop {
                 break;
             }
             self.advance();
@@ -79,23 +82,33 @@ impl<'a> Run<'a> {
         Some(rows)
     }
 
-    /// These clocks of the watched signals.
-    fn show<'b>(&'b self, rows: Range<u64>, nodes: &'b [NodeId]) -> Batch<'b> {
-        let clocks = (rows.end - rows.start) as usize;
-        let lanes = |watched: &Watched| match *watched {
-            Watched::Constant(value) => Lanes::Constant(value, clocks),
-            Watched::Column { place, shift } => {
-                let first = (rows.start as i64 - shift as i64 - self.position) as isize;
-                self.plan.memory.lanes(place, first, clocks)
-            }
-        };
-        let lanes = self.plan.watched.iter().map(lanes).collect();
-        Batch::new(self.first_clock + rows.start - RESET_CLOCKS, clocks, nodes, lanes)
+    /// The watched signals at these clocks of the run.
+    fn shown(&self, rows: &Range<u64>) -> Shown<'_> {
+        let Plan { memory, watched, .. } = &self.plan;
+        Shown { memory, watched, lane: rows.start as isize - self.position as isize, clocks: (rows.end - rows.start) as usize }
     }
 
     /// Goes on to the next batch.
     fn advance(&mut self) {
         self.plan.memory.advance(self.lanes);
         self.position += self.lanes as i64;
+    }
+}
+
+/// Some clocks of the watched signals.
+struct Shown<'a> {
+    memory: &'a Memory,
+    watched: &'a [Watched],
+    /// The lane of the first of them in a column that is not ahead.
+    lane: isize,
+    clocks: usize,
+}
+
+impl Show for Shown<'_> {
+    fn lanes(&self, column: usize) -> Lanes<'_> {
+        match self.watched[column] {
+            Watched::Constant(value) => Lanes::Constant(value, self.clocks),
+            Watched::Column { place, shift } => self.memory.lanes(place, self.lane - shift as isize, self.clocks),
+        }
     }
 }

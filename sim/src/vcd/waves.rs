@@ -9,8 +9,8 @@ use super::PERIOD;
 use super::header::{Header, Variable};
 use super::record::Record;
 use super::rows::Rows;
+use crate::Batch;
 use crate::changes::changes;
-use crate::{Batch, Lanes};
 
 /// Bytes that are gathered before they are written. More of them at a time are not copied first.
 const PIECE: usize = 64 << 10;
@@ -50,7 +50,7 @@ impl<W: Write> Waves<W> {
             let rows = first..batch.clocks().min(first + self.rows.count());
             let clock = batch.first_clock() + first as u64;
             self.rising_edges(clock, rows.len());
-            self.changes(batch.lanes(), rows.clone());
+            self.changes(batch, rows.clone());
             self.falling_edges(clock, rows.len());
             self.rows.write(rows.len(), &mut self.out)?;
         }
@@ -69,10 +69,10 @@ impl<W: Write> Waves<W> {
         }
     }
 
-    fn changes(&mut self, lanes: &[Lanes], rows: Range<usize>) {
+    fn changes(&mut self, batch: &Batch, rows: Range<usize>) {
         let first = u64::from(self.next.is_none());
         for variable in &mut self.variables {
-            let lanes = lanes[variable.column];
+            let lanes = batch.lanes(variable.column);
             let changed = changes(lanes, rows.clone(), &mut variable.last) | first;
             self.rows.values(changed, &variable.record, lanes.rows(rows.clone()));
         }

@@ -55,7 +55,7 @@ impl Summing {
         let row = |clock: u64| (clock.clamp(span.start, span.end) - span.start) as usize;
         let rows = row(self.leaving.start)..row(self.leaving.end);
         for (sum, &place) in self.sums.0.iter_mut().zip(&self.places) {
-            *sum = sum.wrapping_add(added_up(batch.lanes()[place].rows(rows.clone())));
+            *sum = sum.wrapping_add(added_up(batch.lanes(place).rows(rows.clone())));
         }
     }
 
