@@ -79,6 +79,22 @@ pub(super) fn span_bits(longest_span: u32) -> u32 {
     longest_span.next_power_of_two().ilog2()
 }
 
+/// Bits by which q = N·N falls short of 1 where normals are shortest; 8 at most, which spans of 165 degrees take.
+pub(super) fn small_q_bits(needs: &Needs) -> u32 {
+    (-2.0 * needs.shortest_normal.max(0.0625).log2()).ceil() as u32
+}
+
+/// Whether every exponent is one that squaring alone reaches.
+///
+/// # Errors
+/// [`SpecError::UnevenShininess`] in the name of `method` if one is not.
+pub(super) fn powers_of_two_only(needs: &Needs, method: &'static str) -> Result<(), SpecError> {
+    needs.uneven_shininess.map_or(Ok(()), |shininess| {
+        let above = shininess.next_power_of_two();
+        Err(SpecError::UnevenShininess { method, shininess, below: above / 2, above })
+    })
+}
+
 /// The default with the user's keys in place of its own.
 pub(super) fn merged<T: Serialize + DeserializeOwned>(default: &T, changes: &toml::Table) -> Result<T, SpecError> {
     let fail = |message: String| SpecError::Core { message };

@@ -2,8 +2,8 @@
 
 /// Defines a struct of a core's inputs, in port order, with `map` over all of them.
 ///
-/// A field is `one` input, a `vector` of three, a `vector_if_any`, a `group(Type)` of inputs that is such a struct itself, or `many(Type)`
-/// of them.
+/// A field is `one` input, a `vector` of three, a `group(Type)` of inputs that is such a struct itself, each also as `_if_any`, or
+/// `many(Type)` of them.
 macro_rules! inputs {
     ($(#[$about:meta])* $name:ident { $($(#[$field_about:meta])* $field:ident: $kind:ident $(($inner:ident))?,)* }) => {
         $(#[$about])*
@@ -35,13 +35,17 @@ macro_rules! inputs {
     };
     (@type one) => { T };
     (@type vector) => { [T; 3] };
+    (@type one_if_any) => { Option<T> };
     (@type vector_if_any) => { Option<[T; 3]> };
     (@type group($inner:ident)) => { $inner<T> };
+    (@type group_if_any($inner:ident)) => { Option<$inner<T>> };
     (@type many($inner:ident)) => { Vec<$inner<T>> };
     (@map $f:ident, $value:expr, one) => { $f($value) };
     (@map $f:ident, $value:expr, vector) => { $value.each_ref().map(&mut *$f) };
     (@map $f:ident, $value:expr, vector_if_any) => { $value.as_ref().map(|v| v.each_ref().map(&mut *$f)) };
+    (@map $f:ident, $value:expr, one_if_any) => { $value.as_ref().map(&mut *$f) };
     (@map $f:ident, $value:expr, group) => { $value.map_with($f) };
+    (@map $f:ident, $value:expr, group_if_any) => { $value.as_ref().map(|group| group.map_with($f)) };
     (@map $f:ident, $value:expr, many) => { $value.iter().map(|each| each.map_with($f)).collect() };
 }
 
