@@ -54,3 +54,8 @@ fn lyon_agrees() {
 fn hybrid_agrees() {
     (0..250).for_each(|seed| agrees(seed, Method::Hybrid));
 }
+
+#[test]
+fn duff_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Duff));
+}

@@ -5,14 +5,11 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::forward::Accumulator;
-use super::highlight::{amount, cosine, power, quotient, reflection};
+use super::highlight::{amount, cosine, power, quotient, reflection, root};
 use super::method::{Method, Values};
-use super::number::{Wide, round_reciprocal_root, round_signed_quotient};
+use super::number::{Wide, round_signed_quotient};
 use super::observer::{Observer, OfLight};
 use super::packet::PacketError;
-
-/// The largest |p/q|: 1/√q of the smallest q that an operand of 24 fraction bits has.
-const LARGEST_QUOTIENT: i64 = 4096;
 
 /// The method in one core's formats.
 pub(super) struct Duff {
@@ -83,8 +80,7 @@ impl Duff {
     fn common(&self, inputs: &DuffInputs<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
         let f = &self.formats;
         let q = self.quadratic().quadratic(observer, "denominator", &inputs.denominator, i);
-        let s = if q > Wide::ZERO { round_reciprocal_root(q, f.root.fraction_bits) } else { Wide::ZERO };
-        observer.see(format_args!("root"), s, f.root);
+        let s = root(observer, q, f.root);
         let (mut view, mut view_cosine) = (Wide::ZERO, Wide::ZERO);
         if let Some(linear) = &inputs.view {
             view = self.linear().linear(observer, "view", linear, i);
@@ -111,8 +107,8 @@ impl Duff {
                 quotient(observer, p, pixel.q, f.base)
             }
             Highlight::Eq33 => {
-                let bits = f.quotient.fraction_bits;
-                let t = if has_direction { round_signed_quotient(p, pixel.q, bits, LARGEST_QUOTIENT) } else { Wide::ZERO };
+                let (bits, limit) = (f.quotient.fraction_bits, 1 << f.root.integer_bits);
+                let t = if has_direction { round_signed_quotient(p, pixel.q, bits, limit) } else { Wide::ZERO };
                 observer.see(format_args!("quotient"), t, f.quotient);
                 reflection(observer, has_direction, ((pixel.view * t) << 1) - light_dot_view, f.base)
             }

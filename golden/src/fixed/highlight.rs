@@ -1,8 +1,17 @@
 //! Cosines and bases of highlights, and their powers.
 use specula_scene::Format;
 
-use super::number::{Wide, round_quotient, round_to};
+use super::number::{Wide, round_quotient, round_reciprocal_root, round_to};
 use super::observer::{Observer, narrow};
+
+/// s = 1/√max(q, 4^-m) with m the format's integer bits, and 0 where q ≤ 0.
+pub(super) fn root(observer: &mut impl Observer, q: Wide, format: Format) -> Wide {
+    let smallest = Wide::ONE >> (2 * format.integer_bits);
+    let root =
+        if q > Wide::ZERO { round_reciprocal_root(q.max(smallest), format.fraction_bits) } else { Wide::ZERO };
+    observer.see(format_args!("root"), root, format);
+    root
+}
 
 /// u·N s, kept within -1 to 1; `product` is exact.
 pub(super) fn cosine(observer: &mut impl Observer, name: &str, product: Wide, format: Format) -> Wide {

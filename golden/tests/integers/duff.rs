@@ -13,7 +13,7 @@ pub fn code(spec: &DuffSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let of_q = |name: &str| quadratic(raw, name, i, f.accumulator.fraction_bits, operand);
     let linear = |name: &str| linear(raw, name, i, f.linear_accumulator.fraction_bits, operand);
     let q = of_q("denominator");
-    let s = if q > 0 { reciprocal_root(q, operand, f.root.fraction_bits) } else { 0 };
+    let s = if q > 0 { reciprocal_root(q.max(1 << (operand - 2 * f.root.integer_bits)), operand, f.root.fraction_bits) } else { 0 };
     let cosine = |p: i128| cosine(p * s, operand + f.root.fraction_bits, cosine_bits);
     let mut terms = Vec::new();
     for light in 0..lights {
@@ -24,7 +24,8 @@ pub fn code(spec: &DuffSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
             Highlight::Quotient => base(of_q(&format!("light{light}_numerator")), q, base_bits),
             Highlight::Eq33 if q > 0 => {
                 let t_bits = f.quotient.fraction_bits;
-                let product = 2 * linear("view") * nearest_quotient(p, q, t_bits).clamp(-4096 << t_bits, 4096 << t_bits);
+                let limit = f.root.integer_bits + t_bits;
+                let product = 2 * linear("view") * nearest_quotient(p, q, t_bits).clamp(-1 << limit, 1 << limit);
                 less_light(raw, light, product, operand + t_bits, cosine_bits, base_bits)
             }
             Highlight::Eq34 if q > 0 => {

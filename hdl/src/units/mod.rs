@@ -1,11 +1,12 @@
 //! Units: short functions from signals to signals that read like the papers' formulas.
 mod colour;
+mod cosine;
 mod difference;
 mod diffuse;
 mod divider;
 mod interpolate;
+mod linear;
 mod normalise;
-mod normalise_exactly;
 mod power;
 mod quadratic;
 mod reciprocal_square_root;
@@ -13,12 +14,13 @@ mod shape;
 mod square_root;
 
 pub use colour::{Coefficients, Light, channels};
+pub use cosine::{Base, Length, amount, cosine, reflected_base, root};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use interpolate::{SpanNormals, interpolate};
+pub use linear::{Steps, linear};
 pub use normalise::normalise;
-pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};

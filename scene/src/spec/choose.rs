@@ -7,6 +7,7 @@ use super::{
     NarrowingPoint, SpecError,
 };
 use crate::format::Format;
+use super::narrowing::LARGEST_ROOT_REACH;
 use crate::needs::Needs;
 
 /// The most integer bits of a coefficient: 256 times full scale.
@@ -82,6 +83,13 @@ pub(super) fn span_bits(longest_span: u32) -> u32 {
 /// Bits by which q = N·N falls short of 1 where normals are shortest; 8 at most, which spans of 165 degrees take.
 pub(super) fn small_q_bits(needs: &Needs) -> u32 {
     (-2.0 * needs.shortest_normal.max(0.0625).log2()).ceil() as u32
+}
+
+/// Integer bits m of 1/√q that reach twice as far as the shortest normal asks, so that rounding cannot lead past them; q of
+/// `operand` fraction bits tells 4^-m from 0.
+pub(super) fn root_reach(needs: &Needs, operand: u32) -> u32 {
+    let shortest = needs.shortest_normal.max(0.5f64.powi(LARGEST_ROOT_REACH as i32));
+    ((-shortest.log2()).ceil() as u32 + 1).min(operand / 2).min(LARGEST_ROOT_REACH)
 }
 
 /// Whether every exponent is one that squaring alone reaches.

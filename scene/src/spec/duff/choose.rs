@@ -3,9 +3,9 @@ use super::{DuffFormats, DuffSpec, Highlight};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
-use crate::spec::choose::{powers_of_two_only, small_q_bits, span_bits};
+use crate::spec::choose::{powers_of_two_only, root_reach, small_q_bits, span_bits};
 use crate::spec::describe::Describe;
-use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::spec::narrowing::{LARGEST_ROOT_REACH, MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 
@@ -29,7 +29,7 @@ impl DuffSpec {
                 linear_accumulator: Format::signed(1, (s + 13 + j + small_q / 2).max(operand)),
                 accumulator: Format::signed(3, (2 * s + 9 + j + small_q).max(operand)),
                 operand: Format::signed(1, operand),
-                root: Format::unsigned(2, at_most(12 + j)),
+                root: Format::unsigned(root_reach(needs, operand), at_most(12 + j)),
                 quotient: Format::signed(2, at_most(12 + j)),
                 cosine: Format::signed(1, at_most(11 + j)),
                 diffuse: Format::unsigned(1, 12),
@@ -51,13 +51,17 @@ impl Describe for DuffSpec {
         let (linear, quadratic) = ((1, span_bits), (2, span_bits));
         let steps = "start and step of N.L, N.V and N.H, rounded by the host";
         let differences = "start and differences of q = N.N and of the numerator, rounded by the host";
+        // q is told from what s reaches to.
+        let finest_q = 2 * root.integer_bits;
+        let reach = Format::unsigned(root.integer_bits.clamp(1, LARGEST_ROOT_REACH), 0);
         vec![
-            accumulated("linear_accumulator", linear_accumulator, SIGNED_UNIT, linear, steps),
-            accumulated("accumulator", accumulator, Format::signed(3, 0), quadratic, differences),
+            accumulated("linear_accumulator", linear_accumulator, SIGNED_UNIT, linear, steps).with_at_least(finest_q),
+            accumulated("accumulator", accumulator, Format::signed(3, 0), quadratic, differences).with_at_least(finest_q),
             point("operand", operand, SIGNED_UNIT, "N.L, N.V, N.H, q and the numerator")
                 .no_finer_than(linear_accumulator)
-                .no_finer_than(accumulator),
-            point("root", root, Format::unsigned(2, 0), "s = 1/sqrt q"),
+                .no_finer_than(accumulator)
+                .with_at_least(finest_q),
+            point("root", root, reach, "s = 1/sqrt q"),
             point("quotient", quotient, Format::signed(2, 0), "N.L/q, with eq. 33"),
             point("cosine", cosine, SIGNED_UNIT, "N.L s, N.V s and N.H s, clamped to -1..1, and L.V"),
             point("diffuse", diffuse, UNIT, "N.L s, clamped at 0").no_finer_than(cosine),

@@ -46,9 +46,9 @@ pub struct DuffFormats {
     pub accumulator: Format,
     /// p, q, N·V, N·H and the numerator, rounded from their accumulators: `S1.f`.
     pub operand: Format,
-    /// s = 1/√q: `U2.f`.
+    /// s = 1/√q: `U<m>.f`. The integer bits m, 1 to 12, say how far it reaches: 2^m, for normals no shorter than 2^-m.
     pub root: Format,
-    /// p/q (with eq. 33 only): `S2.f`.
+    /// p/q (with eq. 33 only), as large as s at most: `S2.f`.
     pub quotient: Format,
     /// Cosines: p s, N·V s and N·H s, clamped to -1..1, and L·V as the host rounds it: `S1.f`.
     pub cosine: Format,
