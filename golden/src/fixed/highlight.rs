@@ -7,8 +7,7 @@ use super::observer::{Observer, narrow};
 /// s = 1/√max(q, 4^-m) with m the format's integer bits, and 0 where q ≤ 0.
 pub(super) fn root(observer: &mut impl Observer, q: Wide, format: Format) -> Wide {
     let smallest = Wide::ONE >> (2 * format.integer_bits);
-    let root =
-        if q > Wide::ZERO { round_reciprocal_root(q.max(smallest), format.fraction_bits) } else { Wide::ZERO };
+    let root = if q > Wide::ZERO { round_reciprocal_root(q.max(smallest), format.fraction_bits) } else { Wide::ZERO };
     observer.see(format_args!("root"), root, format);
     root
 }

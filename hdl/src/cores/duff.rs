@@ -16,9 +16,10 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Desig
     let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits).named("q");
     let length = b.instance("root", || units::root(&b, &q, f.root, spec.shortest_normal * spec.shortest_normal));
     let view = inputs.view.as_ref().map(|view| forward.linear("view", view, f.operand.fraction_bits).named("n_dot_v"));
-    let view_cosine = view.as_ref().filter(|_| duff.specular == Highlight::Eq34).map(|view| {
-        b.instance("view_cosine", || units::cosine(&b, view, &length, f.cosine.fraction_bits))
-    });
+    let view_cosine = view
+        .as_ref()
+        .filter(|_| duff.specular == Highlight::Eq34)
+        .map(|view| b.instance("view_cosine", || units::cosine(&b, view, &length, f.cosine.fraction_bits)));
     let exponent = &inputs.log2_exponent;
     let pixel = Pixel { forward, spec, duff, length: &length, view: view.as_ref(), view_cosine: view_cosine.as_ref(), exponent };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
@@ -82,7 +83,8 @@ impl Pixel<'_> {
             Highlight::Eq33 => {
                 let to = QuotientFormat { integer_bits: f.root.integer_bits, fraction_bits: f.quotient.fraction_bits };
                 let quotient = || units::signed_quotient(b, p, &self.length.squared, to, self.length.smallest());
-                let error = self.length.quotient_error(p.error_value(), self.view.expect(given).error_value(), 0.5 * f.quotient.ulp());
+                let error =
+                    self.length.quotient_error(p.error_value(), self.view.expect(given).error_value(), 0.5 * f.quotient.ulp());
                 reflected(&b.instance(&called("quotient"), quotient), self.view, error)
             }
             Highlight::Eq34 => reflected(cosine, self.view_cosine, f64::INFINITY),

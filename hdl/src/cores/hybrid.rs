@@ -33,7 +33,10 @@ impl Pixel<'_> {
         let Forward { b, first, steps } = self.forward;
         let formats = &self.hybrid.formats;
         let fraction_bits = formats.base.fraction_bits;
-        let p = self.forward.quadratic(&called("numerator"), &light.numerator, (-1.0, 1.0), formats.operand.fraction_bits).named(&called("p"));
+        let p = self
+            .forward
+            .quadratic(&called("numerator"), &light.numerator, (-1.0, 1.0), formats.operand.fraction_bits)
+            .named(&called("p"));
         let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
         let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
         let most_squarings = self.spec.largest_shininess.ilog2();

@@ -2,12 +2,12 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use super::narrowing::LARGEST_ROOT_REACH;
 use super::{
     COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS, Method,
     NarrowingPoint, SpecError,
 };
 use crate::format::Format;
-use super::narrowing::LARGEST_ROOT_REACH;
 use crate::needs::Needs;
 
 /// The most integer bits of a coefficient: 256 times full scale.
