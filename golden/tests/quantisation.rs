@@ -3,6 +3,7 @@ use proptest::prelude::*;
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
 use specula_scene::spec::MethodSpec;
+use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::Difference;
 use specula_scene::{CoreSpec, Frame, Material, Method};
 
@@ -31,6 +32,19 @@ fn defaults_suffice(method: Method, range: Range, draw: &Draw, material: Materia
     let Drawn { frame, .. } = draw_frame(range, draw, material);
     let core = spec(&frame, method).expect("defaults serve every frame drawn here");
     within_one_code(&core, &frame)
+}
+
+fn duff_suffices(highlight: Highlight, range: Range, draw: &Draw, material: Material) -> Result<(), TestCaseError> {
+    let Drawn { frame, .. } = draw_frame(range, draw, material);
+    let mut core = spec(&frame, Method::Duff).expect("defaults serve every frame drawn here");
+    if let MethodSpec::Duff(duff) = &mut core.method {
+        duff.specular = highlight;
+    }
+    within_one_code(&core, &frame)
+}
+
+fn highlights() -> impl Strategy<Value = Highlight> {
+    prop_oneof![Just(Highlight::Blinn), Just(Highlight::Quotient), Just(Highlight::Eq33), Just(Highlight::Eq34)]
 }
 
 fn draws() -> impl Strategy<Value = Draw> {
@@ -68,6 +82,22 @@ proptest! {
     fn hybrid_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32) {
         let lights = Range { lights: 2, ..TYPICAL };
         defaults_suffice(Method::Hybrid, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
+    }
+
+    #[test]
+    fn duff_in_typical_scenes(draw in draws(), j in 0..=8_u32, highlight in highlights()) {
+        duff_suffices(highlight, TYPICAL, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn duff_in_extreme_scenes(draw in draws(), j in 0..=12_u32, highlight in highlights()) {
+        duff_suffices(highlight, EXTREME, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn duff_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32, highlight in highlights()) {
+        let lights = Range { lights: 2, ..TYPICAL };
+        duff_suffices(highlight, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
     }
 
     /// D = R - L needs two Newton steps (NUMERICS.md 3a).

@@ -2,6 +2,7 @@
 use specula_hdl::Design;
 use specula_hdl::block::check_all;
 use specula_hdl::design::NodeId;
+use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, Normalisation};
 use specula_scene::spec::{LONGEST_SPAN, LyonSpec, MOST_LIGHTS};
 use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
@@ -50,8 +51,20 @@ fn options() -> impl Iterator<Item = CoreSpec> {
     })
 }
 
+/// Every option of `duff`.
+fn duff_options() -> impl Iterator<Item = CoreSpec> {
+    [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].into_iter().map(|specular| {
+        let mut core = spec(Method::Duff, 2, 100, 4096);
+        if let MethodSpec::Duff(duff) = &mut core.method {
+            duff.specular = specular;
+        }
+        core.check().unwrap();
+        core
+    })
+}
+
 fn every_spec() -> impl Iterator<Item = CoreSpec> {
-    sizes(Method::Lyon).chain(sizes(Method::Hybrid)).chain(options())
+    Method::ALL.into_iter().flat_map(sizes).chain(options()).chain(duff_options())
 }
 
 fn elaborated(spec: &CoreSpec) -> Design {

@@ -24,3 +24,8 @@ fn every_method_stays_in_its_ranges() {
         (0..150).for_each(|seed| stays_in_range(seed, method));
     }
 }
+
+#[test]
+fn duff_stays_in_its_ranges() {
+    (0..250).for_each(|seed| stays_in_range(seed, Method::Duff));
+}

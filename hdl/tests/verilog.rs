@@ -35,6 +35,12 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
             (f.diffuse_accumulator.fraction_bits, f.diffuse.fraction_bits) = (9, 6);
             (f.accumulator.fraction_bits, f.operand.fraction_bits, f.base.fraction_bits) = (12, 8, 4);
         }
+        MethodSpec::Duff(duff) => {
+            let f = &mut duff.formats;
+            (f.linear_accumulator.fraction_bits, f.accumulator.fraction_bits, f.operand.fraction_bits) = (12, 12, 8);
+            (f.root.fraction_bits, f.quotient.fraction_bits, f.cosine.fraction_bits) = (6, 6, 6);
+            (f.diffuse.fraction_bits, f.base.fraction_bits) = (6, 4);
+        }
         _ => (),
     }
     change(&mut spec);

@@ -6,6 +6,11 @@ use glam::DVec3;
 /// The direction to the eye, in view space.
 pub const EYE: DVec3 = DVec3::Z;
 
+/// H = (L + V)/|L + V|, Blinn's half-way vector; 0 where the light stands opposite the eye and it has no direction (EXTREMES row 12).
+pub fn halfway(light: DVec3) -> DVec3 {
+    (light + EYE).normalize_or_zero()
+}
+
 /// A colour, red, green and blue; 1.0 is full scale of the 8-bit output.
 pub type Colour = [f64; 3];
 

@@ -52,3 +52,8 @@ fn every_method_agrees() {
         (0..150).for_each(|seed| agrees(seed, method));
     }
 }
+
+#[test]
+fn duff_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Duff));
+}

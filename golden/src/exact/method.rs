@@ -2,7 +2,7 @@
 use specula_scene::spec::MethodSpec;
 use specula_scene::{CoreSpec, Frame, Span};
 
-use super::{HybridSpan, LyonSpan, PhongSpan};
+use super::{DuffSpan, HybridSpan, LyonSpan, PhongSpan};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -20,6 +20,7 @@ impl<'a> MethodSpan<'a> {
             MethodSpec::Lyon(lyon) => Box::new(LyonSpan::new(lyon, frame, span)),
             MethodSpec::Phong(phong) => Box::new(PhongSpan::with_highlight(frame, span, phong.highlight)),
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
+            MethodSpec::Duff(duff) => Box::new(DuffSpan::new(duff, frame, span)),
         })
     }
 

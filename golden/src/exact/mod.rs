@@ -16,6 +16,7 @@ pub mod newton;
 pub mod normalisation;
 pub mod phong;
 pub mod point_light;
+pub mod quadratic;
 pub mod reflection;
 pub mod root_shininess;
 pub mod shape;
@@ -25,6 +26,7 @@ pub mod wrap;
 
 use specula_scene::{CoreSpec, Frame, Span};
 
+pub use duff::DuffSpan;
 pub use hybrid::HybridSpan;
 pub use lyon::LyonSpan;
 pub use method::MethodSpan;

@@ -2,6 +2,9 @@
 //!
 //! Numbers are exact between narrowing points (`number`), which round to nearest with ties up.
 mod colour;
+mod duff;
+mod forward;
+mod highlight;
 mod hybrid;
 mod lyon;
 mod method;

@@ -2,6 +2,7 @@
 use specula_scene::spec::{InputPort, MethodSpec};
 use specula_scene::{CoreSpec, SpanPacket};
 
+use super::duff::Duff;
 use super::hybrid::Hybrid;
 use super::lyon::Lyon;
 use super::method::{Method, Values};
@@ -24,6 +25,7 @@ impl Model {
             MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
             MethodSpec::Phong(phong) => Box::new(Phong::new(spec, phong)),
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
+            MethodSpec::Duff(duff) => Box::new(Duff::new(spec, duff)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -53,6 +55,10 @@ impl Model {
     /// | p_acc, p | `light<l>_numerator_accumulator`, `light<l>_numerator` |
     /// | b, b² | `light<l>_base`, `light<l>_square<s>` |
     /// | d_acc | `light<l>_intensity_accumulator` |
+    /// | s | `root` |
+    /// | p_acc, p, c of `duff` | `light<l>_p_accumulator`, `light<l>_p`, `light<l>_cosine` |
+    /// | r_acc, r, v, h | `view_accumulator`, `view`, `view_cosine`, or `light<l>_halfway_accumulator`, ... |
+    /// | t | `light<l>_quotient` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

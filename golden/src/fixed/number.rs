@@ -46,9 +46,61 @@ pub fn round_quotient(p: Wide, q: Wide, fraction_bits: u32) -> Wide {
     Wide::from_num(quotient) >> fraction_bits
 }
 
+/// p / q rounded to nearest, ties up, for any p and q > 0, kept within -`limit` to `limit`.
+///
+/// floor((p · 2^(f+1) + q) / 2q), where |p| < 2^28 and f ≤ 24 keep the numerator below 2^118.
+pub fn round_signed_quotient(p: Wide, q: Wide, fraction_bits: u32, limit: i64) -> Wide {
+    let (p, q) = (p.to_bits(), q.to_bits());
+    let quotient = ((p << (fraction_bits + 1)) + q).div_euclid(2 * q);
+    let limit = i128::from(limit) << fraction_bits;
+    Wide::from_num(quotient.clamp(-limit, limit)) >> fraction_bits
+}
+
+/// 1/√q rounded to nearest, ties up, for q > 0 of at most 24 fraction bits and below 2^28.
+///
+/// With q = Q · 2^-24, floor(2^(f+1)/√q) = floor(√(2^(2f+26)/Q)), and the root of the quotient's floor has the same floor; f ≤ 24 keeps it below
+/// 2^74.
+pub fn round_reciprocal_root(q: Wide, fraction_bits: u32) -> Wide {
+    let q = (q.to_bits() >> (Wide::FRAC_NBITS - 24)).unsigned_abs();
+    let doubled = ((1_u128 << (2 * fraction_bits + 26)) / q).isqrt();
+    Wide::from_num(doubled.div_ceil(2)) >> fraction_bits
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Every q of 8 bits: s is the only multiple of the last place with (s - 1/2)² q ≤ 1 < (s + 1/2)² q.
+    #[test]
+    fn reciprocal_roots_are_the_nearest() {
+        for raw in 1..256_i64 {
+            for fraction_bits in [0, 3, 8] {
+                let s = to_raw(round_reciprocal_root(Wide::from_num(raw) >> 6, fraction_bits), fraction_bits);
+                let one = 64 << (2 * fraction_bits + 2);
+                assert!(
+                    (2 * s - 1).pow(2) * raw <= one && one < (2 * s + 1).pow(2) * raw,
+                    "1/sqrt({raw}/64) to {fraction_bits}: {s}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn signed_quotients_are_the_nearest_and_limited() {
+        for q in 1..32_i64 {
+            for p in -40..=40_i64 {
+                let wide = |raw| Wide::from_num(raw) >> 5;
+                for fraction_bits in [0, 3] {
+                    let b = to_raw(round_signed_quotient(wide(p), wide(q), fraction_bits, 4), fraction_bits);
+                    let limit = 4 << fraction_bits;
+                    let twice = 2 * (p << fraction_bits);
+                    let nearest = (2 * b - 1) * q <= twice && twice < (2 * b + 1) * q;
+                    let limited = (b == limit && twice >= (2 * b + 1) * q) || (b == -limit && twice < (2 * b - 1) * q);
+                    assert!(nearest || limited, "{p}/{q} to {fraction_bits}: {b}");
+                }
+            }
+        }
+    }
 
     /// Every multiple of 1/16 from -8 to 8, rounded to 0 to 4 fraction bits; against integers alone.
     #[test]

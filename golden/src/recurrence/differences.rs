@@ -2,7 +2,7 @@
 use glam::DVec3;
 
 use super::Number;
-use crate::exact::duff::Quadratic;
+use crate::exact::quadratic::Quadratic;
 
 /// A linear function: one addition a pixel.
 #[derive(Clone, Copy, Debug)]

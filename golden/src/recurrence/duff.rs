@@ -6,8 +6,8 @@ use super::gouraud::between;
 use super::{Line, Linear, Number, Pair, Scheme, Second};
 use crate::exact::diffuse::gouraud;
 use crate::exact::direct;
-use crate::exact::duff::Quadratic;
 use crate::exact::normalisation::unit;
+use crate::exact::quadratic::Quadratic;
 use crate::exact::reflection::halfway;
 
 /// p = N·L and q = N·N [eq. 6 to 8].

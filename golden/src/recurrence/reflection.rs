@@ -7,7 +7,7 @@ use specula_scene::frame::EYE;
 use super::differences::{Vector, difference, dot, scaled, sum, vector};
 use super::duff::{Base, unit_halfway};
 use super::{Line, Number, Pair, Scheme, Second, Walk};
-use crate::exact::duff::Quadratic;
+use crate::exact::quadratic::Quadratic;
 
 /// [2(H·a)(H·n) - (n·a)(H·H)] for N'·a [eq. 29 to 32].
 fn numerator<T: Number>(line: &Line, along: DVec3) -> Second<T> {

@@ -6,10 +6,11 @@ use crate::raw::{Raw, round};
 pub fn code(spec: &HybridSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let (diffuse_bits, base_bits) = (spec.formats.diffuse.fraction_bits, spec.formats.base.fraction_bits);
     let bits = diffuse_bits.max(base_bits);
-    let q = operand(spec, raw, "denominator", i);
+    let operand = |name: &str| quadratic(raw, name, i, spec.formats.accumulator.fraction_bits, spec.formats.operand.fraction_bits);
+    let q = operand("denominator");
     let mut terms = Vec::new();
     for light in 0..lights {
-        let p = operand(spec, raw, &format!("light{light}_numerator"), i);
+        let p = operand(&format!("light{light}_numerator"));
         let mut b = base(p, q, base_bits);
         for _ in 0..raw.get("log2_shininess") {
             b = round(b * b, 2 * base_bits, base_bits);
@@ -21,18 +22,18 @@ pub fn code(spec: &HybridSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
 }
 
 /// By repeated addition, as Hast's loop has it.
-fn operand(spec: &HybridSpec, raw: &Raw, name: &str, i: u32) -> i128 {
+pub fn quadratic(raw: &Raw, name: &str, i: u32, from: u32, to: u32) -> i128 {
     let mut value = raw.get(&format!("{name}_start"));
     let mut difference = raw.get(&format!("{name}_first_difference"));
     for _ in 0..i {
         value += difference;
         difference += raw.get(&format!("{name}_second_difference"));
     }
-    round(value, spec.formats.accumulator.fraction_bits, spec.formats.operand.fraction_bits)
+    round(value, from, to)
 }
 
 /// The one b with b - 1/2 ≤ p/q · 2^bits < b + 1/2.
-fn base(p: i128, q: i128, bits: u32) -> i128 {
+pub fn base(p: i128, q: i128, bits: u32) -> i128 {
     if p <= 0 || q <= 0 {
         return 0;
     }

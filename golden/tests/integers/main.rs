@@ -11,6 +11,7 @@ use specula_scene::{Frame, LocalLight, Method, Spot};
 mod any_spec;
 #[path = "../common/mod.rs"]
 mod common;
+mod duff;
 mod hybrid;
 mod lyon;
 mod phong;
@@ -35,6 +36,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
             MethodSpec::Lyon(spec) => lyon::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Phong(spec) => phong::code(spec, &raw, core.lights, i),
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Duff(spec) => duff::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -88,6 +90,11 @@ proptest! {
     fn hybrid(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
         check(Method::Hybrid, &draw, &bits, 1 << j)?;
     }
+
+    #[test]
+    fn duff(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        check(Method::Duff, &draw, &bits, 1 << j)?;
+    }
 }
 
 fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result<(), TestCaseError> {
@@ -96,13 +103,19 @@ fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result
     codes_agree(&core, &frame, &packet(&core, &frame))
 }
 
-/// Inputs at the ends of their ranges, all at once: not what a host would send `hybrid`, but nothing may overflow.
+/// Inputs at the ends of their ranges, all at once: not what a host would send, but nothing may overflow.
 #[test]
-fn hybrid_takes_every_input_in_range() {
+fn forward_differences_take_every_input_in_range() {
+    for method in [Method::Hybrid, Method::Duff] {
+        takes_every_input_in_range(method);
+    }
+}
+
+fn takes_every_input_in_range(method: Method) {
     let draw = [0.5; 12];
     let frame = draw_frame(ANY, &draw, material(1.0, 1.0, 1.0, 4096)).frame;
     for bits in [[0.0; 8], [1.0; 8]] {
-        let mut core = core_for(&frame, Method::Hybrid, &bits);
+        let mut core = core_for(&frame, method, &bits);
         core.longest_span = 8192;
         for high in [0b0, 0b1, 0b01_0101, 0b10_1010, 0b11_0110] {
             let end = |(k, port): (usize, specula_scene::spec::InputPort)| {

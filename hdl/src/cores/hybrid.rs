@@ -1,18 +1,19 @@
 //! Hast's hybrid core.
 use specula_scene::CoreSpec;
-use specula_scene::spec::Quadratic;
 use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
 
+use super::forward::Forward;
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
-use crate::units::{self, Differences, Light};
+use crate::units::{self, Light};
 
 /// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al., eq. 17 to 26]
 pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Design, TooWide> {
     let control = b.control();
     let inputs = hybrid.inputs(spec).map(|port| b.input(port));
-    let pixel = Pixel { b: &b, spec, hybrid, first: &control.start, log2_shininess: &inputs.log2_shininess };
-    let q = b.instance("denominator", || pixel.operand(&inputs.denominator, (0.0, 1.0))).named("q");
+    let forward = Forward { b: &b, first: &control.start, steps: spec.longest_span - 1 };
+    let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), hybrid.formats.operand.fraction_bits).named("q");
+    let pixel = Pixel { forward, spec, hybrid, log2_shininess: &inputs.log2_shininess };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, &q)).collect();
     let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
     b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
@@ -20,39 +21,27 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<D
 
 /// What the lights have in common.
 struct Pixel<'a> {
-    b: &'a Builder,
+    forward: Forward<'a>,
     spec: &'a CoreSpec,
     hybrid: &'a HybridSpec,
-    first: &'a Sig,
     log2_shininess: &'a Sig,
 }
 
 impl Pixel<'_> {
-    fn steps(&self) -> u32 {
-        self.spec.longest_span - 1
-    }
-
-    /// A quadratic as it enters the divider.
-    fn operand(&self, quadratic: &Quadratic<Sig>, limits: (f64, f64)) -> Sig {
-        let differences = Differences {
-            start: &quadratic.start,
-            first_difference: &quadratic.first_difference,
-            second_difference: &quadratic.second_difference,
-        };
-        units::quadratic(self.b, self.first, differences, limits, self.steps()).rounded(self.hybrid.formats.operand.fraction_bits)
-    }
-
     fn shade(&self, index: usize, light: &HybridLight<Sig>, q: &Sig) -> Light {
         let called = |unit: &str| format!("light{index}_{unit}");
-        let b = self.b;
+        let Forward { b, first, steps } = self.forward;
         let formats = &self.hybrid.formats;
         let fraction_bits = formats.base.fraction_bits;
-        let p = b.instance(&called("numerator"), || self.operand(&light.numerator, (-1.0, 1.0))).named(&called("p"));
+        let p = self
+            .forward
+            .quadratic(&called("numerator"), &light.numerator, (-1.0, 1.0), formats.operand.fraction_bits)
+            .named(&called("p"));
         let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
         let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
         let most_squarings = self.spec.largest_shininess.ilog2();
         let (start, step) = (&light.intensity_start, &light.intensity_step);
-        let gouraud = || units::gouraud(b, self.first, start, step, formats, self.steps());
+        let gouraud = || units::gouraud(b, first, start, step, formats, steps);
         let power = || units::power(b, &base, self.log2_shininess, most_squarings, fraction_bits);
         Light {
             diffuse: b.instance(&called("diffuse"), gouraud),

@@ -1,4 +1,6 @@
 //! Cores: units put together so that a span goes in and one pixel comes out per clock.
+mod duff;
+mod forward;
 mod hybrid;
 mod lyon;
 mod phong;
@@ -25,6 +27,7 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
         MethodSpec::Hybrid(hybrid) => {
             hybrid::core(builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"), spec, hybrid)
         }
+        MethodSpec::Duff(duff) => duff::core(builder("Diffuse p/sqrt q by forward differences [Hast et al.]"), spec, duff),
     }
 }
 

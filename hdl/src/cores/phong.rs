@@ -98,7 +98,7 @@ impl Pixel<'_> {
 
     fn cosine(&self, name: &str, x: &Direction, y: &Direction) -> Sig {
         let fraction_bits = self.phong.formats.cosine.fraction_bits;
-        self.b.instance(name, || units::cosine(self.b, &x.vector, &y.vector, fraction_bits))
+        self.b.instance(name, || units::cosine_between(self.b, &x.vector, &y.vector, fraction_bits))
     }
 
     fn shade(&self, at: &Arrival, lit: &Sig) -> Light {

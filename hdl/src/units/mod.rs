@@ -1,12 +1,14 @@
 //! Units: short functions from signals to signals that read like the papers' formulas.
 mod any_power;
 mod colour;
-mod cosines;
+mod cosine;
+
 mod difference;
 mod diffuse;
 mod divider;
 mod fixed_log;
 mod interpolate;
+mod linear;
 mod normalise;
 mod normalise_exactly;
 mod power;
@@ -14,14 +16,16 @@ mod quadratic;
 mod reciprocal_square_root;
 mod shape;
 mod square_root;
+mod unit_vectors;
 
 pub use any_power::any_power;
 pub use colour::{Coefficients, Light, channels};
-pub use cosines::{cosine, halfway_cosine, halfway_gain, reflected_cosine, spot_cosine, trowbridge_reitz};
+pub use cosine::{Base, Length, amount, cosine, reflected_base, root};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use interpolate::{Interpolation, SpanNormals, along, interpolate, weight};
+pub use linear::{Steps, linear};
 pub use normalise::normalise;
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
@@ -29,6 +33,7 @@ pub use quadratic::{Differences, quadratic};
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 pub use shape::shape;
 pub use square_root::square_root;
+pub use unit_vectors::{cosine_between, halfway_cosine, halfway_gain, reflected_cosine, spot_cosine, trowbridge_reitz};
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.

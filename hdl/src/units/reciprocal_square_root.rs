@@ -2,6 +2,7 @@
 use specula_scene::format::power_of_two;
 
 use crate::builder::{Builder, Sig};
+use crate::design::Range;
 
 /// The format and the reach of a reciprocal square root.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,8 +43,10 @@ pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest
 
         let limit = b.integer(1).times_power_of_two(-2 * integer_bits as i32);
         let limited = z.less_than(&limit).choose(&limit, &z);
-        let largest = limited.format().value(limited.range().high);
-        let z = limited.assumed(to.smallest_operand(), largest, "z >= 4^-m").named("limited").raw();
+        // Where no pixel is, registers hold anything, 0 at first. Every number of so many bits counts as possible from here on, so that rows
+        // compute nothing wider than they say at any clock.
+        let width = Range::new(0, limited.range().high).width();
+        let z = limited.raw().low_bits(width).named("limited");
         let bits = integer_bits + fraction_bits + 1;
         let before = limited.fraction_bits() - 2 * integer_bits;
         let (mut residue, mut product) = (b.integer(1 << before), b.integer(0));
@@ -71,11 +74,19 @@ fn row(b: &Builder, residue: &Sig, product: &Sig, z: &Sig, log2_square: u32) -> 
             let grown = w.times_power_of_two(2);
             let difference = &grown - (p.times_power_of_two(2) + &z);
             let below = difference.less_than(&b.integer(0));
-            let rest = below.choose(&grown, &difference).assumed(0.0, square.min(2.0 * most + largest), "0 <= w <= 2P + Z");
+            let rest =
+                below.choose(&grown, &difference).assumed(0.0, all_ones(square.min(2.0 * most + largest)), "0 <= w <= 2P + Z");
             let doubled = p.times_power_of_two(1);
-            let product = below.choose(&doubled, &(&doubled + &z)).assumed(0.0, most, "R^2 Z <= C/4^k");
+            let product = below.choose(&doubled, &(&doubled + &z)).assumed(0.0, all_ones(most), "R^2 Z <= C/4^k");
             (rest, product, below.not())
         });
         (rest.named("rest"), product.named("product"), bit.named("root_bit"))
     })
+}
+
+/// The largest number of as many bits as `limit` has.
+fn all_ones(limit: f64) -> f64 {
+    let beyond = (limit as u64 + 1).next_power_of_two() as f64;
+    // Above 2^53 the number before it is none of f64's.
+    (beyond - 1.0).min(beyond.next_down())
 }

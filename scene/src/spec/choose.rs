@@ -2,6 +2,7 @@
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use super::narrowing::LARGEST_ROOT_REACH;
 use super::{
     COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS, Method,
     NarrowingPoint, SpecError,
@@ -91,6 +92,29 @@ fn coefficient_format(brightest: f64) -> Format {
 /// Bits that number the pixels of the longest span.
 pub(super) fn span_bits(longest_span: u32) -> u32 {
     longest_span.next_power_of_two().ilog2()
+}
+
+/// Bits by which q = N·N falls short of 1 where normals are shortest; 8 at most, which spans of 165 degrees take.
+pub(super) fn small_q_bits(needs: &Needs) -> u32 {
+    (-2.0 * needs.shortest_normal.max(0.0625).log2()).ceil() as u32
+}
+
+/// Integer bits m of 1/√q that reach twice as far as the shortest normal asks, so that rounding cannot lead past them; q of
+/// `operand` fraction bits tells 4^-m from 0.
+pub(super) fn root_reach(needs: &Needs, operand: u32) -> u32 {
+    let shortest = needs.shortest_normal.max(0.5f64.powi(LARGEST_ROOT_REACH as i32));
+    ((-shortest.log2()).ceil() as u32 + 1).min(operand / 2).min(LARGEST_ROOT_REACH)
+}
+
+/// Whether every exponent is one that squaring alone reaches.
+///
+/// # Errors
+/// [`SpecError::UnevenShininess`] in the name of `method` if one is not.
+pub(super) fn powers_of_two_only(needs: &Needs, method: &'static str) -> Result<(), SpecError> {
+    needs.uneven_shininess.map_or(Ok(()), |shininess| {
+        let above = shininess.next_power_of_two();
+        Err(SpecError::UnevenShininess { method, shininess, below: above / 2, above })
+    })
 }
 
 /// The default with the user's keys in place of its own.

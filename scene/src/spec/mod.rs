@@ -7,9 +7,11 @@
 //! may be asked for, `set_up` the host's work for a span. A line in [`method`] makes it known.
 mod choose;
 mod describe;
+pub mod duff;
 mod error;
 pub mod hybrid;
 mod inputs;
+mod linear;
 pub mod lyon;
 mod method;
 mod narrowing;
@@ -25,8 +27,10 @@ use crate::format::Format;
 use crate::needs::LocalKind;
 
 use describe::Describe;
+pub use duff::{DuffInputs, DuffSpec};
 pub use error::SpecError;
 pub use hybrid::{HybridInputs, HybridSpec};
+pub use linear::Linear;
 pub use lyon::{LyonInputs, LyonSpec};
 pub use method::{Choice, Method, MethodSpec};
 pub use narrowing::NarrowingPoint;

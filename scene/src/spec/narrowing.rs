@@ -4,6 +4,8 @@ use crate::format::Format;
 
 /// The most fraction bits a user may ask for at any narrowing point, accumulators apart.
 pub(super) const MOST_FRACTION_BITS: u32 = 24;
+/// The most integer bits of a reciprocal root: 2^12 is that of the last place of an operand with the most fraction bits.
+pub(super) const LARGEST_ROOT_REACH: u32 = MOST_FRACTION_BITS / 2;
 /// The fewest fraction bits at any narrowing point.
 const FEWEST_FRACTION_BITS: u32 = 4;
 /// The most fraction bits of an accumulator: with sign and three integer bits, 60 bits wide.
@@ -68,6 +70,12 @@ impl NarrowingPoint {
     /// One that has no more fraction bits than it was `from`.
     pub(super) fn no_finer_than(mut self, from: Format) -> NarrowingPoint {
         self.most_fraction_bits = self.most_fraction_bits.min(from.fraction_bits);
+        self
+    }
+
+    /// One with more fraction bits at least, so that what is made of it can be told from 0.
+    pub(super) fn with_at_least(mut self, fraction_bits: u32) -> NarrowingPoint {
+        self.fewest_fraction_bits = self.fewest_fraction_bits.max(fraction_bits);
         self
     }
 

@@ -19,8 +19,19 @@ inputs! {
 }
 
 impl Quadratic<InputPort> {
+    /// The ports of x·x with |x| ≤ 1: from 0 to 1 along the span, so differences of neighbours are up to 1 and 2.
+    pub(super) fn squared_length_ports(name: &str, format: Format) -> Quadratic<InputPort> {
+        Quadratic::ports(name, format, [(0.0, 1.0), (-1.0, 1.0), (0.0, 2.0)])
+    }
+
+    /// The ports of what [`Quadratic::reflected`] makes of |x| ≤ 1 and unit vectors: from -1 to 1 along the span, so differences of
+    /// neighbours are up to 2 and 4.
+    pub(super) fn reflected_ports(name: &str, format: Format) -> Quadratic<InputPort> {
+        Quadratic::ports(name, format, [(-1.0, 1.0), (-2.0, 2.0), (-4.0, 4.0)])
+    }
+
     /// The ports of a quadratic; `limits` of start value, first and second difference.
-    pub(super) fn ports(name: &str, format: Format, limits: [(f64, f64); 3]) -> Quadratic<InputPort> {
+    fn ports(name: &str, format: Format, limits: [(f64, f64); 3]) -> Quadratic<InputPort> {
         let port = |part: &str, (low, high)| InputPort::between(format!("{name}_{part}"), format, low, high);
         Quadratic {
             start: port("start", limits[0]),
@@ -41,6 +52,17 @@ impl Quadratic<f64> {
     /// (m + k i)·(m + k i).
     pub(super) fn squared_length(span: &Span, m: DVec3, k: DVec3) -> Quadratic<f64> {
         Quadratic::new(span, m.dot(m), 2.0 * k.dot(m), k.dot(k))
+    }
+
+    /// 2(x·n)(x·l) - (n·l)(x·x) with x = m + k i: n reflected about x, times l and x·x [Hast et al., eq. 10, 18 to 26 and 29].
+    pub(super) fn reflected(span: &Span, [m, k]: [DVec3; 2], n: DVec3, l: DVec3) -> Quadratic<f64> {
+        let n_dot_l = n.dot(l);
+        Quadratic::new(
+            span,
+            2.0 * m.dot(n) * m.dot(l) - n_dot_l * m.dot(m),
+            2.0 * (m.dot(n) * k.dot(l) + k.dot(n) * m.dot(l)) - 2.0 * n_dot_l * k.dot(m),
+            2.0 * k.dot(n) * k.dot(l) - n_dot_l * k.dot(k),
+        )
     }
 
     pub(super) fn quantised(&self, format: Format) -> Quadratic<i64> {

@@ -2,6 +2,7 @@
 // Each test program takes what it needs.
 #![allow(dead_code)]
 use glam::DVec3;
+use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, LyonSpec};
 use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle};
 use specula_testbench::{Bench, EngineKind, Outcome};
@@ -85,9 +86,26 @@ pub fn cross_form(frame: &Frame, squarings: u32) -> CoreSpec {
     lyon(frame, |lyon| (lyon.difference, lyon.squarings) = (Difference::HalfwayCrossNormal, squarings))
 }
 
-/// `lyon` with both differences, and `hybrid`.
-pub fn cores(frame: &Frame) -> [CoreSpec; 3] {
-    [cross_form(frame, 2), reflection_form(frame, 2), spec(frame, Method::Hybrid)]
+/// `duff` with one of its highlights.
+pub fn duff(frame: &Frame, highlight: Highlight) -> CoreSpec {
+    let mut core = spec(frame, Method::Duff);
+    if let MethodSpec::Duff(duff) = &mut core.method {
+        duff.specular = highlight;
+    }
+    core.check().unwrap();
+    core
+}
+
+/// `duff` with each of its highlights.
+pub fn duffs(frame: &Frame) -> [CoreSpec; 4] {
+    [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].map(|highlight| duff(frame, highlight))
+}
+
+/// `lyon` with both differences, and every other method with each of its options.
+pub fn cores(frame: &Frame) -> Vec<CoreSpec> {
+    let mut cores = vec![cross_form(frame, 2), reflection_form(frame, 2), spec(frame, Method::Hybrid)];
+    cores.extend(duffs(frame));
+    cores
 }
 
 /// Runs a core. Every pixel must be the model's and leave in its clock, every stated fact hold, and no error exceed its bound.

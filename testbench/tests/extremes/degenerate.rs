@@ -3,7 +3,7 @@ use glam::DVec3;
 use specula_scene::spec::lyon::Difference;
 use specula_scene::{Method, Needs};
 
-use crate::common::{codes, cores, cross_form, frame, lyon, material, mirror, reflection_form, shade, spec, tilted};
+use crate::common::{codes, cores, cross_form, duffs, frame, lyon, material, mirror, reflection_form, shade, spec, tilted};
 
 const AMBIENT: f64 = 0.2;
 const AMBIENT_CODE: u8 = 51;
@@ -45,6 +45,34 @@ fn hybrid_at_q_zero() {
     // In the longest span rounding leaves something of q, and what p/q then is nobody knows: the bound says so.
     let longest = frame([DVec3::Z, -DVec3::Z], 8191, &[DVec3::Z], mirror(16));
     shade(&spec(&longest, Method::Hybrid), &longest);
+}
+
+/// Row 2: where q = 0 nobody knows a direction, and ambient light is all there is; the pixels beside it have theirs.
+#[test]
+fn duff_at_q_zero() {
+    for length in [3, 5, 9, 257] {
+        let frame = frame([DVec3::Z, -DVec3::Z], length, &[DVec3::Z], material(AMBIENT, 0.5, 0.3, 16));
+        let lit = |diffuse: f64, highlight: f64| (255.0 * (AMBIENT + 0.5 * diffuse + 0.3 * highlight)).round() as u8;
+        for core in duffs(&frame) {
+            let codes = codes(&core, &frame);
+            let middle = length as usize / 2;
+            // Behind the middle the light is behind the surface, and the highlight is not gated (row 32).
+            assert_eq!((codes[0], codes[middle], codes[length as usize - 1]), (lit(1.0, 1.0), AMBIENT_CODE, codes[middle + 1]));
+            assert_eq!(codes[middle - 1], codes[0]);
+        }
+    }
+    // In the longest span rounding leaves something of q.
+    let longest = frame([DVec3::Z, -DVec3::Z], 8191, &[DVec3::Z], mirror(16));
+    duffs(&longest).iter().for_each(|core| drop(shade(core, &longest)));
+}
+
+/// Row 12: L = -V leaves Blinn's half-way vector without a direction, and the highlight is 0; R·L is -N·L there, 0 as well.
+#[test]
+fn duff_with_the_light_opposite_the_eye() {
+    let frame = frame([tilted(10.0), tilted(20.0)], 8, &[-DVec3::Z], mirror(16));
+    for core in duffs(&frame) {
+        assert_eq!(codes(&core, &frame), [0; 8]);
+    }
 }
 
 /// Row 3: 150 degrees.

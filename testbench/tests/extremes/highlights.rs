@@ -1,10 +1,13 @@
 //! The highlight: its centre, its end, its exponents.
 use glam::DVec3;
 use specula_scene::spec::SpecError;
+use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::Difference;
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
-use crate::common::{Row, codes, cores, cross_form, frame, frame_of, lyon, material, mirror, reflection_form, shade, spec, tilted};
+use crate::common::{
+    Row, codes, cores, cross_form, duff, duffs, frame, frame_of, lyon, material, mirror, reflection_form, shade, spec, tilted,
+};
 
 fn flat(light: DVec3, shininess: u32) -> Frame {
     frame([DVec3::Z; 2], 1, &[light], mirror(shininess))
@@ -24,6 +27,9 @@ fn centre_is_full_scale() {
     for j in 0..=12 {
         let frame = flat(DVec3::Z, 1 << j);
         assert_eq!(codes(&spec(&frame, Method::Hybrid), &frame), [255]);
+        for core in duffs(&frame) {
+            assert_eq!(codes(&core, &frame), [255]);
+        }
     }
 }
 
@@ -101,7 +107,13 @@ fn negative_base_is_zero() {
     for degrees in [91.0, 100.0, 135.0, 180.0] {
         let frame = frame([DVec3::Z; 2], 4, &[tilted(degrees)], mirror(2));
         assert_eq!(codes(&spec(&frame, Method::Hybrid), &frame), [0; 4]);
+        for highlight in [Highlight::Quotient, Highlight::Eq33, Highlight::Eq34] {
+            assert_eq!(codes(&duff(&frame, highlight), &frame), [0; 4]);
+        }
     }
+    // Blinn's base is negative where N and H are more than 90 degrees apart.
+    let behind = frame([-DVec3::Z; 2], 4, &[DVec3::Z], mirror(2));
+    assert_eq!(codes(&duff(&behind, Highlight::Blinn), &behind), [0; 4]);
 }
 
 /// Row 6: with the light in the reflection p and q are the same but for rounding, and the base is 1, never more.
@@ -109,8 +121,11 @@ fn negative_base_is_zero() {
 fn base_is_at_most_one() {
     for degrees in (0..900).step_by(7).map(|tenths| f64::from(tenths) / 10.0) {
         let frame = frame([tilted(degrees); 2], 2, &[tilted(2.0 * degrees)], mirror(4096));
-        let codes = codes(&spec(&frame, Method::Hybrid), &frame);
-        assert!(codes.iter().all(|&code| code >= 254), "{codes:?} at {degrees} degrees");
+        let hybrid = spec(&frame, Method::Hybrid);
+        for core in duffs(&frame).iter().chain([&hybrid]) {
+            let codes = codes(core, &frame);
+            assert!(codes.iter().all(|&code| code >= 254), "{codes:?} at {degrees} degrees: {core:?}");
+        }
     }
 }
 
@@ -127,6 +142,7 @@ fn exponents() {
     for j in 0..=12 {
         let frame = lit(1 << j);
         shade(&spec(&frame, Method::Hybrid), &frame);
+        duffs(&frame).iter().for_each(|core| drop(shade(core, &frame)));
     }
 }
 

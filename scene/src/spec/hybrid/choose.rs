@@ -3,7 +3,7 @@ use super::{HybridFormats, HybridSpec};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
-use crate::spec::choose::span_bits;
+use crate::spec::choose::{powers_of_two_only, small_q_bits, span_bits};
 use crate::spec::describe::Describe;
 use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
 use crate::spec::set_up::SetUpSpan;
@@ -18,7 +18,7 @@ impl HybridSpec {
     /// evaluation, 12 + log2 n, and as many more as q can be small.
     pub fn for_needs(needs: &Needs) -> HybridSpec {
         let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
-        let small_q = (-2.0 * needs.shortest_normal.max(0.0625).log2()).ceil() as u32;
+        let small_q = small_q_bits(needs);
         let operand = (12 + j.max(4) + small_q).min(MOST_FRACTION_BITS);
         HybridSpec {
             formats: HybridFormats {
@@ -55,10 +55,7 @@ impl Describe for HybridSpec {
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        needs.uneven_shininess.map_or(Ok(()), |shininess| {
-            let above = shininess.next_power_of_two();
-            Err(SpecError::UnevenShininess { shininess, below: above / 2, above })
-        })
+        powers_of_two_only(needs, "hybrid")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -36,13 +36,11 @@ inputs! {
 }
 
 impl HybridSpec {
-    /// The ports of a core with this method.
-    ///
-    /// With |N| ≤ 1 along the span, |p| ≤ q ≤ 1; differences of neighbours follow, 2 and 4 for p, 1 and 2 for q.
+    /// The ports of a core with this method. With |N| ≤ 1 along the span, |p| ≤ q ≤ 1.
     pub fn inputs(&self, core: &CoreSpec) -> HybridInputs<InputPort> {
         let exponent = Format::unsigned(4, 0);
         HybridInputs {
-            denominator: Quadratic::ports("denominator", self.formats.accumulator, [(0.0, 1.0), (-1.0, 1.0), (0.0, 2.0)]),
+            denominator: Quadratic::squared_length_ports("denominator", self.formats.accumulator),
             log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
@@ -51,9 +49,8 @@ impl HybridSpec {
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> HybridLight<InputPort> {
         let accumulator = self.formats.diffuse_accumulator;
-        let limits = [(-1.0, 1.0), (-2.0, 2.0), (-4.0, 4.0)];
         HybridLight {
-            numerator: Quadratic::ports(&format!("light{index}_numerator"), self.formats.accumulator, limits),
+            numerator: Quadratic::reflected_ports(&format!("light{index}_numerator"), self.formats.accumulator),
             intensity_start: InputPort::between(format!("light{index}_intensity_start"), accumulator, 0.0, 1.0),
             intensity_step: InputPort::between(format!("light{index}_intensity_step"), accumulator, -1.0, 1.0),
             diffuse: core.colour_ports(&format!("light{index}_diffuse")),

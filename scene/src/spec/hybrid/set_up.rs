@@ -1,6 +1,4 @@
 //! Set-up of a span for `hybrid`.
-use glam::DVec3;
-
 use super::{HybridInputs, HybridLight, HybridSpec};
 use crate::frame::{DirectionalLight, EYE, Frame, Span};
 use crate::spec::Quadratic;
@@ -29,25 +27,13 @@ impl SetUpSpan for HybridSetUp<'_> {
 impl HybridSetUp<'_> {
     fn light(&self, span: &Span, light: &DirectionalLight, &Coefficients { diffuse, specular }: &Coefficients) -> HybridLight<i64> {
         let f = &self.hybrid.formats;
-        let [m, k] = self.frame.normal_and_step(span);
         let [intensity_start, intensity_step] = self.frame.gouraud(span, light.direction);
         HybridLight {
-            numerator: numerator(span, m, k, light.direction).quantised(f.accumulator),
+            numerator: Quadratic::reflected(span, self.frame.normal_and_step(span), EYE, light.direction).quantised(f.accumulator),
             intensity_start: f.diffuse_accumulator.quantise(intensity_start),
             intensity_step: f.diffuse_accumulator.quantise(intensity_step),
             diffuse,
             specular,
         }
     }
-}
-
-/// p(i) = 2(N·V)(N·L) - (L·V)(N·N) with N = m + k i.
-fn numerator(span: &Span, m: DVec3, k: DVec3, l: DVec3) -> Quadratic<f64> {
-    let l_dot_v = l.dot(EYE);
-    Quadratic::new(
-        span,
-        2.0 * m.dot(EYE) * m.dot(l) - l_dot_v * m.dot(m),
-        2.0 * (m.dot(EYE) * k.dot(l) + k.dot(EYE) * m.dot(l)) - 2.0 * l_dot_v * k.dot(m),
-        2.0 * k.dot(EYE) * k.dot(l) - l_dot_v * k.dot(k),
-    )
 }

@@ -4,7 +4,7 @@ use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 use crate::builder::{Builder, Sig, Vector};
 
 /// The cosine of the angle between unit vectors, rounded to `fraction_bits`.
-pub fn cosine(b: &Builder, x: &Vector, y: &Vector, fraction_bits: u32) -> Sig {
+pub fn cosine_between(b: &Builder, x: &Vector, y: &Vector, fraction_bits: u32) -> Sig {
     b.unit("cosine", "c = X.Y", (("x", x), ("y", y)), |_, (x, y)| {
         x.dot_within(&y, (x.longest(), y.longest()), "|X.Y| <= |X||Y|").rounded(fraction_bits).named("cosine")
     })

@@ -1,0 +1,118 @@
+//! `duff`, bit for bit [Hast, Barrera and Bengtsson, eq. 3 to 8, 17, 33 and 34; METHODS.md C2, C8 to C11; `docs/arithmetic.md`].
+use specula_scene::Format;
+use specula_scene::spec::duff::{DuffFormats, DuffInputs, DuffLight, DuffSpec, Highlight};
+use specula_scene::spec::{CoreSpec, InputPort};
+
+use super::colour::{Colour, sum_format};
+use super::forward::Accumulator;
+use super::highlight::{amount, cosine, power, quotient, reflection, root};
+use super::method::{Method, Values};
+use super::number::{Wide, round_signed_quotient};
+use super::observer::{Observer, OfLight};
+use super::packet::PacketError;
+
+/// The method in one core's formats.
+pub(super) struct Duff {
+    highlight: Highlight,
+    formats: DuffFormats,
+    colour: Format,
+    ports: DuffInputs<InputPort>,
+}
+
+/// What the lights have in common at one pixel.
+struct Pixel {
+    i: u32,
+    q: Wide,
+    s: Wide,
+    /// N·V, and that times s; 0 where nobody asks.
+    view: Wide,
+    view_cosine: Wide,
+    log2_exponent: Wide,
+}
+
+impl Duff {
+    pub fn new(core: &CoreSpec, duff: &DuffSpec) -> Duff {
+        Duff {
+            highlight: duff.specular,
+            formats: duff.formats.clone(),
+            colour: sum_format(core, duff.formats.diffuse, duff.formats.base),
+            ports: duff.inputs(core),
+        }
+    }
+}
+
+impl Method for Duff {
+    type Inputs = DuffInputs<Wide>;
+
+    fn read(&self, mut values: Values<'_>) -> DuffInputs<Wide> {
+        self.ports.map(|port| values.next(port))
+    }
+
+    /// Everything within the ports' ranges can be computed.
+    fn check(&self, _: &DuffInputs<Wide>, _: u32) -> Result<(), PacketError> {
+        Ok(())
+    }
+
+    fn pixel(&self, inputs: &DuffInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+        let pixel = self.common(inputs, i, observer);
+        let mut colour = Colour::ambient(inputs.ambient);
+        for (index, light) in inputs.lights.iter().enumerate() {
+            let mut observer = OfLight { observer, index };
+            let p = self.linear().linear(&mut observer, "p", &light.cosine, i);
+            let c = cosine(&mut observer, "cosine", p * pixel.s, self.formats.cosine);
+            colour.add(&light.diffuse, amount(&mut observer, "diffuse", c, self.formats.diffuse));
+            let base = self.base(&pixel, light, p, c, &mut observer);
+            colour.add(&light.specular, power(&mut observer, base, pixel.log2_exponent, self.formats.base));
+        }
+        colour.code(self.colour, observer)
+    }
+}
+
+impl Duff {
+    fn linear(&self) -> Accumulator {
+        Accumulator { exact: self.formats.linear_accumulator, rounded: self.formats.operand }
+    }
+
+    fn quadratic(&self) -> Accumulator {
+        Accumulator { exact: self.formats.accumulator, rounded: self.formats.operand }
+    }
+
+    fn common(&self, inputs: &DuffInputs<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
+        let f = &self.formats;
+        let q = self.quadratic().quadratic(observer, "denominator", &inputs.denominator, i);
+        let s = root(observer, q, f.root);
+        let (mut view, mut view_cosine) = (Wide::ZERO, Wide::ZERO);
+        if let Some(linear) = &inputs.view {
+            view = self.linear().linear(observer, "view", linear, i);
+            view_cosine = cosine(observer, "view_cosine", view * s, f.cosine);
+        }
+        Pixel { i, q, s, view, view_cosine, log2_exponent: inputs.log2_exponent }
+    }
+
+    /// The base of the highlight, 0 to 1.
+    fn base(&self, pixel: &Pixel, light: &DuffLight<Wide>, p: Wide, c: Wide, observer: &mut impl Observer) -> Wide {
+        let f = &self.formats;
+        let has_direction = pixel.q > Wide::ZERO;
+        // An input that is not there is 0.
+        let light_dot_view = light.light_dot_view.unwrap_or(Wide::ZERO);
+        match self.highlight {
+            Highlight::Blinn => {
+                let r = light.halfway.as_ref().map_or(Wide::ZERO, |r| self.linear().linear(observer, "halfway", r, pixel.i));
+                let h = cosine(observer, "halfway_cosine", r * pixel.s, f.cosine);
+                amount(observer, "base", h, f.base)
+            }
+            Highlight::Quotient => {
+                let numerator = light.numerator.as_ref();
+                let p = numerator.map_or(Wide::ZERO, |p| self.quadratic().quadratic(observer, "numerator", p, pixel.i));
+                quotient(observer, p, pixel.q, f.base)
+            }
+            Highlight::Eq33 => {
+                let (bits, limit) = (f.quotient.fraction_bits, 1 << f.root.integer_bits);
+                let t = if has_direction { round_signed_quotient(p, pixel.q, bits, limit) } else { Wide::ZERO };
+                observer.see(format_args!("quotient"), t, f.quotient);
+                reflection(observer, has_direction, ((pixel.view * t) << 1) - light_dot_view, f.base)
+            }
+            Highlight::Eq34 => reflection(observer, has_direction, ((pixel.view_cosine * c) << 1) - light_dot_view, f.base),
+        }
+    }
+}

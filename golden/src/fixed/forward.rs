@@ -1,0 +1,34 @@
+//! What goes along a span by additions: linear and quadratic values at pixel i, rounded.
+use std::fmt;
+
+use specula_scene::Format;
+use specula_scene::spec::{Linear, Quadratic};
+
+use super::number::Wide;
+use super::observer::{Observer, narrow};
+
+/// Formats of an accumulator and of what is rounded from it.
+#[derive(Clone, Copy)]
+pub(super) struct Accumulator {
+    pub exact: Format,
+    pub rounded: Format,
+}
+
+impl Accumulator {
+    /// start + step · i, rounded.
+    pub fn linear(self, observer: &mut impl Observer, name: &str, linear: &Linear<Wide>, i: u32) -> Wide {
+        self.narrow(observer, format_args!("{name}"), linear.start + linear.step * Wide::from_num(i))
+    }
+
+    /// start + first · i + second · i(i - 1)/2, rounded.
+    pub fn quadratic(self, observer: &mut impl Observer, name: &str, quadratic: &Quadratic<Wide>, i: u32) -> Wide {
+        let pairs = Wide::from_num(u64::from(i) * u64::from(i).saturating_sub(1) / 2);
+        let accumulated = quadratic.start + quadratic.first_difference * Wide::from_num(i) + quadratic.second_difference * pairs;
+        self.narrow(observer, format_args!("{name}"), accumulated)
+    }
+
+    fn narrow(self, observer: &mut impl Observer, name: fmt::Arguments<'_>, accumulated: Wide) -> Wide {
+        observer.see(format_args!("{name}_accumulator"), accumulated, self.exact);
+        narrow(observer, name, accumulated, self.rounded)
+    }
+}
