@@ -48,7 +48,7 @@ fn options() -> impl Iterator<Item = CoreSpec> {
 }
 
 fn every_spec() -> impl Iterator<Item = CoreSpec> {
-    sizes(Method::Lyon).chain(sizes(Method::Hybrid)).chain(options())
+    Method::ALL.into_iter().flat_map(sizes).chain(options())
 }
 
 fn elaborated(spec: &CoreSpec) -> Design {

@@ -26,3 +26,8 @@ fn lyon_stays_in_its_ranges() {
 fn hybrid_stays_in_its_ranges() {
     (0..250).for_each(|seed| stays_in_range(seed, Method::Hybrid));
 }
+
+#[test]
+fn gouraud_stays_in_its_ranges() {
+    (0..250).for_each(|seed| stays_in_range(seed, Method::Gouraud));
+}

@@ -32,6 +32,7 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
             (f.diffuse_accumulator.fraction_bits, f.diffuse.fraction_bits) = (9, 6);
             (f.accumulator.fraction_bits, f.operand.fraction_bits, f.base.fraction_bits) = (12, 8, 4);
         }
+        _ => {}
     }
     change(&mut spec);
     spec.check().unwrap();

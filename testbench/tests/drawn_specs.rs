@@ -54,3 +54,8 @@ fn lyon_agrees() {
 fn hybrid_agrees() {
     (0..250).for_each(|seed| agrees(seed, Method::Hybrid));
 }
+
+#[test]
+fn gouraud_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Gouraud));
+}

@@ -3,6 +3,7 @@
 //! Directions are unit vectors in view space, and V = (0, 0, 1) ([`EYE`](specula_scene::frame::EYE)).
 mod coefficients;
 pub mod diffuse;
+pub mod gouraud;
 pub mod hybrid;
 pub mod lyon;
 mod method;
@@ -13,6 +14,7 @@ pub mod shape;
 
 use specula_scene::{CoreSpec, Frame, Span};
 
+pub use gouraud::GouraudSpan;
 pub use hybrid::HybridSpan;
 pub use lyon::LyonSpan;
 pub use method::MethodSpan;

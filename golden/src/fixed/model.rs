@@ -2,6 +2,7 @@
 use specula_scene::spec::{InputPort, MethodSpec};
 use specula_scene::{CoreSpec, SpanPacket};
 
+use super::gouraud::Gouraud;
 use super::hybrid::Hybrid;
 use super::lyon::Lyon;
 use super::method::{Method, Values};
@@ -22,6 +23,7 @@ impl Model {
         let method: Box<dyn ShadeSpan> = match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
+            MethodSpec::Gouraud(gouraud) => Box::new(Gouraud::new(spec, gouraud)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -51,6 +53,8 @@ impl Model {
     /// | p_acc, p | `light<l>_numerator_accumulator`, `light<l>_numerator` |
     /// | b, b² | `light<l>_base`, `light<l>_square<s>` |
     /// | d_acc | `light<l>_intensity_accumulator` |
+    /// | acc | `light<l>_diffuse_accumulator`, `light<l>_specular_accumulator` |
+    /// | f of `gouraud` | `light<l>_specular` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

@@ -10,6 +10,7 @@ use specula_scene::{Frame, Method};
 mod any_spec;
 #[path = "../common/mod.rs"]
 mod common;
+mod gouraud;
 mod hybrid;
 mod lyon;
 mod raw;
@@ -31,6 +32,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
         let expected = match &core.method {
             MethodSpec::Lyon(spec) => lyon::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -60,6 +62,11 @@ proptest! {
     #[test]
     fn hybrid(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
         check(Method::Hybrid, &draw, &bits, 1 << j)?;
+    }
+
+    #[test]
+    fn gouraud(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+        check(Method::Gouraud, &draw, &bits, n)?;
     }
 }
 

@@ -1,4 +1,5 @@
 //! Cores: units put together so that a span goes in and one pixel comes out per clock.
+mod gouraud;
 mod hybrid;
 mod lyon;
 
@@ -20,6 +21,9 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
         MethodSpec::Lyon(lyon) => lyon::core(builder("Lyon's reformulation of Phong shading [Lyon, TR 43]"), spec, lyon),
         MethodSpec::Hybrid(hybrid) => {
             hybrid::core(builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"), spec, hybrid)
+        }
+        MethodSpec::Gouraud(gouraud) => {
+            gouraud::core(builder("Intensities of vertices or of polygons [lecture, eq. 2.1, 3.2-3.6]"), spec, gouraud)
         }
     }
 }

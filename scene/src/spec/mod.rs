@@ -8,6 +8,7 @@
 mod choose;
 mod describe;
 mod error;
+pub mod gouraud;
 pub mod hybrid;
 mod inputs;
 pub mod lyon;
@@ -24,6 +25,7 @@ use crate::format::Format;
 
 use describe::Describe;
 pub use error::SpecError;
+pub use gouraud::{GouraudInputs, GouraudSpec};
 pub use hybrid::{HybridInputs, HybridSpec};
 pub use lyon::{LyonInputs, LyonSpec};
 pub use method::{Choice, Method, MethodSpec};

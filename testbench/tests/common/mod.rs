@@ -83,9 +83,10 @@ pub fn cross_form(frame: &Frame, squarings: u32) -> CoreSpec {
     lyon(frame, |lyon| (lyon.difference, lyon.squarings) = (Difference::HalfwayCrossNormal, squarings))
 }
 
-/// `lyon` with both differences, and `hybrid`.
-pub fn cores(frame: &Frame) -> [CoreSpec; 3] {
-    [cross_form(frame, 2), reflection_form(frame, 2), spec(frame, Method::Hybrid)]
+/// `lyon` with both differences, and the other methods.
+pub fn cores(frame: &Frame) -> Vec<CoreSpec> {
+    let others = Method::ALL.into_iter().filter(|&method| method != Method::Lyon).map(|method| spec(frame, method));
+    [cross_form(frame, 2), reflection_form(frame, 2)].into_iter().chain(others).collect()
 }
 
 /// Runs a core. Every pixel must be the model's and leave in its clock, every stated fact hold, and no error exceed its bound.
