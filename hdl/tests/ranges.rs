@@ -29,3 +29,8 @@ fn every_method_stays_in_its_ranges() {
 fn duff_stays_in_its_ranges() {
     (0..250).for_each(|seed| stays_in_range(seed, Method::Duff));
 }
+
+#[test]
+fn gouraud_stays_in_its_ranges() {
+    (0..250).for_each(|seed| stays_in_range(seed, Method::Gouraud));
+}

@@ -40,6 +40,11 @@ fn the_hybrids_outputs_agree() {
     outputs_agree(Method::Hybrid);
 }
 
+#[test]
+fn gourauds_outputs_agree() {
+    outputs_agree(Method::Gouraud);
+}
+
 /// Every signal that is no constant.
 fn signals(design: &Design) -> Vec<NodeId> {
     design.variables()

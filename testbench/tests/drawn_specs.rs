@@ -57,3 +57,8 @@ fn every_method_agrees() {
 fn duff_agrees() {
     (0..250).for_each(|seed| agrees(seed, Method::Duff));
 }
+
+#[test]
+fn gouraud_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Gouraud));
+}

@@ -2,7 +2,7 @@
 use specula_scene::spec::MethodSpec;
 use specula_scene::{CoreSpec, Frame, Span};
 
-use super::{DuffSpan, HybridSpan, LyonSpan, PhongSpan};
+use super::{DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -21,6 +21,7 @@ impl<'a> MethodSpan<'a> {
             MethodSpec::Phong(phong) => Box::new(PhongSpan::with_highlight(frame, span, phong.highlight)),
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
             MethodSpec::Duff(duff) => Box::new(DuffSpan::new(duff, frame, span)),
+            MethodSpec::Gouraud(gouraud) => Box::new(GouraudSpan::new(gouraud, frame, span)),
         })
     }
 

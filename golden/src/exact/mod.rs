@@ -8,6 +8,7 @@ pub mod diffuse;
 pub mod direct;
 pub mod distributions;
 pub mod duff;
+pub mod gouraud;
 pub mod hybrid;
 pub mod illumination;
 pub mod lyon;
@@ -27,6 +28,7 @@ pub mod wrap;
 use specula_scene::{CoreSpec, Frame, Span};
 
 pub use duff::DuffSpan;
+pub use gouraud::GouraudSpan;
 pub use hybrid::HybridSpan;
 pub use lyon::LyonSpan;
 pub use method::MethodSpan;

@@ -4,6 +4,7 @@
 mod colour;
 mod duff;
 mod forward;
+mod gouraud;
 mod highlight;
 mod hybrid;
 mod lyon;

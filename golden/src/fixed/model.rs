@@ -3,6 +3,7 @@ use specula_scene::spec::{InputPort, MethodSpec};
 use specula_scene::{CoreSpec, SpanPacket};
 
 use super::duff::Duff;
+use super::gouraud::Gouraud;
 use super::hybrid::Hybrid;
 use super::lyon::Lyon;
 use super::method::{Method, Values};
@@ -26,6 +27,7 @@ impl Model {
             MethodSpec::Phong(phong) => Box::new(Phong::new(spec, phong)),
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
             MethodSpec::Duff(duff) => Box::new(Duff::new(spec, duff)),
+            MethodSpec::Gouraud(gouraud) => Box::new(Gouraud::new(spec, gouraud)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -59,6 +61,8 @@ impl Model {
     /// | p_acc, p, c of `duff` | `light<l>_p_accumulator`, `light<l>_p`, `light<l>_cosine` |
     /// | r_acc, r, v, h | `view_accumulator`, `view`, `view_cosine`, or `light<l>_halfway_accumulator`, ... |
     /// | t | `light<l>_quotient` |
+    /// | acc | `light<l>_diffuse_accumulator`, `light<l>_specular_accumulator` |
+    /// | f of `gouraud` | `light<l>_specular` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

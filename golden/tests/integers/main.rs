@@ -12,6 +12,7 @@ mod any_spec;
 #[path = "../common/mod.rs"]
 mod common;
 mod duff;
+mod gouraud;
 mod hybrid;
 mod lyon;
 mod phong;
@@ -37,6 +38,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
             MethodSpec::Phong(spec) => phong::code(spec, &raw, core.lights, i),
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Duff(spec) => duff::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -94,6 +96,11 @@ proptest! {
     #[test]
     fn duff(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
         check(Method::Duff, &draw, &bits, 1 << j)?;
+    }
+
+    #[test]
+    fn gouraud(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+        check(Method::Gouraud, &draw, &bits, n)?;
     }
 }
 

@@ -40,8 +40,8 @@ impl Pixel<'_> {
         let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
         let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
         let most_squarings = self.spec.largest_shininess.ilog2();
-        let (start, step) = (&light.intensity_start, &light.intensity_step);
-        let gouraud = || units::gouraud(b, first, start, step, formats, steps);
+        let ends = (&light.intensity_start, &light.intensity_step);
+        let gouraud = || units::gouraud(b, first, ends, formats.diffuse.fraction_bits, steps);
         let power = || units::power(b, &base, self.log2_shininess, most_squarings, fraction_bits);
         Light {
             diffuse: b.instance(&called("diffuse"), gouraud),

@@ -1,6 +1,7 @@
 //! Cores: units put together so that a span goes in and one pixel comes out per clock.
 mod duff;
 mod forward;
+mod gouraud;
 mod hybrid;
 mod lyon;
 mod phong;
@@ -28,6 +29,9 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
             hybrid::core(builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"), spec, hybrid)
         }
         MethodSpec::Duff(duff) => duff::core(builder("Diffuse p/sqrt q by forward differences [Hast et al.]"), spec, duff),
+        MethodSpec::Gouraud(gouraud) => {
+            gouraud::core(builder("Intensities of vertices or of polygons [lecture, eq. 2.1, 3.2-3.6]"), spec, gouraud)
+        }
     }
 }
 

@@ -1,5 +1,4 @@
 //! Diffuse intensity.
-use specula_scene::spec::hybrid::HybridFormats;
 use specula_scene::spec::lyon::LyonFormats;
 
 use super::HOST_ERROR;
@@ -15,15 +14,15 @@ pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Si
     })
 }
 
-/// Gouraud's linearly interpolated intensity. [lecture, eq. 3.2 to 3.6; METHODS A4]
+/// Gouraud's linearly interpolated intensity, from its start and step, rounded to `fraction_bits`. [lecture, eq. 3.2 to 3.6; METHODS A4]
 ///
 /// Start and step are each off by half a unit of the accumulator's last place, so after `steps` steps the sum is off by
 /// (1 + `steps`)/2, and by no more outside [0, 1], where the true intensity lies.
-pub fn gouraud(b: &Builder, first: &Sig, start: &Sig, step: &Sig, formats: &HybridFormats, steps: u32) -> Sig {
+pub fn gouraud(b: &Builder, first: &Sig, (start, step): (&Sig, &Sig), fraction_bits: u32, steps: u32) -> Sig {
     let inputs = (("start", first), ("intensity_start", start), ("intensity_step", step));
     b.unit("gouraud", "I(i) = I(0) + i dI [lecture, eq. 3.2-3.6]", inputs, |_, (first, start, step)| {
-        let slack = f64::from(steps + 1) * formats.diffuse_accumulator.ulp() + HOST_ERROR;
+        let slack = f64::from(steps + 1) * start.ulp() + HOST_ERROR;
         let sum = Sig::accumulated(&first, &start, &step, (-slack, 1.0 + slack), steps, "0 <= I <= 1");
-        sum.rounded(formats.diffuse.fraction_bits).at_least_zero().clamped_above(1).named("intensity")
+        sum.rounded(fraction_bits).at_least_zero().clamped_above(1).named("intensity")
     })
 }

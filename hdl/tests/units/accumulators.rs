@@ -79,18 +79,12 @@ fn normals_are_interpolated() {
 /// Gouraud's intensity, clamped to [0, 1] where rounding of the step leads past it.
 #[test]
 fn intensities_are_interpolated_and_clamped() {
-    let formats = specula_scene::spec::hybrid::HybridFormats {
-        diffuse_accumulator: Format::signed(1, 18),
-        diffuse: Format::unsigned(1, 8),
-        accumulator: Format::signed(3, 30),
-        operand: Format::signed(1, 12),
-        base: Format::unsigned(1, 12),
-    };
+    let accumulator = Format::signed(1, 18);
     let one = 1i64 << 18;
     let bench = Bench::new();
-    let start = bench.input("intensity_start", formats.diffuse_accumulator, (0, one));
-    let step = bench.input("intensity_step", formats.diffuse_accumulator, (-one, one));
-    let intensity = units::gouraud(&bench.b, &bench.start, &start, &step, &formats, STEPS);
+    let start = bench.input("intensity_start", accumulator, (0, one));
+    let step = bench.input("intensity_step", accumulator, (-one, one));
+    let intensity = units::gouraud(&bench.b, &bench.start, (&start, &step), 8, STEPS);
     let design = bench.finish(&[("intensity", intensity)]);
 
     // Up and down between the ends; 1/S is rounded away from 0, so that both ends are passed.

@@ -34,16 +34,16 @@ macro_rules! inputs {
         }
     };
     (@type one) => { T };
-    (@type vector) => { [T; 3] };
     (@type one_if_any) => { Option<T> };
+    (@type vector) => { [T; 3] };
     (@type vector_if_any) => { Option<[T; 3]> };
     (@type group($inner:ident)) => { $inner<T> };
     (@type group_if_any($inner:ident)) => { Option<$inner<T>> };
     (@type many($inner:ident)) => { Vec<$inner<T>> };
     (@map $f:ident, $value:expr, one) => { $f($value) };
+    (@map $f:ident, $value:expr, one_if_any) => { $value.as_ref().map(&mut *$f) };
     (@map $f:ident, $value:expr, vector) => { $value.each_ref().map(&mut *$f) };
     (@map $f:ident, $value:expr, vector_if_any) => { $value.as_ref().map(|v| v.each_ref().map(&mut *$f)) };
-    (@map $f:ident, $value:expr, one_if_any) => { $value.as_ref().map(&mut *$f) };
     (@map $f:ident, $value:expr, group) => { $value.map_with($f) };
     (@map $f:ident, $value:expr, group_if_any) => { $value.as_ref().map(|group| group.map_with($f)) };
     (@map $f:ident, $value:expr, many) => { $value.iter().map(|each| each.map_with($f)).collect() };

@@ -2,7 +2,7 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{Describe, DuffSpec, HybridSpec, LyonSpec, PhongSpec, SpecError};
+use super::{Describe, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec, SpecError};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -90,6 +90,8 @@ methods! {
     Hybrid(HybridSpec) = "hybrid", "Gouraud diffuse, specular base p/q by forward differences [Hast et al., eq. 17-26]";
     /// Duff's diffuse recurrence with one of Hast's highlights.
     Duff(DuffSpec) = "duff", "diffuse p/sqrt q by forward differences, highlight of the same q and root [Hast et al., eq. 3-8, 33, 34]";
+    /// Intensities of the vertices or of the polygon.
+    Gouraud(GouraudSpec) = "gouraud", "intensities interpolated between the vertices, or uniform over each polygon [lecture, eq. 2.1, 3.2-3.6]";
 }
 
 impl Method {

@@ -101,11 +101,11 @@ pub fn duffs(frame: &Frame) -> [CoreSpec; 4] {
     [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].map(|highlight| duff(frame, highlight))
 }
 
-/// `lyon` with both differences, and every other method with each of its options.
+/// `lyon` with both differences, `duff` with each of its highlights, and the other methods.
 pub fn cores(frame: &Frame) -> Vec<CoreSpec> {
-    let mut cores = vec![cross_form(frame, 2), reflection_form(frame, 2), spec(frame, Method::Hybrid)];
-    cores.extend(duffs(frame));
-    cores
+    let several = [Method::Lyon, Method::Duff];
+    let others = Method::ALL.into_iter().filter(|method| !several.contains(method)).map(|method| spec(frame, method));
+    [cross_form(frame, 2), reflection_form(frame, 2)].into_iter().chain(duffs(frame)).chain(others).collect()
 }
 
 /// Runs a core. Every pixel must be the model's and leave in its clock, every stated fact hold, and no error exceed its bound.

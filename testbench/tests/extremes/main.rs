@@ -6,6 +6,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod degenerate;
+mod gouraud;
 mod highlights;
 mod ranges;
 mod spans;

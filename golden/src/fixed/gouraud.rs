@@ -1,0 +1,62 @@
+//! `gouraud`, bit for bit [lecture, eq. 2.1 and 3.2 to 3.6; METHODS.md A3, A4; `docs/arithmetic/gouraud.md`].
+use specula_scene::Format;
+use specula_scene::spec::gouraud::{GouraudFormats, GouraudInputs, GouraudSpec, Intensity};
+use specula_scene::spec::{CoreSpec, InputPort};
+
+use super::colour::{Colour, sum_format};
+use super::method::{Method, Values};
+use super::number::{Wide, round_to};
+use super::observer::{Observer, OfLight};
+use super::packet::PacketError;
+
+/// The method in one core's formats.
+pub(super) struct Gouraud {
+    formats: GouraudFormats,
+    colour: Format,
+    ports: GouraudInputs<InputPort>,
+}
+
+impl Gouraud {
+    pub fn new(core: &CoreSpec, gouraud: &GouraudSpec) -> Gouraud {
+        let intensity = gouraud.formats.intensity;
+        Gouraud { formats: gouraud.formats.clone(), colour: sum_format(core, intensity, intensity), ports: gouraud.inputs(core) }
+    }
+}
+
+impl Method for Gouraud {
+    type Inputs = GouraudInputs<Wide>;
+
+    fn read(&self, mut values: Values<'_>) -> GouraudInputs<Wide> {
+        self.ports.map(|port| values.next(port))
+    }
+
+    /// Everything within the ports' ranges can be computed.
+    fn check(&self, _: &GouraudInputs<Wide>, _: u32) -> Result<(), PacketError> {
+        Ok(())
+    }
+
+    fn pixel(&self, inputs: &GouraudInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+        let mut colour = Colour::ambient(inputs.ambient);
+        for (index, light) in inputs.lights.iter().enumerate() {
+            let mut observer = OfLight { observer, index };
+            colour.add(&light.diffuse, self.intensity("diffuse", &light.diffuse_intensity, i, &mut observer));
+            colour.add(&light.specular, self.intensity("specular", &light.specular_intensity, i, &mut observer));
+        }
+        colour.code(self.colour, observer)
+    }
+}
+
+impl Gouraud {
+    fn intensity(&self, name: &str, intensity: &Intensity<Wide>, i: u32, observer: &mut impl Observer) -> Wide {
+        let value = match intensity.step {
+            Some(step) => {
+                let accumulated = intensity.start + Wide::from_num(i) * step;
+                observer.see(format_args!("{name}_accumulator"), accumulated, self.formats.accumulator);
+                round_to(accumulated, self.formats.intensity.fraction_bits).clamp(Wide::ZERO, Wide::ONE)
+            }
+            None => intensity.start,
+        };
+        observer.see(format_args!("{name}"), value, self.formats.intensity);
+        value
+    }
+}
