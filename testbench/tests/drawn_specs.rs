@@ -59,3 +59,8 @@ fn hybrid_agrees() {
 fn duff_agrees() {
     (0..250).for_each(|seed| agrees(seed, Method::Duff));
 }
+
+#[test]
+fn reflection_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Reflection));
+}

@@ -2,7 +2,7 @@
 use specula_scene::spec::MethodSpec;
 use specula_scene::{CoreSpec, Frame, Span};
 
-use super::{DuffSpan, HybridSpan, LyonSpan};
+use super::{DuffSpan, HybridSpan, LyonSpan, ReflectionSpan};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -20,6 +20,7 @@ impl<'a> MethodSpan<'a> {
             MethodSpec::Lyon(lyon) => Box::new(LyonSpan::new(lyon, frame, span)),
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
             MethodSpec::Duff(duff) => Box::new(DuffSpan::new(duff, frame, span)),
+            MethodSpec::Reflection(reflection) => Box::new(ReflectionSpan::new(reflection, frame, span)),
         })
     }
 

@@ -12,6 +12,7 @@ mod model;
 mod number;
 mod observer;
 mod packet;
+mod reflection;
 mod vector;
 
 pub use model::Model;

@@ -8,6 +8,7 @@ use super::lyon::Lyon;
 use super::method::{Method, Values};
 use super::observer::{Nobody, Notebook, Observation};
 use super::packet::{self, PacketError};
+use super::reflection::Reflection;
 
 /// The bit-true model of a core.
 pub struct Model {
@@ -24,6 +25,7 @@ impl Model {
             MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
             MethodSpec::Duff(duff) => Box::new(Duff::new(spec, duff)),
+            MethodSpec::Reflection(reflection) => Box::new(Reflection::new(spec, reflection)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -57,6 +59,7 @@ impl Model {
     /// | p_acc, p, c of `duff` | `light<l>_p_accumulator`, `light<l>_p`, `light<l>_cosine` |
     /// | r_acc, r, v, h | `view_accumulator`, `view`, `view_cosine`, or `light<l>_halfway_accumulator`, ... |
     /// | t | `light<l>_quotient` |
+    /// | w, v of `reflection` | `reciprocal`, `view_cosine` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

@@ -3,6 +3,7 @@ mod duff;
 mod forward;
 mod hybrid;
 mod lyon;
+mod reflection;
 
 use std::rc::Rc;
 
@@ -24,5 +25,8 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
             hybrid::core(builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"), spec, hybrid)
         }
         MethodSpec::Duff(duff) => duff::core(builder("Diffuse p/sqrt q by forward differences [Hast et al.]"), spec, duff),
+        MethodSpec::Reflection(reflection) => {
+            reflection::core(builder("Reflection shading: quotients of quadratics [Hast et al.]"), spec, reflection)
+        }
     }
 }

@@ -15,7 +15,7 @@ mod shape;
 mod square_root;
 
 pub use colour::{Coefficients, Light, channels};
-pub use cosine::{Base, Length, amount, cosine, reflected_base, root};
+pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};

@@ -2,7 +2,7 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{Describe, DuffSpec, HybridSpec, LyonSpec, SpecError};
+use super::{Describe, DuffSpec, HybridSpec, LyonSpec, ReflectionSpec, SpecError};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -88,6 +88,8 @@ methods! {
     Hybrid(HybridSpec) = "hybrid", "Gouraud diffuse, specular base p/q by forward differences [Hast et al., eq. 17-26]";
     /// Duff's diffuse recurrence with one of Hast's highlights.
     Duff(DuffSpec) = "duff", "diffuse p/sqrt q by forward differences, highlight of the same q and root [Hast et al., eq. 3-8, 33, 34]";
+    /// Hast's reflection shading.
+    Reflection(ReflectionSpec) = "reflection", "a fixed normal reflected about a linear half-way vector, no root [Hast et al., eq. 27-34]";
 }
 
 impl Method {

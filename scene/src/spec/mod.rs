@@ -18,6 +18,7 @@ mod narrowing;
 mod options;
 mod port;
 mod quadratic;
+pub mod reflection;
 mod set_up;
 
 use serde::Serialize;
@@ -35,6 +36,7 @@ pub use narrowing::NarrowingPoint;
 pub use options::CoreOptions;
 pub use port::InputPort;
 pub use quadratic::Quadratic;
+pub use reflection::{ReflectionInputs, ReflectionSpec};
 pub use set_up::{SetUp, SpanPacket};
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.

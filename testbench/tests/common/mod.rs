@@ -4,6 +4,7 @@
 use glam::DVec3;
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, LyonSpec};
+use specula_scene::spec::reflection;
 use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
@@ -99,10 +100,27 @@ pub fn duffs(frame: &Frame) -> [CoreSpec; 4] {
     [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].map(|highlight| duff(frame, highlight))
 }
 
+/// `reflection` with both fixed normals and each of its highlights.
+pub fn reflections(frame: &Frame) -> Vec<CoreSpec> {
+    use reflection::{Bisector, Highlight};
+    let highlights = [Highlight::Blinn, Highlight::Hybrid, Highlight::Eq34];
+    let both = |specular| [Bisector::Span, Bisector::Triangle].map(|bisector| (bisector, specular));
+    let with = |(bisector, specular)| {
+        let mut core = spec(frame, Method::Reflection);
+        if let MethodSpec::Reflection(reflection) = &mut core.method {
+            (reflection.bisector, reflection.specular) = (bisector, specular);
+        }
+        core.check().unwrap();
+        core
+    };
+    highlights.into_iter().flat_map(both).map(with).collect()
+}
+
 /// `lyon` with both differences, and every other method with each of its options.
 pub fn cores(frame: &Frame) -> Vec<CoreSpec> {
     let mut cores = vec![cross_form(frame, 2), reflection_form(frame, 2), spec(frame, Method::Hybrid)];
     cores.extend(duffs(frame));
+    cores.extend(reflections(frame));
     cores
 }
 
