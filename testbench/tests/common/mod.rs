@@ -100,11 +100,9 @@ pub fn duffs(frame: &Frame) -> [CoreSpec; 4] {
     [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].map(|highlight| duff(frame, highlight))
 }
 
-/// `reflection` with both fixed normals and each of its highlights.
-pub fn reflections(frame: &Frame) -> Vec<CoreSpec> {
+/// `reflection` with each of its highlights, and with both fixed normals.
+pub fn reflections(frame: &Frame) -> [CoreSpec; 3] {
     use reflection::{Bisector, Highlight};
-    let highlights = [Highlight::Blinn, Highlight::Hybrid, Highlight::Eq34];
-    let both = |specular| [Bisector::Span, Bisector::Triangle].map(|bisector| (bisector, specular));
     let with = |(bisector, specular)| {
         let mut core = spec(frame, Method::Reflection);
         if let MethodSpec::Reflection(reflection) = &mut core.method {
@@ -113,7 +111,8 @@ pub fn reflections(frame: &Frame) -> Vec<CoreSpec> {
         core.check().unwrap();
         core
     };
-    highlights.into_iter().flat_map(both).map(with).collect()
+    let (span, triangle) = (Bisector::Span, Bisector::Triangle);
+    [(span, Highlight::Blinn), (triangle, Highlight::Hybrid), (triangle, Highlight::Eq34)].map(with)
 }
 
 /// `lyon` with both differences, and every other method with each of its options.
