@@ -2,9 +2,9 @@
 use proptest::prelude::*;
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
-use specula_scene::spec::MethodSpec;
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::Difference;
+use specula_scene::spec::{MethodSpec, reflection};
 use specula_scene::{CoreSpec, Frame, Material, Method};
 
 mod common;
@@ -41,6 +41,25 @@ fn duff_suffices(highlight: Highlight, range: Range, draw: &Draw, material: Mate
         duff.specular = highlight;
     }
     within_one_code(&core, &frame)
+}
+
+fn reflection_suffices(
+    highlight: reflection::Highlight,
+    range: Range,
+    draw: &Draw,
+    material: Material,
+) -> Result<(), TestCaseError> {
+    let Drawn { frame, .. } = draw_frame(range, draw, material);
+    let mut core = spec(&frame, Method::Reflection).expect("defaults serve every frame drawn here");
+    if let MethodSpec::Reflection(reflection) = &mut core.method {
+        reflection.specular = highlight;
+    }
+    within_one_code(&core, &frame)
+}
+
+fn reflection_highlights() -> impl Strategy<Value = reflection::Highlight> {
+    use reflection::Highlight;
+    prop_oneof![Just(Highlight::Blinn), Just(Highlight::Hybrid), Just(Highlight::Eq34)]
 }
 
 fn highlights() -> impl Strategy<Value = Highlight> {
@@ -98,6 +117,22 @@ proptest! {
     fn duff_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32, highlight in highlights()) {
         let lights = Range { lights: 2, ..TYPICAL };
         duff_suffices(highlight, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
+    }
+
+    #[test]
+    fn reflection_in_typical_scenes(draw in draws(), j in 0..=8_u32, highlight in reflection_highlights()) {
+        reflection_suffices(highlight, TYPICAL, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn reflection_in_extreme_scenes(draw in draws(), j in 0..=12_u32, highlight in reflection_highlights()) {
+        reflection_suffices(highlight, EXTREME, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn reflection_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32, highlight in reflection_highlights()) {
+        let lights = Range { lights: 2, ..TYPICAL };
+        reflection_suffices(highlight, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
     }
 
     /// D = R - L needs two Newton steps (NUMERICS.md 3a).

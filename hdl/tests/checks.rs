@@ -4,7 +4,7 @@ use specula_hdl::block::check_all;
 use specula_hdl::design::NodeId;
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, Normalisation};
-use specula_scene::spec::{LONGEST_SPAN, LyonSpec, MOST_LIGHTS};
+use specula_scene::spec::{LONGEST_SPAN, LyonSpec, MOST_LIGHTS, reflection};
 use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
 
 fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
@@ -63,8 +63,20 @@ fn duff_options() -> impl Iterator<Item = CoreSpec> {
     })
 }
 
+/// Every option of `reflection`.
+fn reflection_options() -> impl Iterator<Item = CoreSpec> {
+    [reflection::Highlight::Blinn, reflection::Highlight::Hybrid, reflection::Highlight::Eq34].into_iter().map(|specular| {
+        let mut core = spec(Method::Reflection, 2, 100, 4096);
+        if let MethodSpec::Reflection(reflection) = &mut core.method {
+            reflection.specular = specular;
+        }
+        core.check().unwrap();
+        core
+    })
+}
+
 fn every_spec() -> impl Iterator<Item = CoreSpec> {
-    Method::ALL.into_iter().flat_map(sizes).chain(options()).chain(duff_options())
+    Method::ALL.into_iter().flat_map(sizes).chain(options()).chain(duff_options()).chain(reflection_options())
 }
 
 fn elaborated(spec: &CoreSpec) -> Design {

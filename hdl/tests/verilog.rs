@@ -41,6 +41,11 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
             (f.root.fraction_bits, f.quotient.fraction_bits, f.cosine.fraction_bits) = (6, 6, 6);
             (f.diffuse.fraction_bits, f.base.fraction_bits) = (6, 4);
         }
+        MethodSpec::Reflection(reflection) => {
+            let f = &mut reflection.formats;
+            (f.accumulator.fraction_bits, f.operand.fraction_bits, f.reciprocal.fraction_bits) = (12, 8, 6);
+            (f.cosine.fraction_bits, f.diffuse.fraction_bits, f.base.fraction_bits) = (6, 6, 4);
+        }
         _ => (),
     }
     change(&mut spec);

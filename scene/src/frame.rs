@@ -170,6 +170,14 @@ impl Frame {
         scaled_to_unit([self.normal_at(span, span.start), self.normal_at(span, span.end)])
     }
 
+    /// The unit normals at a span's first and last pixel. An end where the interpolated normal vanishes takes the other's; two such ends
+    /// stay 0.
+    pub fn unit_end_normals(&self, span: &Span) -> [DVec3; 2] {
+        let [start, end] = [span.start, span.end].map(|weights| self.normal_at(span, weights).normalize_or_zero());
+        let or = |normal: DVec3, other: DVec3| if normal == DVec3::ZERO { other } else { normal };
+        [or(start, end), or(end, start)]
+    }
+
     /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one pixel k is 0.
     pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
         let [start, end] = self.end_normals(span);

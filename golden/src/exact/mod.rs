@@ -19,6 +19,7 @@ pub mod phong;
 pub mod point_light;
 pub mod quadratic;
 pub mod reflection;
+pub mod reflection_shading;
 pub mod root_shininess;
 pub mod shape;
 pub mod slerp;
@@ -33,6 +34,7 @@ pub use hybrid::HybridSpan;
 pub use lyon::LyonSpan;
 pub use method::MethodSpan;
 pub use phong::PhongSpan;
+pub use reflection_shading::ReflectionSpan;
 
 /// True Phong shading of pixel `i` of a span, 0..=255 LSB a channel [METHODS.md A3, A5].
 ///

@@ -94,7 +94,7 @@ impl Duff {
         let f = &self.formats;
         let has_direction = pixel.q > Wide::ZERO;
         // An input that is not there is 0.
-        let light_dot_view = light.light_dot_view.unwrap_or(Wide::ZERO);
+        let light_dot_view = light.dot_view.unwrap_or(Wide::ZERO);
         match self.highlight {
             Highlight::Blinn => {
                 let r = light.halfway.as_ref().map_or(Wide::ZERO, |r| self.linear().linear(observer, "halfway", r, pixel.i));

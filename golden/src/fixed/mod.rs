@@ -15,6 +15,7 @@ mod observer;
 mod packet;
 mod phong;
 mod power;
+mod reflection;
 mod root;
 mod vector;
 

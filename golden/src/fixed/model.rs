@@ -10,6 +10,7 @@ use super::method::{Method, Values};
 use super::observer::{Nobody, Notebook, Observation};
 use super::packet::{self, PacketError};
 use super::phong::Phong;
+use super::reflection::Reflection;
 
 /// The bit-true model of a core.
 pub struct Model {
@@ -28,6 +29,7 @@ impl Model {
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
             MethodSpec::Duff(duff) => Box::new(Duff::new(spec, duff)),
             MethodSpec::Gouraud(gouraud) => Box::new(Gouraud::new(spec, gouraud)),
+            MethodSpec::Reflection(reflection) => Box::new(Reflection::new(spec, reflection)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -63,6 +65,7 @@ impl Model {
     /// | t | `light<l>_quotient` |
     /// | acc | `light<l>_diffuse_accumulator`, `light<l>_specular_accumulator` |
     /// | f of `gouraud` | `light<l>_specular` |
+    /// | w, v of `reflection` | `reciprocal`, `view_cosine` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

@@ -44,8 +44,8 @@ pub fn code(spec: &DuffSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
 
 /// By repeated addition.
 pub fn linear(raw: &Raw, name: &str, i: u32, from: u32, to: u32) -> i128 {
-    let start = raw.get(&format!("{name}_start"));
-    round((0..i).fold(start, |value, _| value + raw.get(&format!("{name}_step"))), from, to)
+    let (start, step) = (raw.get(&format!("{name}_start")), raw.get(&format!("{name}_step")));
+    round((0..i).fold(start, |value, _| value + step), from, to)
 }
 
 /// A product with `from` bits as a cosine.

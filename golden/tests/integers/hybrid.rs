@@ -25,9 +25,10 @@ pub fn code(spec: &HybridSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
 pub fn quadratic(raw: &Raw, name: &str, i: u32, from: u32, to: u32) -> i128 {
     let mut value = raw.get(&format!("{name}_start"));
     let mut difference = raw.get(&format!("{name}_first_difference"));
+    let second_difference = raw.get(&format!("{name}_second_difference"));
     for _ in 0..i {
         value += difference;
-        difference += raw.get(&format!("{name}_second_difference"));
+        difference += second_difference;
     }
     round(value, from, to)
 }

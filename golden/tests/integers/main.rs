@@ -18,6 +18,7 @@ mod lyon;
 mod phong;
 mod power;
 mod raw;
+mod reflection;
 
 use any_spec::any_spec;
 use common::draw::{Draw, Range, draw_frame};
@@ -39,6 +40,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Duff(spec) => duff::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -102,6 +104,11 @@ proptest! {
     fn gouraud(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Gouraud, &draw, &bits, n)?;
     }
+
+    #[test]
+    fn reflection(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        check(Method::Reflection, &draw, &bits, 1 << j)?;
+    }
 }
 
 fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result<(), TestCaseError> {
@@ -113,7 +120,7 @@ fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result
 /// Inputs at the ends of their ranges, all at once: not what a host would send, but nothing may overflow.
 #[test]
 fn forward_differences_take_every_input_in_range() {
-    for method in [Method::Hybrid, Method::Duff] {
+    for method in [Method::Hybrid, Method::Duff, Method::Reflection] {
         takes_every_input_in_range(method);
     }
 }

@@ -62,7 +62,7 @@ impl Pixel<'_> {
         let given = "inputs are those that the highlight asks for";
         let fraction_bits = f.base.fraction_bits;
         let reflected = |c: &Sig, v: Option<&Sig>, product_error| {
-            let (v, dot_view) = (v.expect(given), light.light_dot_view.as_ref().expect(given));
+            let (v, dot_view) = (v.expect(given), light.dot_view.as_ref().expect(given));
             let to = Base { fraction_bits, product_error };
             b.instance(&called("base"), || units::reflected_base(b, (v, c), dot_view, &self.length.has_direction, to))
         };

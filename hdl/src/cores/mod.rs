@@ -5,6 +5,7 @@ mod gouraud;
 mod hybrid;
 mod lyon;
 mod phong;
+mod reflection;
 
 use std::rc::Rc;
 
@@ -31,6 +32,9 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
         MethodSpec::Duff(duff) => duff::core(builder("Diffuse p/sqrt q by forward differences [Hast et al.]"), spec, duff),
         MethodSpec::Gouraud(gouraud) => {
             gouraud::core(builder("Intensities of vertices or of polygons [lecture, eq. 2.1, 3.2-3.6]"), spec, gouraud)
+        }
+        MethodSpec::Reflection(reflection) => {
+            reflection::core(builder("Reflection shading: quotients of quadratics [Hast et al.]"), spec, reflection)
         }
     }
 }

@@ -68,8 +68,21 @@ pub fn cosine(b: &Builder, p: &Sig, length: &Length, fraction_bits: u32) -> Sig 
     })
 }
 
+/// c = P w, rounded and clamped to [-1, 1], of a numerator P no larger than q and w = 1/q no larger than 1/`smallest`. [Hast et al., eq. 29]
+///
+/// With real q no smaller than `smallest`, or P and q 0 exactly, and primes for what is off: |P'/q' - P/q| ≤ (e_P + e_q)/q', and the
+/// rounding of w adds (1 + e_P) times that; by 2 at most.
+pub fn cosine_by_reciprocal(b: &Builder, p: &Sig, q: &Sig, w: &Sig, smallest: f64, fraction_bits: u32) -> Sig {
+    let sure = smallest - q.error_value();
+    let (e_p, e_q) = (p.error_value(), q.error_value());
+    let error = if sure > 0.0 { ((e_p + e_q) / sure + (1.0 + e_p) * 0.5 * w.ulp()).min(2.0) } else { 2.0 };
+    b.unit("cosine_by_reciprocal", "c = P w, clamped to [-1, 1] [Hast et al., eq. 29]", (("p", p), ("w", w)), |_, (p, w)| {
+        clamped_cosine(&(p * w).stated_error_value(error), fraction_bits)
+    })
+}
+
 /// A product rounded and clamped to [-1, 1].
-pub fn clamped_cosine(product: &Sig, fraction_bits: u32) -> Sig {
+fn clamped_cosine(product: &Sig, fraction_bits: u32) -> Sig {
     product.rounded(fraction_bits).clamped_below(-1).clamped_above(1).named("cosine")
 }
 

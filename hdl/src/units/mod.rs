@@ -20,7 +20,7 @@ mod unit_vectors;
 
 pub use any_power::any_power;
 pub use colour::{Coefficients, Light, channels};
-pub use cosine::{Base, Length, amount, cosine, reflected_base, root};
+pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};

@@ -2,7 +2,7 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{Describe, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec, SpecError};
+use super::{Describe, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec, ReflectionSpec, SpecError};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -92,6 +92,8 @@ methods! {
     Duff(DuffSpec) = "duff", "diffuse p/sqrt q by forward differences, highlight of the same q and root [Hast et al., eq. 3-8, 33, 34]";
     /// Intensities of the vertices or of the polygon.
     Gouraud(GouraudSpec) = "gouraud", "intensities interpolated between the vertices, or uniform over each polygon [lecture, eq. 2.1, 3.2-3.6]";
+    /// Hast's reflection shading.
+    Reflection(ReflectionSpec) = "reflection", "a fixed normal reflected about a linear half-way vector, no root [Hast et al., eq. 27-34]";
 }
 
 impl Method {

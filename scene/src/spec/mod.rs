@@ -20,6 +20,7 @@ mod options;
 pub mod phong;
 mod port;
 mod quadratic;
+pub mod reflection;
 mod set_up;
 
 use serde::Serialize;
@@ -40,6 +41,7 @@ pub use options::CoreOptions;
 pub use phong::{PhongInputs, PhongSpec};
 pub use port::InputPort;
 pub use quadratic::Quadratic;
+pub use reflection::{ReflectionInputs, ReflectionSpec};
 pub use set_up::{SetUp, SpanPacket};
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.

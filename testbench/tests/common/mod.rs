@@ -4,6 +4,7 @@
 use glam::DVec3;
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, LyonSpec};
+use specula_scene::spec::reflection;
 use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
@@ -101,11 +102,27 @@ pub fn duffs(frame: &Frame) -> [CoreSpec; 4] {
     [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].map(|highlight| duff(frame, highlight))
 }
 
-/// `lyon` with both differences, `duff` with each of its highlights, and the other methods.
+/// `reflection` with each of its highlights, and with both fixed normals.
+pub fn reflections(frame: &Frame) -> [CoreSpec; 3] {
+    use reflection::{Bisector, Highlight};
+    let with = |(bisector, specular)| {
+        let mut core = spec(frame, Method::Reflection);
+        if let MethodSpec::Reflection(reflection) = &mut core.method {
+            (reflection.bisector, reflection.specular) = (bisector, specular);
+        }
+        core.check().unwrap();
+        core
+    };
+    let (span, triangle) = (Bisector::Span, Bisector::Triangle);
+    [(span, Highlight::Blinn), (triangle, Highlight::Hybrid), (triangle, Highlight::Eq34)].map(with)
+}
+
+/// `lyon` with both differences, `duff` and `reflection` with each of their highlights, and the other methods.
 pub fn cores(frame: &Frame) -> Vec<CoreSpec> {
-    let several = [Method::Lyon, Method::Duff];
+    let several = [Method::Lyon, Method::Duff, Method::Reflection];
     let others = Method::ALL.into_iter().filter(|method| !several.contains(method)).map(|method| spec(frame, method));
-    [cross_form(frame, 2), reflection_form(frame, 2)].into_iter().chain(duffs(frame)).chain(others).collect()
+    let lyons = [cross_form(frame, 2), reflection_form(frame, 2)];
+    lyons.into_iter().chain(duffs(frame)).chain(reflections(frame)).chain(others).collect()
 }
 
 /// Runs a core. Every pixel must be the model's and leave in its clock, every stated fact hold, and no error exceed its bound.

@@ -1,9 +1,12 @@
 //! Normals that vanish or oppose each other.
 use glam::DVec3;
 use specula_scene::spec::lyon::Difference;
+use specula_scene::spec::reflection::Bisector;
 use specula_scene::{Method, Needs};
 
-use crate::common::{codes, cores, cross_form, duffs, frame, lyon, material, mirror, reflection_form, shade, spec, tilted};
+use crate::common::{
+    codes, cores, cross_form, duffs, frame, lyon, material, mirror, reflection_form, reflections, shade, spec, tilted,
+};
 
 const AMBIENT: f64 = 0.2;
 const AMBIENT_CODE: u8 = 51;
@@ -72,6 +75,48 @@ fn duff_with_the_light_opposite_the_eye() {
     let frame = frame([tilted(10.0), tilted(20.0)], 8, &[-DVec3::Z], mirror(16));
     for core in duffs(&frame) {
         assert_eq!(codes(&core, &frame), [0; 8]);
+    }
+}
+
+/// Rows 1, 7 and 9: opposite ends have no normal half-way between them, nor do those that are opposite but for a millionth; the span
+/// gets no diffuse light, and a highlight of the hybrid's alone.
+#[test]
+fn reflection_between_opposite_normals() {
+    let nearly = -(DVec3::Z + 5e-7 * DVec3::X).normalize();
+    for end in [-DVec3::Z, nearly] {
+        for length in [2, 3, 257] {
+            let frame = frame([DVec3::Z, end], length, &[tilted(10.0)], material(AMBIENT, 0.8, 0.0, 16));
+            for core in reflections(&frame) {
+                assert_eq!(codes(&core, &frame), vec![AMBIENT_CODE; length as usize]);
+            }
+        }
+    }
+}
+
+/// Row 8: the triangle's sum lies behind the normal at one end, and the span's own bisector is taken; no pixel is 180 degrees wrong.
+#[test]
+fn reflection_falls_back_to_the_spans_bisector() {
+    let mut frame = frame([tilted(0.0), tilted(110.0)], 20, &[tilted(55.0)], material(0.0, 1.0, 0.0, 1));
+    frame.triangles[0].normals[2] = tilted(-100.0);
+    let sum: DVec3 = frame.triangles[0].normals.iter().sum();
+    assert!(sum.dot(tilted(110.0)) < 0.0, "{sum}");
+    let [of_span, of_triangle] = [Bisector::Span, Bisector::Triangle].map(|bisector| bisector.of(&frame, &frame.spans[0]).unwrap());
+    assert_eq!(of_triangle, of_span);
+    let at_the_ends = (255.0 * 55f64.to_radians().cos()).round() as u8;
+    for core in reflections(&frame) {
+        let codes = codes(&core, &frame);
+        assert_eq!((codes[0], codes[19]), (at_the_ends, at_the_ends), "{core:?}");
+    }
+}
+
+/// Row 10: n = N makes H as long as it can be, and the normal comes out as it went in.
+#[test]
+fn reflection_about_the_normal_itself() {
+    for axis in [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z] {
+        let frame = frame([axis; 2], 300, &[axis], material(0.0, 1.0, 0.0, 1));
+        for core in reflections(&frame) {
+            assert_eq!(codes(&core, &frame), vec![255; 300]);
+        }
     }
 }
 

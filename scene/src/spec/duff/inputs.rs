@@ -32,7 +32,7 @@ inputs! {
         /// 2(N·V)(N·L) - (L·V)(N·N); there with the quotient only.
         numerator: group_if_any(Quadratic),
         /// L·V; there with eq. 33 and 34 only.
-        light_dot_view: one_if_any,
+        dot_view: one_if_any,
         /// Diffuse coefficient, in LSBs.
         diffuse: vector,
         /// Specular coefficient, in LSBs.
@@ -63,12 +63,12 @@ impl DuffSpec {
         let called = |input: &str| format!("light{index}_{input}");
         let halfway = || Linear::ports(&called("halfway"), f.linear_accumulator);
         let numerator = || Quadratic::reflected_ports(&called("numerator"), f.accumulator);
-        let light_dot_view = || InputPort::between(called("dot_view"), f.cosine, -1.0, 1.0);
+        let dot_view = || InputPort::between(called("dot_view"), f.cosine, -1.0, 1.0);
         DuffLight {
             cosine: Linear::ports(&called("cosine"), f.linear_accumulator),
             halfway: (self.specular == Highlight::Blinn).then(halfway),
             numerator: (self.specular == Highlight::Quotient).then(numerator),
-            light_dot_view: self.specular.looks_at_the_eye().then(light_dot_view),
+            dot_view: self.specular.looks_at_the_eye().then(dot_view),
             diffuse: core.colour_ports(&called("diffuse")),
             specular: core.colour_ports(&called("specular")),
         }

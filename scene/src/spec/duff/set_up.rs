@@ -49,7 +49,7 @@ impl DuffSetUp<'_> {
             cosine: self.linear(span, normal, l),
             halfway: (highlight == Highlight::Blinn).then(|| self.linear(span, normal, halfway(l))),
             numerator: (highlight == Highlight::Quotient).then(numerator),
-            light_dot_view: highlight.looks_at_the_eye().then(|| f.cosine.quantise(l.dot(EYE))),
+            dot_view: highlight.looks_at_the_eye().then(|| f.cosine.quantise(l.dot(EYE))),
             diffuse,
             specular,
         }
