@@ -1,14 +1,14 @@
 //! Lyon's method without rounding [Lyon, TR 43; METHODS.md B].
 use glam::DVec3;
 use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::Difference;
+use specula_scene::spec::lyon::{Difference, Halfway};
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
 use super::method::ShadePixel;
-use super::normalisation::gain;
-use super::reflection::{halfway_cross_normal, reflection_minus_light};
+use super::normalisation::{g2, gain, unit};
+use super::reflection::{halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light};
 use super::shape::f_k;
 
 /// One span, shaded by `lyon`.
@@ -46,11 +46,27 @@ impl<'a> LyonSpan<'a> {
         if normal == DVec3::ZERO {
             return 0.0;
         }
-        let difference = match self.spec.difference {
-            Difference::ReflectionMinusLight => reflection_minus_light(normal, light),
-            Difference::HalfwayCrossNormal => halfway_cross_normal(normal, light),
+        let about_unit = unit_halfway(self.spec.halfway, light);
+        let (difference, half_exponent) = match (self.spec.difference, about_unit) {
+            (Difference::ReflectionMinusLight, _) => (reflection_minus_light(normal, light), self.half_shininess),
+            (Difference::LightReflection, _) => (light_reflection(normal, light), self.half_shininess),
+            (Difference::HalfwayProjection, _) => (projection(normal, halfway(light)), self.half_shininess),
+            (Difference::HalfwayCrossNormal, _) => (halfway_cross_normal(normal, light), self.half_shininess),
+            (Difference::UnitHalfwayMinusNormal, Some(h)) => (h - normal, 4.0 * self.half_shininess),
+            (Difference::UnitHalfwayProjection, Some(h)) => (projection(normal, h), 4.0 * self.half_shininess),
+            (Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection, None) => return 0.0,
         };
-        f_k(self.half_shininess * difference.length_squared(), self.spec.squarings)
+        f_k(half_exponent * difference.length_squared(), self.spec.squarings)
+    }
+}
+
+/// A half-way vector of about unit length [METHODS.md B6, B7]; `None` where it has no direction, L = -V (EXTREMES row 12).
+fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
+    let h = halfway(light) / 2.0;
+    match kind {
+        Halfway::Unit => unit(h),
+        Halfway::Half => Some(h),
+        Halfway::HalfG2 => Some(g2(h.length_squared()) * h),
     }
 }
 

@@ -32,6 +32,7 @@ pub fn newton(g: f64, z: f64) -> f64 {
 /// The factor g that a spec asks for: first approximation, then Newton steps.
 pub fn gain(spec: &LyonSpec, z: f64) -> f64 {
     let first = match spec.normalisation {
+        Normalisation::None => return 1.0,
         Normalisation::G1 => g1(z),
         Normalisation::G2 => g2(z),
     };

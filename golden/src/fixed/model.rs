@@ -46,6 +46,8 @@ impl Model {
     /// | n | `normal_x`, `_y`, `_z` |
     /// | d | `light<l>_diffuse` |
     /// | w, D | `light<l>_twice_n_dot_v`, `light<l>_difference_x`, `_y`, `_z` |
+    /// | w of D2, p | `light<l>_twice_n_dot_l`, `light<l>_h_dot_n` |
+    /// | u | `light<l>_scaled_difference_x`, `_y`, `_z` |
     /// | x, max(0, 1 - x), f² | `light<l>_shape_argument`, `light<l>_shape`, `light<l>_square<s>` |
     /// | q_acc, q | `denominator_accumulator`, `denominator` |
     /// | p_acc, p | `light<l>_numerator_accumulator`, `light<l>_numerator` |

@@ -73,6 +73,29 @@ impl Sig {
         high.less_than(self).choose(&high, self).known_within(range, self.error())
     }
 
+    /// The value without its sign. Fixed and real come no further apart.
+    pub fn absolute(&self) -> Sig {
+        let range = self.range();
+        if range.low >= 0 {
+            return self.clone();
+        }
+        let negative = self.less_than(&self.builder.integer(0));
+        let largest = range.high.max(-range.low);
+        negative.choose(&-self, self).known_within(Range::new(0, largest), self.error())
+    }
+
+    /// What stands right of the binary point of a value that is not negative. Integer bits are left away, so of values from 1 on nothing is
+    /// known of the error.
+    pub fn fraction_part(&self) -> Sig {
+        let range = Range::new(0, (1 << self.fraction_bits()) - 1);
+        assert!(self.range().low >= 0, "a fraction part is taken of what is not negative");
+        if self.range().high <= range.high {
+            return self.clone();
+        }
+        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "fraction" };
+        self.builder.emit(Op::Wrap(self.id()), Register::None, facts)
+    }
+
     fn limit(&self, integer: i64) -> i64 {
         integer << self.fraction_bits()
     }

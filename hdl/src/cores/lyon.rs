@@ -1,6 +1,6 @@
 //! Lyon's core.
 use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{LyonLight, LyonSpec};
+use specula_scene::spec::lyon::{Difference, LyonLight, LyonSpec, ShapeDatapath};
 
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
@@ -38,16 +38,39 @@ impl Pixel<'_> {
         let (b, formats) = (self.b, &self.lyon.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
-        let d = b.instance(&called("difference"), || match &light.halfway {
-            Some(halfway) => units::halfway_cross_normal(b, &Vector::new(halfway.clone()), self.n, formats),
-            None => units::reflection_minus_light(b, self.n, &eye(b), &direction, formats),
-        });
-        let shape = || units::shape(b, &d, self.shininess, self.has_direction, self.lyon);
+        let d = b.instance(&called("difference"), || self.difference(light));
+        let shape = || match self.lyon.shape {
+            ShapeDatapath::FK => units::shape(b, &d, self.shininess, self.has_direction, self.lyon),
+            ShapeDatapath::Root => units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon),
+        };
         Light {
             diffuse: b.instance(&called("diffuse"), || units::diffuse(b, self.n, &direction, formats)),
             specular: b.instance(&called("shape"), shape),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
+        }
+    }
+}
+
+impl Pixel<'_> {
+    fn difference(&self, light: &LyonLight<Sig>) -> Vector {
+        let (b, n, formats) = (self.b, self.n, &self.lyon.formats);
+        // A rounded unit vector is longer than 1 by √3/2 units of the last place at most, and H than 2.
+        let ulp = formats.vector.ulp();
+        let direction = Vector::new(light.direction.clone()).no_longer_than(1.0 + ulp);
+        let Some(halfway) = light.halfway.clone().map(Vector::new) else {
+            return match self.lyon.difference {
+                Difference::LightReflection => units::light_reflection(b, n, &direction, &eye(b), formats),
+                _ => units::reflection_minus_light(b, n, &eye(b), &direction, formats),
+            };
+        };
+        // g2 makes h longer than 1 by 0.00176 at most (METHODS B9).
+        let longest = if self.lyon.difference.takes_unit_halfway() { 1.002 } else { 2.0 };
+        let h = halfway.no_longer_than(longest + ulp);
+        match self.lyon.difference {
+            Difference::HalfwayCrossNormal => units::halfway_cross_normal(b, &h, n, formats),
+            Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
+            _ => units::halfway_projection(b, &h, n, formats),
         }
     }
 }

@@ -10,14 +10,14 @@ mod quadratic;
 mod shape;
 
 pub use colour::{Coefficients, Light, channels};
-pub use difference::{halfway_cross_normal, reflection_minus_light};
+pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
 pub use divider::divider;
 pub use interpolate::{SpanNormals, interpolate};
-pub use normalise::normalise;
+pub use normalise::{has_direction, normalise};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
-pub use shape::shape;
+pub use shape::{root_shape, shape};
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.

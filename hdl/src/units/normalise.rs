@@ -26,6 +26,7 @@ fn coarsest_ulp(formats: &LyonFormats) -> f64 {
 pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> (Vector, Sig) {
     let f = &lyon.formats;
     let formula = match lyon.normalisation {
+        Normalisation::None => return unnormalised(b, normal, shortest),
         Normalisation::G1 => "n = g N', g = 1 + y/2, y = 1 - N'.N' [Lyon, TR 43]",
         Normalisation::G2 => "n = g N', g = 1 + (y + y^2)/2, y = 1 - N'.N' [Lyon, TR 43]",
     };
@@ -48,6 +49,22 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
         let has_direction = b.integer(0).less_than(&z).named("has_direction").stated_error_value(unsure);
         // Each of a few roundings adds some units of the coarsest format's last place.
         (n.assumed_within(longest + 8.0 * coarsest_ulp(f), "|g N'| <= 1.002").named("n"), has_direction)
+    })
+}
+
+/// N' as it is, and whether it has a direction; off by 1 where all components may round to 0 though one is not.
+fn unnormalised(b: &Builder, normal: &Vector, shortest: f64) -> (Vector, Sig) {
+    let surely = shortest - 3f64.sqrt() * normal.x.error_value();
+    let unsure = if surely > 0.0 { 0.0 } else { 1.0 };
+    (normal.clone(), has_direction(b, normal).stated_error_value(unsure))
+}
+
+/// Whether a vector has a component that is not 0 (EXTREMES row 1).
+pub fn has_direction(b: &Builder, n: &Vector) -> Sig {
+    b.unit("has_direction", "N is not 0", (("n", n),), |b, (n,)| {
+        let zero = b.integer(0);
+        let not_zero = |c: &Sig| c.less_than(&zero).or(&zero.less_than(c));
+        not_zero(&n.x).or(&not_zero(&n.y)).or(&not_zero(&n.z)).named("has_direction")
     })
 }
 
@@ -79,6 +96,7 @@ impl GainBound {
     fn first(normalisation: Normalisation, shortest: f64, error_of_z: f64, ulp: f64) -> GainBound {
         let y = 1.0 - shortest * shortest;
         let (largest, slope) = match normalisation {
+            Normalisation::None => (1.0, 0.0),
             Normalisation::G1 => (1.0 + y / 2.0, 0.5),
             Normalisation::G2 => (1.0 + (y + y * y) / 2.0, 0.5 + y),
         };
@@ -103,6 +121,7 @@ impl GainBound {
 fn first_gain(b: &Builder, z: &Sig, lyon: &LyonSpec) -> Sig {
     let y = (b.integer(1) - z).named("y");
     let above_one = match lyon.normalisation {
+        Normalisation::None => return b.integer(1),
         Normalisation::G1 => y.halved(),
         Normalisation::G2 => (&y + y.squared()).halved(),
     };
