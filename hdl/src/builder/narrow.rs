@@ -23,6 +23,25 @@ impl Sig {
         self.shortened(fraction_bits, "truncated")
     }
 
+    /// The last `bits` bits, read as an unsigned number: what is left of it modulo 2^`bits` units of the last place.
+    pub fn low_bits(&self, bits: u32) -> Sig {
+        if bits == 0 {
+            let id = self.builder.state.borrow_mut().constant(0, self.fraction_bits());
+            return self.builder.sig(id);
+        }
+        let range = Range::whole(bits, false);
+        if self.range().hull(range) == range {
+            return self.clone();
+        }
+        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "low" };
+        self.builder.emit(Op::Wrap(self.id()), Register::None, facts)
+    }
+
+    /// The raw value as an integer: the binary point moves behind the last place.
+    pub fn raw(&self) -> Sig {
+        self.times_power_of_two(self.fraction_bits() as i32)
+    }
+
     /// One unit in the last place more.
     fn plus_one_ulp(&self) -> Sig {
         let one = self.builder.integer(1).times_power_of_two(-(self.fraction_bits() as i32));
@@ -82,18 +101,6 @@ impl Sig {
         let negative = self.less_than(&self.builder.integer(0));
         let largest = range.high.max(-range.low);
         negative.choose(&-self, self).known_within(Range::new(0, largest), self.error())
-    }
-
-    /// What stands right of the binary point of a value that is not negative. Integer bits are left away, so of values from 1 on nothing is
-    /// known of the error.
-    pub fn fraction_part(&self) -> Sig {
-        let range = Range::new(0, (1 << self.fraction_bits()) - 1);
-        assert!(self.range().low >= 0, "a fraction part is taken of what is not negative");
-        if self.range().high <= range.high {
-            return self.clone();
-        }
-        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "fraction" };
-        self.builder.emit(Op::Wrap(self.id()), Register::None, facts)
     }
 
     fn limit(&self, integer: i64) -> i64 {

@@ -56,7 +56,7 @@ pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &
         let u = d.map(scaled).named("scaled");
         let one = b.integer(1);
         let outside = u.x.at_least(&one).or(&u.y.at_least(&one)).or(&u.z.at_least(&one)).named("outside");
-        let x = u.map(Sig::fraction_part).length_squared().rounded(fraction_bits).named("x");
+        let x = u.map(|c| c.low_bits(c.fraction_bits())).length_squared().rounded(fraction_bits).named("x");
         let lit = has_direction.and(&outside.not()).named("lit");
         let mut f = lit.choose(&(b.integer(1) - x).at_least_zero(), &b.integer(0)).named("base");
         for _ in 0..lyon.squarings {
