@@ -1,0 +1,59 @@
+//! What the recurrences of a span are set up from.
+use glam::DVec3;
+use specula_scene::frame::EYE;
+use specula_scene::{Frame, Span};
+
+use crate::exact::normalisation::unit;
+
+/// One span as its set-up sees it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Normals at the first and last pixel; the longer has length 1.
+    pub ends: [DVec3; 2],
+    /// S, the number of steps between them; 0 for a single pixel.
+    pub steps: u32,
+    /// Unit normals at the triangle's vertices.
+    pub vertices: [DVec3; 3],
+    /// Barycentric weights at the first and last pixel.
+    pub weights: [[f64; 3]; 2],
+    /// Phong's exponent n.
+    pub shininess: u32,
+}
+
+impl Line {
+    /// A span of a frame.
+    pub fn new(frame: &Frame, span: &Span) -> Line {
+        Line {
+            ends: frame.end_normals(span),
+            steps: span.steps(),
+            vertices: frame.triangles[span.triangle].normals,
+            weights: [span.start, span.end],
+            shininess: frame.material(span).shininess,
+        }
+    }
+
+    /// k, the step of the normal: (N1 - N0)/S, and 0 in a span of one pixel (EXTREMES row 37).
+    pub fn step(&self) -> DVec3 {
+        (self.ends[1] - self.ends[0]) * self.per_step()
+    }
+
+    /// 1/S, and 0 for S = 0.
+    pub fn per_step(&self) -> f64 {
+        if self.steps == 0 { 0.0 } else { 1.0 / f64::from(self.steps) }
+    }
+
+    /// The unit normals at the ends, V's direction for one that vanishes.
+    pub fn unit_ends(&self) -> [DVec3; 2] {
+        self.ends.map(|end| unit(end).unwrap_or(EYE))
+    }
+
+    /// The face's normal.
+    pub fn face(&self) -> DVec3 {
+        face(&self.vertices)
+    }
+}
+
+/// The mean direction of a triangle's vertex normals, which stands in for its face's: a [`Frame`] keeps no places. V's where they cancel.
+pub fn face(vertices: &[DVec3; 3]) -> DVec3 {
+    unit(vertices.iter().sum()).unwrap_or(EYE)
+}

@@ -1,0 +1,67 @@
+//! What a recurrence computes with: f32 to be fast, f64 to be right, [`Counted`](super::Counted) to count.
+use std::ops::{Add, Div, Mul, Sub};
+
+/// Arithmetic as the papers count it. Comparisons, doublings and halvings (shifts) are not counted by them and have their own names.
+pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
+    /// The least that a squared length is taken to be: it keeps quotients finite where a normal vanishes.
+    const LEAST: f64;
+
+    /// A constant, rounded to the type.
+    fn of(value: f64) -> Self;
+
+    /// √x.
+    fn square_root(self) -> Self;
+
+    /// x/2.
+    fn halved(self) -> Self;
+
+    /// x, or [`LEAST`](Self::LEAST) if that is more.
+    fn floored(self) -> Self;
+
+    /// x, or 0 if that is more.
+    fn positive(self) -> Self;
+
+    /// x, or 1 if that is less.
+    fn at_most_one(self) -> Self;
+}
+
+macro_rules! float {
+    ($float:ident) => {
+        impl Number for $float {
+            const LEAST: f64 = $float::EPSILON as f64;
+
+            #[inline(always)]
+            fn of(value: f64) -> Self {
+                value as $float
+            }
+
+            #[inline(always)]
+            fn square_root(self) -> Self {
+                self.sqrt()
+            }
+
+            #[inline(always)]
+            fn halved(self) -> Self {
+                self * 0.5
+            }
+
+            #[inline(always)]
+            fn floored(self) -> Self {
+                self.max(Self::LEAST as $float)
+            }
+
+            #[inline(always)]
+            fn positive(self) -> Self {
+                self.max(0.0)
+            }
+
+            #[inline(always)]
+            fn at_most_one(self) -> Self {
+                self.min(1.0)
+            }
+        }
+    };
+}
+
+float!(f32);
+float!(f64);
