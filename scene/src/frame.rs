@@ -123,6 +123,11 @@ impl Frame {
         if longest > 0.0 { ends.map(|n| n / longest) } else { ends }
     }
 
+    /// The unit vector in the direction of the mean of a triangle's vertex normals; 0 where they add up to nothing.
+    pub fn mean_normal(&self, span: &Span) -> DVec3 {
+        self.triangles[span.triangle].normals.iter().sum::<DVec3>().normalize_or_zero()
+    }
+
     /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one pixel k is 0.
     pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
         let [start, end] = self.end_normals(span);

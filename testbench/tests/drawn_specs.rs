@@ -47,7 +47,7 @@ fn errors_stay_within_bounds(design: &Design, spec: &CoreSpec, frame: &Frame, si
 
 #[test]
 fn lyon_agrees() {
-    (0..250).for_each(|seed| agrees(seed, Method::Lyon));
+    (0..120).for_each(|seed| agrees(seed, Method::Lyon));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::method::{Method, Values};
-use super::number::Wide;
+use super::number::{Wide, round_quotient, round_reciprocal_root};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::PacketError;
 use super::vector::{Vector, cross, dot};
@@ -15,6 +15,8 @@ const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
 const THREE: Wide = Wide::lit("3");
 /// The largest |N|² of an end normal. A unit vector in `S1.4`, the coarsest format, comes to (1 + √3/32)² = 1.112 at most.
 const LONGEST_SQUARED: Wide = Wide::lit("1.25");
+/// The z that the exact normalisation counts smaller ones as, 4^-4.
+const SHORTEST_SQUARED: Wide = Wide::lit("0.00390625");
 /// The largest weight at the last pixel; 1, and what the rounding of 1/S adds to it.
 const LARGEST_WEIGHT: Wide = Wide::lit("1.0625");
 
@@ -62,12 +64,18 @@ impl Method for Lyon {
     /// rounding.
     fn check(&self, inputs: &LyonInputs<Wide>, length: u32) -> Result<(), PacketError> {
         let start = inputs.normal_start;
-        let end: Vector = std::array::from_fn(|c| start[c] + inputs.normal_delta[c]);
-        let too_long = |normal: &Vector| dot(normal, normal) > LONGEST_SQUARED;
-        if too_long(&start) || too_long(&end) {
+        let delta = inputs.normal_delta.unwrap_or_default();
+        let end: Vector = std::array::from_fn(|c| start[c] + delta[c]);
+        // H of wrapped normals is the sum of two unit vectors.
+        let (axis, limit) = match inputs.wrap_axis {
+            Some(axis) => (axis, LONGEST_SQUARED << 2),
+            None => (Vector::default(), LONGEST_SQUARED),
+        };
+        let too_long = |normal: &Vector| dot(normal, normal) > limit;
+        if too_long(&start) || too_long(&end) || dot(&axis, &axis) > LONGEST_SQUARED {
             return Err(PacketError::LongNormal);
         }
-        let weight = inputs.weight_step * Wide::from_num(length - 1);
+        let weight = inputs.weight_step.unwrap_or_default() * Wide::from_num(length - 1);
         if weight > LARGEST_WEIGHT { Err(PacketError::Weight { weight: weight.to_num() }) } else { Ok(()) }
     }
 
@@ -88,11 +96,18 @@ impl Lyon {
     /// n = g N', with N' = N0 + a (N1 - N0), and whether N' has a direction.
     fn normal(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Vector, bool) {
         let f = &self.formats;
-        let accumulated = Wide::from_num(i) * inputs.weight_step;
+        let (Some(delta), Some(weight_step)) = (inputs.normal_delta, inputs.weight_step) else {
+            return (inputs.normal_start, inputs.normal_start != [Wide::ZERO; 3]);
+        };
+        let accumulated = Wide::from_num(i) * weight_step;
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
         let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
-        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * inputs.normal_delta[c]);
+        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * delta[c]);
         let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
+        if let Some(axis) = &inputs.wrap_axis {
+            let normal = self.wrapped(&interpolated, axis, observer);
+            return (normal, normal != [Wide::ZERO; 3]);
+        }
         if self.normalisation == Normalisation::None {
             return (interpolated, interpolated != [Wide::ZERO; 3]);
         }
@@ -101,11 +116,30 @@ impl Lyon {
         (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z != Wide::ZERO)
     }
 
+    /// n = 2v H - w with v = H·w / H·H, clamped to 0 to 1 (METHODS.md C4).
+    fn wrapped(&self, h: &Vector, axis: &Vector, observer: &mut impl Observer) -> Vector {
+        let f = &self.formats;
+        let p = narrow(observer, format_args!("wrap_p"), dot(h, axis), f.wrap_operand);
+        let q = narrow(observer, format_args!("wrap_q"), dot(h, h), f.wrap_operand);
+        let ratio = match p > Wide::ZERO && q > Wide::ZERO {
+            true if p >= q => Wide::ONE,
+            true => round_quotient(p, q, f.wrap_ratio.fraction_bits),
+            false => Wide::ZERO,
+        };
+        observer.see(format_args!("wrap_ratio"), ratio, f.wrap_ratio);
+        narrow_vector(observer, "normal", std::array::from_fn(|c| (ratio << 1) * h[c] - axis[c]), f.vector)
+    }
+
     /// g, near 1/√z: g1 or g2 (METHODS.md B8, B9), then Newton steps.
     fn gain(&self, z: Wide, observer: &mut impl Observer) -> Wide {
         let y = Wide::ONE - z;
         let first = match self.normalisation {
             Normalisation::None => return Wide::ONE,
+            Normalisation::Exact => {
+                let root = round_reciprocal_root(z.max(SHORTEST_SQUARED), self.formats.gain.fraction_bits);
+                observer.see(format_args!("gain"), root, self.formats.gain);
+                return root;
+            }
             Normalisation::G1 => Wide::ONE + (y >> 1),
             Normalisation::G2 => Wide::ONE + ((y + y * y) >> 1),
         };

@@ -47,6 +47,15 @@ pub fn round_quotient(p: Wide, q: Wide, fraction_bits: u32) -> Wide {
     Wide::from_num(quotient) >> fraction_bits
 }
 
+/// 1/√z rounded to nearest, ties up, for z from 2^-8 on that has no more than 24 fraction bits.
+///
+/// With Z = 2^24 z: ⌊2^(f+1)/√z⌋ = ⌊√⌊2^(2f+2+24)/Z⌋⌋, and its half rounded up is the result. With f ≤ 24 the dividend is 2^74 at most.
+pub fn round_reciprocal_root(z: Wide, fraction_bits: u32) -> Wide {
+    let z = (z.to_bits() >> (Wide::FRAC_NBITS - 24)).cast_unsigned();
+    let twice = ((1_u128 << (2 * fraction_bits + 26)) / z).isqrt();
+    Wide::from_num(twice.div_ceil(2)) >> fraction_bits
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -76,6 +85,18 @@ mod tests {
                     let twice = 2 * (p << fraction_bits);
                     assert!((2 * b - 1) * q <= twice && twice < (2 * b + 1) * q, "{p}/{q} to {fraction_bits}: {b}");
                 }
+            }
+        }
+    }
+
+    /// Every z of 8 fraction bits from 1/256 to 2: the greatest r with (2r - 1)² z ≤ 4 · 4^f.
+    #[test]
+    fn reciprocal_roots_are_the_nearest() {
+        for z in 1..=512_i64 {
+            for fraction_bits in [4, 7, 24] {
+                let r = i128::from(to_raw(round_reciprocal_root(Wide::from_num(z) >> 8, fraction_bits), fraction_bits));
+                let below = |r: i128| (2 * r - 1) * (2 * r - 1) * i128::from(z) <= 4 << (2 * fraction_bits + 8);
+                assert!(below(r) && !below(r + 1), "{z}/256 to {fraction_bits}: {r}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! `lyon` on raw values.
 use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::{Difference, Normalisation, ShapeDatapath};
+use specula_scene::spec::lyon::{Difference, Normalisation, Normals, ShapeDatapath};
 
 use crate::raw::{Raw, round};
 
@@ -23,14 +23,27 @@ pub fn code(spec: &LyonSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
 /// n, and whether it has a direction.
 fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> ([i128; 3], bool) {
     let f = &spec.formats;
+    if spec.normals == Normals::Flat {
+        let n = raw.vector("normal");
+        return (n, n != [0; 3]);
+    }
     let (v, w, zf, gf) = (f.vector.fraction_bits, f.weight.fraction_bits, f.length_squared.fraction_bits, f.gain.fraction_bits);
     let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
-    let (start, delta) = (raw.vector("normal_start"), raw.vector("normal_delta"));
+    let (start, delta) =
+        (raw.vector(if spec.normals == Normals::Wrapped { "wrap_start" } else { "normal_start" }), raw.vector("normal_delta"));
     let lerp = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
+    if spec.normals == Normals::Wrapped {
+        let n = wrapped(spec, lerp, raw.vector("wrap_axis"));
+        return (n, n != [0; 3]);
+    }
     let z = round(dot(lerp, lerp), 2 * v, zf);
     let y = (1 << zf) - z;
     let mut g = match spec.normalisation {
         Normalisation::None => return (lerp, lerp != [0; 3]),
+        Normalisation::Exact => {
+            let g = reciprocal_root(z, zf, gf);
+            return (lerp.map(|c| round(g * c, gf + v, v)), z != 0);
+        }
         Normalisation::G1 => round((2 << zf) + y, zf + 1, gf),
         Normalisation::G2 => round((2 << (2 * zf)) + (y << zf) + y * y, 2 * zf + 1, gf),
     };
@@ -40,6 +53,26 @@ fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> ([i128; 3], bool) {
         g = round(g * factor, 2 * gf + 1, gf);
     }
     (lerp.map(|c| round(g * c, gf + v, v)), z != 0)
+}
+
+/// The greatest r with (2r - 1)² z ≤ 4 · 4^to, by bisection; z counts as 4^-4 at least.
+fn reciprocal_root(z: i128, from: u32, to: u32) -> i128 {
+    let z = (z << 8).max(1 << from);
+    let (mut yes, mut no) = (0_i128, (16 << to) + 1);
+    while no - yes > 1 {
+        let r = (yes + no) / 2;
+        if (2 * r - 1).pow(2) * z <= 1 << (2 + 2 * to + from + 8) { yes = r } else { no = r }
+    }
+    yes
+}
+
+/// 2v H - w, v the one fraction with v - 1/2 ≤ p/q < v + 1/2 in units of its last place.
+fn wrapped(spec: &LyonSpec, h: [i128; 3], w: [i128; 3]) -> [i128; 3] {
+    let (v, o, r) =
+        (spec.formats.vector.fraction_bits, spec.formats.wrap_operand.fraction_bits, spec.formats.wrap_ratio.fraction_bits);
+    let (p, q) = (round(dot(h, w), 2 * v, o), round(dot(h, h), 2 * v, o));
+    let ratio = if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
+    [0, 1, 2].map(|c| round(2 * ratio * h[c] - (w[c] << r), v + r, v))
 }
 
 fn shape(spec: &LyonSpec, raw: &Raw, n: [i128; 3], light: usize) -> i128 {

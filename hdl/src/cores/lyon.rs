@@ -1,6 +1,6 @@
 //! Lyon's core.
 use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{Difference, LyonLight, LyonSpec, ShapeDatapath};
+use specula_scene::spec::lyon::{Difference, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
 
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
@@ -10,18 +10,36 @@ use crate::units::{self, Light, SpanNormals};
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
     let control = b.control();
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
-    let span = SpanNormals {
-        first: &control.start,
-        start: &Vector::new(inputs.normal_start),
-        delta: &Vector::new(inputs.normal_delta),
-        weight_step: &inputs.weight_step,
-    };
-    let normal = units::interpolate(&b, span, &lyon.formats, spec.longest_span - 1);
-    let (n, has_direction) = units::normalise(&b, &normal, lyon, spec.shortest_normal);
+    let (n, has_direction) = normal(&b, &control.start, &inputs, spec, lyon);
     let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
     b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+}
+
+/// n at each pixel, and whether it has a direction.
+fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, lyon: &LyonSpec) -> (Vector, Sig) {
+    let formats = &lyon.formats;
+    // A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
+    let unit = |components: &[Sig; 3]| Vector::new(components.clone()).no_longer_than(1.0 + formats.vector.ulp());
+    let (Some(delta), Some(weight_step)) = (&inputs.normal_delta, &inputs.weight_step) else {
+        let n = unit(&inputs.normal_start);
+        let has_direction = units::has_direction(b, &n);
+        return (n, has_direction);
+    };
+    let (start, delta) = (Vector::new(inputs.normal_start.clone()), Vector::new(delta.clone()));
+    let along = |longest| {
+        let span = SpanNormals { first, start: &start, delta: &delta, weight_step, longest };
+        units::interpolate(b, span, formats, spec.longest_span - 1)
+    };
+    match &inputs.wrap_axis {
+        None => units::normalise(b, &along(1.0), lyon, spec.shortest_normal),
+        Some(axis) => {
+            let n = units::wrapped(b, &along(2.0), &unit(axis), formats);
+            let has_direction = units::has_direction(b, &n);
+            (n, has_direction)
+        }
+    }
 }
 
 /// What the lights have in common.

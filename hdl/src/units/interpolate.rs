@@ -13,13 +13,15 @@ pub struct SpanNormals<'a> {
     pub delta: &'a Vector,
     /// 1/S.
     pub weight_step: &'a Sig,
+    /// How long the vectors at the ends are but for rounding, and so all between them: 1 for normals.
+    pub longest: f64,
 }
 
 /// Interpolates linearly: N' = N0 + a (N1 - N0), where a grows by 1/S with each of at most `steps` + 1 pixels.
 /// [Lyon, TR 43; METHODS B12]
 ///
 /// N0 and N1 are unit vectors but for rounding, √3/2 units of the last place. With a ≤ 1 + o, where o is [`overshoot`], N' is longer
-/// than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o.
+/// than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o. Longer vectors alike.
 pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps: u32) -> Vector {
     let inputs =
         (("start", span.first), ("normal_start", span.start), ("normal_delta", span.delta), ("weight_step", span.weight_step));
@@ -28,8 +30,8 @@ pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps:
         let a = Sig::accumulated(&first, &b.integer(0), &step, (0.0, 1.0 + slack), steps, "0 <= a <= 1");
         let overshoot = overshoot(formats, steps);
         let a = a.rounded(formats.weight.fraction_bits).assumed(0.0, 1.0 + overshoot, "0 <= a <= 1").named("weight");
-        let normal = (&start + &delta.scaled(&a)).no_longer_than((1.0 + formats.vector.ulp()) * (1.0 + 2.0 * overshoot));
-        let normal = normal.components_assumed_within(1.0 + 2.0 * overshoot, "|N'| <= 1");
+        let normal = (&start + &delta.scaled(&a)).no_longer_than((span.longest + formats.vector.ulp()) * (1.0 + 2.0 * overshoot));
+        let normal = normal.components_assumed_within(span.longest * (1.0 + 2.0 * overshoot), "|N'| <= 1");
         normal.rounded(formats.vector.fraction_bits).named("normal")
     })
 }

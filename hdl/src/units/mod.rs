@@ -11,6 +11,7 @@ mod quadratic;
 mod reciprocal_square_root;
 mod shape;
 mod square_root;
+mod wrapped;
 
 pub use colour::{Coefficients, Light, channels};
 pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};
@@ -24,6 +25,7 @@ pub use quadratic::{Differences, quadratic};
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 pub use shape::{root_shape, shape};
 pub use square_root::square_root;
+pub use wrapped::wrapped;
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.

@@ -25,7 +25,10 @@ pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon
         let error = if sure { (3f64.sqrt() * d.x.error_value() * slope + rounding).min(1.0) } else { 1.0 };
 
         let squared_length = d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
-        let x = (&n * squared_length).times_power_of_two(log2_factor as i32 - (lyon.squarings as i32 + 1)).rounded(fraction_bits).named("x");
+        let x = (&n * squared_length)
+            .times_power_of_two(log2_factor as i32 - (lyon.squarings as i32 + 1))
+            .rounded(fraction_bits)
+            .named("x");
         let shape = (b.integer(1) - x).at_least_zero();
         let mut f = has_direction.choose(&shape, &b.integer(0)).named("base");
         for _ in 0..lyon.squarings {
@@ -45,7 +48,8 @@ pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon
 /// m e_D 2^-h and half a unit of its last place, so f by √3 s times that. A step δ of m itself changes f by 2K u² (1 - u²)^(K-1) δ/m, at most
 /// 2 ((K-1)/K)^(K-1) δ/m, at the smallest m. Rounding x and each square adds K - 1/2 units of the last place.
 pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &LyonSpec) -> Sig {
-    let formula = format!("f = max(1 - u.u, 0)^{}, u = m |D| / {} [Lyon, TR 43, fig. 8]", 1 << lyon.squarings, 1 << lyon.root_shift());
+    let formula =
+        format!("f = max(1 - u.u, 0)^{}, u = m |D| / {} [Lyon, TR 43, fig. 8]", 1 << lyon.squarings, 1 << lyon.root_shift());
     b.unit("root_shape", &formula, (("d", d), ("m", m), ("has_direction", has_direction)), |b, (d, m, has_direction)| {
         let fraction_bits = lyon.formats.shape.fraction_bits;
         let error = if has_direction.error() == 0.0 { root_error(&d, &m, lyon) } else { 1.0 };

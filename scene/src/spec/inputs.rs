@@ -2,7 +2,7 @@
 
 /// Defines a struct of a core's inputs, in port order, with `map` over all of them.
 ///
-/// A field is `one` input, a `vector` of three, a `vector_if_any`, a `group(Type)` of inputs that is such a struct itself, or `many(Type)`
+/// A field is `one` input, `one_if_any`, a `vector` of three, a `vector_if_any`, a `group(Type)` of inputs that is such a struct itself, or `many(Type)`
 /// of them.
 macro_rules! inputs {
     ($(#[$about:meta])* $name:ident { $($(#[$field_about:meta])* $field:ident: $kind:ident $(($inner:ident))?,)* }) => {
@@ -34,11 +34,13 @@ macro_rules! inputs {
         }
     };
     (@type one) => { T };
+    (@type one_if_any) => { Option<T> };
     (@type vector) => { [T; 3] };
     (@type vector_if_any) => { Option<[T; 3]> };
     (@type group($inner:ident)) => { $inner<T> };
     (@type many($inner:ident)) => { Vec<$inner<T>> };
     (@map $f:ident, $value:expr, one) => { $f($value) };
+    (@map $f:ident, $value:expr, one_if_any) => { $value.as_ref().map(&mut *$f) };
     (@map $f:ident, $value:expr, vector) => { $value.each_ref().map(&mut *$f) };
     (@map $f:ident, $value:expr, vector_if_any) => { $value.as_ref().map(|v| v.each_ref().map(&mut *$f)) };
     (@map $f:ident, $value:expr, group) => { $value.map_with($f) };

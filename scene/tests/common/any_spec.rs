@@ -10,7 +10,8 @@ pub fn any_spec(needs: &Needs, method: Method, mut between: impl FnMut(u32, u32)
     };
     let options: Vec<String> = method.choices().iter().map(&mut option).collect();
     // Which narrowing points there are depends on the options.
-    let chosen = CoreSpec::for_scene(needs, Some(&table(method, &options, &[])), Some(method)).expect("choices are those there are");
+    let chosen =
+        CoreSpec::for_scene(needs, Some(&table(method, &options, &[])), Some(method)).expect("choices are those there are");
     let any = |point: &NarrowingPoint| {
         let fraction_bits = between(point.fewest_fraction_bits, point.most_fraction_bits);
         (point.name, Format { fraction_bits, ..point.format })

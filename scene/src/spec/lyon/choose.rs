@@ -1,5 +1,5 @@
 //! Options and formats of `lyon`: defaults for a scene, and what may be asked for.
-use super::{Difference, Halfway, LyonFormats, LyonSpec, Normalisation, ShapeDatapath};
+use super::{Difference, Halfway, LyonFormats, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
@@ -12,7 +12,9 @@ use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 impl LyonSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] = &[
-        Choice { key: "normalisation", values: &["\"none\"", "\"g1\"", "\"g2\""] },
+        Choice { key: "normals", values: &["\"linear\"", "\"flat\"", "\"wrapped\""] },
+        Choice { key: "axis", values: &["\"bisector\"", "\"face\""] },
+        Choice { key: "normalisation", values: &["\"none\"", "\"g1\"", "\"g2\"", "\"exact\""] },
         Choice { key: "newton_steps", values: &["0", "1", "2", "3"] },
         Choice {
             key: "difference",
@@ -35,6 +37,8 @@ impl LyonSpec {
         let typical = needs.widest_angle <= 30.0 && needs.largest_shininess <= 256;
         let (vector, fine, shape) = if typical { (14, 14, 12) } else { (17, 19, 14) };
         LyonSpec {
+            normals: Normals::Linear,
+            axis: WrapAxis::Bisector,
             normalisation: Normalisation::G2,
             newton_steps: u32::from(!typical),
             difference: Difference::HalfwayCrossNormal,
@@ -47,6 +51,9 @@ impl LyonSpec {
                 weight_accumulator: Format::unsigned(1, vector + span_bits(needs.longest_span) + 1),
                 weight: Format::unsigned(1, vector),
                 vector: Format::signed(1, vector),
+                // N' is off by up to 4 of their units of the last place, and by half of its own.
+                wrap_operand: Format::unsigned(3, fine + 2),
+                wrap_ratio: Format::unsigned(1, fine + 2),
                 length_squared: Format::unsigned(1, fine),
                 gain: Format::unsigned(2, fine),
                 diffuse: Format::unsigned(1, shape),
@@ -77,8 +84,15 @@ impl Describe for LyonSpec {
     }
 
     fn options(&self) -> Vec<(&'static str, String)> {
-        let mut options = vec![("normalisation", self.normalisation_in_words())];
-        if self.normalisation != Normalisation::None {
+        let mut options = Vec::new();
+        if self.normals != Normals::Linear {
+            options.push(("normals", self.normals_in_words()));
+        }
+        if self.normals == Normals::Linear {
+            options.push(("normalisation", self.normalisation_in_words()));
+        }
+        let approximate = matches!(self.normalisation, Normalisation::G1 | Normalisation::G2);
+        if self.normals == Normals::Linear && approximate {
             options.push(("Newton steps", self.newton_steps.to_string()));
         }
         options.push(("difference", self.difference_in_words()));
@@ -101,13 +115,19 @@ impl LyonSpec {
     fn normal_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         let f = &self.formats;
         let point = NarrowingPoint::rounded;
+        if self.normals == Normals::Flat {
+            return vec![point("vector", f.vector, SIGNED_UNIT, "components of the normal n")];
+        }
         let accumulated = "step of the interpolation weight, rounded by the host";
         let mut points = vec![
             NarrowingPoint::accumulated("weight_accumulator", f.weight_accumulator, UNIT, (1, span_bits), accumulated),
             point("weight", f.weight, UNIT, "interpolation weight a").no_finer_than(f.weight_accumulator),
             point("vector", f.vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0) and of n = g N'"),
         ];
-        if self.normalisation != Normalisation::None {
+        if self.normals == Normals::Wrapped {
+            points.push(point("wrap_operand", f.wrap_operand, Format::unsigned(3, 0), "H.w and H.H, H = N' + w"));
+            points.push(point("wrap_ratio", f.wrap_ratio, UNIT, "v = H.w / H.H"));
+        } else if self.normalisation != Normalisation::None {
             points.push(point("length_squared", f.length_squared, UNIT, "z = N'.N'"));
             points.push(point("gain", f.gain, Format::unsigned(2, 0), "g, about 1/sqrt(z)"));
         }
@@ -135,11 +155,22 @@ impl LyonSpec {
         }
     }
 
+    fn normals_in_words(&self) -> String {
+        match (self.normals, self.axis) {
+            (Normals::Linear, _) => "interpolated linearly",
+            (Normals::Flat, _) => "the face's mean normal",
+            (Normals::Wrapped, WrapAxis::Bisector) => "wrapped around the bisector of the end normals",
+            (Normals::Wrapped, WrapAxis::Face) => "wrapped around the face's mean normal, or the bisector 90 degrees from it",
+        }
+        .to_owned()
+    }
+
     fn normalisation_in_words(&self) -> String {
         match self.normalisation {
             Normalisation::None => "none, n = N'",
             Normalisation::G1 => "g1 = 1 + y/2, y = 1 - z",
             Normalisation::G2 => "g2 = 1 + (y + y^2)/2, y = 1 - z",
+            Normalisation::Exact => "g = 1/sqrt(z), correctly rounded",
         }
         .to_owned()
     }

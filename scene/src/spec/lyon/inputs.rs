@@ -1,5 +1,5 @@
 //! The inputs of a `lyon` core.
-use super::{LyonSpec, ShapeDatapath};
+use super::{LyonSpec, Normals, ShapeDatapath};
 use crate::format::Format;
 use crate::spec::inputs::inputs;
 use crate::spec::{CoreSpec, InputPort};
@@ -7,12 +7,14 @@ use crate::spec::{CoreSpec, InputPort};
 inputs! {
     /// The core's inputs, or whatever belongs to each of them.
     LyonInputs {
-        /// N0, the normal at the first pixel.
+        /// N0, the normal at the first pixel; of flat normals the only one, and of wrapped ones N0 + w.
         normal_start: vector,
-        /// N1 - N0, over the whole span.
-        normal_delta: vector,
-        /// 1/S, what the weight grows by with each pixel; 0 in a span of one pixel.
-        weight_step: one,
+        /// N1 - N0, over the whole span; not there with flat normals.
+        normal_delta: vector_if_any,
+        /// 1/S, what the weight grows by with each pixel; 0 in a span of one pixel. Not there with flat normals.
+        weight_step: one_if_any,
+        /// w, with wrapped normals.
+        wrap_axis: vector_if_any,
         /// n, or m of the root shape.
         shininess: one,
         /// Ambient light sent back, in LSBs.
@@ -40,10 +42,16 @@ impl LyonSpec {
     /// The ports of a core with this method.
     pub fn inputs(&self, core: &CoreSpec) -> LyonInputs<InputPort> {
         let f = &self.formats;
+        let changes = self.normals != Normals::Flat;
         LyonInputs {
-            normal_start: InputPort::vector("normal_start", f.vector, 1.0),
-            normal_delta: InputPort::vector("normal_delta", f.vector_sum(), 2.0),
-            weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
+            normal_start: match self.normals {
+                Normals::Linear => InputPort::vector("normal_start", f.vector, 1.0),
+                Normals::Flat => InputPort::vector("normal", f.vector, 1.0),
+                Normals::Wrapped => InputPort::vector("wrap_start", f.vector_sum(), 2.0),
+            },
+            normal_delta: changes.then(|| InputPort::vector("normal_delta", f.vector_sum(), 2.0)),
+            weight_step: changes.then(|| InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0)),
+            wrap_axis: (self.normals == Normals::Wrapped).then(|| InputPort::vector("wrap_axis", f.vector, 1.0)),
             shininess: self.shininess_input(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),

@@ -2,11 +2,36 @@
 mod choose;
 mod inputs;
 mod set_up;
+mod wrap;
 
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 pub use inputs::{LyonInputs, LyonLight};
+pub use wrap::Wrap;
+
+/// What the normal does along a span.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Normals {
+    /// N' = N0 + a (N1 - N0), which is then brought near unit length (B12).
+    Linear,
+    /// The face's mean normal, the same at every pixel: neither interpolated nor normalised (lecture 21, eq. 2.1).
+    Flat,
+    /// n = 2v H - w with H = (N0 + w) + a (N1 - N0) and v = H·w / H·H: of unit length, whatever H is
+    /// [Hast, Barrera and Bengtsson, eq. 27 and 28; C4, C5].
+    Wrapped,
+}
+
+/// The unit vector w that wrapped normals are wrapped around (C7).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WrapAxis {
+    /// The bisector of the end normals.
+    Bisector,
+    /// The face's mean normal; the bisector where an end normal is 90 degrees or more from it (EXTREMES row 8).
+    Face,
+}
 
 /// How the interpolated normal is brought to unit length: n = g·N', with z = N'·N' and y = 1 - z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -18,6 +43,8 @@ pub enum Normalisation {
     G1,
     /// g2 = 1 + (y + y²)/2 (B9).
     G2,
+    /// g = 1/√max(z, 4^-4), correctly rounded: exact for normals no shorter than 1/16, those of spans up to 172 degrees. No Newton steps.
+    Exact,
 }
 
 /// The vector D whose squared length the highlight depends on.
@@ -83,6 +110,10 @@ pub enum ShapeDatapath {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct LyonSpec {
+    /// What the normal does along a span.
+    pub normals: Normals,
+    /// What wrapped normals are wrapped around.
+    pub axis: WrapAxis,
     /// First approximation of 1/|N'|.
     pub normalisation: Normalisation,
     /// Newton steps g ← g(3 - z g²)/2 after it, 0 to 3.
@@ -110,6 +141,10 @@ pub struct LyonFormats {
     /// Components of normals and light directions, of N' after interpolation and of n after normalisation: `S1.f`.
     /// Differences of normals and half-way vectors have the same fraction bits and one more integer bit.
     pub vector: Format,
+    /// H·w and H·H of wrapped normals: `U3.f`, since H·H reaches 4.
+    pub wrap_operand: Format,
+    /// v = H·w / H·H of wrapped normals: `U1.f`.
+    pub wrap_ratio: Format,
     /// z = N'·N': `U1.f`.
     pub length_squared: Format,
     /// g, and within a Newton step g² and 3 - z g²: `U2.f`.
@@ -132,6 +167,9 @@ impl LyonFormats {
         Format::signed(self.vector.integer_bits + 1, self.vector.fraction_bits)
     }
 }
+
+/// m of the exact normalisation: g is 2^m at most.
+pub const LOG2_LARGEST_GAIN: u32 = 4;
 
 impl LyonSpec {
     /// h of the root shape, u_c = m|D_c| 2^-h: 1, 1, 2, 2 for k = 0 to 3, and one less where D goes with 4n.

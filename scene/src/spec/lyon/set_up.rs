@@ -1,7 +1,7 @@
 //! Set-up of a span for `lyon`.
 use glam::DVec3;
 
-use super::{Halfway, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
+use super::{Halfway, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath};
 use crate::frame::{DirectionalLight, EYE, Frame, Span};
 use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
 
@@ -58,7 +58,40 @@ fn unit_halfway(halfway: Halfway, light: DVec3) -> Option<DVec3> {
     }
 }
 
+/// Inputs that say what the normal is along a span.
+struct NormalInputs {
+    start: [i64; 3],
+    delta: Option<[i64; 3]>,
+    axis: Option<[i64; 3]>,
+}
+
 impl LyonSetUp<'_> {
+    fn normals(&self, span: &Span) -> NormalInputs {
+        let f = &self.lyon.formats;
+        // The difference of what is sent, so that the end is met as it was quantised.
+        let between = |start: [i64; 3], end: [i64; 3]| Some(std::array::from_fn(|i| end[i] - start[i]));
+        match self.lyon.normals {
+            Normals::Linear => {
+                let [start, end] = self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
+                NormalInputs { start, delta: between(start, end), axis: None }
+            }
+            Normals::Flat => {
+                let start = f.vector.quantise_vector(self.frame.mean_normal(span));
+                NormalInputs { start, delta: None, axis: None }
+            }
+            Normals::Wrapped => {
+                let wrap = self.lyon.wrap(self.frame, span);
+                let [start, end] = wrap.ends.map(|n| f.vector_sum().quantise_vector(n + wrap.axis));
+                NormalInputs { start, delta: between(start, end), axis: Some(f.vector.quantise_vector(wrap.axis)) }
+            }
+        }
+    }
+
+    fn weight_step(&self, span: &Span) -> i64 {
+        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        self.lyon.formats.weight_accumulator.quantise(step)
+    }
+
     fn shininess(&self, shininess: u32) -> i64 {
         match self.lyon.shape {
             ShapeDatapath::FK => shininess.into(),
@@ -72,13 +105,12 @@ impl LyonSetUp<'_> {
 
 impl SetUpSpan for LyonSetUp<'_> {
     fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
-        let f = &self.lyon.formats;
-        let [start, end] = self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
-        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let normals = self.normals(span);
         let inputs = LyonInputs {
-            normal_start: start,
-            normal_delta: std::array::from_fn(|i| end[i] - start[i]),
-            weight_step: f.weight_accumulator.quantise(step),
+            normal_start: normals.start,
+            normal_delta: normals.delta,
+            weight_step: normals.delta.map(|_| self.weight_step(span)),
+            wrap_axis: normals.axis,
             shininess: self.shininess(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: self.lights.iter().zip(&material.lights).map(|(light, coefficients)| light.with(coefficients)).collect(),
