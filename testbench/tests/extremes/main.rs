@@ -7,6 +7,7 @@
 mod common;
 mod degenerate;
 mod highlights;
+mod lyon_options;
 mod ranges;
 mod spans;
 mod viewpoints;
