@@ -1,7 +1,13 @@
 //! Lyon's figure 9, five spheres shaded by twelve formulas; its sum is known from elsewhere (METHODS.md B).
+mod common;
+
 use glam::DVec3;
 use specula_golden::exact::diffuse::lambert;
 use specula_golden::exact::distributions::{Formulation, formulation};
+use specula_golden::exact::method;
+use specula_scene::Method;
+use specula_scene::spec::MethodSpec;
+use specula_scene::spec::lyon::{Difference, Halfway, Normalisation};
 
 const FORMULAS: usize = Formulation::ALL.len();
 const EXPONENTS: [u32; 5] = [1, 4, 16, 64, 256];
@@ -46,6 +52,40 @@ fn column_sum(i: i32, radius: i32, apart: usize, rows: usize) -> f64 {
         }
     }
     column.iter().sum()
+}
+
+/// Each of Lyon's rows that `lyon` has is the formula of that row, whatever the normal and the light.
+#[test]
+fn the_methods_options_are_the_rows() {
+    use Difference::{ReflectionMinusLight, UnitHalfwayMinusNormal, UnitHalfwayProjection};
+    let rows = [
+        (2, ReflectionMinusLight, Halfway::Unit, 0),
+        (3, ReflectionMinusLight, Halfway::Unit, 1),
+        (4, ReflectionMinusLight, Halfway::Unit, 2),
+        (6, UnitHalfwayMinusNormal, Halfway::Unit, 2),
+        (7, UnitHalfwayProjection, Halfway::Half, 2),
+        (8, UnitHalfwayProjection, Halfway::HalfG2, 2),
+        (9, UnitHalfwayProjection, Halfway::HalfG2, 1),
+        (10, UnitHalfwayMinusNormal, Halfway::HalfG2, 2),
+    ];
+    let light = DVec3::new(1.0, -1.0, 1.0).normalize();
+    for n in EXPONENTS {
+        for steps in 0..40 {
+            let tilt = f64::from(steps) * 0.035;
+            let normal = DVec3::new(0.8 * tilt.sin(), -0.6 * tilt.sin(), tilt.cos());
+            let frame = common::frame([normal; 2], 1, &[light], common::mirror(n));
+            for (row, difference, halfway, squarings) in rows {
+                let mut core = common::spec(&frame, Method::Lyon).unwrap();
+                if let MethodSpec::Lyon(lyon) = &mut core.method {
+                    (lyon.difference, lyon.halfway, lyon.squarings) = (difference, halfway, squarings);
+                    lyon.normalisation = Normalisation::None;
+                }
+                let shaded = method(&core, &frame, &frame.spans[0], 0)[0] / 255.0;
+                let wanted = formulation(Formulation::ALL[row - 1], n, normal, light).min(1.0);
+                assert!((shaded - wanted).abs() < 1e-12, "row {row}, n = {n}: {shaded} instead of {wanted}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -178,6 +178,11 @@ impl Frame {
         [or(start, end), or(end, start)]
     }
 
+    /// The unit vector in the direction of the mean of a triangle's vertex normals; 0 where they add up to nothing.
+    pub fn mean_normal(&self, span: &Span) -> DVec3 {
+        self.triangles[span.triangle].normals.iter().sum::<DVec3>().normalize_or_zero()
+    }
+
     /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one pixel k is 0.
     pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
         let [start, end] = self.end_normals(span);
@@ -197,11 +202,6 @@ impl Frame {
         let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
         let (start, end) = (at(span.start), at(span.end));
         [start, (end - start) / f64::from(span.steps().max(1))]
-    }
-
-    /// The normalised sum of the triangle's vertex normals; 0 where they cancel.
-    pub fn mean_normal(&self, span: &Span) -> DVec3 {
-        self.triangles[span.triangle].normals.iter().sum::<DVec3>().normalize_or_zero()
     }
 }
 

@@ -1,22 +1,48 @@
 //! Lyon's method without rounding [Lyon, TR 43; METHODS.md B].
 use glam::DVec3;
 use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::Difference;
+use specula_scene::spec::lyon::{Difference, Halfway, Normals, Wrap};
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
 use super::method::ShadePixel;
-use super::normalisation::gain;
-use super::reflection::{halfway_cross_normal, reflection_minus_light};
+use super::normalisation::{g2, gain, unit};
+use super::reflection::{halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light};
 use super::shape::f_k;
+use super::wrap::wrap;
+
+/// What the normal of a span is made of.
+enum Path {
+    /// The same at every pixel.
+    Flat(DVec3),
+    /// N0 and N1 - N0.
+    Linear { start: DVec3, delta: DVec3 },
+    /// The same of unit ends, wrapped around the axis.
+    Wrapped { start: DVec3, delta: DVec3, axis: DVec3 },
+}
+
+impl Path {
+    fn new(spec: &LyonSpec, frame: &Frame, span: &Span) -> Path {
+        match spec.normals {
+            Normals::Flat => Path::Flat(frame.mean_normal(span)),
+            Normals::Linear => {
+                let [start, end] = frame.end_normals(span);
+                Path::Linear { start, delta: end - start }
+            }
+            Normals::Wrapped => {
+                let Wrap { ends: [start, end], axis } = spec.wrap(frame, span);
+                Path::Wrapped { start, delta: end - start, axis }
+            }
+        }
+    }
+}
 
 /// One span, shaded by `lyon`.
 pub struct LyonSpan<'a> {
     spec: &'a LyonSpec,
     span: &'a Span,
-    start: DVec3,
-    delta: DVec3,
+    path: Path,
     half_shininess: f64,
     coefficients: Coefficients,
 }
@@ -24,21 +50,27 @@ pub struct LyonSpan<'a> {
 impl<'a> LyonSpan<'a> {
     /// Sets up a span of a frame.
     pub fn new(spec: &'a LyonSpec, frame: &Frame, span: &'a Span) -> Self {
-        let [start, end] = frame.end_normals(span);
         LyonSpan {
             spec,
             span,
-            start,
-            delta: end - start,
+            path: Path::new(spec, frame, span),
             half_shininess: f64::from(frame.material(span).shininess) / 2.0,
             coefficients: Coefficients::new(frame, span),
         }
     }
 
-    /// n = g N' with N' = N0 + t(N1 - N0), about 1 long.
+    /// n, about 1 long.
     pub fn normal(&self, i: u32) -> DVec3 {
-        let interpolated = self.start + self.span.parameter(i) * self.delta;
-        gain(self.spec, interpolated.length_squared()) * interpolated
+        let t = self.span.parameter(i);
+        match self.path {
+            Path::Flat(normal) => normal,
+            Path::Linear { start, delta } => {
+                let interpolated = start + t * delta;
+                gain(self.spec, interpolated.length_squared()) * interpolated
+            }
+            // Without a direction at all, everything is 0.
+            Path::Wrapped { start, delta, axis } => wrap(axis, start + t * delta).unwrap_or(DVec3::ZERO),
+        }
     }
 
     /// f_k of D; none where the normal vanishes and has no direction (EXTREMES row 1).
@@ -46,11 +78,27 @@ impl<'a> LyonSpan<'a> {
         if normal == DVec3::ZERO {
             return 0.0;
         }
-        let difference = match self.spec.difference {
-            Difference::ReflectionMinusLight => reflection_minus_light(normal, light),
-            Difference::HalfwayCrossNormal => halfway_cross_normal(normal, light),
+        let about_unit = unit_halfway(self.spec.halfway, light);
+        let (difference, half_exponent) = match (self.spec.difference, about_unit) {
+            (Difference::ReflectionMinusLight, _) => (reflection_minus_light(normal, light), self.half_shininess),
+            (Difference::LightReflection, _) => (light_reflection(normal, light), self.half_shininess),
+            (Difference::HalfwayProjection, _) => (projection(normal, halfway(light)), self.half_shininess),
+            (Difference::HalfwayCrossNormal, _) => (halfway_cross_normal(normal, light), self.half_shininess),
+            (Difference::UnitHalfwayMinusNormal, Some(h)) => (h - normal, 4.0 * self.half_shininess),
+            (Difference::UnitHalfwayProjection, Some(h)) => (projection(normal, h), 4.0 * self.half_shininess),
+            (Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection, None) => return 0.0,
         };
-        f_k(self.half_shininess * difference.length_squared(), self.spec.squarings)
+        f_k(half_exponent * difference.length_squared(), self.spec.squarings)
+    }
+}
+
+/// A half-way vector of about unit length [METHODS.md B6, B7]; `None` where it has no direction, L = -V (EXTREMES row 12).
+fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
+    let h = halfway(light) / 2.0;
+    match kind {
+        Halfway::Unit => unit(h),
+        Halfway::Half => Some(h),
+        Halfway::HalfG2 => Some(g2(h.length_squared()) * h),
     }
 }
 

@@ -3,6 +3,9 @@ use glam::DVec3;
 use specula_scene::spec::LyonSpec;
 use specula_scene::spec::lyon::Normalisation;
 
+/// z below which the exact normalisation falls short: 4^-4, normals shorter than 1/16.
+const SHORTEST_SQUARED: f64 = 1.0 / 256.0;
+
 /// The direction of a vector; `None` if it has none.
 pub fn unit(vector: DVec3) -> Option<DVec3> {
     vector.try_normalize()
@@ -32,6 +35,8 @@ pub fn newton(g: f64, z: f64) -> f64 {
 /// The factor g that a spec asks for: first approximation, then Newton steps.
 pub fn gain(spec: &LyonSpec, z: f64) -> f64 {
     let first = match spec.normalisation {
+        Normalisation::None => return 1.0,
+        Normalisation::Exact => return z.max(SHORTEST_SQUARED).sqrt().recip(),
         Normalisation::G1 => g1(z),
         Normalisation::G2 => g2(z),
     };

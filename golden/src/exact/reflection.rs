@@ -17,6 +17,16 @@ pub fn reflection_minus_light(normal: DVec3, light: DVec3) -> DVec3 {
     2.0 * normal.dot(EYE) * normal - halfway(light)
 }
 
+/// D2 = 2(N·L)N - H [METHODS.md B4]. For a unit normal as long as R - L.
+pub fn light_reflection(normal: DVec3, light: DVec3) -> DVec3 {
+    2.0 * normal.dot(light) * normal - halfway(light)
+}
+
+/// The way from a half-way vector to its projection on the normal, (h·N)N - h [METHODS.md B5, B6].
+pub fn projection(normal: DVec3, halfway: DVec3) -> DVec3 {
+    halfway.dot(normal) * normal - halfway
+}
+
 /// D = H × N [METHODS.md B13]. For a unit normal it is as long as (H·N)N - H (B5).
 pub fn halfway_cross_normal(normal: DVec3, light: DVec3) -> DVec3 {
     halfway(light).cross(normal)

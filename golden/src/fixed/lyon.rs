@@ -1,11 +1,11 @@
 //! `lyon`, bit for bit [Lyon, TR 43; METHODS.md B; `docs/arithmetic.md`].
 use specula_scene::Format;
-use specula_scene::spec::lyon::{LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation};
+use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation, ShapeDatapath};
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::method::{Method, Values};
-use super::number::Wide;
+use super::number::{Wide, round_quotient, round_reciprocal_root};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::{self, PacketError};
 use super::vector::{Vector, cross, dot};
@@ -13,12 +13,18 @@ use super::vector::{Vector, cross, dot};
 /// V = (0, 0, 1).
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
 const THREE: Wide = Wide::lit("3");
+/// The z that the exact normalisation counts smaller ones as, 4^-4.
+const SHORTEST_SQUARED: Wide = Wide::lit("0.00390625");
 
 /// The method in one core's formats.
 pub(super) struct Lyon {
     normalisation: Normalisation,
     newton_steps: u32,
+    difference: Difference,
+    shape: ShapeDatapath,
     squarings: u32,
+    /// h of the root shape.
+    root_shift: u32,
     formats: LyonFormats,
     colour: Format,
     ports: LyonInputs<InputPort>,
@@ -29,7 +35,10 @@ impl Lyon {
         Lyon {
             normalisation: lyon.normalisation,
             newton_steps: lyon.newton_steps,
+            difference: lyon.difference,
+            shape: lyon.shape,
             squarings: lyon.squarings,
+            root_shift: lyon.root_shift(),
             formats: lyon.formats.clone(),
             colour: sum_format(core, lyon.formats.diffuse, lyon.formats.shape),
             ports: lyon.inputs(core),
@@ -50,41 +59,75 @@ impl Method for Lyon {
     /// z·g2² < 1.42, inside the 3 below which g(3 - z g²)/2 goes towards 1/√z, and |n| = g√z < 1.2 at first and 1 after a step, before
     /// rounding.
     fn check(&self, inputs: &LyonInputs<Wide>, length: u32) -> Result<(), PacketError> {
-        packet::check_ends(&inputs.normal_start, &inputs.normal_delta)?;
-        packet::check_weight(inputs.weight_step, length)
+        let axis = inputs.wrap_axis.unwrap_or_default();
+        packet::check_ends(&axis, &Vector::default(), 1)?;
+        // H of wrapped normals is the sum of two unit vectors.
+        let longest = if inputs.wrap_axis.is_some() { 2 } else { 1 };
+        packet::check_ends(&inputs.normal_start, &inputs.normal_delta.unwrap_or_default(), longest)?;
+        packet::check_weight(inputs.weight_step.unwrap_or_default(), length)
     }
 
     fn pixel(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
-        let (normal, z) = self.normal(inputs, i, observer);
+        let (normal, has_direction) = self.normal(inputs, i, observer);
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
             colour.add(&light.diffuse, self.diffuse(&normal, light, &mut observer));
             let highlight = self.specular(&normal, light, inputs.shininess, &mut observer);
-            colour.add(&light.specular, if z == Wide::ZERO { Wide::ZERO } else { highlight });
+            colour.add(&light.specular, if has_direction { highlight } else { Wide::ZERO });
         }
         colour.code(self.colour, observer)
     }
 }
 
 impl Lyon {
-    /// n = g N', with N' = N0 + a (N1 - N0), and z = N'·N'.
-    fn normal(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Vector, Wide) {
+    /// n = g N', with N' = N0 + a (N1 - N0), and whether N' has a direction.
+    fn normal(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Vector, bool) {
         let f = &self.formats;
-        let accumulated = Wide::from_num(i) * inputs.weight_step;
+        let (Some(delta), Some(weight_step)) = (inputs.normal_delta, inputs.weight_step) else {
+            return (inputs.normal_start, inputs.normal_start != [Wide::ZERO; 3]);
+        };
+        let accumulated = Wide::from_num(i) * weight_step;
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
         let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
-        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * inputs.normal_delta[c]);
+        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * delta[c]);
         let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
+        if let Some(axis) = &inputs.wrap_axis {
+            let normal = self.wrapped(&interpolated, axis, observer);
+            return (normal, normal != [Wide::ZERO; 3]);
+        }
+        if self.normalisation == Normalisation::None {
+            return (interpolated, interpolated != [Wide::ZERO; 3]);
+        }
         let z = narrow(observer, format_args!("length_squared"), dot(&interpolated, &interpolated), f.length_squared);
         let gain = self.gain(z, observer);
-        (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z)
+        (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z != Wide::ZERO)
+    }
+
+    /// n = 2v H - w with v = H·w / H·H, clamped to 0 to 1 (METHODS.md C4).
+    fn wrapped(&self, h: &Vector, axis: &Vector, observer: &mut impl Observer) -> Vector {
+        let f = &self.formats;
+        let p = narrow(observer, format_args!("wrap_p"), dot(h, axis), f.wrap_operand);
+        let q = narrow(observer, format_args!("wrap_q"), dot(h, h), f.wrap_operand);
+        let ratio = match p > Wide::ZERO && q > Wide::ZERO {
+            true if p >= q => Wide::ONE,
+            true => round_quotient(p, q, f.wrap_ratio.fraction_bits),
+            false => Wide::ZERO,
+        };
+        observer.see(format_args!("wrap_ratio"), ratio, f.wrap_ratio);
+        narrow_vector(observer, "normal", std::array::from_fn(|c| (ratio << 1) * h[c] - axis[c]), f.vector)
     }
 
     /// g, near 1/√z: g1 or g2 (METHODS.md B8, B9), then Newton steps.
     fn gain(&self, z: Wide, observer: &mut impl Observer) -> Wide {
         let y = Wide::ONE - z;
         let first = match self.normalisation {
+            Normalisation::None => return Wide::ONE,
+            Normalisation::Exact => {
+                let root = round_reciprocal_root(z.max(SHORTEST_SQUARED), self.formats.gain.fraction_bits);
+                observer.see(format_args!("gain"), root, self.formats.gain);
+                return root;
+            }
             Normalisation::G1 => Wide::ONE + (y >> 1),
             Normalisation::G2 => Wide::ONE + ((y + y * y) >> 1),
         };
@@ -106,17 +149,61 @@ impl Lyon {
         narrow(observer, format_args!("diffuse"), cosine, self.formats.diffuse)
     }
 
-    /// f_k of x = (n/2) D·D.
+    /// f_k of x, which is made of D and n or m.
     fn specular(&self, normal: &Vector, light: &LyonLight<Wide>, shininess: Wide, observer: &mut impl Observer) -> Wide {
-        let difference = match &light.halfway {
-            Some(halfway) => self.halfway_cross_normal(halfway, normal, observer),
-            None => self.reflection_minus_light(normal, &light.direction, observer),
+        let difference = self.difference(normal, light, observer);
+        let shape = match self.shape {
+            ShapeDatapath::FK => self.shape_of_product(&difference, shininess, observer),
+            ShapeDatapath::Root => self.shape_of_squares(&difference, shininess, observer),
         };
-        let argument = (shininess * dot(&difference, &difference)) >> (self.squarings + 1);
-        let argument = narrow(observer, format_args!("shape_argument"), argument, self.formats.shape);
-        let shape = (Wide::ONE - argument).max(Wide::ZERO);
         observer.see(format_args!("shape"), shape, self.formats.shape);
         (0..self.squarings).fold(shape, |f, k| narrow(observer, format_args!("square{k}"), f * f, self.formats.shape))
+    }
+
+    /// max(0, 1 - x) with x = n D·D / 2^(k+1), or 4n for n.
+    fn shape_of_product(&self, difference: &Vector, shininess: Wide, observer: &mut impl Observer) -> Wide {
+        let exponent = shininess << self.difference.log2_exponent_factor();
+        let argument = (exponent * dot(difference, difference)) >> (self.squarings + 1);
+        let argument = narrow(observer, format_args!("shape_argument"), argument, self.formats.shape);
+        (Wide::ONE - argument).max(Wide::ZERO)
+    }
+
+    /// max(0, 1 - u·u) with u_c = m |D_c| / 2^h, and 0 where a component of u is 1 or more.
+    fn shape_of_squares(&self, difference: &Vector, m: Wide, observer: &mut impl Observer) -> Wide {
+        let scaled = difference.map(|c| (m * c.abs()) >> self.root_shift);
+        let scaled = narrow_vector(observer, "scaled_difference", scaled, self.formats.scaled_difference);
+        let fraction = scaled.map(Wide::frac);
+        let argument = narrow(observer, format_args!("shape_argument"), dot(&fraction, &fraction), self.formats.shape);
+        if fraction == scaled { (Wide::ONE - argument).max(Wide::ZERO) } else { Wide::ZERO }
+    }
+
+    /// The vector D.
+    fn difference(&self, normal: &Vector, light: &LyonLight<Wide>, observer: &mut impl Observer) -> Vector {
+        let Some(halfway) = &light.halfway else {
+            return match self.difference {
+                Difference::LightReflection => self.reflected_minus(normal, "twice_n_dot_l", &light.direction, &EYE, observer),
+                _ => self.reflected_minus(normal, "twice_n_dot_v", &EYE, &light.direction, observer),
+            };
+        };
+        match self.difference {
+            Difference::HalfwayCrossNormal => self.halfway_cross_normal(halfway, normal, observer),
+            Difference::UnitHalfwayMinusNormal => self.halfway_minus_normal(halfway, normal, observer),
+            _ => self.halfway_projection(halfway, normal, observer),
+        }
+    }
+
+    /// D = h - n (METHODS.md B6).
+    fn halfway_minus_normal(&self, halfway: &Vector, normal: &Vector, observer: &mut impl Observer) -> Vector {
+        let difference = std::array::from_fn(|c| halfway[c] - normal[c]);
+        narrow_vector(observer, "difference", difference, self.formats.difference)
+    }
+
+    /// D = (h·n) n - h (METHODS.md B5, B6).
+    fn halfway_projection(&self, halfway: &Vector, normal: &Vector, observer: &mut impl Observer) -> Vector {
+        let format = self.formats.difference;
+        let length = narrow(observer, format_args!("h_dot_n"), dot(halfway, normal), format);
+        let difference = std::array::from_fn(|c| length * normal[c] - halfway[c]);
+        narrow_vector(observer, "difference", difference, format)
     }
 
     /// D = H × n (METHODS.md B13).
@@ -124,11 +211,11 @@ impl Lyon {
         narrow_vector(observer, "difference", cross(halfway, normal), self.formats.difference)
     }
 
-    /// D = 2(n·V) n - V - L (METHODS.md B2).
-    fn reflection_minus_light(&self, normal: &Vector, light: &Vector, observer: &mut impl Observer) -> Vector {
+    /// D = 2(n·of) n - of - from (METHODS.md B2, B4).
+    fn reflected_minus(&self, normal: &Vector, name: &str, of: &Vector, from: &Vector, observer: &mut impl Observer) -> Vector {
         let format = self.formats.difference;
-        let twice = narrow(observer, format_args!("twice_n_dot_v"), dot(normal, &EYE) << 1, format);
-        let difference = std::array::from_fn(|c| twice * normal[c] - EYE[c] - light[c]);
+        let twice = narrow(observer, format_args!("{name}"), dot(normal, of) << 1, format);
+        let difference = std::array::from_fn(|c| twice * normal[c] - of[c] - from[c]);
         narrow_vector(observer, "difference", difference, format)
     }
 }

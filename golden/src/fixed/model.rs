@@ -49,11 +49,14 @@ impl Model {
     /// |---|---|
     /// | a_acc, a | `weight_accumulator`, `weight` |
     /// | N' | `interpolated_x`, `_y`, `_z` |
+    /// | H, p, q, v of wrapped normals | `interpolated_x`, `wrap_p`, `wrap_q`, `wrap_ratio` |
     /// | z, g | `length_squared`, `gain` |
     /// | s, h, g of a Newton step | `newton<s>_square`, `newton<s>_factor`, `newton<s>_gain` |
     /// | n | `normal_x`, `_y`, `_z` |
     /// | d | `light<l>_diffuse` |
     /// | w, D | `light<l>_twice_n_dot_v`, `light<l>_difference_x`, `_y`, `_z` |
+    /// | w of D2, p | `light<l>_twice_n_dot_l`, `light<l>_h_dot_n` |
+    /// | u | `light<l>_scaled_difference_x`, `_y`, `_z` |
     /// | x, max(0, 1 - x), f² | `light<l>_shape_argument`, `light<l>_shape`, `light<l>_square<s>` |
     /// | q_acc, q | `denominator_accumulator`, `denominator` |
     /// | p_acc, p | `light<l>_numerator_accumulator`, `light<l>_numerator` |

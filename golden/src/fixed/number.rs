@@ -10,6 +10,7 @@ use specula_scene::Format;
 /// - products of two narrowed values, z·s, f²: 48;
 /// - (y + y²)/2, g·h/2: 49;
 /// - n·D·D/2^(k+1), with k ≤ 3: 40 + 4 = 44;
+/// - m·|D_c|/2^h: 24 + 20 + 2 = 46, and u_c² 48;
 /// - colours: 6 + 24 = 30.
 ///
 /// Left of the point, i < 2^13 gives i(i - 1)/2 · difference < 2^25 · 2^2 and a sum of three such terms < 2^28; |n| < 2, |D_c| < 2^3 and

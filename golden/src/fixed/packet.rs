@@ -37,7 +37,7 @@ pub enum PacketError {
         longest: u32,
     },
     /// A vector at the end of a span is not a unit vector, nor shorter.
-    #[error("a vector at the end of the span is longer than 1")]
+    #[error("a vector at the end of the span is too long")]
     LongVector,
     /// Weight steps do not end at 1: 1/S is too coarse in the accumulator's format, or belongs to a shorter span.
     #[error("the weight of the last normal grows to {weight} along the span, past 1")]
@@ -60,10 +60,11 @@ const LONGEST_SQUARED: Wide = Wide::lit("1.25");
 /// The largest weight at the last pixel; 1, and what the rounding of 1/S adds to it.
 const LARGEST_WEIGHT: Wide = Wide::lit("1.0625");
 
-/// Whether a vector that is interpolated along the span is within the unit ball at both ends, but for rounding.
-pub(super) fn check_ends(start: &Vector, delta: &Vector) -> Result<(), PacketError> {
+/// Whether a vector that is interpolated along the span is no longer than `longest` at both ends, but for rounding.
+pub(super) fn check_ends(start: &Vector, delta: &Vector, longest: u32) -> Result<(), PacketError> {
+    let limit = LONGEST_SQUARED * Wide::from_num(longest * longest);
     let end: Vector = std::array::from_fn(|c| start[c] + delta[c]);
-    let too_long = |vector: &Vector| dot(vector, vector) > LONGEST_SQUARED;
+    let too_long = |vector: &Vector| dot(vector, vector) > limit;
     if too_long(start) || too_long(&end) { Err(PacketError::LongVector) } else { Ok(()) }
 }
 

@@ -67,7 +67,7 @@ impl Method for Phong {
         let ways =
             [&inputs.normal].into_iter().chain(&inputs.eye).chain(inputs.lights.iter().filter_map(|light| light.way.as_ref()));
         for way in ways {
-            packet::check_ends(&way.start, &way.delta)?;
+            packet::check_ends(&way.start, &way.delta, 1)?;
         }
         packet::check_weight(inputs.weight_step, length)
     }

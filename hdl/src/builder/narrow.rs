@@ -92,6 +92,17 @@ impl Sig {
         high.less_than(self).choose(&high, self).known_within(range, self.error())
     }
 
+    /// The value without its sign. Fixed and real come no further apart.
+    pub fn absolute(&self) -> Sig {
+        let range = self.range();
+        if range.low >= 0 {
+            return self.clone();
+        }
+        let negative = self.less_than(&self.builder.integer(0));
+        let largest = range.high.max(-range.low);
+        negative.choose(&-self, self).known_within(Range::new(0, largest), self.error())
+    }
+
     fn limit(&self, integer: i64) -> i64 {
         integer << self.fraction_bits()
     }

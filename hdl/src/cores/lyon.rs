@@ -1,6 +1,6 @@
 //! Lyon's core.
 use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{LyonLight, LyonSpec};
+use specula_scene::spec::lyon::{Difference, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
 
 use super::eye;
 use crate::builder::{Builder, Sig, TooWide, Vector};
@@ -11,18 +11,36 @@ use crate::units::{self, Light, SpanNormals};
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
     let control = b.control();
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
-    let span = SpanNormals {
-        first: &control.start,
-        start: &Vector::new(inputs.normal_start),
-        delta: &Vector::new(inputs.normal_delta),
-        weight_step: &inputs.weight_step,
-    };
-    let normal = units::interpolate(&b, span, &lyon.formats, spec.longest_span - 1);
-    let (n, has_direction) = units::normalise(&b, &normal, lyon, spec.shortest_normal);
+    let (n, has_direction) = normal(&b, &control.start, &inputs, spec, lyon);
     let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
     b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+}
+
+/// n at each pixel, and whether it has a direction.
+fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, lyon: &LyonSpec) -> (Vector, Sig) {
+    let formats = &lyon.formats;
+    // A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
+    let unit = |components: &[Sig; 3]| Vector::new(components.clone()).no_longer_than(1.0 + formats.vector.ulp());
+    let (Some(delta), Some(weight_step)) = (&inputs.normal_delta, &inputs.weight_step) else {
+        let n = unit(&inputs.normal_start);
+        let has_direction = units::has_direction(b, &n);
+        return (n, has_direction);
+    };
+    let (start, delta) = (Vector::new(inputs.normal_start.clone()), Vector::new(delta.clone()));
+    let along = |longest| {
+        let span = SpanNormals { first, start: &start, delta: &delta, weight_step, longest };
+        units::interpolate(b, span, formats, spec.longest_span - 1)
+    };
+    match &inputs.wrap_axis {
+        None => units::normalise(b, &along(1.0), lyon, spec.shortest_normal),
+        Some(axis) => {
+            let n = units::wrapped(b, &along(2.0), &unit(axis), formats);
+            let has_direction = units::has_direction(b, &n);
+            (n, has_direction)
+        }
+    }
 }
 
 /// What the lights have in common.
@@ -39,16 +57,39 @@ impl Pixel<'_> {
         let (b, formats) = (self.b, &self.lyon.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
-        let d = b.instance(&called("difference"), || match &light.halfway {
-            Some(halfway) => units::halfway_cross_normal(b, &Vector::new(halfway.clone()), self.n, formats),
-            None => units::reflection_minus_light(b, self.n, &eye(b), &direction, formats),
-        });
-        let shape = || units::shape(b, &d, self.shininess, self.has_direction, self.lyon);
+        let d = b.instance(&called("difference"), || self.difference(light));
+        let shape = || match self.lyon.shape {
+            ShapeDatapath::FK => units::shape(b, &d, self.shininess, self.has_direction, self.lyon),
+            ShapeDatapath::Root => units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon),
+        };
         Light {
             diffuse: b.instance(&called("diffuse"), || units::diffuse(b, self.n, &direction, formats)),
             specular: b.instance(&called("shape"), shape),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
+        }
+    }
+}
+
+impl Pixel<'_> {
+    fn difference(&self, light: &LyonLight<Sig>) -> Vector {
+        let (b, n, formats) = (self.b, self.n, &self.lyon.formats);
+        // A rounded unit vector is longer than 1 by √3/2 units of the last place at most, and H than 2.
+        let ulp = formats.vector.ulp();
+        let direction = Vector::new(light.direction.clone()).no_longer_than(1.0 + ulp);
+        let Some(halfway) = light.halfway.clone().map(Vector::new) else {
+            return match self.lyon.difference {
+                Difference::LightReflection => units::light_reflection(b, n, &direction, &eye(b), formats),
+                _ => units::reflection_minus_light(b, n, &eye(b), &direction, formats),
+            };
+        };
+        // g2 makes h longer than 1 by 0.00176 at most (METHODS B9).
+        let longest = if self.lyon.difference.takes_unit_halfway() { 1.002 } else { 2.0 };
+        let h = halfway.no_longer_than(longest + ulp);
+        match self.lyon.difference {
+            Difference::HalfwayCrossNormal => units::halfway_cross_normal(b, &h, n, formats),
+            Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
+            _ => units::halfway_projection(b, &h, n, formats),
         }
     }
 }

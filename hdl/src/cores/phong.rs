@@ -12,8 +12,13 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Des
     let control = b.control();
     let inputs = phong.inputs(spec).map(|port| b.input(port));
     let f = &phong.formats;
-    let interpolation =
-        Interpolation { accumulator: f.weight_accumulator, weight: f.weight, vector: f.vector, steps: spec.longest_span - 1 };
+    let interpolation = Interpolation {
+        accumulator: f.weight_accumulator,
+        weight: f.weight,
+        vector: f.vector,
+        longest: 1.0,
+        steps: spec.longest_span - 1,
+    };
     let weight = units::weight(&b, &control.start, &inputs.weight_step, interpolation);
     let pixel = Pixel { b: &b, spec, phong, interpolation, weight: &weight, shininess: &inputs.shininess };
     let lights = pixel.lights(&inputs);

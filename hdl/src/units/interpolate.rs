@@ -14,6 +14,8 @@ pub struct SpanNormals<'a> {
     pub delta: &'a Vector,
     /// 1/S.
     pub weight_step: &'a Sig,
+    /// How long the vectors at the ends are but for rounding, and so all between them: 1 for normals.
+    pub longest: f64,
 }
 
 /// Where an interpolation rounds.
@@ -25,6 +27,8 @@ pub struct Interpolation {
     pub weight: Format,
     /// Components of the vector.
     pub vector: Format,
+    /// How long the vectors at the ends are but for rounding, and so all between them: 1 for normals.
+    pub longest: f64,
     /// Steps of the longest span.
     pub steps: u32,
 }
@@ -35,7 +39,7 @@ pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps:
     let inputs =
         (("start", span.first), ("normal_start", span.start), ("normal_delta", span.delta), ("weight_step", span.weight_step));
     let &LyonFormats { weight_accumulator: accumulator, weight, vector, .. } = formats;
-    let to = Interpolation { accumulator, weight, vector, steps };
+    let to = Interpolation { accumulator, weight, vector, longest: span.longest, steps };
     b.unit("interpolate", "N' = N0 + a (N1 - N0) [Lyon, TR 43]", inputs, |b, (first, start, delta, step)| {
         let a = weight_along(b, &first, &step, to);
         between(&start, &delta, &a, to, "|N'| <= 1").named("normal")
@@ -64,11 +68,11 @@ fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig 
 }
 
 /// X0 and X1 lie in the unit ball but for rounding, √3/2 units of the last place. With a ≤ 1 + o, where o is [`overshoot`], X' is
-/// longer than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o.
+/// longer than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o; longer ends alike.
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
     let reach = 1.0 + 2.0 * overshoot(to);
-    let vector = (start + &delta.scaled(a)).no_longer_than((1.0 + to.vector.ulp()) * reach);
-    vector.components_assumed_within(reach, fact).rounded(to.vector.fraction_bits)
+    let vector = (start + &delta.scaled(a)).no_longer_than((to.longest + to.vector.ulp()) * reach);
+    vector.components_assumed_within(to.longest * reach, fact).rounded(to.vector.fraction_bits)
 }
 
 /// How far past 1 the weight can come out.

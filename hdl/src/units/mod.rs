@@ -17,23 +17,25 @@ mod reciprocal_square_root;
 mod shape;
 mod square_root;
 mod unit_vectors;
+mod wrapped;
 
 pub use any_power::any_power;
 pub use colour::{Coefficients, Light, channels};
 pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
-pub use difference::{halfway_cross_normal, reflection_minus_light};
+pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use interpolate::{Interpolation, SpanNormals, along, interpolate, weight};
 pub use linear::{Steps, linear};
-pub use normalise::normalise;
+pub use normalise::{has_direction, normalise};
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-pub use shape::shape;
+pub use shape::{root_shape, shape};
 pub use square_root::square_root;
 pub use unit_vectors::{cosine_between, halfway_cosine, halfway_gain, reflected_cosine, spot_cosine, trowbridge_reitz};
+pub use wrapped::wrapped;
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.

@@ -1,7 +1,8 @@
 //! Approximate normalisation.
 use specula_scene::Format;
-use specula_scene::spec::lyon::{LyonFormats, LyonSpec, Normalisation};
+use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
 
+use super::{ExactNormalisation, ReciprocalRoot, normalise_exactly};
 use crate::builder::{Builder, Sig, Vector};
 
 /// How long a normal can come out that was no longer than `longest`, before rounding.
@@ -25,9 +26,11 @@ fn coarsest_ulp(formats: &LyonFormats) -> f64 {
 /// Beside n goes a bit that says whether N' has a direction at all (EXTREMES row 1). It is off by 1 where rounding may decide that.
 pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> (Vector, Sig) {
     let f = &lyon.formats;
-    let formula = match lyon.normalisation {
-        Normalisation::G1 => "n = g N', g = 1 + y/2, y = 1 - N'.N' [Lyon, TR 43]",
-        Normalisation::G2 => "n = g N', g = 1 + (y + y^2)/2, y = 1 - N'.N' [Lyon, TR 43]",
+    let (first, formula) = match lyon.normalisation {
+        Normalisation::None => return unnormalised(b, normal, shortest),
+        Normalisation::Exact => return normalise_exactly(b, normal, exactly(f), shortest),
+        Normalisation::G1 => (FirstGain::G1, "n = g N', g = 1 + y/2, y = 1 - N'.N' [Lyon, TR 43]"),
+        Normalisation::G2 => (FirstGain::G2, "n = g N', g = 1 + (y + y^2)/2, y = 1 - N'.N' [Lyon, TR 43]"),
     };
     b.unit("normalise", formula, (("normal", normal),), |b, (normal,)| {
         let longest = longest_scaled(normal.longest());
@@ -35,8 +38,8 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
             .length_squared_within(normal.longest(), "|N'| <= 1")
             .rounded(f.length_squared.fraction_bits)
             .named("length_squared");
-        let mut bound = GainBound::first(lyon.normalisation, shortest, z.error_value(), f.gain.ulp());
-        let mut g = first_gain(b, &z, lyon).proven_error_value(bound.error).named("gain");
+        let mut bound = GainBound::first(first, shortest, z.error_value(), f.gain.ulp());
+        let mut g = first_gain(b, &z, first, f).proven_error_value(bound.error).named("gain");
         for _ in 0..lyon.newton_steps {
             bound = bound.after_newton_step();
             g = newton_step(b, &g, &z, f, longest).proven_error_value(bound.error);
@@ -48,6 +51,37 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
         let has_direction = b.integer(0).less_than(&z).named("has_direction").stated_error_value(unsure);
         // Each of a few roundings adds some units of the coarsest format's last place.
         (n.assumed_within(longest + 8.0 * coarsest_ulp(f), "|g N'| <= 1.002").named("n"), has_direction)
+    })
+}
+
+/// The approximation that Newton steps begin with.
+#[derive(Clone, Copy)]
+enum FirstGain {
+    G1,
+    G2,
+}
+
+/// N' as it is, and whether it has a direction; off by 1 where all components may round to 0 though one is not.
+fn unnormalised(b: &Builder, normal: &Vector, shortest: f64) -> (Vector, Sig) {
+    let surely = shortest - 3f64.sqrt() * normal.x.error_value();
+    let unsure = if surely > 0.0 { 0.0 } else { 1.0 };
+    (normal.clone(), has_direction(b, normal).stated_error_value(unsure))
+}
+
+fn exactly(formats: &LyonFormats) -> ExactNormalisation {
+    ExactNormalisation {
+        length_squared_fraction_bits: formats.length_squared.fraction_bits,
+        reciprocal: ReciprocalRoot { integer_bits: LOG2_LARGEST_GAIN, fraction_bits: formats.gain.fraction_bits },
+        vector_fraction_bits: formats.vector.fraction_bits,
+    }
+}
+
+/// Whether a vector has a component that is not 0 (EXTREMES row 1).
+pub fn has_direction(b: &Builder, n: &Vector) -> Sig {
+    b.unit("has_direction", "N is not 0", (("n", n),), |b, (n,)| {
+        let zero = b.integer(0);
+        let not_zero = |c: &Sig| c.less_than(&zero).or(&zero.less_than(c));
+        not_zero(&n.x).or(&not_zero(&n.y)).or(&not_zero(&n.z)).named("has_direction")
     })
 }
 
@@ -76,11 +110,11 @@ struct GainBound {
 }
 
 impl GainBound {
-    fn first(normalisation: Normalisation, shortest: f64, error_of_z: f64, ulp: f64) -> GainBound {
+    fn first(first: FirstGain, shortest: f64, error_of_z: f64, ulp: f64) -> GainBound {
         let y = 1.0 - shortest * shortest;
-        let (largest, slope) = match normalisation {
-            Normalisation::G1 => (1.0 + y / 2.0, 0.5),
-            Normalisation::G2 => (1.0 + (y + y * y) / 2.0, 0.5 + y),
+        let (largest, slope) = match first {
+            FirstGain::G1 => (1.0 + y / 2.0, 0.5),
+            FirstGain::G2 => (1.0 + (y + y * y) / 2.0, 0.5 + y),
         };
         // The fixed-point z may lie e_z beyond the real one, where g2 is steeper by e_z.
         let error = (slope + error_of_z) * error_of_z + 0.5 * ulp;
@@ -100,13 +134,13 @@ impl GainBound {
     }
 }
 
-fn first_gain(b: &Builder, z: &Sig, lyon: &LyonSpec) -> Sig {
+fn first_gain(b: &Builder, z: &Sig, first: FirstGain, formats: &LyonFormats) -> Sig {
     let y = (b.integer(1) - z).named("y");
-    let above_one = match lyon.normalisation {
-        Normalisation::G1 => y.halved(),
-        Normalisation::G2 => (&y + y.squared()).halved(),
+    let above_one = match first {
+        FirstGain::G1 => y.halved(),
+        FirstGain::G2 => (&y + y.squared()).halved(),
     };
-    (b.integer(1) + above_one).rounded(lyon.formats.gain.fraction_bits)
+    (b.integer(1) + above_one).rounded(formats.gain.fraction_bits)
 }
 
 /// One Newton step towards 1/√z: g ← g (3 - z g²)/2.

@@ -60,7 +60,7 @@ fn normals_are_interpolated() {
     let delta = ["x", "y", "z"].map(|axis| bench.input(&format!("delta_{axis}"), sum, (-1024, 1024)));
     let weight_step = bench.input("weight_step", f.weight_accumulator, (0, 1 << 25));
     let (start, delta) = (Vector::new(start), Vector::new(delta));
-    let span = SpanNormals { first: &bench.start, start: &start, delta: &delta, weight_step: &weight_step };
+    let span = SpanNormals { first: &bench.start, start: &start, delta: &delta, weight_step: &weight_step, longest: 1.0 };
     let n = units::interpolate(&bench.b, span, f, STEPS);
     let design = bench.finish(&[("x", n.x), ("y", n.y), ("z", n.z)]);
 

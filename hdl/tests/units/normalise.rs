@@ -39,6 +39,7 @@ fn first_gain(lyon: &LyonSpec, z: i64) -> i64 {
     let l = lyon.formats.length_squared.fraction_bits;
     let y = (1 << l) - z;
     let above_one = match lyon.normalisation {
+        Normalisation::None | Normalisation::Exact => unreachable!("neither has a first gain"),
         Normalisation::G1 => y << l,
         Normalisation::G2 => (y << l) + y * y,
     };

@@ -85,6 +85,12 @@ impl NarrowingPoint {
         self
     }
 
+    /// One that may do with fewer fraction bits than others.
+    pub(super) fn down_to(mut self, fraction_bits: u32) -> NarrowingPoint {
+        self.fewest_fraction_bits = fraction_bits;
+        self
+    }
+
     /// Whether its format is one it may have.
     ///
     /// # Errors

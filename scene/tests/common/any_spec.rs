@@ -4,17 +4,19 @@ use specula_scene::{CoreSpec, Format, Method, Needs};
 
 /// A spec that [`CoreSpec::check`] accepts; `between` draws a number from its first argument to its second.
 pub fn any_spec(needs: &Needs, method: Method, mut between: impl FnMut(u32, u32) -> u32) -> CoreSpec {
-    let default = CoreSpec::for_scene(needs, None, Some(method)).expect("the defaults serve every frame");
     let mut option = |choice: &specula_scene::spec::Choice| {
         let value = choice.values[between(0, choice.values.len() as u32 - 1) as usize];
         format!("{} = {value}", choice.key)
     };
     let options: Vec<String> = method.choices().iter().map(&mut option).collect();
+    // Which narrowing points there are depends on the options.
+    let chosen =
+        CoreSpec::for_scene(needs, Some(&table(method, &options, &[])), Some(method)).expect("choices are those there are");
     let any = |point: &NarrowingPoint| {
         let fraction_bits = between(point.fewest_fraction_bits, point.most_fraction_bits);
         (point.name, Format { fraction_bits, ..point.format })
     };
-    let mut formats: Vec<(&str, Format)> = default.narrowing_points().iter().map(any).collect();
+    let mut formats: Vec<(&str, Format)> = chosen.narrowing_points().iter().map(any).collect();
     loop {
         match CoreSpec::for_scene(needs, Some(&table(method, &options, &formats)), Some(method)) {
             // Formats depend on one another: what is out of line with the others is brought into line.

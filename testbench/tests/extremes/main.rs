@@ -8,6 +8,7 @@ mod common;
 mod degenerate;
 mod gouraud;
 mod highlights;
+mod lyon_options;
 mod ranges;
 mod spans;
 mod viewpoints;

@@ -1,5 +1,5 @@
 //! Options and formats of `lyon`: defaults for a scene, and what may be asked for.
-use super::{Difference, LyonFormats, LyonSpec, Normalisation};
+use super::{Difference, Halfway, LyonFormats, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
@@ -12,9 +12,23 @@ use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 impl LyonSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] = &[
-        Choice { key: "normalisation", values: &["\"g1\"", "\"g2\""] },
+        Choice { key: "normals", values: &["\"linear\"", "\"flat\"", "\"wrapped\""] },
+        Choice { key: "axis", values: &["\"bisector\"", "\"face\""] },
+        Choice { key: "normalisation", values: &["\"none\"", "\"g1\"", "\"g2\"", "\"exact\""] },
         Choice { key: "newton_steps", values: &["0", "1", "2", "3"] },
-        Choice { key: "difference", values: &["\"reflection-minus-light\"", "\"halfway-cross-normal\""] },
+        Choice {
+            key: "difference",
+            values: &[
+                "\"reflection-minus-light\"",
+                "\"light-reflection\"",
+                "\"halfway-projection\"",
+                "\"halfway-cross-normal\"",
+                "\"unit-halfway-minus-normal\"",
+                "\"unit-halfway-projection\"",
+            ],
+        },
+        Choice { key: "halfway", values: &["\"unit\"", "\"half\"", "\"half-g2\""] },
+        Choice { key: "shape", values: &["\"f-k\"", "\"root\""] },
         Choice { key: "squarings", values: &["0", "1", "2", "3"] },
     ];
 
@@ -23,9 +37,13 @@ impl LyonSpec {
         let typical = needs.widest_angle <= 30.0 && needs.largest_shininess <= 256;
         let (vector, fine, shape) = if typical { (14, 14, 12) } else { (17, 19, 14) };
         LyonSpec {
+            normals: Normals::Linear,
+            axis: WrapAxis::Bisector,
             normalisation: Normalisation::G2,
             newton_steps: u32::from(!typical),
             difference: Difference::HalfwayCrossNormal,
+            halfway: Halfway::Unit,
+            shape: ShapeDatapath::FK,
             squarings: 2,
             formats: LyonFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2 S + 1 more bits keep the
@@ -33,10 +51,16 @@ impl LyonSpec {
                 weight_accumulator: Format::unsigned(1, vector + span_bits(needs.longest_span) + 1),
                 weight: Format::unsigned(1, vector),
                 vector: Format::signed(1, vector),
+                // N' is off by up to 4 of their units of the last place, and by half of its own.
+                wrap_operand: Format::unsigned(3, fine + 2),
+                wrap_ratio: Format::unsigned(1, fine + 2),
                 length_squared: Format::unsigned(1, fine),
                 gain: Format::unsigned(2, fine),
                 diffuse: Format::unsigned(1, shape),
                 difference: Format::signed(2, vector),
+                // m is off by 2^-9 at most, and f by 2/m of that and less: 0.3 LSB where m is √2.
+                root_shininess: Format::unsigned(7, if typical { 8 } else { 10 }),
+                scaled_difference: Format::unsigned(8, shape),
                 shape: Format::unsigned(1, shape),
             },
         }
@@ -49,38 +73,31 @@ impl Describe for LyonSpec {
     }
 
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
-        // Taken apart, so that a format that is new there cannot be forgotten here.
-        let &LyonFormats { weight_accumulator, weight, vector, length_squared, gain, diffuse, difference, shape } = &self.formats;
+        let f = &self.formats;
         let point = NarrowingPoint::rounded;
-        let accumulated = "step of the interpolation weight, rounded by the host";
-        vec![
-            NarrowingPoint::accumulated("weight_accumulator", weight_accumulator, UNIT, (1, span_bits), accumulated),
-            point("weight", weight, UNIT, "interpolation weight a").no_finer_than(weight_accumulator),
-            point("vector", vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0) and of n = g N'"),
-            point("length_squared", length_squared, UNIT, "z = N'.N'"),
-            point("gain", gain, Format::unsigned(2, 0), "g, about 1/sqrt(z)"),
-            point("diffuse", diffuse, UNIT, "n.L, clamped at 0"),
-            // D·D has twice the fraction bits, n another 13, and all of it must fit 63 bits.
-            point("difference", difference, Format::signed(2, 0), "components of D").with_at_most(20),
-            point("shape", shape, UNIT, "x = n D.D / 2^(k+1), and each square of 1 - x"),
-        ]
+        let mut points = self.normal_points(span_bits);
+        points.push(point("diffuse", f.diffuse, UNIT, "n.L, clamped at 0"));
+        // D·D has twice the fraction bits, n another 13, and all of it must fit 63 bits.
+        points.push(point("difference", f.difference, Format::signed(2, 0), "components of D").with_at_most(20));
+        points.extend(self.shape_points());
+        points
     }
 
     fn options(&self) -> Vec<(&'static str, String)> {
-        let first = match self.normalisation {
-            Normalisation::G1 => "g1 = 1 + y/2",
-            Normalisation::G2 => "g2 = 1 + (y + y^2)/2",
-        };
-        let difference = match self.difference {
-            Difference::ReflectionMinusLight => "D = R - L",
-            Difference::HalfwayCrossNormal => "D = H x N",
-        };
-        vec![
-            ("normalisation", format!("{first}, y = 1 - z")),
-            ("Newton steps", self.newton_steps.to_string()),
-            ("difference", difference.to_owned()),
-            ("shape", format!("f = (1 - x)^(2^k), 0 from x = 1 on; k = {}", self.squarings)),
-        ]
+        let mut options = Vec::new();
+        if self.normals != Normals::Linear {
+            options.push(("normals", self.normals_in_words()));
+        }
+        if self.normals == Normals::Linear {
+            options.push(("normalisation", self.normalisation_in_words()));
+        }
+        let approximate = matches!(self.normalisation, Normalisation::G1 | Normalisation::G2);
+        if self.normals == Normals::Linear && approximate {
+            options.push(("Newton steps", self.newton_steps.to_string()));
+        }
+        options.push(("difference", self.difference_in_words()));
+        options.push(("shape", self.shape_in_words()));
+        options
     }
 
     fn check_options(&self) -> Result<(), SpecError> {
@@ -90,5 +107,95 @@ impl Describe for LyonSpec {
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
         Box::new(super::set_up::LyonSetUp::new(self, frame))
+    }
+}
+
+impl LyonSpec {
+    /// Narrowing points on the way to the normal.
+    fn normal_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
+        let f = &self.formats;
+        let point = NarrowingPoint::rounded;
+        if self.normals == Normals::Flat {
+            return vec![point("vector", f.vector, SIGNED_UNIT, "components of the normal n")];
+        }
+        let accumulated = "step of the interpolation weight, rounded by the host";
+        let mut points = vec![
+            NarrowingPoint::accumulated("weight_accumulator", f.weight_accumulator, UNIT, (1, span_bits), accumulated),
+            point("weight", f.weight, UNIT, "interpolation weight a").no_finer_than(f.weight_accumulator),
+            point("vector", f.vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0) and of n = g N'"),
+        ];
+        if self.normals == Normals::Wrapped {
+            points.push(point("wrap_operand", f.wrap_operand, Format::unsigned(3, 0), "H.w and H.H, H = N' + w"));
+            points.push(point("wrap_ratio", f.wrap_ratio, UNIT, "v = H.w / H.H"));
+        } else if self.normalisation != Normalisation::None {
+            points.push(point("length_squared", f.length_squared, UNIT, "z = N'.N'"));
+            points.push(point("gain", f.gain, Format::unsigned(2, 0), "g, about 1/sqrt(z)"));
+        }
+        points
+    }
+
+    /// Narrowing points on the way from D to f.
+    fn shape_points(&self) -> Vec<NarrowingPoint> {
+        let f = &self.formats;
+        let point = NarrowingPoint::rounded;
+        match self.shape {
+            ShapeDatapath::FK => {
+                let x = if self.difference.takes_unit_halfway() {
+                    "x = 4n D.D / 2^(k+1), and each square of 1 - x"
+                } else {
+                    "x = n D.D / 2^(k+1), and each square of 1 - x"
+                };
+                vec![point("shape", f.shape, UNIT, x)]
+            }
+            ShapeDatapath::Root => vec![
+                point("root_shininess", f.root_shininess, Format::unsigned(7, 0), "m, rounded by the host").down_to(0),
+                point("scaled_difference", f.scaled_difference, Format::unsigned(8, 0), "u_c = m |D_c| / 2^h"),
+                point("shape", f.shape, UNIT, "x = u.u, and each square of 1 - x"),
+            ],
+        }
+    }
+
+    fn normals_in_words(&self) -> String {
+        match (self.normals, self.axis) {
+            (Normals::Linear, _) => "interpolated linearly",
+            (Normals::Flat, _) => "the face's mean normal",
+            (Normals::Wrapped, WrapAxis::Bisector) => "wrapped around the bisector of the end normals",
+            (Normals::Wrapped, WrapAxis::Face) => "wrapped around the face's mean normal, or the bisector 90 degrees from it",
+        }
+        .to_owned()
+    }
+
+    fn normalisation_in_words(&self) -> String {
+        match self.normalisation {
+            Normalisation::None => "none, n = N'",
+            Normalisation::G1 => "g1 = 1 + y/2, y = 1 - z",
+            Normalisation::G2 => "g2 = 1 + (y + y^2)/2, y = 1 - z",
+            Normalisation::Exact => "g = 1/sqrt(z), correctly rounded",
+        }
+        .to_owned()
+    }
+
+    fn difference_in_words(&self) -> String {
+        let h = match self.halfway {
+            Halfway::Unit => "h = H/|H|",
+            Halfway::Half => "h = H/2",
+            Halfway::HalfG2 => "h = g2(H.H/4) H/2",
+        };
+        match self.difference {
+            Difference::ReflectionMinusLight => "D = R - L".to_owned(),
+            Difference::LightReflection => "D = 2(N.L)N - H".to_owned(),
+            Difference::HalfwayProjection => "D = (H.N)N - H".to_owned(),
+            Difference::HalfwayCrossNormal => "D = H x N".to_owned(),
+            Difference::UnitHalfwayMinusNormal => format!("D = h - N with 4n, {h}"),
+            Difference::UnitHalfwayProjection => format!("D = (h.N)N - h with 4n, {h}"),
+        }
+    }
+
+    fn shape_in_words(&self) -> String {
+        let from = match self.shape {
+            ShapeDatapath::FK => "",
+            ShapeDatapath::Root => "; from squares of m D, m = sqrt(n)",
+        };
+        format!("f = (1 - x)^(2^k), 0 from x = 1 on; k = {}{from}", self.squarings)
     }
 }

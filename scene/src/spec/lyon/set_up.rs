@@ -1,5 +1,7 @@
 //! Set-up of a span for `lyon`.
-use super::{Difference, LyonInputs, LyonLight, LyonSpec};
+use glam::DVec3;
+
+use super::{Halfway, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath};
 use crate::frame::{DirectionalLight, EYE, Frame, Span};
 use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
 
@@ -14,6 +16,7 @@ pub(super) struct LyonSetUp<'a> {
 struct LightInputs {
     direction: [i64; 3],
     halfway: Option<[i64; 3]>,
+    has_highlight: bool,
 }
 
 impl<'a> LyonSetUp<'a> {
@@ -25,28 +28,90 @@ impl<'a> LyonSetUp<'a> {
 impl LightInputs {
     fn new(lyon: &LyonSpec, light: &DirectionalLight) -> LightInputs {
         let (f, l) = (&lyon.formats, light.direction);
-        let halfway = match lyon.difference {
-            Difference::HalfwayCrossNormal => Some(f.vector_sum().quantise_vector(l + EYE)),
-            Difference::ReflectionMinusLight => None,
-        };
-        LightInputs { direction: f.vector.quantise_vector(l), halfway }
+        let (takes_h, takes_unit) = (lyon.difference.takes_halfway(), lyon.difference.takes_unit_halfway());
+        let sum = takes_h.then(|| f.vector_sum().quantise_vector(l + EYE));
+        let unit = takes_unit.then(|| unit_halfway(lyon.halfway, l));
+        LightInputs {
+            direction: f.vector.quantise_vector(l),
+            halfway: sum.or(unit.map(|h| f.vector.quantise_vector(h.unwrap_or(DVec3::ZERO)))),
+            has_highlight: unit != Some(None),
+        }
     }
 
-    fn with(&self, &Coefficients { diffuse, specular }: &Coefficients) -> LyonLight<i64> {
+    fn with(&self, coefficients: &Coefficients) -> LyonLight<i64> {
+        let &Coefficients { diffuse, specular } = coefficients;
+        let specular = if self.has_highlight { specular } else { [0; 3] };
         LyonLight { direction: self.direction, halfway: self.halfway, diffuse, specular }
+    }
+}
+
+/// The half-way vector of about unit length; none where it has no direction.
+fn unit_halfway(halfway: Halfway, light: DVec3) -> Option<DVec3> {
+    let h = (light + EYE) / 2.0;
+    match halfway {
+        Halfway::Unit => h.try_normalize(),
+        Halfway::Half => Some(h),
+        Halfway::HalfG2 => {
+            let y = 1.0 - h.length_squared();
+            Some((1.0 + (y + y * y) / 2.0) * h)
+        }
+    }
+}
+
+/// Inputs that say what the normal is along a span.
+struct NormalInputs {
+    start: [i64; 3],
+    delta: Option<[i64; 3]>,
+    axis: Option<[i64; 3]>,
+}
+
+impl LyonSetUp<'_> {
+    fn normals(&self, span: &Span) -> NormalInputs {
+        let f = &self.lyon.formats;
+        // The difference of what is sent, so that the end is met as it was quantised.
+        let between = |start: [i64; 3], end: [i64; 3]| Some(std::array::from_fn(|i| end[i] - start[i]));
+        match self.lyon.normals {
+            Normals::Linear => {
+                let [start, end] = self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
+                NormalInputs { start, delta: between(start, end), axis: None }
+            }
+            Normals::Flat => {
+                let start = f.vector.quantise_vector(self.frame.mean_normal(span));
+                NormalInputs { start, delta: None, axis: None }
+            }
+            Normals::Wrapped => {
+                let wrap = self.lyon.wrap(self.frame, span);
+                let [start, end] = wrap.ends.map(|n| f.vector_sum().quantise_vector(n + wrap.axis));
+                NormalInputs { start, delta: between(start, end), axis: Some(f.vector.quantise_vector(wrap.axis)) }
+            }
+        }
+    }
+
+    fn weight_step(&self, span: &Span) -> i64 {
+        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        self.lyon.formats.weight_accumulator.quantise(step)
+    }
+
+    fn shininess(&self, shininess: u32) -> i64 {
+        match self.lyon.shape {
+            ShapeDatapath::FK => shininess.into(),
+            ShapeDatapath::Root => {
+                let squared = self.lyon.squared_root_shininess(shininess);
+                self.lyon.formats.root_shininess.quantise(f64::from(squared).sqrt())
+            }
+        }
     }
 }
 
 impl SetUpSpan for LyonSetUp<'_> {
     fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
-        let f = &self.lyon.formats;
-        let [start, end] = self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
-        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let normals = self.normals(span);
         let inputs = LyonInputs {
-            normal_start: start,
-            normal_delta: std::array::from_fn(|i| end[i] - start[i]),
-            weight_step: f.weight_accumulator.quantise(step),
-            shininess: i64::from(self.frame.material(span).shininess),
+            normal_start: normals.start,
+            normal_delta: normals.delta,
+            weight_step: normals.delta.map(|_| self.weight_step(span)),
+            wrap_axis: normals.axis,
+            shininess: self.shininess(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: self.lights.iter().zip(&material.lights).map(|(light, coefficients)| light.with(coefficients)).collect(),
         };
