@@ -15,6 +15,8 @@ fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
         brightest_coefficient: 1.0,
         widest_angle: 20.0,
         shortest_normal: 0.95,
+        least_cone_cosine: 0.9,
+        least_view_cosine: 0.0,
     }
 }
 

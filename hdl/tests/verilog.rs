@@ -16,6 +16,8 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
         brightest_coefficient: 1.0,
         widest_angle: 20.0,
         shortest_normal: 0.95,
+        least_cone_cosine: 0.9,
+        least_view_cosine: 0.0,
     };
     let mut spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
     match &mut spec.method {

@@ -31,11 +31,30 @@ pub struct DirectionalLight {
     pub colour: Colour,
 }
 
+/// The cone about a vertex normal that holds the normals of all faces around the vertex, which consistent normal interpolation asks for
+/// [Reshetov, Soupikov and Mark; METHODS.md D].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VertexCone {
+    /// The vertex normal, a unit vector; one that was 90 degrees or more from a face is turned until it is nearer, where it can be.
+    pub axis: DVec3,
+    /// m, the smallest cosine between the axis and the normal of a face around the vertex.
+    pub cosine: f64,
+}
+
+impl VertexCone {
+    /// The cone of a vertex among faces that all have its normal.
+    pub fn flat(normal: DVec3) -> VertexCone {
+        VertexCone { axis: normal, cosine: 1.0 }
+    }
+}
+
 /// A triangle that can be seen, with what shading needs of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
     /// Unit normals at the three vertices, in view space.
     pub normals: [DVec3; 3],
+    /// Cones about them, turned to the side that is seen as the normals are.
+    pub cones: [VertexCone; 3],
     /// Index into [`Frame::materials`].
     pub material: usize,
 }
@@ -109,8 +128,7 @@ impl Frame {
 
     /// The linearly interpolated, unnormalised normal of a span's triangle at barycentric `weights`.
     pub fn normal_at(&self, span: &Span, weights: [f64; 3]) -> DVec3 {
-        let normals = &self.triangles[span.triangle].normals;
-        normals[0] * weights[0] + normals[1] * weights[1] + normals[2] * weights[2]
+        interpolated(&self.triangles[span.triangle].normals, weights)
     }
 
     /// The normals at a span's first and last pixel, scaled by one common factor so that the longer has length 1.
@@ -118,9 +136,12 @@ impl Frame {
     /// The common factor leaves every direction along the span as it is and keeps each interpolated normal within the unit ball.
     /// Two normals of length 0 stay so.
     pub fn end_normals(&self, span: &Span) -> [DVec3; 2] {
-        let ends = [self.normal_at(span, span.start), self.normal_at(span, span.end)];
-        let longest = ends[0].length().max(ends[1].length());
-        if longest > 0.0 { ends.map(|n| n / longest) } else { ends }
+        scaled_ends(&self.triangles[span.triangle].normals, span)
+    }
+
+    /// As [`Frame::end_normals`], of the axes of the vertices' cones.
+    pub fn end_axes(&self, span: &Span) -> [DVec3; 2] {
+        scaled_ends(&self.triangles[span.triangle].cones.map(|cone| cone.axis), span)
     }
 
     /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one pixel k is 0.
@@ -137,4 +158,16 @@ impl Frame {
         let (start, end) = (at(span.start), at(span.end));
         [start, (end - start) / f64::from(span.steps().max(1))]
     }
+}
+
+/// Vectors at a triangle's vertices, interpolated linearly.
+fn interpolated(at_vertices: &[DVec3; 3], weights: [f64; 3]) -> DVec3 {
+    at_vertices[0] * weights[0] + at_vertices[1] * weights[1] + at_vertices[2] * weights[2]
+}
+
+/// Vectors at a triangle's vertices, interpolated at the ends of a span and scaled by one factor so that the longer has length 1.
+fn scaled_ends(at_vertices: &[DVec3; 3], span: &Span) -> [DVec3; 2] {
+    let ends = [interpolated(at_vertices, span.start), interpolated(at_vertices, span.end)];
+    let longest = ends[0].length().max(ends[1].length());
+    if longest > 0.0 { ends.map(|n| n / longest) } else { ends }
 }

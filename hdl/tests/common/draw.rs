@@ -1,6 +1,6 @@
 //! Specs and frames drawn at random, the same ones for the same seed.
 use glam::DVec3;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, Triangle};
+use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, Triangle, VertexCone};
 
 #[path = "../../../scene/tests/common/any_spec.rs"]
 mod any_spec;
@@ -67,7 +67,7 @@ pub fn frame(draw: &mut Draw, method: Method, longest: u32) -> Frame {
         ambient: [draw.unit(); 3],
         lights: (0..lights).map(|_| DirectionalLight { direction: draw.direction(), colour: colour(draw, 2.0) }).collect(),
         materials: (0..triangles).map(|_| material(draw, method)).collect(),
-        triangles: (0..triangles).map(|material| Triangle { normals: normals(draw), material }).collect(),
+        triangles: (0..triangles).map(|material| triangle(draw, material)).collect(),
         spans: lengths.into_iter().enumerate().map(|(row, length)| span(draw, row, length)).collect(),
     }
 }
@@ -83,6 +83,18 @@ fn material(draw: &mut Draw, method: Method) -> Material {
         Method::Hybrid => 1 << log2,
     };
     Material { ambient: colour(draw, 1.0), diffuse: colour(draw, 1.0), specular: colour(draw, 1.0), shininess: shininess.min(8191) }
+}
+
+fn triangle(draw: &mut Draw, material: usize) -> Triangle {
+    let normals = normals(draw);
+    // All flat, all as wide as can be, or anything.
+    let cosine: [f64; 3] = match draw.between(0, 3) {
+        0 => [1.0; 3],
+        1 => [0.0; 3],
+        _ => std::array::from_fn(|_| 1.2 * draw.unit() - 0.2),
+    };
+    let cone = |v: usize| VertexCone { axis: normals[v], cosine: cosine[v] };
+    Triangle { normals, cones: std::array::from_fn(cone), material }
 }
 
 /// Normals of a vertex each: near each other, anywhere, or opposite.

@@ -29,6 +29,8 @@ impl CoreSpec {
             largest_shininess: needs.largest_shininess,
             coefficient: coefficient_format(needs.brightest_coefficient),
             shortest_normal: needs.shortest_normal,
+            least_cone_cosine: needs.least_cone_cosine,
+            least_view_cosine: needs.least_view_cosine,
             method: method.spec(needs, &table.of(method))?,
         };
         spec.check()?;

@@ -57,6 +57,10 @@ pub struct CoreSpec {
     pub coefficient: Format,
     /// Length of the shortest interpolated normal, relative to the longer end of its span. Error bounds rest on it; widths do not.
     pub shortest_normal: f64,
+    /// Smallest cosine between a vertex normal and a face around the vertex. Error bounds rest on it; widths do not.
+    pub least_cone_cosine: f64,
+    /// Smallest cosine between an interpolated normal and the direction to the eye. Error bounds rest on it; widths do not.
+    pub least_view_cosine: f64,
     /// How pixels are shaded.
     pub method: MethodSpec,
 }
