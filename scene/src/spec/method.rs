@@ -2,7 +2,7 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{Describe, HybridSpec, LyonSpec, SpecError};
+use super::{ConsistentSpec, Describe, HybridSpec, LyonSpec, SpecError};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -86,6 +86,8 @@ methods! {
     Lyon(LyonSpec) = "lyon", "per-pixel normal, approximate normalisation, shape function f_k [Lyon, TR 43]";
     /// Gouraud diffuse with Hast's specular recurrence.
     Hybrid(HybridSpec) = "hybrid", "Gouraud diffuse, specular base p/q by forward differences [Hast et al., eq. 17-26]";
+    /// Consistent normal interpolation.
+    Consistent(ConsistentSpec) = "consistent", "reflection that never enters the surface [Reshetov, Soupikov and Mark]";
 }
 
 impl Method {

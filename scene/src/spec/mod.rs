@@ -6,6 +6,7 @@
 //! A method is a folder: `mod.rs` has its options and formats, `inputs` the ports of its cores, `choose` the formats for a scene and what
 //! may be asked for, `set_up` the host's work for a span. A line in [`method`] makes it known.
 mod choose;
+pub mod consistent;
 mod describe;
 mod error;
 pub mod hybrid;
@@ -22,6 +23,7 @@ use serde::Serialize;
 
 use crate::format::Format;
 
+pub use consistent::{ConsistentInputs, ConsistentSpec};
 use describe::Describe;
 pub use error::SpecError;
 pub use hybrid::{HybridInputs, HybridSpec};

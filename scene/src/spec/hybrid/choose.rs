@@ -57,7 +57,7 @@ impl Describe for HybridSpec {
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
         needs.uneven_shininess.map_or(Ok(()), |shininess| {
             let above = shininess.next_power_of_two();
-            Err(SpecError::UnevenShininess { shininess, below: above / 2, above })
+            Err(SpecError::UnevenShininess { method: "hybrid", shininess, below: above / 2, above })
         })
     }
 
