@@ -23,6 +23,25 @@ impl Sig {
         self.shortened(fraction_bits, "truncated")
     }
 
+    /// The last `bits` bits, read as an unsigned number: what is left of it modulo 2^`bits` units of the last place.
+    pub fn low_bits(&self, bits: u32) -> Sig {
+        if bits == 0 {
+            let id = self.builder.state.borrow_mut().constant(0, self.fraction_bits());
+            return self.builder.sig(id);
+        }
+        let range = Range::whole(bits, false);
+        if self.range().hull(range) == range {
+            return self.clone();
+        }
+        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "low" };
+        self.builder.emit(Op::Wrap(self.id()), Register::None, facts)
+    }
+
+    /// The raw value as an integer: the binary point moves behind the last place.
+    pub fn raw(&self) -> Sig {
+        self.times_power_of_two(self.fraction_bits() as i32)
+    }
+
     /// One unit in the last place more.
     fn plus_one_ulp(&self) -> Sig {
         let one = self.builder.integer(1).times_power_of_two(-(self.fraction_bits() as i32));

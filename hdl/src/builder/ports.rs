@@ -33,6 +33,12 @@ impl<A: Bundle, B: Bundle> Bundle for (A, B) {
     }
 }
 
+impl<A: Bundle, B: Bundle, C: Bundle> Bundle for (A, B, C) {
+    fn map(&self, f: &mut dyn FnMut(&Sig, &str) -> Sig) -> (A, B, C) {
+        (self.0.map(f), self.1.map(f), self.2.map(f))
+    }
+}
+
 /// The named inputs of a unit.
 pub trait Inputs {
     /// What the unit's body gets.

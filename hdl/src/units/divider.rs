@@ -3,40 +3,92 @@ use specula_scene::format::power_of_two;
 
 use crate::builder::{Builder, Sig};
 
-/// p/q clamped to [0, 1], to `fraction_bits`, correctly rounded (ties up): 0 where p ≤ 0 or q ≤ 0, else 1 where p ≥ q.
-///
-/// A restoring divider, a row of subtractor and multiplexer and a clock for each bit of the quotient, and one row more for rounding:
-/// with Q = ⌊2^(f+1) p/q⌋, ⌊(Q + 1)/2⌋ = ⌊2^f p/q + 1/2⌋.
-///
-/// # Error
-/// Both quotients are clamped, so with q ≥ `smallest_divisor` the result is off by (e_p + e_q)/(smallest_divisor - e_q) and half a
-/// unit of the last place; by 1 at most where nothing is known of q.
+/// p/q clamped to [0, 1], to `fraction_bits`: the [`quotient`] without integer bits.
 pub fn divider(b: &Builder, p: &Sig, q: &Sig, fraction_bits: u32, smallest_divisor: f64) -> Sig {
+    let to = QuotientFormat { integer_bits: 0, fraction_bits };
     b.unit("divider", "b = p/q, clamped to [0, 1]", (("p", p), ("q", q)), |b, (p, q)| {
-        let error = quotient_error(&p, &q, smallest_divisor) + 0.5 * power_of_two(-i64::from(fraction_bits));
-        let (zero, one) = (b.integer(0), b.integer(1));
-        let positive = zero.less_than(&p).and(&zero.less_than(&q)).named("positive");
-        let whole = p.at_least(&q).named("whole");
-        let proper = positive.and(&whole.not()).named("proper");
-
-        let largest = q.format().value(q.range().high).max(1.0);
-        // Outside 0 < p < q the rows see 0/1 instead, so that they never overflow.
-        let mut remainder = proper.choose(&p, &zero).assumed(0.0, largest, "0 <= p < q").named("dividend");
-        let divisor = proper.choose(&q, &one).assumed(0.0, largest, "q > 0").named("divisor");
-        let mut quotient = zero.clone();
-        for _ in 0..=fraction_bits {
-            let (rest, bit) = row(b, &remainder, &divisor);
-            (remainder, quotient) = (rest, quotient.with_bit(&bit).named("bits"));
-        }
-        let quotient = quotient.times_power_of_two(-(fraction_bits as i32 + 1)).rounded(fraction_bits).named("quotient");
-        let clamped = whole.choose(&one, &quotient);
-        positive.choose(&clamped, &zero).clamped_above(1).stated_error_value(error).named("base")
+        limited_quotient(b, &p, &q, to, smallest_divisor).named("base")
     })
 }
 
-fn quotient_error(p: &Sig, q: &Sig, smallest_divisor: f64) -> f64 {
+/// The format of a quotient.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct QuotientFormat {
+    /// i: the quotient's magnitude is 2^i at most.
+    pub integer_bits: u32,
+    /// f: bits right of its binary point.
+    pub fraction_bits: u32,
+}
+
+impl QuotientFormat {
+    fn ulp(self) -> f64 {
+        power_of_two(-i64::from(self.fraction_bits))
+    }
+}
+
+/// p/q clamped to [0, 2^i], to f fraction bits, correctly rounded (ties up): 0 where p ≤ 0 or q ≤ 0, else 2^i where p ≥ 2^i q.
+///
+/// A restoring divider, a row of subtractor and multiplexer and a clock for each bit of the quotient, and one row more for rounding:
+/// with d = 2^i q and Q = ⌊2^(i + f + 1) p/d⌋, ⌊(Q + 1)/2⌋ = ⌊2^f p/q + 1/2⌋. That makes i + f + 1 rows, a clock before them and three
+/// behind.
+///
+/// # Error
+/// Both quotients are clamped, so with q ≥ `smallest_divisor` the result is off by (e_p + 2^i e_q)/(`smallest_divisor` - e_q), by 2^i at
+/// most, and half a unit of the last place.
+pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
+    let formula = format!("r = p/q, clamped to [0, {}]", 1u64 << to.integer_bits);
+    b.unit("quotient", &formula, (("p", p), ("q", q)), |b, (p, q)| {
+        limited_quotient(b, &p, &q, to, smallest_divisor).named("ratio")
+    })
+}
+
+/// p/q clamped to [-2^i, 2^i], to f fraction bits, correctly rounded (ties up); 0 where q ≤ 0.
+///
+/// p/q + 2^i = (p + 2^i q)/q lies in [0, 2^(i+1)], and adding an integer changes no rounding: the [`quotient`] less 2^i, a row more.
+///
+/// # Error
+/// As the [`quotient`]'s, but by 2^(i+1) at most.
+pub fn signed_quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
+    let limit = 1i64 << to.integer_bits;
+    b.unit("signed_quotient", &format!("r = p/q, clamped to [-{limit}, {limit}]"), (("p", p), ("q", q)), |b, (p, q)| {
+        let error = quotient_error(&p, &q, to, smallest_divisor).min(2.0 * limit as f64 + 0.5 * to.ulp());
+        let raised = &p + q.times_power_of_two(to.integer_bits as i32);
+        let positive = b.integer(0).less_than(&q);
+        let shifted = QuotientFormat { integer_bits: to.integer_bits + 1, ..to };
+        let ratio = quotient(b, &raised, &q, shifted, smallest_divisor) - b.integer(limit);
+        positive.choose(&ratio, &b.integer(0)).stated_error_value(error).named("ratio")
+    })
+}
+
+fn limited_quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
+    let bits = to.integer_bits + to.fraction_bits;
+    let error = quotient_error(p, q, to, smallest_divisor).min(power_of_two(to.integer_bits.into()) + 0.5 * to.ulp());
+    let q = q.times_power_of_two(to.integer_bits as i32);
+    let (zero, one) = (b.integer(0), b.integer(1));
+    let positive = zero.less_than(p).and(&zero.less_than(&q)).named("positive");
+    let whole = p.at_least(&q).named("whole");
+    let proper = positive.and(&whole.not()).named("proper");
+
+    let largest = q.format().value(q.range().high).max(1.0);
+    // Outside 0 < p < q the rows see 0/1 instead, so that they never overflow.
+    let mut remainder = proper.choose(p, &zero).assumed(0.0, largest, "0 <= p < q").named("dividend");
+    let divisor = proper.choose(&q, &one).assumed(0.0, largest, "q > 0").named("divisor");
+    let mut quotient = zero.clone();
+    for _ in 0..=bits {
+        let (rest, bit) = row(b, &remainder, &divisor);
+        (remainder, quotient) = (rest, quotient.with_bit(&bit).named("bits"));
+    }
+    let quotient = quotient.times_power_of_two(-(bits as i32 + 1)).rounded(bits).named("quotient");
+    let clamped = whole.choose(&one, &quotient);
+    let limited = positive.choose(&clamped, &zero).clamped_above(1);
+    limited.times_power_of_two(to.integer_bits as i32).stated_error_value(error)
+}
+
+/// (e_p + 2^i e_q)/(`smallest_divisor` - e_q) and half a unit of the last place, or infinite where nothing is known of q.
+fn quotient_error(p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> f64 {
+    let operands = p.error_value() + power_of_two(to.integer_bits.into()) * q.error_value();
     let surely = smallest_divisor - q.error_value();
-    if surely > 0.0 { ((p.error_value() + q.error_value()) / surely).min(1.0) } else { 1.0 }
+    if surely > 0.0 { operands / surely + 0.5 * to.ulp() } else { f64::INFINITY }
 }
 
 /// One bit of the quotient: with 0 ≤ r < q, whether 2r ≥ q, and what then remains of 2r, both after one clock.

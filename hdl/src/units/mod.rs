@@ -5,19 +5,25 @@ mod diffuse;
 mod divider;
 mod interpolate;
 mod normalise;
+mod normalise_exactly;
 mod power;
 mod quadratic;
+mod reciprocal_square_root;
 mod shape;
+mod square_root;
 
 pub use colour::{Coefficients, Light, channels};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
-pub use divider::divider;
+pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use interpolate::{SpanNormals, interpolate};
 pub use normalise::normalise;
+pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
+pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 pub use shape::shape;
+pub use square_root::square_root;
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.

@@ -7,11 +7,16 @@ mod difference;
 mod diffuse;
 mod divider;
 mod normalise;
+mod normalise_exactly;
 mod power;
+mod quotient;
+mod reciprocal_square_root;
 mod shape;
+mod square_root;
 
 use std::rc::Rc;
 
+use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use specula_hdl::Design;
 use specula_hdl::builder::{Builder, Sig};
 use specula_hdl::target::Generic;
@@ -46,6 +51,11 @@ impl Bench {
 /// The outputs for each row of inputs, every row a span of its own.
 fn outputs(design: &Design, rows: &[Vec<i64>]) -> Vec<Vec<i64>> {
     run(design, rows.iter().cloned().map(Drive::pixel))
+}
+
+/// Few cases, since each is a design of its own, and the same ones on every run.
+fn property_tests() -> ProptestConfig {
+    ProptestConfig { cases: 24, rng_seed: RngSeed::Fixed(4), failure_persistence: None, ..ProptestConfig::default() }
 }
 
 /// floor(raw / 2^bits + 1/2).
