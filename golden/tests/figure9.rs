@@ -1,44 +1,13 @@
 //! Lyon's figure 9, five spheres shaded by twelve formulas; its sum is known from elsewhere (METHODS.md B).
 use glam::DVec3;
 use specula_golden::exact::diffuse::lambert;
-use specula_golden::exact::normalisation::g2;
-use specula_golden::exact::reflection::{halfway, reflect, reflection_minus_light};
-use specula_golden::exact::shape::{f_k, power};
+use specula_golden::exact::distributions::{Formulation, formulation};
 
-const FORMULAS: usize = 12;
+const FORMULAS: usize = Formulation::ALL.len();
 const EXPONENTS: [u32; 5] = [1, 4, 16, 64, 256];
 const BACKGROUND: f64 = 255.0;
 const DIFFUSE: f64 = 35.0;
 const BRIGHTEST_SPECULAR: f64 = 400.0;
-
-/// The twelve formulas, in the order of the paper's appendix. h = H/2 goes with 4n.
-fn formulas(normal: DVec3, light: DVec3, n: u32) -> [f64; FORMULAS] {
-    let exponent = f64::from(n);
-    let x = exponent / 2.0 * reflection_minus_light(normal, light).length_squared();
-    let half = halfway(light) / 2.0;
-    let (approximate, true_unit) = (g2(half.length_squared()) * half, half / half.length());
-    let x_of = |d: DVec3| 2.0 * exponent * d.length_squared();
-    let projected = |h: DVec3| x_of(h - h.dot(normal) * normal);
-    let cosine = true_unit.dot(normal);
-    [
-        power(reflect(normal).dot(light), n),
-        f_k(x, 0),
-        f_k(x, 1),
-        f_k(x, 2),
-        power(cosine, 4 * n),
-        f_k(x_of(true_unit - normal), 2),
-        f_k(projected(half), 2),
-        f_k(projected(approximate), 2),
-        f_k(projected(approximate), 1),
-        f_k(x_of(approximate - normal), 2),
-        (-2.0 * exponent * cosine.clamp(-1.0, 1.0).acos().powi(2)).exp(),
-        trowbridge_reitz(cosine.max(0.0), exponent),
-    ]
-}
-
-fn trowbridge_reitz(cosine: f64, n: f64) -> f64 {
-    (1.0 + (1.0 - cosine * cosine) * n).powi(-2)
-}
 
 /// The first sphere from the left that covers the point, as its normal there and its number.
 fn sphere_at(x: f64, y: f64) -> Option<(DVec3, usize)> {
@@ -53,7 +22,8 @@ fn colours(normal: DVec3, sphere: usize) -> [f64; FORMULAS] {
     let lights = [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, -1.0, 1.0)].map(|l| l / 3.0_f64.sqrt());
     let n = EXPONENTS[sphere];
     let specular = BRIGHTEST_SPECULAR * (f64::from(n) / 256.0).powf(0.25);
-    let shaded = lights.map(|l| formulas(normal, l, n).map(|f| specular * f + DIFFUSE * lambert(normal, l)));
+    let shaded =
+        lights.map(|l| Formulation::ALL.map(|row| specular * formulation(row, n, normal, l) + DIFFUSE * lambert(normal, l)));
     std::array::from_fn(|formula| shaded[0][formula] + shaded[1][formula])
 }
 

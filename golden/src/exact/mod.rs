@@ -2,14 +2,25 @@
 //!
 //! Directions are unit vectors in view space, and V = (0, 0, 1) ([`EYE`](specula_scene::frame::EYE)).
 mod coefficients;
+pub mod consistent;
+pub mod differences;
 pub mod diffuse;
+pub mod direct;
+pub mod distributions;
+pub mod duff;
 pub mod hybrid;
 pub mod lyon;
 mod method;
+pub mod newton;
 pub mod normalisation;
 mod phong;
+pub mod point_light;
 pub mod reflection;
+pub mod root_shininess;
 pub mod shape;
+pub mod slerp;
+pub mod specular;
+pub mod wrap;
 
 use specula_scene::{CoreSpec, Frame, Span};
 

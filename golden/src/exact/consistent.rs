@@ -1,0 +1,100 @@
+//! Consistent normal interpolation: reflections that never point into the face [Reshetov, Soupikov and Mark; METHODS.md D].
+//!
+//! N is the interpolated unit normal, I the unit vector that comes in (towards the eye, the light or the half-way vector), α the interpolated
+//! angle between vertex and face normals, b = N·I.
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::DVec3;
+
+use super::normalisation::unit;
+
+/// q = (1 - sin α)/(1 + sin α), for α from 0 to π/2.
+pub fn q(alpha: f64) -> f64 {
+    (1.0 - alpha.sin()) / (1.0 + alpha.sin())
+}
+
+/// q without a sine, (π - 2α)²/(π(π + (2π - 4)α)): never more than [`q`], and less by 0.012689 at most.
+pub fn rational_q(alpha: f64) -> f64 {
+    (PI - 2.0 * alpha).powi(2) / (PI * (PI + (2.0 * PI - 4.0) * alpha))
+}
+
+/// g = cos γ = 1 + q(b - 1).
+pub fn cos_gamma(q: f64, b: f64) -> f64 {
+    1.0 + q * (b - 1.0)
+}
+
+/// ρ = sin γ/sin β = √(q(1 + g)/(1 + b)), 0 to 1.
+///
+/// 1 is the most that a front-sided I gives; one from behind would give more (EXTREMES row 46), and b = -1 nothing (row 42).
+pub fn rho(q: f64, b: f64) -> f64 {
+    let below = 1.0 + b;
+    if below <= 0.0 { 0.0 } else { (q * (1.0 + cos_gamma(q, b)) / below).max(0.0).sqrt().min(1.0) }
+}
+
+/// r = (g + ρb)N - ρI, of length 1 for an I in front of the face.
+pub fn reflection(normal: DVec3, incoming: DVec3, q: f64) -> DVec3 {
+    let b = normal.dot(incoming);
+    let rho = rho(q, b);
+    (cos_gamma(q, b) + rho * b) * normal - rho * incoming
+}
+
+/// N_c = (I + r)/|I + r|; `None` for r = -I (EXTREMES row 41).
+pub fn normal(incoming: DVec3, reflection: DVec3) -> Option<DVec3> {
+    unit(incoming + reflection)
+}
+
+/// N_c·I = |I + r|/2, 0 to 1, without a normalisation; 0 for r = -I.
+pub fn cosine(incoming: DVec3, reflection: DVec3) -> f64 {
+    ((incoming + reflection).length() / 2.0).min(1.0)
+}
+
+/// How a vertex's angle is enlarged: acos(m)(1 + c(1 - m)^e), so that its interpolation reaches the face's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scaling {
+    /// c.
+    pub constant: f64,
+    /// e.
+    pub exponent: i32,
+}
+
+impl Scaling {
+    /// For [`rational_q`], as printed.
+    pub const RATIONAL: Scaling = Scaling { constant: 0.03632, exponent: 2 };
+    /// For [`q`], as printed: falls short by 0.42 degrees at most (EXTREMES row 47).
+    pub const TRIGONOMETRIC: Scaling = Scaling { constant: 0.06096, exponent: 2 };
+    /// For [`q`] with the exponent that suffices everywhere (NUMERICS.md 1).
+    pub const TRIGONOMETRIC_LINEAR: Scaling = Scaling { constant: 0.06097, exponent: 1 };
+}
+
+/// α of a vertex from m, the least cosine between its normal and the normals of the faces around it. Radians, to 1.63 or 1.67 for m = 0.
+///
+/// Not clamped at π/2: that would shorten what is interpolated of it (EXTREMES row 45).
+pub fn vertex_angle(least_cosine: f64, scaling: Scaling) -> f64 {
+    let m = least_cosine.clamp(-1.0, 1.0);
+    m.acos() * (1.0 + scaling.constant * (1.0 - m).powi(scaling.exponent))
+}
+
+/// α of a pixel: interpolated, and only then kept within 0 to π/2.
+pub fn pixel_angle(vertex_angles: [f64; 3], weights: [f64; 3]) -> f64 {
+    let interpolated: f64 = vertex_angles.iter().zip(weights).map(|(a, w)| a * w).sum();
+    interpolated.clamp(0.0, FRAC_PI_2)
+}
+
+/// The most rounds that [`repair`] goes.
+const MOST_REPAIRS: u32 = 200;
+
+/// A vertex normal less than 90 degrees from each of `faces`: while one is not, the worst face's normal n is added as -(1 + ε)(N·n)n with ε = 1.
+///
+/// `None` if 200 rounds do not suffice or N vanishes (EXTREMES row 48).
+pub fn repair(normal: DVec3, faces: &[DVec3]) -> Option<DVec3> {
+    const EPSILON: f64 = 1.0;
+    let mut normal = unit(normal)?;
+    for _ in 0..MOST_REPAIRS {
+        let worst = faces.iter().copied().min_by(|a, b| normal.dot(*a).total_cmp(&normal.dot(*b)))?;
+        if normal.dot(worst) > 0.0 {
+            return Some(normal);
+        }
+        normal = unit(normal - (1.0 + EPSILON) * normal.dot(worst) * worst)?;
+    }
+    None
+}
