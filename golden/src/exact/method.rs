@@ -2,7 +2,7 @@
 use specula_scene::spec::MethodSpec;
 use specula_scene::{CoreSpec, Frame, Span};
 
-use super::{HybridSpan, LyonSpan};
+use super::{ConsistentSpan, HybridSpan, LyonSpan};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -19,6 +19,7 @@ impl<'a> MethodSpan<'a> {
         MethodSpan(match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(LyonSpan::new(lyon, frame, span)),
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
+            MethodSpec::Consistent(consistent) => Box::new(ConsistentSpan::new(consistent, frame, span)),
         })
     }
 

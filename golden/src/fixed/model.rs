@@ -2,6 +2,7 @@
 use specula_scene::spec::{InputPort, MethodSpec};
 use specula_scene::{CoreSpec, SpanPacket};
 
+use super::consistent::Consistent;
 use super::hybrid::Hybrid;
 use super::lyon::Lyon;
 use super::method::{Method, Values};
@@ -22,6 +23,7 @@ impl Model {
         let method: Box<dyn ShadeSpan> = match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
+            MethodSpec::Consistent(consistent) => Box::new(Consistent::new(spec, consistent)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -51,6 +53,9 @@ impl Model {
     /// | p_acc, p | `light<l>_numerator_accumulator`, `light<l>_numerator` |
     /// | b, b² | `light<l>_base`, `light<l>_square<s>` |
     /// | d_acc | `light<l>_intensity_accumulator` |
+    /// | t_acc, t, T, q | `angle_accumulator`, `angle`, `tangent`, `contraction` |
+    /// | b, g, s, ρ, m | `cos_beta`, `cos_gamma`, `sine_ratio_squared`, `sine_ratio`, `normal_share`; of L with `light<l>_` before |
+    /// | r | `reflection_x`, `_y`, `_z`; of L with `light<l>_` before |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

@@ -10,6 +10,7 @@ use specula_scene::{Frame, Method};
 mod any_spec;
 #[path = "../common/mod.rs"]
 mod common;
+mod consistent;
 mod hybrid;
 mod lyon;
 mod raw;
@@ -31,6 +32,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
         let expected = match &core.method {
             MethodSpec::Lyon(spec) => lyon::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -61,12 +63,30 @@ proptest! {
     fn hybrid(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
         check(Method::Hybrid, &draw, &bits, 1 << j)?;
     }
+
+    #[test]
+    fn consistent(
+        draw in prop::array::uniform12(0.0..1.0_f64),
+        bits in prop::array::uniform8(0.0..=1.0_f64),
+        j in 0..13_u32,
+        cosines in prop::array::uniform3(-0.1..=1.0_f64),
+    ) {
+        let mut frame = draw_frame(ANY, &draw, material(draw[8], draw[9], 3.0 * draw[10], 1 << j)).frame;
+        for (cone, cosine) in frame.triangles[0].cones.iter_mut().zip(cosines) {
+            cone.cosine = cosine;
+        }
+        check_frame(Method::Consistent, &frame, &bits)?;
+    }
+}
+
+fn check_frame(method: Method, frame: &Frame, bits: &[f64; 8]) -> Result<(), TestCaseError> {
+    let core = core_for(frame, method, bits);
+    codes_agree(&core, frame, &packet(&core, frame))
 }
 
 fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result<(), TestCaseError> {
     let frame = draw_frame(ANY, draw, material(draw[8], draw[9], 3.0 * draw[10], shininess)).frame;
-    let core = core_for(&frame, method, bits);
-    codes_agree(&core, &frame, &packet(&core, &frame))
+    check_frame(method, &frame, bits)
 }
 
 /// Inputs at the ends of their ranges, all at once: not what a host would send `hybrid`, but nothing may overflow.

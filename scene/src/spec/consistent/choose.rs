@@ -1,5 +1,5 @@
 //! Options and formats of `consistent`: defaults for a scene, and what may be asked for.
-use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse};
+use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse, LARGEST_GAIN_BITS};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
@@ -11,8 +11,8 @@ use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 
 /// The most fraction bits of ρ², twice those of ρ.
 const MOST_SQUARED_FRACTION_BITS: u32 = 48;
-/// The most fraction bits of vectors and cosines: three of them are multiplied.
-const MOST_VECTOR_FRACTION_BITS: u32 = 18;
+/// The most fraction bits that vectors and cosines have unless asked for: n = 512 is served in full.
+const MOST_DEFAULT_FRACTION_BITS: u32 = 20;
 
 impl ConsistentSpec {
     /// Options and their values.
@@ -28,7 +28,7 @@ impl ConsistentSpec {
         let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
         let curve = Curve::Rational;
         let steep = f64::max(1.0 - curve.quarter_turns(needs.least_cone_cosine), 0.0).powi(2) / 2.0;
-        let fine = (11 + j.max(3)).min(MOST_VECTOR_FRACTION_BITS);
+        let fine = (11 + j.max(3)).min(MOST_DEFAULT_FRACTION_BITS);
         let squared = (fine + 2 + (-steep.max(1e-9).log2()).ceil() as u32).min(2 * fine);
         let unit = |fraction_bits| Format::unsigned(1, fraction_bits);
         ConsistentSpec {
@@ -40,7 +40,9 @@ impl ConsistentSpec {
                 weight_accumulator: unit(fine + s + 1),
                 weight: unit(fine),
                 vector: Format::signed(1, fine),
-                length: unit(fine + 1),
+                // What is added to z weighs more the shorter the normal, N' as much.
+                length_squared: unit(fine + 4),
+                gain: Format::unsigned(LARGEST_GAIN_BITS, fine + 1),
                 angle_accumulator: Format::signed(1, fine + s + 1),
                 angle: unit(fine),
                 tangent: unit(fine + 2),
@@ -66,7 +68,8 @@ impl Describe for ConsistentSpec {
             weight_accumulator,
             weight,
             vector,
-            length,
+            length_squared,
+            gain,
             angle_accumulator,
             angle,
             tangent,
@@ -82,15 +85,14 @@ impl Describe for ConsistentSpec {
         vec![
             accumulated("weight_accumulator", weight_accumulator, UNIT, linear, weights),
             point("weight", weight, UNIT, "interpolation weight a").no_finer_than(weight_accumulator),
-            point("vector", vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0), of n = N'/|N'| and of r")
-                .with_at_most(MOST_VECTOR_FRACTION_BITS),
-            point("length", length, UNIT, "|N'|"),
+            point("vector", vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0), of n = N'/|N'| and of r"),
+            point("length_squared", length_squared, UNIT, "z = N'.N'"),
+            point("gain", gain, Format::unsigned(LARGEST_GAIN_BITS, 0), "1/sqrt(z), at most 16"),
             accumulated("angle_accumulator", angle_accumulator, SIGNED_UNIT, linear, angles),
             point("angle", angle, UNIT, "t = 2 alpha/pi, rounded up, at most 1").no_finer_than(angle_accumulator),
             point("tangent", tangent, UNIT, "tan(pi (1 - t)/4) and the steps of its polynomial (curve = trigonometric)"),
             point("contraction", contraction, UNIT, "q, rounded down"),
-            point("cosine", cosine, SIGNED_UNIT, "b = n.I, g = 1 + q (b - 1), and g + rho b")
-                .with_at_most(MOST_VECTOR_FRACTION_BITS),
+            point("cosine", cosine, SIGNED_UNIT, "b = n.I, g = 1 + q (b - 1), and g + rho b"),
             point("sine_ratio_squared", sine_ratio_squared, UNIT, "rho^2 = q (1 + g)/(1 + b)")
                 .up_to(MOST_SQUARED_FRACTION_BITS),
             point("sine_ratio", sine_ratio, UNIT, "rho"),

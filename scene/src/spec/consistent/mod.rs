@@ -32,6 +32,9 @@ pub enum Diffuse {
     Consistent,
 }
 
+/// m: normals shorter than 2^-m = 1/16 of the longer one at the ends of their span are lengthened by 2^m and stay short.
+pub const LARGEST_GAIN_BITS: u32 = 4;
+
 /// Options of the method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -55,13 +58,15 @@ pub struct ConsistentFormats {
     /// Components of normals and light directions, of N' after interpolation and of n after normalisation: `S1.f`; of the reflection r:
     /// `S2.f`.
     pub vector: Format,
-    /// |N'|: `U1.f`.
-    pub length: Format,
+    /// z = N'·N': `U1.f`.
+    pub length_squared: Format,
+    /// 1/√z, for z no smaller than 4^-4: `U4.f`, and 2^4 itself.
+    pub gain: Format,
     /// Accumulator of t: `S1.f`. The host rounds start and step up into it.
     pub angle_accumulator: Format,
     /// t = 2α/π, rounded up from the accumulator and clamped to 1: `U1.f`.
     pub angle: Format,
-    /// tan(π(1 - t)/4) and the steps of its polynomial (with the trigonometric curve only): `U1.f`.
+    /// tan(π(1 - t)/4), rounded down, and the steps of its polynomial (with the trigonometric curve only): `U1.f`.
     pub tangent: Format,
     /// q, rounded down: `U1.f`.
     pub contraction: Format,
