@@ -117,7 +117,7 @@ impl Consistent {
         q
     }
 
-    /// (1 - t)²/(1 + κt): what is rounded to nearest after half a unit of the last place is taken off is rounded down.
+    /// (1 - t)²/(1 + κt), rounded down; the raw values' common factor cancels.
     fn rational(&self, t: Wide) -> Wide {
         let fraction_bits = self.formats.contraction.fraction_bits;
         let (p, q) = ((Wide::ONE - t) * (Wide::ONE - t), Wide::ONE + KAPPA * t);

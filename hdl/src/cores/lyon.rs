@@ -2,6 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::lyon::{LyonLight, LyonSpec};
 
+use super::eye;
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
 use crate::units::{self, Light, SpanNormals};
@@ -16,7 +17,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
         delta: &Vector::new(inputs.normal_delta),
         weight_step: &inputs.weight_step,
     };
-    let normal = units::interpolate(&b, span, &lyon.formats, spec.longest_span - 1);
+    let f = &lyon.formats;
+    let normal = units::interpolate(&b, span, [f.weight_accumulator, f.weight, f.vector], spec.longest_span - 1);
     let (n, has_direction) = units::normalise(&b, &normal, lyon, spec.shortest_normal);
     let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
@@ -50,9 +52,4 @@ impl Pixel<'_> {
             specular_coefficients: light.specular.clone(),
         }
     }
-}
-
-/// V = (0, 0, 1): the eye is at infinity, so what multiplies its components folds away.
-fn eye(b: &Builder) -> Vector {
-    Vector::new([0, 0, 1].map(|component| b.integer(component)))
 }

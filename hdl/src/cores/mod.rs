@@ -1,4 +1,5 @@
 //! Cores: units put together so that a span goes in and one pixel comes out per clock.
+mod consistent;
 mod hybrid;
 mod lyon;
 
@@ -6,7 +7,7 @@ use std::rc::Rc;
 
 use specula_scene::{CoreSpec, MethodSpec};
 
-use crate::builder::{Builder, TooWide};
+use crate::builder::{Builder, TooWide, Vector};
 use crate::design::Design;
 use crate::target::Generic;
 
@@ -21,5 +22,13 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
         MethodSpec::Hybrid(hybrid) => {
             hybrid::core(builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"), spec, hybrid)
         }
+        MethodSpec::Consistent(consistent) => {
+            consistent::core(builder("Consistent normal interpolation [Reshetov, Soupikov and Mark]"), spec, consistent)
+        }
     }
+}
+
+/// V = (0, 0, 1): the eye is at infinity, so what multiplies its components folds away.
+fn eye(b: &Builder) -> Vector {
+    Vector::new([0, 0, 1].map(|component| b.integer(component)))
 }

@@ -1,5 +1,5 @@
 //! The normal along a span.
-use specula_scene::spec::lyon::LyonFormats;
+use specula_scene::Format;
 
 use crate::builder::{Builder, Sig, Vector};
 
@@ -20,17 +20,19 @@ pub struct SpanNormals<'a> {
 ///
 /// N0 and N1 are unit vectors but for rounding, √3/2 units of the last place. With a ≤ 1 + o, where o is [`overshoot`], N' is longer
 /// than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o.
-pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps: u32) -> Vector {
+///
+/// Formats are those of the weight's accumulator, the weight and the vectors.
+pub fn interpolate(b: &Builder, span: SpanNormals, [accumulator, weight, vector]: [Format; 3], steps: u32) -> Vector {
     let inputs =
         (("start", span.first), ("normal_start", span.start), ("normal_delta", span.delta), ("weight_step", span.weight_step));
     b.unit("interpolate", "N' = N0 + a (N1 - N0) [Lyon, TR 43]", inputs, |b, (first, start, delta, step)| {
-        let slack = f64::from(steps) * formats.weight_accumulator.ulp();
+        let slack = f64::from(steps) * accumulator.ulp();
         let a = Sig::accumulated(&first, &b.integer(0), &step, (0.0, 1.0 + slack), steps, "0 <= a <= 1");
-        let overshoot = overshoot(formats, steps);
-        let a = a.rounded(formats.weight.fraction_bits).assumed(0.0, 1.0 + overshoot, "0 <= a <= 1").named("weight");
-        let normal = (&start + &delta.scaled(&a)).no_longer_than((1.0 + formats.vector.ulp()) * (1.0 + 2.0 * overshoot));
+        let overshoot = overshoot(accumulator, weight, steps);
+        let a = a.rounded(weight.fraction_bits).assumed(0.0, 1.0 + overshoot, "0 <= a <= 1").named("weight");
+        let normal = (&start + &delta.scaled(&a)).no_longer_than((1.0 + vector.ulp()) * (1.0 + 2.0 * overshoot));
         let normal = normal.components_assumed_within(1.0 + 2.0 * overshoot, "|N'| <= 1");
-        normal.rounded(formats.vector.fraction_bits).named("normal")
+        normal.rounded(vector.fraction_bits).named("normal")
     })
 }
 
@@ -38,8 +40,8 @@ pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps:
 ///
 /// The accumulator is off by S/2 units of its last place at most. By default its extra bits keep that below half a unit of a's, so
 /// that a ≤ 1 after rounding; a spec may ask for fewer.
-fn overshoot(formats: &LyonFormats, steps: u32) -> f64 {
-    let accumulated = 0.5 * f64::from(steps) * formats.weight_accumulator.ulp();
-    let half = 0.5 * formats.weight.ulp();
+fn overshoot(accumulator: Format, weight: Format, steps: u32) -> f64 {
+    let accumulated = 0.5 * f64::from(steps) * accumulator.ulp();
+    let half = 0.5 * weight.ulp();
     if accumulated < half { 0.0 } else { accumulated + half }
 }

@@ -1,5 +1,7 @@
 //! Units: short functions from signals to signals that read like the papers' formulas.
 mod colour;
+mod consistent_reflection;
+mod contraction;
 mod difference;
 mod diffuse;
 mod divider;
@@ -13,8 +15,10 @@ mod shape;
 mod square_root;
 
 pub use colour::{Coefficients, Light, channels};
+pub use consistent_reflection::{Consistency, consistent_diffuse, consistent_reflection};
+pub use contraction::{SpanAngles, contraction};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
-pub use diffuse::{diffuse, gouraud};
+pub use diffuse::{clamped_cosine, diffuse, gouraud};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use interpolate::{SpanNormals, interpolate};
 pub use normalise::normalise;

@@ -81,7 +81,8 @@ impl Describe for ConsistentSpec {
             base,
         } = &self.formats;
         let (point, accumulated, linear) = (NarrowingPoint::rounded, NarrowingPoint::accumulated, (1, span_bits));
-        let (weights, angles) = ("step of the interpolation weight, rounded by the host", "start and step of t, rounded up by the host");
+        let (weights, angles) =
+            ("step of the interpolation weight, rounded by the host", "start and step of t, rounded up by the host");
         vec![
             accumulated("weight_accumulator", weight_accumulator, UNIT, linear, weights),
             point("weight", weight, UNIT, "interpolation weight a").no_finer_than(weight_accumulator),
@@ -93,8 +94,7 @@ impl Describe for ConsistentSpec {
             point("tangent", tangent, UNIT, "tan(pi (1 - t)/4) and the steps of its polynomial (curve = trigonometric)"),
             point("contraction", contraction, UNIT, "q, rounded down"),
             point("cosine", cosine, SIGNED_UNIT, "b = n.I, g = 1 + q (b - 1), and g + rho b"),
-            point("sine_ratio_squared", sine_ratio_squared, UNIT, "rho^2 = q (1 + g)/(1 + b)")
-                .up_to(MOST_SQUARED_FRACTION_BITS),
+            point("sine_ratio_squared", sine_ratio_squared, UNIT, "rho^2 = q (1 + g)/(1 + b)").up_to(MOST_SQUARED_FRACTION_BITS),
             point("sine_ratio", sine_ratio, UNIT, "rho"),
             point("diffuse", diffuse, UNIT, "n.L or |L + r|/2, clamped to 0..1"),
             point("base", base, UNIT, "r.L, clamped to 0..1, and each square of it"),
