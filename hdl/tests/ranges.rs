@@ -23,6 +23,11 @@ fn lyon_stays_in_its_ranges() {
 }
 
 #[test]
+fn consistent_stays_in_its_ranges() {
+    (0..250).for_each(|seed| stays_in_range(seed, Method::Consistent));
+}
+
+#[test]
 fn hybrid_stays_in_its_ranges() {
     (0..250).for_each(|seed| stays_in_range(seed, Method::Hybrid));
 }

@@ -51,6 +51,11 @@ fn lyon_agrees() {
 }
 
 #[test]
+fn consistent_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Consistent));
+}
+
+#[test]
 fn hybrid_agrees() {
     (0..250).for_each(|seed| agrees(seed, Method::Hybrid));
 }
