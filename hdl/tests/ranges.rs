@@ -24,7 +24,8 @@ fn lyon_stays_in_its_ranges() {
 
 #[test]
 fn consistent_stays_in_its_ranges() {
-    (0..250).for_each(|seed| stays_in_range(seed, Method::Consistent));
+    // These cores are several times as large as the others.
+    (0..20).for_each(|seed| stays_in_range(seed, Method::Consistent));
 }
 
 #[test]

@@ -52,7 +52,8 @@ fn lyon_agrees() {
 
 #[test]
 fn consistent_agrees() {
-    (0..250).for_each(|seed| agrees(seed, Method::Consistent));
+    // These cores are several times as large as the others.
+    (0..20).for_each(|seed| agrees(seed, Method::Consistent));
 }
 
 #[test]

@@ -65,7 +65,7 @@ fn rational(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
         let below = (b.integer(1) + &t * b.integer(1169).times_power_of_two(-10)).named("below");
         let lowered = &above - below.times_power_of_two(-(fraction_bits as i32 + 1));
         let to = QuotientFormat { integer_bits: 0, fraction_bits };
-        quotient(b, &lowered, &below, to, 1.0).stated_error_value(error.min(1.0)).named("q")
+        b.instance("curve_divider", || quotient(b, &lowered, &below, to, 1.0)).stated_error_value(error.min(1.0)).named("q")
     })
 }
 

@@ -5,14 +5,12 @@ use crate::frame::Frame;
 use crate::needs::Needs;
 use crate::spec::choose::span_bits;
 use crate::spec::describe::Describe;
-use crate::spec::narrowing::{SIGNED_UNIT, UNIT};
+use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 
 /// The most fraction bits of ρ², twice those of ρ.
 const MOST_SQUARED_FRACTION_BITS: u32 = 48;
-/// The most fraction bits that vectors and cosines have unless asked for: n = 512 is served in full.
-const MOST_DEFAULT_FRACTION_BITS: u32 = 20;
 
 impl ConsistentSpec {
     /// Options and their values.
@@ -28,7 +26,7 @@ impl ConsistentSpec {
         let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
         let curve = Curve::Rational;
         let steep = f64::max(1.0 - curve.quarter_turns(needs.least_cone_cosine), 0.0).powi(2) / 2.0;
-        let fine = (11 + j.max(3)).min(MOST_DEFAULT_FRACTION_BITS);
+        let fine = 11 + j.max(3);
         let squared = (fine + 2 + (-steep.max(1e-9).log2()).ceil() as u32).min(2 * fine);
         let unit = |fraction_bits| Format::unsigned(1, fraction_bits);
         ConsistentSpec {
@@ -41,17 +39,17 @@ impl ConsistentSpec {
                 weight: unit(fine),
                 vector: Format::signed(1, fine),
                 // What is added to z weighs more the shorter the normal, N' as much.
-                length_squared: unit(fine + 4),
+                length_squared: unit((fine + 4).min(MOST_FRACTION_BITS)),
                 gain: Format::unsigned(LARGEST_GAIN_BITS, fine + 1),
                 angle_accumulator: Format::signed(1, fine + s + 1),
                 angle: unit(fine),
-                tangent: unit(fine + 2),
+                tangent: unit((fine + 2).min(MOST_FRACTION_BITS)),
                 contraction: unit(fine),
                 cosine: Format::signed(1, fine),
                 sine_ratio_squared: unit(squared),
                 sine_ratio: unit(fine),
                 diffuse: unit(12),
-                base: unit((10 + j.max(4)).min(fine + 2)),
+                base: unit(10 + j.max(4)),
             },
         }
     }
