@@ -2,6 +2,7 @@
 use specula_hdl::Design;
 use specula_hdl::block::check_all;
 use specula_hdl::design::NodeId;
+use specula_scene::spec::consistent::{Curve, Diffuse};
 use specula_scene::spec::lyon::{Difference, Normalisation};
 use specula_scene::spec::{LONGEST_SPAN, LyonSpec, MOST_LIGHTS};
 use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
@@ -49,8 +50,21 @@ fn options() -> impl Iterator<Item = CoreSpec> {
     })
 }
 
+/// Every combination of `consistent`'s options.
+fn curves() -> impl Iterator<Item = CoreSpec> {
+    let choices = [Curve::Rational, Curve::Trigonometric].into_iter();
+    let choices = choices.flat_map(|curve| [Diffuse::Lambert, Diffuse::Consistent].map(|diffuse| (curve, diffuse)));
+    choices.map(|(curve, diffuse)| {
+        let mut core = spec(Method::Consistent, 2, 100, 256);
+        if let MethodSpec::Consistent(consistent) = &mut core.method {
+            (consistent.curve, consistent.diffuse) = (curve, diffuse);
+        }
+        core
+    })
+}
+
 fn every_spec() -> impl Iterator<Item = CoreSpec> {
-    sizes(Method::Lyon).chain(sizes(Method::Hybrid)).chain(options())
+    sizes(Method::Lyon).chain(sizes(Method::Hybrid)).chain(options()).chain(curves())
 }
 
 fn elaborated(spec: &CoreSpec) -> Design {

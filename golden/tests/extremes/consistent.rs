@@ -192,7 +192,8 @@ fn no_reflection_enters_a_face() {
     let meshes = [
         (Primitive::Icosahedron { level: 0 }, 60, 0.211),
         (Primitive::Icosahedron { level: 1 }, 15, 0.105),
-        (Primitive::Torus { level: 3, tube: 0.4 }, 8, 0.15),
+        // 12 x 6 cells; the table has 0.222 for 8 x 6 and 0.154 for 12 x 8.
+        (Primitive::Torus { level: 3, tube: 0.4 }, 8, 0.188),
     ];
     let mut draws = Draws(2010);
     for (shape, each, phong) in meshes {
