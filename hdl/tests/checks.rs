@@ -2,6 +2,7 @@
 use specula_hdl::Design;
 use specula_hdl::block::check_all;
 use specula_hdl::design::NodeId;
+use specula_scene::spec::consistent::{Curve, Diffuse};
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, Normalisation};
 use specula_scene::spec::{LONGEST_SPAN, LyonSpec, MOST_LIGHTS, reflection};
@@ -19,6 +20,8 @@ fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
         brightest_coefficient: 1.0,
         widest_angle: 20.0,
         shortest_normal: 0.95,
+        least_cone_cosine: 0.9,
+        least_view_cosine: 0.0,
     }
 }
 
@@ -75,8 +78,21 @@ fn reflection_options() -> impl Iterator<Item = CoreSpec> {
     })
 }
 
+/// Every combination of `consistent`'s options.
+fn curves() -> impl Iterator<Item = CoreSpec> {
+    let choices = [Curve::Rational, Curve::Trigonometric].into_iter();
+    let choices = choices.flat_map(|curve| [Diffuse::Lambert, Diffuse::Consistent].map(|diffuse| (curve, diffuse)));
+    choices.map(|(curve, diffuse)| {
+        let mut core = spec(Method::Consistent, 2, 100, 256);
+        if let MethodSpec::Consistent(consistent) = &mut core.method {
+            (consistent.curve, consistent.diffuse) = (curve, diffuse);
+        }
+        core
+    })
+}
+
 fn every_spec() -> impl Iterator<Item = CoreSpec> {
-    Method::ALL.into_iter().flat_map(sizes).chain(options()).chain(duff_options()).chain(reflection_options())
+    Method::ALL.into_iter().flat_map(sizes).chain(options()).chain(duff_options()).chain(reflection_options()).chain(curves())
 }
 
 fn elaborated(spec: &CoreSpec) -> Design {

@@ -19,6 +19,8 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
         widest_angle: 20.0,
         shortest_normal: 0.95,
         shortest_way: 1.0,
+        least_cone_cosine: 0.9,
+        least_view_cosine: 0.0,
     };
     let mut spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
     match &mut spec.method {

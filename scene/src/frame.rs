@@ -56,6 +56,23 @@ pub struct Spot {
     pub exponent: u32,
 }
 
+/// The cone about a vertex normal that holds the normals of all faces around the vertex, which consistent normal interpolation asks for
+/// [Reshetov, Soupikov and Mark; METHODS.md D].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VertexCone {
+    /// The vertex normal, a unit vector; one that was 90 degrees or more from a face is turned until it is nearer, where it can be.
+    pub axis: DVec3,
+    /// m, the smallest cosine between the axis and the normal of a face around the vertex.
+    pub cosine: f64,
+}
+
+impl VertexCone {
+    /// The cone of a vertex among faces that all have its normal.
+    pub fn flat(normal: DVec3) -> VertexCone {
+        VertexCone { axis: normal, cosine: 1.0 }
+    }
+}
+
 /// A triangle that can be seen, with what shading needs of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
@@ -63,6 +80,8 @@ pub struct Triangle {
     pub normals: [DVec3; 3],
     /// The three vertices, in view space.
     pub positions: [DVec3; 3],
+    /// Cones about them, turned to the side that is seen as the normals are.
+    pub cones: [VertexCone; 3],
     /// Index into [`Frame::materials`].
     pub material: usize,
 }
@@ -141,8 +160,7 @@ impl Frame {
 
     /// The linearly interpolated, unnormalised normal of a span's triangle at barycentric `weights`.
     pub fn normal_at(&self, span: &Span, weights: [f64; 3]) -> DVec3 {
-        let normals = &self.triangles[span.triangle].normals;
-        normals[0] * weights[0] + normals[1] * weights[1] + normals[2] * weights[2]
+        interpolated(&self.triangles[span.triangle].normals, weights)
     }
 
     /// Colours of all lights, those at infinity first.
@@ -183,6 +201,12 @@ impl Frame {
         self.triangles[span.triangle].normals.iter().sum::<DVec3>().normalize_or_zero()
     }
 
+    /// As [`Frame::end_normals`], of the axes of the vertices' cones.
+    pub fn end_axes(&self, span: &Span) -> [DVec3; 2] {
+        let axes = self.triangles[span.triangle].cones.map(|cone| cone.axis);
+        scaled_to_unit([interpolated(&axes, span.start), interpolated(&axes, span.end)])
+    }
+
     /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one pixel k is 0.
     pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
         let [start, end] = self.end_normals(span);
@@ -209,4 +233,9 @@ impl Frame {
 fn scaled_to_unit(ends: [DVec3; 2]) -> [DVec3; 2] {
     let longest = ends[0].length().max(ends[1].length());
     if longest > 0.0 { ends.map(|vector| vector / longest) } else { ends }
+}
+
+/// Vectors at a triangle's vertices, interpolated linearly.
+fn interpolated(at_vertices: &[DVec3; 3], weights: [f64; 3]) -> DVec3 {
+    at_vertices[0] * weights[0] + at_vertices[1] * weights[1] + at_vertices[2] * weights[2]
 }

@@ -21,7 +21,7 @@ pub use builtin::builtin_names;
 pub use error::SceneError;
 pub use file::CoreTable;
 pub use format::Format;
-pub use frame::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle};
+pub use frame::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone};
 pub use load::{LoadedScene, load};
 pub use needs::Needs;
 pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};

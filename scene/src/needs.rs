@@ -2,7 +2,7 @@
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::frame::{Frame, LocalLight, Span};
+use crate::frame::{EYE, Frame, LocalLight, Span};
 
 /// What shading this frame needs.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +28,10 @@ pub struct Needs {
     /// Length of the shortest vector from a pixel to a light or an eye at a place, in units of the longer one at the ends of its span; 0
     /// to 1, and 1 if there are none.
     pub shortest_way: f64,
+    /// The smallest cosine between a vertex normal and a face around the vertex (EXTREMES row 48): -1 to 1.
+    pub least_cone_cosine: f64,
+    /// The smallest cosine between an interpolated normal and the direction to the eye: -1 to 1.
+    pub least_view_cosine: f64,
 }
 
 /// What a light at a place is.
@@ -59,11 +63,18 @@ impl Needs {
             largest_shininess: shininess().max().unwrap_or(1),
             uneven_shininess: shininess().find(|n| !n.is_power_of_two()),
             brightest_coefficient: brightest_coefficient(frame),
-            widest_angle: frame.spans.iter().map(|s| angle(frame, s)).fold(0.0, f64::max),
-            shortest_normal: frame.spans.iter().map(|s| shortest(frame, s)).fold(1.0, f64::min),
+            widest_angle: frame.spans.iter().flat_map(|s| ends(frame, s)).map(angle).fold(0.0, f64::max),
+            shortest_normal: frame.spans.iter().flat_map(|s| ends(frame, s)).map(shortest).fold(1.0, f64::min),
+            least_cone_cosine: frame.triangles.iter().flat_map(|t| t.cones).map(|cone| cone.cosine).fold(1.0, f64::min),
+            least_view_cosine: frame.spans.iter().map(|s| least_view_cosine(frame.end_axes(s))).fold(1.0, f64::min),
             shortest_way: frame.spans.iter().map(|s| shortest_way(frame, s)).fold(1.0, f64::min),
         }
     }
+}
+
+/// What methods interpolate along a span: its normals, and the axes of its cones.
+fn ends(frame: &Frame, span: &Span) -> [[DVec3; 2]; 2] {
+    [frame.end_normals(span), frame.end_axes(span)]
 }
 
 fn brightest_coefficient(frame: &Frame) -> f64 {
@@ -80,24 +91,32 @@ fn brightest_coefficient(frame: &Frame) -> f64 {
     brightest
 }
 
-fn angle(frame: &Frame, span: &Span) -> f64 {
-    let [a, b] = frame.end_normals(span);
+fn angle([a, b]: [DVec3; 2]) -> f64 {
     // atan2 keeps small angles that acos of a rounded dot product loses (EXTREMES row 15).
     a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
 /// Smallest |N| over the span: where the foot of the perpendicular from the origin falls on the segment between the ends.
-fn shortest(frame: &Frame, span: &Span) -> f64 {
-    shortest_between(frame.end_normals(span))
-}
-
 fn shortest_way(frame: &Frame, span: &Span) -> f64 {
     let places = frame.local_lights.iter().map(|light| light.position).chain(frame.eye);
-    places.map(|place| shortest_between(frame.end_vectors_to(span, place))).fold(1.0, f64::min)
+    places.map(|place| shortest(frame.end_vectors_to(span, place))).fold(1.0, f64::min)
 }
 
-fn shortest_between([a, b]: [DVec3; 2]) -> f64 {
+fn shortest([a, b]: [DVec3; 2]) -> f64 {
     let delta = b - a;
     let foot = if delta.length_squared() > 0.0 { -a.dot(delta) / delta.length_squared() } else { 0.0 };
     (a + delta * foot.clamp(0.0, 1.0)).length()
+}
+
+/// Smallest cosine between the eye and the normals between two ends, -1 where one has no direction.
+///
+/// With N = a + t d it lies at an end or where the derivative of N·V/|N| vanishes, (d·V)(N·N) = (N·V)(N·d), in which t² cancels:
+/// t = ((d·V)(a·a) - (a·V)(a·d)) / ((a·V)(d·d) - (d·V)(a·d)).
+fn least_view_cosine([a, b]: [DVec3; 2]) -> f64 {
+    let d = b - a;
+    let (av, dv, ad) = (a.dot(EYE), d.dot(EYE), a.dot(d));
+    let stationary = (dv * a.dot(a) - av * ad) / (av * d.dot(d) - dv * ad);
+    let inside = if stationary.is_finite() { stationary.clamp(0.0, 1.0) } else { 0.0 };
+    let cosine = |t: f64| (a + d * t).try_normalize().map_or(-1.0, |n| n.dot(EYE));
+    [0.0, inside, 1.0].map(cosine).into_iter().fold(1.0, f64::min)
 }

@@ -2,7 +2,7 @@
 use specula_scene::spec::MethodSpec;
 use specula_scene::{CoreSpec, Frame, Span};
 
-use super::{DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan, ReflectionSpan};
+use super::{ConsistentSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan, ReflectionSpan};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -23,6 +23,7 @@ impl<'a> MethodSpan<'a> {
             MethodSpec::Duff(duff) => Box::new(DuffSpan::new(duff, frame, span)),
             MethodSpec::Gouraud(gouraud) => Box::new(GouraudSpan::new(gouraud, frame, span)),
             MethodSpec::Reflection(reflection) => Box::new(ReflectionSpan::new(reflection, frame, span)),
+            MethodSpec::Consistent(consistent) => Box::new(ConsistentSpan::new(consistent, frame, span)),
         })
     }
 

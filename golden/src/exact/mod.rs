@@ -3,6 +3,7 @@
 //! Directions are unit vectors in view space, and V = (0, 0, 1) ([`EYE`](specula_scene::frame::EYE)).
 mod coefficients;
 pub mod consistent;
+pub mod consistent_span;
 pub mod differences;
 pub mod diffuse;
 pub mod direct;
@@ -28,6 +29,7 @@ pub mod wrap;
 
 use specula_scene::{CoreSpec, Frame, Span};
 
+pub use consistent_span::ConsistentSpan;
 pub use duff::DuffSpan;
 pub use gouraud::GouraudSpan;
 pub use hybrid::HybridSpan;

@@ -2,6 +2,7 @@
 use specula_scene::spec::{InputPort, MethodSpec};
 use specula_scene::{CoreSpec, SpanPacket};
 
+use super::consistent::Consistent;
 use super::duff::Duff;
 use super::gouraud::Gouraud;
 use super::hybrid::Hybrid;
@@ -30,6 +31,7 @@ impl Model {
             MethodSpec::Duff(duff) => Box::new(Duff::new(spec, duff)),
             MethodSpec::Gouraud(gouraud) => Box::new(Gouraud::new(spec, gouraud)),
             MethodSpec::Reflection(reflection) => Box::new(Reflection::new(spec, reflection)),
+            MethodSpec::Consistent(consistent) => Box::new(Consistent::new(spec, consistent)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -69,6 +71,9 @@ impl Model {
     /// | acc | `light<l>_diffuse_accumulator`, `light<l>_specular_accumulator` |
     /// | f of `gouraud` | `light<l>_specular` |
     /// | w, v of `reflection` | `reciprocal`, `view_cosine` |
+    /// | t_acc, t, T, q | `angle_accumulator`, `angle`, `tangent`, `contraction` |
+    /// | b, g, s, ρ, m | `cos_beta`, `cos_gamma`, `sine_ratio_squared`, `sine_ratio`, `normal_share`; of L with `light<l>_` before |
+    /// | r | `reflection_x`, `_y`, `_z`; of L with `light<l>_` before |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

@@ -40,7 +40,7 @@ pub fn round_to(value: Wide, fraction_bits: u32) -> Wide {
 /// p / q rounded to nearest, ties up, for p ≥ 0 and q > 0.
 ///
 /// floor(p/q · 2^f + 1/2) = floor((p · 2^(f+1) + q) / 2q), on raw values, whose common factor 2^-64 cancels. With p < q < 2^28 and f ≤ 24
-/// the numerator stays below 2^(28 + 64 + 25 + 1) = 2^118.
+/// the numerator stays below 2^(28 + 64 + 25 + 1) = 2^118, and with p < q ≤ 2 and f ≤ 48 below 2^(1 + 64 + 49 + 1) = 2^115.
 pub fn round_quotient(p: Wide, q: Wide, fraction_bits: u32) -> Wide {
     let (p, q) = (p.to_bits(), q.to_bits());
     let quotient = ((p << (fraction_bits + 1)) + q) / (2 * q);
@@ -65,6 +65,24 @@ pub fn round_reciprocal_root(q: Wide, fraction_bits: u32) -> Wide {
     let q = (q.to_bits() >> (Wide::FRAC_NBITS - 24)).unsigned_abs();
     let doubled = ((1_u128 << (2 * fraction_bits + 26)) / q).isqrt();
     Wide::from_num(doubled.div_ceil(2)) >> fraction_bits
+}
+
+/// The largest multiple of 2^-`fraction_bits` that is no more than `value`.
+pub fn round_down(value: Wide, fraction_bits: u32) -> Wide {
+    (value << fraction_bits).floor() >> fraction_bits
+}
+
+/// The smallest multiple of 2^-`fraction_bits` that is no less than `value`.
+pub fn round_up(value: Wide, fraction_bits: u32) -> Wide {
+    -round_down(-value, fraction_bits)
+}
+
+/// √x rounded to nearest, ties up, for 0 ≤ x ≤ 1 and f ≤ 24.
+///
+/// With R = ⌊√(2^(2f+2) x)⌋ it is ⌊(R + 1)/2⌋; the radicand without its fraction has the same R.
+pub fn round_root(x: Wide, fraction_bits: u32) -> Wide {
+    let radicand: u64 = (x << (2 * fraction_bits + 2)).floor().to_num();
+    Wide::from_num(radicand.isqrt().div_ceil(2)) >> fraction_bits
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ pub mod draw;
 use glam::DVec3;
 use specula_golden::fixed::Observation;
 use specula_scene::spec::SpecError;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, SpanPacket, Triangle};
+use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, SpanPacket, Triangle, VertexCone};
 
 pub const WHITE: [f64; 3] = [1.0; 3];
 
@@ -23,9 +23,14 @@ pub fn frame(normals: [DVec3; 2], length: u32, lights: &[DVec3], material: Mater
         local_lights: Vec::new(),
         eye: None,
         materials: vec![material],
-        triangles: vec![Triangle { normals: [normals[0], normals[1], normals[0]], positions: [DVec3::ZERO; 3], material: 0 }],
+        triangles: vec![triangle([normals[0], normals[1], normals[0]])],
         spans: vec![span],
     }
+}
+
+/// A triangle whose vertices stand among faces that have its normals.
+fn triangle(normals: [DVec3; 3]) -> Triangle {
+    Triangle { normals, positions: [DVec3::ZERO; 3], cones: normals.map(VertexCone::flat), material: 0 }
 }
 
 /// Grey reflectances.

@@ -2,6 +2,7 @@
 mod both;
 #[path = "../common/mod.rs"]
 mod common;
+mod consistent;
 mod degenerate;
 mod lyon;
 mod powers;

@@ -11,6 +11,7 @@ use specula_scene::{Frame, LocalLight, Method, Spot};
 mod any_spec;
 #[path = "../common/mod.rs"]
 mod common;
+mod consistent;
 mod duff;
 mod gouraud;
 mod hybrid;
@@ -41,6 +42,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
             MethodSpec::Duff(spec) => duff::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Reflection(spec) => reflection::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -109,12 +111,30 @@ proptest! {
     fn reflection(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
         check(Method::Reflection, &draw, &bits, 1 << j)?;
     }
+
+    #[test]
+    fn consistent(
+        draw in prop::array::uniform12(0.0..1.0_f64),
+        bits in prop::array::uniform8(0.0..=1.0_f64),
+        j in 0..13_u32,
+        cosines in prop::array::uniform3(-0.1..=1.0_f64),
+    ) {
+        let mut frame = draw_frame(ANY, &draw, material(draw[8], draw[9], 3.0 * draw[10], 1 << j)).frame;
+        for (cone, cosine) in frame.triangles[0].cones.iter_mut().zip(cosines) {
+            cone.cosine = cosine;
+        }
+        check_frame(Method::Consistent, &frame, &bits)?;
+    }
+}
+
+fn check_frame(method: Method, frame: &Frame, bits: &[f64; 8]) -> Result<(), TestCaseError> {
+    let core = core_for(frame, method, bits);
+    codes_agree(&core, frame, &packet(&core, frame))
 }
 
 fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result<(), TestCaseError> {
     let frame = draw_frame(ANY, draw, material(draw[8], draw[9], 3.0 * draw[10], shininess)).frame;
-    let core = core_for(&frame, method, bits);
-    codes_agree(&core, &frame, &packet(&core, &frame))
+    check_frame(method, &frame, bits)
 }
 
 /// Inputs at the ends of their ranges, all at once: not what a host would send, but nothing may overflow.

@@ -72,7 +72,8 @@ impl Vector {
         self.length_squared().assumed(0.0, length * length, fact).proven_error_value(error)
     }
 
-    fn largest_error(&self) -> f64 {
+    /// The largest bound on the error of a component, as a value.
+    pub fn largest_error(&self) -> f64 {
         [&self.x, &self.y, &self.z].map(Sig::error_value).into_iter().fold(0.0, f64::max)
     }
 

@@ -1,11 +1,11 @@
 //! Lyon's core.
 use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{Difference, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
+use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
 
 use super::eye;
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
-use crate::units::{self, Light, SpanNormals};
+use crate::units::{self, Interpolation, Light, SpanNormals};
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR 43, fig. 6 to 8]
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
@@ -30,8 +30,9 @@ fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, l
     };
     let (start, delta) = (Vector::new(inputs.normal_start.clone()), Vector::new(delta.clone()));
     let along = |longest| {
-        let span = SpanNormals { first, start: &start, delta: &delta, weight_step, longest };
-        units::interpolate(b, span, formats, spec.longest_span - 1)
+        let span = SpanNormals { first, start: &start, delta: &delta, weight_step };
+        let &LyonFormats { weight_accumulator: accumulator, weight, vector, .. } = formats;
+        units::interpolate(b, span, Interpolation { accumulator, weight, vector, longest, steps: spec.longest_span - 1 })
     };
     match &inputs.wrap_axis {
         None => units::normalise(b, &along(1.0), lyon, spec.shortest_normal),

@@ -1,4 +1,5 @@
 //! Cores: units put together so that a span goes in and one pixel comes out per clock.
+mod consistent;
 mod duff;
 mod forward;
 mod gouraud;
@@ -35,6 +36,9 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
         }
         MethodSpec::Reflection(reflection) => {
             reflection::core(builder("Reflection shading: quotients of quadratics [Hast et al.]"), spec, reflection)
+        }
+        MethodSpec::Consistent(consistent) => {
+            consistent::core(builder("Consistent normal interpolation [Reshetov, Soupikov and Mark]"), spec, consistent)
         }
     }
 }

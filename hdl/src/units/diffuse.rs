@@ -1,4 +1,5 @@
 //! Diffuse intensity.
+use specula_scene::Format;
 use specula_scene::spec::lyon::LyonFormats;
 
 use super::HOST_ERROR;
@@ -11,6 +12,18 @@ pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Si
         let lengths = (n.longest(), 1.0 + formats.vector.ulp());
         let cosine = n.dot_within(&l, lengths, "|N.L| <= |N||L|");
         cosine.rounded(formats.diffuse.fraction_bits).at_least_zero().named("intensity")
+    })
+}
+
+/// The cosine between a vector that is to be no longer than 1 and a unit vector, kept within 0 to 1.
+///
+/// The real cosine's vectors are no longer than 1, so with components off by e_v and e_l it is off by √3 (e_v + e_l) + 3 e_v e_l.
+pub fn clamped_cosine(b: &Builder, v: &Vector, l: &Vector, format: Format) -> Sig {
+    b.unit("clamped_cosine", "min(max(V.L, 0), 1)", (("v", v), ("l", l)), |_, (v, l)| {
+        let (e_v, e_l) = (v.largest_error(), l.largest_error());
+        let error = 3f64.sqrt() * (e_v + e_l) + 3.0 * e_v * e_l;
+        let cosine = v.dot(&l).proven_error_value(error).rounded(format.fraction_bits);
+        cosine.at_least_zero().clamped_above(1).named("cosine")
     })
 }
 

@@ -1,6 +1,5 @@
 //! Vectors along a span.
 use specula_scene::Format;
-use specula_scene::spec::lyon::LyonFormats;
 
 use crate::builder::{Builder, Sig, Vector};
 
@@ -14,8 +13,6 @@ pub struct SpanNormals<'a> {
     pub delta: &'a Vector,
     /// 1/S.
     pub weight_step: &'a Sig,
-    /// How long the vectors at the ends are but for rounding, and so all between them: 1 for normals.
-    pub longest: f64,
 }
 
 /// Where an interpolation rounds.
@@ -35,11 +32,9 @@ pub struct Interpolation {
 
 /// Interpolates linearly: N' = N0 + a (N1 - N0), where a grows by 1/S with each of at most `steps` + 1 pixels.
 /// [Lyon, TR 43; METHODS B12]
-pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps: u32) -> Vector {
+pub fn interpolate(b: &Builder, span: SpanNormals, to: Interpolation) -> Vector {
     let inputs =
         (("start", span.first), ("normal_start", span.start), ("normal_delta", span.delta), ("weight_step", span.weight_step));
-    let &LyonFormats { weight_accumulator: accumulator, weight, vector, .. } = formats;
-    let to = Interpolation { accumulator, weight, vector, longest: span.longest, steps };
     b.unit("interpolate", "N' = N0 + a (N1 - N0) [Lyon, TR 43]", inputs, |b, (first, start, delta, step)| {
         let a = weight_along(b, &first, &step, to);
         between(&start, &delta, &a, to, "|N'| <= 1").named("normal")

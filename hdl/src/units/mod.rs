@@ -3,6 +3,8 @@ mod any_power;
 mod colour;
 mod cosine;
 
+mod consistent_reflection;
+mod contraction;
 mod difference;
 mod diffuse;
 mod divider;
@@ -21,9 +23,11 @@ mod wrapped;
 
 pub use any_power::any_power;
 pub use colour::{Coefficients, Light, channels};
+pub use consistent_reflection::{Consistency, consistent_diffuse, consistent_reflection};
+pub use contraction::{SpanAngles, contraction};
 pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};
-pub use diffuse::{diffuse, gouraud};
+pub use diffuse::{clamped_cosine, diffuse, gouraud};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use interpolate::{Interpolation, SpanNormals, along, interpolate, weight};
 pub use linear::{Steps, linear};

@@ -1,6 +1,6 @@
 //! Specs and frames drawn at random, the same ones for the same seed.
 use glam::DVec3;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, LocalLight, Material, Method, Needs, Span, Spot, Triangle};
+use specula_scene::{CoreSpec, DirectionalLight, Frame, LocalLight, Material, Method, Needs, Span, Spot, Triangle, VertexCone};
 
 #[path = "../../../scene/tests/common/any_spec.rs"]
 mod any_spec;
@@ -80,11 +80,6 @@ pub fn frame(draw: &mut Draw, method: Method, longest: u32) -> Frame {
     }
 }
 
-fn triangle(draw: &mut Draw, material: usize) -> Triangle {
-    let place = |draw: &mut Draw| 3.0 * draw.unit() * draw.direction();
-    Triangle { normals: normals(draw), positions: [place(draw), place(draw), place(draw)], material }
-}
-
 /// Anywhere, or at the very corner of a triangle.
 fn place_about(draw: &mut Draw, triangles: &[Triangle]) -> DVec3 {
     match draw.between(0, 3) {
@@ -106,10 +101,23 @@ fn colour(draw: &mut Draw, brightest: f64) -> [f64; 3] {
 fn material(draw: &mut Draw, method: Method) -> Material {
     let log2 = draw.between(0, 12);
     let shininess = match method {
-        Method::Hybrid | Method::Duff | Method::Reflection => 1 << log2,
+        Method::Hybrid | Method::Duff | Method::Reflection | Method::Consistent => 1 << log2,
         _ => draw.between(1, 8191).min(2 << log2),
     };
     Material { ambient: colour(draw, 1.0), diffuse: colour(draw, 1.0), specular: colour(draw, 1.0), shininess: shininess.min(8191) }
+}
+
+fn triangle(draw: &mut Draw, material: usize) -> Triangle {
+    let normals = normals(draw);
+    let place = |draw: &mut Draw| 3.0 * draw.unit() * draw.direction();
+    // All flat, all as wide as can be, or anything.
+    let cosine: [f64; 3] = match draw.between(0, 3) {
+        0 => [1.0; 3],
+        1 => [0.0; 3],
+        _ => std::array::from_fn(|_| 1.2 * draw.unit() - 0.2),
+    };
+    let cone = |v: usize| VertexCone { axis: normals[v], cosine: cosine[v] };
+    Triangle { normals, positions: [place(draw), place(draw), place(draw)], cones: std::array::from_fn(cone), material }
 }
 
 /// Normals of a vertex each: near each other, anywhere, or opposite.

@@ -1,6 +1,6 @@
 //! What adds up along a span: spans of 1, 2, 3 and 8192 pixels, one straight after the other.
 use specula_hdl::builder::Vector;
-use specula_hdl::units::{self, Differences, SpanNormals};
+use specula_hdl::units::{self, Differences, Interpolation, SpanNormals};
 use specula_hdl::{Design, SpanPacket};
 use specula_scene::Format;
 
@@ -60,8 +60,12 @@ fn normals_are_interpolated() {
     let delta = ["x", "y", "z"].map(|axis| bench.input(&format!("delta_{axis}"), sum, (-1024, 1024)));
     let weight_step = bench.input("weight_step", f.weight_accumulator, (0, 1 << 25));
     let (start, delta) = (Vector::new(start), Vector::new(delta));
-    let span = SpanNormals { first: &bench.start, start: &start, delta: &delta, weight_step: &weight_step, longest: 1.0 };
-    let n = units::interpolate(&bench.b, span, f, STEPS);
+    let span = SpanNormals { first: &bench.start, start: &start, delta: &delta, weight_step: &weight_step };
+    let n = units::interpolate(
+        &bench.b,
+        span,
+        Interpolation { accumulator: f.weight_accumulator, weight: f.weight, vector: f.vector, longest: 1.0, steps: STEPS },
+    );
     let design = bench.finish(&[("x", n.x), ("y", n.y), ("z", n.z)]);
 
     let ends = [[512, 0, 0], [0, -512, 0], [300, -300, 290], [0, 0, 512], [-512, 0, 0]];

@@ -77,6 +77,8 @@ fn lyon(fraction_bits: u32) -> LyonSpec {
         widest_angle: 0.0,
         shortest_normal: 1.0,
         shortest_way: 1.0,
+        least_cone_cosine: 0.9,
+        least_view_cosine: 0.0,
     };
     let mut lyon = LyonSpec::for_needs(&needs);
     let f = &mut lyon.formats;

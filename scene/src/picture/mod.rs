@@ -1,5 +1,6 @@
 //! From objects in the world to the visible spans of a [`crate::Frame`].
 pub mod camera;
+mod cones;
 pub mod coverage;
 pub mod limits;
 pub mod project;

@@ -3,12 +3,13 @@ use glam::{DAffine3, DMat3, DVec3};
 use thiserror::Error;
 
 use super::camera::{Camera, Window};
+use super::cones::{Face, Fans};
 use super::coverage::{Coverage, Point};
 use super::limits;
 use super::visibility::{Projected, visible_spans};
 use crate::mesh::Mesh;
 use crate::mesh::normals::{direction, newell, normal_matrix};
-use crate::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle};
+use crate::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone};
 
 /// A mesh put somewhere in the world.
 #[derive(Clone, Debug, PartialEq)]
@@ -139,7 +140,9 @@ impl Scene {
         if spans.is_empty() {
             return Err(PictureError::NothingVisible);
         }
-        let (triangles, spans) = keep_visible(spans, &names, |name| seen[name.object].triangle(name));
+        let (kept, spans) = keep_visible(spans, &names);
+        let fans: Vec<Fans> = seen.iter().enumerate().map(|(object, seen)| seen.fans(object, &kept)).collect();
+        let triangles = kept.iter().map(|&name| seen[name.object].triangle(name, &fans[name.object])).collect();
         let view = View { rotation, centre: window.centre };
         Ok(Frame {
             width: self.size.0,
@@ -262,14 +265,31 @@ impl<'a> Seen<'a> {
         self.object.mesh.triangles.iter().flatten().map(|&k| self.positions[k as usize])
     }
 
+    /// A triangle of the object, turned to the side to which its vertex normals point.
+    fn face(&self, triangle: usize) -> Face {
+        let places = self.object.mesh.triangles[triangle].map(|k| self.positions[k as usize]);
+        let face = newell(&places);
+        let fallback = face.unwrap_or(DVec3::Z);
+        let normals = self.object.mesh.normals[triangle].map(|n| direction_of(self.to_normals * n).unwrap_or(fallback));
+        let outward = face.map(|face| if face.dot(normals.iter().sum()) < 0.0 { -face } else { face });
+        Face { places, normals, outward }
+    }
+
+    /// The faces around the vertices of those of the visible triangles that belong to this object.
+    fn fans(&self, object: usize, visible: &[Name]) -> Fans {
+        let wanted = visible.iter().filter(|name| name.object == object).map(|name| self.face(name.triangle));
+        let all = (0..self.object.mesh.triangles.len()).map(|triangle| self.face(triangle));
+        let extent = self.corners().fold(f64::MIN_POSITIVE, |extent, p| extent.max(p.abs().max_element()));
+        Fans::around(wanted, all, extent)
+    }
+
     /// The triangle as it is shaded, its normals turned to the side that is seen.
-    fn triangle(&self, name: Name) -> Triangle {
-        let corners = self.object.mesh.triangles[name.triangle].map(|k| self.positions[k as usize]);
-        let face = newell(&corners).unwrap_or(DVec3::Z);
-        let normals = self.object.mesh.normals[name.triangle].map(|n| direction_of(self.to_normals * n).unwrap_or(face));
-        let outward = if face.dot(normals.iter().sum()) < 0.0 { -face } else { face };
+    fn triangle(&self, name: Name, fans: &Fans) -> Triangle {
+        let face = self.face(name.triangle);
+        let outward = face.outward.unwrap_or_else(|| face.normals.iter().sum());
         let turn = if outward.z < 0.0 { -1.0 } else { 1.0 };
-        Triangle { normals: normals.map(|n| n * turn), positions: corners, material: name.object }
+        let cones = fans.cones(&face).map(|cone| VertexCone { axis: cone.axis * turn, ..cone });
+        Triangle { normals: face.normals.map(|n| n * turn), positions: face.places, cones, material: name.object }
     }
 }
 
@@ -286,12 +306,12 @@ fn bounds(seen: &[Seen<'_>]) -> Option<[DVec3; 2]> {
 }
 
 /// Keeps the triangles that spans name, in the order of their first use, and makes spans name them by it.
-fn keep_visible(spans: Vec<Span>, names: &[Name], triangle: impl Fn(Name) -> Triangle) -> (Vec<Triangle>, Vec<Span>) {
+fn keep_visible(spans: Vec<Span>, names: &[Name]) -> (Vec<Name>, Vec<Span>) {
     let mut kept: Vec<Option<usize>> = vec![None; names.len()];
     let mut triangles = Vec::new();
     let renamed = spans.into_iter().map(|span| {
         let index = *kept[span.triangle].get_or_insert_with(|| {
-            triangles.push(triangle(names[span.triangle]));
+            triangles.push(names[span.triangle]);
             triangles.len() - 1
         });
         Span { triangle: index, ..span }

@@ -33,6 +33,8 @@ impl CoreSpec {
             coefficient: coefficient_format(needs.brightest_coefficient),
             shortest_normal: needs.shortest_normal,
             shortest_way: needs.shortest_way,
+            least_cone_cosine: needs.least_cone_cosine,
+            least_view_cosine: needs.least_view_cosine,
             method: method.spec(needs, &table.of(method))?,
         };
         spec.check()?;

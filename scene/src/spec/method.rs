@@ -2,7 +2,7 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{Describe, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec, ReflectionSpec, SpecError};
+use super::{ConsistentSpec, Describe, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec, ReflectionSpec, SpecError};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -94,6 +94,8 @@ methods! {
     Gouraud(GouraudSpec) = "gouraud", "intensities interpolated between the vertices, or uniform over each polygon [lecture, eq. 2.1, 3.2-3.6]";
     /// Hast's reflection shading.
     Reflection(ReflectionSpec) = "reflection", "a fixed normal reflected about a linear half-way vector, no root [Hast et al., eq. 27-34]";
+    /// Consistent normal interpolation.
+    Consistent(ConsistentSpec) = "consistent", "reflection that never enters the surface [Reshetov, Soupikov and Mark]";
 }
 
 impl Method {

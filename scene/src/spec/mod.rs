@@ -6,6 +6,7 @@
 //! A method is a folder: `mod.rs` has its options and formats, `inputs` the ports of its cores, `choose` the formats for a scene and what
 //! may be asked for, `set_up` the host's work for a span. A line in [`method`] makes it known.
 mod choose;
+pub mod consistent;
 mod describe;
 pub mod duff;
 mod error;
@@ -28,6 +29,7 @@ use serde::Serialize;
 use crate::format::Format;
 use crate::needs::LocalKind;
 
+pub use consistent::{ConsistentInputs, ConsistentSpec};
 use describe::Describe;
 pub use duff::{DuffInputs, DuffSpec};
 pub use error::SpecError;
@@ -75,6 +77,10 @@ pub struct CoreSpec {
     /// Length of the shortest vector to a light or an eye at a place, relative to the longer one at the ends of its span. Error bounds
     /// rest on it; widths do not.
     pub shortest_way: f64,
+    /// Smallest cosine between a vertex normal and a face around the vertex. Error bounds rest on it; widths do not.
+    pub least_cone_cosine: f64,
+    /// Smallest cosine between an interpolated normal and the direction to the eye. Error bounds rest on it; widths do not.
+    pub least_view_cosine: f64,
     /// How pixels are shaded.
     pub method: MethodSpec,
 }

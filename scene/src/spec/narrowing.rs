@@ -91,6 +91,12 @@ impl NarrowingPoint {
         self
     }
 
+    /// One with more fraction bits at most, since it enters no product.
+    pub(super) fn up_to(mut self, fraction_bits: u32) -> NarrowingPoint {
+        self.most_fraction_bits = fraction_bits;
+        self
+    }
+
     /// Whether its format is one it may have.
     ///
     /// # Errors

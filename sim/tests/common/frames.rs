@@ -2,7 +2,7 @@
 use glam::DVec3;
 use specula_hdl::{Design, SpanPacket};
 use specula_scene::spec::lyon::LyonSpec;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle};
+use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle, VertexCone};
 
 use super::random::Random;
 
@@ -27,7 +27,12 @@ pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
     for index in 0..spans {
         let normal = direction(&mut random);
         let normals = [0.0, 0.3, -0.2].map(|tilt| (normal + tilt * direction(&mut random)).normalize());
-        frame.triangles.push(Triangle { normals, positions: [DVec3::ZERO; 3], material: index % 2 });
+        frame.triangles.push(Triangle {
+            normals,
+            positions: [DVec3::ZERO; 3],
+            cones: normals.map(VertexCone::flat),
+            material: index % 2,
+        });
         // The first is long, so that cores for few spans differ little from those for many; single pixels are among the rest.
         let length = if index == 0 { 32 } else { random.between(1, 9) as u32 };
         let (start, end) = ([1.0, 0.0, 0.0], [0.0, 0.5, 0.5]);

@@ -5,7 +5,7 @@ use glam::DVec3;
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, LyonSpec};
 use specula_scene::spec::reflection;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle};
+use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle, VertexCone};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 /// A span to be put on a row of its own.
@@ -20,7 +20,8 @@ pub struct Row {
 pub fn frame_of(rows: &[Row], lights: &[DVec3]) -> Frame {
     let triangle = |(material, row): (usize, &Row)| {
         let [first, last] = row.normals;
-        Triangle { normals: [first, last, first], positions: [DVec3::ZERO; 3], material }
+        let normals = [first, last, first];
+        Triangle { normals, positions: [DVec3::ZERO; 3], cones: normals.map(VertexCone::flat), material }
     };
     let span = |(number, row): (usize, &Row)| {
         let (start, end) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);

@@ -1,0 +1,82 @@
+//! Consistent normal interpolation as a shading method, without rounding [Reshetov, Soupikov and Mark; METHODS.md D].
+use glam::DVec3;
+use specula_scene::frame::EYE;
+use specula_scene::spec::ConsistentSpec;
+use specula_scene::spec::consistent::{Curve, Diffuse, LARGEST_GAIN_BITS};
+use specula_scene::{Frame, Span};
+
+use super::coefficients::{Amounts, Coefficients};
+use super::consistent::{Scaling, cos_gamma, cosine, pixel_angle, q, rational_q, reflection, vertex_angle};
+use super::diffuse::lambert;
+use super::method::ShadePixel;
+use super::shape::power;
+
+/// One span, shaded by `consistent`.
+pub struct ConsistentSpan<'a> {
+    spec: &'a ConsistentSpec,
+    span: &'a Span,
+    start: DVec3,
+    delta: DVec3,
+    vertex_angles: [f64; 3],
+    shininess: u32,
+    coefficients: Coefficients,
+}
+
+impl<'a> ConsistentSpan<'a> {
+    /// Sets up a span of a frame.
+    pub fn new(spec: &'a ConsistentSpec, frame: &Frame, span: &'a Span) -> Self {
+        let [start, end] = frame.end_axes(span);
+        let scaling = match spec.curve {
+            Curve::Rational => Scaling::RATIONAL,
+            Curve::Trigonometric => Scaling::TRIGONOMETRIC_LINEAR,
+        };
+        ConsistentSpan {
+            spec,
+            span,
+            start,
+            delta: end - start,
+            vertex_angles: frame.triangles[span.triangle].cones.map(|cone| vertex_angle(cone.cosine.max(0.0), scaling)),
+            shininess: frame.material(span).shininess,
+            coefficients: Coefficients::new(frame, span),
+        }
+    }
+
+    /// N, and q at its angle; `None` where the interpolated normal vanishes. One shorter than 1/16 stays short.
+    pub fn normal_and_q(&self, i: u32) -> Option<(DVec3, f64)> {
+        let interpolated = self.start + self.span.parameter(i) * self.delta;
+        if interpolated == DVec3::ZERO {
+            return None;
+        }
+        let shortest = 0.5_f64.powi(LARGEST_GAIN_BITS.cast_signed());
+        let alpha = pixel_angle(self.vertex_angles, self.span.weights(i));
+        let q = match self.spec.curve {
+            Curve::Rational => rational_q(alpha),
+            Curve::Trigonometric => q(alpha),
+        };
+        Some((interpolated / interpolated.length().max(shortest), q))
+    }
+
+    fn diffuse(&self, normal: DVec3, q: f64, light: DVec3) -> f64 {
+        match self.spec.diffuse {
+            Diffuse::Lambert => lambert(normal, light),
+            Diffuse::Consistent => consistent_lambert(normal, q, light),
+        }
+    }
+}
+
+impl ShadePixel for ConsistentSpan<'_> {
+    fn pixel(&self, i: u32) -> [f64; 3] {
+        let Some((normal, q)) = self.normal_and_q(i) else { return self.coefficients.sum(|_| Amounts::default()) };
+        let reflected = reflection(normal, EYE, q);
+        self.coefficients.sum(|light| Amounts {
+            diffuse: self.diffuse(normal, q, light.direction),
+            specular: power(reflected.dot(light.direction).min(1.0), self.shininess),
+        })
+    }
+}
+
+/// N_c·L, and 0 for a light below the horizon that α leaves: β + γ ≥ π, that is g + b ≤ 0.
+pub fn consistent_lambert(normal: DVec3, q: f64, light: DVec3) -> f64 {
+    let b = normal.dot(light);
+    if cos_gamma(q, b) + b <= 0.0 { 0.0 } else { cosine(light, reflection(normal, light, q)) }
+}

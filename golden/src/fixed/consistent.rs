@@ -1,0 +1,199 @@
+//! `consistent`, bit for bit [Reshetov, Soupikov and Mark; METHODS.md D; `docs/arithmetic/consistent.md`].
+use specula_scene::Format;
+use specula_scene::spec::consistent::{ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse};
+use specula_scene::spec::{CoreSpec, InputPort};
+
+use super::colour::{Colour, sum_format};
+use super::method::{Method, Values};
+use super::number::{Wide, round_down, round_quotient, round_reciprocal_root, round_root, round_to, round_up};
+use super::observer::{Observer, OfLight, narrow, narrow_vector};
+use super::packet::PacketError;
+use super::vector::{Vector, dot};
+
+/// V = (0, 0, 1).
+const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
+const FOUR: Wide = Wide::lit("4");
+/// 4^-4, the least z whose root is taken.
+const LEAST_LENGTH_SQUARED: Wide = Wide::lit("0x0.01");
+/// κ = 1169/1024, the least multiple of 2^-10 above π - 2.
+const KAPPA: Wide = Wide::lit("1.1416015625");
+/// s₀ to s₃, in units of 2^-20.
+const TANGENT: [u32; 4] = [225_028, 55_803, 13_064, 5_363];
+const TANGENT_FRACTION_BITS: u32 = 20;
+
+/// The method in one core's formats.
+pub(super) struct Consistent {
+    curve: Curve,
+    diffuse: Diffuse,
+    formats: ConsistentFormats,
+    colour: Format,
+    ports: ConsistentInputs<InputPort>,
+}
+
+impl Consistent {
+    pub fn new(core: &CoreSpec, consistent: &ConsistentSpec) -> Consistent {
+        Consistent {
+            curve: consistent.curve,
+            diffuse: consistent.diffuse,
+            formats: consistent.formats.clone(),
+            colour: sum_format(core, consistent.formats.diffuse, consistent.formats.base),
+            ports: consistent.inputs(core),
+        }
+    }
+}
+
+/// A normal and how strongly directions are reflected about it.
+struct Mirror {
+    normal: Vector,
+    q: Wide,
+    has_direction: bool,
+}
+
+/// A reflection, with b = n·I and g = n·r.
+struct Reflection {
+    b: Wide,
+    g: Wide,
+    r: Vector,
+}
+
+impl Method for Consistent {
+    type Inputs = ConsistentInputs<Wide>;
+
+    fn read(&self, mut values: Values<'_>) -> ConsistentInputs<Wide> {
+        self.ports.map(|port| values.next(port))
+    }
+
+    /// Everything within the ports' ranges can be computed.
+    fn check(&self, _: &ConsistentInputs<Wide>, _: u32) -> Result<(), PacketError> {
+        Ok(())
+    }
+
+    fn pixel(&self, inputs: &ConsistentInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+        let (normal, has_direction) = self.normal(inputs, i, observer);
+        let mirror = Mirror { normal, q: self.contraction(inputs, i, observer), has_direction };
+        let reflection = self.reflection(&mirror, &EYE, observer);
+        let mut colour = Colour::ambient(inputs.ambient);
+        for (index, light) in inputs.lights.iter().enumerate() {
+            let mut observer = OfLight { observer, index };
+            colour.add(&light.diffuse, self.diffuse(&mirror, light, &mut observer));
+            let base = self.base(&mirror, &reflection, light, &mut observer);
+            colour.add(&light.specular, self.power(base, inputs.log2_shininess, &mut observer));
+        }
+        colour.code(self.colour, observer)
+    }
+}
+
+impl Consistent {
+    /// n = N'/|N'| with N' = N0 + a (N1 - N0), and whether N' has a direction.
+    fn normal(&self, inputs: &ConsistentInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Vector, bool) {
+        let f = &self.formats;
+        let accumulated = Wide::from_num(i) * inputs.weight_step;
+        observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
+        let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
+        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * inputs.normal_delta[c]);
+        let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
+        let z = narrow(observer, format_args!("length_squared"), dot(&interpolated, &interpolated), f.length_squared);
+        let gain = round_reciprocal_root(z.max(LEAST_LENGTH_SQUARED), f.gain.fraction_bits);
+        observer.see(format_args!("gain"), gain, f.gain);
+        (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z > Wide::ZERO)
+    }
+
+    /// q at t, both on the safe side.
+    fn contraction(&self, inputs: &ConsistentInputs<Wide>, i: u32, observer: &mut impl Observer) -> Wide {
+        let f = &self.formats;
+        let accumulated = inputs.angle_start + Wide::from_num(i) * inputs.angle_step;
+        observer.see(format_args!("angle_accumulator"), accumulated, f.angle_accumulator);
+        let t = round_up(accumulated, f.angle.fraction_bits).min(Wide::ONE);
+        observer.see(format_args!("angle"), t, f.angle);
+        let q = match self.curve {
+            Curve::Rational => self.rational(t),
+            Curve::Trigonometric => {
+                let tangent = self.tangent(Wide::ONE - t);
+                observer.see(format_args!("tangent"), tangent, f.tangent);
+                round_down(tangent * tangent, f.contraction.fraction_bits)
+            }
+        };
+        observer.see(format_args!("contraction"), q, f.contraction);
+        q
+    }
+
+    /// (1 - t)²/(1 + κt), rounded down; the raw values' common factor cancels.
+    fn rational(&self, t: Wide) -> Wide {
+        let fraction_bits = self.formats.contraction.fraction_bits;
+        let (p, q) = ((Wide::ONE - t) * (Wide::ONE - t), Wide::ONE + KAPPA * t);
+        let (p, q) = (p.to_bits(), q.to_bits());
+        Wide::from_num((p << fraction_bits) / q) >> fraction_bits
+    }
+
+    /// tan(πu/4) = u (1 - (1 - v) S(v)) with v = u².
+    fn tangent(&self, u: Wide) -> Wide {
+        let fraction_bits = self.formats.tangent.fraction_bits;
+        let v = round_down(u * u, fraction_bits);
+        let [first @ .., last] = TANGENT.map(|s| Wide::from_num(s) >> TANGENT_FRACTION_BITS);
+        let up = |x| round_up(x, fraction_bits);
+        let h = first.iter().rev().fold(up(last), |h, s| up(s + v * h));
+        let w = up((Wide::ONE - v) * h);
+        round_down(u * (Wide::ONE - w), fraction_bits)
+    }
+
+    /// r = (g + ρb) n - ρI.
+    fn reflection(&self, mirror: &Mirror, incoming: &Vector, observer: &mut impl Observer) -> Reflection {
+        let f = &self.formats;
+        let (n, q) = (&mirror.normal, mirror.q);
+        let b = round_to(dot(n, incoming), f.cosine.fraction_bits).clamp(-Wide::ONE, Wide::ONE);
+        observer.see(format_args!("cos_beta"), b, f.cosine);
+        let g = narrow(observer, format_args!("cos_gamma"), Wide::ONE + q * (b - Wide::ONE), f.cosine);
+        let squared = self.sine_ratio_squared(q * (Wide::ONE + g), Wide::ONE + b);
+        observer.see(format_args!("sine_ratio_squared"), squared, f.sine_ratio_squared);
+        let rho = round_root(squared, f.sine_ratio.fraction_bits);
+        observer.see(format_args!("sine_ratio"), rho, f.sine_ratio);
+        let share = narrow(observer, format_args!("normal_share"), g + rho * b, f.cosine);
+        let r = narrow_vector(observer, "reflection", std::array::from_fn(|c| share * n[c] - rho * incoming[c]), f.vector);
+        Reflection { b, g, r }
+    }
+
+    /// p/q, kept within 0 to 1, and 0 where either is.
+    fn sine_ratio_squared(&self, p: Wide, q: Wide) -> Wide {
+        if p <= Wide::ZERO || q <= Wide::ZERO {
+            Wide::ZERO
+        } else if p >= q {
+            Wide::ONE
+        } else {
+            round_quotient(p, q, self.formats.sine_ratio_squared.fraction_bits)
+        }
+    }
+
+    fn diffuse(&self, mirror: &Mirror, light: &ConsistentLight<Wide>, observer: &mut impl Observer) -> Wide {
+        let format = self.formats.diffuse;
+        let intensity = match self.diffuse {
+            Diffuse::Lambert => round_to(dot(&mirror.normal, &light.direction), format.fraction_bits).clamp(Wide::ZERO, Wide::ONE),
+            Diffuse::Consistent => self.consistent_lambert(mirror, &light.direction, observer),
+        };
+        observer.see(format_args!("diffuse"), intensity, format);
+        intensity
+    }
+
+    /// |L + r|/2, and 0 for a light below the horizon.
+    fn consistent_lambert(&self, mirror: &Mirror, light: &Vector, observer: &mut impl Observer) -> Wide {
+        let Reflection { b, g, r } = self.reflection(mirror, light, observer);
+        if !mirror.has_direction || g + b <= Wide::ZERO {
+            return Wide::ZERO;
+        }
+        let sum: Vector = std::array::from_fn(|c| light[c] + r[c]);
+        round_root(dot(&sum, &sum).min(FOUR) >> 2, self.formats.diffuse.fraction_bits)
+    }
+
+    /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
+    fn base(&self, mirror: &Mirror, reflection: &Reflection, light: &ConsistentLight<Wide>, observer: &mut impl Observer) -> Wide {
+        let cosine = round_to(dot(&reflection.r, &light.direction), self.formats.base.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
+        let base = if mirror.has_direction { cosine } else { Wide::ZERO };
+        observer.see(format_args!("base"), base, self.formats.base);
+        base
+    }
+
+    /// base^n, n = 2^j, by j squarings.
+    fn power(&self, base: Wide, log2_shininess: Wide, observer: &mut impl Observer) -> Wide {
+        let squarings = log2_shininess.to_num::<u32>();
+        (0..squarings).fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, self.formats.base))
+    }
+}

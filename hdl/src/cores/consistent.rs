@@ -1,0 +1,97 @@
+//! The core for consistent normal interpolation.
+use specula_scene::CoreSpec;
+use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse};
+
+use super::eye;
+use crate::builder::{Builder, Sig, TooWide, Vector};
+use crate::design::Design;
+use crate::units::{self, Consistency, ExactNormalisation, Interpolation, Light, ReciprocalRoot, SpanAngles, SpanNormals};
+
+/// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection. [Reshetov, Soupikov and Mark]
+pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> Result<Design, TooWide> {
+    let control = b.control();
+    let inputs = consistent.inputs(spec).map(|port| b.input(port));
+    let (f, steps) = (&consistent.formats, spec.longest_span - 1);
+    let span = SpanNormals {
+        first: &control.start,
+        start: &Vector::new(inputs.normal_start),
+        delta: &Vector::new(inputs.normal_delta),
+        weight_step: &inputs.weight_step,
+    };
+    let normal = units::interpolate(
+        &b,
+        span,
+        Interpolation { accumulator: f.weight_accumulator, weight: f.weight, vector: f.vector, longest: 1.0, steps },
+    );
+    let to = ExactNormalisation {
+        length_squared_fraction_bits: f.length_squared.fraction_bits,
+        reciprocal: ReciprocalRoot { integer_bits: f.gain.integer_bits, fraction_bits: f.gain.fraction_bits },
+        vector_fraction_bits: f.vector.fraction_bits,
+    };
+    let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
+    let angles = SpanAngles { first: &control.start, start: &inputs.angle_start, step: &inputs.angle_step };
+    let q = units::contraction(&b, angles, consistent.curve, f, steps);
+    let least_q = least_contraction(spec, consistent.curve);
+    let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
+    let (r, _) = units::consistent_reflection(&b, &n, &eye(&b), &q, f, known);
+    let pixel = Pixel { b: &b, spec, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: &r };
+    let log2_shininess = &inputs.log2_shininess;
+    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, log2_shininess)).collect();
+    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
+    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+}
+
+/// q at the largest angle that a vertex has.
+fn least_contraction(spec: &CoreSpec, curve: Curve) -> f64 {
+    let t = curve.quarter_turns(spec.least_cone_cosine).min(1.0);
+    match curve {
+        Curve::Rational => (1.0 - t).powi(2) / (1.0 + (std::f64::consts::PI - 2.0) * t),
+        Curve::Trigonometric => (std::f64::consts::FRAC_PI_4 * (1.0 - t)).tan().powi(2),
+    }
+}
+
+/// What the lights have in common.
+struct Pixel<'a> {
+    b: &'a Builder,
+    spec: &'a CoreSpec,
+    consistent: &'a ConsistentSpec,
+    n: &'a Vector,
+    has_direction: &'a Sig,
+    q: &'a Sig,
+    least_q: f64,
+    r: &'a Vector,
+}
+
+impl Pixel<'_> {
+    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, log2_shininess: &Sig) -> Light {
+        let (b, f) = (self.b, &self.consistent.formats);
+        let called = |unit: &str| format!("light{index}_{unit}");
+        let direction = Vector::new(light.direction.clone());
+        let diffuse = || match self.consistent.diffuse {
+            Diffuse::Lambert => units::clamped_cosine(b, self.n, &direction, f.diffuse),
+            Diffuse::Consistent => units::consistent_diffuse(b, (self.n, self.q, self.has_direction), &direction, f, self.least_q),
+        };
+        let base = b.instance(&called("base"), || self.base(&direction));
+        let most_squarings = self.spec.largest_shininess.ilog2();
+        let power = || units::power(b, &base, log2_shininess, most_squarings, f.base.fraction_bits);
+        Light {
+            diffuse: b.instance(&called("diffuse"), diffuse),
+            specular: b.instance(&called("power"), power),
+            diffuse_coefficients: light.diffuse.clone(),
+            specular_coefficients: light.specular.clone(),
+        }
+    }
+
+    /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
+    fn base(&self, light: &Vector) -> Sig {
+        let (b, format) = (self.b, self.consistent.formats.base);
+        let inputs = (("r", self.r), ("l", light), ("has_direction", self.has_direction));
+        b.unit("reflected_cosine", "b = r.L, clamped to [0, 1]", inputs, |b, (r, l, has_direction)| {
+            let cosine = units::clamped_cosine(b, &r, &l, format);
+            let base = has_direction.choose(&cosine, &b.integer(0)).clamped_above(1);
+            // Where rounding may decide whether a normal has a direction, nothing is known of its highlight.
+            let error = if has_direction.error() == 0.0 { cosine.error_value() } else { 1.0 };
+            base.stated_error_value(error).named("base")
+        })
+    }
+}

@@ -1,0 +1,124 @@
+//! Options and formats of `consistent`: defaults for a scene, and what may be asked for.
+use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse, LARGEST_GAIN_BITS};
+use crate::format::Format;
+use crate::frame::Frame;
+use crate::needs::Needs;
+use crate::spec::choose::span_bits;
+use crate::spec::describe::Describe;
+use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::spec::set_up::SetUpSpan;
+use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+
+/// The most fraction bits of ρ², twice those of ρ.
+const MOST_SQUARED_FRACTION_BITS: u32 = 48;
+
+impl ConsistentSpec {
+    /// Options and their values.
+    pub const CHOICES: &'static [Choice] = &[
+        Choice { key: "curve", values: &["\"rational\"", "\"trigonometric\""] },
+        Choice { key: "diffuse", values: &["\"lambert\"", "\"consistent\""] },
+    ];
+
+    /// NUMERICS.md "Recommended formats" and 3e: 14 bits, 2 more for wide angles, and as many more as the power n multiplies what
+    /// rounding adds to the length of r. ρ² has twice the bits of ρ where α comes near a quarter turn, where its root is steep, and
+    /// else as many more as ρ ≥ q asks for.
+    pub fn for_needs(needs: &Needs) -> ConsistentSpec {
+        let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
+        let curve = Curve::Rational;
+        let steep = f64::max(1.0 - curve.quarter_turns(needs.least_cone_cosine), 0.0).powi(2) / 2.0;
+        let fine = 11 + j.max(3);
+        let squared = (fine + 2 + (-steep.max(1e-9).log2()).ceil() as u32).min(2 * fine);
+        let unit = |fraction_bits| Format::unsigned(1, fraction_bits);
+        ConsistentSpec {
+            curve,
+            diffuse: Diffuse::Lambert,
+            formats: ConsistentFormats {
+                // A step is off by half an ulp, and so is S times that at the end of the span: log2 S + 1 more bits keep the
+                // weight within half an ulp of its own format.
+                weight_accumulator: unit(fine + s + 1),
+                weight: unit(fine),
+                vector: Format::signed(1, fine),
+                // What is added to z weighs more the shorter the normal, N' as much.
+                length_squared: unit((fine + 4).min(MOST_FRACTION_BITS)),
+                gain: Format::unsigned(LARGEST_GAIN_BITS, fine + 1),
+                angle_accumulator: Format::signed(1, fine + s + 1),
+                angle: unit(fine),
+                tangent: unit((fine + 2).min(MOST_FRACTION_BITS)),
+                contraction: unit(fine),
+                cosine: Format::signed(1, fine),
+                sine_ratio_squared: unit(squared),
+                sine_ratio: unit(fine),
+                diffuse: unit(12),
+                base: unit(10 + j.max(4)),
+            },
+        }
+    }
+}
+
+impl Describe for ConsistentSpec {
+    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
+        self.inputs(core).to_vec()
+    }
+
+    fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
+        // Taken apart, so that a format that is new there cannot be forgotten here.
+        let &ConsistentFormats {
+            weight_accumulator,
+            weight,
+            vector,
+            length_squared,
+            gain,
+            angle_accumulator,
+            angle,
+            tangent,
+            contraction,
+            cosine,
+            sine_ratio_squared,
+            sine_ratio,
+            diffuse,
+            base,
+        } = &self.formats;
+        let (point, accumulated, linear) = (NarrowingPoint::rounded, NarrowingPoint::accumulated, (1, span_bits));
+        let (weights, angles) =
+            ("step of the interpolation weight, rounded by the host", "start and step of t, rounded up by the host");
+        vec![
+            accumulated("weight_accumulator", weight_accumulator, UNIT, linear, weights),
+            point("weight", weight, UNIT, "interpolation weight a").no_finer_than(weight_accumulator),
+            point("vector", vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0), of n = N'/|N'| and of r"),
+            point("length_squared", length_squared, UNIT, "z = N'.N'"),
+            point("gain", gain, Format::unsigned(LARGEST_GAIN_BITS, 0), "1/sqrt(z), at most 16"),
+            accumulated("angle_accumulator", angle_accumulator, SIGNED_UNIT, linear, angles),
+            point("angle", angle, UNIT, "t = 2 alpha/pi, rounded up, at most 1").no_finer_than(angle_accumulator),
+            point("tangent", tangent, UNIT, "tan(pi (1 - t)/4) and the steps of its polynomial (curve = trigonometric)"),
+            point("contraction", contraction, UNIT, "q, rounded down"),
+            point("cosine", cosine, SIGNED_UNIT, "b = n.I, g = 1 + q (b - 1), and g + rho b"),
+            point("sine_ratio_squared", sine_ratio_squared, UNIT, "rho^2 = q (1 + g)/(1 + b)").up_to(MOST_SQUARED_FRACTION_BITS),
+            point("sine_ratio", sine_ratio, UNIT, "rho"),
+            point("diffuse", diffuse, UNIT, "n.L or |L + r|/2, clamped to 0..1"),
+            point("base", base, UNIT, "r.L, clamped to 0..1, and each square of it"),
+        ]
+    }
+
+    fn options(&self) -> Vec<(&'static str, String)> {
+        let curve = match self.curve {
+            Curve::Rational => "q = (1 - t)^2/(1 + (pi - 2) t)",
+            Curve::Trigonometric => "q = (1 - sin alpha)/(1 + sin alpha)",
+        };
+        let diffuse = match self.diffuse {
+            Diffuse::Lambert => "n.L",
+            Diffuse::Consistent => "N_c.L, N_c half-way between L and its consistent reflection",
+        };
+        vec![("curve", curve.to_owned()), ("diffuse", diffuse.to_owned())]
+    }
+
+    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
+        needs.uneven_shininess.map_or(Ok(()), |shininess| {
+            let above = shininess.next_power_of_two();
+            Err(SpecError::UnevenShininess { method: "consistent", shininess, below: above / 2, above })
+        })
+    }
+
+    fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
+        Box::new(super::set_up::ConsistentSetUp::new(self, frame))
+    }
+}

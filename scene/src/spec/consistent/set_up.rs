@@ -1,0 +1,57 @@
+//! Set-up of a span for `consistent`.
+use super::{ConsistentInputs, ConsistentLight, ConsistentSpec};
+use crate::format::Format;
+use crate::frame::{Frame, Span};
+use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+
+/// Sets up the spans of a frame.
+pub(super) struct ConsistentSetUp<'a> {
+    consistent: &'a ConsistentSpec,
+    frame: &'a Frame,
+    /// Directions of the lights.
+    directions: Vec<[i64; 3]>,
+}
+
+impl<'a> ConsistentSetUp<'a> {
+    pub fn new(consistent: &'a ConsistentSpec, frame: &'a Frame) -> ConsistentSetUp<'a> {
+        let directions = frame.lights.iter().map(|light| consistent.formats.vector.quantise_vector(light.direction)).collect();
+        ConsistentSetUp { consistent, frame, directions }
+    }
+
+    /// t at the first pixel and its step, from the angles at the triangle's vertices.
+    fn angle(&self, span: &Span) -> [f64; 2] {
+        let at_vertices = self.frame.triangles[span.triangle].cones.map(|cone| self.consistent.curve.quarter_turns(cone.cosine));
+        let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
+        let (start, end) = (at(span.start), at(span.end));
+        [start, (end - start) / f64::from(span.steps().max(1))]
+    }
+
+    fn light(&self, index: usize, &Coefficients { diffuse, specular }: &Coefficients) -> ConsistentLight<i64> {
+        ConsistentLight { direction: self.directions[index], diffuse, specular }
+    }
+}
+
+impl SetUpSpan for ConsistentSetUp<'_> {
+    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+        let f = &self.consistent.formats;
+        let [start, end] = self.frame.end_axes(span).map(|n| f.vector.quantise_vector(n));
+        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let [angle_start, angle_step] = self.angle(span).map(|t| rounded_up(f.angle_accumulator, t));
+        let inputs = ConsistentInputs {
+            normal_start: start,
+            normal_delta: std::array::from_fn(|i| end[i] - start[i]),
+            weight_step: f.weight_accumulator.quantise(step),
+            angle_start,
+            angle_step,
+            log2_shininess: i64::from(self.frame.material(span).shininess.ilog2()),
+            ambient: material.ambient,
+            lights: material.lights.iter().enumerate().map(|(index, coefficients)| self.light(index, coefficients)).collect(),
+        };
+        inputs.to_vec()
+    }
+}
+
+/// The smallest raw value above `value`, at most one unit of the last place away: a larger angle is the safe side.
+fn rounded_up(format: Format, value: f64) -> i64 {
+    format.quantise(value + 0.5 * format.ulp())
+}
