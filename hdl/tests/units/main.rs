@@ -3,6 +3,7 @@ mod accumulators;
 mod channel;
 #[path = "../common/mod.rs"]
 mod common;
+mod cosine;
 mod difference;
 mod diffuse;
 mod divider;
