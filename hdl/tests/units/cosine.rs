@@ -14,7 +14,7 @@ fn pairs(a: (i64, i64), b: (i64, i64)) -> Vec<Vec<i64>> {
 /// The s with (s - 1/2)² q ≤ 1 < (s + 1/2)² q, q of 4 bits at 2^-4 or more, s of `bits`.
 fn reciprocal_root(q: i64, bits: u32) -> i64 {
     let one = 1i64 << (2 * bits + 2 + 4);
-    (0..=4 << bits).find(|s| (2 * s + 1).pow(2) * q > one).expect("1/sqrt q is 4 at most")
+    (0..=4i64 << bits).find(|s| (2 * s + 1).pow(2) * q > one).expect("1/sqrt q is 4 at most")
 }
 
 /// c = p/√q through s, with q = 0 and below included.
