@@ -3,9 +3,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 use proptest::prelude::*;
+use specula_golden::exact::duff::{eq33, eq34};
 use specula_golden::exact::hybrid::base;
 use specula_golden::exact::normalisation::{g1, g2, newton, unit};
 use specula_golden::exact::reflection::{halfway, halfway_cross_normal, reflect, reflection_minus_light};
+use specula_golden::exact::reflection_shading::wrap;
 use specula_golden::exact::shape::{f_k, power};
 use specula_scene::frame::EYE;
 
@@ -44,6 +46,27 @@ proptest! {
     #[test]
     fn base_is_the_cosine_to_the_reflection(n in direction(), l in direction(), length in 0.05..3.0_f64) {
         prop_assert!((base(length * n, l) - reflect(n).dot(l).clamp(0.0, 1.0)).abs() < 1e-14);
+    }
+
+    /// NUMERICS.md 1: (17) = (33) = (34) for a normal of any length.
+    #[test]
+    fn three_formulas_give_one_base(n in direction(), l in direction(), length in 0.05..3.0_f64) {
+        let wanted = base(length * n, l);
+        prop_assert!((eq33(length * n, l) - wanted).abs() < 1e-13);
+        prop_assert!((eq34(length * n, l) - wanted).abs() < 1e-13);
+    }
+
+    /// Hast, eq. 27: N' is a unit vector, and N itself where N is one; NUMERICS.md 2b: where N is l long and at an angle θ from n, N' falls
+    /// θ - 2 atan(l sin θ/(1 + l cos θ)) short of it.
+    #[test]
+    fn wrapped_normals_are_units(normal in direction(), fixed in direction(), length in 0.05..1.0_f64) {
+        prop_assume!(normal.dot(fixed) > -0.9);
+        prop_assert!((wrap(normal, fixed) - normal).length() < 1e-13);
+        let wrapped = wrap(length * normal, fixed);
+        prop_assert!((wrapped.length() - 1.0).abs() < 1e-13);
+        let theta = fixed.angle_between(normal);
+        let short = theta - 2.0 * (length * theta.sin() / (1.0 + length * theta.cos())).atan();
+        prop_assert!((fixed.angle_between(wrapped) - (theta - short)).abs() < 1e-6);
     }
 
     /// "equals cos^n a EXACTLY for n = 2^k" (METHODS.md B).

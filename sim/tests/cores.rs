@@ -1,4 +1,4 @@
-//! Both cores in every engine.
+//! Cores in every engine.
 mod common;
 
 use specula_hdl::Design;
@@ -33,6 +33,16 @@ fn outputs_agree(method: Method) {
 #[test]
 fn lyons_outputs_agree() {
     outputs_agree(Method::Lyon);
+}
+
+#[test]
+fn duffs_outputs_agree() {
+    outputs_agree(Method::Duff);
+}
+
+#[test]
+fn reflections_outputs_agree() {
+    outputs_agree(Method::Reflection);
 }
 
 #[test]

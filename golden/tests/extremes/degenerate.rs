@@ -46,11 +46,37 @@ fn hybrid_has_no_highlight_where_q_is_zero() {
     }
 }
 
+/// Row 2: where q = 0 the root is 0 and with it everything but ambient light; beside it the root is as long as the normal asks.
+#[test]
+fn duff_has_no_root_where_q_is_zero() {
+    for length in [3, 5, 257] {
+        let frame = frame([DVec3::Z, -DVec3::Z], length, &[DVec3::Z], mirror(16));
+        let core = spec(&frame, Method::Duff).unwrap();
+        let middle = length / 2;
+        let at = |i: u32, name: &str| value(&trace(&core, &frame, i), name);
+        assert_eq!((at(middle, "denominator"), at(middle, "root"), at(middle, "light0_base")), (0.0, 0.0, 0.0));
+        let beside = f64::from(middle);
+        assert!((at(middle - 1, "root") - beside).abs() < 0.01 * beside);
+        assert_within_one_code(&core, &frame);
+    }
+}
+
+/// Row 10: with n = N the square of the half-way vector is 1 exactly, and so is its reciprocal.
+#[test]
+fn reflection_about_the_normal_itself_is_exact() {
+    let frame = frame([DVec3::Z; 2], 3, &[DVec3::Z], mirror(16));
+    let core = spec(&frame, Method::Reflection).unwrap();
+    let trace = trace(&core, &frame, 2);
+    let values = ["denominator", "reciprocal", "light0_cosine", "light0_base"].map(|name| value(&trace, name));
+    assert_eq!(values, [1.0; 4]);
+}
+
 /// Row 3: a span of 150 degrees makes q small, and the default has bits for that.
 #[test]
 fn hybrid_serves_150_degrees() {
     let frame = frame([tilted(-75.0), tilted(75.0)], 300, &[tilted(10.0)], mirror(256));
     assert_within_one_code(&spec(&frame, Method::Hybrid).unwrap(), &frame);
+    assert_within_one_code(&spec(&frame, Method::Duff).unwrap(), &frame);
 }
 
 /// Row 27: z = 0 gives g2 = 2.

@@ -1,6 +1,6 @@
 //! What adds up along a span: spans of 1, 2, 3 and 8192 pixels, one straight after the other.
 use specula_hdl::builder::Vector;
-use specula_hdl::units::{self, Differences, Interpolation, SpanNormals};
+use specula_hdl::units::{self, Differences, Interpolation, SpanNormals, Steps};
 use specula_hdl::{Design, SpanPacket};
 use specula_scene::Format;
 
@@ -46,6 +46,22 @@ fn quadratics_are_exact() {
         vec![end, first, second]
     };
     check(&design, &packets(parabola), |x, i| vec![x[0] + i * x[1] + i * (i - 1) / 2 * x[2]]);
+}
+
+/// x0 + i d, bit for bit, from one end to the other.
+#[test]
+fn linear_values_are_exact() {
+    let format = Format::signed(1, 40);
+    let one = 1i64 << 40;
+    let bench = Bench::new();
+    let (start, step) = (bench.input("value_start", format, (-one, one)), bench.input("step", format, (-2 * one, 2 * one)));
+    let x = units::linear(&bench.b, &bench.start, Steps { start: &start, step: &step }, STEPS);
+    let design = bench.finish(&[("x", x)]);
+    let rising = |steps: u32, number: usize| {
+        let from = if number.is_multiple_of(2) { one } else { -one };
+        vec![from, if steps == 0 { 0 } else { -2 * from / i64::from(steps) }]
+    };
+    check(&design, &packets(rising), |x, i| vec![x[0] + i * x[1]]);
 }
 
 /// N0 + a (N1 - N0), with a rounded from i/S.

@@ -4,6 +4,7 @@ mod any_power;
 mod channel;
 #[path = "../common/mod.rs"]
 mod common;
+mod cosine;
 mod difference;
 mod diffuse;
 mod divider;
