@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use specula_hdl::verilog::{self, Header};
-use specula_scene::spec::lyon::{Difference, Normalisation};
+use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation, Normals, ShapeDatapath};
 use specula_scene::{CoreSpec, Method};
 
 use common::{frames, tools};
@@ -30,6 +30,16 @@ fn specs() -> Vec<CoreSpec> {
             (lyon.newton_steps, lyon.squarings) = (newton_steps, squarings);
         })
     }));
+    let changes: [fn(&mut LyonSpec); 7] = [
+        |lyon| lyon.normals = Normals::Flat,
+        |lyon| lyon.normals = Normals::Wrapped,
+        |lyon| lyon.normalisation = Normalisation::Exact,
+        |lyon| (lyon.normalisation, lyon.shape) = (Normalisation::None, ShapeDatapath::Root),
+        |lyon| lyon.difference = Difference::LightReflection,
+        |lyon| (lyon.difference, lyon.shape) = (Difference::UnitHalfwayProjection, ShapeDatapath::Root),
+        |lyon| lyon.difference = Difference::UnitHalfwayMinusNormal,
+    ];
+    specs.extend(changes.map(|change| frames::lyon(&frame, change)));
     specs
 }
 

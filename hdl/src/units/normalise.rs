@@ -78,7 +78,7 @@ fn exactly(formats: &LyonFormats) -> ExactNormalisation {
 
 /// Whether a vector has a component that is not 0 (EXTREMES row 1).
 pub fn has_direction(b: &Builder, n: &Vector) -> Sig {
-    b.unit("has_direction", "N is not 0", (("n", n),), |b, (n,)| {
+    b.unit("direction_gate", "N is not 0", (("n", n),), |b, (n,)| {
         let zero = b.integer(0);
         let not_zero = |c: &Sig| c.less_than(&zero).or(&zero.less_than(c));
         not_zero(&n.x).or(&not_zero(&n.y)).or(&not_zero(&n.z)).named("has_direction")
