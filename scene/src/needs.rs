@@ -1,5 +1,6 @@
 //! What a frame makes use of, as far as the first cores ask: it decides widths and checks that a core fits.
 use crate::frame::{Frame, Span};
+use crate::spec::SpecError;
 
 /// What shading this frame needs.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,17 @@ impl Needs {
             widest_angle: frame.spans.iter().map(|s| angle(frame, s)).fold(0.0, f64::max),
             shortest_normal: frame.spans.iter().map(|s| shortest(frame, s)).fold(1.0, f64::min),
         }
+    }
+
+    /// Whether a method can serve the materials that takes powers of two as exponents and nothing else.
+    ///
+    /// # Errors
+    /// [`SpecError::UnevenShininess`] if not.
+    pub(crate) fn power_of_two_shininess(&self, method: &'static str) -> Result<(), SpecError> {
+        self.uneven_shininess.map_or(Ok(()), |shininess| {
+            let above = shininess.next_power_of_two();
+            Err(SpecError::UnevenShininess { method, shininess, below: above / 2, above })
+        })
     }
 }
 

@@ -37,9 +37,7 @@ impl QuotientFormat {
 /// most, and half a unit of the last place.
 pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
     let formula = format!("r = p/q, clamped to [0, {}]", 1u64 << to.integer_bits);
-    b.unit("quotient", &formula, (("p", p), ("q", q)), |b, (p, q)| {
-        limited_quotient(b, &p, &q, to, smallest_divisor).named("ratio")
-    })
+    b.unit("quotient", &formula, (("p", p), ("q", q)), |b, (p, q)| limited_quotient(b, &p, &q, to, smallest_divisor).named("ratio"))
 }
 
 /// p/q clamped to [-2^i, 2^i], to f fraction bits, correctly rounded (ties up); 0 where q ≤ 0.

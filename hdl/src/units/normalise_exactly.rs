@@ -30,7 +30,8 @@ pub struct ExactNormalisation {
 pub fn normalise_exactly(b: &Builder, normal: &Vector, to: ExactNormalisation, shortest: f64) -> (Vector, Sig) {
     b.unit("normalise_exactly", "n = N/sqrt(N.N)", (("normal", normal),), |b, (normal,)| {
         let longest = normal.longest();
-        let z = normal.length_squared_within(longest, "N.N <= |N|^2").rounded(to.length_squared_fraction_bits).named("length_squared");
+        let z =
+            normal.length_squared_within(longest, "N.N <= |N|^2").rounded(to.length_squared_fraction_bits).named("length_squared");
         let smallest = shortest * shortest;
         let r = reciprocal_square_root(b, &z, to.reciprocal, smallest);
 
@@ -41,7 +42,11 @@ pub fn normalise_exactly(b: &Builder, normal: &Vector, to: ExactNormalisation, s
         let sure = surely >= limit;
         let largest = r.format().value(r.range().high);
         let error = match sure {
-            true => largest.min(surely.sqrt().recip() + r.ulp()) * normal.x.error_value() + 0.5 * z.error_value() / surely + of_rounding_r,
+            true => {
+                largest.min(surely.sqrt().recip() + r.ulp()) * normal.x.error_value()
+                    + 0.5 * z.error_value() / surely
+                    + of_rounding_r
+            }
             false => 1.0 + reach,
         };
         let product = normal.scaled(&r).assumed_within(reach, "|r N| <= 1");

@@ -22,7 +22,10 @@ fn check(format: Format, to: ReciprocalRoot, operands: impl Iterator<Item = i64>
     let bench = Bench::new();
     let z = bench.input("z", format, (format.min_raw(), format.max_raw()));
     let reciprocal = units::reciprocal_square_root(&bench.b, &z, to, 0.0);
-    assert_eq!((reciprocal.fraction_bits(), reciprocal.range().high), (to.fraction_bits, 1 << (to.integer_bits + to.fraction_bits)));
+    assert_eq!(
+        (reciprocal.fraction_bits(), reciprocal.range().high),
+        (to.fraction_bits, 1 << (to.integer_bits + to.fraction_bits))
+    );
     let design = bench.finish(&[("reciprocal", reciprocal)]);
     let rows: Vec<Vec<i64>> = operands.map(|z| vec![z]).collect();
     for (row, got) in rows.iter().zip(outputs(&design, &rows)) {

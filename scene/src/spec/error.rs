@@ -14,9 +14,11 @@ pub enum SpecError {
         known: String,
     },
     /// The power by squaring takes powers of two only.
-    #[error("the method `hybrid` raises to n = 2^j by squaring, and a material has shininess {shininess}")]
+    #[error("the method `{method}` raises to n = 2^j by squaring, and a material has shininess {shininess}")]
     #[diagnostic(code(specula::spec::shininess), help("use {below} or {above}, or `--method lyon`, which takes every n"))]
     UnevenShininess {
+        /// The method.
+        method: &'static str,
         /// The exponent.
         shininess: u32,
         /// The next smaller power of two.

@@ -2,7 +2,7 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{Describe, GouraudSpec, HybridSpec, LyonSpec, SpecError};
+use super::{Describe, GouraudSpec, HybridSpec, LyonSpec, SlerpSpec, SpecError};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -88,6 +88,8 @@ methods! {
     Hybrid(HybridSpec) = "hybrid", "Gouraud diffuse, specular base p/q by forward differences [Hast et al., eq. 17-26]";
     /// Intensities of the vertices or of the polygon.
     Gouraud(GouraudSpec) = "gouraud", "intensities interpolated between the vertices, or uniform over each polygon [lecture, eq. 2.1, 3.2-3.6]";
+    /// Spherical interpolation of N·L and N·V.
+    Slerp(SlerpSpec) = "slerp", "N.L and N.V by incremental spherical interpolation along the scan line [lecture, eq. 4.7-4.12]";
 }
 
 impl Method {

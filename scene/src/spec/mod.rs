@@ -18,6 +18,7 @@ mod options;
 mod port;
 mod quadratic;
 mod set_up;
+pub mod slerp;
 
 use serde::Serialize;
 
@@ -34,6 +35,7 @@ pub use options::CoreOptions;
 pub use port::InputPort;
 pub use quadratic::Quadratic;
 pub use set_up::{SetUp, SpanPacket};
+pub use slerp::{SlerpInputs, SlerpSpec};
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.
 pub const COEFFICIENT_FRACTION_BITS: u32 = 6;

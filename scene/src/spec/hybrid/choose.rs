@@ -55,10 +55,7 @@ impl Describe for HybridSpec {
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        needs.uneven_shininess.map_or(Ok(()), |shininess| {
-            let above = shininess.next_power_of_two();
-            Err(SpecError::UnevenShininess { shininess, below: above / 2, above })
-        })
+        needs.power_of_two_shininess("hybrid")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
