@@ -31,3 +31,8 @@ fn hybrid_stays_in_its_ranges() {
 fn gouraud_stays_in_its_ranges() {
     (0..250).for_each(|seed| stays_in_range(seed, Method::Gouraud));
 }
+
+#[test]
+fn slerp_stays_in_its_ranges() {
+    (0..250).for_each(|seed| stays_in_range(seed, Method::Slerp));
+}

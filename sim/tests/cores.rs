@@ -45,6 +45,11 @@ fn gourauds_outputs_agree() {
     outputs_agree(Method::Gouraud);
 }
 
+#[test]
+fn slerps_outputs_agree() {
+    outputs_agree(Method::Slerp);
+}
+
 /// Every signal that is no constant.
 fn signals(design: &Design) -> Vec<NodeId> {
     design.variables()

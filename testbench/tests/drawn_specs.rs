@@ -59,3 +59,8 @@ fn hybrid_agrees() {
 fn gouraud_agrees() {
     (0..250).for_each(|seed| agrees(seed, Method::Gouraud));
 }
+
+#[test]
+fn slerp_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Slerp));
+}

@@ -11,6 +11,7 @@ pub mod normalisation;
 mod phong;
 pub mod reflection;
 pub mod shape;
+pub mod slerp;
 
 use specula_scene::{CoreSpec, Frame, Span};
 
@@ -19,6 +20,7 @@ pub use hybrid::HybridSpan;
 pub use lyon::LyonSpan;
 pub use method::MethodSpan;
 pub use phong::PhongSpan;
+pub use slerp::SlerpSpan;
 
 /// True Phong shading of pixel `i` of a span, 0..=255 LSB a channel [METHODS.md A3, A5].
 ///

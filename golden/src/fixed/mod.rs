@@ -10,6 +10,7 @@ mod model;
 mod number;
 mod observer;
 mod packet;
+mod slerp;
 mod vector;
 
 pub use model::Model;

@@ -8,6 +8,7 @@ use super::lyon::Lyon;
 use super::method::{Method, Values};
 use super::observer::{Nobody, Notebook, Observation};
 use super::packet::{self, PacketError};
+use super::slerp::Slerp;
 
 /// The bit-true model of a core.
 pub struct Model {
@@ -24,6 +25,7 @@ impl Model {
             MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
             MethodSpec::Gouraud(gouraud) => Box::new(Gouraud::new(spec, gouraud)),
+            MethodSpec::Slerp(slerp) => Box::new(Slerp::new(spec, slerp)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -55,6 +57,8 @@ impl Model {
     /// | d_acc | `light<l>_intensity_accumulator` |
     /// | acc | `light<l>_diffuse_accumulator`, `light<l>_specular_accumulator` |
     /// | f of `gouraud` | `light<l>_specular` |
+    /// | c, s; c_w, s_w | `state_cosine`, `state_sine`; `weight_cosine`, `weight_sine` |
+    /// | J; K, g, K' | `light<l>_n_dot_l`; `n_dot_v`, `correction`, `corrected` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

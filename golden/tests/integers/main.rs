@@ -14,6 +14,7 @@ mod gouraud;
 mod hybrid;
 mod lyon;
 mod raw;
+mod slerp;
 
 use any_spec::any_spec;
 use common::draw::{Draw, Range, draw_frame};
@@ -33,6 +34,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
             MethodSpec::Lyon(spec) => lyon::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -67,6 +69,11 @@ proptest! {
     #[test]
     fn gouraud(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Gouraud, &draw, &bits, n)?;
+    }
+
+    #[test]
+    fn slerp(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        check(Method::Slerp, &draw, &bits, 1 << j)?;
     }
 }
 

@@ -2,6 +2,7 @@
 mod gouraud;
 mod hybrid;
 mod lyon;
+mod slerp;
 
 use std::rc::Rc;
 
@@ -24,6 +25,9 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
         }
         MethodSpec::Gouraud(gouraud) => {
             gouraud::core(builder("Intensities of vertices or of polygons [lecture, eq. 2.1, 3.2-3.6]"), spec, gouraud)
+        }
+        MethodSpec::Slerp(slerp) => {
+            slerp::core(builder("Incremental spherical interpolation of N.L and N.V [lecture, eq. 4.5, 4.7-4.12]"), spec, slerp)
         }
     }
 }

@@ -9,8 +9,10 @@ mod normalise_exactly;
 mod power;
 mod quadratic;
 mod reciprocal_square_root;
+mod rotation;
 mod shape;
 mod square_root;
+mod turned;
 
 pub use colour::{Coefficients, Light, channels};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
@@ -22,8 +24,10 @@ pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
+pub use rotation::rotation;
 pub use shape::shape;
 pub use square_root::square_root;
+pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.
