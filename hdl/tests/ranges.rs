@@ -36,3 +36,8 @@ fn gouraud_stays_in_its_ranges() {
 fn slerp_stays_in_its_ranges() {
     (0..250).for_each(|seed| stays_in_range(seed, Method::Slerp));
 }
+
+#[test]
+fn direct_stays_in_its_ranges() {
+    (0..250).for_each(|seed| stays_in_range(seed, Method::Direct));
+}

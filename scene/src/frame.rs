@@ -140,16 +140,18 @@ impl Frame {
         [start, (end - start) / f64::from(span.steps().max(1))]
     }
 
+    /// The unit normals at a span's first and last pixel. A normal of length 0 is taken to be the other one; two of them stay 0.
+    pub fn unit_end_normals(&self, span: &Span) -> [DVec3; 2] {
+        let [first, last] = self.end_normals(span).map(|n| n.try_normalize());
+        [first.or(last), last.or(first)].map(Option::unwrap_or_default)
+    }
+
     /// The arc from the normal at a span's first pixel to that at its last: N(t) = cos(t f) A + sin(t f) T [lecture, eq. 4.7, in a frame
     /// that needs no division by sin f; METHODS.md A11].
     ///
-    /// Opposite normals say nothing of the plane to turn in; T is then one of the vectors across A. A normal of length 0 at one end is
-    /// taken to be that of the other.
+    /// Opposite normals say nothing of the plane to turn in; T is then one of the vectors across A.
     pub fn arc(&self, span: &Span) -> Arc {
-        let [first, last] = self.end_normals(span).map(|n| n.try_normalize());
-        let (Some(a), Some(b)) = (first.or(last), last.or(first)) else {
-            return Arc { start: DVec3::ZERO, across: DVec3::ZERO, angle: 0.0 };
-        };
+        let [a, b] = self.unit_end_normals(span);
         let axis = a.cross(b);
         let across = axis.cross(a).try_normalize().unwrap_or(if a.dot(b) < 0.0 { a.any_orthonormal_vector() } else { DVec3::ZERO });
         // An arc cosine of the rounded dot product would lose small angles (EXTREMES row 15).

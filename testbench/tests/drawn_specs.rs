@@ -64,3 +64,8 @@ fn gouraud_agrees() {
 fn slerp_agrees() {
     (0..250).for_each(|seed| agrees(seed, Method::Slerp));
 }
+
+#[test]
+fn direct_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Direct));
+}

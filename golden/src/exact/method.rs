@@ -2,7 +2,7 @@
 use specula_scene::spec::MethodSpec;
 use specula_scene::{CoreSpec, Frame, Span};
 
-use super::{GouraudSpan, HybridSpan, LyonSpan, SlerpSpan};
+use super::{DirectSpan, GouraudSpan, HybridSpan, LyonSpan, SlerpSpan};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -21,6 +21,7 @@ impl<'a> MethodSpan<'a> {
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
             MethodSpec::Gouraud(gouraud) => Box::new(GouraudSpan::new(gouraud, frame, span)),
             MethodSpec::Slerp(_) => Box::new(SlerpSpan::new(frame, span)),
+            MethodSpec::Direct(_) => Box::new(DirectSpan::new(frame, span)),
         })
     }
 

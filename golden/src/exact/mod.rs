@@ -3,6 +3,7 @@
 //! Directions are unit vectors in view space, and V = (0, 0, 1) ([`EYE`](specula_scene::frame::EYE)).
 mod coefficients;
 pub mod diffuse;
+pub mod direct;
 pub mod gouraud;
 pub mod hybrid;
 pub mod lyon;
@@ -15,6 +16,7 @@ pub mod slerp;
 
 use specula_scene::{CoreSpec, Frame, Span};
 
+pub use direct::DirectSpan;
 pub use gouraud::GouraudSpan;
 pub use hybrid::HybridSpan;
 pub use lyon::LyonSpan;

@@ -2,6 +2,7 @@
 //!
 //! Numbers are exact between narrowing points (`number`), which round to nearest with ties up.
 mod colour;
+mod direct;
 mod gouraud;
 mod hybrid;
 mod lyon;

@@ -2,6 +2,7 @@
 use specula_scene::spec::{InputPort, MethodSpec};
 use specula_scene::{CoreSpec, SpanPacket};
 
+use super::direct::Direct;
 use super::gouraud::Gouraud;
 use super::hybrid::Hybrid;
 use super::lyon::Lyon;
@@ -26,6 +27,7 @@ impl Model {
             MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
             MethodSpec::Gouraud(gouraud) => Box::new(Gouraud::new(spec, gouraud)),
             MethodSpec::Slerp(slerp) => Box::new(Slerp::new(spec, slerp)),
+            MethodSpec::Direct(direct) => Box::new(Direct::new(spec, direct)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -59,6 +61,8 @@ impl Model {
     /// | f of `gouraud` | `light<l>_specular` |
     /// | c, s; c_w, s_w | `state_cosine`, `state_sine`; `weight_cosine`, `weight_sine` |
     /// | J; K, g, K' | `light<l>_n_dot_l`; `n_dot_v`, `correction`, `corrected` |
+    /// | t, u, q, s of `direct` | `weight`, `product`, `length_squared`, `reciprocal` |
+    /// | p_V, p_L | `n_dot_v_linear`, `light<l>_n_dot_l_linear` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

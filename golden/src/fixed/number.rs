@@ -47,9 +47,34 @@ pub fn round_quotient(p: Wide, q: Wide, fraction_bits: u32) -> Wide {
     Wide::from_num(quotient) >> fraction_bits
 }
 
+/// 1/√q rounded to nearest, ties up, for q > 0 of at most 24 fraction bits and below 2^28.
+///
+/// With q = Q · 2^-24, floor(2^(f+1)/√q) = floor(√(2^(2f+26)/Q)), and the root of the quotient's floor has the same floor; f ≤ 24 keeps it below
+/// 2^74.
+pub fn round_reciprocal_root(q: Wide, fraction_bits: u32) -> Wide {
+    let q = (q.to_bits() >> (Wide::FRAC_NBITS - 24)).unsigned_abs();
+    let doubled = ((1_u128 << (2 * fraction_bits + 26)) / q).isqrt();
+    Wide::from_num(doubled.div_ceil(2)) >> fraction_bits
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Every q of 8 bits: s is the only multiple of the last place with (s - 1/2)² q ≤ 1 < (s + 1/2)² q.
+    #[test]
+    fn reciprocal_roots_are_the_nearest() {
+        for raw in 1..256_i64 {
+            for fraction_bits in [0, 3, 8] {
+                let s = to_raw(round_reciprocal_root(Wide::from_num(raw) >> 6, fraction_bits), fraction_bits);
+                let one = 64 << (2 * fraction_bits + 2);
+                assert!(
+                    (2 * s - 1).pow(2) * raw <= one && one < (2 * s + 1).pow(2) * raw,
+                    "1/sqrt({raw}/64) to {fraction_bits}: {s}"
+                );
+            }
+        }
+    }
 
     /// Every multiple of 1/16 from -8 to 8, rounded to 0 to 4 fraction bits; against integers alone.
     #[test]

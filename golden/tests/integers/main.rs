@@ -10,6 +10,7 @@ use specula_scene::{Frame, Method};
 mod any_spec;
 #[path = "../common/mod.rs"]
 mod common;
+mod direct;
 mod gouraud;
 mod hybrid;
 mod lyon;
@@ -35,6 +36,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Slerp(spec) => slerp::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Direct(spec) => direct::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -74,6 +76,11 @@ proptest! {
     #[test]
     fn slerp(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
         check(Method::Slerp, &draw, &bits, 1 << j)?;
+    }
+
+    #[test]
+    fn direct(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        check(Method::Direct, &draw, &bits, 1 << j)?;
     }
 }
 

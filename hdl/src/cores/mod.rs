@@ -1,4 +1,5 @@
 //! Cores: units put together so that a span goes in and one pixel comes out per clock.
+mod direct;
 mod gouraud;
 mod hybrid;
 mod lyon;
@@ -28,6 +29,9 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
         }
         MethodSpec::Slerp(slerp) => {
             slerp::core(builder("Incremental spherical interpolation of N.L and N.V [lecture, eq. 4.5, 4.7-4.12]"), spec, slerp)
+        }
+        MethodSpec::Direct(direct) => {
+            direct::core(builder("Fast Phong shading, evaluated at every pixel [lecture, eq. 4.3-4.6]"), spec, direct)
         }
     }
 }

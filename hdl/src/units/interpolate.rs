@@ -1,4 +1,5 @@
 //! The normal along a span.
+use specula_scene::Format;
 use specula_scene::spec::lyon::LyonFormats;
 
 use crate::builder::{Builder, Sig, Vector};
@@ -26,7 +27,7 @@ pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps:
     b.unit("interpolate", "N' = N0 + a (N1 - N0) [Lyon, TR 43]", inputs, |b, (first, start, delta, step)| {
         let slack = f64::from(steps) * formats.weight_accumulator.ulp();
         let a = Sig::accumulated(&first, &b.integer(0), &step, (0.0, 1.0 + slack), steps, "0 <= a <= 1");
-        let overshoot = overshoot(formats, steps);
+        let overshoot = overshoot(formats.weight_accumulator, formats.weight, steps);
         let a = a.rounded(formats.weight.fraction_bits).assumed(0.0, 1.0 + overshoot, "0 <= a <= 1").named("weight");
         let normal = (&start + &delta.scaled(&a)).no_longer_than((1.0 + formats.vector.ulp()) * (1.0 + 2.0 * overshoot));
         let normal = normal.components_assumed_within(1.0 + 2.0 * overshoot, "|N'| <= 1");
@@ -38,8 +39,8 @@ pub fn interpolate(b: &Builder, span: SpanNormals, formats: &LyonFormats, steps:
 ///
 /// The accumulator is off by S/2 units of its last place at most. By default its extra bits keep that below half a unit of a's, so
 /// that a ≤ 1 after rounding; a spec may ask for fewer.
-fn overshoot(formats: &LyonFormats, steps: u32) -> f64 {
-    let accumulated = 0.5 * f64::from(steps) * formats.weight_accumulator.ulp();
-    let half = 0.5 * formats.weight.ulp();
+pub(super) fn overshoot(accumulator: Format, weight: Format, steps: u32) -> f64 {
+    let accumulated = 0.5 * f64::from(steps) * accumulator.ulp();
+    let half = 0.5 * weight.ulp();
     if accumulated < half { 0.0 } else { accumulated + half }
 }

@@ -2,6 +2,7 @@
 mod colour;
 mod difference;
 mod diffuse;
+mod direct;
 mod divider;
 mod interpolate;
 mod normalise;
@@ -17,6 +18,7 @@ mod turned;
 pub use colour::{Coefficients, Light, channels};
 pub use difference::{halfway_cross_normal, reflection_minus_light};
 pub use diffuse::{diffuse, gouraud};
+pub use direct::{cosine, directed_base, parameter, squared_length};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use interpolate::{SpanNormals, interpolate};
 pub use normalise::normalise;

@@ -22,9 +22,9 @@ pub fn corrected(b: &Builder, n_dot_v: &Sig, weights: [&Sig; 2], formats: &Slerp
     let inputs = (("n_dot_v", n_dot_v), ("c", weights[0]), ("s", weights[1]));
     b.unit("length_correction", "K' = K (2 - N.N)", inputs, |b, (k, c, s)| {
         let fraction_bits = formats.cosine.fraction_bits;
-        let off = off(formats, steps);
-        let (low, high) = ((1.0 - off).max(0.0).powi(2), (1.0 + off).powi(2));
-        let squared_length = (c.squared() + s.squared()).assumed(low, high, "c^2 + s^2 = 1");
+        let longest = 1.0 + off(formats, steps);
+        // Not from near 1 on: registers are 0 before the first pixel, and a range holds what they hold.
+        let squared_length = (c.squared() + s.squared()).assumed(0.0, longest * longest, "c^2 + s^2 <= 1");
         let correction = (b.integer(2) - squared_length).rounded(fraction_bits).named("correction");
         (k * correction).rounded(fraction_bits).named("corrected")
     })

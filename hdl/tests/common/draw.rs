@@ -80,7 +80,7 @@ fn material(draw: &mut Draw, method: Method) -> Material {
     let log2 = draw.between(0, 12);
     let shininess = match method {
         Method::Lyon | Method::Gouraud => draw.between(1, 8191).min(2 << log2),
-        Method::Hybrid | Method::Slerp => 1 << log2,
+        Method::Hybrid | Method::Slerp | Method::Direct => 1 << log2,
     };
     Material { ambient: colour(draw, 1.0), diffuse: colour(draw, 1.0), specular: colour(draw, 1.0), shininess: shininess.min(8191) }
 }

@@ -2,7 +2,7 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{Describe, GouraudSpec, HybridSpec, LyonSpec, SlerpSpec, SpecError};
+use super::{Describe, DirectSpec, GouraudSpec, HybridSpec, LyonSpec, SlerpSpec, SpecError};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -90,6 +90,8 @@ methods! {
     Gouraud(GouraudSpec) = "gouraud", "intensities interpolated between the vertices, or uniform over each polygon [lecture, eq. 2.1, 3.2-3.6]";
     /// Spherical interpolation of N·L and N·V.
     Slerp(SlerpSpec) = "slerp", "N.L and N.V by incremental spherical interpolation along the scan line [lecture, eq. 4.7-4.12]";
+    /// N·L and N·V, linear, over the root of N·N.
+    Direct(DirectSpec) = "direct", "N.L and N.V over the root of N.N = 1 - k t(1 - t), evaluated at every pixel [lecture, eq. 4.3-4.6]";
 }
 
 impl Method {

@@ -7,6 +7,7 @@
 //! may be asked for, `set_up` the host's work for a span. A line in [`method`] makes it known.
 mod choose;
 mod describe;
+pub mod direct;
 mod error;
 pub mod gouraud;
 pub mod hybrid;
@@ -25,6 +26,7 @@ use serde::Serialize;
 use crate::format::Format;
 
 use describe::Describe;
+pub use direct::{DirectInputs, DirectSpec};
 pub use error::SpecError;
 pub use gouraud::{GouraudInputs, GouraudSpec};
 pub use hybrid::{HybridInputs, HybridSpec};

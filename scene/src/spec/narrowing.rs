@@ -77,6 +77,12 @@ impl NarrowingPoint {
         self
     }
 
+    /// One with more fraction bits at least, so that what is made of it can be told from 0.
+    pub(super) fn with_at_least(mut self, fraction_bits: u32) -> NarrowingPoint {
+        self.fewest_fraction_bits = self.fewest_fraction_bits.max(fraction_bits);
+        self
+    }
+
     /// Whether its format is one it may have.
     ///
     /// # Errors
