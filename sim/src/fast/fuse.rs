@@ -8,6 +8,7 @@ use specula_hdl::design::{NodeId, Op, Range};
 use specula_kernels::{Post, Shift, Wrap};
 
 use super::flow::{Flow, Source};
+use super::idle::overflowing;
 
 /// What is done to the raw result of each root, and the range of what is stored.
 pub struct Fusion {
@@ -65,9 +66,14 @@ pub fn fuse(
     let mut fusion = Fusion { posts: HashMap::new(), stored: HashMap::new() };
     // Roots to which a 1 has been added: the shift that makes a rounding of it comes next.
     let mut half_rounded: HashSet<NodeId> = HashSet::new();
+    let overflowing = overflowing(design);
     for &id in needed {
         if let Some(value) = own_post(design, id) {
             fusion.posts.insert(id, value);
+        }
+        if overflowing.contains(&id) {
+            fusion.posts.insert(id, Post { shift: Shift::None, wrap: wrap_to(design.node(id).range) });
+            continue;
         }
         if in_component(id) || flow.recurrences[id.0 as usize].is_some() {
             continue;

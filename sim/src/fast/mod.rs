@@ -6,6 +6,7 @@
 //! and only one operator reads are fused into it.
 mod flow;
 mod fuse;
+mod idle;
 mod input;
 mod memory;
 mod parallel;
