@@ -42,7 +42,7 @@ impl Method for Direct {
         self.ports.map(|port| values.next(port))
     }
 
-    /// What is wider than a range says is wide of nothing here: t is below 2^13, and products of four such numbers fit.
+    /// With t below 2, q, 1/√q and scalars are as small as their formats say, but for a bit or two.
     fn check(&self, inputs: &DirectInputs<Wide>, length: u32) -> Result<(), PacketError> {
         let last = inputs.weight_step * Wide::from_num(length - 1);
         if last < 2 { Ok(()) } else { Err(PacketError::Weight { weight: last.to_num() }) }
