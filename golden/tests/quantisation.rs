@@ -135,6 +135,37 @@ proptest! {
         reflection_suffices(highlight, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
     }
 
+    #[test]
+    fn gouraud_in_extreme_scenes(draw in draws(), n in 1..=8191_u32) {
+        defaults_suffice(Method::Gouraud, EXTREME, &draw, mirror(n))?;
+    }
+
+    #[test]
+    fn slerp_in_typical_scenes(draw in draws(), j in 0..=8_u32) {
+        defaults_suffice(Method::Slerp, TYPICAL, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn slerp_in_extreme_scenes(draw in draws(), j in 0..=12_u32) {
+        defaults_suffice(Method::Slerp, EXTREME, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn direct_in_typical_scenes(draw in draws(), j in 0..=8_u32) {
+        defaults_suffice(Method::Direct, TYPICAL, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn direct_in_extreme_scenes(draw in draws(), j in 0..=12_u32) {
+        defaults_suffice(Method::Direct, EXTREME, &draw, mirror(1 << j))?;
+    }
+
+    #[test]
+    fn direct_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32) {
+        let lights = Range { lights: 2, ..TYPICAL };
+        defaults_suffice(Method::Direct, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
+    }
+
     /// D = R - L needs two Newton steps (NUMERICS.md 3a).
     #[test]
     fn reflection_minus_light_with_two_newton_steps(draw in draws(), n in 1..=256_u32) {

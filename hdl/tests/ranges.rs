@@ -24,3 +24,13 @@ fn every_method_stays_in_its_ranges() {
         (0..80).for_each(|seed| stays_in_range(seed, method));
     }
 }
+
+#[test]
+fn slerp_stays_in_its_ranges() {
+    (0..250).for_each(|seed| stays_in_range(seed, Method::Slerp));
+}
+
+#[test]
+fn direct_stays_in_its_ranges() {
+    (0..250).for_each(|seed| stays_in_range(seed, Method::Direct));
+}

@@ -121,6 +121,17 @@ impl Span {
     }
 }
 
+/// The great circle that the normal follows along a span, when its angle grows steadily.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arc {
+    /// A, the unit normal at the first pixel; 0 where the span has no normal at either end.
+    pub start: DVec3,
+    /// T, the unit vector across A towards the normal at the last pixel; 0 where there is no angle between them.
+    pub across: DVec3,
+    /// The angle f between the two normals, in radians, 0 to π.
+    pub angle: f64,
+}
+
 /// A picture to be shaded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
@@ -211,6 +222,18 @@ impl Frame {
     pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
         let [start, end] = self.end_normals(span);
         [start, (end - start) / f64::from(span.steps().max(1))]
+    }
+
+    /// The arc from the normal at a span's first pixel to that at its last: N(t) = cos(t f) A + sin(t f) T [lecture, eq. 4.7, in a frame
+    /// that needs no division by sin f; METHODS.md A11].
+    ///
+    /// Opposite normals say nothing of the plane to turn in; T is then one of the vectors across A.
+    pub fn arc(&self, span: &Span) -> Arc {
+        let [a, b] = self.unit_end_normals(span);
+        let axis = a.cross(b);
+        let across = axis.cross(a).try_normalize().unwrap_or(if a.dot(b) < 0.0 { a.any_orthonormal_vector() } else { DVec3::ZERO });
+        // An arc cosine of the rounded dot product would lose small angles (EXTREMES row 15).
+        Arc { start: a, across, angle: libm::atan2(axis.length(), a.dot(b)) }
     }
 
     /// Gouraud's intensity at the first pixel and its step: max(N·L, 0) at the triangle's vertices, interpolated linearly

@@ -55,6 +55,16 @@ fn gourauds_outputs_agree() {
     outputs_agree(Method::Gouraud);
 }
 
+#[test]
+fn slerps_outputs_agree() {
+    outputs_agree(Method::Slerp);
+}
+
+#[test]
+fn directs_outputs_agree() {
+    outputs_agree(Method::Direct);
+}
+
 /// Every signal that is no constant.
 fn signals(design: &Design) -> Vec<NodeId> {
     design.variables()

@@ -52,3 +52,13 @@ fn every_method_agrees() {
         (0..80).for_each(|seed| agrees(seed, method));
     }
 }
+
+#[test]
+fn slerp_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Slerp));
+}
+
+#[test]
+fn direct_agrees() {
+    (0..250).for_each(|seed| agrees(seed, Method::Direct));
+}

@@ -2,7 +2,7 @@
 use specula_scene::spec::MethodSpec;
 use specula_scene::{CoreSpec, Frame, Span};
 
-use super::{ConsistentSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan, ReflectionSpan};
+use super::{ConsistentSpan, DirectSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan, ReflectionSpan, SlerpSpan};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -24,6 +24,8 @@ impl<'a> MethodSpan<'a> {
             MethodSpec::Gouraud(gouraud) => Box::new(GouraudSpan::new(gouraud, frame, span)),
             MethodSpec::Reflection(reflection) => Box::new(ReflectionSpan::new(reflection, frame, span)),
             MethodSpec::Consistent(consistent) => Box::new(ConsistentSpan::new(consistent, frame, span)),
+            MethodSpec::Slerp(_) => Box::new(SlerpSpan::new(frame, span)),
+            MethodSpec::Direct(_) => Box::new(DirectSpan::new(frame, span)),
         })
     }
 

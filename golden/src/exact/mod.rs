@@ -7,6 +7,7 @@ pub mod consistent_span;
 pub mod differences;
 pub mod diffuse;
 pub mod direct;
+mod direct_span;
 pub mod distributions;
 pub mod duff;
 pub mod gouraud;
@@ -24,6 +25,7 @@ pub mod reflection_shading;
 pub mod root_shininess;
 pub mod shape;
 pub mod slerp;
+mod slerp_span;
 pub mod specular;
 pub mod wrap;
 
@@ -31,12 +33,15 @@ use specula_scene::{CoreSpec, Frame, Span};
 
 pub use consistent_span::ConsistentSpan;
 pub use duff::DuffSpan;
+
+pub use direct_span::DirectSpan;
 pub use gouraud::GouraudSpan;
 pub use hybrid::HybridSpan;
 pub use lyon::LyonSpan;
 pub use method::MethodSpan;
 pub use phong::PhongSpan;
 pub use reflection_shading::ReflectionSpan;
+pub use slerp_span::SlerpSpan;
 
 /// True Phong shading of pixel `i` of a span, 0..=255 LSB a channel [METHODS.md A3, A5].
 ///

@@ -3,6 +3,7 @@
 //! Numbers are exact between narrowing points (`number`), which round to nearest with ties up.
 mod colour;
 mod consistent;
+mod direct;
 mod duff;
 mod forward;
 mod gouraud;
@@ -18,6 +19,7 @@ mod phong;
 mod power;
 mod reflection;
 mod root;
+mod slerp;
 mod vector;
 
 pub use model::Model;

@@ -3,6 +3,7 @@ use specula_scene::spec::{InputPort, MethodSpec};
 use specula_scene::{CoreSpec, SpanPacket};
 
 use super::consistent::Consistent;
+use super::direct::Direct;
 use super::duff::Duff;
 use super::gouraud::Gouraud;
 use super::hybrid::Hybrid;
@@ -12,6 +13,7 @@ use super::observer::{Nobody, Notebook, Observation};
 use super::packet::{self, PacketError};
 use super::phong::Phong;
 use super::reflection::Reflection;
+use super::slerp::Slerp;
 
 /// The bit-true model of a core.
 pub struct Model {
@@ -32,6 +34,8 @@ impl Model {
             MethodSpec::Gouraud(gouraud) => Box::new(Gouraud::new(spec, gouraud)),
             MethodSpec::Reflection(reflection) => Box::new(Reflection::new(spec, reflection)),
             MethodSpec::Consistent(consistent) => Box::new(Consistent::new(spec, consistent)),
+            MethodSpec::Slerp(slerp) => Box::new(Slerp::new(spec, slerp)),
+            MethodSpec::Direct(direct) => Box::new(Direct::new(spec, direct)),
         };
         Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
     }
@@ -74,6 +78,10 @@ impl Model {
     /// | t_acc, t, T, q | `angle_accumulator`, `angle`, `tangent`, `contraction` |
     /// | b, g, s, ρ, m | `cos_beta`, `cos_gamma`, `sine_ratio_squared`, `sine_ratio`, `normal_share`; of L with `light<l>_` before |
     /// | r | `reflection_x`, `_y`, `_z`; of L with `light<l>_` before |
+    /// | c, s; c_w, s_w | `state_cosine`, `state_sine`; `weight_cosine`, `weight_sine` |
+    /// | J; K, g, K' | `light<l>_n_dot_l`; `n_dot_v`, `correction`, `corrected` |
+    /// | t, u, q, s of `direct` | `weight`, `product`, `length_squared`, `reciprocal` |
+    /// | p_V, p_L | `n_dot_v_linear`, `light<l>_n_dot_l_linear` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

@@ -7,6 +7,7 @@ use specula_scene::Format;
 /// `CoreSpec::check` allows 24 fraction bits at narrowing points (20 in D), 56 in accumulators, 6 in coefficients. So fraction bits are
 ///
 /// - i · step, i(i - 1)/2 · difference: 56 (i(i - 1)/2 is whole);
+/// - c cos δ - s sin δ: 28 + 30 = 58;
 /// - products of two narrowed values, z·s, f²: 48;
 /// - (y + y²)/2, g·h/2: 49;
 /// - n·D·D/2^(k+1), with k ≤ 3: 40 + 4 = 44;

@@ -45,6 +45,9 @@ pub enum PacketError {
         /// The weight at the last pixel.
         weight: f64,
     },
+    /// Cosine and sine of the angle from pixel to pixel are no rotation.
+    #[error("the turn from pixel to pixel makes normals longer")]
+    Turn,
     /// The span has no such pixel.
     #[error("there is no pixel {pixel} in a span of {length}")]
     NoSuchPixel {

@@ -12,6 +12,7 @@ mod any_spec;
 #[path = "../common/mod.rs"]
 mod common;
 mod consistent;
+mod direct;
 mod duff;
 mod gouraud;
 mod hybrid;
@@ -20,6 +21,7 @@ mod phong;
 mod power;
 mod raw;
 mod reflection;
+mod slerp;
 
 use any_spec::any_spec;
 use common::draw::{Draw, Range, draw_frame};
@@ -43,6 +45,8 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
             MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Reflection(spec) => reflection::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Consistent(spec) => consistent::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Direct(spec) => direct::code(spec, &raw, frame.lights.len(), i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -105,6 +109,16 @@ proptest! {
     #[test]
     fn gouraud(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Gouraud, &draw, &bits, n)?;
+    }
+
+    #[test]
+    fn slerp(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        check(Method::Slerp, &draw, &bits, 1 << j)?;
+    }
+
+    #[test]
+    fn direct(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        check(Method::Direct, &draw, &bits, 1 << j)?;
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! The only feedback there is: a value that grows by a step with each pixel of a span.
+//! The usual feedback: a value that grows by a step with each pixel of a span.
 use super::Sig;
 use super::state::Facts;
 use crate::design::{Node, NodeId, Op, Range, Register};
@@ -34,7 +34,7 @@ impl Sig {
 
 impl super::Builder {
     /// A register whose operand comes later. Until then it reads itself.
-    fn feedback_register(&self, range: Range, fraction_bits: u32, stage: u32) -> NodeId {
+    pub(super) fn feedback_register(&self, range: Range, fraction_bits: u32, stage: u32) -> NodeId {
         let mut state = self.state.borrow_mut();
         let (scope, own) = (state.scope, NodeId(state.design.nodes.len() as u32));
         let name = state.unique(scope, "state");

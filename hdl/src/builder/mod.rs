@@ -9,6 +9,7 @@ mod logic;
 mod memory;
 mod narrow;
 mod ports;
+mod recurrence;
 mod sig;
 mod state;
 mod unit;
@@ -23,6 +24,7 @@ use crate::design::{Design, NodeId, Op, Range, Register};
 use crate::target::Target;
 
 pub use ports::{Bundle, Inputs};
+pub use recurrence::Known;
 pub use sig::Sig;
 pub use vector::Vector;
 

@@ -35,15 +35,21 @@ impl Builder {
 
     /// What `body` describes works within one clock: its operators get no registers, its results one each.
     pub fn in_one_clock<O: Bundle>(&self, body: impl FnOnce() -> O) -> O {
-        let target = std::mem::replace(&mut self.state.borrow_mut().target, Rc::new(Unregistered));
-        let results = body();
-        self.state.borrow_mut().target = target;
+        let results = self.without_registers(body);
         let mut last = 0;
         results.map(&mut |sig, _| {
             last = last.max(sig.stage());
             sig.clone()
         });
         results.map(&mut |sig, _| self.behind_a_register(&sig.aligned(last)))
+    }
+
+    /// What `body` describes has no registers.
+    pub(super) fn without_registers<R>(&self, body: impl FnOnce() -> R) -> R {
+        let target = std::mem::replace(&mut self.state.borrow_mut().target, Rc::new(Unregistered));
+        let results = body();
+        self.state.borrow_mut().target = target;
+        results
     }
 
     fn behind_a_register(&self, sig: &Sig) -> Sig {

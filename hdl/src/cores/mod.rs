@@ -1,5 +1,6 @@
 //! Cores: units put together so that a span goes in and one pixel comes out per clock.
 mod consistent;
+mod direct;
 mod duff;
 mod forward;
 mod gouraud;
@@ -7,6 +8,7 @@ mod hybrid;
 mod lyon;
 mod phong;
 mod reflection;
+mod slerp;
 
 use std::rc::Rc;
 
@@ -39,6 +41,12 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
         }
         MethodSpec::Consistent(consistent) => {
             consistent::core(builder("Consistent normal interpolation [Reshetov, Soupikov and Mark]"), spec, consistent)
+        }
+        MethodSpec::Slerp(slerp) => {
+            slerp::core(builder("Incremental spherical interpolation of N.L and N.V [lecture, eq. 4.5, 4.7-4.12]"), spec, slerp)
+        }
+        MethodSpec::Direct(direct) => {
+            direct::core(builder("Fast Phong shading, evaluated at every pixel [lecture, eq. 4.3-4.6]"), spec, direct)
         }
     }
 }

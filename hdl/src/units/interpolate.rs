@@ -59,13 +59,15 @@ pub fn along(b: &Builder, start: &Vector, delta: &Vector, a: &Sig, to: Interpola
 fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
     let slack = f64::from(to.steps) * to.accumulator.ulp();
     let a = Sig::accumulated(first, &b.integer(0), step, (0.0, 1.0 + slack), to.steps, "0 <= a <= 1");
-    a.rounded(to.weight.fraction_bits).assumed(0.0, 1.0 + overshoot(to), "0 <= a <= 1").named("weight")
+    a.rounded(to.weight.fraction_bits)
+        .assumed(0.0, 1.0 + overshoot(to.accumulator, to.weight, to.steps), "0 <= a <= 1")
+        .named("weight")
 }
 
 /// X0 and X1 lie in the unit ball but for rounding, √3/2 units of the last place. With a ≤ 1 + o, where o is [`overshoot`], X' is
 /// longer than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o; longer ends alike.
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
-    let reach = 1.0 + 2.0 * overshoot(to);
+    let reach = 1.0 + 2.0 * overshoot(to.accumulator, to.weight, to.steps);
     let vector = (start + &delta.scaled(a)).no_longer_than((to.longest + to.vector.ulp()) * reach);
     vector.components_assumed_within(to.longest * reach, fact).rounded(to.vector.fraction_bits)
 }
@@ -74,8 +76,8 @@ fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &st
 ///
 /// The accumulator is off by S/2 units of its last place at most. By default its extra bits keep that below half a unit of a's, so
 /// that a ≤ 1 after rounding; a spec may ask for fewer.
-fn overshoot(to: Interpolation) -> f64 {
-    let accumulated = 0.5 * f64::from(to.steps) * to.accumulator.ulp();
-    let half = 0.5 * to.weight.ulp();
+pub(super) fn overshoot(accumulator: Format, weight: Format, steps: u32) -> f64 {
+    let accumulated = 0.5 * f64::from(steps) * accumulator.ulp();
+    let half = 0.5 * weight.ulp();
     if accumulated < half { 0.0 } else { accumulated + half }
 }

@@ -101,7 +101,7 @@ fn colour(draw: &mut Draw, brightest: f64) -> [f64; 3] {
 fn material(draw: &mut Draw, method: Method) -> Material {
     let log2 = draw.between(0, 12);
     let shininess = match method {
-        Method::Hybrid | Method::Duff | Method::Reflection | Method::Consistent => 1 << log2,
+        Method::Hybrid | Method::Duff | Method::Reflection | Method::Consistent | Method::Slerp | Method::Direct => 1 << log2,
         _ => draw.between(1, 8191).min(2 << log2),
     };
     Material { ambient: colour(draw, 1.0), diffuse: colour(draw, 1.0), specular: colour(draw, 1.0), shininess: shininess.min(8191) }

@@ -13,6 +13,7 @@ mod normalise_exactly;
 mod power;
 mod quotient;
 mod reciprocal_square_root;
+mod rotation;
 mod shape;
 mod square_root;
 

@@ -2,7 +2,10 @@
 use serde::Serialize;
 
 use super::choose::merged;
-use super::{ConsistentSpec, Describe, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec, ReflectionSpec, SpecError};
+use super::{
+    ConsistentSpec, Describe, DirectSpec, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec, ReflectionSpec, SlerpSpec,
+    SpecError,
+};
 use crate::needs::Needs;
 
 /// An option of a method, and what it may be.
@@ -96,6 +99,10 @@ methods! {
     Reflection(ReflectionSpec) = "reflection", "a fixed normal reflected about a linear half-way vector, no root [Hast et al., eq. 27-34]";
     /// Consistent normal interpolation.
     Consistent(ConsistentSpec) = "consistent", "reflection that never enters the surface [Reshetov, Soupikov and Mark]";
+    /// Spherical interpolation of N·L and N·V.
+    Slerp(SlerpSpec) = "slerp", "N.L and N.V by incremental spherical interpolation along the scan line [lecture, eq. 4.7-4.12]";
+    /// N·L and N·V, linear, over the root of N·N.
+    Direct(DirectSpec) = "direct", "N.L and N.V over the root of N.N = 1 - k t(1 - t), evaluated at every pixel [lecture, eq. 4.3-4.6]";
 }
 
 impl Method {

@@ -8,6 +8,7 @@
 mod choose;
 pub mod consistent;
 mod describe;
+pub mod direct;
 pub mod duff;
 mod error;
 pub mod gouraud;
@@ -23,6 +24,7 @@ mod port;
 mod quadratic;
 pub mod reflection;
 mod set_up;
+pub mod slerp;
 
 use serde::Serialize;
 
@@ -31,6 +33,7 @@ use crate::needs::LocalKind;
 
 pub use consistent::{ConsistentInputs, ConsistentSpec};
 use describe::Describe;
+pub use direct::{DirectInputs, DirectSpec};
 pub use duff::{DuffInputs, DuffSpec};
 pub use error::SpecError;
 pub use gouraud::{GouraudInputs, GouraudSpec};
@@ -45,6 +48,7 @@ pub use port::InputPort;
 pub use quadratic::Quadratic;
 pub use reflection::{ReflectionInputs, ReflectionSpec};
 pub use set_up::{SetUp, SpanPacket};
+pub use slerp::{SlerpInputs, SlerpSpec};
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.
 pub const COEFFICIENT_FRACTION_BITS: u32 = 6;

@@ -1,0 +1,39 @@
+//! The fast Phong formulas, without rounding [lecture, eq. 4.3 to 4.6; METHODS.md A6, A7].
+use glam::DVec3;
+use specula_scene::frame::EYE;
+use specula_scene::{Frame, Span};
+
+use super::coefficients::{Amounts, Coefficients};
+use super::method::ShadePixel;
+use super::shape::power;
+
+/// One span, shaded by `direct`.
+pub struct DirectSpan<'a> {
+    span: &'a Span,
+    ends: [DVec3; 2],
+    shininess: u32,
+    coefficients: Coefficients,
+}
+
+impl<'a> DirectSpan<'a> {
+    /// Sets up a span of a frame.
+    pub fn new(frame: &Frame, span: &'a Span) -> Self {
+        let (ends, shininess) = (frame.unit_end_normals(span), frame.material(span).shininess);
+        DirectSpan { span, ends, shininess, coefficients: Coefficients::new(frame, span) }
+    }
+}
+
+impl ShadePixel for DirectSpan<'_> {
+    fn pixel(&self, i: u32) -> [f64; 3] {
+        let normal = self.ends[0] + self.span.parameter(i) * (self.ends[1] - self.ends[0]);
+        let q = normal.length_squared();
+        if q <= 0.0 {
+            return self.coefficients.sum(|_| Amounts::default());
+        }
+        self.coefficients.sum(|light| {
+            let (p, k) = (normal.dot(light.direction), normal.dot(EYE));
+            let base = 2.0 * p * k / q - light.direction.dot(EYE);
+            Amounts { diffuse: (p / q.sqrt()).clamp(0.0, 1.0), specular: power(base.min(1.0), self.shininess) }
+        })
+    }
+}

@@ -1,0 +1,44 @@
+//! Spherical interpolation along the scan line, without rounding [lecture, eq. 4.7; METHODS.md A8 to A11].
+use glam::DVec3;
+use specula_scene::frame::{Arc, EYE};
+use specula_scene::{Frame, Span};
+
+use super::coefficients::{Amounts, Coefficients};
+use super::diffuse::lambert;
+use super::method::ShadePixel;
+use super::shape::power;
+
+/// One span, shaded by `slerp`.
+pub struct SlerpSpan<'a> {
+    span: &'a Span,
+    arc: Arc,
+    shininess: u32,
+    coefficients: Coefficients,
+}
+
+impl<'a> SlerpSpan<'a> {
+    /// Sets up a span of a frame.
+    pub fn new(frame: &Frame, span: &'a Span) -> Self {
+        let shininess = frame.material(span).shininess;
+        SlerpSpan { span, arc: frame.arc(span), shininess, coefficients: Coefficients::new(frame, span) }
+    }
+
+    /// N = cos(tf) A + sin(tf) T, of unit length; 0 where the span has no normal.
+    pub fn normal(&self, i: u32) -> DVec3 {
+        let (sin, cos) = (self.span.parameter(i) * self.arc.angle).sin_cos();
+        cos * self.arc.start + sin * self.arc.across
+    }
+}
+
+impl ShadePixel for SlerpSpan<'_> {
+    fn pixel(&self, i: u32) -> [f64; 3] {
+        let normal = self.normal(i);
+        if normal == DVec3::ZERO {
+            return self.coefficients.sum(|_| Amounts::default());
+        }
+        self.coefficients.sum(|light| {
+            let base = 2.0 * normal.dot(light.direction) * normal.dot(EYE) - light.direction.dot(EYE);
+            Amounts { diffuse: lambert(normal, light.direction), specular: power(base.min(1.0), self.shininess) }
+        })
+    }
+}

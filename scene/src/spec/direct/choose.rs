@@ -1,0 +1,92 @@
+//! Formats of `direct`: defaults for a scene, and what may be asked for.
+use super::{DirectFormats, DirectSpec};
+use crate::format::Format;
+use crate::frame::Frame;
+use crate::needs::Needs;
+use crate::spec::choose::{powers_of_two_only, span_bits, within};
+use crate::spec::describe::Describe;
+use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::spec::set_up::SetUpSpan;
+use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+
+/// The most integer bits m of 1/√q: normals shorter than 2^-m come out short.
+const LARGEST_REACH: u32 = 4;
+
+impl DirectSpec {
+    /// Options and their values.
+    pub const CHOICES: &'static [Choice] = &[];
+
+    /// NUMERICS.md 3b, direct evaluation: 12 + log2 n for what enters the base, whatever the length of the span, and as many more as q can
+    /// be small; t turns the normal alone, which shows by √n.
+    pub fn for_needs(needs: &Needs) -> DirectSpec {
+        let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2().max(4));
+        let reach = (-needs.shortest_normal.max(0.0625).log2()).ceil() as u32;
+        let most = |bits: u32| bits.min(MOST_FRACTION_BITS);
+        let weight = 12 + j.div_ceil(2) + reach;
+        DirectSpec {
+            formats: DirectFormats {
+                weight_accumulator: Format::unsigned(1, weight + s + 1),
+                weight: Format::unsigned(1, weight),
+                product: Format::unsigned(1, most(14 + j + 2 * reach)),
+                spread: Format::unsigned(3, most(12 + j + 2 * reach)),
+                component: Format::signed(1, most(12 + j + reach)),
+                length_squared: Format::unsigned(1, most(12 + j + 2 * reach)),
+                reciprocal: Format::unsigned(reach, most(12 + j)),
+                cosine: Format::signed(1, most(12 + j + reach)),
+                diffuse: Format::unsigned(1, 12),
+                base: Format::unsigned(1, 9 + j),
+            },
+        }
+    }
+}
+
+impl Describe for DirectSpec {
+    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
+        self.inputs(core).to_vec()
+    }
+
+    fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
+        // Taken apart, so that a format that is new there cannot be forgotten here.
+        let &DirectFormats {
+            weight_accumulator,
+            weight,
+            product,
+            spread,
+            component,
+            length_squared,
+            reciprocal,
+            cosine,
+            diffuse,
+            base,
+        } = &self.formats;
+        let point = NarrowingPoint::rounded;
+        let accumulated = "step of t, rounded by the host";
+        // `check_options` limits the integer bits.
+        let reach = Format::unsigned(reciprocal.integer_bits, 0);
+        vec![
+            NarrowingPoint::accumulated("weight_accumulator", weight_accumulator, UNIT, (1, span_bits), accumulated),
+            point("weight", weight, UNIT, "t").no_finer_than(weight_accumulator),
+            point("product", product, UNIT, "t (1 - t)"),
+            point("spread", spread, Format::unsigned(3, 0), "|B - A|^2, rounded by the host"),
+            point("component", component, SIGNED_UNIT, "A.L, A.V, their differences to B's, and L.V, rounded by the host"),
+            // A reciprocal root tells 4^-m from 0.
+            point("length_squared", length_squared, UNIT, "q = N.N").with_at_least(2 * LARGEST_REACH),
+            point("reciprocal", reciprocal, reach, "1/sqrt(q)"),
+            point("cosine", cosine, SIGNED_UNIT, "N.L and N.V, and both times 1/sqrt(q)"),
+            point("diffuse", diffuse, UNIT, "N.L/sqrt(q), clamped to 0..1").no_finer_than(cosine),
+            point("base", base, UNIT, "2 J K - L.V, clamped to 0..1, and each square of it"),
+        ]
+    }
+
+    fn check_options(&self) -> Result<(), SpecError> {
+        within("reciprocal integer bits", self.formats.reciprocal.integer_bits.into(), 0, LARGEST_REACH.into())
+    }
+
+    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
+        powers_of_two_only(needs, "direct")
+    }
+
+    fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
+        Box::new(super::set_up::DirectSetUp { direct: self, frame })
+    }
+}
