@@ -32,6 +32,8 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
             f.weight_accumulator.fraction_bits = 11;
             (f.diffuse.fraction_bits, f.shape.fraction_bits) = (6, 6);
         }
+        // Its Verilog is not kept.
+        MethodSpec::Consistent(_) => {}
         MethodSpec::Hybrid(hybrid) => {
             let f = &mut hybrid.formats;
             (f.diffuse_accumulator.fraction_bits, f.diffuse.fraction_bits) = (9, 6);

@@ -12,6 +12,9 @@ use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 /// The most fraction bits of ρ², twice those of ρ.
 const MOST_SQUARED_FRACTION_BITS: u32 = 48;
 
+/// 60 degrees, in quarter turns.
+const SIXTY_DEGREES: f64 = 2.0 / 3.0;
+
 impl ConsistentSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] = &[
@@ -25,8 +28,11 @@ impl ConsistentSpec {
     pub fn for_needs(needs: &Needs) -> ConsistentSpec {
         let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
         let curve = Curve::Rational;
-        let steep = f64::max(1.0 - curve.quarter_turns(needs.least_cone_cosine), 0.0).powi(2) / 2.0;
-        let fine = 11 + j.max(3);
+        let widest = curve.quarter_turns(needs.least_cone_cosine);
+        let steep = f64::max(1.0 - widest, 0.0).powi(2) / 2.0;
+        let for_wide_angles = if widest > SIXTY_DEGREES { 2 } else { 0 };
+        let fine = (11 + j.max(3) + for_wide_angles).min(MOST_FRACTION_BITS);
+        let finer = |bits: u32| (fine + bits).min(MOST_FRACTION_BITS);
         let squared = (fine + 2 + (-steep.max(1e-9).log2()).ceil() as u32).min(2 * fine);
         let unit = |fraction_bits| Format::unsigned(1, fraction_bits);
         ConsistentSpec {
@@ -39,12 +45,13 @@ impl ConsistentSpec {
                 weight: unit(fine),
                 vector: Format::signed(1, fine),
                 // What is added to z weighs more the shorter the normal, N' as much.
-                length_squared: unit((fine + 4).min(MOST_FRACTION_BITS)),
-                gain: Format::unsigned(LARGEST_GAIN_BITS, fine + 1),
-                angle_accumulator: Format::signed(1, fine + s + 1),
-                angle: unit(fine),
-                tangent: unit((fine + 2).min(MOST_FRACTION_BITS)),
-                contraction: unit(fine),
+                length_squared: unit(finer(4)),
+                gain: Format::unsigned(LARGEST_GAIN_BITS, finer(1)),
+                // q falls by as much as 3.14 t grows by, and ρ by more.
+                angle_accumulator: Format::signed(1, finer(2) + s + 1),
+                angle: unit(finer(2)),
+                tangent: unit(finer(2)),
+                contraction: unit(finer(2)),
                 cosine: Format::signed(1, fine),
                 sine_ratio_squared: unit(squared),
                 sine_ratio: unit(fine),
