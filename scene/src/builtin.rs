@@ -1,11 +1,12 @@
 //! Scenes that are part of the program.
 
 /// Name and scene file of each.
-const SCENES: [(&str, &str); 4] = [
+const SCENES: [(&str, &str); 5] = [
     ("teapot", include_str!("../../scenes/teapot.toml")),
     ("spheres", include_str!("../../scenes/spheres.toml")),
     ("torus", include_str!("../../scenes/torus.toml")),
     ("icosahedron", include_str!("../../scenes/icosahedron.toml")),
+    ("lamps", include_str!("../../scenes/lamps.toml")),
 ];
 
 const NAMES: [&str; SCENES.len()] = {

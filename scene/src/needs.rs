@@ -41,12 +41,15 @@ pub enum LocalKind {
     /// It shines to all sides alike.
     Point,
     /// It shines most of all along its axis.
-    Spot,
+    Spot {
+        /// Warn's exponent, 1 to 8191.
+        exponent: u32,
+    },
 }
 
 impl LocalKind {
     fn of(light: &LocalLight) -> LocalKind {
-        if light.spot.is_some() { LocalKind::Spot } else { LocalKind::Point }
+        light.spot.as_ref().map_or(LocalKind::Point, |spot| LocalKind::Spot { exponent: spot.exponent })
     }
 }
 

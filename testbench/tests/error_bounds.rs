@@ -1,12 +1,15 @@
 //! On every built-in scene the measured quantisation error stays within what the core states, and the statement says something.
-use specula_scene::{Method, load};
+use specula_scene::load;
 use specula_testbench::{Bench, EngineKind};
+
+#[path = "common/served.rs"]
+mod served;
 
 #[test]
 fn measured_errors_stay_within_the_stated_bound() {
     for scene in specula_scene::builtin_names() {
-        for method in Method::ALL {
-            let loaded = load(scene, Some((120, 90))).unwrap();
+        let loaded = load(scene, Some((120, 90))).unwrap();
+        for method in served::methods(&loaded.frame) {
             let spec = loaded.core_spec(Some(method)).unwrap();
             let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
             let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();

@@ -1,7 +1,7 @@
 //! `phong`, bit for bit [lecture, eq. 2.1, 4.1, 4.2; Lyon, TR 43, appendix; `docs/arithmetic/phong.md`].
 use specula_scene::Format;
 use specula_scene::spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
-use specula_scene::spec::{CoreSpec, InputPort, LARGEST_SHININESS};
+use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::method::{Method, Values};
@@ -20,7 +20,8 @@ pub(super) struct Phong {
     highlight: Highlight,
     formats: PhongFormats,
     power: Power,
-    spot_power: Power,
+    /// For each light that is a spot.
+    spot_powers: Vec<Option<Power>>,
     colour: Format,
     ports: PhongInputs<InputPort>,
 }
@@ -30,6 +31,7 @@ type Direction = Option<Vector>;
 
 /// A light at a pixel.
 struct Arrival<'a> {
+    index: usize,
     light: &'a PhongLight<Wide>,
     /// L.
     direction: Vector,
@@ -43,13 +45,14 @@ impl Phong {
     pub fn new(core: &CoreSpec, phong: &PhongSpec) -> Phong {
         let formats = phong.formats.clone();
         let bits = |n: u32| u32::BITS - n.leading_zeros();
+        let ports = phong.inputs(core);
         let power = |largest: u32| Power::new(bits(largest), formats.shape.fraction_bits);
         Phong {
             highlight: phong.highlight,
             power: power(core.largest_shininess * phong.highlight.exponent_factor()),
-            spot_power: power(LARGEST_SHININESS),
+            spot_powers: ports.lights.iter().map(|light| light.exponent.as_ref().map(|port| power(port.range.1 as u32))).collect(),
             colour: sum_format(core, formats.cosine, formats.shape),
-            ports: phong.inputs(core),
+            ports,
             formats,
         }
     }
@@ -90,7 +93,7 @@ impl Method for Phong {
                 (None, direction) => direction,
             };
             let n_dot_l = self.cosine("n_dot_l", normal, direction, &mut observer);
-            let arrival = |direction| Arrival { light, direction, view, n_dot_l, n_dot_v, shininess: inputs.shininess };
+            let arrival = |direction| Arrival { index, light, direction, view, n_dot_l, n_dot_v, shininess: inputs.shininess };
             let (diffuse, specular) = match (normal, direction.map(arrival)) {
                 (Some(_), Some(arrival)) => self.lit(&arrival, &mut observer),
                 _ => (Wide::ZERO, Wide::ZERO),
@@ -131,11 +134,11 @@ impl Phong {
     fn lit(&self, at: &Arrival, observer: &mut impl Observer) -> (Wide, Wide) {
         let diffuse = at.n_dot_l.max(Wide::ZERO);
         let specular = at.view.map_or(Wide::ZERO, |view| self.specular(at, &view, observer));
-        match (&at.light.axis, at.light.exponent) {
-            (Some(axis), Some(exponent)) => {
+        match (&at.light.axis, at.light.exponent, &self.spot_powers[at.index]) {
+            (Some(axis), Some(exponent), Some(power)) => {
                 let shape = self.formats.shape;
                 let cosine = self.base(-dot(&at.direction, axis), "spot_base", observer);
-                let share = self.spot_power.of(cosine, exponent.to_num());
+                let share = power.of(cosine, exponent.to_num());
                 observer.see(format_args!("spot"), share, shape);
                 let spotted = |amount| round_to(share * amount, shape.fraction_bits);
                 (spotted(diffuse), spotted(specular))

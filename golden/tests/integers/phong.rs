@@ -69,7 +69,7 @@ fn lit(spec: &PhongSpec, raw: &Raw, n: [i128; 3], l: [i128; 3], view: Direction,
         return amounts;
     }
     let cosine = round(-dot(l, raw.vector(&name("axis"))), 2 * v, b).clamp(0, 1 << b);
-    let share = power::of(cosine, b, raw.get(&name("exponent")), 13, s);
+    let share = power::of(cosine, b, raw.get(&name("exponent")), i128::BITS - raw.largest(&name("exponent")).leading_zeros(), s);
     (round(share * amounts.0, s + c, s), round(share * amounts.1, 2 * s, s))
 }
 

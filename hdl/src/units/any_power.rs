@@ -52,7 +52,7 @@ fn minus_log2(b: &Builder, base: &Sig, fraction_bits: u32) -> Sig {
         let scale_bits = fraction_bits - index_bits + 2;
         let log2_e = b.integer(fixed_log::log2_e(scale_bits)).times_power_of_two(-(scale_bits as i32));
         let log_rest = (q * log2_e).rounded(fraction_bits).named("log2_rest");
-        (e + log_c - log_rest).at_least_zero().named("minus_log2")
+        (e + log_c - log_rest).at_least_zero().named("lambda")
     })
 }
 

@@ -43,7 +43,7 @@ pub fn interpolate(b: &Builder, span: SpanNormals, to: Interpolation) -> Vector 
 
 /// The weight a = i/S by itself, for several vectors. [Lyon, TR 43; METHODS B12]
 pub fn weight(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
-    b.unit("weight", "a(i) = i/S [Lyon, TR 43]", (("start", first), ("weight_step", step)), |b, (first, step)| {
+    b.unit("span_weight", "a(i) = i/S [Lyon, TR 43]", (("start", first), ("weight_step", step)), |b, (first, step)| {
         weight_along(b, &first, &step, to)
     })
 }

@@ -3,7 +3,7 @@ use super::{Highlight, PhongSpec};
 use crate::format::Format;
 use crate::needs::LocalKind;
 use crate::spec::inputs::inputs;
-use crate::spec::{CoreSpec, InputPort, LARGEST_SHININESS};
+use crate::spec::{CoreSpec, InputPort};
 
 inputs! {
     /// A vector that is interpolated along the span.
@@ -83,16 +83,18 @@ impl PhongSpec {
         let f = &self.formats;
         let name = |part: &str| format!("light{index}_{part}");
         let vector = |part: &str| InputPort::vector(&name(part), f.vector, 1.0);
-        let exponent = || {
-            let format = Format::unsigned(bits(LARGEST_SHININESS), 0);
-            InputPort::between(name("exponent"), format, 1.0, f64::from(LARGEST_SHININESS))
+        let exponent = match kind {
+            Some(LocalKind::Spot { exponent }) => Some(exponent),
+            _ => None,
         };
+        let exponent_port =
+            |largest| InputPort::between(name("exponent"), Format::unsigned(bits(largest), 0), 1.0, f64::from(largest));
         let constant = kind.is_none() && !core.local_eye;
         PhongLight {
             direction: kind.is_none().then(|| vector("direction")),
             way: kind.is_some().then(|| self.way(&name("way"))),
-            axis: (kind == Some(LocalKind::Spot)).then(|| vector("axis")),
-            exponent: (kind == Some(LocalKind::Spot)).then(exponent),
+            axis: exponent.map(|_| vector("axis")),
+            exponent: exponent.map(exponent_port),
             light_dot_view: (constant && self.highlight == Highlight::Reflection)
                 .then(|| InputPort::between(name("light_dot_view"), f.cosine, -1.0, 1.0)),
             halfway_gain: (constant && self.highlight != Highlight::Reflection)
