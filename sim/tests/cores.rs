@@ -31,6 +31,16 @@ fn outputs_agree(method: Method) {
 }
 
 #[test]
+fn phongs_outputs_agree() {
+    outputs_agree(Method::Phong);
+}
+
+#[test]
+fn consistents_outputs_agree() {
+    outputs_agree(Method::Consistent);
+}
+
+#[test]
 fn lyons_outputs_agree() {
     outputs_agree(Method::Lyon);
 }

@@ -61,7 +61,7 @@ fn tables(index_bits: u32, fraction_bits: u32) -> (Vec<i64>, Vec<i64>) {
     let bits = index_bits + 4;
     let parts = 1i64 << index_bits;
     // 1/(1 + (i + 1/2)/2^I) = 2^(I+1)/(2^(I+1) + 2i + 1), rounded.
-    let middle = |i: i64| ((4 * parts << bits) / (2 * parts + 2 * i + 1) + 1) / 2;
+    let middle = |i: i64| (((4 * parts) << bits) / (2 * parts + 2 * i + 1) + 1) / 2;
     let reciprocal = |i: i64| match i {
         0 => 1 << bits,
         i if i == parts - 1 => 1 << (bits - 1),
