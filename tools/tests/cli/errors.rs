@@ -23,7 +23,7 @@ fn wrong_words() {
         &[
             &["run"],
             &["rum", "teapot"],
-            &["run", "teapot", "--method", "phong"],
+            &["run", "teapot", "--method", "toon"],
             &["generate", "teapot", "--method", "lyonn"],
             &["run", "teapot", "--engine", "abacus"],
             &["run", "teapot", "--size", "640"],
