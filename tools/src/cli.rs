@@ -37,8 +37,7 @@ pub enum Command {
     #[command(after_help = "Example: specula scenes")]
     Scenes,
     /// List the shading methods
-    #[command(after_help = "Example: specula methods")]
-    Methods,
+    Methods(cmd_methods::Arguments),
 }
 
 /// How a command ended.
@@ -59,7 +58,7 @@ impl Command {
             Command::Wave(arguments) => cmd_wave::execute(arguments, stdout),
             Command::Bench(arguments) => cmd_bench::execute(arguments, stdout),
             Command::Scenes => cmd_scenes::execute(stdout),
-            Command::Methods => cmd_methods::execute(stdout),
+            Command::Methods(arguments) => cmd_methods::execute(arguments, stdout),
         }
     }
 }

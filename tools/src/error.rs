@@ -25,9 +25,9 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Measure(Box<MeasureError>),
-    /// The measurement cannot be put into JSON.
-    #[error("the measurement cannot be written as JSON: {0}")]
-    #[diagnostic(code(specula::measure::json), help("this is a fault of Specula's: please report it with the scene"))]
+    /// A result cannot be put into JSON.
+    #[error("the result cannot be written as JSON: {0}")]
+    #[diagnostic(code(specula::json), help("this is a fault of Specula's: please report it with the command"))]
     Json(serde_json::Error),
     /// The output folder cannot be used.
     #[error(transparent)]

@@ -17,9 +17,10 @@ pub struct Choice {
     pub values: &'static [&'static str],
 }
 
-/// Defines the methods: a spec type each, the name users give it, and one line on what it does, with its source.
+/// Defines the methods: a spec type each, the name users give it, one line on what it does, and its source: the paper and, where it numbers
+/// them, the equations.
 macro_rules! methods {
-    ($($(#[$about:meta])* $method:ident($spec:ident) = $name:literal, $summary:literal;)*) => {
+    ($($(#[$about:meta])* $method:ident($spec:ident) = $name:literal, $does:literal, [$paper:literal $(, $equations:literal)?];)*) => {
         /// How pixels are shaded.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         #[serde(rename_all = "kebab-case")]
@@ -47,7 +48,21 @@ macro_rules! methods {
             /// One line on what it does, with its source.
             pub const fn summary(self) -> &'static str {
                 match self {
-                    $(Method::$method => $summary,)*
+                    $(Method::$method => concat!($does, " [", $paper, $(", eq. ", $equations,)? "]"),)*
+                }
+            }
+
+            /// The paper it is from.
+            pub const fn paper(self) -> &'static str {
+                match self {
+                    $(Method::$method => $paper,)*
+                }
+            }
+
+            /// Numbers of the paper's equations, such as `3-8, 33`; none where the paper does not number them.
+            pub const fn equations(self) -> Option<&'static str> {
+                match self {
+                    $(Method::$method => [$(Some($equations),)? None][0],)*
                 }
             }
 
@@ -86,23 +101,23 @@ macro_rules! methods {
 
 methods! {
     /// Lyon's reformulation of Phong shading for hardware.
-    Lyon(LyonSpec) = "lyon", "per-pixel normal, approximate normalisation, shape function f_k [Lyon, TR 43]";
+    Lyon(LyonSpec) = "lyon", "per-pixel normal, approximate normalisation, shape function f_k", ["Lyon, TR 43"];
     /// Phong shading with true normalisation, lights and eye at infinity or at places.
-    Phong(PhongSpec) = "phong", "per-pixel normal, true normalisation, cos^n or Blinn's distributions [lecture, eq. 2.1, 4.1-4.2]";
+    Phong(PhongSpec) = "phong", "per-pixel normal, true normalisation, cos^n or Blinn's distributions", ["lecture", "2.1, 4.1-4.2"];
     /// Gouraud diffuse with Hast's specular recurrence.
-    Hybrid(HybridSpec) = "hybrid", "Gouraud diffuse, specular base p/q by forward differences [Hast et al., eq. 17-26]";
+    Hybrid(HybridSpec) = "hybrid", "Gouraud diffuse, specular base p/q by forward differences", ["Hast et al.", "17-26"];
     /// Duff's diffuse recurrence with one of Hast's highlights.
-    Duff(DuffSpec) = "duff", "diffuse p/sqrt q by forward differences, highlight of the same q and root [Hast et al., eq. 3-8, 33, 34]";
+    Duff(DuffSpec) = "duff", "diffuse p/sqrt q by forward differences, highlight of the same q and root", ["Hast et al.", "3-8, 33, 34"];
     /// Intensities of the vertices or of the polygon.
-    Gouraud(GouraudSpec) = "gouraud", "intensities interpolated between the vertices, or uniform over each polygon [lecture, eq. 2.1, 3.2-3.6]";
+    Gouraud(GouraudSpec) = "gouraud", "intensities interpolated between the vertices, or uniform over each polygon", ["lecture", "2.1, 3.2-3.6"];
     /// Hast's reflection shading.
-    Reflection(ReflectionSpec) = "reflection", "a fixed normal reflected about a linear half-way vector, no root [Hast et al., eq. 27-34]";
+    Reflection(ReflectionSpec) = "reflection", "a fixed normal reflected about a linear half-way vector, no root", ["Hast et al.", "27-34"];
     /// Consistent normal interpolation.
-    Consistent(ConsistentSpec) = "consistent", "reflection that never enters the surface [Reshetov, Soupikov and Mark]";
+    Consistent(ConsistentSpec) = "consistent", "reflection that never enters the surface", ["Reshetov, Soupikov and Mark", "1, 3, 6, 8"];
     /// Spherical interpolation of N·L and N·V.
-    Slerp(SlerpSpec) = "slerp", "N.L and N.V by incremental spherical interpolation along the scan line [lecture, eq. 4.7-4.12]";
+    Slerp(SlerpSpec) = "slerp", "N.L and N.V by incremental spherical interpolation along the scan line", ["lecture", "4.7-4.12"];
     /// N·L and N·V, linear, over the root of N·N.
-    Direct(DirectSpec) = "direct", "N.L and N.V over the root of N.N = 1 - k t(1 - t), evaluated at every pixel [lecture, eq. 4.3-4.6]";
+    Direct(DirectSpec) = "direct", "N.L and N.V over the root of N.N = 1 - k t(1 - t), evaluated at every pixel", ["lecture", "4.3-4.6"];
 }
 
 impl Method {

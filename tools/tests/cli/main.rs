@@ -3,6 +3,7 @@ mod bench;
 mod errors;
 mod generate;
 mod help;
+mod methods;
 mod output;
 mod program;
 mod run;
