@@ -10,6 +10,7 @@ mod direct;
 mod gouraud;
 mod highlights;
 mod lyon_options;
+mod phong;
 mod ranges;
 mod slerp;
 mod spans;

@@ -15,12 +15,13 @@ impl PhongSpec {
         &[Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\"", "\"trowbridge-reitz\""] }];
 
     /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits of it (NUMERICS 3b, "power base bits
-    /// alone", has 16 for n = 256 and 21 for 8000), and as many of what it is made of; short vectors lose bits as they are made long.
+    /// alone", has 16 for n = 256 and 21 for 8000), and two more of the cosines and vectors it is made of, whose errors add up; short vectors
+    /// lose bits as they are made long.
     pub fn for_needs(needs: &Needs) -> PhongSpec {
-        let exponent_bits = needs.largest_shininess.max(1).ilog2();
+        let exponent_bits = needs.largest_shininess.max(1).next_power_of_two().ilog2();
         let short = (-needs.shortest_normal.min(needs.shortest_way).max(0.0625).log2()).ceil() as u32;
         let base = (exponent_bits.max(4) + 9).min(22);
-        let vector = (base + short).min(22);
+        let vector = (base + 2 + short).min(22);
         PhongSpec {
             highlight: Highlight::Reflection,
             formats: PhongFormats {
@@ -29,7 +30,7 @@ impl PhongSpec {
                 vector: Format::signed(1, vector),
                 length_squared: Format::unsigned(2, (vector + 2 + short).min(24)),
                 gain: Format::unsigned(4, (vector + 1).min(24)),
-                cosine: Format::signed(1, (base + 1).min(24)),
+                cosine: Format::signed(1, (base + 2).min(24)),
                 base: Format::unsigned(1, base),
                 shape: Format::unsigned(1, 12),
             },

@@ -1,0 +1,86 @@
+//! Lights and eyes at places, and every exponent.
+use glam::DVec3;
+use specula_scene::spec::phong::Highlight;
+use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Spot};
+
+use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
+
+fn with(frame: &Frame, highlight: Highlight) -> CoreSpec {
+    let mut core = spec(frame, Method::Phong);
+    if let MethodSpec::Phong(phong) = &mut core.method {
+        phong.highlight = highlight;
+    }
+    core.check().unwrap();
+    core
+}
+
+/// A wall of five pixels from x = -2 to x = 2, seen from the front, under one light at a place.
+fn wall(light: DVec3, spot: Option<Spot>, eye: Option<DVec3>) -> Frame {
+    let mut frame = frame([DVec3::Z, DVec3::Z], 5, &[], material(0.0, 0.5, 0.5, 20));
+    frame.triangles[0].positions = [DVec3::new(-2.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0), DVec3::new(-2.0, 1.0, 0.0)];
+    frame.local_lights = vec![LocalLight { position: light, spot, colour: [1.0; 3] }];
+    frame.eye = eye;
+    frame
+}
+
+/// Row 12: for L = -V there is no H*; Blinn's lobe is 0 there, and Trowbridge and Reitz's its floor (1/(1 + n))².
+#[test]
+fn opposite_light_and_eye_have_no_halfway_vector() {
+    let frame = frame([tilted(80.0), tilted(100.0)], 5, &[-DVec3::Z], mirror(4));
+    assert_eq!(codes(&with(&frame, Highlight::Blinn), &frame), [0; 5]);
+    // 255/25 = 10.2
+    assert_eq!(codes(&with(&frame, Highlight::TrowbridgeReitz), &frame), [10; 5]);
+}
+
+/// Row 39: a light at the very pixel gives it nothing, and its neighbours theirs; so does an eye for highlights.
+#[test]
+fn a_light_in_the_surface_lights_no_pixel_there() {
+    let codes_in = |light, eye| {
+        let frame = wall(light, None, eye);
+        codes(&spec(&frame, Method::Phong), &frame)
+    };
+    // The light grazes the wall from within it: no diffuse, and R·L = -V·L = 0.
+    assert_eq!(codes_in(DVec3::ZERO, None), [0; 5]);
+    let eye_in_the_wall = codes_in(DVec3::Z, Some(DVec3::ZERO));
+    // Diffuse alone at the eye's pixel: 255/2.
+    assert_eq!(eye_in_the_wall[2], 128);
+}
+
+/// Row 40: directions are those of the true vectors however far the light is; unscaled wraps are off by 50 degrees. Nearer than 1/16 of
+/// the way to the span's farther end they come out short (docs/arithmetic/phong.md).
+#[test]
+fn far_and_near_lights_have_true_directions() {
+    for distance in [0.25, 1.0, 10.0, 1e4] {
+        let direction = tilted(60.0);
+        let frame = wall(distance * direction, None, None);
+        let total = shade(&spec(&frame, Method::Phong), &frame).comparison.errors.total.max_lsb;
+        assert!(total <= 1.0, "a light {distance} away: off by {total} LSB");
+    }
+}
+
+/// A spot shines along its axis and not behind it, with the largest exponent too.
+#[test]
+fn spots_end_where_they_should() {
+    for exponent in [1, 60, 8191] {
+        let at = |axis| {
+            let frame = wall(DVec3::Z, Some(Spot { axis, exponent }), None);
+            codes(&spec(&frame, Method::Phong), &frame)
+        };
+        let (towards, away) = (at(-DVec3::Z), at(DVec3::Z));
+        assert_eq!((towards[2], away), (255, vec![0; 5]), "exponent {exponent}");
+        assert!(towards[2] > towards[1] && towards[1] == towards[3], "exponent {exponent}: {towards:?}");
+    }
+}
+
+/// Rows 24 and 54: the largest exponent and one that is no power of two, across the highlight. For exponents in the thousands the
+/// formats end at 22 fraction bits, where the base's error times n comes to one LSB and more.
+#[test]
+fn every_exponent_is_near_a_code() {
+    for (n, most) in [(1, 1.25), (3, 1.25), (100, 1.25), (8190, 1.75), (8191, 1.75)] {
+        let frame = frame([tilted(-3.0), tilted(5.0)], 257, &[tilted(2.0)], mirror(n));
+        for highlight in [Highlight::Reflection, Highlight::Blinn, Highlight::TrowbridgeReitz] {
+            let quantisation = shade(&with(&frame, highlight), &frame).comparison.errors.quantisation.max_lsb;
+            assert!(quantisation <= most, "n = {n}, {highlight:?}: {quantisation} LSB");
+        }
+    }
+}
