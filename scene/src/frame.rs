@@ -109,6 +109,11 @@ impl Span {
         self.length - 1
     }
 
+    /// 1/S, what the parameter grows by with each pixel; 0 in a span of one pixel.
+    pub fn weight_step(&self) -> f64 {
+        if self.steps() == 0 { 0.0 } else { f64::from(self.steps()).recip() }
+    }
+
     /// The parameter t = i/S of pixel `i`, 0 to 1; 0 in a span of one pixel.
     pub fn parameter(&self, i: u32) -> f64 {
         if self.length == 1 { 0.0 } else { f64::from(i) / f64::from(self.steps()) }

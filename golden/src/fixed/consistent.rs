@@ -5,16 +5,15 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::method::{Method, Values};
-use super::number::{Wide, round_down, round_quotient, round_reciprocal_root, round_root, round_to, round_up};
+use super::number::{Wide, round_down, round_quotient, round_root, round_to, round_up};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::PacketError;
+use super::root::reciprocal_square_root;
 use super::vector::{Vector, dot};
 
 /// V = (0, 0, 1).
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
 const FOUR: Wide = Wide::lit("4");
-/// 4^-4, the least z whose root is taken.
-const LEAST_LENGTH_SQUARED: Wide = Wide::lit("0x0.01");
 /// κ = 1169/1024, the least multiple of 2^-10 above π - 2.
 const KAPPA: Wide = Wide::lit("1.1416015625");
 /// s₀ to s₃, in units of 2^-20.
@@ -93,7 +92,7 @@ impl Consistent {
         let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * inputs.normal_delta[c]);
         let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
         let z = narrow(observer, format_args!("length_squared"), dot(&interpolated, &interpolated), f.length_squared);
-        let gain = round_reciprocal_root(z.max(LEAST_LENGTH_SQUARED), f.gain.fraction_bits);
+        let gain = reciprocal_square_root(z, f.gain.integer_bits, f.gain.fraction_bits);
         observer.see(format_args!("gain"), gain, f.gain);
         (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z > Wide::ZERO)
     }

@@ -5,9 +5,10 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::method::{Method, Values};
-use super::number::{Wide, round_reciprocal_root, round_to};
+use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight, narrow};
 use super::packet::PacketError;
+use super::root::reciprocal_square_root;
 
 /// The method in one core's formats.
 pub(super) struct Direct {
@@ -71,8 +72,7 @@ impl Direct {
         let t = narrow(observer, format_args!("weight"), accumulated, f.weight);
         let product = narrow(observer, format_args!("product"), t * (Wide::ONE - t), f.product);
         let q = narrow(observer, format_args!("length_squared"), Wide::ONE - inputs.spread * product, f.length_squared);
-        let smallest = Wide::ONE >> (2 * f.reciprocal.integer_bits);
-        let s = round_reciprocal_root(q.max(smallest), f.reciprocal.fraction_bits);
+        let s = reciprocal_square_root(q, f.reciprocal.integer_bits, f.reciprocal.fraction_bits);
         observer.see(format_args!("reciprocal"), s, f.reciprocal);
         let n_dot_v = self.cosine("n_dot_v", &inputs.view, t, s, observer);
         Pixel { t, q, s, n_dot_v, log2_shininess: inputs.log2_shininess }

@@ -1,13 +1,16 @@
 //! Cosines and bases of highlights, and their powers.
 use specula_scene::Format;
 
-use super::number::{Wide, round_quotient, round_reciprocal_root, round_to};
+use super::number::{Wide, round_quotient, round_to};
 use super::observer::{Observer, narrow};
+use super::root::reciprocal_square_root;
 
 /// s = 1/√max(q, 4^-m) with m the format's integer bits, and 0 where q ≤ 0.
 pub(super) fn root(observer: &mut impl Observer, q: Wide, format: Format) -> Wide {
-    let smallest = Wide::ONE >> (2 * format.integer_bits);
-    let root = if q > Wide::ZERO { round_reciprocal_root(q.max(smallest), format.fraction_bits) } else { Wide::ZERO };
+    let root = match q > Wide::ZERO {
+        true => reciprocal_square_root(q, format.integer_bits, format.fraction_bits),
+        false => Wide::ZERO,
+    };
     observer.see(format_args!("root"), root, format);
     root
 }
@@ -25,15 +28,20 @@ pub(super) fn amount(observer: &mut impl Observer, name: &str, cosine: Wide, for
     narrow(observer, format_args!("{name}"), cosine.max(Wide::ZERO), format)
 }
 
-/// p/q, kept within 0 to 1.
-pub(super) fn quotient(observer: &mut impl Observer, p: Wide, q: Wide, format: Format) -> Wide {
-    let quotient = if p <= Wide::ZERO || q <= Wide::ZERO {
+/// p/q, kept within 0 to 1; 0 for q ≤ 0.
+pub(super) fn limited_quotient(p: Wide, q: Wide, fraction_bits: u32) -> Wide {
+    if p <= Wide::ZERO || q <= Wide::ZERO {
         Wide::ZERO
     } else if p >= q {
         Wide::ONE
     } else {
-        round_quotient(p, q, format.fraction_bits)
-    };
+        round_quotient(p, q, fraction_bits)
+    }
+}
+
+/// The base p/q, kept within 0 to 1.
+pub(super) fn quotient(observer: &mut impl Observer, p: Wide, q: Wide, format: Format) -> Wide {
+    let quotient = limited_quotient(p, q, format.fraction_bits);
     observer.see(format_args!("base"), quotient, format);
     quotient
 }

@@ -1,20 +1,22 @@
 //! `lyon`, bit for bit [Lyon, TR 43; METHODS.md B; `docs/arithmetic.md`].
 use specula_scene::Format;
-use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation, ShapeDatapath};
+use specula_scene::spec::lyon::{
+    Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation, ShapeDatapath,
+};
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
+use super::highlight::limited_quotient;
 use super::method::{Method, Values};
-use super::number::{Wide, round_quotient, round_reciprocal_root};
+use super::number::Wide;
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::{self, PacketError};
+use super::root::reciprocal_square_root;
 use super::vector::{Vector, cross, dot};
 
 /// V = (0, 0, 1).
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
 const THREE: Wide = Wide::lit("3");
-/// The z that the exact normalisation counts smaller ones as, 4^-4.
-const SHORTEST_SQUARED: Wide = Wide::lit("0.00390625");
 
 /// The method in one core's formats.
 pub(super) struct Lyon {
@@ -109,11 +111,7 @@ impl Lyon {
         let f = &self.formats;
         let p = narrow(observer, format_args!("wrap_p"), dot(h, axis), f.wrap_operand);
         let q = narrow(observer, format_args!("wrap_q"), dot(h, h), f.wrap_operand);
-        let ratio = match p > Wide::ZERO && q > Wide::ZERO {
-            true if p >= q => Wide::ONE,
-            true => round_quotient(p, q, f.wrap_ratio.fraction_bits),
-            false => Wide::ZERO,
-        };
+        let ratio = limited_quotient(p, q, f.wrap_ratio.fraction_bits);
         observer.see(format_args!("wrap_ratio"), ratio, f.wrap_ratio);
         narrow_vector(observer, "normal", std::array::from_fn(|c| (ratio << 1) * h[c] - axis[c]), f.vector)
     }
@@ -124,7 +122,7 @@ impl Lyon {
         let first = match self.normalisation {
             Normalisation::None => return Wide::ONE,
             Normalisation::Exact => {
-                let root = round_reciprocal_root(z.max(SHORTEST_SQUARED), self.formats.gain.fraction_bits);
+                let root = reciprocal_square_root(z, LOG2_LARGEST_GAIN, self.formats.gain.fraction_bits);
                 observer.see(format_args!("gain"), root, self.formats.gain);
                 return root;
             }

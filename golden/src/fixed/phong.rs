@@ -118,9 +118,9 @@ impl Phong {
         (z > Wide::ZERO).then_some(unit)
     }
 
-    /// 1/√z, saturated; 0 where z is.
+    /// 1/√z, 16 for z ≤ 1/256.
     fn gain(&self, z: Wide) -> Wide {
-        reciprocal_square_root(z, self.formats.gain)
+        reciprocal_square_root(z, self.formats.gain.integer_bits, self.formats.gain.fraction_bits)
     }
 
     fn cosine(&self, name: &str, a: Direction, b: Direction, observer: &mut impl Observer) -> Wide {

@@ -2,10 +2,10 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse};
 
-use super::eye;
+use super::{eye, finish};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
-use crate::units::{self, Consistency, ExactNormalisation, Interpolation, Light, ReciprocalRoot, SpanAngles, SpanNormals};
+use crate::units::{self, Consistency, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection. [Reshetov, Soupikov and Mark]
 pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> Result<Design, TooWide> {
@@ -25,7 +25,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
     );
     let to = ExactNormalisation {
         length_squared_fraction_bits: f.length_squared.fraction_bits,
-        reciprocal: ReciprocalRoot { integer_bits: f.gain.integer_bits, fraction_bits: f.gain.fraction_bits },
+        reciprocal: f.gain.into(),
         vector_fraction_bits: f.vector.fraction_bits,
     };
     let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
@@ -37,8 +37,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
     let pixel = Pixel { b: &b, spec, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: &r };
     let log2_shininess = &inputs.log2_shininess;
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, log2_shininess)).collect();
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }
 
 /// q at the largest angle that a vertex has.

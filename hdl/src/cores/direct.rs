@@ -2,9 +2,10 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::direct::{DirectLight, DirectSpec};
 
+use super::finish;
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
-use crate::units::{self, Light, ReciprocalRoot};
+use crate::units::{self, Light};
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to 4.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, TooWide> {
@@ -13,16 +14,14 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let formats = &direct.formats;
     let t = units::parameter(&b, &control.start, &inputs.weight_step, formats, spec.longest_span - 1);
     let q = units::squared_length(&b, &t, &inputs.spread, formats);
-    let to = ReciprocalRoot { integer_bits: formats.reciprocal.integer_bits, fraction_bits: formats.reciprocal.fraction_bits };
     // Unit ends are no closer to each other's middle than those of which the longer alone is a unit vector.
     let smallest_q = spec.shortest_normal * spec.shortest_normal;
-    let s = units::reciprocal_square_root(&b, &q, to, smallest_q);
+    let s = units::reciprocal_square_root(&b, &q, formats.reciprocal.into(), smallest_q);
     let view = [&inputs.view.start, &inputs.view.delta];
     let k = b.instance("n_dot_v", || units::direct_cosine(&b, &t, view, &s, formats));
     let pixel = Pixel { b: &b, spec, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, log2_shininess: &inputs.log2_shininess };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

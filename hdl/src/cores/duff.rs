@@ -2,6 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::duff::{DuffLight, DuffSpec, Highlight};
 
+use super::finish;
 use super::forward::Forward;
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
@@ -23,8 +24,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Desig
     let exponent = &inputs.log2_exponent;
     let pixel = Pixel { forward, spec, duff, length: &length, view: view.as_ref(), view_cosine: view_cosine.as_ref(), exponent };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

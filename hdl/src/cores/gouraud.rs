@@ -2,6 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::gouraud::{GouraudLight, GouraudSpec, Intensity};
 
+use super::finish;
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, Light};
@@ -26,6 +27,5 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, gouraud: &GouraudSpec) -> Result
         specular_coefficients: light.specular.clone(),
     };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(light).collect();
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }

@@ -2,6 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
 
+use super::finish;
 use super::forward::Forward;
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
@@ -15,8 +16,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<D
     let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), hybrid.formats.operand.fraction_bits).named("q");
     let pixel = Pixel { forward, spec, hybrid, log2_shininess: &inputs.log2_shininess };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, &q)).collect();
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

@@ -2,7 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
 
-use super::eye;
+use super::{eye, finish};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
 use crate::units::{self, Interpolation, Light, SpanNormals};
@@ -14,8 +14,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
     let (n, has_direction) = normal(&b, &control.start, &inputs, spec, lyon);
     let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }
 
 /// n at each pixel, and whether it has a direction.

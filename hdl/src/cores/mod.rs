@@ -14,9 +14,10 @@ use std::rc::Rc;
 
 use specula_scene::{CoreSpec, MethodSpec};
 
-use crate::builder::{Builder, TooWide, Vector};
+use crate::builder::{Builder, Control, TooWide, Vector};
 use crate::design::Design;
 use crate::target::Generic;
+use crate::units::{self, Coefficients, Light};
 
 /// The core that a spec asks for, elaborated under the module name `name`.
 ///
@@ -54,4 +55,10 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
 /// V = (0, 0, 1): the eye is at infinity, so what multiplies its components folds away.
 fn eye(b: &Builder) -> Vector {
     Vector::new([0, 0, 1].map(|component| b.integer(component)))
+}
+
+/// The codes of the lights' sum are the core's outputs.
+fn finish(b: &Builder, control: &Control, ambient: &Coefficients, lights: &[Light]) -> Result<Design, TooWide> {
+    let [red, green, blue] = units::channels(b, ambient, lights);
+    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
 }

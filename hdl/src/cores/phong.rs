@@ -2,7 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::phong::{Highlight, PhongInputs, PhongLight, PhongSpec, Way};
 
-use super::eye;
+use super::{eye, finish};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
 use crate::units::{self, ExactNormalisation, Interpolation, Light, ReciprocalRoot};
@@ -22,8 +22,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Des
     let weight = units::weight(&b, &control.start, &inputs.weight_step, interpolation);
     let pixel = Pixel { b: &b, spec, phong, interpolation, weight: &weight, shininess: &inputs.shininess };
     let lights = pixel.lights(&inputs);
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }
 
 /// What the vectors of a pixel have in common.
@@ -86,8 +85,7 @@ impl Pixel<'_> {
     }
 
     fn reciprocal(&self) -> ReciprocalRoot {
-        let gain = self.phong.formats.gain;
-        ReciprocalRoot { integer_bits: gain.integer_bits, fraction_bits: gain.fraction_bits }
+        self.phong.formats.gain.into()
     }
 
     fn direction(&self, index: usize, light: &PhongLight<Sig>) -> Direction {

@@ -2,6 +2,7 @@
 use specula_scene::spec::reflection::{Highlight, ReflectionLight, ReflectionSpec};
 use specula_scene::spec::{CoreSpec, Quadratic};
 
+use super::finish;
 use super::forward::Forward;
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
@@ -27,8 +28,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, reflection: &ReflectionSpec) -> 
         |square| pixel.forward.quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits).named("normal_squared");
     pixel.normal_squared = inputs.normal_squared.as_ref().map(normal_squared);
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

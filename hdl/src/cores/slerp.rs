@@ -2,6 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::slerp::{SlerpLight, SlerpSpec};
 
+use super::finish;
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, BaseBound, Light};
@@ -22,8 +23,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
     let bound = BaseBound::new(&slerp.formats, steps);
     let pixel = Pixel { b: &b, spec, slerp, weights, n_dot_v: &n_dot_v, log2_shininess: &inputs.log2_shininess, bound };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    let [red, green, blue] = units::channels(&b, &inputs.ambient, &lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+    finish(&b, &control, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

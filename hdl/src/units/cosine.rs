@@ -20,7 +20,7 @@ pub struct Length {
 ///
 /// What is known of its error is known of products with it, and [`cosine`] says it.
 pub fn root(b: &Builder, q: &Sig, format: Format, smallest: f64) -> Length {
-    let to = ReciprocalRoot { integer_bits: format.integer_bits, fraction_bits: format.fraction_bits };
+    let to = ReciprocalRoot::from(format);
     let positive = b.integer(0).less_than(q);
     let reciprocal = reciprocal_square_root(b, q, to, smallest);
     let root = positive.choose(&reciprocal, &b.integer(0)).named("s");

@@ -1,4 +1,5 @@
 //! Reciprocal square roots.
+use specula_scene::Format;
 use specula_scene::format::power_of_two;
 
 use crate::builder::{Builder, Sig};
@@ -11,6 +12,12 @@ pub struct ReciprocalRoot {
     pub integer_bits: u32,
     /// f: bits right of the result's binary point.
     pub fraction_bits: u32,
+}
+
+impl From<Format> for ReciprocalRoot {
+    fn from(Format { integer_bits, fraction_bits, .. }: Format) -> ReciprocalRoot {
+        ReciprocalRoot { integer_bits, fraction_bits }
+    }
 }
 
 impl ReciprocalRoot {

@@ -35,7 +35,7 @@ impl SetUpSpan for ConsistentSetUp<'_> {
     fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
         let f = &self.consistent.formats;
         let [start, end] = self.frame.end_axes(span).map(|n| f.vector.quantise_vector(n));
-        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let step = span.weight_step();
         let [angle_start, angle_step] = self.angle(span).map(|t| rounded_up(f.angle_accumulator, t));
         let inputs = ConsistentInputs {
             normal_start: start,

@@ -15,7 +15,7 @@ impl SetUpSpan for DirectSetUp<'_> {
     fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
         let f = &self.direct.formats;
         let normals = self.frame.unit_end_normals(span);
-        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let step = span.weight_step();
         let lights = self.frame.lights.iter().zip(&material.lights);
         let inputs = DirectInputs {
             weight_step: f.weight_accumulator.quantise(step),

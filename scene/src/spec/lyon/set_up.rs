@@ -88,7 +88,7 @@ impl LyonSetUp<'_> {
     }
 
     fn weight_step(&self, span: &Span) -> i64 {
-        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let step = span.weight_step();
         self.lyon.formats.weight_accumulator.quantise(step)
     }
 

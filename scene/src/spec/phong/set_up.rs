@@ -14,7 +14,7 @@ pub(super) struct PhongSetUp<'a> {
 impl SetUpSpan for PhongSetUp<'_> {
     fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
         let (f, frame) = (&self.phong.formats, self.frame);
-        let step = if span.steps() == 0 { 0.0 } else { f64::from(span.steps()).recip() };
+        let step = span.weight_step();
         let (at_infinity, local) = material.lights.split_at(frame.lights.len());
         let at_infinity = frame.lights.iter().zip(at_infinity).map(|(light, c)| self.at_infinity(light, c));
         let local = frame.local_lights.iter().zip(local).map(|(light, c)| self.at_a_place(span, light, c));
