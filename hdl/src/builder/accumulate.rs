@@ -1,7 +1,7 @@
 //! The usual feedback: a value that grows by a step with each pixel of a span.
 use super::Sig;
 use super::state::Facts;
-use crate::design::{Node, NodeId, Op, Range, Register};
+use crate::design::{ErrorForm, Node, NodeId, Op, Range, Register};
 
 impl Sig {
     /// `start` at the first pixel of a span (where `first` is 1), and from then on `step` more with each pixel.
@@ -38,7 +38,7 @@ impl super::Builder {
         let mut state = self.state.borrow_mut();
         let (scope, own) = (state.scope, NodeId(state.design.nodes.len() as u32));
         let name = state.unique(scope, "state");
-        let register = Register::Data;
-        state.push(Node { op: Op::Copy(own), register, range, fraction_bits, error: 0.0, stage, scope, name, named: true })
+        let (op, register, error, error_form) = (Op::Copy(own), Register::Data, 0.0, ErrorForm::Bounded);
+        state.push(Node { op, register, range, fraction_bits, error, error_form, stage, scope, name, named: true })
     }
 }

@@ -1,6 +1,6 @@
 //! Comparisons, bits and choices.
 use super::Sig;
-use crate::design::{Op, Range, WideRange};
+use crate::design::{ErrorForm, Op, Range, WideRange};
 
 const BIT: Range = Range::new(0, 1);
 
@@ -49,12 +49,20 @@ impl Sig {
 
     /// `yes` where this bit is 1, else `no`.
     ///
-    /// The bound is the larger of the two: it holds where the real value takes the same branch, or the branches meet.
+    /// The bound is the larger of the two: it holds where the real value takes the same branch, or the branches meet. What is known of an
+    /// error beside that is still true where the other branch is 0 exactly.
     pub fn choose(&self, yes: &Sig, no: &Sig) -> Sig {
         let fraction_bits = yes.fraction_bits().max(no.fraction_bits());
         let (a, b) = (yes.with_fraction_bits(fraction_bits), no.with_fraction_bits(fraction_bits));
         let range = a.range().hull(b.range()).into();
         let facts = (range, fraction_bits, a.error().max(b.error()));
-        Sig::operator([self, &a, &b], |[c, a, b]| Op::Select(c, a, b), facts, "chosen")
+        let zero = |sig: &Sig| sig.range().only() == Some(0) && sig.error() == 0.0;
+        let form = match (zero(&a), zero(&b)) {
+            (false, true) => yes.error_form(),
+            (true, false) => no.error_form(),
+            _ => ErrorForm::Bounded,
+        };
+        let chosen = Sig::operator([self, &a, &b], |[c, a, b]| Op::Select(c, a, b), facts, "chosen");
+        if form == ErrorForm::Bounded { chosen } else { chosen.of_error_form(form) }
     }
 }

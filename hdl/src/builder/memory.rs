@@ -1,7 +1,7 @@
 //! Tables, and registers that hold their value.
 use super::Sig;
 use super::state::Facts;
-use crate::design::{Node, NodeId, Op, Range, Register, Table, TableId};
+use crate::design::{ErrorForm, Node, NodeId, Op, Range, Register, Table, TableId};
 
 impl Sig {
     /// The entry of a table at this address, an unsigned integer; `entries` are raw values with `fraction_bits`, each off by no more
@@ -65,6 +65,7 @@ impl super::Builder {
                 range,
                 fraction_bits,
                 error,
+                error_form: ErrorForm::Bounded,
                 stage,
                 scope,
                 name,

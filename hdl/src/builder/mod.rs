@@ -26,7 +26,7 @@ use crate::target::Target;
 pub use ports::{Bundle, Inputs};
 pub use recurrence::Known;
 pub use sig::Sig;
-pub use vector::Vector;
+pub use vector::{Off, Vector};
 
 use state::State;
 

@@ -3,7 +3,7 @@ use specula_scene::format::power_of_two;
 
 use super::Sig;
 use super::state::Facts;
-use crate::design::{Assumption, Op, Range, Register};
+use crate::design::{Assumption, ErrorForm, Op, Range, Register};
 
 impl Sig {
     /// Nearest value with `fraction_bits` bits right of the point, ties up; off by half a unit of the new last place at most.
@@ -154,6 +154,20 @@ impl Sig {
     pub fn stated_error_value(self, error: f64) -> Sig {
         let in_ulps = error / self.ulp();
         self.with_error(in_ulps)
+    }
+
+    /// States that it is the cosine of an angle off by `angle`, and off by `rest` beside that; see [`ErrorForm::OfCosine`].
+    pub fn known_cosine(self, angle: f64, rest: f64) -> Sig {
+        if !(angle + rest).is_finite() {
+            return self;
+        }
+        self.proven_error_value(angle + rest).of_error_form(ErrorForm::OfCosine { angle, rest })
+    }
+
+    /// States what is known of its error beside the bound. The unit gives the proof above it.
+    pub fn of_error_form(self, form: ErrorForm) -> Sig {
+        self.builder.state.borrow_mut().design.nodes[self.id().0 as usize].error_form = form;
+        self
     }
 
     pub(super) fn with_error(self, error: f64) -> Sig {

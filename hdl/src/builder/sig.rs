@@ -4,7 +4,7 @@ use specula_scene::format::power_of_two;
 
 use super::Builder;
 use super::state::Facts;
-use crate::design::{NodeId, Op, Range, Register, WideRange};
+use crate::design::{ErrorForm, NodeId, Op, Range, Register, WideRange};
 
 /// A value being described: its format, its proven range, its error bound and the stage at which it is valid.
 #[derive(Clone)]
@@ -59,6 +59,14 @@ impl Sig {
     /// Bound on |fixed - real|, as a value.
     pub fn error_value(&self) -> f64 {
         self.error() * self.ulp()
+    }
+
+    /// What is known of its error beside the bound.
+    pub fn error_form(&self) -> ErrorForm {
+        let state = self.builder.state.borrow();
+        let node = state.design.node(self.id);
+        // It is about values, which a moved binary point changes.
+        if node.fraction_bits == self.fraction_bits { node.error_form } else { ErrorForm::Bounded }
     }
 
     /// Gives it a name, unless it has one.

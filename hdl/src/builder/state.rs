@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::TooWide;
 use super::fold;
-use crate::design::{Design, LeftOut, Node, NodeId, Op, Range, Register, Scope, ScopeId, WideRange};
+use crate::design::{Design, ErrorForm, LeftOut, Node, NodeId, Op, Range, Register, Scope, ScopeId, WideRange};
 use crate::target::Target;
 use crate::verilog::{CONTROL, is_reserved};
 
@@ -82,6 +82,7 @@ impl State {
             range: Range::single(value),
             fraction_bits,
             error: 0.0,
+            error_form: ErrorForm::Bounded,
             stage: 0,
             scope: self.scope,
             name: String::new(),
@@ -92,8 +93,8 @@ impl State {
 
     pub fn open_input(&mut self, name: &str, range: Range, fraction_bits: u32, error: f64) -> NodeId {
         let name = self.unique(self.scope, name);
-        let (op, register, scope) = (Op::Input, Register::None, self.scope);
-        self.push(Node { op, register, range, fraction_bits, error, stage: 0, scope, name, named: true })
+        let (op, register, scope, error_form) = (Op::Input, Register::None, self.scope, ErrorForm::Bounded);
+        self.push(Node { op, register, range, fraction_bits, error, error_form, stage: 0, scope, name, named: true })
     }
 
     /// Adds an operator, or what it folds to. Operands are in this unit and of one stage.
@@ -115,6 +116,7 @@ impl State {
             range,
             fraction_bits: facts.fraction_bits,
             error: facts.error,
+            error_form: ErrorForm::Bounded,
             stage: stage + clocks,
             scope,
             name,

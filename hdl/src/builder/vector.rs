@@ -16,12 +16,85 @@ pub struct Vector {
     pub z: Sig,
     /// What has been stated of its length; infinite where nothing has.
     pub(super) longest: f64,
+    /// What has been stated of its error.
+    pub(super) off: Off,
+}
+
+/// How far a vector is off as a whole: lengths, where bounds on the errors of its components count each of them at its worst.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Off {
+    /// In any direction.
+    pub length: f64,
+    /// Across the real vector: what turns it.
+    pub across: f64,
+    /// Along the real vector: what makes it longer or shorter.
+    pub along: f64,
+}
+
+impl Off {
+    /// Nothing is known.
+    pub const UNKNOWN: Off = Off::within(f64::INFINITY);
+
+    /// By no more than `length`, whatever the direction.
+    pub const fn within(length: f64) -> Off {
+        Off { length, across: length, along: length }
+    }
+
+    /// By no more than these across and along.
+    pub fn parts(across: f64, along: f64) -> Off {
+        Off { length: across.hypot(along), across, along }
+    }
+
+    /// By how much the length of a real unit vector is off at most; infinite where nothing of it may be left.
+    ///
+    /// |V'| ≥ 1 - along, and |V'| = √((1 + along)² + across²) ≤ 1 + along + across²/2.
+    pub fn stretch(self) -> f64 {
+        if self.along < 1.0 { self.along + self.across * self.across / 2.0 } else { f64::INFINITY }
+    }
+
+    /// And by no more than `length` besides.
+    fn and_within(self, length: f64) -> Off {
+        Off { length: self.length + length, across: self.across + length, along: self.along + length }
+    }
+
+    /// What both bounds leave.
+    fn and_also(self, other: Off) -> Off {
+        let Off { length, across, along } = other;
+        Off { length: self.length.min(length), across: self.across.min(across), along: self.along.min(along) }
+    }
+
+    /// By the angle it turns a real unit vector at most, in radians; a half turn where it may be longer than that.
+    pub fn angle(self) -> f64 {
+        let shortest = 1.0 - self.along;
+        if self.across < shortest { (self.across / shortest).atan() } else { std::f64::consts::PI }
+    }
 }
 
 impl Vector {
     /// A vector from its components.
     pub fn new([x, y, z]: [Sig; 3]) -> Vector {
-        Vector { x, y, z, longest: f64::INFINITY }
+        Vector { x, y, z, longest: f64::INFINITY, off: Off::UNKNOWN }
+    }
+
+    /// States how far the vector is off as a whole. The unit gives the proof above it.
+    pub fn proven_off(self, off: Off) -> Vector {
+        Vector { off, ..self }
+    }
+
+    /// States how far the vector is off as a whole, and so each component at most. The unit gives the proof above it.
+    pub fn known_off(self, off: Off) -> Vector {
+        self.map(|component| component.clone().stated_error_value(off.length)).no_longer_than(self.longest).proven_off(off)
+    }
+
+    /// As [`Vector::known_off`], where propagation may know more of components.
+    pub fn proven_off_by(self, length: f64) -> Vector {
+        self.proven_error_value(length).proven_off(Off::within(length))
+    }
+
+    /// How far it is off as a whole: what has been stated of it, or the diagonal of the components' errors.
+    pub fn off(&self) -> Off {
+        let diagonal = [&self.x, &self.y, &self.z].map(|sig| sig.error_value().powi(2)).into_iter().sum::<f64>().sqrt();
+        self.off.and_also(Off::within(diagonal))
     }
 
     /// Applies `f` to each component.
@@ -59,16 +132,17 @@ impl Vector {
 
     /// The dot product of vectors no longer than `lengths`, by `fact` no larger than their product.
     ///
-    /// With components off by e it is off by √3 (|a| e_b + |b| e_a) + 3 e_a e_b (Cauchy and Schwarz).
+    /// With vectors off by e_a and e_b it is off by |a| e_b + |b| e_a + e_a e_b (Cauchy and Schwarz).
     pub fn dot_within(&self, other: &Vector, lengths: (f64, f64), fact: &str) -> Sig {
         let limit = lengths.0 * lengths.1;
-        let error = product_error(lengths, (self.largest_error(), other.largest_error()));
+        let error = product_error(lengths, (self.off().length, other.off().length));
         self.dot(other).assumed(-limit, limit, fact).proven_error_value(error)
     }
 
     /// The squared length of a vector that by `fact` is no longer than `length`; its error as that of a dot product.
     pub fn length_squared_within(&self, length: f64, fact: &str) -> Sig {
-        let error = product_error((length, length), (self.largest_error(), self.largest_error()));
+        let off = self.off().length;
+        let error = product_error((length, length), (off, off));
         self.length_squared().assumed(0.0, length * length, fact).proven_error_value(error)
     }
 
@@ -91,10 +165,14 @@ impl Vector {
         ])
     }
 
-    /// Each component rounded to `fraction_bits`, which makes the vector longer by √3/2 units of the last place at most.
+    /// Each component rounded to `fraction_bits`, which moves the vector by √3/2 units of the last place at most.
     pub fn rounded(&self, fraction_bits: u32) -> Vector {
-        let longest = self.longest + 0.75f64.sqrt() * power_of_two(-i64::from(fraction_bits));
-        self.map(|component| component.rounded(fraction_bits)).no_longer_than(longest)
+        let moved = match [&self.x, &self.y, &self.z].iter().any(|sig| sig.fraction_bits() > fraction_bits) {
+            true => 0.75f64.sqrt() * power_of_two(-i64::from(fraction_bits)),
+            false => 0.0,
+        };
+        let rounded = self.map(|component| component.rounded(fraction_bits)).no_longer_than(self.longest + moved);
+        rounded.proven_off(self.off().and_within(moved))
     }
 
     /// States that the vector is no longer than `length`, so that each component lies within it.
@@ -104,17 +182,17 @@ impl Vector {
 
     /// States that each component lies from -`limit` to `limit`.
     pub fn components_assumed_within(&self, limit: f64, fact: &str) -> Vector {
-        self.map(|component| component.assumed(-limit, limit, fact)).no_longer_than(self.longest)
+        self.map(|component| component.assumed(-limit, limit, fact)).no_longer_than(self.longest).proven_off(self.off)
     }
 
     /// States a bound on the error of each component, as [`Sig::proven_error_value`] does.
     pub fn proven_error_value(self, error: f64) -> Vector {
-        self.map(|component| component.clone().proven_error_value(error)).no_longer_than(self.longest)
+        self.map(|component| component.clone().proven_error_value(error)).no_longer_than(self.longest).proven_off(self.off)
     }
 }
 
 fn product_error((a, b): (f64, f64), (error_a, error_b): (f64, f64)) -> f64 {
-    3f64.sqrt() * (a * error_b + b * error_a) + 3.0 * error_a * error_b
+    a * error_b + b * error_a + error_a * error_b
 }
 
 impl Add for &Vector {

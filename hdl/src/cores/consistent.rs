@@ -21,7 +21,14 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
     let normal = units::interpolate(
         &b,
         span,
-        Interpolation { accumulator: f.weight_accumulator, weight: f.weight, vector: f.vector, longest: 1.0, steps },
+        Interpolation {
+            accumulator: f.weight_accumulator,
+            weight: f.weight,
+            vector: f.vector,
+            longest: 1.0,
+            apart: units::chord(spec.shortest_normal),
+            steps,
+        },
     );
     let to = ExactNormalisation {
         length_squared_fraction_bits: f.length_squared.fraction_bits,

@@ -5,7 +5,7 @@ use specula_scene::spec::direct::{DirectLight, DirectSpec};
 use super::finish;
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
-use crate::units::{self, Light};
+use crate::units::{self, Light, UnitNormal};
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to 4.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, TooWide> {
@@ -18,8 +18,10 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let smallest_q = spec.shortest_normal * spec.shortest_normal;
     let s = units::reciprocal_square_root(&b, &q, formats.reciprocal.into(), smallest_q);
     let view = [&inputs.view.start, &inputs.view.delta];
-    let k = b.instance("n_dot_v", || units::direct_cosine(&b, &t, view, &s, formats));
-    let pixel = Pixel { b: &b, spec, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, log2_shininess: &inputs.log2_shininess };
+    let normal = UnitNormal::new(&t, &inputs.spread, formats, spec.shortest_normal);
+    let k = b.instance("n_dot_v", || units::direct_cosine(&b, &t, view, &s, formats, normal));
+    let pixel =
+        Pixel { b: &b, spec, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, normal, log2_shininess: &inputs.log2_shininess };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -34,6 +36,7 @@ struct Pixel<'a> {
     s: &'a Sig,
     k: &'a Sig,
     smallest_q: f64,
+    normal: UnitNormal,
     log2_shininess: &'a Sig,
 }
 
@@ -42,7 +45,7 @@ impl Pixel<'_> {
         let (b, formats) = (self.b, &self.direct.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let ends = [&light.light.start, &light.light.delta];
-        let j = b.instance(&called("n_dot_l"), || units::direct_cosine(b, self.t, ends, self.s, formats));
+        let j = b.instance(&called("n_dot_l"), || units::direct_cosine(b, self.t, ends, self.s, formats, self.normal));
         let bits = formats.base.fraction_bits;
         let base = || units::directed_base(b, [&j, self.k], &light.light_dot_view, self.q, self.smallest_q, bits);
         let base = b.instance(&called("base"), base);

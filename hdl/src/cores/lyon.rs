@@ -31,7 +31,18 @@ fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, l
     let along = |longest| {
         let span = SpanNormals { first, start: &start, delta: &delta, weight_step };
         let &LyonFormats { weight_accumulator: accumulator, weight, vector, .. } = formats;
-        units::interpolate(b, span, Interpolation { accumulator, weight, vector, longest, steps: spec.longest_span - 1 })
+        units::interpolate(
+            b,
+            span,
+            Interpolation {
+                accumulator,
+                weight,
+                vector,
+                longest,
+                apart: units::chord(spec.shortest_normal),
+                steps: spec.longest_span - 1,
+            },
+        )
     };
     match &inputs.wrap_axis {
         None => units::normalise(b, &along(1.0), lyon, spec.shortest_normal),

@@ -17,6 +17,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Des
         weight: f.weight,
         vector: f.vector,
         longest: 1.0,
+        apart: units::chord(spec.shortest_normal.min(spec.shortest_way)),
         steps: spec.longest_span - 1,
     };
     let weight = units::weight(&b, &control.start, &inputs.weight_step, interpolation);

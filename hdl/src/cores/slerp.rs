@@ -48,10 +48,9 @@ impl Pixel<'_> {
         let base = b.instance(&called("base"), base);
         let most_squarings = self.spec.largest_shininess.ilog2();
         let power = || units::power(b, &base, self.log2_shininess, most_squarings, formats.base.fraction_bits);
-        let specular = b.instance(&called("power"), power).proven_error_value(self.bound.of_power(most_squarings));
         Light {
             diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &n_dot_l, formats.diffuse.fraction_bits)),
-            specular,
+            specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
         }

@@ -1,6 +1,7 @@
 //! An elaborated design: every signal, what computes it, and the units they belong to.
 //!
 //! The builder makes it; engines run it, `block` turns it into rust-hdl blocks, and `verilog` prints those.
+mod error_form;
 mod op;
 mod prune;
 mod range;
@@ -8,6 +9,7 @@ mod size;
 
 use specula_scene::Format;
 
+pub use error_form::ErrorForm;
 pub use op::{Op, Table, TableId, wrapped};
 pub use range::{Range, WideRange};
 pub use size::{Size, UnitSize};
@@ -49,6 +51,8 @@ pub struct Node {
     pub fraction_bits: u32,
     /// Bound on |fixed - real|, in units of the last place.
     pub error: f64,
+    /// What is known of the error beside that.
+    pub error_form: ErrorForm,
     /// Clocks after a pixel's entry at which the value belongs to that pixel.
     pub stage: u32,
     /// The unit it belongs to.

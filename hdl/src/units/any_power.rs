@@ -4,16 +4,17 @@
 use specula_scene::format::power_of_two;
 
 use super::fixed_log;
+use super::power_error::PowerError;
 use crate::builder::{Builder, Sig};
 
 /// b^n for a base from 0 to 1 and whole n ≥ 1, to `fraction_bits`: faithful, off by less than one unit of the last place.
 ///
 /// # Error
-/// A base off by e moves b^n by n e at most, and less than 1 in any case.
+/// See [`PowerError`]; less than 1 in any case.
 pub fn any_power(b: &Builder, base: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
     b.unit("any_power", "f = b^n = 2^(n log2 b)", (("base", base), ("n", n)), |b, (base, n)| {
         let exponent_bits = u64::BITS - n.range().high.unsigned_abs().leading_zeros();
-        let error = (base.error_value() * n.range().magnitude()).min(1.0) + power_of_two(-i64::from(fraction_bits));
+        let error = PowerError::of(&base, n.range().magnitude()).and(power_of_two(-i64::from(fraction_bits)));
         let (zero, one) = (b.integer(0), b.integer(1));
         let positive = zero.less_than(&base).named("positive");
         // Of 0 there is no logarithm; 1 goes in instead.
@@ -24,7 +25,7 @@ pub fn any_power(b: &Builder, base: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
         let beyond = f64::from(fraction_bits + 2) - power_of_two(-i64::from(fraction_bits + 6));
         let y = vanishes.choose(&zero, &y).assumed(0.0, beyond, "y < f + 2").named("kept_y");
         let power = two_to_minus(b, &y, fraction_bits);
-        vanishes.choose(&zero, &power).stated_error_value(error.min(1.0)).named("f")
+        error.state(vanishes.choose(&zero, &power)).named("f")
     })
 }
 

@@ -1,5 +1,8 @@
 //! From intensities to a pixel.
+use specula_scene::spec::FULL_SCALE;
+
 use crate::builder::{Builder, Sig};
+use crate::design::ErrorForm;
 
 /// A colour coefficient for each channel, in LSBs of the output.
 pub type Coefficients = [Sig; 3];
@@ -23,6 +26,11 @@ pub fn channels(b: &Builder, ambient: &Coefficients, lights: &[Light]) -> [Sig; 
 }
 
 /// c = ambient + Σ (diffuse coefficient · diffuse + specular coefficient · specular), rounded, at most 255.
+///
+/// # Error
+/// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the smaller sum, and of each product k f the
+/// smaller one in it, adds up to less than 255; so with intensities off by ρ f + r and coefficients by e, the sum is off by 255 times the
+/// largest ρ, and by Σ (k r + f e) with the largest k and f.
 fn channel(b: &Builder, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()];
     let intensities = |light: &Light| [light.diffuse.clone(), light.specular.clone()];
@@ -31,8 +39,28 @@ fn channel(b: &Builder, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let inputs = (("ambient", ambient), ("coefficient", &coefficients), ("intensity", &intensities));
     let formula = "c = min(ambient + sum of coefficient x intensity, 255) [METHODS A3]";
     b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities)| {
+        let below_full_scale = below_full_scale(&ambient, &coefficients, &intensities);
         let sum =
             coefficients.iter().zip(&intensities).fold(ambient, |sum, (coefficient, intensity)| sum + coefficient * intensity);
-        sum.rounded(0).clamped_above(255).named("code")
+        sum.rounded(0).clamped_above(255).proven_error_value(below_full_scale + 0.5).named("code")
     })
+}
+
+/// What the sum is off by where it is below full scale.
+fn below_full_scale(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig]) -> f64 {
+    if coefficients.iter().chain(intensities).chain([ambient]).any(|sig| sig.range().low < 0) {
+        return f64::INFINITY;
+    }
+    let largest = |sig: &Sig| sig.range().magnitude() * sig.ulp();
+    let (mut ratio, mut rest) = (0.0_f64, ambient.error_value());
+    for (coefficient, intensity) in coefficients.iter().zip(intensities) {
+        let (of_value, beside) = match intensity.error_form() {
+            ErrorForm::Proportional { ratio, rest } => (ratio, rest),
+            _ => (0.0, intensity.error_value()),
+        };
+        ratio = ratio.max(of_value);
+        rest += (largest(coefficient) + coefficient.error_value()) * beside.min(intensity.error_value())
+            + (largest(intensity) + intensity.error_value()) * coefficient.error_value();
+    }
+    FULL_SCALE * ratio + rest
 }

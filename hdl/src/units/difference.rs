@@ -1,19 +1,18 @@
 //! The vector D, whose squared length the highlight depends on.
 use specula_scene::spec::lyon::LyonFormats;
 
-use crate::builder::{Builder, Vector};
+use crate::builder::{Builder, Off, Vector};
 
 /// D = H × N with H = L + V, as long as the part of H that is perpendicular to N. [METHODS B13]
 ///
-/// |D| ≤ |H||N| and |H| ≤ 2. A component of D is off by the errors of two components of N times |H|, and the other way round:
-/// √2 (|H| e_N + |N| e_H).
+/// |D| ≤ |H||N| and |H| ≤ 2, and with H and N off by e_H and e_N, D is off by |H| e_N + |N| e_H + e_H e_N.
 pub fn halfway_cross_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFormats) -> Vector {
     b.unit("halfway_cross_normal", "D = H x N, H = L + V [METHODS B13]", (("h", h), ("n", n)), |_, (h, n)| {
         let (longest_h, longest_n) = (2.0 + 2.0 * formats.vector.ulp(), n.longest());
-        let (e_h, e_n) = (h.x.error_value(), n.x.error_value());
-        let error = std::f64::consts::SQRT_2 * (longest_h * e_n + longest_n * e_h + e_h * e_n);
+        let (e_h, e_n) = (h.off().length, n.off().length);
+        let error = longest_h * e_n + longest_n * e_h + e_h * e_n;
         let d = h.cross(&n).assumed_within(longest_h * longest_n, "|H x N| <= |H||N|");
-        d.proven_error_value(error).rounded(formats.difference.fraction_bits).named("d")
+        d.proven_off_by(error).rounded(formats.difference.fraction_bits).named("d")
     })
 }
 
@@ -36,6 +35,11 @@ pub fn light_reflection(b: &Builder, n: &Vector, l: &Vector, v: &Vector, formats
 /// The unit vector `of` reflected about n, less the unit vector `from`: 2(n·of)n - of - from.
 ///
 /// It is no longer than the reflection and 1, and the reflection exceeds 1 no more than |n|² does.
+///
+/// # Error
+/// 2(n·of)n = |n|² (R + of) for the reflection R about n's direction. With n' off by a across and l along n, R turns by twice the angle
+/// that n does, which moves it by 2a/|n'|, and |n'|² - |n|² ≤ 2|n| l + l² + a². So the reflection is off by 2|n'| a and twice the latter; an `of`
+/// off by e adds e max(1, 2|n|² - 1), since reflecting about n stretches by no more; rounding 2(n·of) adds |n| times half a unit.
 fn reflected_minus(n: &Vector, (name, of): (&str, &Vector), from: &Vector, formats: &LyonFormats) -> Vector {
     let fraction_bits = formats.difference.fraction_bits;
     let cosine = n.dot_within(of, (n.longest(), of.longest()), "|N.V|, |N.L| <= |N|");
@@ -44,13 +48,22 @@ fn reflected_minus(n: &Vector, (name, of): (&str, &Vector), from: &Vector, forma
     // R = 2(N·V)N - V is off by up to |N|² in length as N is, and rounding each component adds to that.
     let longest_n = n.longest();
     let longest = 2.0 * longest_n * longest_n + 8.0 * formats.vector.ulp() + 8.0 * formats.difference.ulp();
-    (reflection - from).assumed_within(longest, "|R - L| <= |R| + |L|").rounded(fraction_bits).named("d")
+    let Off { across, along, .. } = n.off();
+    let square = 2.0 * longest_n * along + along * along + across * across;
+    let of_n = 2.0 * (longest_n + along + across) * across + 2.0 * square;
+    let of_vectors = of.off().length * (2.0 * (longest_n + along).powi(2) - 1.0).max(1.0) + from.off().length;
+    let off = of_n + of_vectors + 0.5 * longest_n * formats.difference.ulp();
+    let d = (reflection - from).assumed_within(longest, "|R - L| <= |R| + |L|");
+    d.proven_off_by(off).rounded(fraction_bits).named("d")
 }
 
 /// D = (H·N)N - H, the way from H to its projection on N; `h` is H = L + V or about a unit vector. [Lyon, TR 43, fig. 5; METHODS B5, B6]
 ///
 /// With r = |N|, the part along N is (r² - 1) times that of H and the part across is that of H: |D| ≤ |H| max(1, r² - 1). Rounding H·N
 /// lengthens it by |N|/2 units of the last place.
+///
+/// # Error
+/// With H and N off by e_H and e_N it is off by 2|H||N| e_N + (|N|² + 1) e_H, products of errors, and |N|/2 units.
 pub fn halfway_projection(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFormats) -> Vector {
     let formula = "D = (H.N)N - H [Lyon, TR 43, fig. 5]";
     b.unit("halfway_projection", formula, (("h", h), ("n", n)), |_, (h, n)| {
@@ -59,7 +72,10 @@ pub fn halfway_projection(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFor
         let h_dot_n = h.dot_within(&n, lengths, "|H.N| <= |H||N|").rounded(fraction_bits).named("h_dot_n");
         let longest = lengths.0 * (lengths.1 * lengths.1 - 1.0).max(1.0) + lengths.1 * formats.difference.ulp();
         let d = n.scaled(&h_dot_n) - &h;
-        d.assumed_within(longest, "|(H.N)N - H| <= |H|").rounded(fraction_bits).named("d")
+        let (e_h, e_n) = (h.off().length, n.off().length);
+        let (h_reach, n_reach) = (lengths.0 + e_h, lengths.1 + e_n);
+        let off = h_reach * (2.0 * n_reach * e_n) + (n_reach * n_reach + 1.0) * e_h + 0.5 * n_reach * formats.difference.ulp();
+        d.assumed_within(longest, "|(H.N)N - H| <= |H|").proven_off_by(off).rounded(fraction_bits).named("d")
     })
 }
 
@@ -67,6 +83,11 @@ pub fn halfway_projection(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFor
 pub fn halfway_minus_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFormats) -> Vector {
     b.unit("halfway_minus_normal", "D = h - N [Lyon, TR 43]", (("h", h), ("n", n)), |_, (h, n)| {
         let longest = h.longest() + n.longest();
-        (&h - &n).assumed_within(longest, "|h - N| <= |h| + |N|").rounded(formats.difference.fraction_bits).named("d")
+        let off = h.off().length + n.off().length;
+        (&h - &n)
+            .assumed_within(longest, "|h - N| <= |h| + |N|")
+            .proven_off_by(off)
+            .rounded(formats.difference.fraction_bits)
+            .named("d")
     })
 }

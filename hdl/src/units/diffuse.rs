@@ -17,11 +17,11 @@ pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Si
 
 /// The cosine between a vector that is to be no longer than 1 and a unit vector, kept within 0 to 1.
 ///
-/// The real cosine's vectors are no longer than 1, so with components off by e_v and e_l it is off by √3 (e_v + e_l) + 3 e_v e_l.
+/// The real cosine's vectors are no longer than 1, so with vectors off by e_v and e_l it is off by e_v + e_l + e_v e_l.
 pub fn clamped_cosine(b: &Builder, v: &Vector, l: &Vector, format: Format) -> Sig {
     b.unit("clamped_cosine", "min(max(V.L, 0), 1)", (("v", v), ("l", l)), |_, (v, l)| {
-        let (e_v, e_l) = (v.largest_error(), l.largest_error());
-        let error = 3f64.sqrt() * (e_v + e_l) + 3.0 * e_v * e_l;
+        let (e_v, e_l) = (v.off().length, l.off().length);
+        let error = e_v + e_l + e_v * e_l;
         let cosine = v.dot(&l).proven_error_value(error).rounded(format.fraction_bits);
         cosine.at_least_zero().clamped_above(1).named("cosine")
     })

@@ -26,6 +26,8 @@ pub struct Interpolation {
     pub vector: Format,
     /// How long the vectors at the ends are but for rounding, and so all between them: 1 for normals.
     pub longest: f64,
+    /// How far they are apart at most.
+    pub apart: f64,
     /// Steps of the longest span.
     pub steps: u32,
 }
@@ -66,10 +68,21 @@ fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig 
 
 /// X0 and X1 lie in the unit ball but for rounding, √3/2 units of the last place. With a ≤ 1 + o, where o is [`overshoot`], X' is
 /// longer than the longer of them by the factor 1 + 2o at most, and each of its components lies within 1 + 2o; longer ends alike.
+///
+/// # Error
+/// The host sends X1 - X0 of rounded ends, so with ends off by e and a' for what a comes out as X' is off by |1 - a'| e + a' e, and by
+/// |X1 - X0| times what a' is off.
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
     let reach = 1.0 + 2.0 * overshoot(to.accumulator, to.weight, to.steps);
+    let off = start.off().length * reach + a.error_value() * to.apart.min(delta.longest());
     let vector = (start + &delta.scaled(a)).no_longer_than((to.longest + to.vector.ulp()) * reach);
-    vector.components_assumed_within(to.longest * reach, fact).rounded(to.vector.fraction_bits)
+    let vector = vector.components_assumed_within(to.longest * reach, fact);
+    vector.proven_off_by(off).rounded(to.vector.fraction_bits)
+}
+
+/// How far the ends are apart of a span in the unit ball that comes no nearer to its centre than `shortest`: a chord.
+pub fn chord(shortest: f64) -> f64 {
+    2.0 * (1.0 - shortest * shortest).max(0.0).sqrt()
 }
 
 /// How far past 1 the weight can come out.

@@ -2,7 +2,7 @@
 use specula_scene::format::power_of_two;
 
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-use crate::builder::{Builder, Sig, Vector};
+use crate::builder::{Builder, Off, Sig, Vector};
 
 /// The narrowing points of an exact normalisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,9 +24,12 @@ pub struct ExactNormalisation {
 /// the rounding of n.
 ///
 /// # Error
-/// With N off by e in each component, z by e_z and s = `shortest`² - e_z ≥ 4^-m, a component of n is off by r e + e_z/(2s) + |N| u_r/2,
-/// since |√z - √z'|/√z' ≤ e_z/2s, and by u_n/2. Where s is smaller nothing is known of n but that both are no longer than it can be; and
-/// rounding may decide whether N has a direction.
+/// Let N' be N as it comes, off by e as a whole, and s = `shortest`. Both have length s - e at least, and their directions are no further
+/// apart than t = e/√(s (s - e)). Beside that n has the length of N' √(1/z): with x = u_z/(2 (s - e)² - u_z), the relative error that
+/// rounding leaves in z, it is 1 but for ρ = x/(2 - x) + |N| u_r/2. So n is off by (1 + ρ) t across and ρ + (1 + ρ) t²/2 along N, and by what
+/// n is rounded by; where (s - e)² - u_z/2 is below 4^-m, nothing is known of n but that both are no longer than it can be.
+///
+/// Of z itself no bound is asked: that it is the squared length of N', and not of N, is no error of the direction.
 pub fn normalise_exactly(b: &Builder, normal: &Vector, to: ExactNormalisation, shortest: f64) -> (Vector, Sig) {
     b.unit("normalise_exactly", "n = N/sqrt(N.N)", (("normal", normal),), |b, (normal,)| {
         let longest = normal.longest();
@@ -38,21 +41,23 @@ pub fn normalise_exactly(b: &Builder, normal: &Vector, to: ExactNormalisation, s
         let limit = to.reciprocal.smallest_operand();
         let of_rounding_r = 0.5 * longest * power_of_two(-i64::from(to.reciprocal.fraction_bits));
         let reach = (1.0 + 0.5 * z.ulp() / limit).sqrt() + of_rounding_r;
-        let surely = smallest - z.error_value();
-        let sure = surely >= limit;
-        let largest = r.format().value(r.range().high);
-        let error = match sure {
-            true => {
-                largest.min(surely.sqrt().recip() + r.ulp()) * normal.x.error_value()
-                    + 0.5 * z.error_value() / surely
-                    + of_rounding_r
-            }
-            false => 1.0 + reach,
+        let (e, of_rounding_z) = (normal.off().length, 0.5 * z.ulp());
+        let least_z = (shortest - e).max(0.0).powi(2) - of_rounding_z;
+        let off = match least_z >= limit && least_z > of_rounding_z {
+            true => unit_vector_off(e, shortest, of_rounding_z / least_z, of_rounding_r),
+            false => Off::within(1.0 + reach),
         };
-        let product = normal.scaled(&r).assumed_within(reach, "|r N| <= 1");
-        let n = product.map(|component| component.clone().stated_error_value(error)).no_longer_than(reach);
-        let unsure = if surely >= z.ulp() { 0.0 } else { 1.0 };
+        let n = normal.scaled(&r).assumed_within(reach, "|r N| <= 1").known_off(off);
+        let unsure = if least_z >= z.ulp() { 0.0 } else { 1.0 };
         let has_direction = b.integer(0).less_than(&z).named("has_direction").stated_error_value(unsure);
         (n.rounded(to.vector_fraction_bits).named("n"), has_direction)
     })
+}
+
+/// How far a normalised vector is off that was off by `e` before and no shorter than `shortest`, and is then scaled to a length off by what a
+/// relative error `of_z` of its square makes, and by `of_r`.
+pub(super) fn unit_vector_off(e: f64, shortest: f64, of_z: f64, of_r: f64) -> Off {
+    let turned = e / (shortest * (shortest - e)).sqrt();
+    let stretched = of_z / (2.0 - of_z) + of_r;
+    Off::parts((1.0 + stretched) * turned, stretched + (1.0 + stretched) * turned * turned / 2.0)
 }

@@ -9,8 +9,8 @@ use crate::builder::{Builder, Sig, Vector};
 ///
 /// # Error
 /// As a function of d = |D| and with K = 2^k, f = (1 - n d²/2K)^K has the slope -n d (1 - n d²/2K)^(K-1). Put t = n d²/2K: it is
-/// √n √(2Kt) (1 - t)^(K-1), largest at t = 1/(2K - 1), so a vector D whose components are off by e moves f by
-/// √3 e √n √(2K/(2K-1)) ((2K-2)/(2K-1))^(K-1) at most. Rounding x/2^k and each square adds K/2 + (K - 1)/2 units of the last place.
+/// √n √(2Kt) (1 - t)^(K-1), largest at t = 1/(2K - 1), so a vector D that is off by e moves f by
+/// e √n √(2K/(2K-1)) ((2K-2)/(2K-1))^(K-1) at most. Rounding x/2^k and each square adds K/2 + (K - 1)/2 units of the last place.
 pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon: &LyonSpec) -> Sig {
     let log2_factor = lyon.difference.log2_exponent_factor();
     let x = if log2_factor == 0 { "(n/2)" } else { "2n" };
@@ -22,7 +22,7 @@ pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon
         let rounding = (f64::from(k) - 0.5) * lyon.formats.shape.ulp();
         // Where rounding may decide whether a normal has a direction, nothing is known of f.
         let sure = has_direction.error() == 0.0;
-        let error = if sure { (3f64.sqrt() * d.x.error_value() * slope + rounding).min(1.0) } else { 1.0 };
+        let error = if sure { (d.off().length * slope + rounding).min(1.0) } else { 1.0 };
 
         let squared_length = d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
         let x = (&n * squared_length)
@@ -45,7 +45,7 @@ pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon
 ///
 /// # Error
 /// As a function of |u| and with K = 2^k, f = (1 - u²)^K, whose slope is that of the figure 7 form for n = 2K and at most s. u_c is off by
-/// m e_D 2^-h and half a unit of its last place, so f by √3 s times that. A step δ of m itself changes f by 2K u² (1 - u²)^(K-1) δ/m, at most
+/// half a unit of its last place beside m 2^-h times what D is off, so u by √3/2 units and that, and f by s times as much. A step δ of m itself changes f by 2K u² (1 - u²)^(K-1) δ/m, at most
 /// 2 ((K-1)/K)^(K-1) δ/m, at the smallest m. Rounding x and each square adds K - 1/2 units of the last place.
 pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &LyonSpec) -> Sig {
     let formula =
@@ -76,8 +76,7 @@ fn root_error(d: &Vector, m: &Sig, lyon: &LyonSpec) -> f64 {
     let half_step = 0.5 * m.ulp();
     let (smallest, largest) = (m.range().low as f64 * m.ulp() - half_step, m.range().high as f64 * m.ulp() + half_step);
     let shift = f64::from(1u32 << lyon.root_shift());
-    let e_u = 3f64.sqrt() * (largest / shift * d.x.error_value().max(d.y.error_value()).max(d.z.error_value()))
-        + 3f64.sqrt() * 0.5 * lyon.formats.scaled_difference.ulp();
+    let e_u = largest / shift * d.off().length + 0.75f64.sqrt() * lyon.formats.scaled_difference.ulp();
     let of_m = 2.0 * ((terms - 1.0) / terms).powf(terms - 1.0) * half_step / smallest;
     steepest_slope(lyon.squarings, 2.0 * terms) * e_u + of_m + (terms - 0.5) * lyon.formats.shape.ulp()
 }

@@ -43,7 +43,7 @@ pub fn base(b: &Builder, j: &Sig, k: &Sig, light_dot_view: &Sig, bound: &BaseBou
     b.unit("specular_base", "b = max(2 J K - L.V, 0) [lecture, eq. 4.5]", inputs, |_, (j, k, light_dot_view)| {
         let base = (j * k).doubled() - light_dot_view;
         let base = base.rounded(formats.base.fraction_bits).at_least_zero().clamped_above(1);
-        base.proven_error_value((bound.angle + bound.rest).min(1.0)).named("base")
+        base.known_cosine(bound.angle, bound.rest).named("base")
     })
 }
 
@@ -61,8 +61,6 @@ pub struct BaseBound {
     pub angle: f64,
     /// What the base is off by beside that.
     pub rest: f64,
-    /// Half a unit of the base's last place.
-    rounding: f64,
 }
 
 impl BaseBound {
@@ -77,15 +75,7 @@ impl BaseBound {
         let product = length * e_k + length * (1.0 + stretch) * e1 + e1 * e_k;
         let rounding = half(&formats.base);
         let angle = 2.0 * e.min(1.0).asin();
-        BaseBound { angle, rest: 2.0 * stretch * stretch + 2.0 * product + scalar + rounding, rounding }
-    }
-
-    /// Bound on the error of the base's power for exponents up to 2^j: an angle off by e moves cos^n by
-    /// e √n ((n-1)/n)^((n-1)/2), its steepest slope; the rest counts n times, and each square rounds once more.
-    pub fn of_power(&self, log2_exponent: u32) -> f64 {
-        let n = f64::from(1u32 << log2_exponent);
-        let steepest = n.sqrt() * ((n - 1.0) / n).powf((n - 1.0) / 2.0);
-        (steepest * self.angle + n * self.rest + (n - 1.0) * self.rounding).min(1.0)
+        BaseBound { angle, rest: 2.0 * stretch * stretch + 2.0 * product + scalar + rounding }
     }
 }
 

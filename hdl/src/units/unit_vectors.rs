@@ -1,20 +1,52 @@
 //! Highlights from cosines. [METHODS A3; Lyon, TR 43, appendix]
+use specula_scene::format::power_of_two;
+
 use super::divider::divider;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 use crate::builder::{Builder, Sig, Vector};
+use crate::design::ErrorForm;
 
 /// The cosine of the angle between unit vectors, rounded to `fraction_bits`.
+///
+/// # Error
+/// It is the cosine of an angle that is off by no more than both vectors are turned, times lengths that are off by ε_x and ε_y: beside the
+/// angle it is off by (1 + ε_x)(1 + ε_y) - 1 and half a unit.
 pub fn cosine_between(b: &Builder, x: &Vector, y: &Vector, fraction_bits: u32) -> Sig {
     b.unit("cosine", "c = X.Y", (("x", x), ("y", y)), |_, (x, y)| {
-        x.dot_within(&y, (x.longest(), y.longest()), "|X.Y| <= |X||Y|").rounded(fraction_bits).named("cosine")
+        let product = x.dot_within(&y, (x.longest(), y.longest()), "|X.Y| <= |X||Y|");
+        let rounding = half_unit_where_narrowed(&product, fraction_bits);
+        let angle = x.off().angle() + y.off().angle();
+        let rest = (1.0 + x.off().stretch()) * (1.0 + y.off().stretch()) - 1.0 + rounding;
+        product.rounded(fraction_bits).known_cosine(angle, rest).named("cosine")
     })
 }
 
 /// R·L = 2(N·V)(N·L) - V·L, kept within 0 to 1. [METHODS A3, B1]
+///
+/// # Error
+/// Let the cosines be those of turned unit vectors, off by r_v, r_l and r beside that. Then this is R·L of those, whose angle is off by no
+/// more than both angles with N together, and off by 2(r_v + r_l + r_v r_l) + r beside that. A V·L that the host sends is that of the real
+/// vectors, and the eye is exact then: so r is what it is off, and what L is turned by, that is the difference of both angles.
 pub fn reflected_cosine(b: &Builder, n_dot_v: &Sig, n_dot_l: &Sig, l_dot_v: &Sig, fraction_bits: u32) -> Sig {
     let inputs = (("n_dot_v", n_dot_v), ("n_dot_l", n_dot_l), ("l_dot_v", l_dot_v));
     b.unit("reflected_cosine", "R.L = 2(N.V)(N.L) - V.L", inputs, |_, (n_dot_v, n_dot_l, l_dot_v)| {
-        from_0_to_1(&((n_dot_v * n_dot_l).doubled() - l_dot_v), fraction_bits)
+        let base = (&n_dot_v * &n_dot_l).doubled() - &l_dot_v;
+        let rounding = half_unit_where_narrowed(&base, fraction_bits);
+        let base = from_0_to_1(&base, fraction_bits);
+        match [&n_dot_v, &n_dot_l, &l_dot_v].map(Sig::error_form) {
+            [
+                ErrorForm::OfCosine { angle: angle_v, rest: r_v },
+                ErrorForm::OfCosine { angle: angle_l, rest: r_l },
+                form_of_l_dot_v,
+            ] => {
+                let r = match form_of_l_dot_v {
+                    ErrorForm::OfCosine { rest, .. } => rest,
+                    _ => l_dot_v.error_value() + (angle_l - angle_v).max(0.0),
+                };
+                base.known_cosine(angle_v + angle_l, 2.0 * (r_v + r_l + r_v * r_l) + r + rounding)
+            }
+            _ => base,
+        }
     })
 }
 
@@ -41,6 +73,11 @@ pub fn spot_cosine(b: &Builder, l: &Vector, axis: &Vector, fraction_bits: u32) -
         let cosine = l.dot_within(&axis, (l.longest(), axis.longest()), "|L.A| <= |L||A|");
         from_0_to_1(&-cosine, fraction_bits)
     })
+}
+
+/// What rounding to `fraction_bits` adds to an error: nothing where there are no more.
+pub(super) fn half_unit_where_narrowed(value: &Sig, fraction_bits: u32) -> f64 {
+    if value.fraction_bits() > fraction_bits { 0.5 * power_of_two(-i64::from(fraction_bits)) } else { 0.0 }
 }
 
 fn from_0_to_1(value: &Sig, fraction_bits: u32) -> Sig {

@@ -2,7 +2,7 @@
 use specula_scene::spec::lyon::LyonFormats;
 
 use super::divider;
-use crate::builder::{Builder, Sig, Vector};
+use crate::builder::{Builder, Vector};
 
 /// n = 2v H - w with v = H·w / H·H: the unit vector w, wrapped around H = N' + w. [Hast, Barrera and Bengtsson, eq. 27; METHODS C4]
 ///
@@ -14,7 +14,7 @@ use crate::builder::{Builder, Sig, Vector};
 /// 2 u_p/|H| + 2.1 u_v, and for the length |H| is not below 3/4.
 ///
 /// The wrap itself is an isometry in w, and in H twice the projection on its direction û. Projections on û and û' differ by no more than
-/// |û - û'| ≤ |H - H'|/√(|H||H'|), so components of H off by e move n by 2|w| √3 e/(1 - √3 e).
+/// |û - û'| ≤ |H - H'|/√(|H||H'|), so H off by e moves n by 2|w| e/(1 - e), and w off by e moves n by e.
 pub fn wrapped(b: &Builder, h: &Vector, w: &Vector, formats: &LyonFormats) -> Vector {
     b.unit("wrapped", "n = 2v H - w, v = H.w / H.H [Hast et al., eq. 27]", (("h", h), ("w", w)), |b, (h, w)| {
         let operand_bits = formats.wrap_operand.fraction_bits;
@@ -24,13 +24,13 @@ pub fn wrapped(b: &Builder, h: &Vector, w: &Vector, formats: &LyonFormats) -> Ve
         let shortest_squared = 1.0;
         let v = divider(b, &p, &q, formats.wrap_ratio.fraction_bits, shortest_squared).named("v");
         let longest = lengths.1 + 2.0 * formats.vector.ulp() + 4.0 * formats.wrap_operand.ulp() + 4.0 * formats.wrap_ratio.ulp();
-        let e_h = 3f64.sqrt() * [&h.x, &h.y, &h.z].map(Sig::error_value).into_iter().fold(0.0, f64::max);
+        let e_h = h.off().length;
         let shortest = 1.0 - e_h;
         let of_rounding = 2.0 * formats.wrap_operand.ulp() / shortest + 2.1 * formats.wrap_ratio.ulp();
-        let error = 2.0 * lengths.1 * e_h / shortest + 3f64.sqrt() * w.x.error_value() + of_rounding;
+        let error = 2.0 * lengths.1 * e_h / shortest + w.off().length + of_rounding;
         let n = h.scaled(&v.doubled()) - &w;
         // Where rounding is as coarse as H is long, what is propagated is all that is known.
-        let n = if shortest > 0.0 { n.proven_error_value(error) } else { n };
+        let n = if shortest > 0.0 { n.proven_off_by(error) } else { n };
         n.assumed_within(longest, "|2v H - w| = |w|").rounded(formats.vector.fraction_bits).named("n")
     })
 }

@@ -80,7 +80,14 @@ fn normals_are_interpolated() {
     let n = units::interpolate(
         &bench.b,
         span,
-        Interpolation { accumulator: f.weight_accumulator, weight: f.weight, vector: f.vector, longest: 1.0, steps: STEPS },
+        Interpolation {
+            accumulator: f.weight_accumulator,
+            weight: f.weight,
+            vector: f.vector,
+            longest: 1.0,
+            apart: 2.0,
+            steps: STEPS,
+        },
     );
     let design = bench.finish(&[("x", n.x), ("y", n.y), ("z", n.z)]);
 
