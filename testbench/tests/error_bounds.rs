@@ -1,9 +1,36 @@
 //! On every built-in scene the measured quantisation error stays within what the core states, and the statement says something.
-use specula_scene::load;
+use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind};
 
 #[path = "common/served.rs"]
 mod served;
+
+/// A bound is to exceed the measured error no more than so many times.
+const SLACK: f64 = 4.0;
+
+/// Where it exceeds it by more, and by how much at most; docs/error-bounds.md says why.
+const LOOSE: [(&str, Method, f64); 12] = [
+    ("teapot", Method::Slerp, 4.5),
+    ("teapot", Method::Reflection, 4.5),
+    ("teapot", Method::Consistent, 67.0),
+    ("spheres", Method::Lyon, 21.0),
+    ("spheres", Method::Slerp, 9.0),
+    ("spheres", Method::Reflection, 5.0),
+    ("spheres", Method::Consistent, 21.0),
+    ("torus", Method::Slerp, 5.0),
+    ("torus", Method::Reflection, 4.5),
+    ("torus", Method::Consistent, 18.0),
+    ("icosahedron", Method::Slerp, 4.5),
+    ("icosahedron", Method::Consistent, 45.0),
+];
+
+/// `lamps`, which only `phong` shades.
+const LOOSE_LAMPS: f64 = 8.5;
+
+fn most_slack(scene: &str, method: Method) -> f64 {
+    let loose = LOOSE.iter().find(|&&(s, m, _)| (s, m) == (scene, method)).map(|&(_, _, slack)| slack);
+    loose.unwrap_or(if scene == "lamps" { LOOSE_LAMPS } else { SLACK })
+}
 
 #[test]
 fn measured_errors_stay_within_the_stated_bound() {
@@ -14,10 +41,11 @@ fn measured_errors_stay_within_the_stated_bound() {
             let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
             let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();
             let (error, bound) = (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
-            println!("{scene} {}: {error} of {bound} LSB", method.name());
+            println!("{scene} {}: {error} of {bound} LSB, {:.2}", method.name(), bound / error);
             assert!(outcome.agrees());
             assert!(error <= bound, "{scene} {}: off by {error} LSB, bound {bound}", method.name());
-            assert!(bound < 255.0, "{scene} {}: a bound of {bound} LSB says nothing", method.name());
+            let (slack, most) = (bound / error, most_slack(scene, method));
+            assert!(slack <= most, "{scene} {}: a bound of {bound} LSB is {slack} times {error}, not {most}", method.name());
         }
     }
 }

@@ -91,7 +91,7 @@ proptest! {
     }
 }
 
-/// With shortest 1/2, z is off by 2√3 |N| e and more; r by 2 at most.
+/// With shortest s = 1/2 and N off by e as a whole, n turns by e/√(s (s - e)), gets longer by what z and r round, and is rounded.
 #[test]
 fn error_is_known_of_long_normals_alone() {
     let bench = Bench::new();
@@ -101,10 +101,10 @@ fn error_is_known_of_long_normals_alone() {
         let (n, has_direction) = units::normalise_exactly(&bench.b, &normal, formats(20, 4, 14, 12), shortest);
         (n.x.error_value(), has_direction.error())
     };
-    let e = 0.5 / 4096.0;
-    let e_z = 2.0 * 3f64.sqrt() * e + 3.0 * e * e + 0.5 / f64::from(1 << 20);
+    let half_unit = 0.5 / 4096.0;
+    let e = 3f64.sqrt() * half_unit;
     let (known, sure) = error(0.5);
-    let floor = 2.0 * e + 0.5 * e_z / 0.25 + e;
+    let floor = e / (0.5 * (0.5 - e)).sqrt() + half_unit;
     assert!(known > floor && known < 1.1 * floor, "{known} is stated, about {floor} proven");
     assert_eq!(sure, 0.0);
     assert!(error(0.0).0 > 2.0 && error(0.0).1 == 1.0);
