@@ -130,9 +130,11 @@ impl Builder {
     /// # Errors
     /// [`TooWide`] names the first signal that needs more than 63 bits.
     pub fn finish(self, valid: &Sig, start: &Sig, outputs: &[(&str, Sig)]) -> Result<Design, TooWide> {
-        // At least one register, also where every code is a constant.
-        let last = outputs.iter().map(|(_, sig)| sig.stage()).max().unwrap_or(0).max(1);
         let mut state = self.state.borrow_mut();
+        let constant = outputs.iter().any(|(_, sig)| state.is_constant(sig.id()).is_some());
+        // Validity has a register of its own also where every output is a constant.
+        let stages = outputs.iter().map(|(_, sig)| state.design.node(sig.id()).stage);
+        let last = stages.max().unwrap_or(0).max(u32::from(constant));
         state.design.valid = valid.id();
         state.design.start = start.id();
         state.design.valid_out = state.validity_after(valid.id(), last);
