@@ -74,7 +74,7 @@ fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig 
 /// |X1 - X0| times what a' is off.
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
     let reach = 1.0 + 2.0 * overshoot(to.accumulator, to.weight, to.steps);
-    let off = start.off().length * reach + a.error_value() * to.apart.min(delta.longest());
+    let off = start.off().length * reach + a.error_value() * to.apart.min(delta.longest() + 2.0 * delta.off().length);
     let vector = (start + &delta.scaled(a)).no_longer_than((to.longest + to.vector.ulp()) * reach);
     let vector = vector.components_assumed_within(to.longest * reach, fact);
     vector.proven_off_by(off).rounded(to.vector.fraction_bits)
