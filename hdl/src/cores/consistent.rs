@@ -4,7 +4,7 @@ use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Di
 
 use super::{eye, finish};
 use crate::builder::{Builder, Sig, TooWide, Vector};
-use crate::design::Design;
+use crate::design::{Design, ErrorForm};
 use crate::units::{self, Consistency, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection. [Reshetov, Soupikov and Mark]
@@ -93,11 +93,16 @@ impl Pixel<'_> {
         let (b, format) = (self.b, self.consistent.formats.base);
         let inputs = (("r", self.r), ("l", light), ("has_direction", self.has_direction));
         b.unit("reflected_cosine", "b = r.L, clamped to [0, 1]", inputs, |b, (r, l, has_direction)| {
-            let cosine = units::clamped_cosine(b, &r, &l, format);
-            let base = has_direction.choose(&cosine, &b.integer(0)).clamped_above(1);
+            let (off, off_l) = (r.off(), l.off().length);
+            // The cosine of r's angle with L, but for what r is longer or shorter and L is off.
+            let rest = off.stretch() + (1.0 + off.stretch()) * off_l + 0.5 * format.ulp();
+            let cosine = units::clamped_cosine(b, &r, &l, format).known_cosine(off.angle(), rest);
+            let base = has_direction.choose(&cosine, &b.integer(0)).clamped_above(1).named("base");
             // Where rounding may decide whether a normal has a direction, nothing is known of its highlight.
-            let error = if has_direction.error() == 0.0 { cosine.error_value() } else { 1.0 };
-            base.stated_error_value(error).named("base")
+            match has_direction.error() == 0.0 {
+                true => base.stated_error_value(cosine.error_value()).known_cosine(off.angle(), rest),
+                false => base.stated_error_value(1.0).of_error_form(ErrorForm::Bounded),
+            }
         })
     }
 }

@@ -3,7 +3,7 @@ use specula_scene::spec::consistent::ConsistentFormats;
 
 use super::divider::divider;
 use super::square_root::square_root;
-use crate::builder::{Builder, Sig, Vector};
+use crate::builder::{Builder, Off, Sig, Vector};
 
 /// What is known of the real values, for error bounds alone.
 #[derive(Clone, Copy, Debug)]
@@ -53,9 +53,45 @@ pub fn consistent_reflection(
         let r = &n.scaled(&share) - &incoming.scaled(&rho);
         // Whatever they are, components are no further apart than the longest of both are long.
         let apart = 1.0 + r.longest();
-        let r = r.map(|component| component.clone().stated_error_value(error.min(apart)));
+        let off = of_reflection([&n, &incoming], &q, formats, known).unwrap_or(Off::within(3f64.sqrt() * error.min(apart)));
+        let r = r.map(|component| component.clone().stated_error_value(error.min(apart).min(off.length))).proven_off(off);
         (r.rounded(formats.vector.fraction_bits).named("r"), above_horizon)
     })
+}
+
+/// How far the reflection is off as a whole where it is known to turn with the normal; the last rounding apart.
+///
+/// Let m and J be the directions of n and I as they come, turned by a and a_I, and σ, σ_I what their lengths are off. r is compared with the
+/// reflection of J about m with q as it comes, and that with the real one.
+///
+/// Roundings: b is off by r_b = (1 + σ)(1 + σ_I) - 1 + u/2, g by r_g = r_b + u/2. With w = 1 + b no less than w_0, and ρ² = q(1 + g)/w, clamped
+/// to 1, off by (q r_g + ρ² r_b)/(w - r_b) and half a unit u', the root is off by that over ρ, or less where both are clamped. 1 + g ≥ w makes
+/// ρ² ≥ q² and ρ² ≥ q, so q/ρ ≤ 1; and |bm - J| ≤ √(2w). So what ρ is off by moves r by √(2/w_0) (r_g + r_b)/(1 - r_b/w_0) + u'/√q. What
+/// n and I are too long adds r_g (1 + σ) + σ and r_b (1 + σ) + σ + σ_I, and rounding g + ρb half a unit.
+///
+/// Turns: with sin(γ/2) = √q sin(β/2), γ' ≤ √q, so that r turns by 2a and a_I at most, and by dγ/dq = sin(β/2)/(√q cos(γ/2)) ≤ 1/√(q w_0/2).
+/// Where ρ is clamped, β is beyond a right angle and g + b ≤ 0: r = (g + b)N - I has |r|² = 1 + g² - b² ≥ 1 - b_0² with -b_0 the least b, and
+/// moves by (2 + 2b_0) a + 3 a_I + 2 e_q at most, of which 2 b_0 (a + a_I + e_q) over |r| makes it longer or shorter.
+fn of_reflection([n, incoming]: [&Vector; 2], q: &Sig, formats: &ConsistentFormats, known: Consistency) -> Option<Off> {
+    let (a, sigma) = (n.off().angle(), n.off().stretch());
+    let (a_i, sigma_i) = (incoming.off().angle(), incoming.off().stretch());
+    let e_q = q.error_value();
+    let (w, least_q) = (known.least_divisor - a - a_i, known.least_q - e_q);
+    let half_unit = 0.5 * formats.cosine.ulp();
+    let r_b = (1.0 + sigma) * (1.0 + sigma_i) - 1.0 + half_unit;
+    let r_g = r_b + half_unit;
+    let b_0 = (1.0 - w).max(0.0);
+    if !(w > 2.0 * r_b && least_q > 0.0 && b_0 < 0.9) {
+        return None;
+    }
+    let shortest = (1.0 - b_0 * b_0).sqrt();
+    let of_square = (2.0 / w).sqrt() * (r_g + r_b) / (1.0 - r_b / w) + formats.sine_ratio_squared.ulp() / least_q.sqrt();
+    let of_root = of_square + 0.5 * formats.sine_ratio.ulp();
+    let of_lengths = r_g * (1.0 + sigma) + sigma + r_b * (1.0 + sigma) + sigma + sigma_i;
+    let along = 2.0 * b_0 * (a + a_i + e_q) / shortest;
+    let rest = of_root + of_lengths + half_unit * (1.0 + sigma) + along;
+    let turned = (2.0 + 2.0 * b_0) * a + 3.0 * a_i + e_q * (least_q * w / 2.0).sqrt().recip().max(2.0);
+    Some(Off { length: turned + rest, across: (turned + rest) / shortest, along: rest + turned * turned / 2.0 })
 }
 
 /// What the error of ρ adds to a component of ρ(bN - I), with E for the errors of q(1 + g) and of w = 1 + b together and u for half a unit
@@ -77,7 +113,7 @@ fn of_sine_ratio(operands: f64, e_w: f64, formats: &ConsistentFormats, known: Co
 /// [Reshetov, Soupikov and Mark; METHODS D]
 ///
 /// # Error
-/// The length of a vector is off by √3 times what its components are. At the horizon (N_c·L)² ≤ (g + b)/2, so that where rounding decides
+/// The length of a vector is off by no more than the vector. At the horizon (N_c·L)² ≤ (g + b)/2, so that where rounding decides
 /// which side of it L is on, √((e_g + e_b)/2) at most is lost; what g + b is off by is no more than twice q's error and twice b's.
 pub fn consistent_diffuse(
     b: &Builder,
@@ -89,14 +125,14 @@ pub fn consistent_diffuse(
     let (n, q, has_direction) = mirror;
     let inputs = (("n", n), ("q", q), ("has_direction", has_direction), ("l", light));
     b.unit("consistent_diffuse", "I = |L + r|/2 [Reshetov et al.]", inputs, |b, (n, q, has_direction, l)| {
-        let e_b = 3f64.sqrt() * (n.largest_error() + l.largest_error()) * 2.0 + formats.cosine.ulp();
+        let e_b = (n.off().length + l.off().length) * 2.0 + formats.cosine.ulp();
         let horizon = 2.0 * q.error_value() + 2.0 * e_b + formats.cosine.ulp();
         // Above the horizon 1 + b > 2q/(1 + q) ≥ q.
         let known = Consistency { least_q, least_divisor: (least_q - horizon).max(0.0) };
         let (r, above_horizon) = consistent_reflection(b, &n, &l, &q, formats, known);
         let sum = &l + &r;
         let gate = if has_direction.error() > 0.0 { 1.0 } else { (horizon / 2.0).sqrt() };
-        let error = 0.75f64.sqrt() * sum.largest_error() + 0.5 * formats.diffuse.ulp() + gate;
+        let error = 0.5 * (l.off().length + r.off().length) + 0.5 * formats.diffuse.ulp() + gate;
         let quarter = sum.length_squared().times_power_of_two(-2).clamped_above(1).named("quarter");
         let root = square_root(b, &quarter, formats.diffuse.fraction_bits);
         let lit = above_horizon.and(&has_direction).choose(&root, &b.integer(0)).clamped_above(1);
