@@ -8,6 +8,7 @@ mod image;
 mod run;
 mod spans;
 mod statistics;
+pub mod stress;
 pub mod trace;
 
 pub use assumptions::Violation;
