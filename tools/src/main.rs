@@ -8,10 +8,14 @@ mod cmd_run;
 mod cmd_scenes;
 mod cmd_wave;
 mod disagreement;
+mod drawing;
 mod error;
 mod header;
 mod output;
 mod picture;
+// Until `compare` and others draw with it.
+#[allow(dead_code, unused_imports)]
+mod plot;
 mod progress;
 mod report;
 mod run;

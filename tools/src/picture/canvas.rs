@@ -48,13 +48,20 @@ impl Canvas {
     pub fn write(&mut self, (x, y): (u32, u32), text: &str, colour: Rgb<u8>) {
         for (number, character) in text.chars().enumerate() {
             let left = x + number as u32 * CHARACTER * self.dot;
-            let rows = BASIC_LEGACY.get(character as usize).unwrap_or(&[0; CHARACTER as usize]);
-            for (row, bits) in rows.iter().enumerate() {
-                // The leftmost dot is the lowest bit.
-                for column in (0..CHARACTER).filter(|column| bits >> column & 1 == 1) {
-                    let corner = (left + column * self.dot, y + row as u32 * self.dot);
-                    self.fill(corner, (self.dot, self.dot), colour);
-                }
+            for (row, column) in dots(character) {
+                let corner = (left + column * self.dot, y + row * self.dot);
+                self.fill(corner, (self.dot, self.dot), colour);
+            }
+        }
+    }
+
+    /// Writes ASCII text that runs upwards, with its lower left corner at (x, y).
+    pub fn write_upwards(&mut self, (x, y): (u32, u32), text: &str, colour: Rgb<u8>) {
+        for (number, character) in text.chars().enumerate() {
+            let bottom = y.saturating_sub(number as u32 * CHARACTER * self.dot);
+            for (row, column) in dots(character) {
+                let corner = (x + row * self.dot, bottom.saturating_sub((column + 1) * self.dot));
+                self.fill(corner, (self.dot, self.dot), colour);
             }
         }
     }
@@ -63,4 +70,12 @@ impl Canvas {
     pub fn finish(self) -> RgbImage {
         self.image
     }
+}
+
+/// Rows and columns of a character's dots; of one that is not ASCII none.
+fn dots(character: char) -> impl Iterator<Item = (u32, u32)> {
+    let rows = BASIC_LEGACY.get(character as usize).copied().unwrap_or([0; CHARACTER as usize]);
+    // The leftmost dot is the lowest bit.
+    let set = move |row: u32, column: u32| rows[row as usize] >> column & 1 == 1;
+    (0..CHARACTER).flat_map(move |row| (0..CHARACTER).filter(move |&column| set(row, column)).map(move |column| (row, column)))
 }

@@ -2,15 +2,12 @@
 use std::ops::RangeInclusive;
 
 use super::figure::{Figure, Row};
+use crate::drawing::{CAPITAL, CHARACTER};
 
 /// Around everything.
 pub const MARGIN: f64 = 16.0;
 /// From a row to the next.
 pub const ROW: f64 = 22.0;
-/// Width that a character takes, at most.
-pub const CHARACTER: f64 = 8.0;
-/// Height of capitals.
-pub const CAPITAL: f64 = 9.0;
 /// Horizontal run of an edge and of a cell's end.
 pub const SLANT: f64 = 3.0;
 /// A column's width: room for five to eight characters.

@@ -1,76 +1,9 @@
-//! A figure laid out: shapes and words with their places in pixels. SVG and PNG are written from this.
+//! A figure laid out: shapes and words with their places in pixels.
 use super::dump::Segment;
 use super::figure::{Axis, Figure, Row, Shape};
-use super::layout::{CAPITAL, CHARACTER, Layout, MARGIN, ROW, SLANT};
+use super::layout::{Layout, MARGIN, ROW, SLANT};
 use super::value::Value;
-
-/// A laid-out drawing.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sheet {
-    /// What it shows, for those who cannot see it.
-    pub title: String,
-    /// Width and height.
-    pub size: (f64, f64),
-    /// What is on it, from the lowest to the topmost.
-    pub marks: Vec<Mark>,
-}
-
-/// A point: from the left, from the top.
-pub type Point = (f64, f64);
-
-/// Something on a sheet.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Mark {
-    /// A filled rectangle: corner and size.
-    Box(Ink, Point, (f64, f64)),
-    /// Straight lines.
-    Lines(Ink, Vec<(Point, Point)>),
-    /// Lines through points, open; a line each.
-    Traces(Ink, Vec<Vec<Point>>),
-    /// Filled and outlined areas.
-    Areas(Ink, Vec<Vec<Point>>),
-    /// Words that begin at a point of their base line.
-    Words(Ink, Point, String),
-    /// Words that end there.
-    WordsBefore(Ink, Point, String),
-    /// Words in the middle there.
-    WordsAmid(Ink, Point, String),
-}
-
-/// What a mark stands for; the back ends know its colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ink {
-    /// What everything stands on.
-    Paper,
-    /// The drawing's title.
-    Title,
-    /// A unit's name, and the line beside it.
-    Unit,
-    /// A signal's name.
-    Name,
-    /// A format, a column's number, a note.
-    Aside,
-    /// Borders of columns.
-    Grid,
-    /// Lines of bits.
-    Level,
-    /// What lies below the line of a bit that is 1.
-    High,
-    /// Cells of values.
-    Cell,
-    /// Cells and bits that are unknown or float.
-    Unknown,
-    /// Cells and bits whose value matters most.
-    Highlight,
-    /// A value in its cell.
-    Value,
-    /// A value that matters most.
-    HighlightValue,
-    /// The band of the marker.
-    Marker,
-    /// The marker's number.
-    MarkerNumber,
-}
+use crate::drawing::{CAPITAL, CHARACTER, Ink, Mark, Point, Sheet};
 
 /// From low to high.
 const WAVE: f64 = 15.0;

@@ -1,9 +1,9 @@
-//! A figure as SVG: one file, light or dark as the reader's system is.
+//! A sheet as SVG: one file, light or dark as the reader's system is.
+use std::collections::HashSet;
 use std::fmt::Write;
 
-use super::figure::Figure;
-use super::palette::{Colour, INKS, Paint, dark, light};
-use super::sheet::{Ink, Mark, Point, Sheet, sheet};
+use super::palette::{Colour, Paint, dark, inks, light};
+use super::{Ink, Mark, Point, Sheet};
 
 /// Styles of shapes and words; colours follow.
 const STYLE: &str = "\
@@ -11,16 +11,17 @@ text{font:12px ui-monospace,SFMono-Regular,Menlo,Consolas,'DejaVu Sans Mono',mon
 .title,.unit,.highlight-value,.marker-number{font-weight:600}
 path{stroke-width:1.3;stroke-linejoin:round}
 .grid{stroke-width:.7}
+.front{stroke-width:6}
 ";
 
-/// The figure as an SVG file.
-pub fn svg(figure: &Figure) -> String {
-    let Sheet { title, size: (width, height), marks } = sheet(figure);
+/// The sheet as an SVG file.
+pub fn svg(sheet: &Sheet) -> String {
+    let Sheet { title, size: (width, height), marks } = sheet;
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" role=\"img\">\n\
          <title>{}</title>\n<style>\n{STYLE}{}</style>\n<rect class=\"paper\" width=\"{width}\" height=\"{height}\"/>\n",
-        escaped(&title),
-        colours()
+        escaped(title),
+        colours(sheet)
     );
     marks.iter().for_each(|mark| push(&mut text, mark));
     text.push_str("</svg>\n");
@@ -28,8 +29,10 @@ pub fn svg(figure: &Figure) -> String {
 }
 
 /// Colours on light paper, then those for readers who ask for dark; programs that do not know the rule draw the light ones.
-fn colours() -> String {
-    let rules = |paint: fn(Ink) -> Paint| -> String { INKS.iter().map(|&ink| rule(ink, paint(ink))).collect() };
+fn colours(sheet: &Sheet) -> String {
+    let used: HashSet<Ink> = sheet.marks.iter().map(Mark::ink).chain([Ink::Paper]).collect();
+    let rules =
+        |paint: fn(Ink) -> Paint| -> String { inks().filter(|ink| used.contains(ink)).map(|ink| rule(ink, paint(ink))).collect() };
     format!("{}@media (prefers-color-scheme:dark){{\n{}}}\n", rules(light), rules(dark))
 }
 
@@ -53,6 +56,10 @@ fn push(svg: &mut String, mark: &Mark) {
         Mark::Words(ink, place, words) => text(svg, *ink, "start", *place, words),
         Mark::WordsBefore(ink, place, words) => text(svg, *ink, "end", *place, words),
         Mark::WordsAmid(ink, place, words) => text(svg, *ink, "middle", *place, words),
+        Mark::WordsUp(ink, place, words) => upwards(svg, *ink, *place, words),
+        Mark::Dots(ink, places, radius) => places.iter().try_for_each(|&(x, y)| {
+            writeln!(svg, "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{radius}\"/>", class(*ink), number(x), number(y))
+        }),
     };
 }
 
@@ -65,6 +72,17 @@ fn path(svg: &mut String, ink: Ink, pieces: impl Iterator<Item = String>) -> std
 fn text(svg: &mut String, ink: Ink, anchor: &str, (x, y): Point, words: &str) -> std::fmt::Result {
     let anchor = if anchor == "start" { String::new() } else { format!(" text-anchor=\"{anchor}\"") };
     writeln!(svg, "<text class=\"{}\" x=\"{}\" y=\"{}\"{anchor}>{}</text>", class(ink), number(x), number(y), escaped(words))
+}
+
+/// Turned about the place.
+fn upwards(svg: &mut String, ink: Ink, (x, y): Point, words: &str) -> std::fmt::Result {
+    let (x, y) = (number(x), number(y));
+    writeln!(
+        svg,
+        "<text class=\"{}\" text-anchor=\"middle\" transform=\"translate({x} {y}) rotate(-90)\">{}</text>",
+        class(ink),
+        escaped(words)
+    )
 }
 
 fn through(points: &[Point]) -> String {
@@ -82,8 +100,10 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-fn class(ink: Ink) -> &'static str {
-    match ink {
+fn class(ink: Ink) -> String {
+    let name = match ink {
+        Ink::SeriesLine(series) => return format!("line-{}", series.number()),
+        Ink::Series(series) => return format!("series-{}", series.number()),
         Ink::Paper => "paper",
         Ink::Title => "title",
         Ink::Unit => "unit",
@@ -99,5 +119,8 @@ fn class(ink: Ink) -> &'static str {
         Ink::HighlightValue => "highlight-value",
         Ink::Marker => "marker",
         Ink::MarkerNumber => "marker-number",
-    }
+        Ink::Axis => "axis",
+        Ink::Front => "front",
+    };
+    name.to_owned()
 }

@@ -1,12 +1,9 @@
-//! A figure as PNG, twice as large as it is measured, so that it is crisp on fine screens.
+//! A sheet as PNG, twice as large as it is measured, so that it is crisp on fine screens.
 use image::{Rgb, RgbImage};
 use tiny_skia::{Color, FillRule, Path, PathBuilder, Pixmap, Rect, Stroke, Transform};
 
-use super::error::WaveError;
-use super::figure::Figure;
-use super::layout::CAPITAL;
-use super::palette::{Colour, light};
-use super::sheet::{Ink, Mark, Point, Sheet, sheet};
+use super::palette::{Colour, light, thickness};
+use super::{CAPITAL, Ink, Mark, Point, Sheet};
 use crate::picture::Canvas;
 
 /// Pixels for each pixel of the sheet, and for each dot of a character.
@@ -15,29 +12,23 @@ const SCALE: u32 = 2;
 const MOST: f64 = 16_384.0;
 /// Pixels of a picture, at most.
 const MOST_PIXELS: f64 = 1e8;
-/// Thickness of a line on the sheet.
-const LINE: f32 = 1.3;
 
-/// The figure as a picture on light paper.
-///
-/// # Errors
-/// [`WaveError::Large`] if it would be too large to be of use.
-pub fn png(figure: &Figure) -> Result<RgbImage, WaveError> {
-    let Sheet { size: (width, height), marks, .. } = sheet(figure);
+/// The sheet as a picture on light paper; none if it would be too large to be of use.
+pub fn png(sheet: &Sheet) -> Option<RgbImage> {
+    let Sheet { size: (width, height), marks, .. } = sheet;
     let (width, height) = (width * f64::from(SCALE), height * f64::from(SCALE));
-    let large = || WaveError::Large { signals: figure.rows().count(), length: figure.axis.numbers.len() as u64 };
     if width.max(height) > MOST || width * height > MOST_PIXELS {
-        return Err(large());
+        return None;
     }
-    let mut pixels = Pixmap::new(width as u32, height as u32).ok_or_else(large)?;
+    let mut pixels = Pixmap::new(width as u32, height as u32)?;
     light(Ink::Paper).fill.into_iter().for_each(|rgb| pixels.fill(colour(rgb)));
     marks.iter().for_each(|mark| draw(&mut pixels, mark));
     let opaque = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
-    let image = RgbImage::from_raw(width as u32, height as u32, opaque).ok_or_else(large)?;
+    let image = RgbImage::from_raw(width as u32, height as u32, opaque)?;
     let mut canvas = Canvas::over(image, SCALE);
     // No words lie below a shape.
     marks.iter().for_each(|mark| write(&mut canvas, mark));
-    Ok(canvas.finish())
+    Some(canvas.finish())
 }
 
 fn draw(pixels: &mut Pixmap, mark: &Mark) {
@@ -48,15 +39,20 @@ fn draw(pixels: &mut Pixmap, mark: &Mark) {
         }
         Mark::Lines(ink, lines) => {
             let lines: Vec<Vec<Point>> = lines.iter().map(|(from, to)| vec![*from, *to]).collect();
-            stroke(pixels, path(&lines, |_| {}), light(*ink).stroke, LINE / 2.0);
+            stroke(pixels, path(&lines, |_| {}), *ink);
         }
-        Mark::Traces(ink, traces) => stroke(pixels, path(traces, |_| {}), light(*ink).stroke, LINE),
+        Mark::Traces(ink, traces) => stroke(pixels, path(traces, |_| {}), *ink),
         Mark::Areas(ink, areas) => {
             let path = path(areas, PathBuilder::close);
             fill(pixels, path.clone(), light(*ink).fill);
-            stroke(pixels, path, light(*ink).stroke, LINE);
+            stroke(pixels, path, *ink);
         }
-        Mark::Words(..) | Mark::WordsBefore(..) | Mark::WordsAmid(..) => {}
+        Mark::Dots(ink, places, radius) => {
+            for &(x, y) in places {
+                fill(pixels, PathBuilder::from_circle(x as f32, y as f32, *radius as f32), light(*ink).fill);
+            }
+        }
+        Mark::Words(..) | Mark::WordsBefore(..) | Mark::WordsAmid(..) | Mark::WordsUp(..) => {}
     }
 }
 
@@ -81,9 +77,10 @@ fn fill(pixels: &mut Pixmap, path: Option<Path>, rgb: Option<Colour>) {
     }
 }
 
-fn stroke(pixels: &mut Pixmap, path: Option<Path>, rgb: Option<Colour>, width: f32) {
-    if let Some((path, rgb)) = path.zip(rgb) {
-        pixels.stroke_path(&path, &paint(rgb), &Stroke { width, ..Stroke::default() }, scaled(), None);
+fn stroke(pixels: &mut Pixmap, path: Option<Path>, ink: Ink) {
+    if let Some((path, rgb)) = path.zip(light(ink).stroke) {
+        let stroke = Stroke { width: thickness(ink), ..Stroke::default() };
+        pixels.stroke_path(&path, &paint(rgb), &stroke, scaled(), None);
     }
 }
 
@@ -103,14 +100,24 @@ fn colour([red, green, blue]: Colour) -> Color {
 
 fn write(canvas: &mut Canvas, mark: &Mark) {
     let (ink, (x, y), text, share) = match mark {
+        Mark::WordsUp(ink, place, text) => return write_upwards(canvas, *ink, *place, text),
         Mark::Words(ink, place, text) => (ink, place, text, 0.0),
         Mark::WordsBefore(ink, place, text) => (ink, place, text, 1.0),
         Mark::WordsAmid(ink, place, text) => (ink, place, text, 0.5),
-        Mark::Box(..) | Mark::Lines(..) | Mark::Traces(..) | Mark::Areas(..) => return,
+        Mark::Box(..) | Mark::Lines(..) | Mark::Traces(..) | Mark::Areas(..) | Mark::Dots(..) => return,
     };
     let left = x * f64::from(SCALE) - share * f64::from(Canvas::text_width(text, SCALE));
     let top = (y - CAPITAL) * f64::from(SCALE);
     if let Some(rgb) = light(*ink).fill {
         canvas.write((left.max(0.0) as u32, top.max(0.0) as u32), text, Rgb(rgb));
+    }
+}
+
+/// Words that run upwards, in the middle at a point of their base line.
+fn write_upwards(canvas: &mut Canvas, ink: Ink, (x, y): Point, text: &str) {
+    let left = (x - CAPITAL) * f64::from(SCALE);
+    let bottom = y * f64::from(SCALE) + f64::from(Canvas::text_width(text, SCALE)) / 2.0;
+    if let Some(rgb) = light(ink).fill {
+        canvas.write_upwards((left.max(0.0) as u32, bottom.max(0.0) as u32), text, Rgb(rgb));
     }
 }

@@ -1,5 +1,5 @@
 //! Colours of what is drawn, on light and on dark paper.
-use super::sheet::Ink;
+use super::{Ink, SERIES, Series};
 
 /// A colour: red, green and blue.
 pub type Colour = [u8; 3];
@@ -14,7 +14,14 @@ pub struct Paint {
 }
 
 /// Every ink, those of areas before those of words.
-pub const INKS: [Ink; 15] = [
+pub fn inks() -> impl Iterator<Item = Ink> {
+    let series = (0..usize::from(SERIES)).map(Series::new);
+    let of_series = series.flat_map(|series| [Ink::SeriesLine(series), Ink::Series(series)]);
+    INKS.into_iter().chain(of_series)
+}
+
+/// All but those of series.
+const INKS: [Ink; 17] = [
     Ink::Paper,
     Ink::Marker,
     Ink::Grid,
@@ -30,7 +37,31 @@ pub const INKS: [Ink; 15] = [
     Ink::Value,
     Ink::HighlightValue,
     Ink::MarkerNumber,
+    Ink::Axis,
+    Ink::Front,
 ];
+
+/// Colours of series on light paper and on dark: told apart by people who see colours in other ways too, and dark or light enough for words.
+const OF_SERIES: [[u32; 2]; SERIES as usize] = [
+    [0x05_50ae, 0x79_c0ff],
+    [0xbc_4c00, 0xff_a657],
+    [0x1a_7f37, 0x56_d364],
+    [0xa4_0e26, 0xff_7b72],
+    [0x6f_42c1, 0xd2_a8ff],
+    [0x7d_4e00, 0xe3_b341],
+    [0x0a_6a73, 0x4c_d7e0],
+    [0xbf_3989, 0xff_9bce],
+    [0x4d_555e, 0xb1_bac4],
+];
+
+/// Thickness of an ink's lines.
+pub fn thickness(ink: Ink) -> f32 {
+    match ink {
+        Ink::Grid => 0.65,
+        Ink::Front => 6.0,
+        _ => 1.3,
+    }
+}
 
 /// On light paper.
 pub fn light(ink: Ink) -> Paint {
@@ -48,6 +79,10 @@ pub fn light(ink: Ink) -> Paint {
         Ink::Aside => fill(0x59_636e),
         Ink::HighlightValue => fill(0x3d_2a00),
         Ink::MarkerNumber => fill(0x7d_4e00),
+        Ink::Axis => stroke(0x6e_7781),
+        Ink::Front => stroke(0xff_c83d),
+        Ink::SeriesLine(series) => stroke(OF_SERIES[series.number()][0]),
+        Ink::Series(series) => fill(OF_SERIES[series.number()][0]),
     }
 }
 
@@ -67,6 +102,10 @@ pub fn dark(ink: Ink) -> Paint {
         Ink::Aside => fill(0x91_98a1),
         Ink::HighlightValue => fill(0xff_f8e6),
         Ink::MarkerNumber => fill(0xe3_b341),
+        Ink::Axis => stroke(0x8b_949e),
+        Ink::Front => stroke(0x9a_6f00),
+        Ink::SeriesLine(series) => stroke(OF_SERIES[series.number()][1]),
+        Ink::Series(series) => fill(OF_SERIES[series.number()][1]),
     }
 }
 
