@@ -15,8 +15,7 @@ const LENGTH_SLACK: f64 = 1e-9;
 
 /// All spans, one to a row of the picture.
 pub(super) fn spans(source: &SourceFile, given: &[Spanned<raw::Span>]) -> Result<Vec<Row>, SceneError> {
-    let rows: Vec<Row> =
-        given.iter().enumerate().map(|(number, given)| span(source, number, given)).collect::<Result<_, _>>()?;
+    let rows: Vec<Row> = given.iter().enumerate().map(|(number, given)| span(source, number, given)).collect::<Result<_, _>>()?;
     let size = (rows.iter().map(|row| row.span.length).max().unwrap_or(0), u32::try_from(rows.len()).unwrap_or(u32::MAX));
     match given.last() {
         Some(last) if !limits::is_allowed(size) => {
@@ -92,4 +91,3 @@ fn weights(source: &SourceFile, name: &str, given: &Spanned<Vector>) -> Result<[
     let help = "weights of the three vertices are 0 to 1 and add up to 1";
     Err(source.error(given.span(), format!("`{name}` is {weights:?}"), help))
 }
-

@@ -1,7 +1,7 @@
 //! What a row of the catalogue is.
+use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_scene::spec::FULL_SCALE;
 use specula_scene::{CoreSpec, Frame, Span};
-use specula_golden::exact::{MethodSpan, PhongSpan};
 
 use super::draw::Draw;
 use super::scene::SpanScene;

@@ -119,7 +119,10 @@ impl<'a> Prepared<'a> {
     fn fault(&self, bench: &Bench, outcome: &Outcome, bound: f64) -> Option<Fault> {
         let shaded = Shaded { spec: bench.spec, frame: &self.frame, outcome };
         disagreement(bench, outcome)
-            .or_else(|| first_pixel(&shaded, &|method, exact, _| !(is_shade(method) && is_shade(exact))).map(at("shades that are no number from 0 to 255")))
+            .or_else(|| {
+                first_pixel(&shaded, &|method, exact, _| !(is_shade(method) && is_shade(exact)))
+                    .map(at("shades that are no number from 0 to 255"))
+            })
             .or_else(|| {
                 let beyond = |method: f64, _, code: f64| (code - method).abs() > bound;
                 let largest = outcome.comparison.errors.quantisation.max_lsb;
@@ -187,4 +190,40 @@ fn first_pixel(shaded: &Shaded, is_bad: &dyn Fn(f64, f64, f64) -> bool) -> Optio
         };
         (0..span.length).find(bad).map(|pixel| Place { span: number, pixel })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    use specula_scene::Method;
+
+    use super::super::scene::{RawSpan, matt};
+    use super::*;
+
+    /// What is not wanted is found where it is, and its scene file has its span alone, with the same core.
+    #[test]
+    fn a_fault_is_found_and_made_small() {
+        let span = |normal| RawSpan::between([normal; 2], 3, matt());
+        let scene = SpanScene::new(&[DVec3::Z], vec![span(DVec3::Z), span(DVec3::X), span(DVec3::Z)]);
+        let case = Case::wanting(scene, |pixel| pixel.code() == 255);
+        let (prepared, variant) = (Prepared::new(&case).expect("it is a scene"), Variant::default_of(Method::Phong));
+        let Tried::Ran(ran) = prepared.run(&variant, &mut Vec::new()) else { panic!("phong shades it") };
+        assert_eq!(ran.fault.as_ref().map(|fault| (fault.span, fault.pixel)), Some((1, 0)));
+        let text = prepared.reproducer(&variant, &ran);
+        let loaded = parse("reproducer.toml", text).expect("it is a scene");
+        assert_eq!((loaded.frame.spans.len(), loaded.frame.triangles[0].normals[0]), (1, DVec3::X));
+        assert_eq!(loaded.core_spec(None).expect("phong shades it").method(), Method::Phong);
+    }
+
+    /// The frame is the one of the file, to the last bit.
+    #[test]
+    fn scenes_are_read_as_they_are_written() {
+        let mut draw = super::super::draw::Draw::new(5, 0);
+        let spans: Vec<RawSpan> = (0..50).map(|_| RawSpan::between(draw.ends(100.0, 80.0), draw.length(8192), matt())).collect();
+        let case = Case::new(SpanScene::new(&[DVec3::Z], spans.clone()));
+        let prepared = Prepared::new(&case).expect("it is a scene");
+        for (triangle, span) in prepared.frame.triangles.iter().zip(&spans) {
+            assert_eq!(triangle.normals, span.normals);
+        }
+    }
 }

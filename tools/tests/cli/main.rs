@@ -7,4 +7,5 @@ mod methods;
 mod output;
 mod program;
 mod run;
+mod stress;
 mod wave;

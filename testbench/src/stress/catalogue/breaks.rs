@@ -84,7 +84,9 @@ pub const SHORT_ACCUMULATOR: Row = Row {
             let span = RawSpan::between([tilted(-13.0), tilted(17.0)], 257, super::matt());
             vec![breaks(SpanScene::new(&[tilted(7.0)], vec![span]), is_short, 1.0)]
         },
-        variants: || [Method::Duff, Method::Reflection].iter().flat_map(|&method| short(method, &["accumulator = \"S3"], 18)).collect(),
+        variants: || {
+            [Method::Duff, Method::Reflection].iter().flat_map(|&method| short(method, &["accumulator = \"S3"], 18)).collect()
+        },
     },
 };
 

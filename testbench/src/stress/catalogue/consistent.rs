@@ -14,7 +14,11 @@ fn forms() -> Vec<Variant> {
         let table = format!("curve = \"{curve}\"\ndiffuse = \"{diffuse}\"\n");
         Variant { method: Method::Consistent, table }
     };
-    ["rational", "trigonometric"].iter().flat_map(|curve| ["lambert", "consistent"].map(|diffuse| (*curve, diffuse))).map(form).collect()
+    ["rational", "trigonometric"]
+        .iter()
+        .flat_map(|curve| ["lambert", "consistent"].map(|diffuse| (*curve, diffuse)))
+        .map(form)
+        .collect()
 }
 
 const fn trial(cases: fn(&mut super::Draw, super::Extent) -> Vec<Case>) -> Trial {
@@ -89,7 +93,10 @@ pub const BEYOND_A_QUARTER: Row = Row {
     input: "vertices whose angles exceed 90 degrees once enlarged",
     wanted: "clamped at pixels alone, within the bound",
     trial: trial(|draw, extent| {
-        let one = |cosine: f64| RawSpan { cone_cosines: [cosine, 1.0, 0.0], ..RawSpan::between([tilted(-20.0), tilted(30.0)], 40, lit(16)) };
+        let one = |cosine: f64| RawSpan {
+            cone_cosines: [cosine, 1.0, 0.0],
+            ..RawSpan::between([tilted(-20.0), tilted(30.0)], 40, lit(16))
+        };
         let cosines = [0.0, 0.05, 0.0775].into_iter().chain((0..extent.spans).map(|_| draw.within(0.0, 0.09)));
         vec![Case::new(SpanScene::new(&[tilted(40.0), tilted(-60.0)], cosines.map(one).collect()))]
     }),

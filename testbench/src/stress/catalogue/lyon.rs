@@ -88,7 +88,9 @@ pub const TAILS: Row = Row {
     trial: Trial::Scenes {
         cases: |_, _| {
             let case = |light, codes: [u8; 4]| {
-                Case::wanting(SpanScene::new(&[light], vec![flat(1)]), move |pixel| of_reflection_form(pixel, |k| codes[k as usize]))
+                Case::wanting(SpanScene::new(&[light], vec![flat(1)]), move |pixel| {
+                    of_reflection_form(pixel, |k| codes[k as usize])
+                })
             };
             vec![case(-DVec3::Z, [0, 0, 16, 26]), case(DVec3::X, [0, 64, 81, 88])]
         },

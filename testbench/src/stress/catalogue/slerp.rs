@@ -67,7 +67,8 @@ pub const FROZEN: Row = Row {
     trial: Trial::Scenes {
         cases: |_, _| {
             let span = RawSpan::between([tilted(44.0), tilted(45.0)], 17, matt());
-            let near = |pixel: &Pixel| pixel.shaded.spec.method() != Method::Slerp || pixel.is_within(255.0 * 0.0175 + 1.0, pixel.exact());
+            let near =
+                |pixel: &Pixel| pixel.shaded.spec.method() != Method::Slerp || pixel.is_within(255.0 * 0.0175 + 1.0, pixel.exact());
             vec![Case::wanting(SpanScene::new(&[DVec3::Z], vec![span]), near)]
         },
         variants: || {

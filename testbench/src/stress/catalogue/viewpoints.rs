@@ -1,8 +1,8 @@
 //! Lights and eyes behind the surface, in its plane, and opposite each other.
 use glam::DVec3;
+use specula_scene::MethodSpec;
 use specula_scene::spec::lyon::{Difference, Halfway};
 use specula_scene::spec::phong::Highlight;
-use specula_scene::MethodSpec;
 
 use super::super::draw::{tilted, turned};
 use super::super::row::Pixel;
@@ -61,7 +61,10 @@ pub const EYE_BEHIND: Row = Row {
         let fixed = [85.0, 90.0, 95.0, 120.0, 180.0].into_iter();
         let random: Vec<f64> = (0..extent.spans).map(|_| draw.within(85.0, 180.0)).collect();
         let case = |light: f64, spans: Vec<RawSpan>| Case::new(SpanScene::new(&[tilted(2.0 * light)], spans));
-        fixed.map(|degrees| case(degrees, vec![span(degrees)])).chain([case(100.0, random.into_iter().map(span).collect())]).collect()
+        fixed
+            .map(|degrees| case(degrees, vec![span(degrees)]))
+            .chain([case(100.0, random.into_iter().map(span).collect())])
+            .collect()
     }),
 };
 
@@ -93,7 +96,8 @@ pub const NEARLY_OPPOSITE_LIGHT: Row = Row {
     wanted: "a short H makes highlights too large, within the bound",
     trial: scenes(|draw, extent| {
         let case = |degrees: f64| {
-            let span = |n| RawSpan::between([tilted(degrees / 2.0 - 5.0), tilted(degrees / 2.0 + 4.0)], 50, material(0.1, 0.3, 0.6, n));
+            let span =
+                |n| RawSpan::between([tilted(degrees / 2.0 - 5.0), tilted(degrees / 2.0 + 4.0)], 50, material(0.1, 0.3, 0.6, n));
             Case::new(SpanScene::new(&[tilted(degrees)], [1, 64, 1024].map(span).into()))
         };
         let random = (0..extent.spans / 8).map(|_| draw.within(170.0, 180.0)).collect::<Vec<f64>>();
@@ -102,4 +106,3 @@ pub const NEARLY_OPPOSITE_LIGHT: Row = Row {
         [170.0, 179.0, 179.9, 179.999].into_iter().chain(random).map(case).chain([Case::new(skew)]).collect()
     }),
 };
-

@@ -16,7 +16,10 @@ pub const OPPOSITE: Row = Row {
         let mut span = RawSpan::between([DVec3::Z, tilted(150.0)], 20, matt());
         span.normals[2] = tilted(-150.0);
         let ends = RawSpan::between([DVec3::Z, -DVec3::Z], 33, lit(16));
-        vec![Case::wanting(SpanScene::new(&[DVec3::Z], vec![span]), first_is_right), Case::new(SpanScene::new(&[tilted(10.0)], vec![ends]))]
+        vec![
+            Case::wanting(SpanScene::new(&[DVec3::Z], vec![span]), first_is_right),
+            Case::new(SpanScene::new(&[tilted(10.0)], vec![ends])),
+        ]
     }),
 };
 
