@@ -56,8 +56,8 @@ fn normals(source: &SourceFile, given: &Spanned<Vec<Vector>>) -> Result<[DVec3; 
         [a, b, c] => [a, b, c],
         _ => return Err(source.error(given.span(), format!("`normals` has {} vectors", vectors.len()), help)),
     };
-    let wrong = |n: &&DVec3| **n != DVec3::ZERO && !((n.length() - 1.0).abs() <= LENGTH_SLACK);
-    match normals.iter().find(wrong) {
+    let lengths = 1.0 - LENGTH_SLACK..=1.0 + LENGTH_SLACK;
+    match normals.iter().find(|n| **n != DVec3::ZERO && !lengths.contains(&n.length())) {
         Some(normal) => Err(source.error(given.span(), format!("the normal {normal} has length {}", normal.length()), help)),
         None => Ok(normals),
     }

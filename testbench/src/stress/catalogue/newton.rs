@@ -18,7 +18,7 @@ pub const FIRST_PIXEL: Row = Row {
         cases: |_, _| {
             let span = |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, super::matt());
             let scene = SpanScene::new(&[tilted(30.0)], [2, 3, 4, 5].map(span).into());
-            vec![Case { scene, want: Box::new(|shaded| two_steps_suffice(shaded)) }]
+            vec![Case { scene, want: Box::new(two_steps_suffice) }]
         },
         variants: steps,
     },
@@ -61,7 +61,7 @@ pub const NEW_SPAN: Row = Row {
         let mut all = spans(draw, extent, [0.0, 179.0], lit);
         all.truncate(12);
         let scene = aimed(draw, all.iter().chain(&all).cloned().collect());
-        vec![Case { scene, want: Box::new(|shaded| first_that_differs(shaded)) }]
+        vec![Case { scene, want: Box::new(first_that_differs) }]
     }),
 };
 
