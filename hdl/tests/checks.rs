@@ -2,6 +2,8 @@
 use specula_hdl::Design;
 use specula_hdl::block::check_all;
 use specula_hdl::design::NodeId;
+use specula_scene::contributions::Contributions;
+use specula_scene::needs::Ranges;
 use specula_scene::spec::consistent::{Curve, Diffuse};
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, Normalisation};
@@ -22,6 +24,11 @@ fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
         shortest_normal: 0.95,
         least_cone_cosine: 0.9,
         least_view_cosine: 0.0,
+        smallest_shininess: 1,
+        contributions: Contributions::default(),
+        flat: false,
+        consistent_normals_differ: true,
+        ranges: Ranges::default(),
     }
 }
 

@@ -3,6 +3,8 @@ use std::fmt::Write;
 
 use specula_hdl::Design;
 use specula_hdl::verilog::{self, Header};
+use specula_scene::contributions::Contributions;
+use specula_scene::needs::Ranges;
 use specula_scene::spec::lyon::{Difference, Normalisation};
 use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
 
@@ -21,6 +23,11 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
         shortest_way: 1.0,
         least_cone_cosine: 0.9,
         least_view_cosine: 0.0,
+        smallest_shininess: 1,
+        contributions: Contributions::default(),
+        flat: false,
+        consistent_normals_differ: true,
+        ranges: Ranges::default(),
     };
     let mut spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
     match &mut spec.method {

@@ -1,20 +1,36 @@
 //! The core for a loaded scene.
-use crate::spec::{CoreOptions, SpecError};
-use crate::{CoreSpec, LoadedScene, Method, Needs, SceneError};
+use crate::spec::lyon::Normals;
+use crate::spec::{CoreOptions, SpecError, Specialise};
+use crate::{CoreSpec, LoadedScene, Method, MethodSpec, Needs, SceneError};
 
 impl LoadedScene {
     /// The core for this scene, by `method` if one is given, else by what the scene file's `[core]` table says, else `lyon`.
+    /// It is for this frame alone, unless the table has it `specialise = "general"`.
     ///
     /// # Errors
     /// A [`SceneError`] that points at the `[core]` table where that is at fault, else says why the method cannot shade the scene.
     pub fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, SceneError> {
         let options = self.core.as_ref().map(|table| table.parse::<CoreOptions>()).transpose()?;
-        let spec = CoreSpec::for_scene(&Needs::of(&self.frame), options.as_ref(), method);
-        spec.map_err(|error| match &self.core {
+        let needs = Needs::of(&self.frame);
+        let spec = CoreSpec::for_scene(&needs, options.as_ref(), method);
+        let spec = spec.map_err(|error| match &self.core {
             Some(table) if error.is_about_options() => table.error(table.span(), error.to_string(), help_of(&error)),
             _ => SceneError::Spec(error),
+        })?;
+        Ok(match options.as_ref().and_then(|options| options.specialise).unwrap_or(Specialise::Scene) {
+            Specialise::General => spec,
+            Specialise::Scene => without_interpolation(spec, &needs, options.as_ref()).specialised(&self.frame),
         })
     }
+}
+
+/// Where every triangle has one normal, `lyon` takes it as it is, unless it is told what to do with normals.
+fn without_interpolation(mut spec: CoreSpec, needs: &Needs, options: Option<&CoreOptions>) -> CoreSpec {
+    let told = options.is_some_and(|options| options.of(Method::Lyon).contains_key("normals"));
+    if let (MethodSpec::Lyon(lyon), true, false) = (&mut spec.method, needs.flat, told) {
+        lyon.normals = Normals::Flat;
+    }
+    spec
 }
 
 fn help_of(error: &SpecError) -> String {

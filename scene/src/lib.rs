@@ -5,6 +5,7 @@
 mod angle;
 mod builtin;
 mod choose_core;
+pub mod contributions;
 pub mod defaults;
 mod error;
 mod file;

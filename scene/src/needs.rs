@@ -1,11 +1,12 @@
-//! What a frame makes use of, as far as the first cores ask: it decides widths and checks that a core fits.
+//! What a frame makes use of: it decides what is built and how wide, and whether a core that is there will do.
 use glam::DVec3;
 use serde::Serialize;
 
-use crate::frame::{EYE, Frame, LocalLight, Span};
+use crate::contributions::Contributions;
+use crate::frame::{EYE, Frame, LocalLight, Span, Triangle};
 
 /// What shading this frame needs.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Needs {
     /// Number of lights, those at a place included.
     pub lights: usize,
@@ -15,12 +16,21 @@ pub struct Needs {
     pub local_eye: bool,
     /// Pixels of the longest span.
     pub longest_span: u32,
+    /// Smallest exponent n of a material.
+    pub smallest_shininess: u32,
     /// Largest exponent n of a material.
     pub largest_shininess: u32,
     /// A material whose exponent is no power of two, if there is one.
     pub uneven_shininess: Option<u32>,
     /// Largest product of a material's and a light's (or the ambient light's) colour component; 1.0 is full scale.
     pub brightest_coefficient: f64,
+    /// What kinds of light are sent back at all, and how strongly.
+    pub contributions: Contributions,
+    /// Whether every triangle has one normal all over.
+    pub flat: bool,
+    /// Whether consistent normal interpolation would reflect anything otherwise: at some vertex the normal is not that of every face
+    /// around it.
+    pub consistent_normals_differ: bool,
     /// Widest angle between the normals at the two ends of a span, in degrees.
     pub widest_angle: f64,
     /// Length of the shortest interpolated normal, in units of the longer end normal of its span; 0 to 1.
@@ -32,6 +42,56 @@ pub struct Needs {
     pub least_cone_cosine: f64,
     /// The smallest cosine between an interpolated normal and the direction to the eye: -1 to 1.
     pub least_view_cosine: f64,
+    /// What interpolated quantities are at the ends of spans.
+    pub ranges: Ranges,
+}
+
+/// An interval, its ends included.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Interval {
+    /// The smallest value.
+    pub low: f64,
+    /// The largest value.
+    pub high: f64,
+}
+
+/// Intervals of what is interpolated, over both ends of all spans; [0, 0] in a frame without any. Normals are scaled as by
+/// [`Frame::end_normals`].
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Ranges {
+    /// Components of the normal.
+    pub normal: [Interval; 3],
+    /// Components of the change of the normal over a span.
+    pub normal_delta: [Interval; 3],
+    /// N·V for the eye at infinity.
+    pub normal_dot_eye: Interval,
+    /// N·L for each light at infinity.
+    pub normal_dot_light: Vec<Interval>,
+    /// 1/S.
+    pub weight_step: Interval,
+}
+
+impl Interval {
+    /// The smallest interval with all of `values`; [0, 0] if there are none.
+    pub fn of(values: impl IntoIterator<Item = f64>) -> Interval {
+        let hull = |a: Interval, b: Interval| Interval { low: a.low.min(b.low), high: a.high.max(b.high) };
+        values.into_iter().map(|x| Interval { low: x, high: x }).reduce(hull).unwrap_or_default()
+    }
+}
+
+impl Ranges {
+    fn of(frame: &Frame) -> Ranges {
+        let ends: Vec<[DVec3; 2]> = frame.spans.iter().map(|span| frame.end_normals(span)).collect();
+        let of = |value: &dyn Fn(DVec3) -> f64| Interval::of(ends.iter().flatten().map(|&normal| value(normal)));
+        let axes = [0, 1, 2];
+        Ranges {
+            normal: axes.map(|axis| of(&|normal| normal[axis])),
+            normal_delta: axes.map(|axis| Interval::of(ends.iter().map(|[a, b]| (*b - *a)[axis]))),
+            normal_dot_eye: of(&|normal| normal.dot(EYE)),
+            normal_dot_light: frame.lights.iter().map(|light| of(&|normal| normal.dot(light.direction))).collect(),
+            weight_step: Interval::of(frame.spans.iter().map(Span::weight_step)),
+        }
+    }
 }
 
 /// What a light at a place is.
@@ -63,16 +123,34 @@ impl Needs {
             local_lights: frame.local_lights.iter().map(LocalKind::of).collect(),
             local_eye: frame.eye.is_some(),
             longest_span: frame.spans.iter().map(|s| s.length).max().unwrap_or(1),
+            smallest_shininess: shininess().min().unwrap_or(1),
             largest_shininess: shininess().max().unwrap_or(1),
             uneven_shininess: shininess().find(|n| !n.is_power_of_two()),
             brightest_coefficient: brightest_coefficient(frame),
+            contributions: Contributions::of(frame),
+            flat: seen(frame).all(|triangle| triangle.normals.iter().all(|normal| *normal == triangle.normals[0])),
+            consistent_normals_differ: seen(frame).flat_map(|triangle| triangle.cones).any(|cone| cone.cosine < 1.0 - ROUNDING),
             widest_angle: frame.spans.iter().flat_map(|s| ends(frame, s)).map(angle).fold(0.0, f64::max),
             shortest_normal: frame.spans.iter().flat_map(|s| ends(frame, s)).map(shortest).fold(1.0, f64::min),
             least_cone_cosine: frame.triangles.iter().flat_map(|t| t.cones).map(|cone| cone.cosine).fold(1.0, f64::min),
             least_view_cosine: frame.spans.iter().map(|s| least_view_cosine(frame.end_axes(s))).fold(1.0, f64::min),
             shortest_way: frame.spans.iter().map(|s| shortest_way(frame, s)).fold(1.0, f64::min),
+            ranges: Ranges::of(frame),
         }
     }
+
+    /// Whether the directions to all lights and to the eye are the same at every pixel.
+    pub fn directions_are_constant(&self) -> bool {
+        self.local_lights.is_empty() && !self.local_eye
+    }
+}
+
+/// By how much cosines of the same unit vector may fall short of 1.
+const ROUNDING: f64 = 1e-12;
+
+/// The triangles that spans show, one after the other.
+fn seen(frame: &Frame) -> impl Iterator<Item = &Triangle> {
+    frame.spans.iter().map(|span| &frame.triangles[span.triangle])
 }
 
 /// What methods interpolate along a span: its normals, and the axes of its cones.

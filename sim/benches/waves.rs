@@ -22,7 +22,7 @@ fn main() {
     let part = arguments.next().unwrap_or_default();
 
     let scene = specula_scene::load("teapot", Some((640, 480))).expect("the scene is built in");
-    let spec = scene.core_spec(None).expect("the scene has a core");
+    let spec = scene.core_spec(None).expect("the scene has a core").general();
     let design = specula_hdl::elaborate(&spec, "teapot").expect("the core can be built");
     let packets: Vec<_> = scene.frame.spans.iter().map(|span| spec.packet(&scene.frame, span)).collect();
     let stimulus = Stimulus::whole(&packets, &design);

@@ -1,4 +1,7 @@
 //! What goes into a core, clock by clock: span after span with no idle clock between, then idle clocks until the last pixel is out.
+//!
+//! `start` is high in idle clocks, so that accumulators stay where their units say that they are: behind the last pixel of a span they
+//! would go on, and what overflows then is nobody's business in hardware, but has to be the same in every engine.
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -163,10 +166,10 @@ impl Iterator for Strides<'_> {
                 let end = end.min(clocks.end);
                 Stride { clocks: self.clock..end, valid: true, starts: self.clock == begins[self.span], span: Some(self.span) }
             }
-            None => Stride { clocks: self.clock..clocks.end, valid: false, starts: false, span: self.span.checked_sub(1) },
+            None => Stride { clocks: self.clock..self.clock + 1, valid: false, starts: true, span: begins.len().checked_sub(2) },
         };
         self.clock = stride.clocks.end;
-        self.span += 1;
+        self.span = (self.span + 1).min(begins.len() - 1);
         Some(stride)
     }
 }
@@ -188,7 +191,8 @@ mod tests {
         let packets = packets();
         let clocks: Vec<_> = stimulus(&packets, 0..10).stretches().map(|s| (s.clocks, s.valid, s.starts, s.inputs)).collect();
         let span = |clocks, i| (clocks, true, true, vec![i]);
-        assert_eq!(clocks, [span(0..3, 0), span(3..4, 1), span(4..8, 2), (8..10, false, false, vec![2])]);
+        let idle = |clocks| (clocks, false, true, vec![2]);
+        assert_eq!(clocks, [span(0..3, 0), span(3..4, 1), span(4..8, 2), idle(8..9), idle(9..10)]);
     }
 
     #[test]

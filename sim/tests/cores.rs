@@ -121,3 +121,30 @@ fn runs_may_begin_late_and_share_a_build() {
         assert_eq!(all[120..140], part[in_part]);
     }
 }
+
+/// Inputs that are constants, or the same as others, or never 0, in every engine and in every clock.
+fn specialised_outputs_agree(frame: &specula_scene::Frame, method: Method) {
+    let spec = frames::spec(frame, method).specialised(frame);
+    let design = frames::design(&spec);
+    let packets = frames::packets(&spec, frame);
+    let stimulus = Stimulus::whole(&packets, &design);
+    let (reference, others) = engines::run_all(&design, &stimulus, &outputs(&design));
+    for (engine, columns) in others {
+        let first = if engine == "icarus" { u64::from(design.latency()) } else { 0 };
+        engines::assert_same(&design, &reference, &columns, first, engine);
+    }
+}
+
+#[test]
+fn cores_for_one_frame_agree() {
+    for method in [Method::Lyon, Method::Slerp] {
+        specialised_outputs_agree(&frames::frame(1993, 2, 12), method);
+    }
+}
+
+#[test]
+fn cores_whose_pixels_are_all_the_same_agree() {
+    let mut frame = frames::frame(1993, 1, 1);
+    frame.triangles[0].normals = [frame.triangles[0].normals[0]; 3];
+    specialised_outputs_agree(&frame, Method::Lyon);
+}

@@ -40,6 +40,10 @@ fn specs() -> Vec<CoreSpec> {
         |lyon| lyon.difference = Difference::UnitHalfwayMinusNormal,
     ];
     specs.extend(changes.map(|change| frames::lyon(&frame, change)));
+    // For one frame alone, and for one in which every pixel is the same.
+    let flat = frames::frame(6, 1, 1);
+    specs.extend(Method::ALL.map(|method| frames::spec(&frame, method).specialised(&frame)));
+    specs.push(frames::spec(&flat, Method::Gouraud).specialised(&flat));
     specs
 }
 

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_scene::picture::limits;
+use specula_scene::spec::Specialise;
 use specula_scene::{CoreSpec, LoadedScene, Method};
 use specula_testbench::EngineKind;
 use specula_testbench::trace::Choice;
@@ -24,6 +25,10 @@ pub struct SceneArguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     pub method: Option<Method>,
+    /// A core for this scene alone, without what the scene does not need, or a general one
+    /// [default: what the scene says, else scene]
+    #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
+    pub specialise: Option<Specialise>,
 }
 
 impl SceneArguments {
@@ -31,6 +36,11 @@ impl SceneArguments {
     pub fn load(&self) -> Result<(LoadedScene, CoreSpec), ToolError> {
         let scene = specula_scene::load(&self.scene, self.size)?;
         let spec = scene.core_spec(self.method)?;
+        let spec = match self.specialise {
+            None => spec,
+            Some(Specialise::Scene) => spec.specialised(&scene.frame),
+            Some(Specialise::General) => spec.general(),
+        };
         Ok((scene, spec))
     }
 
@@ -71,6 +81,12 @@ fn parse_cycles(text: &str) -> Result<std::ops::Range<u64>, String> {
 /// `--method`.
 pub fn method_parser() -> impl TypedValueParser<Value = Method> {
     PossibleValuesParser::new(Method::ALL.map(Method::name)).try_map(|name| Method::from_name(&name))
+}
+
+/// `--specialise`.
+fn specialise_parser() -> impl TypedValueParser<Value = Specialise> {
+    PossibleValuesParser::new(Specialise::ALL.map(Specialise::name))
+        .try_map(|name| Specialise::ALL.into_iter().find(|wish| wish.name() == name).ok_or("there is no such wish"))
 }
 
 /// `--engine`.

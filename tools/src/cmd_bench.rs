@@ -60,7 +60,7 @@ struct Measured<'a> {
 /// Measures and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = specula_scene::load(&arguments.scene, Some(arguments.size))?;
-    let spec = scene.core_spec(arguments.method)?;
+    let spec = scene.core_spec(arguments.method)?.general();
     let bench = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(&scene.name))?;
     let extent = Extent { rounds: arguments.rounds as usize, seconds: arguments.seconds };
     let measurement = measured(&bench, extent)?;

@@ -29,7 +29,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let (scene, spec) = arguments.scene.load()?;
     let module = specula_hdl::verilog::module_name(&scene.name);
     let bench = Bench::new(&scene.frame, &spec, &module)?;
-    let text = verilog::text(&Origin::new(&arguments.scene, spec.method()), &spec, &bench.design);
+    let text = verilog::text(&Origin::new(&arguments.scene, &spec), &spec, &bench.design);
     let path = write_verilog(&arguments.scene.folder(&scene), &verilog::file_name(&module), &text)?;
     writeln!(stdout, "{}", path.display()).map_err(ToolError::Print)?;
     Ok(Verdict::Done)

@@ -78,7 +78,7 @@ fn run_of<'a>(arguments: &Arguments, (name, module): (&'a str, &'a str), bench: 
     Run {
         name,
         module,
-        origin: Origin::new(&arguments.scene, bench.spec.method()),
+        origin: Origin::new(&arguments.scene, bench.spec),
         bench,
         engine: arguments.engine,
         trace_format: arguments.trace_format,

@@ -3,7 +3,7 @@ use std::path::Path;
 
 use specula_hdl::Design;
 use specula_hdl::verilog::Header;
-use specula_scene::{CoreSpec, Method, builtin_names};
+use specula_scene::{CoreSpec, builtin_names};
 
 use crate::arguments::SceneArguments;
 use crate::table;
@@ -18,11 +18,13 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// The origin of what is made from `arguments` with `method`.
-    pub fn new(arguments: &SceneArguments, method: Method) -> Origin {
+    /// The origin of the core of `spec`, which is made from `arguments`.
+    pub fn new(arguments: &SceneArguments, spec: &CoreSpec) -> Origin {
         let scene = scene_name(&arguments.scene);
         let size = arguments.size.map(|(width, height)| format!(" --size {width}x{height}")).unwrap_or_default();
-        let command = format!("specula generate {}{size} --method {}", quoted(&scene), method.name());
+        let method = spec.method().name();
+        let specialise = arguments.specialise.map(|wish| format!(" --specialise {}", wish.name())).unwrap_or_default();
+        let command = format!("specula generate {}{size} --method {method}{specialise}", quoted(&scene));
         Origin { scene, command }
     }
 }
@@ -88,8 +90,9 @@ mod tests {
     use super::*;
 
     fn origin(scene: &str, size: Option<(u32, u32)>) -> Origin {
-        let arguments = SceneArguments { scene: scene.to_owned(), output: None, size, method: None };
-        Origin::new(&arguments, Method::Lyon)
+        let arguments = SceneArguments { scene: scene.to_owned(), output: None, size, method: None, specialise: None };
+        let spec = specula_scene::load("icosahedron", Some((8, 6))).and_then(|scene| scene.core_spec(None)).expect("it has a core");
+        Origin::new(&arguments, &spec)
     }
 
     #[test]

@@ -28,6 +28,16 @@ pub enum PacketError {
         /// Largest raw value.
         high: i64,
     },
+    /// An input that the core does not take, since it always has another's value, has another value.
+    #[error("input `{name}` is {raw}, and not what `{twin}` is")]
+    Differs {
+        /// The input.
+        name: String,
+        /// The one whose value it should have.
+        twin: String,
+        /// The raw value given.
+        raw: i64,
+    },
     /// The span is empty or longer than the core takes.
     #[error("the span has {length} pixels, and the core takes 1 to {longest}")]
     Length {
@@ -85,7 +95,14 @@ pub(super) fn check(packet: &SpanPacket, ports: &[InputPort], longest: u32) -> R
     if packet.inputs.len() != ports.len() {
         return Err(PacketError::InputCount { given: packet.inputs.len(), wanted: ports.len() });
     }
-    ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_range(port, raw))
+    ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_range(port, raw))?;
+    ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_twin(port, raw, packet, ports))
+}
+
+fn check_twin(port: &InputPort, raw: i64, packet: &SpanPacket, ports: &[InputPort]) -> Result<(), PacketError> {
+    let Some(twin) = &port.same_as else { return Ok(()) };
+    let given = ports.iter().zip(&packet.inputs).find(|(other, _)| other.name == *twin).map(|(_, &raw)| raw);
+    if given == Some(raw) { Ok(()) } else { Err(PacketError::Differs { name: port.name.clone(), twin: twin.clone(), raw }) }
 }
 
 fn check_range(port: &InputPort, raw: i64) -> Result<(), PacketError> {

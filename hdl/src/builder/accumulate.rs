@@ -12,6 +12,9 @@ impl Sig {
     pub fn accumulated(first: &Sig, start: &Sig, step: &Sig, (low, high): (f64, f64), steps: u32, fact: &str) -> Sig {
         let fraction_bits = start.fraction_bits().max(step.fraction_bits());
         let (start, step) = (start.with_fraction_bits(fraction_bits), step.with_fraction_bits(fraction_bits));
+        if step.range() == Range::single(0) {
+            return start.never_growing();
+        }
         let builder = first.builder.clone();
         let stage = [first, &start, &step].map(Sig::stage).into_iter().max().unwrap_or(0);
         let (first, start, step) = (first.aligned(stage), start.aligned(stage), step.aligned(stage));
@@ -29,6 +32,14 @@ impl Sig {
         builder.state.borrow_mut().design.nodes[state.0 as usize].op = Op::Wrap(next.id());
         let value = value.assumed(low, high, fact);
         builder.emit(Op::Copy(value.id()), Register::Data, facts(value.range(), "accumulated"))
+    }
+
+    /// What starts here and grows by nothing: inputs are held while their span goes in, so no register need keep it.
+    fn never_growing(&self) -> Sig {
+        self.builder.leave_out(&format!("accumulator {} bits", self.range().width()), "its step is always 0");
+        let facts =
+            Facts { range: self.range().into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "accumulated" };
+        self.builder.emit(Op::Copy(self.id()), Register::Data, facts)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Leaves out operators whose result is known or is one of their operands.
 use super::state::{Facts, State};
-use crate::design::{NodeId, Op};
+use crate::design::{NodeId, Op, Register};
 
 /// The signal that an operator's result is already, if it is one; what is saved is noted.
 pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId> {
@@ -9,6 +9,10 @@ pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId>
         let id = state.constant(value, facts.fraction_bits);
         state.design.nodes[id.0 as usize].error = facts.error;
         return Some(id);
+    }
+    if let Some((factor, bits)) = power_of_two_times(state, op) {
+        note(state, op, &format!("it multiplies by 2^{bits}, which wires do"));
+        return Some(state.emit(Op::ShiftLeft(factor, bits), Register::None, facts.clone()));
     }
     let constant = |id| state.is_constant(id);
     let (same, why) = match op {
@@ -31,6 +35,13 @@ pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId>
     }
     note(state, op, why);
     Some(same)
+}
+
+/// Of a product with 2^k, k > 0: the other factor and k.
+fn power_of_two_times(state: &State, op: Op) -> Option<(NodeId, u32)> {
+    let Op::Mul(a, b) = op else { return None };
+    let exponent = |id| state.is_constant(id).filter(|&value| value > 1 && value.count_ones() == 1).map(i64::trailing_zeros);
+    exponent(b).map(|bits| (a, bits)).or_else(|| exponent(a).map(|bits| (b, bits)))
 }
 
 fn known_value(state: &State, op: Op, facts: &Facts) -> Option<i64> {

@@ -81,8 +81,17 @@ impl Builder {
     }
 
     /// Opens a data input. Its host rounded it to nearest, so it is off by half a unit in the last place at most.
-    /// A port that is given one value only becomes a constant.
+    /// A port that is given one value only becomes a constant, and one that is given what an earlier one is becomes that.
     pub fn input(&self, port: &InputPort) -> Sig {
+        if let Some(twin) = port.same_as.as_deref().and_then(|twin| self.opened(twin)) {
+            let mut state = self.state.borrow_mut();
+            let name = &state.design.node(twin).name;
+            let why = format!("it is always what `{name}` is");
+            state.leave_out(&format!("input `{}`", port.name), &why);
+            state.design.inputs.push(None);
+            drop(state);
+            return self.sig(twin);
+        }
         let range = Range::new(port.range.0, port.range.1);
         let error = if port.format.fraction_bits == 0 { 0.0 } else { 0.5 };
         let id = match range.only() {
@@ -104,6 +113,12 @@ impl Builder {
         self.sig(id)
     }
 
+    /// The data input of that name.
+    fn opened(&self, name: &str) -> Option<NodeId> {
+        let state = self.state.borrow();
+        state.design.inputs.iter().flatten().copied().find(|&input| state.design.node(input).name == name)
+    }
+
     /// The integer `value`, exactly.
     pub fn integer(&self, value: i64) -> Sig {
         let id = self.state.borrow_mut().constant(value, 0);
@@ -115,8 +130,11 @@ impl Builder {
     /// # Errors
     /// [`TooWide`] names the first signal that needs more than 63 bits.
     pub fn finish(self, valid: &Sig, start: &Sig, outputs: &[(&str, Sig)]) -> Result<Design, TooWide> {
-        let last = outputs.iter().map(|(_, sig)| sig.stage()).max().unwrap_or(0);
         let mut state = self.state.borrow_mut();
+        let constant = outputs.iter().any(|(_, sig)| state.is_constant(sig.id()).is_some());
+        // Validity has a register of its own also where every output is a constant.
+        let stages = outputs.iter().map(|(_, sig)| state.design.node(sig.id()).stage);
+        let last = stages.max().unwrap_or(0).max(u32::from(constant));
         state.design.valid = valid.id();
         state.design.start = start.id();
         state.design.valid_out = state.validity_after(valid.id(), last);
@@ -125,6 +143,11 @@ impl Builder {
             state.design.outputs.push(id);
         }
         state.close(last)
+    }
+
+    /// Notes hardware that is not built, and why nothing is lost.
+    pub fn leave_out(&self, what: &str, why: &str) {
+        self.state.borrow_mut().leave_out(what, why);
     }
 
     fn sig(&self, id: NodeId) -> Sig {

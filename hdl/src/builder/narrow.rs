@@ -55,12 +55,12 @@ impl Sig {
             return self.clone();
         }
         let constant = self.builder.state.borrow().is_constant(self.id());
-        if let Some(value) = constant {
-            let id = self.builder.state.borrow_mut().constant(value >> dropped, fraction_bits);
-            return self.builder.sig(id);
-        }
         let range = self.range().shifted_right(dropped);
         let error = self.error() * power_of_two(-i64::from(dropped)) + 1.0;
+        if let Some(value) = constant {
+            let id = self.builder.state.borrow_mut().constant(value >> dropped, fraction_bits);
+            return self.builder.sig(id).with_error(error);
+        }
         let facts = Facts { range: range.into(), fraction_bits, error, kind };
         self.builder.emit(Op::ShiftRight(self.id(), dropped), Register::None, facts)
     }

@@ -61,6 +61,13 @@ impl Sig {
         self.error() * self.ulp()
     }
 
+    /// Whether it always has the other's value: it is the same signal, or the same constant.
+    pub fn is(&self, other: &Sig) -> bool {
+        let constant = |sig: &Sig| self.builder.state.borrow().is_constant(sig.id);
+        let same = self.id == other.id || constant(self).is_some_and(|value| constant(other) == Some(value));
+        same && self.fraction_bits == other.fraction_bits
+    }
+
     /// Gives it a name, unless it has one.
     pub fn named(self, name: &str) -> Sig {
         self.builder.state.borrow_mut().name(self.id, name);
@@ -109,7 +116,7 @@ impl Sig {
         match constant {
             Some(value) => {
                 let id = self.builder.state.borrow_mut().constant(value << bits, facts.fraction_bits);
-                self.builder.sig(id)
+                self.builder.sig(id).with_error(facts.error)
             }
             None => self.builder.emit(op, Register::None, facts),
         }

@@ -9,6 +9,7 @@ use crate::target::Target;
 use crate::verilog::{CONTROL, is_reserved};
 
 /// What is known of a new signal beside its operator.
+#[derive(Clone)]
 pub(super) struct Facts {
     pub range: WideRange,
     pub fraction_bits: u32,

@@ -18,8 +18,28 @@ pub struct Light {
 
 /// The 8-bit codes of red, green and blue. [METHODS A3]
 pub fn channels(b: &Builder, ambient: &Coefficients, lights: &[Light]) -> [Sig; 3] {
-    let channel = |c: usize, name: &str| b.instance(&format!("{name}_channel"), || channel(b, &ambient[c], lights, c));
-    [channel(0, "red"), channel(1, "green"), channel(2, "blue")]
+    let code = |c: usize| b.instance(&format!("{}_channel", NAMES[c]), || channel(b, &ambient[c], lights, c));
+    let red = code(0);
+    let green = if alike(ambient, lights, [0, 1]) { shared(b, &red, [0, 1]) } else { code(1) };
+    let blue = match [(0, &red), (1, &green)].into_iter().find(|(c, _)| alike(ambient, lights, [*c, 2])) {
+        Some((c, earlier)) => shared(b, earlier, [c, 2]),
+        None => code(2),
+    };
+    [red, green, blue]
+}
+
+const NAMES: [&str; 3] = ["red", "green", "blue"];
+
+/// Whether two channels have the same coefficients, and so the same codes.
+fn alike(ambient: &Coefficients, lights: &[Light], [a, b]: [usize; 2]) -> bool {
+    let same = |coefficients: &Coefficients| coefficients[a].is(&coefficients[b]);
+    same(ambient) && lights.iter().all(|light| same(&light.diffuse_coefficients) && same(&light.specular_coefficients))
+}
+
+/// The code of an earlier channel for a later one.
+fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
+    b.leave_out(&format!("channel `{}`", NAMES[later]), &format!("it is always what `{}` is", NAMES[earlier]));
+    code.clone()
 }
 
 /// c = ambient + Σ (diffuse coefficient · diffuse + specular coefficient · specular), rounded, at most 255.

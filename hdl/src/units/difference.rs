@@ -10,7 +10,7 @@ use crate::builder::{Builder, Vector};
 pub fn halfway_cross_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFormats) -> Vector {
     b.unit("halfway_cross_normal", "D = H x N, H = L + V [METHODS B13]", (("h", h), ("n", n)), |_, (h, n)| {
         let (longest_h, longest_n) = (2.0 + 2.0 * formats.vector.ulp(), n.longest());
-        let (e_h, e_n) = (h.x.error_value(), n.x.error_value());
+        let (e_h, e_n) = (h.largest_error(), n.largest_error());
         let error = std::f64::consts::SQRT_2 * (longest_h * e_n + longest_n * e_h + e_h * e_n);
         let d = h.cross(&n).assumed_within(longest_h * longest_n, "|H x N| <= |H||N|");
         d.proven_error_value(error).rounded(formats.difference.fraction_bits).named("d")

@@ -44,7 +44,7 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
             bound = bound.after_newton_step();
             g = newton_step(b, &g, &z, f, longest).proven_error_value(bound.error);
         }
-        let e_normal = normal.x.error_value();
+        let e_normal = normal.largest_error();
         let error = bound.largest * e_normal + (1.0 + e_normal) * bound.error;
         let n = normal.scaled(&g).proven_error_value(error).rounded(f.vector.fraction_bits);
         let unsure = if direction_is_sure(shortest, e_normal, f) { 0.0 } else { 1.0 };
@@ -63,7 +63,7 @@ enum FirstGain {
 
 /// N' as it is, and whether it has a direction; off by 1 where all components may round to 0 though one is not.
 fn unnormalised(b: &Builder, normal: &Vector, shortest: f64) -> (Vector, Sig) {
-    let surely = shortest - 3f64.sqrt() * normal.x.error_value();
+    let surely = shortest - 3f64.sqrt() * normal.largest_error();
     let unsure = if surely > 0.0 { 0.0 } else { 1.0 };
     (normal.clone(), has_direction(b, normal).stated_error_value(unsure))
 }

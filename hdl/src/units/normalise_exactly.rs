@@ -43,7 +43,7 @@ pub fn normalise_exactly(b: &Builder, normal: &Vector, to: ExactNormalisation, s
         let largest = r.format().value(r.range().high);
         let error = match sure {
             true => {
-                largest.min(surely.sqrt().recip() + r.ulp()) * normal.x.error_value()
+                largest.min(surely.sqrt().recip() + r.ulp()) * normal.largest_error()
                     + 0.5 * z.error_value() / surely
                     + of_rounding_r
             }

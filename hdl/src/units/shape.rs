@@ -22,7 +22,7 @@ pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon
         let rounding = (f64::from(k) - 0.5) * lyon.formats.shape.ulp();
         // Where rounding may decide whether a normal has a direction, nothing is known of f.
         let sure = has_direction.error() == 0.0;
-        let error = if sure { (3f64.sqrt() * d.x.error_value() * slope + rounding).min(1.0) } else { 1.0 };
+        let error = if sure { (3f64.sqrt() * d.largest_error() * slope + rounding).min(1.0) } else { 1.0 };
 
         let squared_length = d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
         let x = (&n * squared_length)
@@ -76,8 +76,7 @@ fn root_error(d: &Vector, m: &Sig, lyon: &LyonSpec) -> f64 {
     let half_step = 0.5 * m.ulp();
     let (smallest, largest) = (m.range().low as f64 * m.ulp() - half_step, m.range().high as f64 * m.ulp() + half_step);
     let shift = f64::from(1u32 << lyon.root_shift());
-    let e_u = 3f64.sqrt() * (largest / shift * d.x.error_value().max(d.y.error_value()).max(d.z.error_value()))
-        + 3f64.sqrt() * 0.5 * lyon.formats.scaled_difference.ulp();
+    let e_u = 3f64.sqrt() * (largest / shift * d.largest_error()) + 3f64.sqrt() * 0.5 * lyon.formats.scaled_difference.ulp();
     let of_m = 2.0 * ((terms - 1.0) / terms).powf(terms - 1.0) * half_step / smallest;
     steepest_slope(lyon.squarings, 2.0 * terms) * e_u + of_m + (terms - 0.5) * lyon.formats.shape.ulp()
 }

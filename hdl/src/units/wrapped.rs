@@ -27,7 +27,7 @@ pub fn wrapped(b: &Builder, h: &Vector, w: &Vector, formats: &LyonFormats) -> Ve
         let e_h = 3f64.sqrt() * [&h.x, &h.y, &h.z].map(Sig::error_value).into_iter().fold(0.0, f64::max);
         let shortest = 1.0 - e_h;
         let of_rounding = 2.0 * formats.wrap_operand.ulp() / shortest + 2.1 * formats.wrap_ratio.ulp();
-        let error = 2.0 * lengths.1 * e_h / shortest + 3f64.sqrt() * w.x.error_value() + of_rounding;
+        let error = 2.0 * lengths.1 * e_h / shortest + 3f64.sqrt() * w.largest_error() + of_rounding;
         let n = h.scaled(&v.doubled()) - &w;
         // Where rounding is as coarse as H is long, what is propagated is all that is known.
         let n = if shortest > 0.0 { n.proven_error_value(error) } else { n };

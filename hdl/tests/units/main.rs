@@ -23,6 +23,8 @@ use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use specula_hdl::Design;
 use specula_hdl::builder::{Builder, Sig};
 use specula_hdl::target::Generic;
+use specula_scene::contributions::Contributions;
+use specula_scene::needs::Ranges;
 use specula_scene::spec::{InputPort, LyonSpec};
 use specula_scene::{Format, Needs};
 
@@ -43,7 +45,7 @@ impl Bench {
     }
 
     fn input(&self, name: &str, format: Format, (low, high): (i64, i64)) -> Sig {
-        self.b.input(&InputPort { name: name.into(), format, range: (low, high) })
+        self.b.input(&InputPort { name: name.into(), format, range: (low, high), same_as: None })
     }
 
     fn finish(self, outputs: &[(&str, Sig)]) -> Design {
@@ -81,6 +83,11 @@ fn lyon(fraction_bits: u32) -> LyonSpec {
         shortest_way: 1.0,
         least_cone_cosine: 0.9,
         least_view_cosine: 0.0,
+        smallest_shininess: 1,
+        contributions: Contributions::default(),
+        flat: false,
+        consistent_normals_differ: true,
+        ranges: Ranges::default(),
     };
     let mut lyon = LyonSpec::for_needs(&needs);
     let f = &mut lyon.formats;

@@ -5,7 +5,7 @@ use serde::de::DeserializeOwned;
 use super::narrowing::LARGEST_ROOT_REACH;
 use super::{
     COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS, Method,
-    NarrowingPoint, SpecError,
+    NarrowingPoint, SpecError, Specialisation,
 };
 use crate::format::Format;
 use crate::needs::Needs;
@@ -36,6 +36,7 @@ impl CoreSpec {
             least_cone_cosine: needs.least_cone_cosine,
             least_view_cosine: needs.least_view_cosine,
             method: method.spec(needs, &table.of(method))?,
+            specialisation: Specialisation::default(),
         };
         spec.check()?;
         spec.check_serves(needs)?;
@@ -63,7 +64,8 @@ impl CoreSpec {
         within("coefficient integer bits", self.coefficient.integer_bits.into(), 1, MOST_COEFFICIENT_BITS)?;
         within("largest_shininess", self.largest_shininess.into(), 1, LARGEST_SHININESS.into())?;
         self.method.describe().check_options()?;
-        self.narrowing_points().iter().try_for_each(NarrowingPoint::check)
+        self.narrowing_points().iter().try_for_each(NarrowingPoint::check)?;
+        self.check_specialisation()
     }
 
     /// Every place where the method rounds values, in the order of the data.
@@ -81,6 +83,7 @@ impl CoreSpec {
             ("shortest interpolated normal", format!("{:.3} of the longer one at the ends of its span", self.shortest_normal)),
         ];
         options.extend(self.method.describe().options());
+        options.push(("made for", self.specialisation.in_words()));
         options
     }
 }

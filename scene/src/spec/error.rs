@@ -69,6 +69,18 @@ pub enum SpecError {
         /// The most fraction bits.
         most_fraction_bits: u32,
     },
+    /// What an input is said to be given does not fit.
+    #[error("input `{name}` of the core: {wrong}")]
+    #[diagnostic(
+        code(specula::spec::specialisation),
+        help("give raw values, smallest and largest, or the name of an earlier input of the same format")
+    )]
+    Specialisation {
+        /// The input.
+        name: String,
+        /// What is wrong.
+        wrong: String,
+    },
     /// The `[core]` table of a scene file does not fit.
     #[error("the [core] table is wrong: {message}")]
     #[diagnostic(code(specula::spec::core), help("docs/scene-format.md lists the keys of [core] and their values"))]

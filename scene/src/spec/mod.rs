@@ -25,6 +25,7 @@ mod quadratic;
 pub mod reflection;
 mod set_up;
 pub mod slerp;
+mod specialise;
 
 use serde::Serialize;
 
@@ -42,13 +43,14 @@ pub use linear::Linear;
 pub use lyon::{LyonInputs, LyonSpec};
 pub use method::{Choice, Method, MethodSpec};
 pub use narrowing::NarrowingPoint;
-pub use options::CoreOptions;
+pub use options::{CoreOptions, Specialise};
 pub use phong::{PhongInputs, PhongSpec};
 pub use port::InputPort;
 pub use quadratic::Quadratic;
 pub use reflection::{ReflectionInputs, ReflectionSpec};
 pub use set_up::{SetUp, SpanPacket};
 pub use slerp::{SlerpInputs, SlerpSpec};
+pub use specialise::{Given, Specialisation};
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.
 pub const COEFFICIENT_FRACTION_BITS: u32 = 6;
@@ -87,6 +89,9 @@ pub struct CoreSpec {
     pub least_view_cosine: f64,
     /// How pixels are shaded.
     pub method: MethodSpec,
+    /// What its inputs are given over the frames that it is for.
+    #[serde(skip_serializing_if = "Specialisation::is_general")]
+    pub specialisation: Specialisation,
 }
 
 impl CoreSpec {

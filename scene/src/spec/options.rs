@@ -12,6 +12,8 @@ use super::{Method, SpecError};
 pub struct CoreOptions {
     /// Name of the method.
     pub method: Option<String>,
+    /// Whether the core is for the scene alone or for any, if that is said.
+    pub specialise: Option<Specialise>,
     /// Options that differ from the defaults.
     tables: Vec<(Method, toml::Table)>,
 }
@@ -32,20 +34,47 @@ impl FromStr for CoreOptions {
     }
 }
 
+/// What a core is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Specialise {
+    /// The scene alone: what it does not need is left out.
+    Scene,
+    /// Any scene with no more lights, exponents and pixels in a span.
+    General,
+}
+
+impl Specialise {
+    /// Both.
+    pub const ALL: [Specialise; 2] = [Specialise::Scene, Specialise::General];
+
+    /// The name that the command line and scene files use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Specialise::Scene => "scene",
+            Specialise::General => "general",
+        }
+    }
+}
+
 enum Key {
     Method,
+    Specialise,
     Table(Method),
 }
 
 impl<'de> Deserialize<'de> for Key {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Key, D::Error> {
         let name = String::deserialize(deserializer)?;
-        if name == "method" {
-            return Ok(Key::Method);
+        let unknown = |_| {
+            let known = format!("expected `method`, `specialise` or a method's name ({})", Method::names());
+            de::Error::custom(format!("unknown field `{name}`, {known}"))
+        };
+        match name.as_str() {
+            "method" => Ok(Key::Method),
+            "specialise" => Ok(Key::Specialise),
+            _ => Method::from_name(&name).map(Key::Table).map_err(unknown),
         }
-        let unknown =
-            |_| de::Error::custom(format!("unknown field `{name}`, expected `method` or a method's name ({})", Method::names()));
-        Method::from_name(&name).map(Key::Table).map_err(unknown)
     }
 }
 
@@ -69,6 +98,7 @@ impl<'de> Visitor<'de> for Keys {
         while let Some(key) = map.next_key()? {
             match key {
                 Key::Method => options.method = Some(map.next_value()?),
+                Key::Specialise => options.specialise = Some(map.next_value()?),
                 Key::Table(method) => options.tables.push((method, map.next_value()?)),
             }
         }

@@ -2,7 +2,7 @@
 //
 //     run STIMULUS RESULT SPANS DUMP
 //
-// STIMULUS holds a frame: its spans, a line each, and in the last line the idle clocks behind them. It is read into memory first. The
+// STIMULUS holds a frame: its spans, a line each, and behind them the idle clocks, in lines of any length. It is read into memory first. The
 // time is that of one clock of reset, the first SPANS spans of an endless row of such frames, and the idle clocks; when built with
 // --trace or --trace-fst, every signal is written to DUMP once a clock, and opening and closing it counts.
 //
@@ -131,8 +131,13 @@ static bool write_result(const char* name, double seconds, const Run& run) {
 int main(int count, char** arguments) {
     if (count != 5) return std::fputs("usage: run STIMULUS RESULT SPANS DUMP\n", stderr), 2;
     const std::vector<Stretch> frame = read_stimulus(arguments[1]);
-    if (frame.size() < 2) return std::fputs("run: there is no span\n", stderr), 1;
-    const size_t spans_of_frame = frame.size() - 1;
+    size_t spans_of_frame = 0;
+    uint64_t idle = 0;
+    for (const Stretch& stretch : frame) {
+        if (stretch.valid) ++spans_of_frame;
+        else idle += stretch.clocks;
+    }
+    if (spans_of_frame == 0) return std::fputs("run: there is no span\n", stderr), 1;
     const uint64_t spans = std::strtoull(arguments[3], nullptr, 10);
     const std::unique_ptr<VerilatedContext> context{new VerilatedContext};
     context->traceEverOn(VM_TRACE);
@@ -148,7 +153,7 @@ int main(int count, char** arguments) {
         run.shade(frame[next]);
         if (++next == spans_of_frame) next = 0;
     }
-    run.idle(frame.back().clocks);
+    run.idle(idle);
     waves.reset();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
 

@@ -177,7 +177,7 @@ mod tests {
 
     fn with_workload(test: impl Fn(&Workload)) {
         let scene = specula_scene::load("icosahedron", Some((24, 18))).unwrap();
-        let spec = scene.core_spec(None).unwrap();
+        let spec = scene.core_spec(None).unwrap().general();
         test(&Workload::new(&Bench::new(&scene.frame, &spec, "core").unwrap()).unwrap());
     }
 

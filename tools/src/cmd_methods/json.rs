@@ -23,7 +23,7 @@ struct MethodFacts {
     needs: SceneFacts,
     /// The values of each key of the method's table in a scene file, its formats apart.
     options: BTreeMap<&'static str, Vec<Value>>,
-    /// Of the core for the teapot with default options, in the order of the data.
+    /// Of the general core that the teapot's default options give, in the order of the data.
     formats: Vec<FormatFacts>,
     /// Clocks from a pixel's entry to its exit.
     latency: u32,
@@ -64,7 +64,7 @@ pub fn text() -> Result<String, ToolError> {
 }
 
 fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFacts, ToolError> {
-    let spec = scene.core_spec(Some(method))?;
+    let spec = scene.core_spec(Some(method))?.general();
     let design = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(SCENE))?.design;
     let size = design.size();
     Ok(MethodFacts {

@@ -46,7 +46,7 @@ impl ConsistentSpec {
     pub fn inputs(&self, core: &CoreSpec) -> ConsistentInputs<InputPort> {
         let f = &self.formats;
         let exponent = Format::unsigned(4, 0);
-        ConsistentInputs {
+        let whole = ConsistentInputs {
             normal_start: InputPort::vector("normal_start", f.vector, 1.0),
             normal_delta: InputPort::vector("normal_delta", f.vector_sum(), 2.0),
             weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
@@ -55,7 +55,8 @@ impl ConsistentSpec {
             log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> ConsistentLight<InputPort> {

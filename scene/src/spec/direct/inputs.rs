@@ -51,14 +51,15 @@ impl DirectSpec {
     pub fn inputs(&self, core: &CoreSpec) -> DirectInputs<InputPort> {
         let f = &self.formats;
         let exponent = Format::unsigned(4, 0);
-        DirectInputs {
+        let whole = DirectInputs {
             weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
             spread: InputPort::between("spread", f.spread, 0.0, 4.0),
             view: self.ends("view"),
             log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> DirectLight<InputPort> {

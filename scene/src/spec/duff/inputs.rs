@@ -49,13 +49,14 @@ impl DuffSpec {
         let largest_exponent = core.largest_shininess.ilog2() + self.specular.log2_exponent_factor();
         let exponent = Format::unsigned(4, 0);
         let view = || Linear::ports("view", f.linear_accumulator);
-        DuffInputs {
+        let whole = DuffInputs {
             denominator: Quadratic::squared_length_ports("denominator", f.accumulator),
             view: self.specular.looks_at_the_eye().then(view),
             log2_exponent: InputPort::between("log2_exponent", exponent, 0.0, f64::from(largest_exponent)),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> DuffLight<InputPort> {

@@ -40,10 +40,11 @@ inputs! {
 impl GouraudSpec {
     /// The ports of a core with this method.
     pub fn inputs(&self, core: &CoreSpec) -> GouraudInputs<InputPort> {
-        GouraudInputs {
+        let whole = GouraudInputs {
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> GouraudLight<InputPort> {

@@ -39,12 +39,13 @@ impl HybridSpec {
     /// The ports of a core with this method. With |N| ≤ 1 along the span, |p| ≤ q ≤ 1.
     pub fn inputs(&self, core: &CoreSpec) -> HybridInputs<InputPort> {
         let exponent = Format::unsigned(4, 0);
-        HybridInputs {
+        let whole = HybridInputs {
             denominator: Quadratic::squared_length_ports("denominator", self.formats.accumulator),
             log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> HybridLight<InputPort> {

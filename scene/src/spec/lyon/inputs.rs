@@ -43,7 +43,7 @@ impl LyonSpec {
     pub fn inputs(&self, core: &CoreSpec) -> LyonInputs<InputPort> {
         let f = &self.formats;
         let changes = self.normals != Normals::Flat;
-        LyonInputs {
+        let whole = LyonInputs {
             normal_start: match self.normals {
                 Normals::Linear => InputPort::vector("normal_start", f.vector, 1.0),
                 Normals::Flat => InputPort::vector("normal", f.vector, 1.0),
@@ -55,7 +55,8 @@ impl LyonSpec {
             shininess: self.shininess_input(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn shininess_input(&self, core: &CoreSpec) -> InputPort {

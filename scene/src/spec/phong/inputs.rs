@@ -62,14 +62,15 @@ impl PhongSpec {
         let (integer, f) = (Format::unsigned(bits(largest), 0), &self.formats);
         let at_infinity = core.lights - core.local_lights.len();
         let kinds = (0..core.lights).map(|i| i.checked_sub(at_infinity).map(|local| core.local_lights[local]));
-        PhongInputs {
+        let whole = PhongInputs {
             normal: self.way("normal"),
             weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
             shininess: InputPort::between("shininess", integer, 1.0, f64::from(largest)),
             eye: core.local_eye.then(|| self.way("eye")),
             ambient: core.colour_ports("ambient"),
             lights: kinds.enumerate().map(|(i, kind)| self.light_inputs(core, i, kind)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn way(&self, name: &str) -> Way<InputPort> {

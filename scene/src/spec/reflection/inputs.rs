@@ -47,14 +47,15 @@ impl ReflectionSpec {
         let accumulator = self.formats.accumulator;
         let largest_exponent = core.largest_shininess.ilog2() + self.specular.log2_exponent_factor();
         let exponent = Format::unsigned(4, 0);
-        ReflectionInputs {
+        let whole = ReflectionInputs {
             denominator: Quadratic::squared_length_ports("denominator", accumulator),
             view: self.only_with(Highlight::Eq34, || Quadratic::reflected_ports("view", accumulator)),
             normal_squared: self.only_with(Highlight::Hybrid, || Quadratic::squared_length_ports("normal_squared", accumulator)),
             log2_exponent: InputPort::between("log2_exponent", exponent, 0.0, f64::from(largest_exponent)),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> ReflectionLight<InputPort> {

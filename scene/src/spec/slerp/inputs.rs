@@ -45,7 +45,7 @@ impl SlerpSpec {
     pub fn inputs(&self, core: &CoreSpec) -> SlerpInputs<InputPort> {
         let turn = self.formats.turn;
         let exponent = Format::unsigned(4, 0);
-        SlerpInputs {
+        let whole = SlerpInputs {
             turn_cosine: InputPort::between("turn_cosine", turn, -1.0, 1.0),
             turn_sine: InputPort::between("turn_sine", turn, 0.0, 1.0),
             view_start: self.component("view_start"),
@@ -53,7 +53,8 @@ impl SlerpSpec {
             log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        }
+        };
+        whole.map(|port| core.over_frames(port))
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> SlerpLight<InputPort> {

@@ -1,0 +1,44 @@
+//! A core for one scene gives the codes of the general core, and is never larger.
+use specula_hdl::Design;
+use specula_scene::load;
+use specula_testbench::{Bench, EngineKind, Image};
+
+#[path = "common/served.rs"]
+mod served;
+
+/// What a core gives, with a right answer to every question a bench asks.
+fn shaded(bench: &Bench) -> Image {
+    let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+    assert_eq!((&outcome.comparison.first_mismatch, &outcome.violation, &outcome.wrong_clocks), (&None, &None, &vec![]));
+    let (error, bound) = (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
+    assert!(error <= bound, "off by {error} LSB, bound {bound}");
+    outcome.simulated
+}
+
+/// Multipliers by bits, adders by bits, registers.
+fn sizes(design: &Design) -> [u64; 3] {
+    let size = design.size();
+    [size.multiplier_bits, size.adder_bits, size.register_bits]
+}
+
+#[test]
+fn every_pixel_is_that_of_the_general_core() {
+    for scene in specula_scene::builtin_names() {
+        let loaded = load(scene, Some((96, 72))).unwrap();
+        for method in served::methods(&loaded.frame) {
+            let special = loaded.core_spec(Some(method)).unwrap();
+            let general = special.general();
+            let [special, general] = [&special, &general].map(|spec| Bench::new(&loaded.frame, spec, scene).unwrap());
+            assert!(shaded(&special) == shaded(&general), "{scene} {}", method.name());
+            let (s, g) = (sizes(&special.design), sizes(&general.design));
+            println!(
+                "{scene} {}: {s:?} of {g:?}, latency {} of {}",
+                method.name(),
+                special.design.latency(),
+                general.design.latency()
+            );
+            assert!(s[0] < g[0] && s[2] < g[2], "{scene} {}", method.name());
+            assert!(special.design.latency() <= general.design.latency());
+        }
+    }
+}
