@@ -12,9 +12,9 @@ use crate::error::ToolError;
 use crate::table;
 
 const EXAMPLE: &str = "\
-Each line is measured: the core is elaborated with and without that one need known. Savings overlap, so
-they do not add up to what all save together. A negative number is what products with constants cost in
-adders in place of multipliers. Every pixel is that of the general core.
+Each line is measured: the core is elaborated with and without that one need known. Savings
+overlap, so they do not add up to what all save together. A negative number is what products with
+constants cost in adders in place of multipliers. Every pixel is that of the general core.
 
 Example: specula needs teapot --method phong";
 
