@@ -4,6 +4,7 @@ mod cli;
 mod cmd_bench;
 mod cmd_generate;
 mod cmd_methods;
+mod cmd_needs;
 mod cmd_run;
 mod cmd_scenes;
 mod cmd_stress;

@@ -4,6 +4,7 @@ mod errors;
 mod generate;
 mod help;
 mod methods;
+mod needs;
 mod output;
 mod program;
 mod run;
