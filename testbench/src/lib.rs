@@ -6,8 +6,10 @@ mod compare;
 mod error;
 mod image;
 mod run;
+mod savings;
 mod spans;
 mod statistics;
+pub mod stress;
 pub mod trace;
 
 pub use assumptions::Violation;
@@ -15,5 +17,6 @@ pub use compare::{Comparison, Mismatch, WorstPixel};
 pub use error::BenchError;
 pub use image::Image;
 pub use run::{Bench, EngineKind, Outcome, Progress};
+pub use savings::{Saving, Savings, Spared, savings};
 pub use spans::FrameSpans;
 pub use statistics::{ErrorFigures, Errors};

@@ -4,7 +4,7 @@ use std::io::Write;
 use clap::{Parser, Subcommand};
 
 use crate::error::ToolError;
-use crate::{cmd_bench, cmd_generate, cmd_methods, cmd_run, cmd_scenes, cmd_wave};
+use crate::{cmd_bench, cmd_generate, cmd_methods, cmd_needs, cmd_run, cmd_scenes, cmd_stress, cmd_wave};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -33,6 +33,10 @@ pub enum Command {
     Wave(cmd_wave::Arguments),
     /// Measure how fast each simulator on this machine runs the core for a scene
     Bench(cmd_bench::Arguments),
+    /// Say what a scene needs, and what hardware its core leaves out for that
+    Needs(cmd_needs::Arguments),
+    /// Try every method on the catalogue of extremes
+    Stress(cmd_stress::Arguments),
     /// List the built-in scenes
     #[command(after_help = "Example: specula scenes")]
     Scenes,
@@ -57,6 +61,8 @@ impl Command {
             Command::Generate(arguments) => cmd_generate::execute(arguments, stdout),
             Command::Wave(arguments) => cmd_wave::execute(arguments, stdout),
             Command::Bench(arguments) => cmd_bench::execute(arguments, stdout),
+            Command::Needs(arguments) => cmd_needs::execute(arguments, stdout),
+            Command::Stress(arguments) => cmd_stress::execute(arguments, stdout),
             Command::Scenes => cmd_scenes::execute(stdout),
             Command::Methods(arguments) => cmd_methods::execute(arguments, stdout),
         }

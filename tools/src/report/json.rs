@@ -1,7 +1,7 @@
 //! The report for programs.
 use serde::Serialize;
 use specula_scene::CoreSpec;
-use specula_testbench::{Errors, Violation};
+use specula_testbench::{Errors, Savings, Violation, savings};
 
 use crate::disagreement::Disagreement;
 use crate::run::{Run, Written};
@@ -43,6 +43,8 @@ struct Report<'a> {
     /// The clocks in the waveform, from the first to the one behind the last.
     trace: Option<[u64; 2]>,
     size: Size,
+    /// What is saved against the general core, need by need; none if this is one.
+    savings: Option<Savings>,
     spec: &'a CoreSpec,
     files: &'a [String],
 }
@@ -125,6 +127,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         }),
         trace: written.window.as_ref().map(|window| [window.start, window.end]),
         size: size(run),
+        savings: (!bench.spec.specialisation.is_general()).then(|| savings(bench.spec).ok()).flatten(),
         spec: bench.spec,
         files: &written.files,
     }

@@ -1,11 +1,11 @@
 //! The report for people: what was built, how well it does, and how to go on with it.
-use specula_testbench::ErrorFigures;
+use specula_testbench::{ErrorFigures, savings};
 
 use super::{facts, ports, units};
 use crate::header::bound;
 use crate::run::{Run, Written};
 use crate::table::markdown as table;
-use crate::{waveform, worst};
+use crate::{cmd_needs, waveform, worst};
 
 /// `report.md`. It holds no times, so that the same run gives the same bytes.
 pub fn markdown(run: &Run, written: &Written) -> String {
@@ -17,6 +17,7 @@ pub fn markdown(run: &Run, written: &Written) -> String {
         built(run),
         ports_of(run),
         units(run),
+        needs(run),
         left_out(run),
         facts(run),
         waves(run, written),
@@ -139,6 +140,20 @@ fn units(run: &Run) -> String {
             ["unit", "number", "latency", "multipliers", "multiplier bits", "adders", "multiplexers", "register bits"],
             &units::rows(&run.bench.design)
         )
+    )
+}
+
+/// What the scene's needs save; nothing of a general core, or where the core without a need cannot be built.
+fn needs(run: &Run) -> String {
+    let Ok(savings) = savings(run.bench.spec) else { return String::new() };
+    if run.bench.spec.specialisation.is_general() {
+        return String::new();
+    }
+    format!(
+        "## What the scene does not need\n\n\
+         Measured by elaborating the core without that one need known; savings overlap, and a negative number is what products\n\
+         with constants cost in adders in place of multipliers.\n\n{}",
+        table(cmd_needs::TITLES, &cmd_needs::rows(&savings))
     )
 }
 

@@ -1,0 +1,108 @@
+//! `specula needs`: what a scene needs, and what its core leaves out.
+use std::io::Write;
+
+use clap::Args;
+use serde::Serialize;
+use specula_scene::{Method, Needs};
+use specula_testbench::{Saving, Savings, Spared, savings};
+
+use crate::arguments::{method_parser, parse_size};
+use crate::cli::Verdict;
+use crate::error::ToolError;
+use crate::table;
+
+const EXAMPLE: &str = "\
+Each line is measured: the core is elaborated with and without that one need known. Savings
+overlap, so they do not add up to what all save together. A negative number is what products with
+constants cost in adders in place of multipliers. Every pixel is that of the general core.
+
+Example: specula needs teapot --method phong";
+
+/// Arguments of `needs`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = EXAMPLE)]
+pub struct Arguments {
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    scene: String,
+    /// Width and height of the picture in pixels [default: what the scene says]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
+    size: Option<(u32, u32)>,
+    /// Shading method [default: what the scene says, else lyon]
+    #[arg(long, value_parser = method_parser())]
+    method: Option<Method>,
+    /// Print JSON, with the ranges of every quantity, instead of tables
+    #[arg(long)]
+    json: bool,
+}
+
+/// What `needs --json` prints.
+#[derive(Serialize)]
+struct Report<'a> {
+    scene: &'a str,
+    method: &'static str,
+    needs: &'a Needs,
+    savings: &'a Savings,
+}
+
+/// Prints the needs and the savings.
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    let scene = specula_scene::load(&arguments.scene, arguments.size)?;
+    let spec = scene.core_spec(arguments.method)?;
+    // What a scene leaves out is asked for whether its file wants it left out or not.
+    let spec = if spec.specialisation.is_general() { spec.specialised(&scene.frame) } else { spec };
+    let (needs, savings) = (Needs::of(&scene.frame), savings(&spec)?);
+    let report = Report { scene: &scene.name, method: spec.method().name(), needs: &needs, savings: &savings };
+    let text = if arguments.json {
+        serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
+    } else {
+        let table = [vec![TITLES.map(str::to_owned)], rows(&savings)].concat();
+        format!("{}\n{}", table::lines(&facts(&report)), table::lines(&table))
+    };
+    write!(stdout, "{text}").map_err(ToolError::Print)?;
+    Ok(Verdict::Done)
+}
+
+fn facts(report: &Report) -> Vec<[String; 2]> {
+    let needs = report.needs;
+    let yes_or_no = |answer: bool| if answer { "yes" } else { "no" }.to_owned();
+    let seen = |colour: [f64; 3]| if colour == [0.0; 3] { "none".to_owned() } else { colour.map(|c| format!("{c:.3}")).join(", ") };
+    let exponents = match (needs.smallest_shininess, needs.largest_shininess) {
+        (n, largest) if n == largest => n.to_string(),
+        (smallest, largest) => format!("{smallest} to {largest}"),
+    };
+    let rows = [
+        ("scene", format!("{}, by {}", report.scene, report.method)),
+        ("lights", format!("{}, of which {} at a place", needs.lights, needs.local_lights.len())),
+        ("directions to lights and eye are constant", yes_or_no(needs.directions_are_constant())),
+        ("longest span", format!("{} pixels", needs.longest_span)),
+        ("widest angle between normals of a span", format!("{:.1} degrees", needs.widest_angle)),
+        ("exponents", exponents),
+        ("all of them powers of two", yes_or_no(needs.uneven_shininess.is_none())),
+        ("strongest ambient light sent back", seen(needs.contributions.ambient)),
+        ("strongest diffuse light", seen(needs.contributions.diffuse)),
+        ("strongest highlights", seen(needs.contributions.specular)),
+        ("grey", yes_or_no(needs.contributions.grey)),
+        ("one normal over each triangle", yes_or_no(needs.flat)),
+        ("consistent normals would differ", yes_or_no(needs.consistent_normals_differ)),
+    ];
+    rows.map(|(name, value)| [name.to_owned(), value]).to_vec()
+}
+
+/// Titles of [`rows`].
+pub const TITLES: [&str; 9] =
+    ["need", "left out or narrowed", "multipliers", "bits", "adders", "bits", "registers", "clocks", "why it is safe"];
+
+/// Rows of need, what was left out, what it saves in multipliers, their bits, adders, their bits, register bits and clocks, and why it is safe.
+pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
+    let row = |need: &str, left_out: &str, saves: &Spared, safe: &str| {
+        let numbers =
+            [saves.multipliers, saves.multiplier_bits, saves.adders, saves.adder_bits, saves.register_bits, saves.latency];
+        let [multipliers, multiplier_bits, adders, adder_bits, registers, latency] = numbers.map(|number| number.to_string());
+        let (need, left_out, safe) = (need.to_owned(), left_out.to_owned(), safe.to_owned());
+        [need, left_out, multipliers, multiplier_bits, adders, adder_bits, registers, latency, safe]
+    };
+    let of = |saving: &Saving| row(saving.need, &saving.left_out, &saving.saves, saving.safe);
+    let mut rows: Vec<[String; 9]> = savings.needs.iter().map(of).collect();
+    rows.push(row("all together", "", &savings.together, "every pixel is compared"));
+    rows
+}

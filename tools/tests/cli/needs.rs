@@ -1,0 +1,35 @@
+//! `specula needs`.
+use serde_json::Value;
+
+use crate::program::Place;
+
+#[test]
+fn a_scene_is_told_what_it_does_without() {
+    let place = Place::new();
+    insta::assert_snapshot!(place.succeeds(&["needs", "spheres", "--size", "104x40"]));
+}
+
+#[test]
+fn every_built_in_scene_is_spared_hardware() {
+    let place = Place::new();
+    for scene in specula_scene::builtin_names() {
+        let text = place.succeeds(&["needs", scene, "--size", "64x48", "--json"]);
+        let report: Value = serde_json::from_str(&text).expect("it prints JSON");
+        let together = &report["savings"]["together"];
+        assert!(together["multiplier_bits"].as_i64() > Some(0) && together["register_bits"].as_i64() > Some(0), "{scene}: {text}");
+        assert!(report["needs"]["ranges"]["normal"].as_array().is_some_and(|axes| axes.len() == 3), "{scene}: {text}");
+    }
+}
+
+#[test]
+fn flat_meshes_are_not_interpolated() {
+    let place = Place::new();
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nvn 0 0 1\nvn 0.4 0 0.9\n";
+    place.write("flat.obj", format!("{corners}f 1//1 2//1 3//1\nf 2//2 4//2 3//2\n"));
+    place.succeeds(&["run", "flat.obj", "--size", "64x48"]);
+    let report = place.report("out/flat");
+    assert_eq!((&report["agrees"], &report["spec"]["method"]["lyon"]["normals"]), (&true.into(), &"flat".into()));
+    let report = place.succeeds(&["needs", "flat.obj", "--size", "64x48", "--json"]);
+    let report: Value = serde_json::from_str(&report).expect("it prints JSON");
+    assert_eq!(report["needs"]["flat"], Value::Bool(true));
+}
