@@ -96,7 +96,12 @@ pub fn direct_cosine(b: &Builder, t: &Sig, [start, delta]: [&Sig; 2], s: &Sig, f
         let of_linear = (1.0 + 2.0 * past) * half(formats.component) + half(formats.cosine);
         let rest = normal.stretch + of_linear * normal.largest_reciprocal + half(formats.cosine);
         let cosine = (linear * s).rounded(fraction_bits).clamped_below(-1).clamped_above(1);
-        cosine.known_cosine(normal.angle, rest).named("cosine")
+        let cosine = cosine.named("cosine");
+        // Where N may vanish, its real length does not end at 2^-m as 1/√q does, so propagation through that says nothing.
+        match rest.is_finite() {
+            true => cosine.known_cosine(normal.angle, rest),
+            false => cosine.stated_error_value(2.0),
+        }
     })
 }
 
