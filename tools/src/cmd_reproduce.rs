@@ -49,7 +49,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
 }
 
 fn markdown(judged: &[Judged]) -> String {
-    let titles = ["paper", "claim", "measured quantity", "measured", "before", "claim"];
+    let titles = ["paper", "claim", "measured quantity", "measured", "before", "verdict"];
     let rows: Vec<[String; 6]> = judged.iter().map(row).collect();
     let head = "# What the papers claim\n\nWritten by `specula reproduce`. *Before* is the project's independent measurement (NUMERICS.md).\n\n";
     format!("{head}{}", table::markdown(titles, &rows))

@@ -39,8 +39,16 @@ pub const CLAIMS: [Claim; 5] = [
         measure: miscounted,
         holds: |wrong| wrong == 0.0,
     },
-    wrapped("reflection shading is hard to distinguish: 10 degrees", (0.0037, 5e-5), || wrap_error(10.0)),
-    wrapped("reflection shading is hard to distinguish: 30 degrees", (0.10, 5e-3), || wrap_error(30.0)),
-    wrapped("reflection shading is hard to distinguish: 60 degrees", (0.85, 5e-3), || wrap_error(60.0)),
-    wrapped("reflection shading is hard to distinguish: 90 degrees", (3.2, 5e-2), || wrap_error(90.0)),
+    wrapped("reflection shading is hard to distinguish (half an LSB of diffuse light): 10 degrees", (0.0037, 5e-5), || {
+        wrap_error(10.0)
+    }),
+    wrapped("reflection shading is hard to distinguish (half an LSB of diffuse light): 30 degrees", (0.10, 5e-3), || {
+        wrap_error(30.0)
+    }),
+    wrapped("reflection shading is hard to distinguish (half an LSB of diffuse light): 60 degrees", (0.85, 5e-3), || {
+        wrap_error(60.0)
+    }),
+    wrapped("reflection shading is hard to distinguish (half an LSB of diffuse light): 90 degrees", (3.2, 5e-2), || {
+        wrap_error(90.0)
+    }),
 ];
