@@ -7,6 +7,7 @@ mod error;
 mod image;
 mod run;
 mod savings;
+pub mod search;
 mod spans;
 mod statistics;
 pub mod trace;
