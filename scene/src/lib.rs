@@ -23,6 +23,6 @@ pub use error::SceneError;
 pub use file::CoreTable;
 pub use format::Format;
 pub use frame::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone};
-pub use load::{LoadedScene, load};
+pub use load::{LoadedScene, load, parse};
 pub use needs::Needs;
 pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};

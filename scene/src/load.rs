@@ -52,6 +52,15 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
     Err(SceneError::Unknown { scene: scene.to_owned(), help })
 }
 
+/// Reads a scene from the text of a scene file; `name` is the file's in errors. Relative paths of meshes start at the current folder.
+///
+/// # Errors
+/// A [`SceneError`] that says what is wrong with the text, and where.
+pub fn parse(name: &str, text: String) -> Result<LoadedScene, SceneError> {
+    let source = SourceFile::new(name, text);
+    finish(name, &name_of(Path::new(name)), SceneFile::parse(&source, Some(Path::new("")))?, None)
+}
+
 fn finish(scene: &str, name: &str, mut file: SceneFile, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
     let frame = file.frame(scene, size)?;
     Ok(LoadedScene { name: name.to_owned(), frame, core: file.core })

@@ -41,3 +41,17 @@ pub(crate) fn first_violation(design: &Design, stimulus: &Stimulus, batch: &Batc
         })
     })
 }
+
+/// Clocks in which pixels entered for which a fact did not hold, of these clocks, in no order.
+pub(crate) fn entries_that_violate(design: &Design, stimulus: &Stimulus, batch: &Batch) -> Vec<u64> {
+    let of = |assumption: &specula_hdl::design::Assumption| {
+        let stage = u64::from(design.node(assumption.node).stage);
+        let range = assumption.range;
+        batch.of(assumption.node).into_iter().flat_map(move |lanes| {
+            let outside = move |&row: &usize| !range.contains(lanes.get(row));
+            let entry = move |row: usize| (batch.first_clock() + row as u64).checked_sub(stage);
+            (0..lanes.clocks()).filter(outside).filter_map(entry).filter(|&entry| stimulus.enters(entry))
+        })
+    };
+    design.assumptions.iter().flat_map(of).collect()
+}

@@ -10,6 +10,7 @@ mod savings;
 pub mod search;
 mod spans;
 mod statistics;
+pub mod stress;
 pub mod trace;
 
 pub use assumptions::Violation;

@@ -34,6 +34,10 @@ pub enum ToolError {
     #[error("the result cannot be written as JSON: {0}")]
     #[diagnostic(code(specula::json), help("this is a fault of Specula's: please report it with the command"))]
     Json(serde_json::Error),
+    /// A plot cannot be drawn.
+    #[error(transparent)]
+    #[diagnostic(code(specula::plot), help("this is a fault of Specula's: please report it with the command"))]
+    Plot(#[from] crate::plot::PlotError),
     /// The output folder cannot be used.
     #[error(transparent)]
     #[diagnostic(transparent)]

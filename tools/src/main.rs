@@ -7,6 +7,7 @@ mod cmd_methods;
 mod cmd_needs;
 mod cmd_run;
 mod cmd_scenes;
+mod cmd_stress;
 mod cmd_wave;
 mod disagreement;
 mod drawing;

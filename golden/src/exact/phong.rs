@@ -69,7 +69,12 @@ impl ShadePixel for PhongSpan<'_> {
     }
 }
 
-/// H*·N with H* = (L + V)/|L + V|, kept within 0 to 1; 0 for L = -V (EXTREMES row 12).
+/// The largest 1/|L + V|: the `gain` of the core has 4 integer bits.
+const LARGEST_GAIN: f64 = 16.0;
+
+/// H*·N with H* = (L + V)/|L + V|, kept within 0 to 1; H* comes out short where |L + V| < 1/16, down to 0 for L = -V (EXTREMES row 12).
 pub fn cosine_to_halfway(normal: DVec3, light: DVec3, view: DVec3) -> f64 {
-    unit(light + view).map_or(0.0, |halfway| halfway.dot(normal).clamp(0.0, 1.0))
+    let halfway = light + view;
+    let gain = halfway.length().recip().min(LARGEST_GAIN);
+    (gain * halfway).dot(normal).clamp(0.0, 1.0)
 }

@@ -4,26 +4,56 @@ use std::path::Path;
 use glam::DVec3;
 use toml::Spanned;
 
-use super::values::{Integer, Number};
-use super::{SourceFile, check, light, object, raw};
+use super::values::{Integer, Number, Triple};
+use super::{Shown, SourceFile, check, light, object, raw, span};
 use crate::picture::camera::Camera;
-use crate::picture::{Light, Scene, limits};
-use crate::{SceneError, defaults};
+use crate::picture::{Light, Rows, Scene, limits};
+use crate::{Colour, SceneError, defaults};
 
 /// The most lights a core takes.
 const MOST_LIGHTS: usize = 4;
 
 /// Checks every value and reads the meshes, which are looked for in `folder`.
-pub(super) fn scene(file: raw::File, source: &SourceFile, folder: Option<&Path>) -> Result<Scene, SceneError> {
-    let background = check::colour(source, "background", file.background.as_ref(), 0.0..=1.0, defaults::BACKGROUND.map(level))?;
+pub(super) fn shown(file: raw::File, source: &SourceFile, folder: Option<&Path>) -> Result<Shown, SceneError> {
+    if file.span.is_empty() {
+        return scene(file, source, folder).map(Shown::Objects);
+    }
+    rows(file, source).map(Shown::Rows)
+}
+
+fn scene(file: raw::File, source: &SourceFile, folder: Option<&Path>) -> Result<Scene, SceneError> {
     Ok(Scene {
         size: size(source, file.size.as_ref())?,
-        background: background.map(|c| (c * 255.0 + 0.5).floor() as u8),
+        background: background(source, file.background.as_ref())?,
         camera: camera(source, file.camera.as_ref())?,
-        ambient: check::colour(source, "ambient", file.ambient.as_ref(), 0.0..=1.0, defaults::AMBIENT)?,
+        ambient: ambient(source, file.ambient.as_ref())?,
         lights: lights(source, &file.light)?,
         objects: object::objects(source, &file.object, folder)?,
     })
+}
+
+fn rows(file: raw::File, source: &SourceFile) -> Result<Rows, SceneError> {
+    let other = [file.object.first().map(Spanned::span), file.size.as_ref().map(Spanned::span)];
+    if let Some(at) = other.into_iter().flatten().next() {
+        let help = "a scene has objects and perhaps a `size`, or spans, which say how large the picture is; leave one of them out";
+        return Err(source.error(at, "a scene of spans has neither objects nor a `size`", help));
+    }
+    Ok(Rows {
+        background: background(source, file.background.as_ref())?,
+        ambient: ambient(source, file.ambient.as_ref())?,
+        lights: lights(source, &file.light)?,
+        eye: camera(source, file.camera.as_ref())?.eye,
+        rows: span::spans(source, &file.span)?,
+    })
+}
+
+fn background(source: &SourceFile, given: Option<&Spanned<Triple>>) -> Result<[u8; 3], SceneError> {
+    let background = check::colour(source, "background", given, 0.0..=1.0, defaults::BACKGROUND.map(level))?;
+    Ok(background.map(|c| (c * 255.0 + 0.5).floor() as u8))
+}
+
+fn ambient(source: &SourceFile, given: Option<&Spanned<Triple>>) -> Result<Colour, SceneError> {
+    check::colour(source, "ambient", given, 0.0..=1.0, defaults::AMBIENT)
 }
 
 fn level(byte: u8) -> f64 {

@@ -6,6 +6,7 @@ mod light;
 mod object;
 mod raw;
 mod source;
+mod span;
 mod values;
 
 use std::ops::Range;
@@ -14,13 +15,21 @@ use std::path::Path;
 pub use self::core::CoreTable;
 pub(crate) use self::source::SourceFile;
 
-use crate::picture::Scene;
 use crate::picture::project::PictureError;
+use crate::picture::{Rows, Scene};
 use crate::{Frame, SceneError};
+
+/// What a scene shows.
+pub(crate) enum Shown {
+    /// Objects, seen by a camera.
+    Objects(Scene),
+    /// Spans as they are given.
+    Rows(Rows),
+}
 
 /// A scene file that was read: the scene, and its table for the core if it has one.
 pub(crate) struct SceneFile {
-    pub scene: Scene,
+    shown: Shown,
     pub core: Option<CoreTable>,
     /// Where the camera is, if the file has one.
     camera: Option<(SourceFile, Range<usize>)>,
@@ -35,12 +44,12 @@ impl SceneFile {
         let raw: raw::File = source.parse()?;
         let core = raw.core.as_ref().map(|table| CoreTable::new(source.clone(), table.span()));
         let camera = raw.camera.as_ref().map(|camera| (source.clone(), camera.span()));
-        Ok(SceneFile { scene: build::scene(raw, source, folder)?, core, camera })
+        Ok(SceneFile { shown: build::shown(raw, source, folder)?, core, camera })
     }
 
     /// A scene that no file was read for.
     pub fn without_text(scene: Scene) -> SceneFile {
-        SceneFile { scene, core: None, camera: None }
+        SceneFile { shown: Shown::Objects(scene), core: None, camera: None }
     }
 
     /// Makes the picture, `size` pixels large if given; `name` is the scene's in errors.
@@ -48,9 +57,16 @@ impl SceneFile {
     /// # Errors
     /// A [`SceneError`], which points at the camera where the fault is its.
     pub fn frame(&mut self, name: &str, size: Option<(u32, u32)>) -> Result<Frame, SceneError> {
-        self.scene.size = size.unwrap_or(self.scene.size);
-        self.scene.frame().map_err(|error| match (&self.camera, &error) {
-            (Some((source, at)), error) if !matches!(error, PictureError::Size(..)) => {
+        let frame = match (&mut self.shown, size) {
+            (Shown::Objects(scene), size) => {
+                scene.size = size.unwrap_or(scene.size);
+                scene.frame()
+            }
+            (Shown::Rows(rows), None) => rows.frame(),
+            (Shown::Rows(_), Some(_)) => Err(PictureError::OwnSize),
+        };
+        frame.map_err(|error| match (&self.camera, &error) {
+            (Some((source, at)), error) if !matches!(error, PictureError::Size(..) | PictureError::OwnSize) => {
                 source.error(at.clone(), error.to_string(), error.help())
             }
             _ => SceneError::picture(name, error),

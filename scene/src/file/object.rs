@@ -117,7 +117,7 @@ fn rotation(degrees: DVec3) -> DMat3 {
     about_z * about_y * about_x
 }
 
-fn material(source: &SourceFile, raw: &raw::Material) -> Result<Material, SceneError> {
+pub(super) fn material(source: &SourceFile, raw: &raw::Material) -> Result<Material, SceneError> {
     let default = defaults::material();
     let diffuse = check::colour(source, "diffuse", raw.diffuse.as_ref(), 0.0..=1.0, default.diffuse)?;
     Ok(Material {

@@ -15,6 +15,8 @@ pub(super) struct File {
     pub light: Vec<Spanned<Light>>,
     #[serde(default)]
     pub object: Vec<Spanned<Object>>,
+    #[serde(default)]
+    pub span: Vec<Spanned<Span>>,
     pub core: Option<Spanned<toml::Table>>,
 }
 
@@ -52,6 +54,19 @@ pub(super) struct Object {
     pub translate: Option<Spanned<Vector>>,
     pub rotate: Option<Spanned<Vector>>,
     pub scale: Option<Spanned<Triple>>,
+    #[serde(default)]
+    pub material: Material,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Span {
+    pub length: Spanned<Integer>,
+    pub normals: Spanned<Vec<Vector>>,
+    pub positions: Option<Spanned<Vec<Vector>>>,
+    pub cone_cosines: Option<Spanned<Vector>>,
+    pub start: Option<Spanned<Vector>>,
+    pub end: Option<Spanned<Vector>>,
     #[serde(default)]
     pub material: Material,
 }

@@ -4,6 +4,8 @@ mod cones;
 pub mod coverage;
 pub mod limits;
 pub mod project;
+mod rows;
 mod visibility;
 
 pub use project::{Light, LightSource, LightSpace, Object, Scene};
+pub use rows::{Row, Rows};

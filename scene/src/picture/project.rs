@@ -89,6 +89,9 @@ pub enum PictureError {
     /// Too large, or without pixels.
     #[error("a picture of {0} x {1} pixels cannot be made")]
     Size(u32, u32),
+    /// A scene of spans was to have another size.
+    #[error("spans say themselves how large the picture is")]
+    OwnSize,
     /// The camera's `up` points to the eye or away from it, or one of both is 0.
     #[error("the camera does not know what is up")]
     Up,
@@ -108,6 +111,7 @@ impl PictureError {
     pub fn help(&self) -> String {
         match self {
             PictureError::Size(..) => limits::described(),
+            PictureError::OwnSize => "leave the size out".into(),
             PictureError::Up => "give the camera an `up` that does not point along the direction to the eye".into(),
             PictureError::NoExtent => "give the camera a `height`, or turn it so that it does not see the objects edge on".into(),
             PictureError::TooClose => "give the camera a larger `height`, or split the object".into(),
@@ -191,13 +195,16 @@ impl Scene {
 
 /// From the world to view space.
 #[derive(Clone, Copy)]
-struct View {
+pub(super) struct View {
     rotation: DMat3,
     /// What is at the picture's centre, in view space.
     centre: DVec3,
 }
 
 impl View {
+    /// Of a world that is in view space already.
+    pub const NONE: View = View { rotation: DMat3::IDENTITY, centre: DVec3::ZERO };
+
     /// A direction in view space, of length 1.
     fn direction(self, space: LightSpace, direction: DVec3) -> DVec3 {
         let largest = direction.abs().max_element();
@@ -218,7 +225,7 @@ impl View {
 }
 
 impl Light {
-    fn at_infinity(&self, view: View) -> Option<DirectionalLight> {
+    pub(super) fn at_infinity(&self, view: View) -> Option<DirectionalLight> {
         match self.source {
             LightSource::Directional { direction } => {
                 Some(DirectionalLight { direction: view.direction(self.space, direction), colour: self.colour })
@@ -227,7 +234,7 @@ impl Light {
         }
     }
 
-    fn at_a_place(&self, view: View) -> Option<LocalLight> {
+    pub(super) fn at_a_place(&self, view: View) -> Option<LocalLight> {
         let (position, spot) = match self.source {
             LightSource::Directional { .. } => return None,
             LightSource::Point { position } => (position, None),

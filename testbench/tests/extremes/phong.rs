@@ -32,6 +32,17 @@ fn opposite_light_and_eye_have_no_halfway_vector() {
     assert_eq!(codes(&with(&frame, Highlight::TrowbridgeReitz), &frame), [10; 5]);
 }
 
+/// Rows 12 and 35, found by `specula stress`: light and eye all but opposite, whose half-way vector is longer than its gain can make it.
+#[test]
+fn all_but_opposite_light_and_eye_stay_within_bounds() {
+    for degrees in [177.0, 179.0, 179.99, 180.0 - 1e-12] {
+        let frame = frame([tilted(85.0), tilted(95.0)], 33, &[tilted(degrees)], mirror(16));
+        for highlight in [Highlight::Blinn, Highlight::TrowbridgeReitz] {
+            shade(&with(&frame, highlight), &frame);
+        }
+    }
+}
+
 /// Row 39: a light at the very pixel gives it nothing, and its neighbours theirs; so does an eye for highlights.
 #[test]
 fn a_light_in_the_surface_lights_no_pixel_there() {

@@ -8,4 +8,5 @@ mod needs;
 mod output;
 mod program;
 mod run;
+mod stress;
 mod wave;

@@ -1,0 +1,156 @@
+//! Consistent normal interpolation.
+use glam::DVec3;
+use specula_scene::spec::consistent::Diffuse;
+use specula_scene::{Method, MethodSpec};
+
+use super::super::draw::tilted;
+use super::super::row::Pixel;
+use super::super::scene::matt;
+use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, material, mirror, spans};
+
+/// Both curves with both kinds of diffuse light.
+fn forms() -> Vec<Variant> {
+    let form = |(curve, diffuse)| {
+        let table = format!("curve = \"{curve}\"\ndiffuse = \"{diffuse}\"\n");
+        Variant { method: Method::Consistent, table }
+    };
+    ["rational", "trigonometric"]
+        .iter()
+        .flat_map(|curve| ["lambert", "consistent"].map(|diffuse| (*curve, diffuse)))
+        .map(form)
+        .collect()
+}
+
+const fn trial(cases: fn(&mut super::Draw, super::Extent) -> Vec<Case>) -> Trial {
+    Trial::Scenes { cases, variants: forms }
+}
+
+/// A span of one normal among faces as far from it as `cosine` says.
+fn flat(normal: DVec3, cosine: f64, material: specula_scene::Material) -> RawSpan {
+    RawSpan { cone_cosines: [cosine; 3], ..RawSpan::between([normal; 2], 2, material) }
+}
+
+fn is_consistent_diffuse(pixel: &Pixel) -> bool {
+    matches!(&pixel.shaded.spec.method, MethodSpec::Consistent(spec) if spec.diffuse == Diffuse::Consistent)
+}
+
+fn is_consistent(pixel: &Pixel) -> bool {
+    pixel.shaded.spec.method() == Method::Consistent
+}
+
+/// Row 41.
+pub const HORIZON: Row = Row {
+    id: "41",
+    input: "r = -I: a light on the horizon and behind it, where N_c is 0/0",
+    wanted: "consistent diffuse light is 0",
+    trial: trial(|_, _| {
+        let case = |(degrees, cosine)| {
+            let scene = SpanScene::new(&[tilted(degrees)], vec![flat(DVec3::Z, cosine, matt())]);
+            Case::wanting(scene, |pixel| !is_consistent_diffuse(pixel) || pixel.code() == 0)
+        };
+        [(90.0, 1.0), (120.0, 0.9), (180.0, 0.5), (180.0, 0.0)].map(case).into()
+    }),
+};
+
+/// Row 42.
+pub const QUARTER_TURN: Row = Row {
+    id: "42",
+    input: "al = pi/2 and b = -1: rho is 0/0",
+    wanted: "r = N: 255 with the light there",
+    trial: trial(|_, _| {
+        let scene = SpanScene::new(&[-DVec3::Z], vec![flat(-DVec3::Z, 0.0, mirror(1))]);
+        vec![Case::wanting(scene, |pixel| !is_consistent(pixel) || pixel.code() == 255)]
+    }),
+};
+
+/// Row 43.
+pub const ABOVE: Row = Row {
+    id: "43",
+    input: "b = 1, the eye straight above, cones of 0 to 90 degrees",
+    wanted: "r = N and N_c.I = 1 exactly: 255",
+    trial: trial(|_, _| {
+        let all = [1.0, 0.9, 0.5, 0.1, 0.0].iter().flat_map(|&cosine| [mirror(1), matt()].map(|m| flat(DVec3::Z, cosine, m)));
+        vec![Case::wanting(SpanScene::new(&[DVec3::Z], all.collect()), |pixel| !is_consistent(pixel) || pixel.code() == 255)]
+    }),
+};
+
+/// Row 44.
+pub const FLAT: Row = Row {
+    id: "44",
+    input: "al = 0: flat surroundings",
+    wanted: "the plain reflection, within a code of exact shading",
+    trial: trial(|draw, extent| {
+        let tilts = [0.0, 20.0, 60.0, 80.0].into_iter().chain((0..extent.spans).map(|_| draw.within(0.0, 80.0)));
+        let all = tilts.map(|degrees| flat(tilted(degrees), 1.0, mirror(16))).collect();
+        let plain = |pixel: &Pixel| !is_consistent(pixel) || pixel.is_within(1.0, pixel.exact());
+        vec![Case::wanting(SpanScene::new(&[tilted(50.0)], all), plain)]
+    }),
+};
+
+/// Row 45.
+pub const BEYOND_A_QUARTER: Row = Row {
+    id: "45",
+    input: "vertices whose angles exceed 90 degrees once enlarged",
+    wanted: "clamped at pixels alone, within the bound",
+    trial: trial(|draw, extent| {
+        let one = |cosine: f64| RawSpan {
+            cone_cosines: [cosine, 1.0, 0.0],
+            ..RawSpan::between([tilted(-20.0), tilted(30.0)], 40, lit(16))
+        };
+        let cosines = [0.0, 0.05, 0.0775].into_iter().chain((0..extent.spans).map(|_| draw.within(0.0, 0.09)));
+        vec![Case::new(SpanScene::new(&[tilted(40.0), tilted(-60.0)], cosines.map(one).collect()))]
+    }),
+};
+
+/// Row 46.
+pub const FROM_BEHIND: Row = Row {
+    id: "46",
+    input: "I from behind the surface, b = -0.99 and al = 0.3: rho is 7",
+    wanted: "rho stays within 1, and the error within its bound",
+    trial: trial(|draw, extent| {
+        let degrees = libm::acos(-0.99).to_degrees();
+        let random = (0..extent.spans).map(|_| (draw.within(91.0, 180.0), draw.unit())).collect::<Vec<_>>();
+        let one = |(degrees, cosine)| flat(tilted(degrees), cosine, lit(4));
+        let all = [(degrees, libm::cos(0.3))].into_iter().chain(random).map(one).collect();
+        vec![Case::new(SpanScene::new(&[DVec3::Z, tilted(170.0)], all))]
+    }),
+};
+
+/// Row 47.
+pub const TRIGONOMETRIC: Row = Row {
+    id: "47",
+    input: "the trigonometric curve at 62 degrees and u = 0.75, seen grazing: n.r = -0.0085 with the printed constant",
+    wanted: "ours has exponent 1 and 0.06097, and the bound holds",
+    trial: trial(|draw, extent| {
+        let span = |degrees: f64| {
+            let cosine = libm::cos(degrees.to_radians());
+            RawSpan { cone_cosines: [1.0, cosine, 1.0], ..RawSpan::between([tilted(90.0), tilted(90.0 - degrees)], 5, lit(16)) }
+        };
+        let all = [62.0].into_iter().chain((0..extent.spans).map(|_| draw.within(40.0, 80.0))).map(span).collect();
+        vec![Case::new(SpanScene::new(&[tilted(85.0)], all))]
+    }),
+};
+
+/// Row 48.
+pub const WIDE_CONES: Row = Row {
+    id: "48",
+    input: "vertex normals 90 degrees and more from a face around them",
+    wanted: "no guarantee about reflections, no NaN, and the bound holds",
+    trial: trial(|draw, extent| {
+        let mut random = spans(draw, extent, [0.0, 120.0], lit);
+        random.iter_mut().for_each(|span| span.cone_cosines = [0, 1, 2].map(|_| draw.within(-1.0, 0.1)));
+        vec![Case::new(aimed(draw, random))]
+    }),
+};
+
+/// Row 49.
+pub const VANISHING: Row = Row {
+    id: "49",
+    input: "vertex normals in the face's plane, opposite",
+    wanted: "ambient light in the middle",
+    trial: trial(|_, _| {
+        let span = RawSpan { cone_cosines: [0.0; 3], ..RawSpan::between([DVec3::X, -DVec3::X], 3, material(0.2, 0.4, 0.4, 4)) };
+        let ambient = |pixel: &Pixel| !is_consistent(pixel) || pixel.i != 1 || pixel.code() == pixel.ambient();
+        vec![Case::wanting(SpanScene::new(&[tilted(30.0), -DVec3::Z], vec![span]), ambient)]
+    }),
+};

@@ -1,0 +1,77 @@
+//! Newton's steps towards a length.
+use specula_scene::Method;
+
+use super::super::draw::tilted;
+use super::super::row::{Pixel, Place, Shaded};
+use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, scenes, spans};
+
+fn steps() -> Vec<Variant> {
+    (0..=3).map(|n| Variant { method: Method::Lyon, table: format!("newton_steps = {n}\n") }).collect()
+}
+
+/// Row 18.
+pub const FIRST_PIXEL: Row = Row {
+    id: "18",
+    input: "90 degrees in 1, 2 and 3 steps; the first pixel of a span",
+    wanted: "the first pixel is right; lyon with two steps or more within 2 codes of exact diffuse light everywhere",
+    trial: Trial::Scenes {
+        cases: |_, _| {
+            let span = |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, super::matt());
+            let scene = SpanScene::new(&[tilted(30.0)], [2, 3, 4, 5].map(span).into());
+            vec![Case { scene, want: Box::new(two_steps_suffice) }]
+        },
+        variants: steps,
+    },
+};
+
+fn two_steps_suffice(shaded: &Shaded) -> Option<Place> {
+    let specula_scene::MethodSpec::Lyon(lyon) = &shaded.spec.method else { return None };
+    let is_linear = lyon.normals == specula_scene::spec::lyon::Normals::Linear;
+    shaded.frame.spans.iter().enumerate().filter(|_| is_linear && lyon.newton_steps >= 2).find_map(|(number, span)| {
+        let off = |&i: &u32| {
+            let pixel = Pixel { shaded, span, i };
+            !pixel.is_within(2.0, pixel.exact())
+        };
+        (0..span.length).find(off).map(|pixel| Place { span: number, pixel })
+    })
+}
+
+/// Row 19.
+pub const ALMOST_OPPOSITE: Row = Row {
+    id: "19",
+    input: "170 to 179.9 degrees: lengths near 0",
+    wanted: "no division by 0, no loop without end; errors within bounds that say so",
+    trial: Trial::Scenes {
+        cases: |draw, extent| {
+            let span = |degrees: f64| RawSpan::between([tilted(-degrees / 2.0), tilted(degrees / 2.0)], 65, lit(16));
+            let random = spans(draw, extent, [170.0, 179.9], lit);
+            let fixed = SpanScene::new(&[tilted(20.0)], [170.0, 175.0, 179.0, 179.9].map(span).into());
+            vec![Case::new(fixed), Case::new(aimed(draw, random))]
+        },
+        variants: steps,
+    },
+};
+
+/// Row 20.
+pub const NEW_SPAN: Row = Row {
+    id: "20",
+    input: "a span, then one of quite another length of normals, then the first again",
+    wanted: "the second time as the first: a span leaves nothing behind",
+    trial: scenes(|draw, extent| {
+        let mut all = spans(draw, extent, [0.0, 179.0], lit);
+        all.truncate(12);
+        let scene = aimed(draw, all.iter().chain(&all).cloned().collect());
+        vec![Case { scene, want: Box::new(first_that_differs) }]
+    }),
+};
+
+/// The first pixel of the second half of the spans that is not as in the first.
+fn first_that_differs(shaded: &Shaded) -> Option<Place> {
+    let spans = &shaded.frame.spans;
+    let half = spans.len() / 2;
+    (half..spans.len()).find_map(|number| {
+        let code = |number: usize, i| Pixel { shaded, span: &spans[number], i }.code();
+        let differs = |&i: &u32| code(number, i) != code(number - half, i);
+        (0..spans[number].length).find(differs).map(|pixel| Place { span: number, pixel })
+    })
+}

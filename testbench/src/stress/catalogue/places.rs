@@ -1,0 +1,66 @@
+//! Lights and eyes at places.
+use glam::DVec3;
+use specula_scene::MethodSpec;
+use specula_scene::spec::phong::Highlight;
+
+use super::super::draw::tilted;
+use super::super::row::Pixel;
+use super::super::scene::Light;
+use super::{Case, Draw, RawSpan, Row, SpanScene, lit, material, scenes};
+
+/// A wall of five pixels from x = -2 to 2, seen from the front.
+fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {
+    let mut span = RawSpan::between([DVec3::Z; 2], 5, material(0.0, 0.5, 0.5, 20));
+    span.positions = [DVec3::new(-2.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0), DVec3::new(-2.0, 1.0, 0.0)];
+    SpanScene { lights, eye, spans: vec![span] }
+}
+
+/// Whether this is Phong's own highlight, which exact shading has.
+fn is_phongs(pixel: &Pixel) -> bool {
+    matches!(&pixel.shaded.spec.method, MethodSpec::Phong(phong) if phong.highlight == Highlight::Reflection)
+}
+
+/// Row 39.
+pub const IN_THE_SURFACE: Row = Row {
+    id: "39",
+    input: "a light at the very pixel, F = P; an eye there",
+    wanted: "no NaN: no light from it, and no highlight for the eye",
+    trial: scenes(|_, _| {
+        // The light grazes the wall from within it.
+        let light = Case::wanting(wall(vec![Light::At(DVec3::ZERO)], None), |pixel| !is_phongs(pixel) || pixel.code() == 0);
+        let diffuse_alone = |pixel: &Pixel| !is_phongs(pixel) || pixel.i != 2 || pixel.code() == 128;
+        vec![light, Case::wanting(wall(vec![Light::At(DVec3::Z)], Some(DVec3::ZERO)), diffuse_alone)]
+    }),
+};
+
+/// Row 40.
+pub const FAR: Row = Row {
+    id: "40",
+    input: "a light 60 degrees aside, a quarter to ten thousand units away; spots and eyes anywhere",
+    wanted: "directions are those of the true vectors: within a code of exact shading",
+    trial: scenes(|draw, extent| {
+        let at = |distance: f64| {
+            Case::wanting(wall(vec![Light::At(distance * tilted(60.0))], None), |pixel| {
+                !is_phongs(pixel) || pixel.is_within(1.0, pixel.exact())
+            })
+        };
+        let fixed = [0.25, 1.0, 10.0, 1e4].map(at).into_iter();
+        let random: Vec<Case> = (0..1 + extent.spans / 8).map(|_| Case::new(anywhere(draw, extent.longest))).collect();
+        fixed.chain(random).collect()
+    }),
+};
+
+fn anywhere(draw: &mut Draw, longest: u32) -> SpanScene {
+    let place = |draw: &mut Draw| draw.within(0.0, 5.0) * draw.direction();
+    let span = |draw: &mut Draw| {
+        let mut span = RawSpan::between(draw.ends(40.0, 60.0), draw.length(longest.min(300)), lit(draw.between(1, 300) as u32));
+        span.positions = [0, 1, 2].map(|_| place(draw));
+        span
+    };
+    let spot = Light::Spot { position: place(draw), target: DVec3::ZERO, exponent: draw.between(1, 8191) as u32 };
+    SpanScene {
+        lights: vec![Light::Towards(draw.direction()), Light::At(place(draw)), spot],
+        eye: draw.one_of(&[true, false]).then(|| place(draw)),
+        spans: (0..8).map(|_| span(draw)).collect(),
+    }
+}

@@ -1,0 +1,129 @@
+//! Angles that arcs are made of.
+use std::f64::consts::PI;
+
+use glam::DVec3;
+use specula_scene::Method;
+
+use super::super::draw::{AXES, tilted};
+use super::super::row::{Pixel, Place, Shaded};
+use super::super::scene::matt;
+use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, material, scenes, spans};
+
+/// Row 13.
+pub const NO_ANGLE: Row = Row {
+    id: "13",
+    input: "N0 = N1: sin f = 0",
+    wanted: "one code from end to end, slerp within a code of exact shading",
+    trial: scenes(|_, _| {
+        let span = |length| RawSpan::between([tilted(33.0); 2], length, lit(64));
+        let scene = SpanScene::new(&[tilted(50.0)], [2, 17, 1000].map(span).into());
+        vec![Case::wanting_flat(scene.clone()), Case::wanting(scene, slerp_is_exact)]
+    }),
+};
+
+/// Row 14.
+pub const HALF_A_TURN: Row = Row {
+    id: "14",
+    input: "N0 = -N1: an arc in any plane",
+    wanted: "slerp turns in one of the planes through both, at a steady pace",
+    trial: scenes(|_, _| {
+        let case = |first: DVec3| {
+            let span = |length| RawSpan::between([first, -first], length, matt());
+            Case::wanting(SpanScene::new(&[first], [2, 3, 65].map(span).into()), turns_steadily)
+        };
+        AXES.iter().copied().chain([tilted(40.0), -tilted(70.0)]).map(case).collect()
+    }),
+};
+
+fn turns_steadily(pixel: &Pixel) -> bool {
+    let angle = PI * f64::from(pixel.i) / f64::from(pixel.span.length - 1);
+    pixel.shaded.spec.method() != Method::Slerp || pixel.is_within(1.0, 255.0 * libm::cos(angle).max(0.0))
+}
+
+/// Row 15.
+pub const SMALL_ANGLE: Row = Row {
+    id: "15",
+    input: "0.01 degrees and less, which an arc cosine of a rounded cosine loses; 0 to 10 degrees",
+    wanted: "slerp within a code of exact shading",
+    trial: scenes(|draw, extent| {
+        let span = |degrees: f64| RawSpan::between([tilted(10.0), tilted(10.0 + degrees)], 250, lit(256));
+        let random = [0.0, 1e-3, 0.1, 3.0].map(|_| draw.within(0.0, 10.0)).map(span);
+        let fixed = [0.0, 1e-9, 1e-5, 0.01, 9.9, 10.1].map(span);
+        let all = fixed.into_iter().chain(random).collect();
+        let many = spans(draw, extent, [0.0, 10.0], lit);
+        vec![Case::wanting(SpanScene::new(&[tilted(21.0)], all), slerp_is_exact), Case::new(aimed(draw, many))]
+    }),
+};
+
+fn slerp_is_exact(pixel: &Pixel) -> bool {
+    pixel.shaded.spec.method() != Method::Slerp || pixel.is_within(1.0, pixel.exact())
+}
+
+/// Row 16.
+pub const FROZEN: Row = Row {
+    id: "16",
+    input: "1 degree in 16 steps with 8 fraction bits: the sine of a step rounds to 0",
+    wanted: "the frozen normal is off by no more than the angle, and within the bound",
+    trial: Trial::Scenes {
+        cases: |_, _| {
+            let span = RawSpan::between([tilted(44.0), tilted(45.0)], 17, matt());
+            let near =
+                |pixel: &Pixel| pixel.shaded.spec.method() != Method::Slerp || pixel.is_within(255.0 * 0.0175 + 1.0, pixel.exact());
+            vec![Case::wanting(SpanScene::new(&[DVec3::Z], vec![span]), near)]
+        },
+        variants: || {
+            let formats = ["turn = \"S1.8\"", "state = \"S1.8\"", "weight = \"S1.8\""].map(|f| format!("formats.{f}\n"));
+            vec![Variant { method: Method::Slerp, table: formats.concat() }]
+        },
+    },
+};
+
+/// Row 17.
+pub const ORIENTATION: Row = Row {
+    id: "17",
+    input: "the middle of a triangle of 30, 60 and 90 degrees, scanned along its three medians",
+    wanted: "lerp (phong) has one code there; slerp may have three, which is documented and no error",
+    trial: scenes(|_, _| {
+        let angles = [30.0, 60.0, 90.0];
+        let scene = SpanScene::new(&[tilted(35.0)], angles.iter().flat_map(|&degrees| medians(degrees)).collect());
+        vec![Case { scene, want: Box::new(centres_agree) }]
+    }),
+};
+
+/// From the middle of each side of a triangle to the vertex across; the triangle's own middle is the second of four pixels.
+fn medians(degrees: f64) -> [RawSpan; 3] {
+    // Three unit vectors about z that are `degrees` apart: 3/2 sin² = 1 - cos.
+    let tilt = libm::asin(((1.0 - libm::cos(degrees.to_radians())) / 1.5).sqrt());
+    let about = |k: usize| super::super::draw::turned(DVec3::Z, tilt, k as f64 / 3.0);
+    [0, 1, 2].map(|first| {
+        let mut span = RawSpan::between([DVec3::Z; 2], 4, material(0.0, 1.0, 0.0, 1));
+        span.normals = [0, 1, 2].map(|k| about((first + k) % 3));
+        (span.start, span.end) = ([0.5, 0.5, 0.0], [0.0, 0.0, 1.0]);
+        span
+    })
+}
+
+fn centres_agree(shaded: &Shaded) -> Option<Place> {
+    let code = |number: usize| Pixel { shaded, span: &shaded.frame.spans[number], i: 1 }.code();
+    let differs = |number: &usize| code(*number).abs_diff(code(number / 3 * 3)) > 1;
+    let is_lerp = shaded.spec.method() == Method::Phong;
+    (0..shaded.frame.spans.len()).find(|number| is_lerp && differs(number)).map(|span| Place { span, pixel: 1 })
+}
+
+/// Row 36.
+pub const ARC_COSINE: Row = Row {
+    id: "36",
+    input: "normals whose dot product rounds to 1 and beyond",
+    wanted: "no arc cosine of more than 1; one code from end to end but for rounding",
+    trial: scenes(|draw, extent| {
+        let one = |direction: DVec3| {
+            let other = (direction + 1e-16 * DVec3::new(1.0, -1.0, 0.5)).normalize();
+            RawSpan::between([direction, other], 20, lit(64))
+        };
+        let directions = (0..8 + extent.spans).map(|_| draw.direction());
+        let all = directions.map(one).collect();
+        vec![Case::wanting(SpanScene::new(&[tilted(20.0)], all), |pixel| {
+            pixel.code().abs_diff(Pixel { i: 0, ..*pixel }.code()) <= 1
+        })]
+    }),
+};

@@ -1,0 +1,160 @@
+//! Packets that no scene makes: patterns of bits within the ranges that ports state.
+use specula_golden::fixed::{Model, Observation};
+use specula_hdl::Design;
+use specula_scene::spec::{InputPort, SpecError};
+use specula_scene::{CoreSpec, Method, Needs, SpanPacket, parse};
+use specula_sim::{Engine, Fast, Flow, Stimulus};
+
+use super::draw::{Draw, tilted};
+use super::row::Extent;
+use super::scene::{RawSpan, SpanScene, lit};
+use super::sweep::Cell;
+use super::trial::Fault;
+use super::variant::Variant;
+use crate::arrival::Arrivals;
+use crate::assumptions;
+
+/// The row's name.
+pub const ID: &str = "raw";
+/// What goes in.
+pub const INPUT: &str = "ports at 0, at all ones, at the ends of their ranges, and at random patterns, without any scene";
+/// What is wanted.
+pub const WANTED: &str = "the model refuses packets that mean nothing; of others core and model agree, or the bench reports a fact that hosts keep and \
+they do not: nothing wraps around unseen";
+
+/// Runs a method's cores on patterns.
+pub fn cell(method: Method, draw: &mut Draw, extent: Extent) -> Cell {
+    let mut cell = Cell::empty(ID, Some(method));
+    let variants = if extent.every_option { Variant::all_of(method) } else { vec![Variant::default_of(method)] };
+    for longest in [3, 200] {
+        for variant in &variants {
+            match spec(variant, longest) {
+                Ok(spec) => try_spec(&mut cell, variant, &spec, draw, extent),
+                Err(error) => cell.refuse(error.to_string()),
+            }
+        }
+    }
+    cell
+}
+
+/// A core with two lights and everything else as wide as a wide span with a sharp highlight asks.
+fn spec(variant: &Variant, longest: u32) -> Result<CoreSpec, SpecError> {
+    let spans = vec![RawSpan::between([tilted(-40.0), tilted(45.0)], longest, lit(256))];
+    let scene = SpanScene::new(&[tilted(10.0), tilted(-30.0)], spans);
+    // The text is that of every other row's scenes.
+    let frame = parse("raw.toml", scene.text("")).map_err(|error| SpecError::Core { message: error.to_string() })?.frame;
+    CoreSpec::for_scene(&Needs::of(&frame), Some(&variant.options()?), Some(variant.method))
+}
+
+fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw, extent: Extent) {
+    let design = match specula_hdl::elaborate(spec, "core") {
+        Ok(design) => design,
+        Err(error) => return cell.refuse(error.to_string()),
+    };
+    let model = Model::new(spec);
+    let fits = |packet: &SpanPacket| model.shade(packet, &mut Vec::new()).is_ok();
+    let packets: Vec<SpanPacket> = patterns(spec, draw, extent.spans).into_iter().filter(fits).collect();
+    cell.cores += 1;
+    cell.pixels += packets.iter().map(|packet| u64::from(packet.length)).sum::<u64>();
+    let fault = match simulated(&design, &packets) {
+        Ok(simulated) => {
+            cell.reported += simulated.breaks_a_fact.iter().filter(|&&breaks| breaks).count();
+            wrong_code(&model, &packets, &simulated)
+        }
+        Err(what) => Some(Fault { what, span: 0, pixel: 0 }),
+    };
+    if let Some(fault) = fault.filter(|_| cell.fault.is_none()) {
+        (cell.fault, cell.faulty) = (Some(fault), Some(variant.describe()));
+    }
+}
+
+/// Packets of every pattern; the model refuses those that mean nothing.
+fn patterns(spec: &CoreSpec, draw: &mut Draw, random: usize) -> Vec<SpanPacket> {
+    let ports = spec.inputs();
+    let of = |draw: &mut Draw, value: &mut dyn FnMut(usize, &InputPort) -> i64| SpanPacket {
+        length: draw.length(spec.longest_span),
+        inputs: ports.iter().enumerate().map(|(k, port)| value(k, port).clamp(port.range.0, port.range.1)).collect(),
+    };
+    let low = |port: &InputPort| port.range.0;
+    let high = |port: &InputPort| port.range.1;
+    let mut packets = vec![
+        of(draw, &mut |_, _| 0),
+        // All ones are -1 in two's complement, and the largest number without a sign.
+        of(draw, &mut |_, port| if port.format.signed { -1 } else { port.format.max_raw() }),
+        of(draw, &mut |_, port| low(port)),
+        of(draw, &mut |_, port| high(port)),
+        of(draw, &mut |k, port| if k % 2 == 0 { low(port) } else { high(port) }),
+    ];
+    // One port alone at either end, and everything but it.
+    for alone in 0..ports.len() {
+        packets.push(of(draw, &mut |k, port| if k == alone { high(port) } else { 0 }));
+        packets.push(of(draw, &mut |k, port| if k == alone { low(port) } else { 0 }));
+    }
+    for _ in 0..8 * random {
+        // Halves and quarters of ranges are less often refused.
+        let shift = draw.between(0, 3);
+        let mut stream = draw.fork();
+        packets.push(of(draw, &mut |_, port| stream.between(low(port), high(port)) >> shift));
+    }
+    packets
+}
+
+/// The codes of packets, and which of them break a fact that hosts keep.
+struct Simulated {
+    codes: Vec<[u8; 3]>,
+    breaks_a_fact: Vec<bool>,
+}
+
+fn simulated(design: &Design, packets: &Vec<SpanPacket>) -> Result<Simulated, String> {
+    let stimulus = Stimulus::whole(packets, design);
+    let mut arrivals = Arrivals::new(design, &stimulus);
+    let mut breaks_a_fact = vec![false; packets.len()];
+    let mut watched = design.outputs.clone();
+    watched.push(design.valid_out);
+    watched.extend(assumptions::watched(design));
+    let run = Fast::new(design).run(&stimulus, &watched, &mut |batch| {
+        arrivals.take(batch);
+        for entry in assumptions::entries_that_violate(design, &stimulus, batch) {
+            let behind = (0..packets.len()).find(|&span| stimulus.begin_of(span) > entry).unwrap_or(packets.len());
+            // The first span begins with the first clock in which a pixel enters.
+            breaks_a_fact[behind.saturating_sub(1)] = true;
+        }
+        Flow::Continue
+    });
+    run.map_err(|error| error.to_string())?;
+    let Arrivals { codes, wrong_clocks, .. } = arrivals;
+    match wrong_clocks.first() {
+        Some(clock) => Err(format!("a pixel that comes or fails to come in clock {clock}")),
+        None => Ok(Simulated { codes, breaks_a_fact }),
+    }
+}
+
+/// The first code that is not the model's in a packet that breaks no fact.
+fn wrong_code(model: &Model, packets: &[SpanPacket], simulated: &Simulated) -> Option<Fault> {
+    let mut rest = &simulated.codes[..];
+    packets.iter().enumerate().find_map(|(span, packet)| {
+        let (given, later) = rest.split_at((packet.length as usize).min(rest.len()));
+        rest = later;
+        if simulated.breaks_a_fact[span] {
+            return None;
+        }
+        let mut expected = Vec::new();
+        if let Err(error) = model.shade(packet, &mut expected) {
+            return Some(Fault { what: error.to_string(), span, pixel: 0 });
+        }
+        let pixel = (0..expected.len()).find(|&i| given.get(i) != Some(&expected[i]))?;
+        if leaves_its_formats(model, packet, pixel as u32) {
+            return None;
+        }
+        let (got, wanted) = (given.get(pixel), expected[pixel]);
+        let what = format!("the code {got:?}, and the model has {wanted:?}; inputs {:?}", packet.inputs);
+        Some(Fault { what, span, pixel: pixel as u32 })
+    })
+}
+
+/// Whether the model has, at this pixel or before, a value that its own format does not hold: an accumulator's, which wraps around in
+/// hardware. Hosts send nothing of the kind.
+fn leaves_its_formats(model: &Model, packet: &SpanPacket, pixel: u32) -> bool {
+    let outside = |value: &Observation| !(value.format.min_raw()..=value.format.max_raw()).contains(&value.raw);
+    (0..=pixel).any(|i| model.trace(packet, i).is_ok_and(|values| values.iter().any(outside)))
+}

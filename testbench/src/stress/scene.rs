@@ -1,0 +1,151 @@
+//! Scenes of spans, as they stand in a file.
+use std::fmt::Write;
+
+use glam::DVec3;
+use specula_scene::Material;
+
+/// A light; all are white.
+#[derive(Clone, Copy, Debug)]
+pub enum Light {
+    /// At infinity, in this direction.
+    Towards(DVec3),
+    /// At a place.
+    At(DVec3),
+    /// At a place, aimed at another, with Warn's exponent.
+    Spot {
+        /// Where it is.
+        position: DVec3,
+        /// What it is aimed at.
+        target: DVec3,
+        /// Warn's exponent, 1 to 8191.
+        exponent: u32,
+    },
+}
+
+/// A span, with what `docs/scene-format.md` says of it.
+#[derive(Clone, Debug)]
+pub struct RawSpan {
+    /// Pixels.
+    pub length: u32,
+    /// Normals of the triangle's vertices: unit vectors, or 0.
+    pub normals: [DVec3; 3],
+    /// Its vertices.
+    pub positions: [DVec3; 3],
+    /// Smallest cosines between vertex normals and faces around them.
+    pub cone_cosines: [f64; 3],
+    /// Weights at the first pixel.
+    pub start: [f64; 3],
+    /// Weights at the last pixel.
+    pub end: [f64; 3],
+    /// What it is made of.
+    pub material: Material,
+}
+
+impl RawSpan {
+    /// A span between two normals.
+    pub fn between([first, last]: [DVec3; 2], length: u32, material: Material) -> RawSpan {
+        RawSpan {
+            length,
+            normals: [first, last, first],
+            positions: [DVec3::ZERO; 3],
+            cone_cosines: [1.0; 3],
+            start: [1.0, 0.0, 0.0],
+            end: [0.0, 1.0, 0.0],
+            material,
+        }
+    }
+}
+
+/// Grey reflectances.
+pub fn material(ambient: f64, diffuse: f64, specular: f64, shininess: u32) -> Material {
+    Material { ambient: [ambient; 3], diffuse: [diffuse; 3], specular: [specular; 3], shininess }
+}
+
+/// Nothing but highlight at full scale.
+pub fn mirror(shininess: u32) -> Material {
+    material(0.0, 0.0, 1.0, shininess)
+}
+
+/// Nothing but Lambert's reflectance at full scale.
+pub fn matt() -> Material {
+    material(0.0, 1.0, 0.0, 1)
+}
+
+/// Something of everything, and less than full scale under one light.
+pub fn lit(shininess: u32) -> Material {
+    material(0.1, 0.4, 0.45, shininess)
+}
+
+/// Spans under common lights. Ambient light is white.
+#[derive(Clone, Debug, Default)]
+pub struct SpanScene {
+    /// One to four.
+    pub lights: Vec<Light>,
+    /// Where the eye is that sees highlights, if it is at a place.
+    pub eye: Option<DVec3>,
+    /// One to a row.
+    pub spans: Vec<RawSpan>,
+}
+
+impl SpanScene {
+    /// Spans under lights at infinity.
+    pub fn new(lights: &[DVec3], spans: Vec<RawSpan>) -> SpanScene {
+        SpanScene { lights: lights.iter().map(|&light| Light::Towards(light)).collect(), eye: None, spans }
+    }
+
+    /// The scene with one of its spans alone.
+    pub fn only(&self, span: usize) -> SpanScene {
+        SpanScene { spans: self.spans.get(span).cloned().into_iter().collect(), ..self.clone() }
+    }
+
+    /// The scene file, with `core` for its last tables. Numbers are written so that they are read to the last bit.
+    pub fn text(&self, core: &str) -> String {
+        let mut text = String::from("ambient = 1\n");
+        // Writing to a String cannot fail.
+        if let Some(eye) = self.eye {
+            // Neither at the eye nor above or below it.
+            let target = eye - DVec3::new(1.0, 0.0, 1.0);
+            let _ = writeln!(text, "\n[camera]\nviewer = \"local\"\neye = {}\ntarget = {}", vector(eye), vector(target));
+        }
+        self.lights.iter().for_each(|light| text.push_str(&light.text()));
+        self.spans.iter().for_each(|span| text.push_str(&span.text()));
+        format!("{text}\n{core}")
+    }
+}
+
+impl Light {
+    fn text(&self) -> String {
+        match *self {
+            Light::Towards(direction) => format!("\n[[light]]\ndirection = {}\n", vector(direction)),
+            Light::At(position) => format!("\n[[light]]\nkind = \"point\"\nposition = {}\n", vector(position)),
+            Light::Spot { position, target, exponent } => format!(
+                "\n[[light]]\nkind = \"spot\"\nposition = {}\ntarget = {}\nexponent = {exponent}\n",
+                vector(position),
+                vector(target)
+            ),
+        }
+    }
+}
+
+impl RawSpan {
+    fn text(&self) -> String {
+        let three = |vectors: [DVec3; 3]| vectors.map(vector).join(", ");
+        let mut text = format!("\n[[span]]\nlength = {}\nnormals = [{}]\n", self.length, three(self.normals));
+        // Writing to a String cannot fail.
+        if self.positions != [DVec3::ZERO; 3] {
+            let _ = writeln!(text, "positions = [{}]", three(self.positions));
+        }
+        let _ = writeln!(text, "cone_cosines = {:?}\nstart = {:?}\nend = {:?}", self.cone_cosines, self.start, self.end);
+        let m = &self.material;
+        let _ = writeln!(
+            text,
+            "[span.material]\nambient = {:?}\ndiffuse = {:?}\nspecular = {:?}\nshininess = {}",
+            m.ambient, m.diffuse, m.specular, m.shininess
+        );
+        text
+    }
+}
+
+fn vector(v: DVec3) -> String {
+    format!("{:?}", v.to_array())
+}

@@ -1,0 +1,51 @@
+//! Methods with their options.
+use specula_scene::Method;
+use specula_scene::spec::{CoreOptions, SpecError};
+
+/// A method with options and formats that differ from its defaults.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Variant {
+    /// The method.
+    pub method: Method,
+    /// What stands in its table of a scene file's `[core]`, a line each.
+    pub table: String,
+}
+
+impl Variant {
+    /// A method as it is by default.
+    pub fn default_of(method: Method) -> Variant {
+        Variant { method, table: String::new() }
+    }
+
+    /// The default, and each value of each option by itself.
+    pub fn all_of(method: Method) -> Vec<Variant> {
+        let values = |choice: &'static specula_scene::spec::Choice| choice.values.iter().map(|value| (choice.key, *value));
+        let one = |(key, value)| Variant { method, table: format!("{key} = {value}\n") };
+        let changed = method.choices().iter().flat_map(values).map(one);
+        [Variant::default_of(method)].into_iter().chain(changed).collect()
+    }
+
+    /// The `[core]` table that asks for it.
+    pub fn core(&self) -> String {
+        let name = self.method.name();
+        format!("[core]\nmethod = \"{name}\"\n\n[core.{name}]\n{}", self.table)
+    }
+
+    /// The same as the program reads it.
+    ///
+    /// # Errors
+    /// [`SpecError::Core`] if the table is none.
+    pub fn options(&self) -> Result<CoreOptions, SpecError> {
+        let name = self.method.name();
+        format!("method = \"{name}\"\n\n[{name}]\n{}", self.table).parse()
+    }
+
+    /// Its name for people: the method and what differs.
+    pub fn describe(&self) -> String {
+        let changes: Vec<&str> = self.table.lines().collect();
+        match changes[..] {
+            [] => self.method.name().to_owned(),
+            _ => format!("{} ({})", self.method.name(), changes.join(", ")),
+        }
+    }
+}
