@@ -4,7 +4,7 @@ use std::io::Write;
 use clap::{Parser, Subcommand};
 
 use crate::error::ToolError;
-use crate::{cmd_bench, cmd_generate, cmd_methods, cmd_needs, cmd_run, cmd_scenes, cmd_stress, cmd_wave};
+use crate::{cmd_bench, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce, cmd_run, cmd_scenes, cmd_stress, cmd_wave};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -37,6 +37,8 @@ pub enum Command {
     Needs(cmd_needs::Arguments),
     /// Try every method on the catalogue of extremes
     Stress(cmd_stress::Arguments),
+    /// Compute what the papers claim, and say what holds
+    Reproduce(cmd_reproduce::Arguments),
     /// List the built-in scenes
     #[command(after_help = "Example: specula scenes")]
     Scenes,
@@ -63,6 +65,7 @@ impl Command {
             Command::Bench(arguments) => cmd_bench::execute(arguments, stdout),
             Command::Needs(arguments) => cmd_needs::execute(arguments, stdout),
             Command::Stress(arguments) => cmd_stress::execute(arguments, stdout),
+            Command::Reproduce(arguments) => cmd_reproduce::execute(arguments, stdout),
             Command::Scenes => cmd_scenes::execute(stdout),
             Command::Methods(arguments) => cmd_methods::execute(arguments, stdout),
         }

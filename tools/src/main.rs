@@ -5,6 +5,7 @@ mod cmd_bench;
 mod cmd_generate;
 mod cmd_methods;
 mod cmd_needs;
+mod cmd_reproduce;
 mod cmd_run;
 mod cmd_scenes;
 mod cmd_stress;

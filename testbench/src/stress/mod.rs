@@ -4,7 +4,7 @@
 //! in every clock in which it must and in no other, that stated facts hold, that no shade is other than a number from 0 to 255, and that
 //! no error is beyond its proven bound.
 mod catalogue;
-mod draw;
+pub(crate) mod draw;
 pub mod drift;
 mod raw;
 pub mod row;

@@ -7,6 +7,7 @@ mod methods;
 mod needs;
 mod output;
 mod program;
+mod reproduce;
 mod run;
 mod stress;
 mod wave;

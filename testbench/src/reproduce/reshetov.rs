@@ -1,0 +1,41 @@
+//! Reshetov, Soupikov and Mark: the rational q (figures 6 and 7).
+use std::f64::consts::FRAC_PI_2;
+
+use specula_golden::exact::consistent::{q, rational_q};
+
+use super::{Claim, SAMPLES, largest};
+
+fn difference(t: f64) -> f64 {
+    q(FRAC_PI_2 * t) - rational_q(FRAC_PI_2 * t)
+}
+
+/// Where the difference is largest, in degrees.
+fn place() -> f64 {
+    let places = (0..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES));
+    90.0 * places.max_by(|a, b| difference(*a).total_cmp(&difference(*b))).unwrap_or(0.0)
+}
+
+/// Figures 6 and 7.
+pub const CLAIMS: [Claim; 3] = [
+    Claim {
+        what: "q - q~ is below 0.0127",
+        quantity: "largest difference",
+        expected: (0.012_688_7, 5e-8),
+        measure: || largest(difference),
+        holds: |error| error < 0.0127,
+    },
+    Claim {
+        what: "q~ is never above q",
+        quantity: "largest q~ - q",
+        expected: (0.0, 1e-15),
+        measure: || largest(|t| -difference(t)),
+        holds: |above| above < 1e-15,
+    },
+    Claim {
+        what: "the difference is largest near 40 degrees",
+        quantity: "degrees",
+        expected: (40.20, 5e-3),
+        measure: place,
+        holds: |degrees| (degrees - 40.0).abs() < 1.0,
+    },
+];
