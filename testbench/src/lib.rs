@@ -8,6 +8,7 @@ mod image;
 pub mod reproduce;
 mod run;
 mod savings;
+pub mod search;
 mod spans;
 mod statistics;
 pub mod stress;

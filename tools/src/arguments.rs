@@ -6,8 +6,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_scene::picture::limits;
 use specula_scene::spec::Specialise;
 use specula_scene::{CoreSpec, LoadedScene, Method};
-use specula_testbench::EngineKind;
 use specula_testbench::trace::Choice;
+use specula_testbench::{EngineKind, search};
 
 use crate::error::ToolError;
 
@@ -29,6 +29,10 @@ pub struct SceneArguments {
     /// [default: what the scene says, else scene]
     #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
     pub specialise: Option<Specialise>,
+    /// Narrow all formats as far as every pixel stays within this of exact shading by the method, such as 1lsb
+    /// [default: the formats that the scene says, else recommended ones]
+    #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
+    pub max_error: Option<f64>,
 }
 
 impl SceneArguments {
@@ -36,8 +40,14 @@ impl SceneArguments {
     pub fn load(&self) -> Result<(LoadedScene, CoreSpec), ToolError> {
         let scene = specula_scene::load(&self.scene, self.size)?;
         let spec = scene.core_spec(self.method)?;
-        let spec = match self.specialise {
+        let general = spec.specialisation.is_general();
+        let spec = match self.max_error {
             None => spec,
+            Some(most) => search::within(&spec, &scene.frame, most)??,
+        };
+        let spec = match self.specialise {
+            None if general || self.max_error.is_none() => spec,
+            None => spec.specialised(&scene.frame),
             Some(Specialise::Scene) => spec.specialised(&scene.frame),
             Some(Specialise::General) => spec.general(),
         };
@@ -48,6 +58,12 @@ impl SceneArguments {
     pub fn folder(&self, scene: &LoadedScene) -> PathBuf {
         self.output.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name))
     }
+}
+
+/// `--max-error`: LSBs of the 8-bit output.
+fn parse_error(text: &str) -> Result<f64, String> {
+    let number = text.strip_suffix("lsb").unwrap_or(text).parse::<f64>().ok().filter(|lsb| *lsb > 0.0 && *lsb <= 255.0);
+    number.ok_or_else(|| "write a number of LSBs of the 8-bit output above 0 and up to 255, as in 1lsb".to_owned())
 }
 
 /// `--size`.

@@ -6,6 +6,7 @@ use miette::Diagnostic;
 use specula_scene::SceneError;
 use specula_testbench::BenchError;
 use specula_testbench::bench::MeasureError;
+use specula_testbench::search::NotFound;
 use thiserror::Error;
 
 use crate::wave::WaveError;
@@ -25,6 +26,10 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Measure(Box<MeasureError>),
+    /// No core is as good as was asked for.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    NotFound(#[from] NotFound),
     /// A result cannot be put into JSON.
     #[error("the result cannot be written as JSON: {0}")]
     #[diagnostic(code(specula::json), help("this is a fault of Specula's: please report it with the command"))]

@@ -24,7 +24,8 @@ impl Origin {
         let size = arguments.size.map(|(width, height)| format!(" --size {width}x{height}")).unwrap_or_default();
         let method = spec.method().name();
         let specialise = arguments.specialise.map(|wish| format!(" --specialise {}", wish.name())).unwrap_or_default();
-        let command = format!("specula generate {}{size} --method {method}{specialise}", quoted(&scene));
+        let error = arguments.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
+        let command = format!("specula generate {}{size} --method {method}{specialise}{error}", quoted(&scene));
         Origin { scene, command }
     }
 }
@@ -90,7 +91,8 @@ mod tests {
     use super::*;
 
     fn origin(scene: &str, size: Option<(u32, u32)>) -> Origin {
-        let arguments = SceneArguments { scene: scene.to_owned(), output: None, size, method: None, specialise: None };
+        let arguments =
+            SceneArguments { scene: scene.to_owned(), output: None, size, method: None, specialise: None, max_error: None };
         let spec = specula_scene::load("icosahedron", Some((8, 6))).and_then(|scene| scene.core_spec(None)).expect("it has a core");
         Origin::new(&arguments, &spec)
     }

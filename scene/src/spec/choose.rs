@@ -73,6 +73,18 @@ impl CoreSpec {
         self.method.describe().narrowing_points(span_bits(self.longest_span))
     }
 
+    /// The same core for any scene, with other formats at these narrowing points.
+    ///
+    /// # Errors
+    /// [`SpecError`] if there is no such point, or it may not have the format.
+    pub fn with_formats(&self, formats: &[(&str, Format)]) -> Result<CoreSpec, SpecError> {
+        let formats = formats.iter().map(|&(name, format)| (name.to_owned(), format.to_string().into())).collect();
+        let changes = [("formats".to_owned(), toml::Value::Table(formats))].into_iter().collect();
+        let spec = CoreSpec { method: self.method.with(&changes)?, ..self.general() };
+        spec.check()?;
+        Ok(spec)
+    }
+
     /// What else the spec says: names and values, for people to read.
     pub fn options(&self) -> Vec<(&'static str, String)> {
         let mut options = vec![

@@ -89,6 +89,13 @@ macro_rules! methods {
                 }
             }
 
+            /// The same with `changes` to options and formats.
+            pub(super) fn with(&self, changes: &toml::Table) -> Result<MethodSpec, SpecError> {
+                match self {
+                    $(MethodSpec::$method(spec) => merged(spec, changes).map(MethodSpec::$method),)*
+                }
+            }
+
             /// What it says of itself.
             pub(super) fn describe(&self) -> &dyn Describe {
                 match self {

@@ -36,6 +36,8 @@ fn wrong_words() {
             &["run", "teapot", "--trace", "cycles=5"],
             &["run", "teapot", "-o", ""],
             &["run", "teapot", "--colour", "red"],
+            &["run", "teapot", "--max-error", "-1lsb"],
+            &["run", "icosahedron", "--size", "16x12", "--max-error", "0.01lsb"],
         ],
     );
     insta::assert_snapshot!(said);
