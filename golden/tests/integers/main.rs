@@ -14,6 +14,7 @@ mod common;
 mod consistent;
 mod direct;
 mod duff;
+mod gaussian;
 mod gouraud;
 mod hybrid;
 mod lyon;

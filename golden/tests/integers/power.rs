@@ -6,11 +6,11 @@ pub fn of(base: i128, from: u32, n: i128, exponent_bits: u32, to: u32) -> i128 {
     if base == 0 {
         return 0;
     }
-    let y = round(n * minus_log2(base, from, to + exponent_bits + 3), to + exponent_bits + 3, to + 6);
-    if y >= i128::from(to + 2) << (to + 6) { 0 } else { two_to_minus(y, to) }
+    two_to_minus(n * minus_log2(base, from, to + exponent_bits + 3), to + exponent_bits + 3, to)
 }
 
-fn raw(value: f64, bits: u32) -> i128 {
+/// `value` to `bits`.
+pub fn raw(value: f64, bits: u32) -> i128 {
     (value * 2f64.powi(bits as i32) + 0.5).floor() as i128
 }
 
@@ -38,8 +38,13 @@ fn minus_log2(base: i128, from: u32, w: u32) -> i128 {
     ((i128::from(e) << w) + log_c - round(q * log2_e, 2 * w - index_bits + 2, w)).max(0)
 }
 
-fn two_to_minus(y: i128, to: u32) -> i128 {
+/// 2^-y; y has `from` fraction bits.
+pub fn two_to_minus(y: i128, from: u32, to: u32) -> i128 {
     let bits = to + 6;
+    let y = round(y, from, bits);
+    if y >= i128::from(to + 2) << bits {
+        return 0;
+    }
     let (h, delta) = (y >> to & 63, y & ((1 << to) - 1));
     let d = round(delta * raw(std::f64::consts::LN_2, bits), 2 * bits, bits);
     let p = round((d << (bits + 1)) - d * d, 2 * bits + 1, bits);

@@ -9,7 +9,9 @@ mod difference;
 mod diffuse;
 mod direct;
 mod divider;
+mod exp2;
 mod fixed_log;
+mod gaussian;
 mod interpolate;
 mod linear;
 mod normalise;
@@ -34,6 +36,7 @@ pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_project
 pub use diffuse::{clamped_cosine, diffuse, gouraud};
 pub use direct::{UnitNormal, direct_cosine, directed_base, parameter, squared_length};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
+pub use gaussian::{gaussian, kept_versine};
 pub use interpolate::{Interpolation, SpanNormals, along, chord, interpolate, weight};
 pub use linear::{Steps, linear};
 pub use normalise::{has_direction, normalise};
@@ -45,7 +48,9 @@ pub use rotation::rotation;
 pub use shape::{root_shape, shape};
 pub use square_root::square_root;
 pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
-pub use unit_vectors::{cosine_between, halfway_cosine, halfway_gain, reflected_cosine, spot_cosine, trowbridge_reitz};
+pub use unit_vectors::{
+    cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine, trowbridge_reitz,
+};
 pub use wrapped::wrapped;
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
