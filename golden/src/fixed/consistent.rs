@@ -8,6 +8,7 @@ use super::method::{Method, Values};
 use super::number::{Wide, round_down, round_quotient, round_root, round_to, round_up};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::PacketError;
+use super::raised::Raised;
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, dot};
 
@@ -24,6 +25,7 @@ const TANGENT_FRACTION_BITS: u32 = 20;
 pub(super) struct Consistent {
     curve: Curve,
     diffuse: Diffuse,
+    power: Raised,
     formats: ConsistentFormats,
     colour: Format,
     ports: ConsistentInputs<InputPort>,
@@ -34,8 +36,9 @@ impl Consistent {
         Consistent {
             curve: consistent.curve,
             diffuse: consistent.diffuse,
+            power: Raised::new(core, consistent.power_unit()),
             formats: consistent.formats.clone(),
-            colour: sum_format(core, consistent.formats.diffuse, consistent.formats.base),
+            colour: sum_format(core, consistent.formats.diffuse, consistent.power_unit().format()),
             ports: consistent.inputs(core),
         }
     }
@@ -76,7 +79,7 @@ impl Method for Consistent {
             let mut observer = OfLight { observer, index };
             colour.add(&light.diffuse, self.diffuse(&mirror, light, &mut observer));
             let base = self.base(&mirror, &reflection, light, &mut observer);
-            colour.add(&light.specular, self.power(base, inputs.log2_shininess, &mut observer));
+            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
         }
         colour.code(self.colour, observer)
     }
@@ -188,11 +191,5 @@ impl Consistent {
         let base = if mirror.has_direction { cosine } else { Wide::ZERO };
         observer.see(format_args!("base"), base, self.formats.base);
         base
-    }
-
-    /// base^n, n = 2^j, by j squarings.
-    fn power(&self, base: Wide, log2_shininess: Wide, observer: &mut impl Observer) -> Wide {
-        let squarings = log2_shininess.to_num::<u32>();
-        (0..squarings).fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, self.formats.base))
     }
 }

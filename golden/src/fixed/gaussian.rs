@@ -59,9 +59,12 @@ fn exact(d: Wide) -> Wide {
     if d == Wide::ZERO {
         return 2 * Wide::LOG2_E;
     }
-    let halved = |d: Wide| (d >> 1) / (Wide::ONE + (Wide::ONE - (d >> 1)).sqrt());
+    let halved = |d: Wide| {
+        let half: Wide = d >> 1;
+        half / (Wide::ONE + Wide::sqrt(Wide::ONE - half))
+    };
     let small = (0..HALVINGS).fold(d, |d, _| halved(d));
-    let series = (1..=12).rev().fold(Wide::ONE, |rest, k: i32| {
+    let series = (1..=12).rev().fold(Wide::ONE, |rest: Wide, k: i128| {
         // Each term is the one before times d k²/((2k + 1)(k + 1)).
         Wide::ONE + rest * small * (k * k) / ((2 * k + 1) * (k + 1))
     });

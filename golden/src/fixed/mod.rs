@@ -19,6 +19,7 @@ mod observer;
 mod packet;
 mod phong;
 mod power;
+mod raised;
 mod reflection;
 mod root;
 mod slerp;

@@ -2,6 +2,7 @@
 use specula_scene::spec::ConsistentSpec;
 use specula_scene::spec::consistent::{Curve, Diffuse};
 
+use crate::power;
 use crate::raw::{Raw, round};
 
 /// A reflection: b, g, r.
@@ -10,7 +11,7 @@ type Reflection = (i128, i128, [i128; 3]);
 pub fn code(spec: &ConsistentSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
     let (diffuse_bits, base_bits, v) = (f.diffuse.fraction_bits, f.base.fraction_bits, f.vector.fraction_bits);
-    let bits = diffuse_bits.max(base_bits);
+    let bits = diffuse_bits.max(base_bits).max(f.shape.fraction_bits);
     let (n, z) = normal(spec, raw, i);
     let q = contraction(spec, raw, i);
     let (_, _, r) = reflection(spec, n, q, [0, 0, 1 << v]);
@@ -23,11 +24,9 @@ pub fn code(spec: &ConsistentSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] 
             Diffuse::Consistent => lit(spec, reflection(spec, n, q, l), l),
         };
         terms.push((format!("light{light}_diffuse"), diffuse << (bits - diffuse_bits)));
-        let mut base = if z == 0 { 0 } else { round(dot(r, l), 2 * v, base_bits).clamp(0, 1 << base_bits) };
-        for _ in 0..raw.get("log2_shininess") {
-            base = round(base * base, 2 * base_bits, base_bits);
-        }
-        terms.push((format!("light{light}_specular"), base << (bits - base_bits)));
+        let base = if z == 0 { 0 } else { round(dot(r, l), 2 * v, base_bits).clamp(0, 1 << base_bits) };
+        let (power, power_bits) = power::raised(raw, base, base_bits, f.shape.fraction_bits);
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }

@@ -2,8 +2,8 @@
 use specula_scene::spec::PhongSpec;
 use specula_scene::spec::phong::Highlight;
 
-use crate::{gaussian, power};
 use crate::raw::{Raw, round};
+use crate::{gaussian, power};
 
 /// A unit vector, if it has a direction.
 type Direction = Option<[i128; 3]>;

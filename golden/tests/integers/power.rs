@@ -1,5 +1,17 @@
 //! b^n on raw values, with tables from f64.
-use crate::raw::round;
+use crate::raw::{Raw, round};
+
+/// The power of a highlight's base with `from` fraction bits, by squaring or by tables, whichever port there is, with `shape` fraction
+/// bits then; and its fraction bits.
+pub fn raised(raw: &Raw, base: i128, from: u32, shape: u32) -> (i128, u32) {
+    match raw.has("log2_exponent") {
+        true => ((0..raw.get("log2_exponent")).fold(base, |b, _| round(b * b, 2 * from, from)), from),
+        false => {
+            let exponent_bits = i128::BITS - raw.largest("exponent").leading_zeros();
+            (of(base, from, raw.get("exponent"), exponent_bits, shape), shape)
+        }
+    }
+}
 
 /// `base` has `from` fraction bits, exponents have up to `exponent_bits`, the power `to` fraction bits.
 pub fn of(base: i128, from: u32, n: i128, exponent_bits: u32, to: u32) -> i128 {

@@ -42,8 +42,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
     let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
     let (r, _) = units::consistent_reflection(&b, &n, &eye(&b), &q, f, known);
     let pixel = Pixel { b: &b, spec, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: &r };
-    let log2_shininess = &inputs.log2_shininess;
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, log2_shininess)).collect();
+    let exponent = &inputs.exponent;
+    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, exponent)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
 
@@ -69,7 +69,7 @@ struct Pixel<'a> {
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, log2_shininess: &Sig) -> Light {
+    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, exponent: &Sig) -> Light {
         let (b, f) = (self.b, &self.consistent.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
@@ -78,8 +78,7 @@ impl Pixel<'_> {
             Diffuse::Consistent => units::consistent_diffuse(b, (self.n, self.q, self.has_direction), &direction, f, self.least_q),
         };
         let base = b.instance(&called("base"), || self.base(&direction));
-        let most_squarings = self.spec.largest_shininess.ilog2();
-        let power = || units::power(b, &base, log2_shininess, most_squarings, f.base.fraction_bits);
+        let power = || units::raised(b, &base, exponent, self.consistent.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), diffuse),
             specular: b.instance(&called("power"), power),

@@ -10,6 +10,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
+use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{ConsistentInputs, ConsistentLight};
 
 /// How q depends on α, with t = 2α/π.
@@ -43,6 +44,8 @@ pub struct ConsistentSpec {
     pub curve: Curve,
     /// What is diffusely reflected.
     pub diffuse: Diffuse,
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: ConsistentFormats,
 }
@@ -78,8 +81,10 @@ pub struct ConsistentFormats {
     pub sine_ratio: Format,
     /// Diffuse intensity, clamped to 0..1: `U1.f`.
     pub diffuse: Format,
-    /// r·L, clamped to 0..1, and after each squaring: `U1.f`.
+    /// r·L, clamped to 0..1, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
 }
 
 impl ConsistentFormats {
@@ -102,5 +107,12 @@ impl Curve {
             Curve::Trigonometric => 0.06097 * (1.0 - m),
         };
         libm::acos(m) * std::f64::consts::FRAC_2_PI * (1.0 + excess)
+    }
+}
+
+impl ConsistentSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
     }
 }

@@ -43,7 +43,7 @@ impl SetUpSpan for ConsistentSetUp<'_> {
             weight_step: f.weight_accumulator.quantise(step),
             angle_start,
             angle_step,
-            log2_shininess: i64::from(self.frame.material(span).shininess.ilog2()),
+            exponent: self.consistent.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: material.lights.iter().enumerate().map(|(index, coefficients)| self.light(index, coefficients)).collect(),
         };

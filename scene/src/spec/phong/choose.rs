@@ -12,10 +12,7 @@ use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint};
 impl PhongSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] =
-        &[Choice {
-        key: "highlight",
-        values: &["\"reflection\"", "\"blinn\"", "\"torrance-sparrow\"", "\"trowbridge-reitz\""],
-    }];
+        &[Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\"", "\"torrance-sparrow\"", "\"trowbridge-reitz\""] }];
 
     /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits of it (NUMERICS 3b, "power base bits
     /// alone", has 16 for n = 256 and 21 for 8000), and two more of the cosines and vectors it is made of, whose errors add up; short vectors
