@@ -41,7 +41,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
     let least_q = least_contraction(spec, consistent.curve);
     let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
     let (r, _) = units::consistent_reflection(&b, &n, &eye(&b), &q, f, known);
-    let pixel = Pixel { b: &b, spec, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: &r };
+    let pixel = Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: &r };
     let exponent = &inputs.exponent;
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, exponent)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
@@ -59,7 +59,6 @@ fn least_contraction(spec: &CoreSpec, curve: Curve) -> f64 {
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreSpec,
     consistent: &'a ConsistentSpec,
     n: &'a Vector,
     has_direction: &'a Sig,

@@ -20,7 +20,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let view = [&inputs.view.start, &inputs.view.delta];
     let normal = UnitNormal::new(&t, &inputs.spread, formats, spec.shortest_normal);
     let k = b.instance("n_dot_v", || units::direct_cosine(&b, &t, view, &s, formats, normal));
-    let pixel = Pixel { b: &b, spec, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, normal, exponent: &inputs.exponent };
+    let pixel = Pixel { b: &b, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, normal, exponent: &inputs.exponent };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -28,7 +28,6 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreSpec,
     direct: &'a DirectSpec,
     t: &'a Sig,
     q: &'a Sig,

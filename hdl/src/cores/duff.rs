@@ -22,7 +22,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Desig
         .filter(|_| duff.specular == Highlight::Eq34)
         .map(|view| b.instance("view_cosine", || units::cosine(&b, view, &length, f.cosine.fraction_bits)));
     let exponent = &inputs.exponent;
-    let pixel = Pixel { forward, spec, duff, length: &length, view: view.as_ref(), view_cosine: view_cosine.as_ref(), exponent };
+    let pixel = Pixel { forward, duff, length: &length, view: view.as_ref(), view_cosine: view_cosine.as_ref(), exponent };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -30,7 +30,6 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Desig
 /// What the lights have in common.
 struct Pixel<'a> {
     forward: Forward<'a>,
-    spec: &'a CoreSpec,
     duff: &'a DuffSpec,
     length: &'a Length,
     /// N·V, where the highlight asks for it.
