@@ -147,7 +147,8 @@ impl Pixel<'_> {
                 b.instance(&called("distribution"), || units::gaussian(b, &base, self.shininess, shape_bits))
             }
             Highlight::TrowbridgeReitz => {
-                b.instance(&called("distribution"), || units::trowbridge_reitz(b, &base, self.shininess, shape_bits))
+                let distribution = || units::trowbridge_reitz(b, &base, self.shininess, base_bits, shape_bits);
+                b.instance(&called("distribution"), distribution)
             }
         }
     }
