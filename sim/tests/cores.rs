@@ -60,6 +60,11 @@ fn consistents_outputs_agree() {
 }
 
 #[test]
+fn consistent_normals_outputs_agree() {
+    options_agree(Method::Consistent, "diffuse = \"consistent\"\nhighlight = \"blinn\"");
+}
+
+#[test]
 fn lyons_outputs_agree() {
     outputs_agree(Method::Lyon);
 }

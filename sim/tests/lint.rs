@@ -48,6 +48,7 @@ fn specs() -> Vec<CoreSpec> {
         (Method::Duff, "specular = \"blinn\"\npower = \"tables\""),
         (Method::Reflection, "power = \"tables\""),
         (Method::Consistent, "power = \"tables\""),
+        (Method::Consistent, "diffuse = \"consistent\"\nhighlight = \"blinn\""),
         (Method::Slerp, "power = \"tables\""),
         (Method::Direct, "power = \"tables\""),
     ];

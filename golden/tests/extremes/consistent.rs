@@ -2,7 +2,7 @@
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use glam::{DQuat, DVec3};
-use specula_golden::exact::consistent_span::consistent_lambert;
+use specula_golden::exact::consistent_span::consistent_cosine;
 use specula_scene::mesh::Mesh;
 use specula_scene::mesh::normals::newell;
 use specula_scene::primitive::Primitive;
@@ -39,7 +39,7 @@ fn no_diffuse_light_from_the_horizon_on() {
             assert_eq!(codes(&core(&frame, curve, Diffuse::Consistent), &frame), [0, 0], "{degrees} {cosine}");
         }
     }
-    assert_eq!(consistent_lambert(DVec3::Z, 1.0, DVec3::X), 0.0);
+    assert_eq!(consistent_cosine(DVec3::Z, 1.0, DVec3::X), 0.0);
 }
 
 /// Row 42: α = π/2 and b = -1 is 0/0; r = N and ρ = 0.

@@ -1,6 +1,6 @@
 //! `consistent` on raw values.
 use specula_scene::spec::ConsistentSpec;
-use specula_scene::spec::consistent::{Curve, Diffuse};
+use specula_scene::spec::consistent::{Curve, Diffuse, Highlight};
 
 use crate::power;
 use crate::raw::{Raw, round};
@@ -21,10 +21,17 @@ pub fn code(spec: &ConsistentSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] 
         let diffuse = match spec.diffuse {
             Diffuse::Lambert => round(dot(n, l), 2 * v, diffuse_bits).clamp(0, 1 << diffuse_bits),
             Diffuse::Consistent if z == 0 => 0,
-            Diffuse::Consistent => lit(spec, reflection(spec, n, q, l), l),
+            Diffuse::Consistent => lit(spec, reflection(spec, n, q, l), l, diffuse_bits),
         };
         terms.push((format!("light{light}_diffuse"), diffuse << (bits - diffuse_bits)));
-        let base = if z == 0 { 0 } else { round(dot(r, l), 2 * v, base_bits).clamp(0, 1 << base_bits) };
+        let base = match spec.highlight {
+            _ if z == 0 => 0,
+            Highlight::Reflection => round(dot(r, l), 2 * v, base_bits).clamp(0, 1 << base_bits),
+            Highlight::Blinn => {
+                let h = raw.vector(&format!("light{light}_halfway"));
+                lit(spec, reflection(spec, n, q, h), h, base_bits)
+            }
+        };
         let (power, power_bits) = power::raised(raw, base, base_bits, f.shape.fraction_bits);
         terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
@@ -115,9 +122,9 @@ fn ratio(p: i128, q: i128, bits: u32) -> i128 {
     (if 2 * rest >= q { below + 1 } else { below }).min(1 << bits)
 }
 
-/// |L + r|/2, 0 to 1.
-fn lit(spec: &ConsistentSpec, (b, g, r): Reflection, l: [i128; 3]) -> i128 {
-    let (v, d) = (spec.formats.vector.fraction_bits, spec.formats.diffuse.fraction_bits);
+/// |L + r|/2, 0 to 1, with `d` bits.
+fn lit(spec: &ConsistentSpec, (b, g, r): Reflection, l: [i128; 3], d: u32) -> i128 {
+    let v = spec.formats.vector.fraction_bits;
     if g + b <= 0 {
         return 0;
     }

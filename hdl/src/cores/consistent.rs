@@ -1,6 +1,6 @@
 //! The core for consistent normal interpolation.
-use specula_scene::CoreSpec;
-use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse};
+use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
+use specula_scene::{CoreSpec, Format};
 
 use super::{eye, finish};
 use crate::builder::{Builder, Sig, TooWide, Vector};
@@ -40,8 +40,9 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
     let least_q = least_contraction(spec, consistent.curve);
     let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
-    let (r, _) = units::consistent_reflection(&b, &n, &eye(&b), &q, f, known);
-    let pixel = Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: &r };
+    let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, known).0;
+    let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
+    let pixel = Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: r.as_ref() };
     let exponent = &inputs.exponent;
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, exponent)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
@@ -64,7 +65,8 @@ struct Pixel<'a> {
     has_direction: &'a Sig,
     q: &'a Sig,
     least_q: f64,
-    r: &'a Vector,
+    /// The eye's reflection, where the highlight asks for it.
+    r: Option<&'a Vector>,
 }
 
 impl Pixel<'_> {
@@ -74,9 +76,13 @@ impl Pixel<'_> {
         let direction = Vector::new(light.direction.clone());
         let diffuse = || match self.consistent.diffuse {
             Diffuse::Lambert => units::clamped_cosine(b, self.n, &direction, f.diffuse),
-            Diffuse::Consistent => units::consistent_diffuse(b, (self.n, self.q, self.has_direction), &direction, f, self.least_q),
+            Diffuse::Consistent => self.consistent_cosine(&direction, f.diffuse),
         };
-        let base = b.instance(&called("base"), || self.base(&direction));
+        let base = b.instance(&called("base"), || match (self.r, &light.halfway) {
+            (_, Some(halfway)) => self.consistent_cosine(&Vector::new(halfway.clone()), f.base),
+            (Some(r), None) => self.reflected_cosine(r, &direction),
+            (None, None) => unreachable!("`ConsistentSpec::inputs` has H where there is no r"),
+        });
         let power = || units::raised(b, &base, exponent, self.consistent.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), diffuse),
@@ -86,10 +92,16 @@ impl Pixel<'_> {
         }
     }
 
+    /// N_c·I of any I.
+    fn consistent_cosine(&self, incoming: &Vector, to: Format) -> Sig {
+        let mirror = (self.n, self.q, self.has_direction);
+        units::consistent_cosine(self.b, mirror, incoming, (&self.consistent.formats, to), self.least_q)
+    }
+
     /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
-    fn base(&self, light: &Vector) -> Sig {
+    fn reflected_cosine(&self, r: &Vector, light: &Vector) -> Sig {
         let (b, format) = (self.b, self.consistent.formats.base);
-        let inputs = (("r", self.r), ("l", light), ("has_direction", self.has_direction));
+        let inputs = (("r", r), ("l", light), ("has_direction", self.has_direction));
         b.unit("reflected_cosine", "b = r.L, clamped to [0, 1]", inputs, |b, (r, l, has_direction)| {
             let (off, off_l) = (r.off(), l.off().length);
             // The cosine of r's angle with L, but for what r is longer or shorter and L is off.

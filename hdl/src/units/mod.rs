@@ -30,7 +30,7 @@ mod wrapped;
 
 pub use any_power::any_power;
 pub use colour::{Coefficients, Light, channels};
-pub use consistent_reflection::{Consistency, consistent_diffuse, consistent_reflection};
+pub use consistent_reflection::{Consistency, consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
 pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};

@@ -1,5 +1,5 @@
 //! Options and formats of `consistent`: defaults for a scene, and what may be asked for.
-use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse, LARGEST_GAIN_BITS};
+use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse, Highlight, LARGEST_GAIN_BITS};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
@@ -21,6 +21,7 @@ impl ConsistentSpec {
     pub const CHOICES: &'static [Choice] = &[
         Choice { key: "curve", values: &["\"rational\"", "\"trigonometric\""] },
         Choice { key: "diffuse", values: &["\"lambert\"", "\"consistent\""] },
+        Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\""] },
         Power::CHOICE,
     ];
 
@@ -40,6 +41,7 @@ impl ConsistentSpec {
         ConsistentSpec {
             curve,
             diffuse: Diffuse::Lambert,
+            highlight: Highlight::Reflection,
             power: Power::for_needs(needs),
             formats: ConsistentFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2 S + 1 more bits keep the
@@ -59,7 +61,7 @@ impl ConsistentSpec {
                 sine_ratio_squared: unit(squared),
                 sine_ratio: unit(fine),
                 diffuse: unit(12),
-                base: unit(10 + j.max(4)),
+                base: unit(11 + j.max(4)),
                 shape: Format::unsigned(1, 12),
             },
         }
@@ -107,7 +109,7 @@ impl Describe for ConsistentSpec {
             point("sine_ratio_squared", sine_ratio_squared, UNIT, "rho^2 = q (1 + g)/(1 + b)").up_to(MOST_SQUARED_FRACTION_BITS),
             point("sine_ratio", sine_ratio, UNIT, "rho"),
             point("diffuse", diffuse, UNIT, "n.L or |L + r|/2, clamped to 0..1"),
-            point("base", base, UNIT, "r.L, clamped to 0..1, and each square of it where power = squaring"),
+            point("base", base, UNIT, "r.L or N_c.H, clamped to 0..1, and each square of it where power = squaring"),
         ];
         points.into_iter().chain(self.power_unit().narrowing_point()).collect()
     }
@@ -121,7 +123,12 @@ impl Describe for ConsistentSpec {
             Diffuse::Lambert => "n.L",
             Diffuse::Consistent => "N_c.L, N_c half-way between L and its consistent reflection",
         };
-        vec![("curve", curve.to_owned()), ("diffuse", diffuse.to_owned()), self.power.option()]
+        let base = match self.highlight {
+            Highlight::Reflection => "r.L",
+            Highlight::Blinn => "N_c.H with H = (L + V)/|L + V|, to the power 4n",
+        };
+        let options = [("curve", curve), ("diffuse", diffuse), ("base of the highlight", base)];
+        options.map(|(name, value)| (name, value.to_owned())).into_iter().chain([self.power.option()]).collect()
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {

@@ -1,5 +1,5 @@
 //! The inputs of a `consistent` core.
-use super::ConsistentSpec;
+use super::{ConsistentSpec, Highlight};
 use crate::spec::inputs::inputs;
 use crate::spec::{CoreSpec, InputPort};
 
@@ -33,6 +33,8 @@ inputs! {
     ConsistentLight {
         /// L.
         direction: vector,
+        /// H = (L + V)/|L + V|; there with Blinn's highlight only.
+        halfway: vector_if_any,
         /// Diffuse coefficient, in LSBs.
         diffuse: vector,
         /// Specular coefficient, in LSBs.
@@ -58,8 +60,10 @@ impl ConsistentSpec {
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> ConsistentLight<InputPort> {
+        let vector = |part: &str| InputPort::vector(&format!("light{index}_{part}"), self.formats.vector, 1.0);
         ConsistentLight {
-            direction: InputPort::vector(&format!("light{index}_direction"), self.formats.vector, 1.0),
+            direction: vector("direction"),
+            halfway: (self.highlight == Highlight::Blinn).then(|| vector("halfway")),
             diffuse: core.colour_ports(&format!("light{index}_diffuse")),
             specular: core.colour_ports(&format!("light{index}_specular")),
         }
