@@ -1,5 +1,6 @@
 //! The program as its users see it: what it prints, what it writes, and how it ends.
 mod bench;
+mod compare;
 mod errors;
 mod generate;
 mod help;
