@@ -15,6 +15,7 @@ mod disagreement;
 mod drawing;
 mod error;
 mod header;
+mod html;
 mod output;
 mod picture;
 mod plot;

@@ -8,17 +8,19 @@ use super::result::Compared;
 use super::{csv, json, markdown, plots};
 use crate::error::ToolError;
 use crate::output::{Destination, REPORT, Staging};
-use crate::picture;
+use crate::{html, picture};
 
 /// Results by spec, as they come.
 pub const JOURNAL: &str = "results.jsonl";
 const MARKDOWN: &str = "report.md";
 const CORES: &str = "cores.csv";
 const SOFTWARE: &str = "software.csv";
+/// Files that are always there.
+const FIXED: [&str; 6] = [MARKDOWN, html::FILE, REPORT, CORES, SOFTWARE, JOURNAL];
 
 /// Every file that may be written.
 pub fn names() -> Vec<String> {
-    let fixed = [MARKDOWN, REPORT, CORES, SOFTWARE, JOURNAL].map(str::to_owned);
+    let fixed = FIXED.map(str::to_owned);
     fixed.into_iter().chain(plots::SUBJECTS.iter().flat_map(plots::Subject::names)).collect()
 }
 
@@ -32,12 +34,20 @@ pub fn write(destination: &Destination, compared: &Compared, journal: &Journal) 
     put(CORES, &csv::cores(compared))?;
     put(SOFTWARE, &csv::software(compared))?;
     put(JOURNAL, &journal.text()?)?;
+    let page = page(compared, &staging).map_err(staging.failed(html::FILE))?;
+    put(html::FILE, &page)?;
     let plots = drawn.iter().flat_map(|subject| subject.names());
-    let files: Vec<String> = [MARKDOWN, REPORT, CORES, SOFTWARE, JOURNAL].map(str::to_owned).into_iter().chain(plots).collect();
+    let files: Vec<String> = FIXED.map(str::to_owned).into_iter().chain(plots).collect();
     let report = json::text(compared, &files).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
     put(REPORT, &report)?;
     staging.publish()?;
     Ok(report)
+}
+
+/// The report for browsers, made of what has been written.
+fn page(compared: &Compared, staging: &Staging) -> io::Result<String> {
+    let title = format!("{}: methods and formats compared", compared.scene);
+    Ok(html::page(&title, &html::render(&markdown::markdown(compared), staging)?))
 }
 
 fn draw(staging: &Staging, subject: &plots::Subject, compared: &Compared) -> Result<(), ToolError> {

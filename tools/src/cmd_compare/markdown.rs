@@ -1,7 +1,7 @@
 //! The report of a comparison, for people.
 use super::plots::SUBJECTS;
 use super::result::Compared;
-use super::tables::{self, ERROR_TITLES, RUN_TIME_TITLES, SIZE_TITLES, SOFTWARE_TITLES};
+use super::tables::{self, ERROR_TITLES, RUN_TIME_TITLES, SIZE_TITLES, SOFTWARE_TITLES, SURFACE_TITLES};
 use crate::table::markdown as table;
 
 /// How set-up is counted.
@@ -18,7 +18,15 @@ ROMs stand apart. Counted in the design, before any FPGA tool has seen it.
 
 /// `report.md`.
 pub fn markdown(compared: &Compared) -> String {
-    let sections = [head(compared), plots(compared), errors(compared), run_times(compared), sizes(compared), software(compared)];
+    let sections = [
+        head(compared),
+        plots(compared),
+        errors(compared),
+        surfaces(compared),
+        run_times(compared),
+        sizes(compared),
+        software(compared),
+    ];
     sections.join("\n")
 }
 
@@ -47,18 +55,24 @@ fn plots(compared: &Compared) -> String {
 }
 
 fn errors(compared: &Compared) -> String {
-    let interpolation = compared.interpolation.as_ref().map(|figures| {
-        format!(
-            " Exact shading with interpolated normals is itself off from the true surface by {:.3} LSB at most, {:.3} rms.",
-            figures.max_lsb, figures.rms_lsb
-        )
-    });
     format!(
         "## Errors\n\nIn LSBs of the 8-bit output, over the three channels of all shaded pixels. *Total* is the core against exact shading, *method* its\n\
          method in exact arithmetic against exact shading, *quantisation* the core against its method; half an LSB of it is the rounding\n\
-         to 8 bits. *True surface* is the core against exact shading with the normals of the sphere or torus that the mesh stands for.{}\n\n{}",
-        interpolation.unwrap_or_default(),
+         to 8 bits.\n\n{}",
         table(ERROR_TITLES, &tables::errors(compared))
+    )
+}
+
+/// Nothing where no surface is known.
+fn surfaces(compared: &Compared) -> String {
+    let rows = tables::surfaces(compared);
+    if rows.is_empty() {
+        return String::new();
+    }
+    format!(
+        "## Errors against the true surface\n\nIn LSBs, against exact shading with the normals of the sphere or torus that a mesh stands for, over the pixels of such\n\
+         meshes. Interpolation itself is off from it.\n\n{}",
+        table(SURFACE_TITLES, &rows)
     )
 }
 

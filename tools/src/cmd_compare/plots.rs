@@ -14,7 +14,7 @@ pub struct Subject {
     pub title: &'static str,
     x: (&'static str, Scale),
     series: fn(&Compared) -> Vec<Named>,
-    note: &'static str,
+    notes: &'static [&'static str],
 }
 
 /// Places of one colour, each with the words for it.
@@ -33,26 +33,32 @@ pub const SUBJECTS: [Subject; 3] = [
         title: "Error against size of the core",
         x: ("full adders of its multipliers and adders", Scale::Logarithmic),
         series: |compared| of_cores(compared, size),
-        note: FORMATS,
+        notes: &FORMATS,
     },
     Subject {
         file: "error-time",
         title: "Error against run time in hardware",
         x: ("ns a pixel, set-up counted", Scale::Linear),
         series: |compared| of_cores(compared, Core::pixel_ns),
-        note: FORMATS,
+        notes: &FORMATS,
     },
     Subject {
         file: "error-software",
         title: "Error against run time in software",
         x: ("ns a pixel, set-up counted", Scale::Logarithmic),
         series: of_software,
-        note: "A dot is one of the papers' loops in f32, on one thread. No rounding to 8 bits.",
+        notes: &[
+            "A dot is one of the papers' loops in f32, on one thread, not rounded to 8 bits. Errors below 0.001 stand at 0.001.",
+        ],
     },
 ];
 
-const FORMATS: &str =
-    "A colour is a method, its dots are formats: fraction bits fewer or more than default. Rounding to 8 bits is 0.29 LSB.";
+const FORMATS: [&str; 2] = [
+    "A colour is a method. Its dots are formats: so many fraction bits fewer or more than default.",
+    "Rounding to 8 bits alone is an error of 0.29 LSB rms.",
+];
+
+const BAND: &str = "Band: the Pareto front. Nothing that costs as little has less error.";
 
 /// Differences below this do not show, in LSBs: what f32 is off by is of no use to an 8-bit picture.
 const LEAST: f64 = 1e-3;
@@ -80,7 +86,7 @@ impl Subject {
             series: all.iter().map(series).collect(),
             labels: labels(&all, &front),
             front: front.into_iter().map(|(series, place)| all[series].places[place].0).collect(),
-            notes: vec![self.note.to_owned(), "Band: the Pareto front, less error than anything that costs as little.".to_owned()],
+            notes: self.notes.iter().copied().chain([BAND]).map(str::to_owned).collect(),
         }
     }
 }

@@ -112,7 +112,7 @@ impl Compared {
 
     /// For each core whether no other one has as little error in as little of something.
     pub fn on_front(&self, cost: impl Fn(&Core) -> f64) -> Vec<bool> {
-        let places: Vec<Place> = self.cores.iter().map(|core| (cost(&core), core.error())).collect();
+        let places: Vec<Place> = self.cores.iter().map(|core| (cost(core), core.error())).collect();
         let front = pareto_front(&places);
         (0..places.len()).map(|number| front.contains(&number)).collect()
     }

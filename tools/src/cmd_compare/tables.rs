@@ -5,25 +5,13 @@ use specula_testbench::tradeoff::software::Software;
 use super::result::{Compared, Core, size};
 
 /// Titles of [`errors`].
-pub const ERROR_TITLES: [&str; 11] = [
-    "core",
-    "total: largest",
-    "rms",
-    "PSNR dB",
-    "method: largest",
-    "rms",
-    "quantisation: largest",
-    "rms",
-    "proven bound",
-    "true surface: largest",
-    "rms",
-];
+pub const ERROR_TITLES: [&str; 9] =
+    ["core", "total: largest", "rms", "PSNR dB", "method: largest", "rms", "quantisation: largest", "rms", "proven bound"];
 
 /// Errors in LSBs.
-pub fn errors(compared: &Compared) -> Vec<[String; 11]> {
+pub fn errors(compared: &Compared) -> Vec<[String; 9]> {
     let row = |core: &Core| {
         let (errors, measured) = (&core.measured().errors, core.measured());
-        let surface = measured.surface.as_ref();
         [
             core.configuration.to_string(),
             lsb(errors.total.max_lsb),
@@ -34,11 +22,22 @@ pub fn errors(compared: &Compared) -> Vec<[String; 11]> {
             lsb(errors.quantisation.max_lsb),
             lsb(errors.quantisation.rms_lsb),
             measured.bound_lsb.map_or("none".to_owned(), lsb),
-            surface.map_or(String::new(), |figures| lsb(figures.max_lsb)),
-            surface.map_or(String::new(), |figures| lsb(figures.rms_lsb)),
         ]
     };
     compared.cores.iter().map(row).collect()
+}
+
+/// Titles of [`surfaces`].
+pub const SURFACE_TITLES: [&str; 4] = ["", "largest", "rms", "PSNR dB"];
+
+/// Errors in LSBs against the true surface: interpolation's own, and the cores'. Nothing where no surface is known.
+pub fn surfaces(compared: &Compared) -> Vec<[String; 4]> {
+    let row = |name: String, figures: &ErrorFigures| [name, lsb(figures.max_lsb), lsb(figures.rms_lsb), decibels(figures)];
+    let interpolation =
+        compared.interpolation.iter().map(|figures| row("interpolated normals, shaded exactly".to_owned(), figures));
+    let cores =
+        compared.cores.iter().filter_map(|core| Some(row(core.configuration.to_string(), core.measured().surface.as_ref()?)));
+    interpolation.chain(cores).collect()
 }
 
 /// Titles of [`run_times`].

@@ -7,6 +7,7 @@ mod help;
 mod methods;
 mod needs;
 mod output;
+mod page;
 mod program;
 mod reproduce;
 mod run;
