@@ -18,6 +18,7 @@ pub mod needs;
 pub mod picture;
 pub mod primitive;
 pub mod spec;
+mod surface;
 
 pub use builtin::builtin_names;
 pub use error::SceneError;
@@ -28,3 +29,4 @@ pub use illumination::Illumination;
 pub use load::{LoadedScene, load, parse};
 pub use needs::Needs;
 pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};
+pub use surface::Surface;

@@ -6,7 +6,7 @@ use crate::mesh::error::{EXTENSIONS, listed};
 use crate::mesh::{self, Mesh};
 use crate::picture::camera::Camera;
 use crate::picture::{Object, Scene};
-use crate::{Frame, SceneError, builtin, defaults};
+use crate::{Frame, SceneError, Surface, builtin, defaults};
 
 /// A scene with its visible spans, and what it says about the core.
 #[derive(Clone, Debug)]
@@ -16,6 +16,8 @@ pub struct LoadedScene {
     pub name: String,
     /// What is to be shaded.
     pub frame: Frame,
+    /// The curved surfaces that objects stand for, where known: one for each of the frame's materials, or none at all.
+    pub surfaces: Vec<Option<Surface>>,
     /// The `[core]` table of the scene file, if it has one.
     pub core: Option<CoreTable>,
 }
@@ -63,7 +65,7 @@ pub fn parse(name: &str, text: String) -> Result<LoadedScene, SceneError> {
 
 fn finish(scene: &str, name: &str, mut file: SceneFile, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
     let frame = file.frame(scene, size)?;
-    Ok(LoadedScene { name: name.to_owned(), frame, core: file.core })
+    Ok(LoadedScene { name: name.to_owned(), frame, surfaces: file.surfaces(), core: file.core })
 }
 
 /// The scene that shows a mesh by itself.
@@ -74,7 +76,7 @@ fn around(mesh: Mesh) -> Scene {
         camera: Camera::default(),
         ambient: defaults::AMBIENT,
         lights: vec![defaults::light()],
-        objects: vec![Object { mesh, place: glam::DAffine3::IDENTITY, material: defaults::material() }],
+        objects: vec![Object { mesh, primitive: None, place: glam::DAffine3::IDENTITY, material: defaults::material() }],
     }
 }
 

@@ -1,4 +1,6 @@
 //! Pictures in memory.
+use std::ops::Range;
+
 use specula_scene::Span;
 
 /// An 8-bit picture, rows from the top.
@@ -19,8 +21,18 @@ impl Image {
     }
 
     /// The pixels that a span covers.
+    pub fn run(&self, span: &Span) -> &[[u8; 3]] {
+        &self.pixels[self.places(span)]
+    }
+
+    /// The same, to be changed.
     pub fn run_mut(&mut self, span: &Span) -> &mut [[u8; 3]] {
+        let places = self.places(span);
+        &mut self.pixels[places]
+    }
+
+    fn places(&self, span: &Span) -> Range<usize> {
         let first = span.y as usize * self.width as usize + span.x as usize;
-        &mut self.pixels[first..first + span.length as usize]
+        first..first + span.length as usize
     }
 }

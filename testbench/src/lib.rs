@@ -14,6 +14,7 @@ mod spans;
 mod statistics;
 pub mod stress;
 pub mod trace;
+pub mod tradeoff;
 
 pub use assumptions::Violation;
 pub use compare::{Comparison, Mismatch, WorstPixel};

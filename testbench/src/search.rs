@@ -95,7 +95,7 @@ fn cost(spec: &CoreSpec) -> Result<(u64, u64), BenchError> {
 }
 
 /// All formats finer by `added` bits, as far as they may be; none where nothing changes or no such core can be built.
-fn shifted(spec: &CoreSpec, added: i32) -> Option<CoreSpec> {
+pub(crate) fn shifted(spec: &CoreSpec, added: i32) -> Option<CoreSpec> {
     let finer = |point: NarrowingPoint| {
         let bits = point.format.fraction_bits.saturating_add_signed(added);
         let fraction_bits = bits.clamp(point.fewest_fraction_bits, point.most_fraction_bits.max(point.fewest_fraction_bits));

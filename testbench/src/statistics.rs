@@ -1,9 +1,9 @@
 //! Error figures over all channels of all shaded pixels.
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use specula_scene::spec::FULL_SCALE;
 
 /// One kind of error, in LSBs of the 8-bit output.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFigures {
     /// Largest magnitude.
     pub max_lsb: f64,
@@ -16,7 +16,7 @@ pub struct ErrorFigures {
 }
 
 /// Where the error comes from. All are taken before rounding on the exact side; the core's side is its 8-bit codes.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
     /// The core's codes against exact shading.
     pub total: ErrorFigures,
@@ -59,6 +59,17 @@ impl Sums {
     }
 }
 
+/// The middle one, or the mean of the two in the middle; 0 of nothing.
+pub(crate) fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    match (sorted.get(sorted.len() / 2), sorted.len() % 2) {
+        (None, _) => 0.0,
+        (Some(&middle), 1) => middle,
+        (Some(&upper), _) => (sorted[sorted.len() / 2 - 1] + upper) / 2.0,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -76,5 +87,10 @@ mod tests {
     #[test]
     fn no_error_has_no_ratio() {
         assert_eq!(Sums::default().figures().psnr_db, None);
+    }
+
+    #[test]
+    fn medians_stand_in_the_middle() {
+        assert_eq!([&[][..], &[3.0], &[5.0, 1.0], &[9.0, 1.0, 2.0]].map(median), [0.0, 3.0, 3.0, 2.0]);
     }
 }

@@ -4,7 +4,9 @@ use std::io::Write;
 use clap::{Parser, Subcommand};
 
 use crate::error::ToolError;
-use crate::{cmd_bench, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce, cmd_run, cmd_scenes, cmd_stress, cmd_wave};
+use crate::{
+    cmd_bench, cmd_compare, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce, cmd_run, cmd_scenes, cmd_stress, cmd_wave,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -33,6 +35,8 @@ pub enum Command {
     Wave(cmd_wave::Arguments),
     /// Measure how fast each simulator on this machine runs the core for a scene
     Bench(cmd_bench::Arguments),
+    /// Compare methods and formats: error against run time and size
+    Compare(cmd_compare::Arguments),
     /// Say what a scene needs, and what hardware its core leaves out for that
     Needs(cmd_needs::Arguments),
     /// Try every method on the catalogue of extremes
@@ -63,6 +67,7 @@ impl Command {
             Command::Generate(arguments) => cmd_generate::execute(arguments, stdout),
             Command::Wave(arguments) => cmd_wave::execute(arguments, stdout),
             Command::Bench(arguments) => cmd_bench::execute(arguments, stdout),
+            Command::Compare(arguments) => cmd_compare::execute(arguments, stdout),
             Command::Needs(arguments) => cmd_needs::execute(arguments, stdout),
             Command::Stress(arguments) => cmd_stress::execute(arguments, stdout),
             Command::Reproduce(arguments) => cmd_reproduce::execute(arguments, stdout),

@@ -17,12 +17,12 @@ use crate::header::Origin;
 use crate::output::{Destination, REPORT, Staging};
 use crate::run::{Run, Written};
 use crate::trace_file::TraceFormat;
-use crate::{picture, progress, report, summary, verilog, waveform, worst};
+use crate::{html, picture, progress, report, summary, verilog, waveform, worst};
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst,
-trace.gtkw, worst.svg (the worst pixel's way through the core), report.md and report.json. DIR is
-replaced as a whole when everything is there; files in it that Specula did not write stay.
+trace.gtkw, worst.svg (the worst pixel's way through the core), report.md, report.json and report.html,
+which has everything in it. DIR is replaced as a whole when everything is there; files in it that Specula did not write stay.
 
 `specula run figure9` shades Lyon's figure 9, a core for each of its twelve rows, and writes
 figure9.png, formulas.png (the same in f64), the cores, report.md and report.json.
@@ -60,6 +60,12 @@ const SIMULATED: &str = "simulated.png";
 const EXPECTED: &str = "expected.png";
 const EXACT: &str = "exact.png";
 const ERROR: &str = "error.png";
+/// Pictures of the frame: name, file and meaning.
+const PICTURES: [[&str; 3]; 3] = [
+    ["simulated", SIMULATED, "what the core gave"],
+    ["expected", EXPECTED, "what the bit-true model gives"],
+    ["exact", EXACT, "exact Phong shading"],
+];
 
 /// Runs the scene, writes everything, and prints the summary or the report.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
@@ -117,7 +123,7 @@ fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
 /// Every file that a run can write.
 fn file_names(module: &str) -> Vec<String> {
     let pictures = [SIMULATED, EXPECTED, EXACT, ERROR];
-    let names = pictures.into_iter().chain(optional_names()).chain([MARKDOWN, REPORT]);
+    let names = pictures.into_iter().chain(optional_names()).chain([MARKDOWN, html::FILE, REPORT]);
     [verilog::file_name(module)].into_iter().chain(names.map(str::to_owned)).collect()
 }
 
@@ -141,11 +147,16 @@ fn write_files(staging: &Staging, run: &Run, written: &Written) -> Result<String
     }
     let map = picture::heat_map(comparison);
     picture::write_drawing(&staging.file(ERROR), &map).map_err(staging.failed(ERROR))?;
+    let page = report::html(run, written, staging, &PICTURES).map_err(staging.failed(html::FILE))?;
     let source = verilog::text(&run.origin, run.bench.spec, &run.bench.design);
     let json = report::json(run, written).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
-    for (name, text) in
-        [(verilog::file_name(run.module).as_str(), &source), (MARKDOWN, &report::markdown(run, written)), (REPORT, &json)]
-    {
+    let texts = [
+        (verilog::file_name(run.module), &source),
+        (MARKDOWN.to_owned(), &report::markdown(run, written)),
+        (html::FILE.to_owned(), &page),
+        (REPORT.to_owned(), &json),
+    ];
+    for (name, text) in &texts {
         fs::write(staging.file(name), text).map_err(staging.failed(name))?;
     }
     Ok(json)

@@ -7,6 +7,7 @@ use specula_scene::SceneError;
 use specula_testbench::BenchError;
 use specula_testbench::bench::MeasureError;
 use specula_testbench::search::NotFound;
+use specula_testbench::tradeoff::{JournalError, SweepError};
 use thiserror::Error;
 
 use crate::wave::WaveError;
@@ -30,6 +31,21 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     NotFound(#[from] NotFound),
+    /// A sweep was not finished.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Sweep(#[from] SweepError),
+    /// Results of a sweep cannot be kept.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Journal(#[from] JournalError),
+    /// No core can be built for the scene.
+    #[error("there is nothing to compare\n{reasons}")]
+    #[diagnostic(code(specula::compare::nothing), help("choose other methods, or formats nearer to the default"))]
+    NothingToCompare {
+        /// Each configuration with its reason.
+        reasons: String,
+    },
     /// A result cannot be put into JSON.
     #[error("the result cannot be written as JSON: {0}")]
     #[diagnostic(code(specula::json), help("this is a fault of Specula's: please report it with the command"))]

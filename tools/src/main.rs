@@ -2,6 +2,7 @@
 mod arguments;
 mod cli;
 mod cmd_bench;
+mod cmd_compare;
 mod cmd_generate;
 mod cmd_methods;
 mod cmd_needs;
@@ -14,10 +15,9 @@ mod disagreement;
 mod drawing;
 mod error;
 mod header;
+mod html;
 mod output;
 mod picture;
-// Until `compare` and others draw with it.
-#[allow(dead_code, unused_imports)]
 mod plot;
 mod progress;
 mod report;

@@ -16,9 +16,19 @@ pub fn markdown<const N: usize>(titles: [&str; N], rows: &[[String; N]]) -> Stri
     let line = |cells: &[String; N]| format!("| {} |\n", cells.each_ref().map(|cell| cell.replace('|', "\\|")).join(" | "));
     let mut table = line(&titles.map(str::to_owned));
     // Writing to a String cannot fail.
-    let _ = writeln!(table, "|{}", "---|".repeat(N));
+    let _ = writeln!(table, "|{}", alignments(rows).concat());
     table.extend(rows.iter().map(line));
     table
+}
+
+/// Columns of numbers end at the right.
+fn alignments<const N: usize>(rows: &[[String; N]]) -> [&'static str; N] {
+    let is_number = |cell: &String| cell.parse::<f64>().is_ok();
+    std::array::from_fn(|c| {
+        let numbers = rows.iter().filter(|row| is_number(&row[c])).count();
+        let others = rows.iter().filter(|row| !is_number(&row[c]) && !row[c].is_empty()).count();
+        if numbers > others { "---:|" } else { "---|" }
+    })
 }
 
 #[cfg(test)]
@@ -36,6 +46,6 @@ mod tests {
 
     #[test]
     fn bars_in_cells_do_not_split_them() {
-        assert_eq!(markdown(["fact", "n"], &[row("|N| <= 1", "2")]), "| fact | n |\n|---|---|\n| \\|N\\| <= 1 | 2 |\n");
+        assert_eq!(markdown(["fact", "n"], &[row("|N| <= 1", "2")]), "| fact | n |\n|---|---:|\n| \\|N\\| <= 1 | 2 |\n");
     }
 }

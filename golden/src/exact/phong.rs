@@ -42,6 +42,11 @@ impl<'a> PhongSpan<'a> {
         }
     }
 
+    /// The same with another unit normal in place of the interpolated one.
+    pub fn pixel_with(&self, normal: DVec3, i: u32) -> [f64; 3] {
+        self.lit(normal, self.span.weights(i))
+    }
+
     fn lit(&self, normal: DVec3, weights: [f64; 3]) -> [f64; 3] {
         let view = illumination::view(self.frame, self.span, weights);
         let amounts = |light: Option<Illumination>| match light {

@@ -1,8 +1,10 @@
 //! What a design is made of, before any FPGA tool sees it.
+use serde::{Deserialize, Serialize};
+
 use super::{Design, Node, Op, ScopeId};
 
 /// Operators and registers, counted.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Size {
     /// Multipliers of two variables.
     pub multipliers: usize,

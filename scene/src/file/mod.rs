@@ -17,7 +17,7 @@ pub(crate) use self::source::SourceFile;
 
 use crate::picture::project::PictureError;
 use crate::picture::{Rows, Scene};
-use crate::{Frame, SceneError};
+use crate::{Frame, SceneError, Surface};
 
 /// What a scene shows.
 pub(crate) enum Shown {
@@ -71,5 +71,13 @@ impl SceneFile {
             }
             _ => SceneError::picture(name, error),
         })
+    }
+
+    /// The surfaces that objects stand for, where known, one for each material; none of spans as they are given.
+    pub fn surfaces(&self) -> Vec<Option<Surface>> {
+        match &self.shown {
+            Shown::Objects(scene) => scene.surfaces(),
+            Shown::Rows(_) => vec![],
+        }
     }
 }

@@ -44,10 +44,16 @@ pub(super) fn objects(
 fn object(source: &SourceFile, raw: &Spanned<raw::Object>, folder: Option<&Path>) -> Result<Object, SceneError> {
     // Cheap checks first, then what reads files.
     let (place, material) = (place(source, raw.get_ref())?, material(source, &raw.get_ref().material)?);
-    Ok(Object { mesh: mesh(source, raw, folder)?, place, material })
+    let (mesh, primitive) = shape(source, raw, folder)?;
+    Ok(Object { mesh, primitive, place, material })
 }
 
-fn mesh(source: &SourceFile, object: &Spanned<raw::Object>, folder: Option<&Path>) -> Result<Mesh, SceneError> {
+/// The object's mesh, and the primitive that it was made from if it was.
+fn shape(
+    source: &SourceFile,
+    object: &Spanned<raw::Object>,
+    folder: Option<&Path>,
+) -> Result<(Mesh, Option<Primitive>), SceneError> {
     let raw = object.get_ref();
     match (&raw.mesh, &raw.primitive) {
         (Some(file), None) => {
@@ -57,9 +63,10 @@ fn mesh(source: &SourceFile, object: &Spanned<raw::Object>, folder: Option<&Path
                 }
             }
             let path = folder.unwrap_or(Path::new("")).join(file.get_ref());
-            Mesh::read(&path).map_err(|error| source.error(file.span(), error.to_string(), error.help()))
+            let mesh = Mesh::read(&path).map_err(|error| source.error(file.span(), error.to_string(), error.help()))?;
+            Ok((mesh, None))
         }
-        (None, Some(name)) => primitive(source, raw, name).map(Primitive::mesh),
+        (None, Some(name)) => primitive(source, raw, name).map(|primitive| (primitive.mesh(), Some(primitive))),
         (Some(_), Some(second)) => {
             Err(source.error(second.span(), "the object has both a `mesh` and a `primitive`", "leave one of them out"))
         }

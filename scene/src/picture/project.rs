@@ -9,6 +9,8 @@ use super::limits;
 use super::visibility::{Projected, visible_spans};
 use crate::mesh::Mesh;
 use crate::mesh::normals::{direction, newell, normal_matrix};
+use crate::primitive::Primitive;
+use crate::surface::Surface;
 use crate::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone};
 
 /// A mesh put somewhere in the world.
@@ -16,6 +18,8 @@ use crate::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, T
 pub struct Object {
     /// Its shape, in its own coordinates.
     pub mesh: Mesh,
+    /// The primitive that the mesh was made from, if it was.
+    pub primitive: Option<Primitive>,
     /// From its own coordinates to the world's.
     pub place: DAffine3,
     /// How it answers light.
@@ -160,6 +164,13 @@ impl Scene {
             triangles,
             spans,
         })
+    }
+
+    /// The surfaces that objects stand for, where known: one for each material of the [`Frame`]. None if the camera cannot see.
+    pub fn surfaces(&self) -> Vec<Option<Surface>> {
+        let Some(rotation) = self.camera.rotation() else { return vec![] };
+        let of = |object: &Object| Surface::of(object.primitive?, DAffine3::from_mat3(rotation) * object.place);
+        self.objects.iter().map(of).collect()
     }
 
     /// The triangles that may be in the picture, and which they are.

@@ -1,6 +1,7 @@
 //! What was measured.
 use super::{Entry, Machine, Mode};
 use crate::EngineKind;
+use crate::statistics::median;
 
 /// A whole measurement.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,26 +52,5 @@ impl Measurement {
     pub fn ratio_to_verilator(&self, row: &Row) -> Option<f64> {
         let is_reference = |row: &&Row| row.entry.engine == EngineKind::Verilator && row.entry.mode == Mode::Outputs;
         self.rows.iter().find(is_reference).map(|reference| row.rate() / reference.rate())
-    }
-}
-
-/// The middle one, or the mean of the two in the middle; 0 of nothing.
-pub(crate) fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    match (sorted.get(sorted.len() / 2), sorted.len() % 2) {
-        (None, _) => 0.0,
-        (Some(&middle), 1) => middle,
-        (Some(&upper), _) => (sorted[sorted.len() / 2 - 1] + upper) / 2.0,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn medians_stand_in_the_middle() {
-        assert_eq!([&[][..], &[3.0], &[5.0, 1.0], &[9.0, 1.0, 2.0]].map(median), [0.0, 3.0, 3.0, 2.0]);
     }
 }

@@ -1,10 +1,10 @@
 //! Rounds in which everybody runs once.
 use super::contestant::{Contestant, Timed};
 use super::field::Field;
-use super::measurement::median;
 use super::scratch::Scratch;
 use super::workload::Workload;
 use super::{Entry, Machine, MeasureError, Measurement, Mode, Row};
+use crate::statistics::median;
 use crate::{Bench, EngineKind};
 
 /// How much is measured.

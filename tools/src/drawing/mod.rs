@@ -5,7 +5,7 @@ mod svg;
 
 pub use palette::light;
 pub use png::png;
-pub use svg::svg;
+pub use svg::{escaped, svg};
 
 /// Width that a character takes, at most.
 pub const CHARACTER: f64 = 8.0;

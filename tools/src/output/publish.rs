@@ -9,6 +9,7 @@ use tempfile::TempDir;
 use super::made::MadeFolders;
 use super::{Destination, TEMPORARY};
 use crate::error::OutputError;
+use crate::html::Beside;
 
 /// A folder being written; unless it is published, nothing of it remains.
 #[derive(Debug)]
@@ -68,6 +69,14 @@ impl Staging {
         drop(temporary);
         made.keep();
         Ok(())
+    }
+}
+
+impl Beside for Staging {
+    fn file(&self, name: &str) -> Option<PathBuf> {
+        // Nothing outside the folder is part of a report.
+        let is_a_name = Path::new(name).file_name().is_some_and(|file| file == name);
+        is_a_name.then(|| Staging::file(self, name))
     }
 }
 

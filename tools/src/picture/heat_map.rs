@@ -64,6 +64,16 @@ pub fn heat_map(comparison: &Comparison) -> RgbImage {
     canvas.finish()
 }
 
+/// The error of each pixel as a colour, as large as the picture itself; same colours, no legend.
+pub fn heat_picture(comparison: &Comparison) -> RgbImage {
+    let scale = Scale::reaching(comparison.errors.total.max_lsb);
+    let mut image = RgbImage::new(comparison.exact.width, comparison.exact.height);
+    for (pixel, &error) in image.pixels_mut().zip(&comparison.error_map) {
+        *pixel = colour_of(&scale, error);
+    }
+    image
+}
+
 fn figures(total: &ErrorFigures) -> String {
     format!("largest {:.2}, rms {:.2}, mean {:.2}", total.max_lsb, total.rms_lsb, total.mean_lsb)
 }
@@ -71,8 +81,7 @@ fn figures(total: &ErrorFigures) -> String {
 fn draw_errors(canvas: &mut Canvas, layout: &Layout, scale: &Scale, errors: &[f32]) {
     for (row, line) in (0..).zip(errors.chunks(layout.picture.0 as usize)) {
         for (column, &error) in (0..).zip(line) {
-            let colour = if error < 0.0 { NOTHING } else { colour(scale.place(error.into())) };
-            canvas.put(layout.corner.0 + column, layout.corner.1 + row, colour);
+            canvas.put(layout.corner.0 + column, layout.corner.1 + row, colour_of(scale, error));
         }
     }
 }
@@ -90,6 +99,11 @@ fn draw_bar(canvas: &mut Canvas, layout: &Layout, scale: &Scale) {
         // There is room above and below for half a character, so that labels are as far apart as their ticks.
         canvas.write((left + width + layout.unit, y - layout.unit / 2), &label, INK);
     }
+}
+
+/// Of an error, negative where nothing is shaded.
+fn colour_of(scale: &Scale, error: f32) -> Rgb<u8> {
+    if error < 0.0 { NOTHING } else { colour(scale.place(error.into())) }
 }
 
 /// Inferno: as even to the eye as it is to the number, and readable in black and white.

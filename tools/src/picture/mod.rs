@@ -4,10 +4,10 @@ mod heat_map;
 mod scale;
 
 pub use canvas::{CHARACTER, Canvas};
-pub use heat_map::heat_map;
+pub use heat_map::{heat_map, heat_picture};
 
 use std::fs::File;
-use std::io::{self, BufWriter};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -26,9 +26,19 @@ pub fn write_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
 
 /// Writes a drawing of lines and words as PNG: without filters, which spoil its long runs of one colour.
 pub fn write_line_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
-    let file = BufWriter::new(File::create(path)?);
-    let encoder = PngEncoder::new_with_quality(file, CompressionType::Default, FilterType::NoFilter);
+    encode(drawing, BufWriter::new(File::create(path)?), FilterType::NoFilter)
+}
+
+/// A picture as the bytes of a PNG file.
+pub fn png(picture: &RgbImage) -> io::Result<Vec<u8>> {
+    let mut bytes = vec![];
+    encode(picture, &mut bytes, FilterType::Adaptive)?;
+    Ok(bytes)
+}
+
+fn encode(drawing: &RgbImage, to: impl Write, filter: FilterType) -> io::Result<()> {
     let (width, height) = drawing.dimensions();
+    let encoder = PngEncoder::new_with_quality(to, CompressionType::Default, filter);
     encoder.write_image(drawing.as_raw(), width, height, ExtendedColorType::Rgb8).map_err(io_error)
 }
 

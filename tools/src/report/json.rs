@@ -1,5 +1,6 @@
 //! The report for programs.
 use serde::Serialize;
+use specula_hdl::design::Size;
 use specula_scene::CoreSpec;
 use specula_testbench::{Errors, Savings, Violation, savings};
 
@@ -74,16 +75,6 @@ struct WorstPixel {
     error_lsb: f64,
 }
 
-#[derive(Serialize)]
-struct Size {
-    multipliers: usize,
-    multiplier_bits: u64,
-    adders: usize,
-    adder_bits: u64,
-    multiplexers: usize,
-    register_bits: u64,
-}
-
 /// The report as text.
 pub fn json(run: &Run, written: &Written) -> serde_json::Result<String> {
     let mut text = serde_json::to_string_pretty(&report(run, written))?;
@@ -126,7 +117,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
             error_lsb: worst.error_lsb,
         }),
         trace: written.window.as_ref().map(|window| [window.start, window.end]),
-        size: size(run),
+        size: bench.design.size(),
         savings: (!bench.spec.specialisation.is_general()).then(|| savings(bench.spec).ok()).flatten(),
         spec: bench.spec,
         files: &written.files,
@@ -141,16 +132,4 @@ fn violated_fact(violation: &Violation) -> ViolatedFact<'_> {
 fn first_mismatch(disagreement: &Disagreement) -> Option<FirstMismatch> {
     let (m, cycle) = disagreement.first_mismatch.as_ref()?;
     Some(FirstMismatch { x: m.x, y: m.y, cycle: *cycle, simulated: m.simulated, expected: m.expected })
-}
-
-fn size(run: &Run) -> Size {
-    let size = run.bench.design.size();
-    Size {
-        multipliers: size.multipliers,
-        multiplier_bits: size.multiplier_bits,
-        adders: size.adders,
-        adder_bits: size.adder_bits,
-        multiplexers: size.multiplexers,
-        register_bits: size.register_bits,
-    }
 }

@@ -9,10 +9,17 @@ use crate::{cmd_needs, waveform, worst};
 
 /// `report.md`. It holds no times, so that the same run gives the same bytes.
 pub fn markdown(run: &Run, written: &Written) -> String {
+    [head(run), pictures(), rest(run, written)].join("\n")
+}
+
+/// What comes before the pictures.
+pub fn head(run: &Run) -> String {
+    [title(run), result(run)].join("\n")
+}
+
+/// What comes behind them.
+pub fn rest(run: &Run, written: &Written) -> String {
     let sections = [
-        title(run),
-        result(run),
-        pictures(),
         errors(run),
         built(run),
         ports_of(run),
@@ -62,12 +69,15 @@ fn result(run: &Run) -> String {
     format!("## Result\n\n{verdict}\n{}", table(["", ""], &rows))
 }
 
+/// The heat map with its scale.
+pub const HEAT_MAP: &str = "![error](error.png)\n";
+
 fn pictures() -> String {
-    "## Pictures\n\n\
-     | simulated core | bit-true model | exact shading |\n|---|---|---|\n\
-     | ![simulated](simulated.png) | ![expected](expected.png) | ![exact](exact.png) |\n\n\
-     ![error](error.png)\n"
-        .to_owned()
+    format!(
+        "## Pictures\n\n\
+         | simulated core | bit-true model | exact shading |\n|---|---|---|\n\
+         | ![simulated](simulated.png) | ![expected](expected.png) | ![exact](exact.png) |\n\n{HEAT_MAP}"
+    )
 }
 
 fn errors(run: &Run) -> String {

@@ -1,5 +1,6 @@
 //! The program as its users see it: what it prints, what it writes, and how it ends.
 mod bench;
+mod compare;
 mod errors;
 mod figure9;
 mod generate;
@@ -7,6 +8,7 @@ mod help;
 mod methods;
 mod needs;
 mod output;
+mod page;
 mod program;
 mod reproduce;
 mod run;

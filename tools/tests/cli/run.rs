@@ -5,10 +5,11 @@ use serde_json::Value;
 
 use crate::program::Place;
 
-const FILES: [&str; 10] = [
+const FILES: [&str; 11] = [
     "error.png",
     "exact.png",
     "expected.png",
+    "report.html",
     "report.json",
     "report.md",
     "simulated.png",

@@ -1,0 +1,110 @@
+//! A method with formats: what one core of a sweep is built from.
+use std::fmt::{self, Display, Formatter};
+use std::str::FromStr;
+
+use specula_scene::{CoreSpec, LoadedScene, Method};
+
+use crate::search;
+
+/// Fraction bits by which all formats of a core are finer than those that its method recommends for the scene; fewer where a format
+/// cannot follow so far.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Formats(i32);
+
+/// Names that formats can be asked for by.
+const NAMED: [(&str, Formats); 3] = [("narrow", Formats(-4)), ("default", Formats::DEFAULT), ("wide", Formats(2))];
+
+impl Formats {
+    /// What the method recommends for the scene.
+    pub const DEFAULT: Formats = Formats(0);
+    /// The most bits by which formats may differ from those recommended.
+    pub const MOST: i32 = 12;
+
+    /// Fraction bits more than recommended.
+    pub const fn added(self) -> i32 {
+        self.0
+    }
+}
+
+impl Display for Formats {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match *self {
+            Formats::DEFAULT => f.write_str("default"),
+            Formats(added) => write!(f, "{added:+}"),
+        }
+    }
+}
+
+impl FromStr for Formats {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Formats, String> {
+        if let Some((_, formats)) = NAMED.iter().find(|(name, _)| *name == text) {
+            return Ok(*formats);
+        }
+        let added = text.parse::<i32>().ok().filter(|added| (-Formats::MOST..=Formats::MOST).contains(added));
+        added.map(Formats).ok_or_else(|| {
+            let most = Formats::MOST;
+            format!("write narrow, default, wide, or a number of fraction bits more than the default from -{most} to {most}")
+        })
+    }
+}
+
+/// A core of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Configuration {
+    /// Its method.
+    pub method: Method,
+    /// Its formats.
+    pub formats: Formats,
+}
+
+impl Display for Configuration {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.method.name(), self.formats)
+    }
+}
+
+impl Configuration {
+    /// Its core for a scene, with the options that the scene file gives its method, specialised as the scene asks for.
+    ///
+    /// # Errors
+    /// Why there is none: the method does not serve the scene, or no format can be so much wider or narrower.
+    pub fn spec(&self, scene: &LoadedScene) -> Result<CoreSpec, String> {
+        let recommended = scene.core_spec(Some(self.method)).map_err(|error| error.to_string())?;
+        if self.formats == Formats::DEFAULT {
+            return Ok(recommended);
+        }
+        let shifted = search::shifted(&recommended.general(), self.formats.added());
+        let spec = shifted.ok_or("no format of it can differ so much from the one recommended")?;
+        Ok(if recommended.specialisation.is_general() { spec } else { spec.specialised(&scene.frame) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formats_are_read_or_refused() {
+        for text in ["default", "+1", "-12", "+12"] {
+            assert_eq!(text.parse::<Formats>().unwrap().to_string(), text);
+        }
+        for (text, added) in [("narrow", -4), ("wide", 2), ("0", 0), ("3", 3)] {
+            assert_eq!(text.parse::<Formats>().map(Formats::added), Ok(added));
+        }
+        for text in ["", "wider", "13", "-13", "1.5", "99999999999"] {
+            assert!(text.parse::<Formats>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn narrower_formats_make_smaller_cores() {
+        let scene = specula_scene::load("icosahedron", Some((24, 18))).unwrap();
+        let bits = |text: &str| {
+            let spec = Configuration { method: Method::Lyon, formats: text.parse().unwrap() }.spec(&scene).unwrap();
+            specula_hdl::elaborate(&spec, "core").unwrap().size().multiplier_bits
+        };
+        assert!(bits("narrow") < bits("default") && bits("default") < bits("+1"));
+    }
+}

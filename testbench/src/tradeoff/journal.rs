@@ -1,0 +1,265 @@
+//! Results of a sweep, written down as they come: a line of JSON each, found again by spec.
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::{self, Write as _};
+use std::fs::{self, File, OpenOptions};
+use std::hash::{DefaultHasher, Hasher};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use miette::Diagnostic;
+use serde::{Deserialize, Serialize};
+use specula_scene::{CoreSpec, LoadedScene};
+use thiserror::Error;
+
+use super::Measured;
+
+/// Results that are known, and the file that holds them.
+#[derive(Debug)]
+pub struct Journal {
+    path: PathBuf,
+    scene: SceneKey,
+    open: Mutex<Open>,
+}
+
+#[derive(Debug)]
+struct Open {
+    /// For appending.
+    file: File,
+    /// By their keys as JSON.
+    results: BTreeMap<String, Measured>,
+}
+
+/// A line that is no result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Damaged {
+    /// Its number, from 1 on.
+    pub line: usize,
+    /// What is wrong with it.
+    pub reason: String,
+}
+
+/// Why results cannot be kept.
+#[derive(Debug, Error, Diagnostic)]
+#[error("results cannot be kept in `{}`: {reason}", path.display())]
+#[diagnostic(
+    code(specula::compare::journal),
+    help("check the folder's permissions and the room on the disk, or name another with `-o`")
+)]
+pub struct JournalError {
+    path: PathBuf,
+    reason: io::Error,
+}
+
+/// What a result belongs to, the core apart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct SceneKey {
+    /// Of Specula.
+    version: String,
+    /// A hash of all that is shaded.
+    scene: String,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Key {
+    #[serde(flatten)]
+    scene: SceneKey,
+    spec: serde_json::Value,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+struct Line {
+    key: Key,
+    measured: Measured,
+}
+
+impl Journal {
+    /// Opens the file, or begins it. Damaged lines are taken out of it, and told: what they held is measured again.
+    ///
+    /// # Errors
+    /// [`JournalError`] if the file cannot be read or written.
+    pub fn open(path: &Path, scene: &LoadedScene) -> Result<(Journal, Vec<Damaged>), JournalError> {
+        let begin = || {
+            let (results, damaged) = read(path)?;
+            if !damaged.is_empty() {
+                rewrite(path, &results)?;
+            }
+            let file = OpenOptions::new().create(true).append(true).open(path)?;
+            let open = Mutex::new(Open { file, results });
+            Ok((Journal { path: path.to_owned(), scene: SceneKey::of(scene), open }, damaged))
+        };
+        begin().map_err(|reason| JournalError { path: path.to_owned(), reason })
+    }
+
+    /// The result for a core on this scene, if it is known.
+    ///
+    /// # Errors
+    /// [`JournalError`] if the spec cannot be put into JSON.
+    pub fn find(&self, spec: &CoreSpec) -> Result<Option<Measured>, JournalError> {
+        let key = json(&self.key(spec)?).map_err(|reason| self.failed(reason))?;
+        Ok(self.lock().results.get(&key).cloned())
+    }
+
+    /// Writes a result down; when this returns it is in the file.
+    ///
+    /// # Errors
+    /// [`JournalError`] if the file cannot be written.
+    pub fn add(&self, spec: &CoreSpec, measured: &Measured) -> Result<(), JournalError> {
+        let line = Line { key: self.key(spec)?, measured: measured.clone() };
+        let write = || {
+            let (key, text) = (json(&line.key)?, json(&line)?);
+            let mut open = self.lock();
+            // In one piece: an interrupted program leaves a whole line, or a damaged last one.
+            open.file.write_all(format!("{text}\n").as_bytes())?;
+            open.file.flush()?;
+            open.results.insert(key, line.measured);
+            Ok(())
+        };
+        write().map_err(|reason| self.failed(reason))
+    }
+
+    /// All results, a line each, in an order that does not depend on when they came.
+    ///
+    /// # Errors
+    /// [`JournalError`] if one cannot be put into JSON.
+    pub fn text(&self) -> Result<String, JournalError> {
+        text(&self.lock().results).map_err(|reason| self.failed(reason))
+    }
+
+    fn key(&self, spec: &CoreSpec) -> Result<Key, JournalError> {
+        let spec = serde_json::to_value(spec).map_err(|error| self.failed(error.into()))?;
+        Ok(Key { scene: self.scene.clone(), spec })
+    }
+
+    fn failed(&self, reason: io::Error) -> JournalError {
+        JournalError { path: self.path.clone(), reason }
+    }
+
+    /// A thread that panicked has left whole lines.
+    fn lock(&self) -> MutexGuard<'_, Open> {
+        self.open.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl SceneKey {
+    fn of(scene: &LoadedScene) -> SceneKey {
+        let mut hash = Hash(DefaultHasher::new());
+        // Hashing cannot fail.
+        let _ = write!(hash, "{:?}{:?}", scene.frame, scene.surfaces);
+        SceneKey { version: env!("CARGO_PKG_VERSION").to_owned(), scene: format!("{:016x}", hash.0.finish()) }
+    }
+}
+
+/// Hashes what is written into it. Another release of Rust may hash otherwise; what was known is measured again then.
+struct Hash(DefaultHasher);
+
+impl fmt::Write for Hash {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0.write(text.as_bytes());
+        Ok(())
+    }
+}
+
+/// The results in a file, none if it is not there, and lines that are none.
+fn read(path: &Path) -> io::Result<(BTreeMap<String, Measured>, Vec<Damaged>)> {
+    let bytes = match fs::read(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Default::default()),
+        read => read?,
+    };
+    let (mut results, mut damaged) = (BTreeMap::new(), Vec::new());
+    let mut lines: Vec<&[u8]> = bytes.split(|&byte| byte == b'\n').collect();
+    // What follows the last line's end: nothing, unless the program was interrupted while it wrote.
+    let rest = lines.pop().filter(|rest| !rest.is_empty());
+    for (number, line) in lines.into_iter().enumerate() {
+        match parsed(line) {
+            Ok((key, measured)) => drop(results.insert(key, measured)),
+            Err(error) => damaged.push(Damaged { line: number + 1, reason: error.to_string() }),
+        }
+    }
+    let line = bytes.iter().filter(|&&byte| byte == b'\n').count() + 1;
+    damaged.extend(rest.map(|_| Damaged { line, reason: "it has no end".to_owned() }));
+    Ok((results, damaged))
+}
+
+fn parsed(line: &[u8]) -> serde_json::Result<(String, Measured)> {
+    let Line { key, measured } = serde_json::from_slice(line)?;
+    Ok((serde_json::to_string(&key)?, measured))
+}
+
+/// Writes the file anew: beside itself first, so that an interruption loses nothing.
+fn rewrite(path: &Path, results: &BTreeMap<String, Measured>) -> io::Result<()> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut beside = tempfile::NamedTempFile::new_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?;
+    beside.write_all(text(results)?.as_bytes())?;
+    beside.persist(path)?;
+    Ok(())
+}
+
+fn text(results: &BTreeMap<String, Measured>) -> io::Result<String> {
+    let line = |(key, measured): (&String, &Measured)| {
+        let key: Key = serde_json::from_str(key)?;
+        Ok(json(&Line { key, measured: measured.clone() })? + "\n")
+    };
+    let lines: io::Result<BTreeSet<String>> = results.iter().map(line).collect();
+    Ok(lines?.into_iter().collect())
+}
+
+fn json(value: &impl Serialize) -> io::Result<String> {
+    Ok(serde_json::to_string(value)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Configuration;
+    use super::*;
+    use specula_scene::Method;
+
+    fn with_results(test: impl Fn(&LoadedScene, &Path, &[CoreSpec])) {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, scene) = (folder.path().join("results.jsonl"), specula_scene::load("icosahedron", Some((16, 12))).unwrap());
+        let spec = |method| Configuration { method, formats: "default".parse().unwrap() }.spec(&scene).unwrap();
+        let specs = [Method::Gouraud, Method::Hybrid].map(spec);
+        let (journal, damaged) = Journal::open(&path, &scene).unwrap();
+        assert_eq!(damaged, []);
+        for spec in &specs {
+            assert_eq!(journal.find(spec).unwrap(), None);
+            journal.add(spec, &Measured::new(&scene, spec).unwrap()).unwrap();
+        }
+        test(&scene, &path, &specs);
+    }
+
+    #[test]
+    fn what_is_written_is_found_again() {
+        with_results(|scene, path, specs| {
+            let (journal, damaged) = Journal::open(path, scene).unwrap();
+            assert_eq!(damaged, []);
+            for spec in specs {
+                assert_eq!(journal.find(spec).unwrap(), Some(Measured::new(scene, spec).unwrap()));
+            }
+        });
+    }
+
+    #[test]
+    fn another_scene_has_results_of_its_own() {
+        with_results(|_, path, specs| {
+            let other = specula_scene::load("icosahedron", Some((18, 12))).unwrap();
+            let (journal, _) = Journal::open(path, &other).unwrap();
+            assert_eq!(journal.find(&specs[0]).unwrap(), None);
+        });
+    }
+
+    #[test]
+    fn damaged_lines_are_told_and_taken_out() {
+        with_results(|scene, path, specs| {
+            let whole = fs::read_to_string(path).unwrap();
+            let cut = &whole[..whole.len() - 9];
+            fs::write(path, format!("no result\n{cut}")).unwrap();
+            let (journal, damaged) = Journal::open(path, scene).unwrap();
+            assert_eq!(damaged.iter().map(|damaged| damaged.line).collect::<Vec<_>>(), [1, 3]);
+            assert!(journal.find(&specs[0]).unwrap().is_some() && journal.find(&specs[1]).unwrap().is_none());
+            journal.add(&specs[1], &Measured::new(scene, &specs[1]).unwrap()).unwrap();
+            let (again, damaged) = Journal::open(path, scene).unwrap();
+            assert_eq!((damaged, again.find(&specs[1]).unwrap().is_some()), (vec![], true));
+        });
+    }
+}

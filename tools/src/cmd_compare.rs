@@ -1,0 +1,169 @@
+//! `specula compare`: error against run time and size, for methods × formats.
+mod csv;
+mod files;
+mod json;
+mod markdown;
+mod plots;
+mod result;
+mod tables;
+mod text;
+
+use std::fs;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::ProgressBar;
+use specula_scene::{LoadedScene, Method};
+use specula_testbench::bench::Machine;
+use specula_testbench::tradeoff::{Configuration, Formats, Journal, Planned, interpolation_errors, plan, software, sweep};
+
+use crate::arguments::{method_parser, parse_size};
+use crate::cli::Verdict;
+use crate::error::{OutputError, ToolError};
+use crate::output::Destination;
+use crate::progress;
+use result::{Clock, Compared, sorted};
+
+const EXAMPLE: &str = "\
+Simulates the core of each method with each of the formats on every pixel, and measures the papers'
+own loops in software. Writes DIR/report.md, report.html, report.json, cores.csv, software.csv, plots
+of error against run time and size as SVG and PNG, and results.jsonl: a sweep that was interrupted
+goes on where it stopped.
+
+Exit status: 0 if every pixel of every core agrees with the bit-true model, 1 if not, 2 if the
+comparison could not be made.
+
+Example: specula compare teapot --methods lyon,phong,gouraud --formats -4,-2,default --clock 150";
+
+/// Arguments of `compare`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = EXAMPLE)]
+pub struct Arguments {
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    scene: String,
+    /// Width and height of the picture in pixels [default: what the scene says]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
+    size: Option<(u32, u32)>,
+    /// Methods to compare [default: all of them]
+    #[arg(long, value_name = "METHODS", value_delimiter = ',', value_parser = method_parser())]
+    methods: Vec<Method>,
+    /// Formats of each: default (what the method recommends for the scene), numbers of fraction bits more
+    /// or fewer at every place where values are rounded, narrow (-4), or wide (+2)
+    #[arg(
+        long,
+        value_name = "FORMATS",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        default_value = DEFAULT_FORMATS
+    )]
+    formats: Vec<Formats>,
+    /// Clock of the cores in MHz [default: 100, an assumption]
+    #[arg(long, value_name = "MHZ", allow_hyphen_values = true, value_parser = parse_clock)]
+    clock: Option<f64>,
+    /// Measure everything again, also what results.jsonl has of an earlier or interrupted sweep
+    #[arg(long)]
+    fresh: bool,
+    /// Print report.json instead of the tables
+    #[arg(long)]
+    json: bool,
+    /// Folder to write [default: out/compare/NAME, by the scene's name]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// From what an 8-bit picture shows clearly to what it does not show any more.
+const DEFAULT_FORMATS: &str = "-8,-6,-4,-2,default,+2";
+
+/// `--clock`.
+fn parse_clock(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|mhz| (0.001..=100_000.0).contains(mhz));
+    number.ok_or_else(|| "write a number of MHz from 0.001 to 100000".to_owned())
+}
+
+/// Compares, writes everything, and prints the tables or the report.
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    let scene = specula_scene::load(&arguments.scene, arguments.size)?;
+    let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("out/compare").join(&scene.name));
+    let destination = Destination::check(&folder, &files::names())?;
+    let planned = plan(&scene, configurations(arguments));
+    refuse_nothing(&planned)?;
+    let journal = open_journal(arguments, &destination, &scene)?;
+    let compared = compare(arguments, &scene, planned, &journal)?;
+    let report = files::write(&destination, &compared, &journal)?;
+    let text = if arguments.json { report } else { text::text(&compared, &destination.shown) };
+    write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
+    Ok(if compared.agrees() { Verdict::Done } else { Verdict::Disagrees })
+}
+
+/// Results that are known already; says which lines are damaged.
+fn open_journal(arguments: &Arguments, destination: &Destination, scene: &LoadedScene) -> Result<Journal, ToolError> {
+    fs::create_dir_all(&destination.shown).map_err(OutputError::system(&destination.shown))?;
+    let path = destination.shown.join(files::JOURNAL);
+    if arguments.fresh && path.exists() {
+        fs::remove_file(&path).map_err(OutputError::system(&path))?;
+    }
+    let (journal, damaged) = Journal::open(&path, scene)?;
+    let mut stderr = io::stderr().lock();
+    for line in damaged {
+        // Whoever does not listen sees that it is measured again.
+        let _ = writeln!(stderr, "{}, line {}: {}; what it held is measured again", path.display(), line.line, line.reason);
+    }
+    Ok(journal)
+}
+
+/// Where no method serves the scene there is nothing to compare, and nothing is written.
+fn refuse_nothing(planned: &[Planned]) -> Result<(), ToolError> {
+    let refusal = |planned: &Planned| Some(format!("{}: {}", planned.configuration, planned.spec.as_ref().err()?));
+    let reasons: Vec<String> = planned.iter().filter_map(refusal).collect();
+    if reasons.len() < planned.len() { Ok(()) } else { Err(ToolError::NothingToCompare { reasons: reasons.join("\n") }) }
+}
+
+fn compare(arguments: &Arguments, scene: &LoadedScene, planned: Vec<Planned>, journal: &Journal) -> Result<Compared, ToolError> {
+    let extent = software::Extent::default();
+    let bar = progress::steps();
+    bar.set_length((planned.len() + extent.rounds + 1) as u64);
+    let rows = sweep(scene, planned, journal, &|configuration| step(&bar, &configuration.to_string()))?;
+    let software = software::measure(&scene.frame, extent, &mut || step(&bar, "software"));
+    bar.finish_and_clear();
+    let clock = arguments.clock.map_or(Clock::ASSUMED, Clock::given);
+    let (cores, refusals) = sorted(rows, clock);
+    Ok(Compared {
+        scene: scene.name.clone(),
+        size: (scene.frame.width, scene.frame.height),
+        clock,
+        interpolation: interpolation_errors(scene),
+        machine: Machine::this(),
+        cores,
+        refusals,
+        software,
+    })
+}
+
+fn step(bar: &ProgressBar, what: &str) {
+    bar.set_message(what.to_owned());
+    bar.inc(1);
+}
+
+/// Each once, methods in their order, formats from narrow to wide.
+fn configurations(arguments: &Arguments) -> Vec<Configuration> {
+    let is_asked = |method: &Method| arguments.methods.is_empty() || arguments.methods.contains(method);
+    let mut formats = arguments.formats.clone();
+    formats.sort_unstable();
+    formats.dedup();
+    let of_method = |method| formats.iter().map(move |&formats| Configuration { method, formats });
+    Method::ALL.into_iter().filter(is_asked).flat_map(of_method).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clocks_are_read_or_refused() {
+        assert_eq!(parse_clock("150"), Ok(150.0));
+        for text in ["", "0", "-1", "fast", "inf", "NaN", "1e9"] {
+            assert!(parse_clock(text).is_err(), "{text}");
+        }
+    }
+}

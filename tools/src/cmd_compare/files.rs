@@ -1,0 +1,62 @@
+//! What `compare` writes.
+use std::fs;
+use std::io;
+
+use specula_testbench::tradeoff::Journal;
+
+use super::result::Compared;
+use super::{csv, json, markdown, plots};
+use crate::error::ToolError;
+use crate::output::{Destination, REPORT, Staging};
+use crate::{html, picture};
+
+/// Results by spec, as they come.
+pub const JOURNAL: &str = "results.jsonl";
+const MARKDOWN: &str = "report.md";
+const CORES: &str = "cores.csv";
+const SOFTWARE: &str = "software.csv";
+/// Files that are always there.
+const FIXED: [&str; 6] = [MARKDOWN, html::FILE, REPORT, CORES, SOFTWARE, JOURNAL];
+
+/// Every file that may be written.
+pub fn names() -> Vec<String> {
+    let fixed = FIXED.map(str::to_owned);
+    fixed.into_iter().chain(plots::SUBJECTS.iter().flat_map(plots::Subject::names)).collect()
+}
+
+/// Writes everything; gives the JSON report.
+pub fn write(destination: &Destination, compared: &Compared, journal: &Journal) -> Result<String, ToolError> {
+    let staging = destination.stage()?;
+    let drawn: Vec<&plots::Subject> = plots::SUBJECTS.iter().filter(|subject| subject.has_places(compared)).collect();
+    drawn.iter().try_for_each(|subject| draw(&staging, subject, compared))?;
+    let put = |name: &str, text: &str| fs::write(staging.file(name), text).map_err(staging.failed(name));
+    put(MARKDOWN, &markdown::markdown(compared))?;
+    put(CORES, &csv::cores(compared))?;
+    put(SOFTWARE, &csv::software(compared))?;
+    put(JOURNAL, &journal.text()?)?;
+    let page = page(compared, &staging).map_err(staging.failed(html::FILE))?;
+    put(html::FILE, &page)?;
+    let plots = drawn.iter().flat_map(|subject| subject.names());
+    let files: Vec<String> = FIXED.map(str::to_owned).into_iter().chain(plots).collect();
+    let report = json::text(compared, &files).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
+    put(REPORT, &report)?;
+    staging.publish()?;
+    Ok(report)
+}
+
+/// The report for browsers, made of what has been written.
+fn page(compared: &Compared, staging: &Staging) -> io::Result<String> {
+    let title = format!("{}: methods and formats compared", compared.scene);
+    Ok(html::page(&title, &html::render(&markdown::markdown(compared), staging)?))
+}
+
+fn draw(staging: &Staging, subject: &plots::Subject, compared: &Compared) -> Result<(), ToolError> {
+    let sheet = subject.plot(compared).sheet()?;
+    let [svg, png] = subject.names();
+    fs::write(staging.file(&svg), crate::drawing::svg(&sheet)).map_err(staging.failed(&svg))?;
+    // A plot is never too large for a picture.
+    if let Some(drawing) = crate::drawing::png(&sheet) {
+        picture::write_line_drawing(&staging.file(&png), &drawing).map_err(staging.failed(&png))?;
+    }
+    Ok(())
+}

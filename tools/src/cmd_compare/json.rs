@@ -1,0 +1,96 @@
+//! What came of a comparison, for programs.
+use serde::Serialize;
+use specula_scene::CoreSpec;
+use specula_testbench::ErrorFigures;
+use specula_testbench::tradeoff::software::Software;
+use specula_testbench::tradeoff::{Measured, WORD_BITS};
+
+use super::result::{Compared, Core, size};
+
+/// `report.json`. Errors are in LSBs of the 8-bit output.
+#[derive(Serialize)]
+struct Report<'a> {
+    /// Of Specula.
+    version: &'static str,
+    scene: &'a str,
+    width: u32,
+    height: u32,
+    agrees: bool,
+    clock_mhz: f64,
+    /// Nobody gave it.
+    clock_is_assumed: bool,
+    /// Bits of a span's set-up that the host hands over in a clock.
+    set_up_word_bits: u64,
+    cores: Vec<OfCore<'a>>,
+    not_built: &'a [String],
+    /// Exact shading with interpolated normals against that with the true surface's; none where no surface is known.
+    interpolation: Option<&'a ErrorFigures>,
+    /// The papers' loops, measured on this processor.
+    processor: &'a str,
+    software: &'a [Software],
+    files: &'a [String],
+}
+
+#[derive(Serialize)]
+struct OfCore<'a> {
+    method: &'static str,
+    formats: String,
+    added_fraction_bits: i32,
+    /// On the front of error against full adders.
+    on_front_of_size: bool,
+    /// On the front of error against time.
+    on_front_of_time: bool,
+    #[serde(flatten)]
+    measured: &'a Measured,
+    full_adders: u64,
+    cycles_per_pixel: f64,
+    cycles_per_pixel_with_set_up: f64,
+    ns_per_pixel: f64,
+    frames_per_second: f64,
+    /// The loop that does the same in software.
+    software: Option<&'static str>,
+    spec: &'a CoreSpec,
+}
+
+/// The report as text.
+pub fn text(compared: &Compared, files: &[String]) -> serde_json::Result<String> {
+    let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
+    let report = Report {
+        version: env!("CARGO_PKG_VERSION"),
+        scene: &compared.scene,
+        width: compared.size.0,
+        height: compared.size.1,
+        agrees: compared.agrees(),
+        clock_mhz: compared.clock.mhz,
+        clock_is_assumed: compared.clock.assumed,
+        set_up_word_bits: WORD_BITS,
+        cores: compared.cores.iter().zip(small.iter().zip(&quick)).map(|(core, front)| of_core(compared, core, front)).collect(),
+        not_built: &compared.refusals,
+        interpolation: compared.interpolation.as_ref(),
+        processor: &compared.machine.cpu,
+        software: &compared.software,
+        files,
+    };
+    let mut text = serde_json::to_string_pretty(&report)?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn of_core<'a>(compared: &'a Compared, core: &'a Core, (small, quick): (&bool, &bool)) -> OfCore<'a> {
+    let measured = core.measured();
+    OfCore {
+        method: core.configuration.method.name(),
+        formats: core.configuration.formats.to_string(),
+        added_fraction_bits: core.configuration.formats.added(),
+        on_front_of_size: *small,
+        on_front_of_time: *quick,
+        measured,
+        full_adders: measured.full_adders(),
+        cycles_per_pixel: measured.cycles.per_pixel(),
+        cycles_per_pixel_with_set_up: measured.cycles.per_pixel_with_set_up(),
+        ns_per_pixel: core.pixel_ns(),
+        frames_per_second: core.frames_per_second(),
+        software: compared.software_of(core).map(|software| software.name),
+        spec: &core.measurement.spec,
+    }
+}

@@ -1,0 +1,107 @@
+//! The report of a comparison, for people.
+use super::plots::SUBJECTS;
+use super::result::Compared;
+use super::tables::{self, ERROR_TITLES, RUN_TIME_TITLES, SIZE_TITLES, SOFTWARE_TITLES, SURFACE_TITLES};
+use crate::table::markdown as table;
+
+/// How set-up is counted.
+pub const SET_UP: &str = "\
+Set-up: the host hands a span's inputs over in words of 32 bits, one a clock, while the span before is shaded; a span
+shorter than that waits. Inputs that the scene holds constant are not handed over.
+";
+
+/// What full adders are.
+pub const FULL_ADDERS: &str = "\
+Full adders: one for each bit of an adder, w1 w2 for a product of w1 and w2 bits, as an array multiplier has. Registers and
+ROMs stand apart. Counted in the design, before any FPGA tool has seen it.
+";
+
+/// `report.md`.
+pub fn markdown(compared: &Compared) -> String {
+    let sections = [
+        head(compared),
+        plots(compared),
+        errors(compared),
+        surfaces(compared),
+        run_times(compared),
+        sizes(compared),
+        software(compared),
+    ];
+    sections.join("\n")
+}
+
+fn head(compared: &Compared) -> String {
+    let verdict = if compared.agrees() {
+        "Every pixel of every core is the bit-true model's.\n".to_owned()
+    } else {
+        let wrong = compared.cores.iter().filter(|core| !core.measured().agrees).map(|core| format!("- {}\n", core.configuration));
+        format!("**These cores do not agree with their bit-true models:**\n\n{}", wrong.collect::<String>())
+    };
+    let refusals: String = compared.refusals.iter().map(|refusal| format!("- not built: {refusal}\n")).collect();
+    format!(
+        "# {}: methods and formats compared\n\n{} x {} pixels. Made by Specula {}. {verdict}\n\
+         *Default* formats are those that each method recommends for the scene; numbers are fraction bits more or fewer at every narrowing\n\
+         point, as far as it can have them.\n\n{refusals}",
+        compared.scene,
+        compared.size.0,
+        compared.size.1,
+        env!("CARGO_PKG_VERSION")
+    )
+}
+
+fn plots(compared: &Compared) -> String {
+    let of = |subject: &&super::plots::Subject| subject.has_places(compared);
+    SUBJECTS.iter().filter(of).map(|subject| format!("![{}]({}.svg)\n\n", subject.title, subject.file)).collect()
+}
+
+fn errors(compared: &Compared) -> String {
+    format!(
+        "## Errors\n\nIn LSBs of the 8-bit output, over the three channels of all shaded pixels. *Total* is the core against exact shading, *method* its\n\
+         method in exact arithmetic against exact shading, *quantisation* the core against its method; half an LSB of it is the rounding\n\
+         to 8 bits.\n\n{}",
+        table(ERROR_TITLES, &tables::errors(compared))
+    )
+}
+
+/// Nothing where no surface is known.
+fn surfaces(compared: &Compared) -> String {
+    let rows = tables::surfaces(compared);
+    if rows.is_empty() {
+        return String::new();
+    }
+    format!(
+        "## Errors against the true surface\n\nIn LSBs, against exact shading with the normals of the sphere or torus that a mesh stands for, over the pixels of such\n\
+         meshes. Interpolation itself is off from it.\n\n{}",
+        table(SURFACE_TITLES, &rows)
+    )
+}
+
+fn run_times(compared: &Compared) -> String {
+    let processor = if compared.software.is_empty() {
+        String::new()
+    } else {
+        format!(" Loops ran on one thread of: {}.", compared.machine.cpu)
+    };
+    format!(
+        "## Run time\n\nAt {}; set-up is counted in ns a pixel and in frames.{processor}\n\n{SET_UP}\n{}",
+        compared.clock.in_words(),
+        table(RUN_TIME_TITLES, &tables::run_times(compared))
+    )
+}
+
+fn sizes(compared: &Compared) -> String {
+    format!("## Size\n\n{FULL_ADDERS}\n{}", table(SIZE_TITLES, &tables::sizes(compared)))
+}
+
+/// Nothing where the loops cannot shade the scene.
+fn software(compared: &Compared) -> String {
+    if compared.software.is_empty() {
+        return "## Software\n\nThe papers' loops have lights and eye at infinity alone, and this scene has not.\n".to_owned();
+    }
+    format!(
+        "## Software\n\nThe papers' loops in f32, one thread, in time that it has a processor: medians of rounds in which all run one after\n\
+         another. The lecture's project is `gouraud`, `phong` (naive: a root and three divisions a pixel), `fast-phong` (Newton steps from the\n\
+         pixel before) and `slerp`. Errors are against exact shading, before rounding to 8 bits.\n\n{}",
+        table(SOFTWARE_TITLES, &tables::software(compared))
+    )
+}

@@ -1,0 +1,35 @@
+//! Reports as one HTML file that needs nothing beside itself: pictures and drawings are in it, light or dark as the reader's system is.
+//!
+//! The text is that of the Markdown report, rendered by `pulldown-cmark`; what a name brings along that looks like HTML is shown as it is
+//! written. A policy in the file keeps browsers from loading anything from elsewhere.
+mod render;
+mod viewer;
+
+pub use render::{Beside, render};
+pub use viewer::{Picture, viewer};
+
+use crate::drawing::escaped;
+
+/// The report that a browser shows.
+pub const FILE: &str = "report.html";
+
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("viewer.js");
+/// What browsers may load: what is in the file.
+const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+/// A whole page with this title and body.
+pub fn page(title: &str, body: &str) -> String {
+    let title = escaped(title);
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n\
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n{body}</main>\n<script>\n{SCRIPT}</script>\n\
+         </body>\n</html>\n"
+    )
+}
+
+#[cfg(test)]
+mod tests;
