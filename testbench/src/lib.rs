@@ -5,6 +5,7 @@ pub mod bench;
 mod compare;
 mod error;
 mod image;
+pub mod operations;
 pub mod reproduce;
 mod run;
 mod savings;
