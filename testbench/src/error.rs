@@ -1,6 +1,7 @@
 //! What can go wrong between a scene and its pixels.
 use specula_golden::fixed::PacketError;
 use specula_hdl::builder::TooWide;
+use specula_scene::spec::SpecError;
 use specula_sim::SimError;
 
 /// Why a bench cannot be run.
@@ -10,6 +11,10 @@ pub enum BenchError {
     #[error("the core cannot be built: {0}")]
     #[diagnostic(code(specula::core::width), help("lower the fraction bits in the scene file's [core] table"))]
     TooWide(#[from] TooWide),
+    /// No core can be built for the frame.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Spec(#[from] SpecError),
     /// The engine failed.
     #[error(transparent)]
     #[diagnostic(transparent)]

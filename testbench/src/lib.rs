@@ -6,6 +6,7 @@ mod compare;
 mod error;
 pub mod figure9;
 mod image;
+pub mod operations;
 pub mod reproduce;
 mod run;
 mod savings;

@@ -7,5 +7,5 @@ pub mod project;
 mod rows;
 mod visibility;
 
-pub use project::{Light, LightSource, LightSpace, Object, Scene};
+pub use project::{ConedFace, Light, LightSource, LightSpace, Object, Scene, coned_faces};
 pub use rows::{Row, Rows};

@@ -1,10 +1,17 @@
-//! What the papers claim, computed by our own code: whether it holds, and whether NUMERICS.md's number comes out.
-mod hast;
+//! What the papers claim and show, computed by our own code: whether it holds, and whether NUMERICS.md's number comes out.
+mod claim;
+pub mod figure;
+pub mod hast;
 mod lecture;
 mod lyon;
-mod reshetov;
+pub mod reshetov;
+mod span_core;
 
 use serde::Serialize;
+
+use claim::Claim;
+pub use claim::{Ground, Ruling, Verdict};
+pub use figure::Figure;
 
 /// A paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -34,65 +41,36 @@ impl Paper {
         }
     }
 
-    fn claims(self) -> &'static [Claim] {
+    /// Its authors and title.
+    pub const fn title(self) -> &'static str {
         match self {
-            Paper::Lyon => &lyon::CLAIMS,
-            Paper::Hast => &hast::CLAIMS,
-            Paper::Lecture => &lecture::CLAIMS,
-            Paper::Reshetov => &reshetov::CLAIMS,
+            Paper::Lyon => "R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification",
+            Paper::Hast => "A. Hast, T. Barrera and E. Bengtsson, Improved Shading Performance by Avoiding Vector Normalization",
+            Paper::Lecture => "Lecture 21, Shading",
+            Paper::Reshetov => "A. Reshetov, A. Soupikov and W. R. Mark, Consistent Normal Interpolation",
+        }
+    }
+
+    fn claims(self) -> Vec<&'static Claim> {
+        match self {
+            Paper::Lyon => lyon::claims(),
+            Paper::Hast => hast::claims(),
+            Paper::Lecture => lecture::CLAIMS.iter().collect(),
+            Paper::Reshetov => reshetov::claims(),
         }
     }
 
     /// Computes what the paper claims.
     pub fn verdicts(self) -> Vec<Verdict> {
-        self.claims().iter().map(|claim| claim.verdict(self)).collect()
+        self.claims().into_iter().map(|claim| claim.verdict(self)).collect()
     }
-}
 
-/// A claim.
-struct Claim {
-    /// What is claimed.
-    what: &'static str,
-    /// What is measured, with its unit.
-    quantity: &'static str,
-    /// NUMERICS.md's number, and half a unit of its last digit.
-    expected: (f64, f64),
-    /// Measures it.
-    measure: fn() -> f64,
-    /// Whether the claim holds for what was measured.
-    holds: fn(f64) -> bool,
-}
-
-/// A claim, computed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Verdict {
-    /// The paper.
-    pub paper: Paper,
-    /// What is claimed.
-    pub claim: &'static str,
-    /// What is measured, with its unit.
-    pub quantity: &'static str,
-    /// What came out.
-    pub measured: f64,
-    /// NUMERICS.md's number.
-    pub expected: f64,
-    /// Whether that came out, to its last digit.
-    pub as_expected: bool,
-    /// Whether the claim holds.
-    pub holds: bool,
-}
-
-impl Claim {
-    fn verdict(&self, paper: Paper) -> Verdict {
-        let (measured, (expected, tolerance)) = ((self.measure)(), self.expected);
-        Verdict {
-            paper,
-            claim: self.what,
-            quantity: self.quantity,
-            measured,
-            expected,
-            as_expected: (measured - expected).abs() <= tolerance,
-            holds: (self.holds)(measured),
+    /// The paper's figures that are curves.
+    pub fn figures(self) -> Vec<Figure> {
+        match self {
+            Paper::Lyon => lyon::figures(),
+            Paper::Hast | Paper::Lecture => vec![],
+            Paper::Reshetov => reshetov::figures(),
         }
     }
 }
@@ -104,3 +82,6 @@ const SAMPLES: u32 = 20_000;
 fn largest(f: impl Fn(f64) -> f64) -> f64 {
     (0..=SAMPLES).map(|k| f(f64::from(k) / f64::from(SAMPLES))).fold(f64::NEG_INFINITY, f64::max)
 }
+
+/// Half an LSB of full scale.
+const HALF_LSB: f64 = 0.5 / specula_scene::spec::FULL_SCALE;

@@ -46,15 +46,20 @@ impl Layout {
     }
 }
 
-/// The error of each pixel as a colour, with a legend.
+/// The total error of each pixel as a colour, with a legend.
 pub fn heat_map(comparison: &Comparison) -> RgbImage {
-    let scale = Scale::reaching(comparison.errors.total.max_lsb);
-    let (title, figures) = ("Total error |core - exact shading|, in LSB", figures(&comparison.errors.total));
-    let picture = (comparison.exact.width, comparison.exact.height);
+    let (picture, total) = ((comparison.exact.width, comparison.exact.height), &comparison.errors.total);
+    error_map("Total error |core - exact shading|, in LSB", picture, &comparison.error_map, total)
+}
+
+/// Errors of a picture's pixels as colours, with a title and a legend; negative ones stand for pixels in which nothing is shaded.
+pub fn error_map(title: &str, picture: (u32, u32), errors: &[f32], total: &ErrorFigures) -> RgbImage {
+    let scale = Scale::reaching(total.max_lsb);
+    let figures = figures(total);
     let layout = Layout::new(picture, [title, &figures, KEY], &scale.ticks());
     let mut canvas = Canvas::new(layout.size.0, layout.size.1, PAPER, layout.dot);
     canvas.write((layout.corner.0, layout.unit), title, INK);
-    draw_errors(&mut canvas, &layout, &scale, &comparison.error_map);
+    draw_errors(&mut canvas, &layout, &scale, errors);
     draw_bar(&mut canvas, &layout, &scale);
     let below = layout.corner.1 + layout.bar.1 + layout.unit;
     canvas.write((layout.corner.0, below), &figures, INK);

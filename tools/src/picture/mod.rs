@@ -1,10 +1,12 @@
-//! Pictures: PNG files, and the heat map of the error.
+//! Pictures: PNG files, heat maps of errors, and pictures side by side.
 mod canvas;
 mod heat_map;
+mod panels;
 mod scale;
 
 pub use canvas::{CHARACTER, Canvas};
-pub use heat_map::{heat_map, heat_picture};
+pub use heat_map::{error_map, heat_map, heat_picture};
+pub use panels::{Panel, side_by_side};
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};

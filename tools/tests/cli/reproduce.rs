@@ -1,13 +1,39 @@
 //! `specula reproduce`.
+use std::fs;
+
 use crate::program::Place;
 
-/// What is checked in is what the program writes.
+/// What is checked in is what the program writes: the text, and every picture that it shows.
 #[test]
 fn the_document_is_what_it_writes() {
     let place = Place::new();
     let printed = place.succeeds(&["reproduce", "-o", "out"]);
-    assert_eq!(std::fs::read_to_string(place.path("out/reproduction.md")).unwrap(), printed);
-    assert_eq!(std::fs::read_to_string("../docs/reproduction.md").unwrap(), printed);
-    let of_lyon = place.succeeds(&["reproduce", "lyon"]);
-    assert!(of_lyon.contains("| lyon |") && !of_lyon.contains("| hast |"), "{of_lyon}");
+    assert_eq!(fs::read_to_string(place.path("out/reproduction.md")).unwrap(), printed);
+    assert_eq!(fs::read_to_string("../docs/reproduction.md").unwrap(), printed);
+    let names = place.names("out/images");
+    assert!(names.len() > 10, "{names:?}");
+    for name in names {
+        assert!(printed.contains(&format!("(images/{name})")), "{name} is not shown");
+        let written = fs::read(place.path(&format!("out/images/{name}"))).unwrap();
+        assert!(fs::read(format!("../docs/images/{name}")).unwrap() == written, "docs/images/{name} differs");
+    }
+}
+
+#[test]
+fn a_paper_and_a_mesh_can_be_chosen() {
+    let place = Place::new();
+    place.write("roof.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nv 0 1 0.3\nv 0 2 0\nv 1 2 0\nf 1 2 3 4\nf 4 3 6 5\n");
+    let text = place.succeeds(&["reproduce", "hast", "--mesh", "roof.obj", "-o", "out"]);
+    assert!(text.contains("figures 2 and 3 on the roof") && !text.contains("Lyon"), "{text}");
+    assert!(place.names("out/images").contains(&"hast_figures_2_3_roof.png".to_owned()));
+}
+
+#[test]
+fn what_is_no_mesh_is_refused() {
+    let place = Place::new();
+    place.write("not.obj", "nothing");
+    for (mesh, reason) in [("not.obj", "not.obj"), ("absent.ply", "absent.ply"), ("teapot", "teapot")] {
+        let ended = place.specula(&["reproduce", "hast", "--mesh", mesh]);
+        assert!(ended.status == Some(2) && ended.stderr.contains(reason) && ended.stdout.is_empty(), "{mesh}: {ended:?}");
+    }
 }

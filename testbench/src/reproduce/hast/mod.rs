@@ -1,0 +1,12 @@
+//! Hast et al.: operations of their schemes, and normals by reflection.
+pub mod operations;
+pub mod quality;
+mod vectors;
+
+use super::claim::Claim;
+
+/// Every claim, in the order of the report.
+pub(super) fn claims() -> Vec<&'static Claim> {
+    let groups: [&'static [Claim]; 2] = [&operations::CLAIMS, &vectors::CLAIMS];
+    groups.into_iter().flatten().collect()
+}

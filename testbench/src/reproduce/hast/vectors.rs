@@ -1,0 +1,137 @@
+//! Vectors that need no normalisation: the specular base, and what is wrapped around something.
+use glam::DVec3;
+use specula_golden::exact::duff::{eq33, eq34};
+use specula_golden::exact::hybrid::base;
+use specula_golden::exact::point_light::wrapped_cosine;
+use specula_golden::exact::reflection::{halfway, reflect};
+use specula_golden::exact::shape::power;
+use specula_golden::exact::wrap;
+use specula_scene::frame::EYE;
+use specula_scene::spec::FULL_SCALE;
+
+use super::super::claim::{Claim, Ground, Ruling};
+use super::super::{HALF_LSB, largest};
+use crate::stress::draw::{Draw, tilted, turned};
+
+/// Cases drawn.
+const CASES: u32 = 200_000;
+/// Their seed.
+const SEED: u64 = 1;
+
+/// A direction, all alike.
+fn direction(draw: &mut Draw) -> DVec3 {
+    // Archimedes: heights on a sphere are uniform.
+    turned(DVec3::Z, libm::acos(draw.within(-1.0, 1.0)), draw.unit())
+}
+
+/// The largest over normals of any length and lights.
+fn over_normals(f: impl Fn(DVec3, DVec3) -> f64) -> f64 {
+    let mut draw = Draw::new(SEED, 2);
+    (0..CASES).map(|_| f(draw.within(0.05, 3.0) * direction(&mut draw), direction(&mut draw))).fold(0.0, f64::max)
+}
+
+/// The share of front-facing cases in which the angle from N to H is not below that from R to V, among those in which that is below
+/// `widest` degrees.
+fn farther_halfway(widest: f64) -> f64 {
+    let mut draw = Draw::new(SEED, 3);
+    let (mut all, mut farther) = (0, 0);
+    for _ in 0..CASES {
+        let (normal, light) = (direction(&mut draw), direction(&mut draw));
+        let alpha = EYE.angle_between(2.0 * normal.dot(light) * normal - light);
+        if normal.dot(EYE) > 0.0 && normal.dot(light) > 0.0 && alpha < widest.to_radians() {
+            all += 1;
+            farther += u32::from(normal.angle_between(halfway(light)) >= alpha);
+        }
+    }
+    f64::from(farther) / f64::from(all)
+}
+
+/// By how many degrees a normal is off at most, wrapped around the bisector of a span of `degrees`.
+fn wrap_error(degrees: f64) -> f64 {
+    let ends = [tilted(-degrees / 2.0), tilted(degrees / 2.0)];
+    largest(|t| {
+        let normal = ends[0].lerp(ends[1], t);
+        wrap::error(libm::atan2(normal.x.abs(), normal.z), normal.length()).abs().to_degrees()
+    })
+}
+
+/// What twice that angle makes of the flank of a highlight at most, in LSBs, n = 256.
+fn flank_error(degrees: f64) -> f64 {
+    let off = 2.0 * wrap_error(degrees).to_radians();
+    // The lobe ends long before a radian.
+    FULL_SCALE * largest(|angle| power(libm::cos(angle - off), 256) - power(libm::cos(angle), 256))
+}
+
+/// The angle in degrees at which a spot's light comes out, that stands at 60 degrees and at this distance.
+fn spot(distance: f64) -> f64 {
+    libm::acos(wrapped_cosine(DVec3::Z, distance * tilted(60.0))).to_degrees()
+}
+
+const fn exact(
+    what: &'static str,
+    quantity: &'static str,
+    expected: (f64, f64),
+    measure: fn() -> f64,
+    judge: fn(f64) -> Ruling,
+) -> Claim {
+    Claim { what, quantity, on: Ground::Exact, expected, measure, judge }
+}
+
+fn equal(off: f64) -> Ruling {
+    Ruling::of(off < 1e-12, "they differ")
+}
+
+const DIFFUSE: &str = "reflection shading is hard to distinguish: diffuse light (half an LSB, 0.11 degrees)";
+
+const fn diffuse(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+    exact(DIFFUSE, quantity, expected, measure, |degrees| {
+        Ruling::of(degrees.to_radians() < HALF_LSB, "normals are wrapped too near to n in wide spans")
+    })
+}
+
+const SPECULAR: &str = "reflection shading is hard to distinguish: highlights of n = 256 (half an LSB)";
+
+const fn specular(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+    exact(SPECULAR, quantity, expected, measure, |lsb| Ruling::of(lsb < 0.5, "a reflection doubles the error of its normal"))
+}
+
+const fn closer(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+    exact("the angle from N to H is always less than that from R to V", quantity, expected, measure, |share| {
+        Ruling::of(share == 0.0, "where L and V are more than 90 degrees apart it may be more")
+    })
+}
+
+const fn narrower(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+    exact("a spot by reflection is too wide, so n should be smaller", quantity, expected, measure, |degrees| {
+        if degrees >= 60.0 {
+            Ruling::HoldsWithin("|F - P| of 1 and more")
+        } else {
+            Ruling::DoesNotHold("nearer lights come out narrower")
+        }
+    })
+}
+
+/// Propositions and remarks.
+pub const CLAIMS: [Claim; 14] = [
+    exact(
+        "the hybrid's quotient is the exact R.V, for N of any length",
+        "largest difference",
+        (0.0, 1e-13),
+        || over_normals(|n, l| (base(n, l) - reflect(n.normalize()).dot(l).clamp(0.0, 1.0)).abs()),
+        equal,
+    ),
+    exact("(33) is (17)", "largest difference", (0.0, 1e-13), || over_normals(|n, l| (eq33(n, l) - base(n, l)).abs()), equal),
+    exact("(34) is (17)", "largest difference", (0.0, 1e-13), || over_normals(|n, l| (eq34(n, l) - base(n, l)).abs()), equal),
+    // Of 50 000 and 4 000 cases that are left: two standard deviations.
+    closer("share of random front-facing cases", (0.081, 3e-3), || farther_halfway(180.0)),
+    closer("share of those with R less than 20 degrees from V", (0.285, 1.5e-2), || farther_halfway(20.0)),
+    diffuse("largest error of the normal in degrees, 10 degrees", (0.0037, 5e-5), || wrap_error(10.0)),
+    diffuse("largest error of the normal in degrees, 30 degrees", (0.10, 5e-3), || wrap_error(30.0)),
+    diffuse("largest error of the normal in degrees, 60 degrees", (0.85, 5e-3), || wrap_error(60.0)),
+    diffuse("largest error of the normal in degrees, 90 degrees", (3.2, 5e-2), || wrap_error(90.0)),
+    specular("largest error in LSB, 30 degrees", (8.7, 0.5), || flank_error(30.0)),
+    specular("largest error in LSB, 60 degrees", (72.0, 1.0), || flank_error(60.0)),
+    specular("largest error in LSB, 90 degrees", (214.0, 1.0), || flank_error(90.0)),
+    narrower("degrees that 60 come out at, distance 10", (110.6, 5e-2), || spot(10.0)),
+    narrower("degrees that 60 come out at, distance 0.5", (38.0, 0.5), || spot(0.5)),
+];

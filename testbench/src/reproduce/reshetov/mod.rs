@@ -1,0 +1,17 @@
+//! Reshetov, Soupikov and Mark: consistent normal interpolation.
+mod angles;
+mod curves;
+mod figures;
+mod goals;
+pub mod inward;
+pub mod seen;
+pub mod size;
+
+use super::claim::Claim;
+pub use figures::figures;
+
+/// Every claim, in the order of the report.
+pub(super) fn claims() -> Vec<&'static Claim> {
+    let groups: [&'static [Claim]; 4] = [&curves::CLAIMS, &goals::CLAIMS, &angles::CLAIMS, &inward::CLAIMS];
+    groups.into_iter().flatten().collect()
+}

@@ -1,0 +1,52 @@
+//! A core that is given single spans.
+use glam::DVec3;
+use specula_golden::fixed::{Model, Observation};
+use specula_scene::spec::FULL_SCALE;
+use specula_scene::{CoreSpec, Frame, Material, Needs, parse};
+
+use crate::stress::scene::{RawSpan, SpanScene};
+use crate::stress::variant::Variant;
+
+/// A core by its bit-true model, which the simulated core equals on every pixel.
+pub struct SpanCore {
+    /// Its spec.
+    pub spec: CoreSpec,
+    model: Model,
+}
+
+/// The frame of a span between two normals under one light; none if a scene file could not say it.
+pub fn frame(ends: [DVec3; 2], length: u32, light: DVec3, material: Material) -> Option<Frame> {
+    let scene = SpanScene::new(&[light], vec![RawSpan::between(ends, length, material)]);
+    parse("span.toml", scene.text("")).ok().map(|scene| scene.frame)
+}
+
+impl SpanCore {
+    /// The general core of a method with options, in the formats that `frame` needs where the options name no others.
+    pub fn new(frame: &Frame, variant: &Variant) -> Option<SpanCore> {
+        let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&variant.options().ok()?), Some(variant.method)).ok()?;
+        Some(SpanCore { model: Model::new(&spec), spec })
+    }
+
+    /// Every named value of pixel `i` of the first span.
+    pub fn trace(&self, frame: &Frame, i: u32) -> Option<Vec<Observation>> {
+        self.model.trace(&self.spec.packet(frame, &frame.spans[0]), i).ok()
+    }
+
+    /// Codes of the first span's pixels, as shares of full scale.
+    pub fn shades(&self, frame: &Frame) -> Option<Vec<f64>> {
+        let mut codes = vec![];
+        self.model.shade(&self.spec.packet(frame, &frame.spans[0]), &mut codes).ok()?;
+        Some(codes.iter().map(|code| f64::from(code[1]) / FULL_SCALE).collect())
+    }
+}
+
+/// The value of that name.
+pub fn value(trace: &[Observation], name: &str) -> Option<f64> {
+    trace.iter().find(|observation| observation.name == name).map(Observation::value)
+}
+
+/// The vector whose components have that name.
+pub fn vector(trace: &[Observation], name: &str) -> Option<DVec3> {
+    let [x, y, z] = ["x", "y", "z"].map(|axis| value(trace, &format!("{name}_{axis}")));
+    Some(DVec3::new(x?, y?, z?))
+}

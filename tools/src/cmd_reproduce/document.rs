@@ -1,0 +1,17 @@
+//! The whole text.
+use super::section::Section;
+
+const HEAD: &str = "\
+# What the papers claim and show
+
+Written by `specula reproduce`. *On* says what was measured: `f64` is exact shading, `core` is hardware, by the bit-true model that the
+simulated core equals on every pixel, or by the simulated core. *Before* is the project's independent measurement (NUMERICS.md); the
+tests compare. LSB is 1/255 of full scale.
+
+";
+
+/// The sections, below what is common to them.
+pub fn text(sections: &[Section]) -> String {
+    let body: String = sections.iter().map(|section| section.text.as_str()).collect();
+    format!("{HEAD}{}\n", body.trim_end())
+}
