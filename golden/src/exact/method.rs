@@ -18,7 +18,7 @@ impl<'a> MethodSpan<'a> {
     pub fn new(spec: &'a CoreSpec, frame: &'a Frame, span: &'a Span) -> Self {
         MethodSpan(match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(LyonSpan::new(lyon, frame, span)),
-            MethodSpec::Phong(phong) => Box::new(PhongSpan::with_highlight(frame, span, phong.highlight)),
+            MethodSpec::Phong(phong) => Box::new(PhongSpan::of_spec(phong, frame, span)),
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
             MethodSpec::Duff(duff) => Box::new(DuffSpan::new(duff, frame, span)),
             MethodSpec::Gouraud(gouraud) => Box::new(GouraudSpan::new(gouraud, frame, span)),

@@ -4,8 +4,8 @@ use serde::de::DeserializeOwned;
 
 use super::narrowing::LARGEST_ROOT_REACH;
 use super::{
-    COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS, Method,
-    NarrowingPoint, SpecError, Specialisation,
+    COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN, LightPipelines, MOST_LIGHTS,
+    Method, NarrowingPoint, SpecError, Specialisation,
 };
 use crate::format::Format;
 use crate::needs::Needs;
@@ -28,11 +28,13 @@ impl CoreSpec {
             lights: needs.lights,
             local_lights: needs.local_lights.clone(),
             local_eye: needs.local_eye,
+            light_pipelines: table.light_pipelines.unwrap_or_default(),
             longest_span: needs.longest_span.next_power_of_two(),
             largest_shininess: needs.largest_shininess,
             coefficient: coefficient_format(needs.brightest_coefficient),
             shortest_normal: needs.shortest_normal,
             shortest_way: needs.shortest_way,
+            shortest_unit_way: needs.shortest_unit_way,
             least_cone_cosine: needs.least_cone_cosine,
             least_view_cosine: needs.least_view_cosine,
             method: method.spec(needs, &table.of(method))?,
@@ -89,6 +91,7 @@ impl CoreSpec {
     pub fn options(&self) -> Vec<(&'static str, String)> {
         let mut options = vec![
             ("lights", self.lights.to_string()),
+            ("light pipelines", self.light_pipelines_in_words()),
             ("longest span", format!("{} pixels", self.longest_span)),
             ("largest exponent n", self.largest_shininess.to_string()),
             ("colour coefficients", format!("{}, in LSBs of the 8-bit output", self.coefficient)),
@@ -97,6 +100,13 @@ impl CoreSpec {
         options.extend(self.method.describe().options());
         options.push(("made for", self.specialisation.in_words()));
         options
+    }
+
+    fn light_pipelines_in_words(&self) -> String {
+        match self.light_pipelines {
+            LightPipelines::Each => "one for each light".to_owned(),
+            LightPipelines::Shared => format!("one, in which the lights take turns: {} clocks a pixel", self.interval()),
+        }
     }
 }
 
