@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::contributions::Contributions;
 use crate::frame::{EYE, Frame, LocalLight, Span, Triangle};
+use crate::parallel::ParallelSpan;
 use crate::spec::Wrap;
 
 /// What shading this frame needs.
@@ -136,7 +137,7 @@ impl Needs {
             widest_angle: frame.spans.iter().flat_map(|s| ends(frame, s)).map(angle).fold(0.0, f64::max),
             shortest_normal: frame.spans.iter().flat_map(|s| ends(frame, s)).map(shortest).fold(1.0, f64::min),
             least_cone_cosine: frame.triangles.iter().flat_map(|t| t.cones).map(|cone| cone.cosine).fold(1.0, f64::min),
-            least_view_cosine: frame.spans.iter().map(|s| least_view_cosine(frame.end_axes(s))).fold(1.0, f64::min),
+            least_view_cosine: frame.spans.iter().map(|s| least_view_cosine_of(frame, s)).fold(1.0, f64::min),
             shortest_way: ways(frame).map(shortest).fold(1.0, f64::min),
             shortest_unit_way: ways(frame).map(|ends| shortest(Wrap::around(None, ends).ends)).fold(1.0, f64::min),
             ranges: Ranges::of(frame),
@@ -192,6 +193,15 @@ fn shortest([a, b]: [DVec3; 2]) -> f64 {
     let delta = b - a;
     let foot = if delta.length_squared() > 0.0 { -a.dot(delta) / delta.length_squared() } else { 0.0 };
     (a + delta * foot.clamp(0.0, 1.0)).length()
+}
+
+/// Of a span, as its middle sees an eye at a place.
+fn least_view_cosine_of(frame: &Frame, span: &Span) -> f64 {
+    if frame.eye.is_none() {
+        return least_view_cosine(frame.end_axes(span));
+    }
+    let parallel = ParallelSpan::new(frame, span);
+    least_view_cosine(parallel.frame.end_axes(parallel.span()))
 }
 
 /// Smallest cosine between the eye and the normals between two ends, -1 where one has no direction.

@@ -38,15 +38,15 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
     // A few dozen pixels of a long span are enough.
     for i in (0..packet.length).step_by(1 + packet.length as usize / 50) {
         let expected = match &core.method {
-            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, core.lights, i),
             MethodSpec::Phong(spec) => phong::code(spec, &raw, core.lights, i),
-            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Duff(spec) => duff::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, core.lights, i),
+            MethodSpec::Duff(spec) => duff::code(spec, &raw, core.lights, i),
             MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, core.lights, i),
-            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Direct(spec) => direct::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, core.lights, i),
+            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, core.lights, i),
+            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, core.lights, i),
+            MethodSpec::Direct(spec) => direct::code(spec, &raw, core.lights, i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -86,6 +86,15 @@ proptest! {
     #[test]
     fn gouraud_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check_frame(Method::Gouraud, &frame_with_places(&draw, n), &bits)?;
+    }
+
+    /// The other methods see places from the middles of spans.
+    #[test]
+    fn others_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        let frame = frame_with_places(&draw, 1 << j);
+        for method in Method::ALL {
+            check_frame(method, &frame, &bits)?;
+        }
     }
 
     #[test]

@@ -16,6 +16,7 @@ mod reciprocal_square_root;
 mod rotation;
 mod shape;
 mod square_root;
+mod turns;
 
 use std::rc::Rc;
 

@@ -46,13 +46,7 @@ impl CoreSpec {
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        let method = self.method.describe();
-        let local =
-            if !needs.local_lights.is_empty() { Some("a light at a place") } else { needs.local_eye.then_some("a local viewer") };
-        match local {
-            Some(what) if !method.shades_from_places() => Err(SpecError::Local { method: self.method().name(), what }),
-            _ => method.check_serves(needs),
-        }
+        self.method.describe().check_serves(needs)
     }
 
     /// Whether formats and numbers are such that a core can be built.
@@ -91,22 +85,17 @@ impl CoreSpec {
     pub fn options(&self) -> Vec<(&'static str, String)> {
         let mut options = vec![
             ("lights", self.lights.to_string()),
-            ("light pipelines", self.light_pipelines_in_words()),
             ("longest span", format!("{} pixels", self.longest_span)),
             ("largest exponent n", self.largest_shininess.to_string()),
             ("colour coefficients", format!("{}, in LSBs of the 8-bit output", self.coefficient)),
             ("shortest interpolated normal", format!("{:.3} of the longer one at the ends of its span", self.shortest_normal)),
         ];
+        if self.light_pipelines == LightPipelines::Shared {
+            options.push(("light pipelines", format!("one, in which the lights take turns: {} clocks a pixel", self.interval())));
+        }
         options.extend(self.method.describe().options());
         options.push(("made for", self.specialisation.in_words()));
         options
-    }
-
-    fn light_pipelines_in_words(&self) -> String {
-        match self.light_pipelines {
-            LightPipelines::Each => "one for each light".to_owned(),
-            LightPipelines::Shared => format!("one, in which the lights take turns: {} clocks a pixel", self.interval()),
-        }
     }
 }
 

@@ -36,6 +36,7 @@ use crate::needs::LocalKind;
 
 pub use consistent::{ConsistentInputs, ConsistentSpec};
 use describe::Describe;
+pub use describe::Viewpoint;
 pub use direct::{DirectInputs, DirectSpec};
 pub use duff::{DuffInputs, DuffSpec};
 pub use error::SpecError;
@@ -124,6 +125,11 @@ impl CoreSpec {
             LightPipelines::Each => 1,
             LightPipelines::Shared => self.lights as u32,
         }
+    }
+
+    /// Where lights and the eye at places are seen from.
+    pub fn places_seen_from(&self) -> Viewpoint {
+        self.method.describe().places_seen_from()
     }
 
     /// The data inputs of the core in the order in which packets hold them; `valid` and `start` come beside them.

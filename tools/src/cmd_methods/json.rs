@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use serde_json::Value;
-use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, SpecError};
+use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, SpecError, Viewpoint};
 use specula_scene::{CoreSpec, Format, LoadedScene, Method, Needs};
 use specula_testbench::Bench;
 
@@ -41,7 +41,7 @@ struct SceneFacts {
     most_lights: usize,
     largest_shininess: u32,
     shininess_is_power_of_two: bool,
-    lights_and_eye_at_infinity: bool,
+    places_seen_from: Viewpoint,
 }
 
 #[derive(Serialize)]
@@ -72,7 +72,7 @@ fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFac
         summary: method.summary(),
         paper: method.paper(),
         equations: method.equations(),
-        needs: scene_facts(method, needs),
+        needs: scene_facts(method, needs, spec.places_seen_from()),
         options: options(method).map_err(ToolError::Json)?,
         formats: spec.narrowing_points().iter().map(format_facts).collect(),
         latency: design.latency(),
@@ -84,15 +84,14 @@ fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFac
 }
 
 /// What the method refuses of scenes that differ from one it serves in one thing.
-fn scene_facts(method: Method, needs: &Needs) -> SceneFacts {
+fn scene_facts(method: Method, needs: &Needs, places_seen_from: Viewpoint) -> SceneFacts {
     let refusal = |needs: Needs| CoreSpec::for_scene(&needs, None, Some(method)).err();
     let uneven = refusal(Needs { uneven_shininess: Some(3), ..needs.clone() });
-    let local = refusal(Needs { local_eye: true, ..needs.clone() });
     SceneFacts {
         most_lights: MOST_LIGHTS,
         largest_shininess: LARGEST_SHININESS,
         shininess_is_power_of_two: matches!(uneven, Some(SpecError::UnevenShininess { .. })),
-        lights_and_eye_at_infinity: matches!(local, Some(SpecError::Local { .. })),
+        places_seen_from,
     }
 }
 

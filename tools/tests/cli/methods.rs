@@ -41,13 +41,13 @@ fn json_says_what_scenes_a_method_takes() {
     let needs = |name: &str| {
         let needs = &named(&methods, name)["needs"];
         assert_eq!((&needs["most_lights"], &needs["largest_shininess"]), (&json!(4), &json!(8191)));
-        [&needs["shininess_is_power_of_two"], &needs["lights_and_eye_at_infinity"]].map(|need| need.as_bool().unwrap())
+        (needs["shininess_is_power_of_two"].as_bool().unwrap(), needs["places_seen_from"].as_str().unwrap().to_owned())
     };
-    assert_eq!(needs("phong"), [false, false]);
-    assert_eq!(needs("lyon"), [false, true]);
-    assert_eq!(needs("gouraud"), [false, false]);
+    assert_eq!(needs("phong"), (false, "pixel".to_owned()));
+    assert_eq!(needs("lyon"), (false, "span".to_owned()));
+    assert_eq!(needs("gouraud"), (false, "vertex".to_owned()));
     for name in ["hybrid", "duff", "reflection", "consistent", "slerp", "direct"] {
-        assert_eq!(needs(name), [true, true], "{name}");
+        assert_eq!(needs(name), (true, "span".to_owned()), "{name}");
     }
 }
 

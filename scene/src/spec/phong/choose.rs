@@ -4,7 +4,7 @@ use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
 use crate::spec::choose::span_bits;
-use crate::spec::describe::Describe;
+use crate::spec::describe::{Describe, Viewpoint};
 use crate::spec::narrowing::{SIGNED_UNIT, UNIT};
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint};
@@ -89,15 +89,15 @@ impl Describe for PhongSpec {
             Highlight::Blinn => "(H*.N)^4n, H* = (L + V)/|L + V|",
             Highlight::TrowbridgeReitz => "(1/(1 + (1 - (H*.N)^2) n))^2",
         };
-        let places = match self.places {
-            Places::Exact => "(F - P)/|F - P|",
-            Places::Wrapped => "2v H - w, H = w + (F - P), v = H.w / H.H",
-        };
-        vec![("highlight", highlight.to_owned()), ("directions to places", places.to_owned())]
+        let mut options = vec![("highlight", highlight.to_owned())];
+        if self.places == Places::Wrapped {
+            options.push(("directions to places", "2v H - w, H = w + (F - P), v = H.w / H.H".to_owned()));
+        }
+        options
     }
 
-    fn shades_from_places(&self) -> bool {
-        true
+    fn places_seen_from(&self) -> Viewpoint {
+        Viewpoint::Pixel
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
