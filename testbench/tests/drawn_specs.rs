@@ -14,7 +14,7 @@ use specula_testbench::{Bench, BenchError, EngineKind, Image};
 fn agrees(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);
     let longest = draw.one_of(&[1, 2, 3, 20, 150]);
-    let frame = draw::frame(&mut draw, method, longest);
+    let frame = draw::frame(&mut draw, longest);
     let light_pipelines = draw.one_of(&LightPipelines::ALL);
     let spec = CoreSpec { light_pipelines, ..draw::spec(&mut draw, &frame, method) };
     println!("{spec:?}");

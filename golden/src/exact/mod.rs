@@ -11,6 +11,7 @@ mod direct_span;
 mod directions;
 pub mod distributions;
 pub mod duff;
+pub mod figure9;
 pub mod gouraud;
 pub mod hybrid;
 pub mod illumination;

@@ -3,8 +3,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use serde_json::Value;
-use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, SpecError, Viewpoint};
-use specula_scene::{CoreSpec, Format, LoadedScene, Method, Needs};
+use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, Viewpoint};
+use specula_scene::{Format, LoadedScene, Method};
 use specula_testbench::Bench;
 
 use crate::error::ToolError;
@@ -40,7 +40,6 @@ struct MethodFacts {
 struct SceneFacts {
     most_lights: usize,
     largest_shininess: u32,
-    shininess_is_power_of_two: bool,
     places_seen_from: Viewpoint,
 }
 
@@ -55,15 +54,14 @@ struct FormatFacts {
 /// The methods as text.
 pub fn text() -> Result<String, ToolError> {
     let scene = specula_scene::load(SCENE, None)?;
-    let needs = Needs::of(&scene.frame);
     let methods: Vec<MethodFacts> =
-        Method::ALL.into_iter().map(|method| facts(method, &scene, &needs)).collect::<Result<_, ToolError>>()?;
+        Method::ALL.into_iter().map(|method| facts(method, &scene)).collect::<Result<_, ToolError>>()?;
     let mut text = serde_json::to_string_pretty(&methods).map_err(ToolError::Json)?;
     text.push('\n');
     Ok(text)
 }
 
-fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFacts, ToolError> {
+fn facts(method: Method, scene: &LoadedScene) -> Result<MethodFacts, ToolError> {
     let spec = scene.core_spec(Some(method))?.general();
     let design = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(SCENE))?.design;
     let size = design.size();
@@ -72,7 +70,7 @@ fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFac
         summary: method.summary(),
         paper: method.paper(),
         equations: method.equations(),
-        needs: scene_facts(method, needs, spec.places_seen_from()),
+        needs: scene_facts(spec.places_seen_from()),
         options: options(method).map_err(ToolError::Json)?,
         formats: spec.narrowing_points().iter().map(format_facts).collect(),
         latency: design.latency(),
@@ -83,18 +81,10 @@ fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFac
     })
 }
 
-/// What the method refuses of scenes that differ from one it serves in one thing.
-fn scene_facts(method: Method, needs: &Needs, places_seen_from: Viewpoint) -> SceneFacts {
-    let refusal = |needs: Needs| CoreSpec::for_scene(&needs, None, Some(method)).err();
-    let uneven = refusal(Needs { uneven_shininess: Some(3), ..needs.clone() });
-    SceneFacts {
-        most_lights: MOST_LIGHTS,
-        largest_shininess: LARGEST_SHININESS,
-        shininess_is_power_of_two: matches!(uneven, Some(SpecError::UnevenShininess { .. })),
-        places_seen_from,
-    }
+/// What the method takes.
+fn scene_facts(places_seen_from: Viewpoint) -> SceneFacts {
+    SceneFacts { most_lights: MOST_LIGHTS, largest_shininess: LARGEST_SHININESS, places_seen_from }
 }
-
 /// TOML writes the values, strings and whole numbers, as JSON does.
 fn options(method: Method) -> serde_json::Result<BTreeMap<&'static str, Vec<Value>>> {
     let values = |values: &[&str]| values.iter().map(|value| serde_json::from_str(value)).collect::<serde_json::Result<_>>();

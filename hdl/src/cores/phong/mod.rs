@@ -95,6 +95,7 @@ impl Pixel<'_> {
         let (b, f) = (self.b, &self.phong.formats);
         let called = |unit: &str| format!("light{}_{unit}", at.index);
         let base_bits = f.base.fraction_bits;
+        let gain = || self.unless_sent(at, at.lamp.light.halfway_gain.as_ref(), || self.halfway_gain(at));
         let base = match self.phong.highlight {
             Highlight::Reflection => {
                 let l_dot_v = self.unless_sent(at, at.lamp.light.light_dot_view.as_ref(), || self.l_dot_v(at));
@@ -102,15 +103,21 @@ impl Pixel<'_> {
                 b.instance(&called("reflected_cosine"), base)
             }
             Highlight::Blinn | Highlight::TrowbridgeReitz => {
-                let gain = self.unless_sent(at, at.lamp.light.halfway_gain.as_ref(), || self.halfway_gain(at));
-                let base = || units::halfway_cosine(b, at.n_dot_v, &at.n_dot_l, &gain, base_bits);
+                let base = || units::halfway_cosine(b, at.n_dot_v, &at.n_dot_l, &gain(), base_bits);
                 b.instance(&called("halfway_cosine"), base)
+            }
+            Highlight::TorranceSparrow => {
+                let base = || units::halfway_versine(b, at.n_dot_v, &at.n_dot_l, &gain(), base_bits);
+                b.instance(&called("halfway_versine"), base)
             }
         };
         let shape_bits = f.shape.fraction_bits;
         match self.phong.highlight {
             Highlight::Reflection | Highlight::Blinn => {
                 b.instance(&called("power"), || units::any_power(b, &base, self.shininess, shape_bits))
+            }
+            Highlight::TorranceSparrow => {
+                b.instance(&called("distribution"), || units::gaussian(b, &base, self.shininess, shape_bits))
             }
             Highlight::TrowbridgeReitz => {
                 let distribution = || units::trowbridge_reitz(b, &base, self.shininess, base_bits, shape_bits);
