@@ -31,7 +31,7 @@ use raw::Raw;
 
 const ANY: Range = Range { widest: 179.0, tilt: 180.0, log2_length: 10.0, lights: 3 };
 
-fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<(), TestCaseError> {
+fn codes_agree(core: &CoreSpec, packet: &SpanPacket) -> Result<(), TestCaseError> {
     let mut codes = Vec::new();
     Model::new(core).shade(packet, &mut codes).map_err(|e| TestCaseError::fail(e.to_string()))?;
     prop_assert_eq!(codes.len(), packet.length as usize);
@@ -166,7 +166,7 @@ fn frame_with_places(draw: &Draw, n: u32) -> Frame {
 
 fn check_frame(method: Method, frame: &Frame, bits: &[f64; 8]) -> Result<(), TestCaseError> {
     let core = core_for(frame, method, bits);
-    codes_agree(&core, frame, &packet(&core, frame))
+    codes_agree(&core, &packet(&core, frame))
 }
 
 fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result<(), TestCaseError> {
@@ -193,7 +193,7 @@ fn takes_every_input_in_range(method: Method) {
                 if high >> (k % 6) & 1 == 1 { port.range.1 } else { port.range.0 }
             };
             let inputs = core.inputs().into_iter().enumerate().map(end).collect();
-            codes_agree(&core, &frame, &SpanPacket { length: 8192, inputs }).unwrap_or_else(|e| panic!("{e}"));
+            codes_agree(&core, &SpanPacket { length: 8192, inputs }).unwrap_or_else(|e| panic!("{e}"));
         }
     }
 }
