@@ -15,6 +15,7 @@ fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
         local_lights: Vec::new(),
         local_eye: false,
         shortest_way: 1.0,
+        shortest_unit_way: 1.0,
         lights,
         longest_span,
         largest_shininess,

@@ -8,7 +8,7 @@ use specula_scene::Method;
 fn stays_in_range(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);
     let longest = draw.one_of(&[1, 2, 3, 20, 200]);
-    let frame = draw::frame(&mut draw, method, longest);
+    let frame = draw::frame(&mut draw, longest);
     let spec = draw::spec(&mut draw, &frame, method);
     println!("{spec:?}");
     // A spec whose formats are too fine is refused, which is an answer too; panics are none.

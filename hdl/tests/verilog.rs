@@ -21,6 +21,7 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
         widest_angle: 20.0,
         shortest_normal: 0.95,
         shortest_way: 1.0,
+        shortest_unit_way: 1.0,
         least_cone_cosine: 0.9,
         least_view_cosine: 0.0,
         smallest_shininess: 1,

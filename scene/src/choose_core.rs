@@ -8,14 +8,14 @@ impl LoadedScene {
     /// It is for this frame alone, unless the table has it `specialise = "general"`.
     ///
     /// # Errors
-    /// A [`SceneError`] that points at the `[core]` table where that is at fault, else says why the method cannot shade the scene.
+    /// A [`SceneError`] that points at the `[core]` table, if there is one.
     pub fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, SceneError> {
         let options = self.core.as_ref().map(|table| table.parse::<CoreOptions>()).transpose()?;
         let needs = Needs::of(&self.frame);
         let spec = CoreSpec::for_scene(&needs, options.as_ref(), method);
         let spec = spec.map_err(|error| match &self.core {
-            Some(table) if error.is_about_options() => table.error(table.span(), error.to_string(), help_of(&error)),
-            _ => SceneError::Spec(error),
+            Some(table) => table.error(table.span(), error.to_string(), help_of(&error)),
+            None => SceneError::Spec(error),
         })?;
         Ok(match options.as_ref().and_then(|options| options.specialise).unwrap_or(Specialise::Scene) {
             Specialise::General => spec,

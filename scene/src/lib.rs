@@ -15,6 +15,7 @@ mod illumination;
 mod load;
 pub mod mesh;
 pub mod needs;
+mod parallel;
 pub mod picture;
 pub mod primitive;
 pub mod spec;
@@ -28,5 +29,6 @@ pub use frame::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spo
 pub use illumination::Illumination;
 pub use load::{LoadedScene, load, parse};
 pub use needs::Needs;
+pub use parallel::ParallelSpan;
 pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};
 pub use surface::Surface;

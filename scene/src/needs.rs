@@ -4,6 +4,8 @@ use serde::Serialize;
 
 use crate::contributions::Contributions;
 use crate::frame::{EYE, Frame, LocalLight, Span, Triangle};
+use crate::parallel::ParallelSpan;
+use crate::spec::Wrap;
 
 /// What shading this frame needs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -38,6 +40,8 @@ pub struct Needs {
     /// Length of the shortest vector from a pixel to a light or an eye at a place, in units of the longer one at the ends of its span; 0
     /// to 1, and 1 if there are none.
     pub shortest_way: f64,
+    /// The same of vectors that have length 1 at both ends of their span.
+    pub shortest_unit_way: f64,
     /// The smallest cosine between a vertex normal and a face around the vertex (EXTREMES row 48): -1 to 1.
     pub least_cone_cosine: f64,
     /// The smallest cosine between an interpolated normal and the direction to the eye: -1 to 1.
@@ -133,8 +137,9 @@ impl Needs {
             widest_angle: frame.spans.iter().flat_map(|s| ends(frame, s)).map(angle).fold(0.0, f64::max),
             shortest_normal: frame.spans.iter().flat_map(|s| ends(frame, s)).map(shortest).fold(1.0, f64::min),
             least_cone_cosine: frame.triangles.iter().flat_map(|t| t.cones).map(|cone| cone.cosine).fold(1.0, f64::min),
-            least_view_cosine: frame.spans.iter().map(|s| least_view_cosine(frame.end_axes(s))).fold(1.0, f64::min),
-            shortest_way: frame.spans.iter().map(|s| shortest_way(frame, s)).fold(1.0, f64::min),
+            least_view_cosine: frame.spans.iter().map(|s| least_view_cosine_of(frame, s)).fold(1.0, f64::min),
+            shortest_way: ways(frame).map(shortest).fold(1.0, f64::min),
+            shortest_unit_way: ways(frame).map(|ends| shortest(Wrap::around(None, ends).ends)).fold(1.0, f64::min),
             ranges: Ranges::of(frame),
         }
     }
@@ -177,16 +182,26 @@ fn angle([a, b]: [DVec3; 2]) -> f64 {
     a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
-/// Smallest |N| over the span: where the foot of the perpendicular from the origin falls on the segment between the ends.
-fn shortest_way(frame: &Frame, span: &Span) -> f64 {
-    let places = frame.local_lights.iter().map(|light| light.position).chain(frame.eye);
-    places.map(|place| shortest(frame.end_vectors_to(span, place))).fold(1.0, f64::min)
+/// Vectors from the ends of every span to every light and eye at a place.
+fn ways(frame: &Frame) -> impl Iterator<Item = [DVec3; 2]> {
+    let places = || frame.local_lights.iter().map(|light| light.position).chain(frame.eye);
+    frame.spans.iter().flat_map(move |span| places().map(|place| frame.end_vectors_to(span, place)))
 }
 
+/// Smallest |N| over the span: where the foot of the perpendicular from the origin falls on the segment between the ends.
 fn shortest([a, b]: [DVec3; 2]) -> f64 {
     let delta = b - a;
     let foot = if delta.length_squared() > 0.0 { -a.dot(delta) / delta.length_squared() } else { 0.0 };
     (a + delta * foot.clamp(0.0, 1.0)).length()
+}
+
+/// Of a span, as its middle sees an eye at a place.
+fn least_view_cosine_of(frame: &Frame, span: &Span) -> f64 {
+    if frame.eye.is_none() {
+        return least_view_cosine(frame.end_axes(span));
+    }
+    let parallel = ParallelSpan::new(frame, span);
+    least_view_cosine(parallel.frame.end_axes(parallel.span()))
 }
 
 /// Smallest cosine between the eye and the normals between two ends, -1 where one has no direction.

@@ -1,4 +1,5 @@
-//! What goes into a core, clock by clock: span after span with no idle clock between, then idle clocks until the last pixel is out.
+//! What goes into a core, clock by clock: span after span with no idle clock between, then idle clocks until the last pixel is out. A pixel takes as
+//! many clocks as the design's interval.
 //!
 //! `start` is high in idle clocks, so that accumulators stay where their units say that they are: behind the last pixel of a span they
 //! would go on, and what overflows then is nobody's business in hardware, but has to be the same in every engine.
@@ -36,6 +37,8 @@ pub struct Stimulus<'a> {
     spans: &'a dyn SpanSource,
     /// The clock at which each span of the source begins, and behind them the clock after the last.
     begins: Arc<[u64]>,
+    /// Clocks of a pixel.
+    interval: u64,
     /// The clocks of this run.
     clocks: Range<u64>,
 }
@@ -56,13 +59,14 @@ pub struct Stretch {
 impl<'a> Stimulus<'a> {
     /// All spans of the source, then idle clocks until the last pixel has left a core of this design.
     pub fn whole(spans: &'a dyn SpanSource, design: &Design) -> Stimulus<'a> {
+        let interval = u64::from(design.interval);
         let mut begins = vec![0];
         let mut clock = 0;
         for index in 0..spans.count() {
-            clock += u64::from(spans.length(index));
+            clock += u64::from(spans.length(index)) * interval;
             begins.push(clock);
         }
-        Stimulus { spans, begins: begins.into(), clocks: 0..clock + u64::from(design.latency()) + 1 }
+        Stimulus { spans, begins: begins.into(), interval, clocks: 0..clock + u64::from(design.latency()) + 1 }
     }
 
     /// The part of the run that `window` needs: from the beginning of a span early enough that at the window's first clock every
@@ -81,7 +85,7 @@ impl<'a> Stimulus<'a> {
         // What a span loads may be added to by something that is older by up to as many clocks.
         let first = self.begins[span].saturating_sub(clocks).min(early);
         let end = window.end.min(self.clocks.end);
-        Stimulus { spans: self.spans, begins: self.begins.clone(), clocks: first.max(self.clocks.start)..end }
+        Stimulus { begins: self.begins.clone(), clocks: first.max(self.clocks.start)..end, ..*self }
     }
 
     /// The clocks of the run.
@@ -91,6 +95,11 @@ impl<'a> Stimulus<'a> {
 
     /// Pixels that enter during the whole run.
     pub fn pixels(&self) -> u64 {
+        self.fed_clocks() / self.interval
+    }
+
+    /// Clocks of all pixels of the whole run.
+    pub fn fed_clocks(&self) -> u64 {
         self.begins.last().copied().unwrap_or(0)
     }
 
@@ -99,16 +108,26 @@ impl<'a> Stimulus<'a> {
         self.begins[index.min(self.begins.len() - 1)]
     }
 
-    /// Whether a pixel enters at `clock`.
-    pub fn enters(&self, clock: u64) -> bool {
-        clock < self.pixels()
+    /// Whether `clock` is one of a pixel's.
+    pub fn feeds(&self, clock: u64) -> bool {
+        clock < self.fed_clocks()
     }
 
-    /// The span that enters at `clock`, and which of its pixels; `None` when idle.
+    /// Whether a pixel enters at `clock`: it is the first of its clocks.
+    pub fn enters(&self, clock: u64) -> bool {
+        self.feeds(clock) && clock.is_multiple_of(self.interval)
+    }
+
+    /// The clock in which pixel number `pixel` of span number `span` enters.
+    pub fn entry_of(&self, span: usize, pixel: u32) -> u64 {
+        self.begin_of(span) + u64::from(pixel) * self.interval
+    }
+
+    /// The span that goes in at `clock`, and which of its pixels; `None` when idle.
     pub fn pixel_at(&self, clock: u64) -> Option<(usize, u32)> {
         let index = self.begins.partition_point(|&begin| begin <= clock).checked_sub(1)?;
         let offset = clock - self.begins[index];
-        (index + 1 < self.begins.len()).then_some((index, offset as u32))
+        (index + 1 < self.begins.len()).then_some((index, (offset / self.interval) as u32))
     }
 
     /// The stretches that make up the run, in order.
@@ -183,7 +202,7 @@ mod tests {
     }
 
     fn stimulus(packets: &Vec<SpanPacket>, clocks: Range<u64>) -> Stimulus<'_> {
-        Stimulus { spans: packets, begins: [0, 3, 4, 8].into(), clocks }
+        Stimulus { spans: packets, begins: [0, 3, 4, 8].into(), interval: 1, clocks }
     }
 
     #[test]

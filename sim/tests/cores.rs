@@ -3,7 +3,9 @@ mod common;
 
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
-use specula_scene::Method;
+use specula_scene::spec::LightPipelines;
+use specula_scene::spec::phong::Places;
+use specula_scene::{CoreSpec, Frame, Method, MethodSpec};
 use specula_sim::{Effort, Engine, Icarus, RustHdl, Stimulus, Verilator};
 
 use common::{engines, frames, tools};
@@ -20,9 +22,12 @@ fn outputs_agree(method: Method) {
 /// With these lines in the method's table.
 fn options_agree(method: Method, options: &str) {
     let frame = frames::frame(1993, 2, 12);
-    let spec = frames::spec_with(&frame, method, options);
-    let design = frames::design(&spec);
-    let packets = frames::packets(&spec, &frame);
+    outputs_of_agree(&frames::spec_with(&frame, method, options), &frame);
+}
+
+fn outputs_of_agree(spec: &CoreSpec, frame: &Frame) {
+    let design = frames::design(spec);
+    let packets = frames::packets(spec, frame);
     let stimulus = Stimulus::whole(&packets, &design);
     let (reference, others) = engines::run_all(&design, &stimulus, &outputs(&design));
     assert_eq!(reference.values[0].iter().sum::<i64>() as u64, frame.shaded_pixels());
@@ -97,6 +102,27 @@ fn slerps_outputs_agree() {
 #[test]
 fn directs_outputs_agree() {
     outputs_agree(Method::Direct);
+}
+
+/// Lights that take turns: quadratics, rotations, and lights of all kinds with an eye at a place, wrapped or not.
+#[test]
+fn shared_pipelines_outputs_agree() {
+    let mut frame = frames::frame(1968, 3, 7);
+    for method in [Method::Hybrid, Method::Slerp] {
+        outputs_of_agree(&shared(frames::spec(&frame, method)), &frame);
+    }
+    frames::place_lights(&mut frame);
+    let exact = shared(frames::spec(&frame, Method::Phong));
+    let mut wrapped = exact.clone();
+    if let MethodSpec::Phong(phong) = &mut wrapped.method {
+        phong.places = Places::Wrapped;
+    }
+    outputs_of_agree(&exact, &frame);
+    outputs_of_agree(&wrapped, &frame);
+}
+
+fn shared(spec: CoreSpec) -> CoreSpec {
+    CoreSpec { light_pipelines: LightPipelines::Shared, ..spec }
 }
 
 /// Every signal that is no constant.

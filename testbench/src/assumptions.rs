@@ -28,7 +28,7 @@ pub(crate) fn first_violation(design: &Design, stimulus: &Stimulus, batch: &Batc
         let lanes = batch.of(assumption.node)?;
         let belongs_to_a_pixel = |row: usize| {
             let clock = batch.first_clock() + row as u64;
-            clock.checked_sub(node.stage.into()).is_some_and(|entry| stimulus.enters(entry))
+            clock.checked_sub(node.stage.into()).is_some_and(|entry| stimulus.feeds(entry))
         };
         let first = lanes.first_outside(assumption.range.low, assumption.range.high)?;
         let outside = |&row: &usize| !assumption.range.contains(lanes.get(row));
@@ -42,7 +42,7 @@ pub(crate) fn first_violation(design: &Design, stimulus: &Stimulus, batch: &Batc
     })
 }
 
-/// Clocks in which pixels entered for which a fact did not hold, of these clocks, in no order.
+/// Clocks of pixels that went in for which a fact did not hold, of these clocks, in no order.
 pub(crate) fn entries_that_violate(design: &Design, stimulus: &Stimulus, batch: &Batch) -> Vec<u64> {
     let of = |assumption: &specula_hdl::design::Assumption| {
         let stage = u64::from(design.node(assumption.node).stage);
@@ -50,7 +50,7 @@ pub(crate) fn entries_that_violate(design: &Design, stimulus: &Stimulus, batch: 
         batch.of(assumption.node).into_iter().flat_map(move |lanes| {
             let outside = move |&row: &usize| !range.contains(lanes.get(row));
             let entry = move |row: usize| (batch.first_clock() + row as u64).checked_sub(stage);
-            (0..lanes.clocks()).filter(outside).filter_map(entry).filter(|&entry| stimulus.enters(entry))
+            (0..lanes.clocks()).filter(outside).filter_map(entry).filter(|&entry| stimulus.feeds(entry))
         })
     };
     design.assumptions.iter().flat_map(of).collect()

@@ -112,6 +112,11 @@ impl<'a> Bench<'a> {
         Ok(Bench { frame, spec, design: specula_hdl::elaborate(spec, name)? })
     }
 
+    /// Clocks from the first pixel's entry to the last one's exit, both counted.
+    pub fn clocks(&self) -> u64 {
+        self.frame.shaded_pixels() * u64::from(self.design.interval) + u64::from(self.design.depth())
+    }
+
     /// Simulates every clock of the frame and compares every pixel.
     ///
     /// # Errors
@@ -137,7 +142,7 @@ impl<'a> Bench<'a> {
             comparison.worst_pixel.as_ref().map(|worst| trace::leaving_clock(&stimulus, latency, worst.span, worst.pixel));
         Ok(Outcome {
             pixels: stimulus.pixels(),
-            cycles: stimulus.pixels() + u64::from(latency),
+            cycles: self.clocks(),
             simulated: self.picture(&codes),
             comparison,
             wrong_clocks,

@@ -47,5 +47,5 @@ impl Choice {
 
 /// The clock in which pixel number `pixel` of span number `span` leaves the core.
 pub fn leaving_clock(stimulus: &Stimulus, latency: u32, span: usize, pixel: u32) -> u64 {
-    stimulus.begin_of(span) + u64::from(pixel) + u64::from(latency)
+    stimulus.entry_of(span, pixel) + u64::from(latency)
 }

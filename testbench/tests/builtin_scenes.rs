@@ -1,15 +1,12 @@
 //! Built-in scenes, small, through the whole path.
-use specula_scene::load;
+use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind};
-
-#[path = "common/served.rs"]
-mod served;
 
 #[test]
 fn every_pixel_of_every_built_in_scene_agrees() {
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((160, 120))).unwrap();
-        for method in served::methods(&loaded.frame) {
+        for method in Method::ALL {
             let spec = loaded.core_spec(Some(method)).unwrap();
             let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
             let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();

@@ -7,14 +7,16 @@ use draw::Draw;
 use specula_golden::exact::MethodSpan;
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
+use specula_scene::spec::LightPipelines;
 use specula_scene::{CoreSpec, Frame, Method};
 use specula_testbench::{Bench, BenchError, EngineKind, Image};
 
 fn agrees(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);
     let longest = draw.one_of(&[1, 2, 3, 20, 150]);
-    let frame = draw::frame(&mut draw, method, longest);
-    let spec = draw::spec(&mut draw, &frame, method);
+    let frame = draw::frame(&mut draw, longest);
+    let light_pipelines = draw.one_of(&LightPipelines::ALL);
+    let spec = CoreSpec { light_pipelines, ..draw::spec(&mut draw, &frame, method) };
     println!("{spec:?}");
     let bench = match Bench::new(&frame, &spec, "core") {
         Ok(bench) => bench,

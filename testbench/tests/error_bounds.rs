@@ -2,9 +2,6 @@
 use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind};
 
-#[path = "common/served.rs"]
-mod served;
-
 /// A bound is to exceed the measured error no more than so many times.
 const SLACK: f64 = 4.0;
 
@@ -26,7 +23,7 @@ fn most_slack(scene: &str, method: Method) -> f64 {
 fn measured_errors_stay_within_the_stated_bound() {
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((120, 90))).unwrap();
-        for method in served::methods(&loaded.frame) {
+        for method in Method::ALL {
             let spec = loaded.core_spec(Some(method)).unwrap();
             let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
             let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();

@@ -5,9 +5,6 @@ use specula_sim::fast::{Level, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};
 use specula_testbench::{Bench, EngineKind, FrameSpans};
 
-#[path = "common/served.rs"]
-mod served;
-
 fn all_columns(engine: &mut dyn Engine, stimulus: &Stimulus, nodes: &[NodeId]) -> Columns {
     let mut all = Columns::new(nodes);
     engine
@@ -67,7 +64,7 @@ fn every_signal_agrees_with_rust_hdl_at_every_clock() {
 fn whole_frames_agree() {
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((640, 480))).unwrap();
-        for method in served::methods(&loaded.frame) {
+        for method in Method::ALL {
             let spec = loaded.core_spec(Some(method)).unwrap();
             let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
             let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();

@@ -1,9 +1,6 @@
 //! Cores within an error that is asked for.
-use specula_scene::{CoreSpec, load};
+use specula_scene::{CoreSpec, Method, load};
 use specula_testbench::{Bench, EngineKind, search};
-
-#[path = "common/served.rs"]
-mod served;
 
 fn multiplier_bits(spec: &CoreSpec) -> u64 {
     specula_hdl::elaborate(spec, "core").unwrap().size().multiplier_bits
@@ -13,7 +10,7 @@ fn multiplier_bits(spec: &CoreSpec) -> u64 {
 fn simulated_pictures_stay_within_an_lsb_of_their_method() {
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((48, 36))).unwrap();
-        for method in served::methods(&loaded.frame) {
+        for method in Method::ALL {
             let start = loaded.core_spec(Some(method)).unwrap();
             let general = search::within(&start, &loaded.frame, 1.0).unwrap().unwrap();
             let spec = general.specialised(&loaded.frame);

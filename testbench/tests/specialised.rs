@@ -1,10 +1,7 @@
 //! A core for one scene gives the codes of the general core, and is never larger.
 use specula_hdl::Design;
-use specula_scene::load;
+use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind, Image};
-
-#[path = "common/served.rs"]
-mod served;
 
 /// What a core gives, with a right answer to every question a bench asks.
 fn shaded(bench: &Bench) -> Image {
@@ -25,7 +22,7 @@ fn sizes(design: &Design) -> [u64; 3] {
 fn every_pixel_is_that_of_the_general_core() {
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((96, 72))).unwrap();
-        for method in served::methods(&loaded.frame) {
+        for method in Method::ALL {
             let special = loaded.core_spec(Some(method)).unwrap();
             let general = special.general();
             let [special, general] = [&special, &general].map(|spec| Bench::new(&loaded.frame, spec, scene).unwrap());

@@ -113,7 +113,7 @@ fn write(arguments: &Arguments, begin: Instant, destination: &Destination, run: 
 }
 
 fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
-    let clocks = bench.frame.shaded_pixels() + u64::from(bench.design.latency()) + 1;
+    let clocks = bench.clocks() + 1;
     let bar = progress::bar("simulating", clocks);
     let outcome = bench.run(engine, &mut |done, _| bar.set_position(done));
     bar.finish_and_clear();

@@ -19,7 +19,7 @@ fn about(name: &str) -> &'static str {
         "teapot" => "Newell's teapot, one light",
         "spheres" => "the balls of Lyon's figure 9, with exponents 1 to 256, two lights",
         "torus" => "a torus, two lights; normals turn fast around its tube",
-        "lamps" => "a teapot under a distant light, a lamp and a spot, seen from close by; for `phong`",
+        "lamps" => "a teapot under a distant light, a lamp and a spot, seen from close by",
         "icosahedron" => "twenty faces with shared normals; ends of spans are up to 63 degrees apart",
         "figure9" => "for `run` alone: Lyon's figure 9, its balls by twelve cores in one picture",
         _ => "",

@@ -58,12 +58,14 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
     let points = spec.narrowing_points();
     let points: Vec<[String; 3]> = points.iter().map(|p| [p.name.to_owned(), p.format.to_string(), p.value.to_owned()]).collect();
     lines.extend(indented(&table::lines(&points)));
-    lines.push(format!("Initiation interval 1 clock; latency {} clocks.", design.latency()));
+    let clocks = if design.interval == 1 { "clock" } else { "clocks" };
+    lines.push(format!("Initiation interval {} {clocks}; latency {} clocks.", design.interval, design.latency()));
     lines.push(format!(
         "Error bound: {} of the 8-bit output, against the same method in exact arithmetic.",
         bound(design.error_bound())
     ));
-    lines.extend(["", PROTOCOL, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned));
+    let protocol = if design.interval == 1 { PROTOCOL.to_owned() } else { protocol_of_turns(design.interval) };
+    lines.extend(["", &protocol, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned));
     lines.push(format!("  {}", origin.command));
     lines.push("What Specula emits belongs to whoever ran it.".to_owned());
     Header { lines }
@@ -76,6 +78,19 @@ of them, `start` in the first only. The pixels of a span enter on consecutive cl
 follow at once, or after any number of clocks in which `valid` is low. A pixel that enters in clock c
 leaves in clock c + latency, with `valid_out` high. Inputs are taken at the rising edge of `clock`.
 `reset` is synchronous and clears validity only: data registers have no reset.";
+
+/// How a core is fed whose pixels take several clocks.
+fn protocol_of_turns(interval: u32) -> String {
+    format!(
+        "\
+Feeding it: a pixel takes {interval} clocks, in which the lights take turns. A span's data inputs are held for
+{interval} clocks a pixel. `valid` is high in each of them, `start` in the first of the span only. The pixels
+of a span enter one after the other; the next span may follow at once, or after any number of clocks in
+which `valid` is low. A pixel whose first clock is c leaves in clock c + latency, with `valid_out` high.
+Inputs are taken at the rising edge of `clock`. `reset` is synchronous and clears validity only: data
+registers have no reset."
+    )
+}
 
 fn indented(text: &str) -> Vec<String> {
     text.lines().map(|line| format!("  {line}")).collect()

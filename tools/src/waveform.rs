@@ -31,7 +31,7 @@ pub fn choice(asked: &Choice, disagreement: Option<&Disagreement>) -> Choice {
 
 /// Checks before a run that there will be what `choice` asks for.
 pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
-    let clocks = bench.frame.shaded_pixels() + u64::from(bench.design.latency()) + 1;
+    let clocks = bench.clocks() + 1;
     let missing = |asked: String, there: String| Err(ToolError::Trace { asked, there });
     match choice {
         Choice::Span(index) if *index >= bench.frame.spans.len() => {

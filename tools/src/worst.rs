@@ -32,7 +32,8 @@ pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Resul
         return Ok(());
     }
     let design = &run.bench.design;
-    let enters = leaves.saturating_sub(design.latency().into());
+    // Of lights that take turns the last.
+    let enters = leaves.saturating_sub(design.depth().into());
     let mut view = View::open(&dump)?;
     let choice = view.named(&way(design, enters));
     let asked = Asked { from: Some(enters.saturating_sub(AROUND)), to: Some(leaves + AROUND), usual: 0 };

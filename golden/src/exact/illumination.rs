@@ -25,8 +25,15 @@ pub fn view(frame: &Frame, span: &Span, weights: [f64; 3]) -> Option<DVec3> {
 /// Every light as it is seen from a pixel of a span, those at infinity first; none for a light at the very point (EXTREMES row 39).
 pub fn lights(frame: &Frame, span: &Span, weights: [f64; 3]) -> impl Iterator<Item = Option<Illumination>> {
     let position = frame.position_at(span, weights);
-    let at_infinity = frame.lights.iter().map(|light| Some(Illumination { direction: light.direction, share: 1.0 }));
-    at_infinity.chain(frame.local_lights.iter().map(move |light| from_a_place(light, position)))
+    (0..frame.lights.len() + frame.local_lights.len()).map(move |index| light(frame, index, position))
+}
+
+/// Light number `index`, counted as by [`lights`], as it is seen from `position`.
+pub fn light(frame: &Frame, index: usize, position: DVec3) -> Option<Illumination> {
+    match index.checked_sub(frame.lights.len()) {
+        Some(local) => from_a_place(&frame.local_lights[local], position),
+        None => Some(Illumination { direction: frame.lights[index].direction, share: 1.0 }),
+    }
 }
 
 /// L = (F - P)/|F - P| and, for a spot, max(-L·axis, 0)^p [Hast et al., eq. 35 and after; METHODS.md C15].

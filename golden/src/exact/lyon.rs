@@ -1,7 +1,7 @@
 //! Lyon's method without rounding [Lyon, TR 43; METHODS.md B].
 use glam::DVec3;
-use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::{Difference, Halfway, Normals, Wrap};
+use specula_scene::spec::lyon::{Difference, Halfway, Normals};
+use specula_scene::spec::{LyonSpec, Wrap};
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};

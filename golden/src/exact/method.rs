@@ -1,6 +1,6 @@
 //! The method that a spec names.
-use specula_scene::spec::MethodSpec;
-use specula_scene::{CoreSpec, Frame, Span};
+use specula_scene::spec::{MethodSpec, Viewpoint};
+use specula_scene::{CoreSpec, Frame, ParallelSpan, Span};
 
 use super::{ConsistentSpan, DirectSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan, ReflectionSpan, SlerpSpan};
 
@@ -16,9 +16,12 @@ pub(super) trait ShadePixel {
 impl<'a> MethodSpan<'a> {
     /// Sets up a span of a frame.
     pub fn new(spec: &'a CoreSpec, frame: &'a Frame, span: &'a Span) -> Self {
+        if spec.places_seen_from() == Viewpoint::Span && !frame.directions_are_constant() {
+            return MethodSpan(Box::new(Shaded::from_the_middle(spec, frame, span)));
+        }
         MethodSpan(match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(LyonSpan::new(lyon, frame, span)),
-            MethodSpec::Phong(phong) => Box::new(PhongSpan::with_highlight(frame, span, phong.highlight)),
+            MethodSpec::Phong(phong) => Box::new(PhongSpan::of_spec(phong, frame, span)),
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
             MethodSpec::Duff(duff) => Box::new(DuffSpan::new(duff, frame, span)),
             MethodSpec::Gouraud(gouraud) => Box::new(GouraudSpan::new(gouraud, frame, span)),
@@ -32,5 +35,23 @@ impl<'a> MethodSpan<'a> {
     /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel.
     pub fn pixel(&self, i: u32) -> [f64; 3] {
         self.0.pixel(i)
+    }
+}
+
+/// The pixels of a span.
+struct Shaded(Vec<[f64; 3]>);
+
+impl Shaded {
+    /// Under lights and an eye at infinity, where the span's middle sees them.
+    fn from_the_middle(spec: &CoreSpec, frame: &Frame, span: &Span) -> Shaded {
+        let parallel = ParallelSpan::new(frame, span);
+        let method = MethodSpan::new(spec, &parallel.frame, parallel.span());
+        Shaded((0..span.length).map(|i| method.pixel(i)).collect())
+    }
+}
+
+impl ShadePixel for Shaded {
+    fn pixel(&self, i: u32) -> [f64; 3] {
+        self.0[i as usize]
     }
 }

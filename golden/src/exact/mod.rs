@@ -8,6 +8,7 @@ pub mod differences;
 pub mod diffuse;
 pub mod direct;
 mod direct_span;
+mod directions;
 pub mod distributions;
 pub mod duff;
 pub mod figure9;

@@ -1,54 +1,58 @@
 //! Phong shading as it is meant.
 use glam::DVec3;
-use specula_scene::spec::phong::Highlight;
+use specula_scene::spec::PhongSpec;
+use specula_scene::spec::phong::{Highlight, Places};
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
+use super::directions::Directions;
 use super::distributions::{torrance_sparrow, trowbridge_reitz};
-use super::illumination::{self, Illumination};
+use super::illumination::Illumination;
 use super::method::ShadePixel;
 use super::normalisation::unit;
 use super::shape::power;
 
 /// True shading of one span: the normal interpolated linearly between the triangle's vertices and normalised at each pixel, then
-/// ambient + Σ kd max(N·L, 0) + ks max(R·L, 0)^n with R = 2(N·V)N - V [METHODS.md A3, A5, B1], or Blinn's lobes in place of the last.
+/// ambient + Σ kd max(N·L, 0) + ks max(R·L, 0)^n with R = 2(N·V)N - V [METHODS.md A3, A5, B1], or Blinn's lobes in place of the last, and
+/// wrapped directions in place of true ones.
 pub struct PhongSpan<'a> {
     frame: &'a Frame,
     span: &'a Span,
+    directions: Directions<'a>,
     highlight: Highlight,
     shininess: u32,
     coefficients: Coefficients,
 }
 
 impl<'a> PhongSpan<'a> {
-    /// Sets up a span of a frame for Phong's own highlight.
+    /// Sets up a span of a frame for Phong's own highlight and true directions.
     pub fn new(frame: &'a Frame, span: &'a Span) -> Self {
-        PhongSpan::with_highlight(frame, span, Highlight::Reflection)
+        PhongSpan::with(Highlight::Reflection, Places::Exact, frame, span)
     }
 
-    /// Sets up a span of a frame.
-    pub fn with_highlight(frame: &'a Frame, span: &'a Span, highlight: Highlight) -> Self {
+    /// Sets up a span of a frame for the highlight and the directions of a spec.
+    pub fn of_spec(spec: &PhongSpec, frame: &'a Frame, span: &'a Span) -> Self {
+        PhongSpan::with(spec.highlight, spec.places, frame, span)
+    }
+
+    fn with(highlight: Highlight, places: Places, frame: &'a Frame, span: &'a Span) -> Self {
         let shininess = frame.material(span).shininess;
-        PhongSpan { frame, span, highlight, shininess, coefficients: Coefficients::new(frame, span) }
+        let directions = Directions::new(frame, span, places);
+        PhongSpan { frame, span, directions, highlight, shininess, coefficients: Coefficients::new(frame, span) }
     }
 
     /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel. Where the interpolated normal vanishes, ambient light is all there is.
     pub fn pixel(&self, i: u32) -> [f64; 3] {
-        let weights = self.span.weights(i);
-        match unit(self.frame.normal_at(self.span, weights)) {
-            Some(normal) => self.lit(normal, weights),
+        match unit(self.frame.normal_at(self.span, self.span.weights(i))) {
+            Some(normal) => self.pixel_with(normal, i),
             None => self.coefficients.sum(|_| Amounts::default()),
         }
     }
 
     /// The same with another unit normal in place of the interpolated one.
     pub fn pixel_with(&self, normal: DVec3, i: u32) -> [f64; 3] {
-        self.lit(normal, self.span.weights(i))
-    }
-
-    fn lit(&self, normal: DVec3, weights: [f64; 3]) -> [f64; 3] {
-        let view = illumination::view(self.frame, self.span, weights);
+        let view = self.directions.view(i);
         let amounts = |light: Option<Illumination>| match light {
             Some(Illumination { direction, share }) => Amounts {
                 diffuse: share * lambert(normal, direction),
@@ -56,7 +60,7 @@ impl<'a> PhongSpan<'a> {
             },
             None => Amounts::default(),
         };
-        self.coefficients.sum_of(illumination::lights(self.frame, self.span, weights).map(amounts))
+        self.coefficients.sum_of(self.directions.lights(i).map(amounts))
     }
 
     fn highlight(&self, normal: DVec3, light: DVec3, view: DVec3) -> f64 {

@@ -6,13 +6,13 @@ use specula_scene::spec::lyon::{
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
-use super::highlight::limited_quotient;
 use super::method::{Method, Values};
 use super::number::Wide;
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::{self, PacketError};
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, cross, dot};
+use super::wrapped::{WrapFormats, wrapped};
 
 /// V = (0, 0, 1).
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
@@ -95,7 +95,8 @@ impl Lyon {
         let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * delta[c]);
         let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
         if let Some(axis) = &inputs.wrap_axis {
-            let normal = self.wrapped(&interpolated, axis, observer);
+            let formats = WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
+            let normal = wrapped(observer, ["wrap", "normal"], &interpolated, axis, formats).vector;
             return (normal, normal != [Wide::ZERO; 3]);
         }
         if self.normalisation == Normalisation::None {
@@ -104,16 +105,6 @@ impl Lyon {
         let z = narrow(observer, format_args!("length_squared"), dot(&interpolated, &interpolated), f.length_squared);
         let gain = self.gain(z, observer);
         (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z != Wide::ZERO)
-    }
-
-    /// n = 2v H - w with v = H·w / H·H, clamped to 0 to 1 (METHODS.md C4).
-    fn wrapped(&self, h: &Vector, axis: &Vector, observer: &mut impl Observer) -> Vector {
-        let f = &self.formats;
-        let p = narrow(observer, format_args!("wrap_p"), dot(h, axis), f.wrap_operand);
-        let q = narrow(observer, format_args!("wrap_q"), dot(h, h), f.wrap_operand);
-        let ratio = limited_quotient(p, q, f.wrap_ratio.fraction_bits);
-        observer.see(format_args!("wrap_ratio"), ratio, f.wrap_ratio);
-        narrow_vector(observer, "normal", std::array::from_fn(|c| (ratio << 1) * h[c] - axis[c]), f.vector)
     }
 
     /// g, near 1/√z: g1 or g2 (METHODS.md B8, B9), then Newton steps.

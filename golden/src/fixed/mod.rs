@@ -24,6 +24,7 @@ mod reflection;
 mod root;
 mod slerp;
 mod vector;
+mod wrapped;
 
 pub use model::Model;
 pub use observer::Observation;

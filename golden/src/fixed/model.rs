@@ -56,6 +56,7 @@ impl Model {
     /// | a_acc, a | `weight_accumulator`, `weight` |
     /// | N' | `interpolated_x`, `_y`, `_z` |
     /// | H, p, q, v of wrapped normals | `interpolated_x`, `wrap_p`, `wrap_q`, `wrap_ratio` |
+    /// | H, p, q, v of wrapped directions | `light<l>_way_interpolated_x`, `light<l>_way_wrap_p`, `_q`, `_ratio`; of the eye with `eye_` |
     /// | z, g | `length_squared`, `gain` |
     /// | s, h, g of a Newton step | `newton<s>_square`, `newton<s>_factor`, `newton<s>_gain` |
     /// | n | `normal_x`, `_y`, `_z` |

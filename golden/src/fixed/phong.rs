@@ -1,4 +1,4 @@
-//! `phong`, bit for bit [lecture, eq. 2.1, 4.1, 4.2; Lyon, TR 43, appendix; `docs/arithmetic/phong.md`].
+//! `phong`, bit for bit [lecture, eq. 2.1, 4.1, 4.2; Lyon, TR 43, appendix; Hast et al., eq. 35 to 38; `docs/arithmetic/phong.md`].
 use specula_scene::Format;
 use specula_scene::spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
 use specula_scene::spec::{CoreSpec, InputPort};
@@ -12,6 +12,7 @@ use super::packet::{self, PacketError};
 use super::power::Power;
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, dot};
+use super::wrapped::{WrapFormats, Wrapped, wrapped};
 
 /// V = (0, 0, 1).
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
@@ -22,22 +23,41 @@ pub(super) struct Phong {
     formats: PhongFormats,
     power: Power,
     gaussian: Gaussian,
-    /// For each light that is a spot.
-    spot_powers: Vec<Option<Power>>,
+    /// Of all spots.
+    spot_power: Power,
     colour: Format,
     ports: PhongInputs<InputPort>,
 }
 
-/// A vector brought to unit length; none if it has no direction.
-type Direction = Option<Vector>;
+/// A vector brought to unit length.
+#[derive(Clone, Copy)]
+struct Unit {
+    vector: Vector,
+    wrap: Option<Wrapping>,
+}
+
+/// What a wrapped vector is made of.
+#[derive(Clone, Copy)]
+struct Wrapping {
+    /// p = H·w.
+    operand: Wide,
+    /// v.
+    ratio: Wide,
+}
+
+impl Unit {
+    /// A vector that is not wrapped.
+    fn straight(vector: Vector) -> Unit {
+        Unit { vector, wrap: None }
+    }
+}
 
 /// A light at a pixel.
 struct Arrival<'a> {
-    index: usize,
     light: &'a PhongLight<Wide>,
     /// L.
-    direction: Vector,
-    view: Direction,
+    direction: Unit,
+    view: Option<Vector>,
     n_dot_l: Wide,
     n_dot_v: Wide,
     shininess: Wide,
@@ -53,7 +73,7 @@ impl Phong {
             highlight: phong.highlight,
             gaussian: Gaussian::new(formats.shape.fraction_bits),
             power: power(core.largest_shininess * phong.highlight.exponent_factor()),
-            spot_powers: ports.lights.iter().map(|light| light.exponent.as_ref().map(|port| power(port.range.1 as u32))).collect(),
+            spot_power: power(core.largest_spot_exponent()),
             colour: sum_format(core, formats.cosine, formats.shape),
             ports,
             formats,
@@ -68,12 +88,14 @@ impl Method for Phong {
         self.ports.map(|port| values.next(port))
     }
 
-    /// Interpolated vectors stay within the unit ball, but for rounding.
+    /// Interpolated vectors stay within the unit ball, but for rounding; sums of two of them within twice as much.
     fn check(&self, inputs: &PhongInputs<Wide>, length: u32) -> Result<(), PacketError> {
         let ways =
             [&inputs.normal].into_iter().chain(&inputs.eye).chain(inputs.lights.iter().filter_map(|light| light.way.as_ref()));
         for way in ways {
-            packet::check_ends(&way.start, &way.delta, 1)?;
+            let axis = way.axis.unwrap_or_default();
+            packet::check_ends(&axis, &Vector::default(), 1)?;
+            packet::check_ends(&way.start, &way.delta, if way.axis.is_some() { 2 } else { 1 })?;
         }
         packet::check_weight(inputs.weight_step, length)
     }
@@ -82,21 +104,18 @@ impl Method for Phong {
         let accumulated = Wide::from_num(i) * inputs.weight_step;
         observer.see(format_args!("weight_accumulator"), accumulated, self.formats.weight_accumulator);
         let weight = narrow(observer, format_args!("weight"), accumulated, self.formats.weight);
-        let normal = self.direction("normal", &inputs.normal, weight, observer);
+        let normal = self.along("normal", &inputs.normal, weight, observer).map(|unit| unit.vector);
         let view = match &inputs.eye {
-            Some(eye) => self.direction("eye", eye, weight, observer),
+            Some(eye) => self.along("eye", eye, weight, observer).map(|unit| unit.vector),
             None => Some(EYE),
         };
         let mut colour = Colour::ambient(inputs.ambient);
         let n_dot_v = self.cosine("n_dot_v", normal, view, observer);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
-            let direction = match (&light.way, light.direction) {
-                (Some(way), _) => self.direction("way", way, weight, &mut observer),
-                (None, direction) => direction,
-            };
-            let n_dot_l = self.cosine("n_dot_l", normal, direction, &mut observer);
-            let arrival = |direction| Arrival { index, light, direction, view, n_dot_l, n_dot_v, shininess: inputs.shininess };
+            let direction = self.direction(light, weight, &mut observer);
+            let n_dot_l = self.cosine("n_dot_l", normal, direction.map(|unit| unit.vector), &mut observer);
+            let arrival = |direction| Arrival { light, direction, view, n_dot_l, n_dot_v, shininess: inputs.shininess };
             let (diffuse, specular) = match (normal, direction.map(arrival)) {
                 (Some(_), Some(arrival)) => self.lit(&arrival, &mut observer),
                 _ => (Wide::ZERO, Wide::ZERO),
@@ -109,16 +128,30 @@ impl Method for Phong {
 }
 
 impl Phong {
-    /// A vector along the span, brought to unit length.
-    fn direction(&self, name: &str, way: &Way<Wide>, weight: Wide, observer: &mut impl Observer) -> Direction {
+    /// L. A wrap around a spot's axis S serves within 90 degrees of it, where H·S is above 1; farther from it the spot is dark.
+    fn direction(&self, light: &PhongLight<Wide>, weight: Wide, observer: &mut impl Observer) -> Option<Unit> {
+        let direction = match (&light.way, light.direction) {
+            (Some(way), _) => self.along("way", way, weight, observer),
+            (None, direction) => direction.map(Unit::straight),
+        };
+        direction.filter(|unit| light.exponent.is_none() || unit.wrap.is_none_or(|wrap| wrap.operand > Wide::ONE))
+    }
+
+    /// A vector along the span, brought to unit length; none if it has no direction.
+    fn along(&self, name: &str, way: &Way<Wide>, weight: Wide, observer: &mut impl Observer) -> Option<Unit> {
         let f = &self.formats;
         let lerp: Vector = std::array::from_fn(|c| way.start[c] + weight * way.delta[c]);
         let vector = narrow_vector(observer, &format!("{name}_interpolated"), lerp, f.vector);
+        if let Some(axis) = &way.axis {
+            let formats = WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
+            let Wrapped { vector, operand, ratio } = wrapped(observer, [&format!("{name}_wrap"), name], &vector, axis, formats);
+            return (vector != [Wide::ZERO; 3]).then_some(Unit { vector, wrap: Some(Wrapping { operand, ratio }) });
+        }
         let z = narrow(observer, format_args!("{name}_length_squared"), dot(&vector, &vector), f.length_squared);
         let gain = self.gain(z);
         observer.see(format_args!("{name}_gain"), gain, f.gain);
         let unit = narrow_vector(observer, name, vector.map(|c| gain * c), f.vector);
-        (z > Wide::ZERO).then_some(unit)
+        (z > Wide::ZERO).then_some(Unit::straight(unit))
     }
 
     /// 1/√z, 16 for z ≤ 1/256.
@@ -126,7 +159,7 @@ impl Phong {
         reciprocal_square_root(z, self.formats.gain.integer_bits, self.formats.gain.fraction_bits)
     }
 
-    fn cosine(&self, name: &str, a: Direction, b: Direction, observer: &mut impl Observer) -> Wide {
+    fn cosine(&self, name: &str, a: Option<Vector>, b: Option<Vector>, observer: &mut impl Observer) -> Wide {
         match (a, b) {
             (Some(a), Some(b)) => narrow(observer, format_args!("{name}"), dot(&a, &b), self.formats.cosine),
             _ => Wide::ZERO,
@@ -137,16 +170,16 @@ impl Phong {
     fn lit(&self, at: &Arrival, observer: &mut impl Observer) -> (Wide, Wide) {
         let diffuse = at.n_dot_l.max(Wide::ZERO);
         let specular = at.view.map_or(Wide::ZERO, |view| self.specular(at, &view, observer));
-        match (&at.light.axis, at.light.exponent, &self.spot_powers[at.index]) {
-            (Some(axis), Some(exponent), Some(power)) => {
+        match at.light.exponent {
+            Some(exponent) => {
                 let shape = self.formats.shape;
-                let cosine = self.base(-dot(&at.direction, axis), "spot_base", observer);
-                let share = power.of(cosine, exponent.to_num());
+                let cosine = self.base(to_axis(at), "spot_base", observer);
+                let share = self.spot_power.of(cosine, exponent.to_num());
                 observer.see(format_args!("spot"), share, shape);
                 let spotted = |amount| round_to(share * amount, shape.fraction_bits);
                 (spotted(diffuse), spotted(specular))
             }
-            _ => (diffuse, specular),
+            None => (diffuse, specular),
         }
     }
 
@@ -170,7 +203,7 @@ impl Phong {
     }
 
     fn l_dot_v(&self, at: &Arrival, view: &Vector, observer: &mut impl Observer) -> Wide {
-        narrow(observer, format_args!("l_dot_v"), dot(view, &at.direction), self.formats.cosine)
+        narrow(observer, format_args!("l_dot_v"), dot(view, &at.direction.vector), self.formats.cosine)
     }
 
     fn base(&self, value: Wide, name: &str, observer: &mut impl Observer) -> Wide {
@@ -193,5 +226,13 @@ impl Phong {
         let u = round_quotient(Wide::ONE, Wide::ONE + x, f.shape.fraction_bits);
         observer.see(format_args!("u"), u, f.shape);
         narrow(observer, format_args!("specular"), u * u, f.shape)
+    }
+}
+
+/// S·L, exact, with S back along the spot's axis: 2 v p - 1 of what is wrapped around it.
+fn to_axis(at: &Arrival) -> Wide {
+    match (&at.direction.wrap, &at.light.axis) {
+        (Some(Wrapping { operand, ratio }), _) => ((operand * ratio) << 1) - Wide::ONE,
+        (None, axis) => -dot(&at.direction.vector, &axis.unwrap_or_default()),
     }
 }

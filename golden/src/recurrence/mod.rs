@@ -12,6 +12,7 @@ mod line;
 mod lyon;
 mod number;
 mod phong;
+mod place;
 mod reflection;
 mod slerp;
 
@@ -19,13 +20,14 @@ use glam::DVec3;
 
 pub use consistent::Consistent;
 pub use counted::{Counted, count};
-pub use differences::{Linear, Second, Walk};
+pub use differences::{Linear, Second, Vector, Walk, dot, vector};
 pub use duff::{Direct, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, Hybrid};
 pub use gouraud::{Gouraud, Uniform};
 pub use line::{Line, face};
 pub use lyon::{LyonCross, LyonReflection};
 pub use number::Number;
 pub use phong::{FastPhong, Phong};
+pub use place::{Normalised, Place, Seen, Wrapped};
 pub use reflection::{Chained, Reflection, ReflectionBlinn, ReflectionHybrid, ReflectionRoot};
 pub use slerp::{Chebyshev, Frame, Slerp};
 

@@ -58,7 +58,7 @@ impl<S: Scheme<f32>> Software for Loop<S> {
 
 /// x^n by squaring; 1 for n = 0.
 #[inline(always)]
-fn power(mut x: f32, mut n: u32) -> f32 {
+pub(super) fn power(mut x: f32, mut n: u32) -> f32 {
     let mut result = 1.0;
     while n > 0 {
         if n & 1 == 1 {
@@ -70,6 +70,6 @@ fn power(mut x: f32, mut n: u32) -> f32 {
     result
 }
 
-fn product(reflectance: Colour, light: Colour) -> [f32; 3] {
+pub(super) fn product(reflectance: Colour, light: Colour) -> [f32; 3] {
     std::array::from_fn(|c| (FULL_SCALE * reflectance[c] * light[c]) as f32)
 }

@@ -1,11 +1,12 @@
 //! The methods by name.
 use specula_scene::{Frame, Span};
 
-use super::{Loop, SetUp, Software};
+use super::{Loop, PlacedLoop, SetUp, Software};
 use crate::exact::{slerp, wrap};
 use crate::recurrence::{
     Chained, Chebyshev, Consistent, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong, Frame as SlerpFrame, Gouraud,
-    Hybrid, Line, LyonCross, LyonReflection, Phong, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Uniform,
+    Hybrid, Line, LyonCross, LyonReflection, Normalised, Phong, Place, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme,
+    Slerp, Uniform, Wrapped,
 };
 
 /// A method of METHODS.md in software.
@@ -18,10 +19,12 @@ pub struct Method {
 }
 
 /// Every method.
-pub const METHODS: [Method; 21] = [
+pub const METHODS: [Method; 23] = [
     method::<Uniform<f32>>("uniform"),
     method::<Gouraud<f32>>("gouraud"),
     method::<Phong<f32>>("phong"),
+    Method { name: "phong-places", set_up: placed::<Normalised<f32>> },
+    Method { name: "phong-wrapped-places", set_up: placed::<Wrapped<f32>> },
     method::<FastPhong<f32, 1>>("fast-phong"),
     method::<FastPhong<f32, 2>>("fast-phong-2"),
     Method { name: "slerp", set_up: arc::<Slerp<f32>> },
@@ -53,6 +56,10 @@ const fn method<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
 
 fn looped<S: Scheme<f32> + 'static>(frame: &Frame, span: &Span) -> Box<dyn Software> {
     Box::new(Loop::<S>::new(frame, span))
+}
+
+fn placed<P: Place<f32> + 'static>(frame: &Frame, span: &Span) -> Box<dyn Software> {
+    Box::new(PlacedLoop::<P>::new(frame, span))
 }
 
 /// An arc where slerp serves the span's end normals, Phong's chord elsewhere (EXTREMES rows 13 to 15).

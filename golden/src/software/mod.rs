@@ -3,11 +3,13 @@
 //! `new` and `shade` are apart so that their times can be measured apart.
 mod looped;
 mod methods;
+mod placed;
 
 use specula_scene::{Frame, Span};
 
 pub use looped::Loop;
 pub use methods::{METHODS, Method, by_name};
+pub use placed::PlacedLoop;
 
 /// A span that was set up. The call is virtual, once a span; its pixels are not.
 pub trait Software {

@@ -31,7 +31,7 @@ use raw::Raw;
 
 const ANY: Range = Range { widest: 179.0, tilt: 180.0, log2_length: 10.0, lights: 3 };
 
-fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<(), TestCaseError> {
+fn codes_agree(core: &CoreSpec, packet: &SpanPacket) -> Result<(), TestCaseError> {
     let mut codes = Vec::new();
     Model::new(core).shade(packet, &mut codes).map_err(|e| TestCaseError::fail(e.to_string()))?;
     prop_assert_eq!(codes.len(), packet.length as usize);
@@ -39,15 +39,15 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
     // A few dozen pixels of a long span are enough.
     for i in (0..packet.length).step_by(1 + packet.length as usize / 50) {
         let expected = match &core.method {
-            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, core.lights, i),
             MethodSpec::Phong(spec) => phong::code(spec, &raw, core.lights, i),
-            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Duff(spec) => duff::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, core.lights, i),
+            MethodSpec::Duff(spec) => duff::code(spec, &raw, core.lights, i),
             MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, core.lights, i),
-            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Direct(spec) => direct::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, core.lights, i),
+            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, core.lights, i),
+            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, core.lights, i),
+            MethodSpec::Direct(spec) => direct::code(spec, &raw, core.lights, i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -92,6 +92,15 @@ proptest! {
     #[test]
     fn gouraud_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check_frame(Method::Gouraud, &frame_with_places(&draw, n), &bits)?;
+    }
+
+    /// The other methods see places from the middles of spans.
+    #[test]
+    fn others_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+        let frame = frame_with_places(&draw, 1 << j);
+        for method in Method::ALL {
+            check_frame(method, &frame, &bits)?;
+        }
     }
 
     #[test]
@@ -157,7 +166,7 @@ fn frame_with_places(draw: &Draw, n: u32) -> Frame {
 
 fn check_frame(method: Method, frame: &Frame, bits: &[f64; 8]) -> Result<(), TestCaseError> {
     let core = core_for(frame, method, bits);
-    codes_agree(&core, frame, &packet(&core, frame))
+    codes_agree(&core, &packet(&core, frame))
 }
 
 fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result<(), TestCaseError> {
@@ -184,7 +193,7 @@ fn takes_every_input_in_range(method: Method) {
                 if high >> (k % 6) & 1 == 1 { port.range.1 } else { port.range.0 }
             };
             let inputs = core.inputs().into_iter().enumerate().map(end).collect();
-            codes_agree(&core, &frame, &SpanPacket { length: 8192, inputs }).unwrap_or_else(|e| panic!("{e}"));
+            codes_agree(&core, &SpanPacket { length: 8192, inputs }).unwrap_or_else(|e| panic!("{e}"));
         }
     }
 }

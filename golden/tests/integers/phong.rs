@@ -12,28 +12,42 @@ pub fn code(spec: &PhongSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
     let (c, s) = (f.cosine.fraction_bits, f.shape.fraction_bits);
     let bits = c.max(s);
-    let normal = along(spec, raw, "normal", i);
-    let view = if raw.has("eye_start_x") { along(spec, raw, "eye", i) } else { Some([0, 0, 1 << f.vector.fraction_bits]) };
+    let normal = along(spec, raw, "normal", i).map(|(vector, _)| vector);
+    let view = match has_way(raw, "eye") {
+        true => along(spec, raw, "eye", i).map(|(vector, _)| vector),
+        false => Some([0, 0, 1 << f.vector.fraction_bits]),
+    };
     let mut terms = Vec::new();
     for light in 0..lights {
         let name = |part: &str| format!("light{light}_{part}");
         let direction = match raw.has(&name("direction_x")) {
-            true => Some(raw.vector(&name("direction"))),
+            true => Some((raw.vector(&name("direction")), None)),
             false => along(spec, raw, &name("way"), i),
         };
+        // 2 v p is above 2 v where p is above 1; the spot is dark elsewhere.
+        let one = 1 << f.wrap_operand.fraction_bits;
+        let direction = direction.filter(|(_, wrap)| !raw.has(&name("exponent")) || wrap.is_none_or(|[p, _]| p > one));
         // Diffuse with the cosine's bits, or the shape's behind a spot.
         let (diffuse, specular) = match (normal, direction) {
-            (Some(n), Some(l)) => lit(spec, raw, n, l, view, light),
+            (Some(n), Some((l, wrap))) => lit(spec, raw, [n, l], wrap, view, light),
             _ => (0, 0),
         };
-        let diffuse_bits = if raw.has(&name("axis_x")) { s } else { c };
+        let diffuse_bits = if raw.has(&name("exponent")) { s } else { c };
         terms.push((name("diffuse"), diffuse << (bits - diffuse_bits)));
         terms.push((name("specular"), specular << (bits - s)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }
 
-fn along(spec: &PhongSpec, raw: &Raw, name: &str, i: u32) -> Direction {
+fn has_way(raw: &Raw, name: &str) -> bool {
+    raw.has(&format!("{name}_start_x")) || raw.has(&format!("{name}_wrap_start_x"))
+}
+
+/// The direction, and p and v of one that is wrapped.
+fn along(spec: &PhongSpec, raw: &Raw, name: &str, i: u32) -> Option<([i128; 3], Option<[i128; 2]>)> {
+    if raw.has(&format!("{name}_wrap_axis_x")) {
+        return wrapped(spec, raw, name, i);
+    }
     let f = &spec.formats;
     let (v, w, g) = (f.vector.fraction_bits, f.weight.fraction_bits, f.gain.fraction_bits);
     let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
@@ -41,7 +55,20 @@ fn along(spec: &PhongSpec, raw: &Raw, name: &str, i: u32) -> Direction {
     let lerp = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
     let z = round(dot(lerp, lerp), 2 * v, f.length_squared.fraction_bits);
     let r = reciprocal_root(z, f.length_squared.fraction_bits, g);
-    (z > 0).then(|| lerp.map(|c| round(r * c, g + v, v)))
+    (z > 0).then(|| (lerp.map(|c| round(r * c, g + v, v)), None))
+}
+
+fn wrapped(spec: &PhongSpec, raw: &Raw, name: &str, i: u32) -> Option<([i128; 3], Option<[i128; 2]>)> {
+    let f = &spec.formats;
+    let (v, w, o, r) = (f.vector.fraction_bits, f.weight.fraction_bits, f.wrap_operand.fraction_bits, f.wrap_ratio.fraction_bits);
+    let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
+    let port = |part: &str| raw.vector(&format!("{name}_wrap_{part}"));
+    let (start, delta, axis) = (port("start"), port("delta"), port("axis"));
+    let h = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
+    let (p, q) = (round(dot(h, axis), 2 * v, o), round(dot(h, h), 2 * v, o));
+    let ratio = if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
+    let l = [0, 1, 2].map(|c| round(2 * ratio * h[c] - (axis[c] << r), v + r, v));
+    (l != [0; 3]).then_some((l, Some([p, ratio])))
 }
 
 /// The r of `to` bits with r - 1/2 ≤ 1/√z < r + 1/2 units of the last place, that is (2r - 1)² z ≤ 4 · 2^2to < (2r + 1)² z, by bisection;
@@ -59,16 +86,28 @@ fn reciprocal_root(z: i128, from: u32, to: u32) -> i128 {
     low
 }
 
-fn lit(spec: &PhongSpec, raw: &Raw, n: [i128; 3], l: [i128; 3], view: Direction, light: usize) -> (i128, i128) {
+fn lit(
+    spec: &PhongSpec,
+    raw: &Raw,
+    [n, l]: [[i128; 3]; 2],
+    wrap: Option<[i128; 2]>,
+    view: Direction,
+    light: usize,
+) -> (i128, i128) {
     let f = &spec.formats;
     let (v, c, b, s) = (f.vector.fraction_bits, f.cosine.fraction_bits, f.base.fraction_bits, f.shape.fraction_bits);
     let nl = round(dot(n, l), 2 * v, c);
     let amounts = (nl.max(0), view.map_or(0, |view| specular(spec, raw, [n, l, view], nl, light)));
     let name = |part: &str| format!("light{light}_{part}");
-    if !raw.has(&name("axis_x")) {
+    if !raw.has(&name("exponent")) {
         return amounts;
     }
-    let cosine = round(-dot(l, raw.vector(&name("axis"))), 2 * v, b).clamp(0, 1 << b);
+    let (o, r) = (f.wrap_operand.fraction_bits, f.wrap_ratio.fraction_bits);
+    let cosine = match wrap {
+        Some([p, ratio]) => round(2 * ratio * p - (1 << (o + r)), o + r, b),
+        None => round(-dot(l, raw.vector(&name("axis"))), 2 * v, b),
+    };
+    let cosine = cosine.clamp(0, 1 << b);
     let share = power::of(cosine, b, raw.get(&name("exponent")), i128::BITS - raw.largest(&name("exponent")).leading_zeros(), s);
     (round(share * amounts.0, s + c, s), round(share * amounts.1, 2 * s, s))
 }

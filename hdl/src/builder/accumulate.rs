@@ -1,6 +1,6 @@
 //! The usual feedback: a value that grows by a step with each pixel of a span.
-use super::Sig;
 use super::state::Facts;
+use super::{Builder, Sig};
 use crate::design::{ErrorForm, Node, NodeId, Op, Range, Register};
 
 impl Sig {
@@ -25,13 +25,39 @@ impl Sig {
         let whole = Range::whole(assumed.width(), assumed.signed());
         let state = builder.feedback_register(whole, fraction_bits, stage);
         let facts = |range: Range, kind| Facts { range: range.into(), fraction_bits, error, kind };
-        let select = Op::Select(first.id(), start.id(), state);
+        let select = Op::Select(first.id(), start.id(), builder.kept_for_a_pixel(state));
         let value = builder.emit(select, Register::None, facts(whole.hull(start.range()), "value"));
         let next_range = Facts { range: value.range().plus(step.range()), ..facts(whole, "next") };
         let next = builder.emit(Op::Add(value.id(), step.id()), Register::None, next_range);
         builder.state.borrow_mut().design.nodes[state.0 as usize].op = Op::Wrap(next.id());
         let value = value.assumed(low, high, fact);
         builder.emit(Op::Copy(value.id()), Register::Data, facts(value.range(), "accumulated"))
+    }
+
+    /// `start` and the `term` of every clock since `first` was 1, this one included.
+    ///
+    /// By `fact` that stays from `low` to `high` while the pixel lasts. With errors e of start and term it is off by e_start + n e_term after n
+    /// terms, so by e_start + `most` · e_term at most.
+    pub fn summed(first: &Sig, start: &Sig, term: &Sig, (low, high): (f64, f64), most: u32, fact: &str) -> Sig {
+        let fraction_bits = start.fraction_bits().max(term.fraction_bits());
+        let (start, term) = (start.with_fraction_bits(fraction_bits), term.with_fraction_bits(fraction_bits));
+        let builder = first.builder.clone();
+        let stage = [first, &start, &term].map(Sig::stage).into_iter().max().unwrap_or(0);
+        let (first, start, term) = (first.aligned(stage), start.aligned(stage), term.aligned(stage));
+        let error = start.error() + f64::from(most) * term.error();
+
+        let raw = |value: f64| value / start.ulp();
+        let stated = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64);
+        let whole = Range::whole(stated.width(), stated.signed());
+        let state = builder.feedback_register(whole, fraction_bits, stage);
+        let select = Op::Select(first.id(), start.id(), state);
+        let facts = |range: Range, kind| Facts { range: range.into(), fraction_bits, error, kind };
+        let before = builder.emit(select, Register::None, facts(whole.hull(start.range()), "before"));
+        let range = before.range().plus(term.range());
+        let sum = builder.emit(Op::Add(before.id(), term.id()), Register::None, Facts { range, ..facts(whole, "sum") });
+        builder.state.borrow_mut().design.nodes[state.0 as usize].op = Op::Wrap(sum.id());
+        let sum = sum.assumed(low, high, fact);
+        builder.emit(Op::Copy(sum.id()), Register::Data, facts(sum.range(), "summed"))
     }
 
     /// What starts here and grows by nothing: inputs are held while their span goes in, so no register need keep it.
@@ -43,7 +69,17 @@ impl Sig {
     }
 }
 
-impl super::Builder {
+impl Builder {
+    /// A feedback register's value of the pixel before, where pixels take several clocks.
+    pub(super) fn kept_for_a_pixel(&self, register: NodeId) -> NodeId {
+        let mut state = self.state.borrow_mut();
+        (1..state.design.interval).fold(register, |before, _| {
+            let node = state.design.node(before).clone();
+            let name = state.unique(node.scope, "state");
+            state.push(Node { op: Op::Copy(before), name, ..node })
+        })
+    }
+
     /// A register whose operand comes later. Until then it reads itself.
     pub(super) fn feedback_register(&self, range: Range, fraction_bits: u32, stage: u32) -> NodeId {
         let mut state = self.state.borrow_mut();

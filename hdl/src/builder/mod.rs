@@ -12,6 +12,7 @@ mod ports;
 mod recurrence;
 mod sig;
 mod state;
+mod turns;
 mod unit;
 mod vector;
 
@@ -26,6 +27,7 @@ use crate::target::Target;
 pub use ports::{Bundle, Inputs};
 pub use recurrence::Known;
 pub use sig::Sig;
+pub use turns::Turns;
 pub use vector::{Off, Vector};
 
 use state::State;
@@ -73,11 +75,11 @@ impl Builder {
 
     /// Opens the control inputs.
     pub fn control(&self) -> Control {
-        let bit = |name: &str| {
-            let id = self.state.borrow_mut().open_input(name, Range::new(0, 1), 0, 0.0);
-            self.sig(id)
-        };
-        Control { valid: bit("valid"), start: bit("start") }
+        let mut state = self.state.borrow_mut();
+        let [valid, start] = ["valid", "start"].map(|name| state.open_input(name, Range::new(0, 1), 0, 0.0));
+        (state.design.valid, state.design.start) = (valid, start);
+        drop(state);
+        Control { valid: self.sig(valid), start: self.sig(start) }
     }
 
     /// Opens a data input. Its host rounded it to nearest, so it is off by half a unit in the last place at most.
@@ -125,18 +127,17 @@ impl Builder {
         self.sig(id)
     }
 
-    /// Closes the design: `outputs` leave it together, and with them a bit that says whether a pixel leaves.
+    /// Closes the design: `outputs` leave it together, and with them a bit that says whether a pixel leaves: `valid` of the first stage, as
+    /// late as they are.
     ///
     /// # Errors
     /// [`TooWide`] names the first signal that needs more than 63 bits.
-    pub fn finish(self, valid: &Sig, start: &Sig, outputs: &[(&str, Sig)]) -> Result<Design, TooWide> {
+    pub fn finish(self, valid: &Sig, outputs: &[(&str, Sig)]) -> Result<Design, TooWide> {
         let mut state = self.state.borrow_mut();
         let constant = outputs.iter().any(|(_, sig)| state.is_constant(sig.id()).is_some());
         // Validity has a register of its own also where every output is a constant.
         let stages = outputs.iter().map(|(_, sig)| state.design.node(sig.id()).stage);
         let last = stages.max().unwrap_or(0).max(u32::from(constant));
-        state.design.valid = valid.id();
-        state.design.start = start.id();
         state.design.valid_out = state.validity_after(valid.id(), last);
         for (name, sig) in outputs {
             let id = state.output(sig.id(), last, name);

@@ -156,6 +156,20 @@ impl Sig {
         self.with_error(in_ulps)
     }
 
+    /// States that in cases which everything known so far leaves out, such as a choice that comes out otherwise than the real one, it is off by
+    /// `error` at most. The unit gives the proof.
+    pub fn or_off_by(self, error: f64) -> Sig {
+        if error == 0.0 {
+            return self;
+        }
+        let form = match self.error_form() {
+            ErrorForm::Proportional { ratio, rest } => ErrorForm::Proportional { ratio, rest: rest.max(error) },
+            ErrorForm::Bounded | ErrorForm::OfCosine { .. } => ErrorForm::Bounded,
+        };
+        let most = self.error_value().max(error);
+        self.stated_error_value(most).of_error_form(form)
+    }
+
     /// States that it is the cosine of an angle off by `angle`, and off by `rest` beside that; see [`ErrorForm::OfCosine`].
     pub fn known_cosine(self, angle: f64, rest: f64) -> Sig {
         if !(angle + rest).is_finite() {

@@ -37,7 +37,7 @@ impl Builder {
 
         let states = starts.each_ref().map(|_| self.feedback_register(whole, fraction_bits, stage));
         let values: [Sig; N] = std::array::from_fn(|k| {
-            let select = Op::Select(first.id(), starts[k].id(), states[k]);
+            let select = Op::Select(first.id(), starts[k].id(), self.kept_for_a_pixel(states[k]));
             let value = self.emit(select, Register::None, facts(whole.hull(starts[k].range()), "value"));
             value.assumed(known.limits.0, known.limits.1, known.fact)
         });

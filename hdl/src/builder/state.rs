@@ -46,6 +46,7 @@ impl State {
             inputs: vec![],
             valid: none,
             start: none,
+            interval: 1,
             valid_out: none,
             outputs: vec![],
             assumptions: vec![],
@@ -169,7 +170,7 @@ impl State {
         delayed
     }
 
-    /// `valid`, delayed to `stage` by registers that reset clears.
+    /// `valid`, which is of the first stage, delayed to `stage` by registers that reset clears.
     pub fn validity_after(&mut self, valid: NodeId, stage: u32) -> NodeId {
         let mut at = valid;
         for clock in 1..=stage {

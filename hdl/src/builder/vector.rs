@@ -156,6 +156,15 @@ impl Vector {
         self.map(|component| component * factor)
     }
 
+    /// `yes` where the bit is 1, else `no`; what has been stated of both is true of either.
+    pub fn choose(bit: &Sig, yes: &Vector, no: &Vector) -> Vector {
+        let [a, b] = [yes.off(), no.off()];
+        let off = Off { length: a.length.max(b.length), across: a.across.max(b.across), along: a.along.max(b.along) };
+        let component = |yes: &Sig, no: &Sig| bit.choose(yes, no);
+        let chosen = Vector::new([component(&yes.x, &no.x), component(&yes.y, &no.y), component(&yes.z, &no.z)]);
+        chosen.no_longer_than(yes.longest().max(no.longest())).proven_off(off)
+    }
+
     /// The cross product.
     pub fn cross(&self, other: &Vector) -> Vector {
         Vector::new([

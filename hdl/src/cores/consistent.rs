@@ -2,18 +2,18 @@
 use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
 use specula_scene::{CoreSpec, Format};
 
-use super::{eye, finish};
+use super::{eye, finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::{Design, ErrorForm};
 use crate::units::{self, Consistency, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection. [Reshetov, Soupikov and Mark]
 pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> Result<Design, TooWide> {
-    let control = b.control();
+    let turns = turns(&b, spec);
     let inputs = consistent.inputs(spec).map(|port| b.input(port));
     let (f, steps) = (&consistent.formats, spec.longest_span - 1);
     let span = SpanNormals {
-        first: &control.start,
+        first: &turns.first_pixel,
         start: &Vector::new(inputs.normal_start),
         delta: &Vector::new(inputs.normal_delta),
         weight_step: &inputs.weight_step,
@@ -36,7 +36,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
         vector_fraction_bits: f.vector.fraction_bits,
     };
     let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
-    let angles = SpanAngles { first: &control.start, start: &inputs.angle_start, step: &inputs.angle_step };
+    let angles = SpanAngles { first: &turns.first_pixel, start: &inputs.angle_start, step: &inputs.angle_step };
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
     let least_q = least_contraction(spec, consistent.curve);
     let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
@@ -44,8 +44,9 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
     let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
     let pixel = Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: r.as_ref() };
     let exponent = &inputs.exponent;
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, exponent)).collect();
-    finish(&b, &control, &inputs.ambient, &lights)
+    let lights: Vec<Light> =
+        pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light, exponent)).collect();
+    finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// q at the largest angle that a vertex has.

@@ -2,17 +2,17 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::direct::{DirectLight, DirectSpec};
 
-use super::finish;
+use super::{finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, Light, UnitNormal};
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to 4.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, TooWide> {
-    let control = b.control();
+    let turns = turns(&b, spec);
     let inputs = direct.inputs(spec).map(|port| b.input(port));
     let formats = &direct.formats;
-    let t = units::parameter(&b, &control.start, &inputs.weight_step, formats, spec.longest_span - 1);
+    let t = units::parameter(&b, &turns.first_pixel, &inputs.weight_step, formats, spec.longest_span - 1);
     let q = units::squared_length(&b, &t, &inputs.spread, formats);
     // Unit ends are no closer to each other's middle than those of which the longer alone is a unit vector.
     let smallest_q = spec.shortest_normal * spec.shortest_normal;
@@ -21,8 +21,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let normal = UnitNormal::new(&t, &inputs.spread, formats, spec.shortest_normal);
     let k = b.instance("n_dot_v", || units::direct_cosine(&b, &t, view, &s, formats, normal));
     let pixel = Pixel { b: &b, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, normal, exponent: &inputs.exponent };
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &control, &inputs.ambient, &lights)
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

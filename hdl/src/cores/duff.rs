@@ -2,18 +2,18 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::duff::{DuffLight, DuffSpec, Highlight};
 
-use super::finish;
 use super::forward::Forward;
+use super::{finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, Base, Length, Light, QuotientFormat};
 
 /// Diffuse p/√q by forward differences, and a highlight of the same q and root. [Hast et al., eq. 3 to 8, 17, 33 and 34]
 pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Design, TooWide> {
-    let control = b.control();
+    let turns = turns(&b, spec);
     let inputs = duff.inputs(spec).map(|port| b.input(port));
     let f = &duff.formats;
-    let forward = Forward { b: &b, first: &control.start, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
     let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits).named("q");
     let length = b.instance("root", || units::root(&b, &q, f.root, spec.shortest_normal * spec.shortest_normal));
     let view = inputs.view.as_ref().map(|view| forward.linear("view", view, f.operand.fraction_bits).named("n_dot_v"));
@@ -23,8 +23,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Desig
         .map(|view| b.instance("view_cosine", || units::cosine(&b, view, &length, f.cosine.fraction_bits)));
     let exponent = &inputs.exponent;
     let pixel = Pixel { forward, duff, length: &length, view: view.as_ref(), view_cosine: view_cosine.as_ref(), exponent };
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &control, &inputs.ambient, &lights)
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

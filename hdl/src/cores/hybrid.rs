@@ -2,21 +2,22 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
 
-use super::finish;
 use super::forward::Forward;
+use super::{finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, Light};
 
 /// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al., eq. 17 to 26]
 pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Design, TooWide> {
-    let control = b.control();
+    let turns = turns(&b, spec);
     let inputs = hybrid.inputs(spec).map(|port| b.input(port));
-    let forward = Forward { b: &b, first: &control.start, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
     let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), hybrid.formats.operand.fraction_bits).named("q");
     let pixel = Pixel { forward, spec, hybrid, exponent: &inputs.exponent };
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, &q)).collect();
-    finish(&b, &control, &inputs.ambient, &lights)
+    let lights: Vec<Light> =
+        pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light, &q)).collect();
+    finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

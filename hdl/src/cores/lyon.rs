@@ -2,19 +2,19 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
 
-use super::{eye, finish};
+use super::{eye, finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
-use crate::units::{self, Interpolation, Light, SpanNormals};
+use crate::units::{self, Interpolation, Light, SpanNormals, WrapFormats};
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR 43, fig. 6 to 8]
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
-    let control = b.control();
+    let turns = turns(&b, spec);
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
-    let (n, has_direction) = normal(&b, &control.start, &inputs, spec, lyon);
+    let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs, spec, lyon);
     let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &control, &inputs.ambient, &lights)
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// n at each pixel, and whether it has a direction.
@@ -47,7 +47,8 @@ fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, l
     match &inputs.wrap_axis {
         None => units::normalise(b, &along(1.0), lyon, spec.shortest_normal),
         Some(axis) => {
-            let n = units::wrapped(b, &along(2.0), &unit(axis), formats);
+            let to = WrapFormats { operand: formats.wrap_operand, ratio: formats.wrap_ratio, vector: formats.vector };
+            let n = units::wrapped(b, &along(2.0), &unit(axis), to);
             let has_direction = units::has_direction(b, &n);
             (n, has_direction)
         }

@@ -1,4 +1,5 @@
-//! Cores: units put together so that a span goes in and one pixel comes out per clock.
+//! Cores: units put together so that a span goes in and pixels come out, one in each clock or, where lights share a pipeline, in as many as there
+//! are lights.
 mod consistent;
 mod direct;
 mod duff;
@@ -12,9 +13,10 @@ mod slerp;
 
 use std::rc::Rc;
 
+use specula_scene::spec::EachInput;
 use specula_scene::{CoreSpec, MethodSpec};
 
-use crate::builder::{Builder, Control, TooWide, Vector};
+use crate::builder::{Builder, Sig, TooWide, Turns, Vector};
 use crate::design::Design;
 use crate::target::Generic;
 use crate::units::{self, Coefficients, Light};
@@ -57,8 +59,32 @@ fn eye(b: &Builder) -> Vector {
     Vector::new([0, 0, 1].map(|component| b.integer(component)))
 }
 
+/// Opens the control inputs; lights that share a pipeline take turns from there on.
+fn turns(b: &Builder, spec: &CoreSpec) -> Turns {
+    b.take_turns(&b.control(), spec.interval())
+}
+
+/// The inputs of each pipeline: those of each light, or of the light whose turn it is. Lights are alike: they have the same inputs.
+fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
+    if turns.count() == 1 {
+        return lights.iter().map(|light| light.each(Sig::clone)).collect();
+    }
+    let inputs = |light: &L| {
+        let mut inputs = Vec::new();
+        light.each(|input| {
+            inputs.push(input.clone());
+            input.clone()
+        });
+        inputs
+    };
+    let of_lights: Vec<Vec<Sig>> = lights.iter().map(inputs).collect();
+    let mut columns = (0..).map(|k| of_lights.iter().map(|inputs| inputs[k].clone()).collect::<Vec<Sig>>());
+    let selected = |first: &L| first.each(|input| columns.next().map_or_else(|| input.clone(), |column| turns.select(&column)));
+    lights.first().map(selected).into_iter().collect()
+}
+
 /// The codes of the lights' sum are the core's outputs.
-fn finish(b: &Builder, control: &Control, ambient: &Coefficients, lights: &[Light]) -> Result<Design, TooWide> {
-    let [red, green, blue] = units::channels(b, ambient, lights);
-    b.clone().finish(&control.valid, &control.start, &[("red", red), ("green", green), ("blue", blue)])
+fn finish(b: &Builder, turns: &Turns, ambient: &Coefficients, lights: &[Light]) -> Result<Design, TooWide> {
+    let [red, green, blue] = units::channels(b, turns, ambient, lights);
+    b.clone().finish(&turns.valid_at_last, &[("red", red), ("green", green), ("blue", blue)])
 }

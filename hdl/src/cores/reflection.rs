@@ -2,8 +2,8 @@
 use specula_scene::spec::reflection::{Highlight, ReflectionLight, ReflectionSpec};
 use specula_scene::spec::{CoreSpec, Quadratic};
 
-use super::finish;
 use super::forward::Forward;
+use super::{finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, Base, Light, QuotientFormat};
@@ -13,10 +13,10 @@ const SMALLEST_SQUARE: f64 = 0.25;
 
 /// Quotients of quadratics by forward differences, all by one reciprocal. [Hast et al., eq. 27 to 34]
 pub(super) fn core(b: Builder, spec: &CoreSpec, reflection: &ReflectionSpec) -> Result<Design, TooWide> {
-    let control = b.control();
+    let turns = turns(&b, spec);
     let inputs = reflection.inputs(spec).map(|port| b.input(port));
     let f = &reflection.formats;
-    let forward = Forward { b: &b, first: &control.start, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
     let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits).named("q");
     let to = QuotientFormat { integer_bits: 2, fraction_bits: f.reciprocal.fraction_bits };
     let reciprocal = b.instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to, SMALLEST_SQUARE)).named("w");
@@ -27,8 +27,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, reflection: &ReflectionSpec) -> 
     let normal_squared =
         |square| pixel.forward.quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits).named("normal_squared");
     pixel.normal_squared = inputs.normal_squared.as_ref().map(normal_squared);
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &control, &inputs.ambient, &lights)
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

@@ -2,7 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::slerp::{SlerpLight, SlerpSpec};
 
-use super::finish;
+use super::{finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, BaseBound, Light};
@@ -10,11 +10,11 @@ use crate::units::{self, BaseBound, Light};
 /// One rotation, and what it makes of N·V and of each light's N·L; specular base 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to
 /// 4.12]
 pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Design, TooWide> {
-    let control = b.control();
+    let turns = turns(&b, spec);
     let inputs = slerp.inputs(spec).map(|port| b.input(port));
     let steps = spec.longest_span - 1;
     let turn = [&inputs.turn_cosine, &inputs.turn_sine];
-    let [c, s] = units::rotation(&b, &control.start, turn, &slerp.formats, steps)
+    let [c, s] = units::rotation(&b, &turns.first_pixel, turn, &slerp.formats, steps)
         .map(|x| x.rounded(slerp.formats.weight.fraction_bits).named("weight"));
     let weights = [&c, &s];
     let view = [&inputs.view_start, &inputs.view_across];
@@ -22,8 +22,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
     let n_dot_v = units::corrected(&b, &n_dot_v, weights, &slerp.formats, steps);
     let bound = BaseBound::new(&slerp.formats, steps);
     let pixel = Pixel { b: &b, spec, slerp, weights, n_dot_v: &n_dot_v, exponent: &inputs.exponent, bound };
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &control, &inputs.ambient, &lights)
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

@@ -149,6 +149,8 @@ pub struct Design {
     pub valid: NodeId,
     /// The bit that says the pixel is the first of its span.
     pub start: NodeId,
+    /// Clocks from one pixel to the next.
+    pub interval: u32,
     /// The bit that says a pixel leaves.
     pub valid_out: NodeId,
     /// The pixel that leaves.
@@ -180,8 +182,13 @@ impl Design {
         self.iter().filter(|(_, node)| node.op.constant().is_none()).map(|(id, _)| id).collect()
     }
 
-    /// Clocks from a pixel's entry to its exit.
+    /// Clocks from a pixel's entry to its exit; from the first of its clocks, if it has several.
     pub fn latency(&self) -> u32 {
+        self.depth() + self.interval - 1
+    }
+
+    /// Clocks from what enters to what of it leaves: the stage of the outputs.
+    pub fn depth(&self) -> u32 {
         self.node(self.valid_out).stage
     }
 

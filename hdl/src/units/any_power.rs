@@ -12,8 +12,13 @@ use crate::builder::{Builder, Sig};
 /// # Error
 /// See [`PowerError`]; less than 1 in any case.
 pub fn any_power(b: &Builder, base: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
+    any_power_up_to(b, base, n, n.range().high, fraction_bits)
+}
+
+/// As [`any_power`], with tables for exponents up to `largest`, whatever n is known to be.
+pub fn any_power_up_to(b: &Builder, base: &Sig, n: &Sig, largest: i64, fraction_bits: u32) -> Sig {
     b.unit("any_power", "f = b^n = 2^(n log2 b)", (("base", base), ("n", n)), |b, (base, n)| {
-        let exponent_bits = u64::BITS - n.range().high.unsigned_abs().leading_zeros();
+        let exponent_bits = u64::BITS - largest.unsigned_abs().leading_zeros();
         let error = PowerError::of(&base, n.range().magnitude()).and(power_of_two(-i64::from(fraction_bits)));
         let (zero, one) = (b.integer(0), b.integer(1));
         let positive = zero.less_than(&base).named("positive");

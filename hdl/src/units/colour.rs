@@ -1,7 +1,7 @@
 //! From intensities to a pixel.
 use specula_scene::spec::FULL_SCALE;
 
-use crate::builder::{Builder, Sig};
+use crate::builder::{Builder, Sig, Turns};
 use crate::design::ErrorForm;
 
 /// A colour coefficient for each channel, in LSBs of the output.
@@ -19,9 +19,9 @@ pub struct Light {
     pub specular_coefficients: Coefficients,
 }
 
-/// The 8-bit codes of red, green and blue. [METHODS A3]
-pub fn channels(b: &Builder, ambient: &Coefficients, lights: &[Light]) -> [Sig; 3] {
-    let code = |c: usize| b.instance(&format!("{}_channel", NAMES[c]), || channel(b, &ambient[c], lights, c));
+/// The 8-bit codes of red, green and blue of the lights in every turn of a pixel, right in the last. [METHODS A3]
+pub fn channels(b: &Builder, turns: &Turns, ambient: &Coefficients, lights: &[Light]) -> [Sig; 3] {
+    let code = |c: usize| b.instance(&format!("{}_channel", NAMES[c]), || channel(b, turns, &ambient[c], lights, c));
     let red = code(0);
     let green = if alike(ambient, lights, [0, 1]) { shared(b, &red, [0, 1]) } else { code(1) };
     let blue = match [(0, &red), (1, &green)].into_iter().find(|(c, _)| alike(ambient, lights, [*c, 2])) {
@@ -51,36 +51,47 @@ fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
 /// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the smaller sum, and of each product k f the
 /// smaller one in it, adds up to less than 255; so with intensities off by ρ f + r and coefficients by e, the sum is off by 255 times the
 /// largest ρ, and by Σ (k r + f e) with the largest k and f.
-fn channel(b: &Builder, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
+fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()];
     let intensities = |light: &Light| [light.diffuse.clone(), light.specular.clone()];
     let coefficients: Vec<Sig> = lights.iter().flat_map(coefficients).collect();
     let intensities: Vec<Sig> = lights.iter().flat_map(intensities).collect();
-    let inputs = (("ambient", ambient), ("coefficient", &coefficients), ("intensity", &intensities));
+    let inputs = (("ambient", ambient), ("coefficient", &coefficients), ("intensity", &intensities), ("begins", &turns.begins));
     let formula = "c = min(ambient + sum of coefficient x intensity, 255) [METHODS A3]";
-    b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities)| {
-        let below_full_scale = below_full_scale(&ambient, &coefficients, &intensities);
-        let sum =
-            coefficients.iter().zip(&intensities).fold(ambient, |sum, (coefficient, intensity)| sum + coefficient * intensity);
+    b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities, begins)| {
+        let below_full_scale = below_full_scale(&ambient, &coefficients, &intensities, turns.count());
+        let terms = coefficients.iter().zip(&intensities).map(|(coefficient, intensity)| coefficient * intensity);
+        let sum = match turns.count() {
+            1 => terms.fold(ambient, |sum, term| sum + term),
+            count => sum_of_turns(&begins, &ambient, terms, count),
+        };
         sum.rounded(0).clamped_above(255).proven_error_value(below_full_scale + 0.5).named("code")
     })
 }
 
-/// What the sum is off by where it is below full scale.
-fn below_full_scale(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig]) -> f64 {
+/// The ambient light and the terms of a pixel's turns up to this one; nothing is negative.
+fn sum_of_turns(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, count: u32) -> Sig {
+    let term = terms.reduce(|sum, term| sum + term).unwrap_or_else(|| ambient.clone());
+    let largest = |sig: &Sig| sig.range().high.max(0) as f64 * sig.ulp();
+    let most = largest(ambient) + f64::from(count) * largest(&term);
+    Sig::summed(begins, ambient, &term, (0.0, most), count, "no pixel has more turns than there are lights")
+}
+
+/// What the sum over a pixel's turns is off by where it is below full scale.
+fn below_full_scale(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], turns: u32) -> f64 {
     if coefficients.iter().chain(intensities).chain([ambient]).any(|sig| sig.range().low < 0) {
         return f64::INFINITY;
     }
     let largest = |sig: &Sig| sig.range().magnitude() * sig.ulp();
-    let (mut ratio, mut rest) = (0.0_f64, ambient.error_value());
+    let (mut ratio, mut of_a_turn) = (0.0_f64, 0.0);
     for (coefficient, intensity) in coefficients.iter().zip(intensities) {
         let (of_value, beside) = match intensity.error_form() {
             ErrorForm::Proportional { ratio, rest } => (ratio, rest),
             _ => (0.0, intensity.error_value()),
         };
         ratio = ratio.max(of_value);
-        rest += (largest(coefficient) + coefficient.error_value()) * beside.min(intensity.error_value())
+        of_a_turn += (largest(coefficient) + coefficient.error_value()) * beside.min(intensity.error_value())
             + (largest(intensity) + intensity.error_value()) * coefficient.error_value();
     }
-    FULL_SCALE * ratio + rest
+    FULL_SCALE * ratio + ambient.error_value() + f64::from(turns) * of_a_turn
 }

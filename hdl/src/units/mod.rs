@@ -28,7 +28,7 @@ mod turned;
 mod unit_vectors;
 mod wrapped;
 
-pub use any_power::any_power;
+pub use any_power::{any_power, any_power_up_to};
 pub use colour::{Coefficients, Light, channels};
 pub use consistent_reflection::{Consistency, consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
@@ -53,7 +53,7 @@ pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
 pub use unit_vectors::{
     cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine, trowbridge_reitz,
 };
-pub use wrapped::wrapped;
+pub use wrapped::{ToPlace, WrapFormats, WrappedPlace, wrapped, wrapped_place};
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.

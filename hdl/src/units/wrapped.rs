@@ -1,10 +1,22 @@
-//! Normals of unit length without a root.
-use specula_scene::spec::lyon::LyonFormats;
+//! Vectors of unit length without a root.
+use specula_scene::Format;
 
-use super::divider;
-use crate::builder::{Builder, Vector};
+use super::{divider, has_direction};
+use crate::builder::{Builder, Sig, Vector};
 
-/// n = 2v H - w with v = H·w / H·H: the unit vector w, wrapped around H = N' + w. [Hast, Barrera and Bengtsson, eq. 27; METHODS C4]
+/// Where a wrap rounds.
+#[derive(Clone, Copy, Debug)]
+pub struct WrapFormats {
+    /// H·w and H·H.
+    pub operand: Format,
+    /// v.
+    pub ratio: Format,
+    /// Components of the vector.
+    pub vector: Format,
+}
+
+/// n = 2v H - w with v = H·w / H·H: the unit vector w, wrapped around H = N' + w. [Hast, Barrera and Bengtsson, eq. 27, 36 and 38; METHODS C4,
+/// C16, C18]
 ///
 /// It is -w reflected about H, so as long as w whatever H is. With N' within 90 degrees of w and the unit ball, |H|² = 1 + |N'|² + 2N'·w is
 /// 1 at least and 0 ≤ v ≤ 1.
@@ -15,22 +27,95 @@ use crate::builder::{Builder, Vector};
 ///
 /// The wrap itself is an isometry in w, and in H twice the projection on its direction û. Projections on û and û' differ by no more than
 /// |û - û'| ≤ |H - H'|/√(|H||H'|), so H off by e moves n by 2|w| e/(1 - e), and w off by e moves n by e.
-pub fn wrapped(b: &Builder, h: &Vector, w: &Vector, formats: &LyonFormats) -> Vector {
+pub fn wrapped(b: &Builder, h: &Vector, w: &Vector, formats: WrapFormats) -> Vector {
     b.unit("wrapped", "n = 2v H - w, v = H.w / H.H [Hast et al., eq. 27]", (("h", h), ("w", w)), |b, (h, w)| {
-        let operand_bits = formats.wrap_operand.fraction_bits;
-        let lengths = (h.longest(), w.longest());
-        let p = h.dot_within(&w, lengths, "|H.w| <= |H||w|").rounded(operand_bits).named("p");
-        let q = h.length_squared_within(lengths.0, "|H| <= 2").rounded(operand_bits).named("q");
-        let shortest_squared = 1.0;
-        let v = divider(b, &p, &q, formats.wrap_ratio.fraction_bits, shortest_squared).named("v");
-        let longest = lengths.1 + 2.0 * formats.vector.ulp() + 4.0 * formats.wrap_operand.ulp() + 4.0 * formats.wrap_ratio.ulp();
-        let e_h = h.off().length;
-        let shortest = 1.0 - e_h;
-        let of_rounding = 2.0 * formats.wrap_operand.ulp() / shortest + 2.1 * formats.wrap_ratio.ulp();
-        let error = 2.0 * lengths.1 * e_h / shortest + w.off().length + of_rounding;
-        let n = h.scaled(&v.doubled()) - &w;
-        // Where rounding is as coarse as H is long, what is propagated is all that is known.
-        let n = if shortest > 0.0 { n.proven_off_by(error) } else { n };
-        n.assumed_within(longest, "|2v H - w| = |w|").rounded(formats.vector.fraction_bits).named("n")
+        let (p, q) = operands(&h, &w, formats);
+        let v = divider(b, &p, &q, formats.ratio.fraction_bits, SHORTEST_SQUARED).named("v");
+        around(&h, &w, &v, formats)
     })
+}
+
+/// The direction to a place, wrapped.
+pub struct WrappedPlace {
+    /// L'.
+    pub direction: Vector,
+    /// w·L', kept within 0 to 1.
+    pub cosine: Sig,
+    /// Whether there is light from there. If not, nothing else here means anything.
+    pub exists: Sig,
+    /// How strong a spot may be at most where rounding decides whether it is seen; 0 if it is none.
+    pub most_at_edge: f64,
+}
+
+/// Where a wrapped direction is used.
+#[derive(Clone, Copy, Debug)]
+pub struct ToPlace {
+    /// Where it rounds.
+    pub formats: WrapFormats,
+    /// Fraction bits of w·L'.
+    pub cosine_bits: u32,
+    /// X = H - w is no shorter.
+    pub shortest: f64,
+}
+
+/// L' = 2v H - w as [`wrapped`], and w·L' = 2 v p - 1 with p = H·w and v = p / H·H. Where the bit `spot` is 1, w is S, the way back along the
+/// axis of a spot, and X = H - S at any angle to it. [Hast, Barrera and Bengtsson, eq. 36 to 38; METHODS C16 to C18]
+///
+/// Where p ≤ 1, X·S ≤ 0: a spot gives no light there, and v is 0 so that L' is as long as S. Everywhere else |H| is 1 at least.
+///
+/// # Error
+/// As that of [`wrapped`], where rounding has not moved p across 1. Where it has, by e_p at most, X·S is within e_p of 0; with X no shorter than
+/// s then H·H ≥ 1 + s² - 2 e_p, but for e_q, and S·L' ≤ 2 (1 + e_p)² / (1 + s² - 2 e_p - e_q) - 1 on both sides.
+pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlace) -> WrappedPlace {
+    let formula = "L' = 2v H - w, w.L' = 2v H.w - 1, v = H.w / H.H [Hast et al., eq. 36-38]";
+    let is_spot = spot.range().high > 0;
+    let mut most_at_edge = 0.0;
+    let (direction, (cosine, exists)) =
+        b.unit("wrapped_place", formula, (("h", h), ("w", w), ("spot", spot)), |b, (h, w, spot)| {
+            let (p, q) = operands(&h, &w, to.formats);
+            if is_spot {
+                most_at_edge = strength_at_edge(&p, &q, to.shortest) + 2.0 * to.formats.ratio.ulp();
+            }
+            let lit = b.integer(1).less_than(&p).named("lit");
+            let (zero, dark) = (b.integer(0), spot.choose(&lit.not(), &b.integer(0)).named("dark"));
+            let p = dark.choose(&zero, &p).named("p_if_lit");
+            let v = divider(b, &p, &q, to.formats.ratio.fraction_bits, SHORTEST_SQUARED).named("v");
+            let cosine = ((&v * &p).doubled() - b.integer(1)).rounded(to.cosine_bits);
+            let direction = around(&h, &w, &v, to.formats);
+            let exists = spot.choose(&lit, &has_direction(b, &direction)).named("exists");
+            (direction, (cosine.at_least_zero().clamped_above(1).named("cosine"), exists))
+        });
+    WrappedPlace { direction, cosine, exists, most_at_edge }
+}
+
+/// |H|² at least, wherever the wrap serves.
+const SHORTEST_SQUARED: f64 = 1.0;
+
+/// p = H·w and q = H·H.
+fn operands(h: &Vector, w: &Vector, formats: WrapFormats) -> (Sig, Sig) {
+    let bits = formats.operand.fraction_bits;
+    let lengths = (h.longest(), w.longest());
+    let p = h.dot_within(w, lengths, "|H.w| <= |H||w|").rounded(bits).named("p");
+    let q = h.length_squared_within(lengths.0, "|H| <= 2").rounded(bits).named("q");
+    (p, q)
+}
+
+/// 2v H - w.
+fn around(h: &Vector, w: &Vector, v: &Sig, formats: WrapFormats) -> Vector {
+    let longest = w.longest() + 2.0 * formats.vector.ulp() + 4.0 * formats.operand.ulp() + 4.0 * formats.ratio.ulp();
+    let e_h = h.off().length;
+    let shortest = 1.0 - e_h;
+    let of_rounding = 2.0 * formats.operand.ulp() / shortest + 2.1 * formats.ratio.ulp();
+    let error = 2.0 * w.longest() * e_h / shortest + w.off().length + of_rounding;
+    let n = h.scaled(&v.doubled()) - w;
+    // Where rounding is as coarse as H is long, what is propagated is all that is known.
+    let n = if shortest > 0.0 { n.proven_off_by(error) } else { n };
+    n.assumed_within(longest, "|2v H - w| = |w|").rounded(formats.vector.fraction_bits).named("n")
+}
+
+/// S·L' where p may lie on either side of 1, at most.
+fn strength_at_edge(p: &Sig, q: &Sig, shortest: f64) -> f64 {
+    let (e_p, e_q) = (p.error_value(), q.error_value());
+    let least_q = 1.0 + shortest * shortest - 2.0 * e_p - e_q;
+    if least_q > 0.0 { (2.0 * (1.0 + e_p).powi(2) / least_q - 1.0).min(1.0) } else { 1.0 }
 }

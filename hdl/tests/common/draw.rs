@@ -59,12 +59,11 @@ impl Draw {
 const TRIANGLES: usize = 6;
 
 /// A frame of a few triangles and a span of each, one to a row; the first span is the longest.
-pub fn frame(draw: &mut Draw, method: Method, longest: u32) -> Frame {
+pub fn frame(draw: &mut Draw, longest: u32) -> Frame {
     let lengths: Vec<u32> = (0..TRIANGLES).map(|i| if i == 0 { longest } else { draw.between(1, longest) }).collect();
     let lights = draw.between(1, 4);
-    let places = matches!(method, Method::Phong | Method::Gouraud);
-    let local = if places { draw.between(0, lights) } else { 0 };
-    let viewer = if places { draw.between(0, 1) } else { 0 };
+    let local = draw.between(0, lights);
+    let viewer = draw.between(0, 1);
     let even = draw.one_of(&[true, false]);
     let triangles: Vec<Triangle> = (0..TRIANGLES).map(|material| triangle(draw, material)).collect();
     Frame {

@@ -27,7 +27,7 @@ fn design(lights: usize, integer_bits: u32) -> Design {
         specular_coefficients: grey(&format!("ks_{i}")),
     };
     let lights: Vec<Light> = (0..lights).map(light).collect();
-    let [red, green, blue]: [Sig; 3] = units::channels(&bench.b, &ambient, &lights);
+    let [red, green, blue]: [Sig; 3] = units::channels(&bench.b, &bench.turns, &ambient, &lights);
     bench.finish(&[("red", red), ("green", green), ("blue", blue)])
 }
 

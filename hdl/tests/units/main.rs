@@ -17,12 +17,13 @@ mod reciprocal_square_root;
 mod rotation;
 mod shape;
 mod square_root;
+mod turns;
 
 use std::rc::Rc;
 
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use specula_hdl::Design;
-use specula_hdl::builder::{Builder, Sig};
+use specula_hdl::builder::{Builder, Sig, Turns};
 use specula_hdl::target::Generic;
 use specula_scene::contributions::Contributions;
 use specula_scene::needs::Ranges;
@@ -34,7 +35,7 @@ use common::{Drive, run};
 /// The ports, signals and outputs of a unit under test.
 struct Bench {
     b: Builder,
-    valid: Sig,
+    turns: Turns,
     start: Sig,
 }
 
@@ -42,7 +43,8 @@ impl Bench {
     fn new() -> Bench {
         let b = Builder::new("bench", "", Rc::new(Generic));
         let control = b.control();
-        Bench { b, valid: control.valid, start: control.start }
+        let turns = b.take_turns(&control, 1);
+        Bench { b, turns, start: control.start }
     }
 
     fn input(&self, name: &str, format: Format, (low, high): (i64, i64)) -> Sig {
@@ -50,7 +52,7 @@ impl Bench {
     }
 
     fn finish(self, outputs: &[(&str, Sig)]) -> Design {
-        self.b.finish(&self.valid, &self.start, outputs).expect("no unit is too wide here")
+        self.b.finish(&self.turns.valid_at_last, outputs).expect("no unit is too wide here")
     }
 }
 
@@ -82,6 +84,7 @@ fn lyon(fraction_bits: u32) -> LyonSpec {
         widest_angle: 0.0,
         shortest_normal: 1.0,
         shortest_way: 1.0,
+        shortest_unit_way: 1.0,
         least_cone_cosine: 0.9,
         least_view_cosine: 0.0,
         smallest_shininess: 1,

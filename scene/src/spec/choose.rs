@@ -4,8 +4,8 @@ use serde::de::DeserializeOwned;
 
 use super::narrowing::LARGEST_ROOT_REACH;
 use super::{
-    COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS, Method,
-    NarrowingPoint, SpecError, Specialisation,
+    COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN, LightPipelines, MOST_LIGHTS,
+    Method, NarrowingPoint, SpecError, Specialisation,
 };
 use crate::format::Format;
 use crate::needs::Needs;
@@ -28,11 +28,13 @@ impl CoreSpec {
             lights: needs.lights,
             local_lights: needs.local_lights.clone(),
             local_eye: needs.local_eye,
+            light_pipelines: table.light_pipelines.unwrap_or_default(),
             longest_span: needs.longest_span.next_power_of_two(),
             largest_shininess: needs.largest_shininess,
             coefficient: coefficient_format(needs.brightest_coefficient),
             shortest_normal: needs.shortest_normal,
             shortest_way: needs.shortest_way,
+            shortest_unit_way: needs.shortest_unit_way,
             least_cone_cosine: needs.least_cone_cosine,
             least_view_cosine: needs.least_view_cosine,
             method: method.spec(needs, &table.of(method))?,
@@ -44,13 +46,7 @@ impl CoreSpec {
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        let method = self.method.describe();
-        let local =
-            if !needs.local_lights.is_empty() { Some("a light at a place") } else { needs.local_eye.then_some("a local viewer") };
-        match local {
-            Some(what) if !method.shades_from_places() => Err(SpecError::Local { method: self.method().name(), what }),
-            _ => method.check_serves(needs),
-        }
+        self.method.describe().check_serves(needs)
     }
 
     /// Whether formats and numbers are such that a core can be built.
@@ -94,6 +90,9 @@ impl CoreSpec {
             ("colour coefficients", format!("{}, in LSBs of the 8-bit output", self.coefficient)),
             ("shortest interpolated normal", format!("{:.3} of the longer one at the ends of its span", self.shortest_normal)),
         ];
+        if self.light_pipelines == LightPipelines::Shared {
+            options.push(("light pipelines", format!("one, in which the lights take turns: {} clocks a pixel", self.interval())));
+        }
         options.extend(self.method.describe().options());
         options.push(("made for", self.specialisation.in_words()));
         options

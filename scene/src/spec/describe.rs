@@ -1,8 +1,22 @@
 //! What every method's spec says of itself.
+use serde::Serialize;
+
 use super::set_up::SetUpSpan;
 use super::{CoreSpec, InputPort, NarrowingPoint, SpecError};
 use crate::frame::Frame;
 use crate::needs::Needs;
+
+/// Where directions to lights and the eye at places are worked out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Viewpoint {
+    /// At every pixel.
+    Pixel,
+    /// At the vertices.
+    Vertex,
+    /// In the middle of each span, by the host: along the span they are the same.
+    Span,
+}
 
 /// A method's options and formats.
 pub trait Describe {
@@ -33,9 +47,9 @@ pub trait Describe {
         Ok(())
     }
 
-    /// Whether lights and the eye may be at places.
-    fn shades_from_places(&self) -> bool {
-        false
+    /// Where lights and the eye at places are seen from.
+    fn places_seen_from(&self) -> Viewpoint {
+        Viewpoint::Span
     }
 
     /// The set-up of a frame's spans for a core with this method.

@@ -31,18 +31,6 @@ pub enum SpecError {
         /// The next larger power of two.
         above: u32,
     },
-    /// Directions are one vector for the whole frame.
-    #[error("the method `{method}` takes lights and eye at infinity, and the scene has {what}")]
-    #[diagnostic(
-        code(specula::spec::local),
-        help("use `--method phong` or `--method gouraud`, or make the lights \"directional\" and the viewer \"infinite\"")
-    )]
-    Local {
-        /// The method.
-        method: &'static str,
-        /// What is at a place.
-        what: &'static str,
-    },
     /// A number is outside what cores can be built for.
     #[error("`{name}` is {value}, outside {low} to {high}")]
     #[diagnostic(code(specula::spec::range), help("give a value from {low} to {high}"))]
@@ -93,11 +81,4 @@ pub enum SpecError {
         /// What is wrong.
         message: String,
     },
-}
-
-impl SpecError {
-    /// Whether the fault lies in what a `[core]` table says, rather than in the scene.
-    pub(crate) fn is_about_options(&self) -> bool {
-        !matches!(self, SpecError::Local { .. })
-    }
 }

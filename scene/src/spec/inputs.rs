@@ -1,5 +1,14 @@
 //! A core's inputs by name, for whatever belongs to each of them: its port, its signal, its raw value.
 
+/// Inputs that go together: a struct that [`inputs`] defines.
+pub trait EachInput {
+    /// What belongs to each of them.
+    type Value;
+
+    /// Applies `f` to every input, in port order.
+    fn each(&self, f: impl FnMut(&Self::Value) -> Self::Value) -> Self;
+}
+
 /// Defines a struct of a core's inputs, in port order, with `map` over all of them.
 ///
 /// A field is `one` input, a `vector` of three, a `group(Type)` of inputs that is such a struct itself, any of these `_if_any`, or
@@ -30,6 +39,14 @@ macro_rules! inputs {
                 let mut all = Vec::new();
                 self.map(|x| all.push(x.clone()));
                 all
+            }
+        }
+
+        impl<T> $crate::spec::EachInput for $name<T> {
+            type Value = T;
+
+            fn each(&self, f: impl FnMut(&T) -> T) -> Self {
+                self.map(f)
             }
         }
     };

@@ -14,6 +14,7 @@ mod error;
 pub mod gouraud;
 pub mod hybrid;
 mod inputs;
+mod light_pipelines;
 mod linear;
 pub mod lyon;
 mod method;
@@ -27,6 +28,7 @@ pub mod reflection;
 mod set_up;
 pub mod slerp;
 mod specialise;
+mod wrap;
 
 use serde::Serialize;
 
@@ -35,11 +37,14 @@ use crate::needs::LocalKind;
 
 pub use consistent::{ConsistentInputs, ConsistentSpec};
 use describe::Describe;
+pub use describe::Viewpoint;
 pub use direct::{DirectInputs, DirectSpec};
 pub use duff::{DuffInputs, DuffSpec};
 pub use error::SpecError;
 pub use gouraud::{GouraudInputs, GouraudSpec};
 pub use hybrid::{HybridInputs, HybridSpec};
+pub use inputs::EachInput;
+pub use light_pipelines::LightPipelines;
 pub use linear::Linear;
 pub use lyon::{LyonInputs, LyonSpec};
 pub use method::{Choice, Method, MethodSpec};
@@ -53,19 +58,20 @@ pub use reflection::{ReflectionInputs, ReflectionSpec};
 pub use set_up::{SetUp, SpanPacket};
 pub use slerp::{SlerpInputs, SlerpSpec};
 pub use specialise::{Given, Specialisation};
+pub use wrap::Wrap;
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.
 pub const COEFFICIENT_FRACTION_BITS: u32 = 6;
 /// Full scale of the output, in LSBs.
 pub const FULL_SCALE: f64 = 255.0;
-/// The most lights a core takes; each has a pipeline of its own.
+/// The most lights a core takes.
 pub const MOST_LIGHTS: usize = 4;
 /// The largest exponent n (EXTREMES row 24).
 pub const LARGEST_SHININESS: u32 = 8191;
 /// The longest span, in pixels (EXTREMES row 38).
 pub const LONGEST_SPAN: u32 = 8192;
 
-/// A core: a span goes in, one pixel comes out per clock.
+/// A core: a span goes in, and with every [`CoreSpec::interval`] clocks a pixel comes out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CoreSpec {
     /// Number of lights, 1 to [`MOST_LIGHTS`].
@@ -74,6 +80,8 @@ pub struct CoreSpec {
     pub local_lights: Vec<LocalKind>,
     /// Whether the eye that sees highlights is at a place.
     pub local_eye: bool,
+    /// Whether lights share a pipeline.
+    pub light_pipelines: LightPipelines,
     /// Longest span the core can take, in pixels.
     pub longest_span: u32,
     /// Largest exponent n the core can take.
@@ -85,6 +93,8 @@ pub struct CoreSpec {
     /// Length of the shortest vector to a light or an eye at a place, relative to the longer one at the ends of its span. Error bounds
     /// rest on it; widths do not.
     pub shortest_way: f64,
+    /// The same of vectors that have length 1 at both ends of their span. Error bounds rest on it; widths do not.
+    pub shortest_unit_way: f64,
     /// Smallest cosine between a vertex normal and a face around the vertex. Error bounds rest on it; widths do not.
     pub least_cone_cosine: f64,
     /// Smallest cosine between an interpolated normal and the direction to the eye. Error bounds rest on it; widths do not.
@@ -100,6 +110,28 @@ impl CoreSpec {
     /// Which method this is.
     pub fn method(&self) -> Method {
         self.method.method()
+    }
+
+    /// Largest exponent of a spot; 1 without any.
+    pub fn largest_spot_exponent(&self) -> u32 {
+        let exponent = |kind: &LocalKind| match kind {
+            LocalKind::Point => 1,
+            LocalKind::Spot { exponent } => *exponent,
+        };
+        self.local_lights.iter().map(exponent).max().unwrap_or(1)
+    }
+
+    /// The initiation interval: clocks from one pixel to the next.
+    pub fn interval(&self) -> u32 {
+        match self.light_pipelines {
+            LightPipelines::Each => 1,
+            LightPipelines::Shared => self.lights as u32,
+        }
+    }
+
+    /// Where lights and the eye at places are seen from.
+    pub fn places_seen_from(&self) -> Viewpoint {
+        self.method.describe().places_seen_from()
     }
 
     /// The data inputs of the core in the order in which packets hold them; `valid` and `start` come beside them.

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, MapAccess, Visitor};
 
-use super::{Method, SpecError};
+use super::{LightPipelines, Method, SpecError};
 
 /// The `[core]` table of a scene file: a method's name, and a table of options for any of the methods.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -14,6 +14,8 @@ pub struct CoreOptions {
     pub method: Option<String>,
     /// Whether the core is for the scene alone or for any, if that is said.
     pub specialise: Option<Specialise>,
+    /// Whether lights share a pipeline, if that is said.
+    pub light_pipelines: Option<LightPipelines>,
     /// Options that differ from the defaults.
     tables: Vec<(Method, toml::Table)>,
 }
@@ -60,6 +62,7 @@ impl Specialise {
 enum Key {
     Method,
     Specialise,
+    LightPipelines,
     Table(Method),
 }
 
@@ -67,12 +70,13 @@ impl<'de> Deserialize<'de> for Key {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Key, D::Error> {
         let name = String::deserialize(deserializer)?;
         let unknown = |_| {
-            let known = format!("expected `method`, `specialise` or a method's name ({})", Method::names());
+            let known = format!("expected `method`, `specialise`, `light_pipelines` or a method's name ({})", Method::names());
             de::Error::custom(format!("unknown field `{name}`, {known}"))
         };
         match name.as_str() {
             "method" => Ok(Key::Method),
             "specialise" => Ok(Key::Specialise),
+            "light_pipelines" => Ok(Key::LightPipelines),
             _ => Method::from_name(&name).map(Key::Table).map_err(unknown),
         }
     }
@@ -99,6 +103,7 @@ impl<'de> Visitor<'de> for Keys {
             match key {
                 Key::Method => options.method = Some(map.next_value()?),
                 Key::Specialise => options.specialise = Some(map.next_value()?),
+                Key::LightPipelines => options.light_pipelines = Some(map.next_value()?),
                 Key::Table(method) => options.tables.push((method, map.next_value()?)),
             }
         }

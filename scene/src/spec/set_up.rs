@@ -1,6 +1,7 @@
 //! Set-up of one span: what the host works out in f64 and quantises into the core's formats.
-use super::{CoreSpec, FULL_SCALE};
+use super::{CoreSpec, FULL_SCALE, Viewpoint};
 use crate::frame::{Colour, Frame, Material, Span};
+use crate::parallel::ParallelSpan;
 
 /// What a core is given of one span.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,6 +14,7 @@ pub struct SpanPacket {
 
 /// Sets up spans of one frame for a core; what does not change from span to span is worked out once.
 pub struct SetUp<'a> {
+    core: &'a CoreSpec,
     frame: &'a Frame,
     /// Smallest and largest raw value of each input.
     ranges: Vec<(i64, i64)>,
@@ -47,6 +49,7 @@ impl<'a> SetUp<'a> {
     /// The set-up of spans of `frame` for `core`.
     pub fn new(core: &'a CoreSpec, frame: &'a Frame) -> SetUp<'a> {
         SetUp {
+            core,
             frame,
             ranges: core.inputs().iter().map(|port| port.range).collect(),
             materials: frame.materials.iter().map(|material| MaterialInputs::new(core, frame, material)).collect(),
@@ -56,13 +59,27 @@ impl<'a> SetUp<'a> {
 
     /// Sets up a span. Every value is within its port's range.
     pub fn packet(&self, span: &Span) -> SpanPacket {
-        let material = &self.materials[self.frame.triangles[span.triangle].material];
-        let mut inputs = self.method.inputs(span, material);
+        let mut inputs = self.inputs(span);
         // In exact arithmetic nothing is out of range; f64 may be by some units of its own last place, as N·N of a unit vector is.
         for (value, &(low, high)) in inputs.iter_mut().zip(&self.ranges) {
             *value = (*value).clamp(low, high);
         }
         SpanPacket { length: span.length, inputs }
+    }
+
+    fn inputs(&self, span: &Span) -> Vec<i64> {
+        if self.core.places_seen_from() == Viewpoint::Span && !self.frame.directions_are_constant() {
+            return self.inputs_from_the_middle(span);
+        }
+        let material = &self.materials[self.frame.triangles[span.triangle].material];
+        self.method.inputs(span, material)
+    }
+
+    /// As the span's middle sees lights and eye.
+    fn inputs_from_the_middle(&self, span: &Span) -> Vec<i64> {
+        let parallel = ParallelSpan::new(self.frame, span);
+        let material = MaterialInputs::new(self.core, &parallel.frame, &parallel.frame.materials[0]);
+        self.core.method.describe().set_up(&parallel.frame).inputs(parallel.span(), &material)
     }
 }
 

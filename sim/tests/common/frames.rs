@@ -2,7 +2,9 @@
 use glam::DVec3;
 use specula_hdl::{Design, SpanPacket};
 use specula_scene::spec::lyon::LyonSpec;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle, VertexCone};
+use specula_scene::{
+    CoreSpec, DirectionalLight, Frame, LocalLight, Material, Method, MethodSpec, Needs, Span, Spot, Triangle, VertexCone,
+};
 
 use super::random::Random;
 
@@ -39,6 +41,19 @@ pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
         frame.spans.push(Span { x: 0, y: index as u32, length, triangle: index, start, end });
     }
     frame
+}
+
+/// Makes a lamp of the second light and a spot of the third, near triangles that now lie apart, and brings the eye near.
+pub fn place_lights(frame: &mut Frame) {
+    for (index, triangle) in (0..).zip(&mut frame.triangles) {
+        let corner = DVec3::new(0.0, 0.2 * f64::from(index), 0.0);
+        triangle.positions = [corner, corner + DVec3::X, corner + DVec3::new(1.0, 1.0, 0.3)];
+    }
+    let spot = Spot { axis: DVec3::new(0.1, 0.2, -1.0).normalize(), exponent: 9 };
+    let light = |position, spot| LocalLight { position, spot, colour: [0.8, 0.9, 1.0] };
+    frame.lights.truncate(1);
+    frame.local_lights = vec![light(DVec3::new(0.5, 0.0, 2.0), None), light(DVec3::new(0.2, 1.0, 3.0), Some(spot))];
+    frame.eye = Some(DVec3::new(0.0, 0.5, 4.0));
 }
 
 /// A direction in the half space of the eye.

@@ -124,7 +124,7 @@ impl Program {
         let names: Vec<String> = (0..self.steps.len()).map(|i| format!("out{i}")).collect();
         let results = values.split_off(self.ports.len());
         let outputs: Vec<(&str, Sig)> = names.iter().map(String::as_str).zip(results).collect();
-        let design = b.finish(&control.valid, &control.start, &outputs)?;
+        let design = b.finish(&control.valid, &outputs)?;
         Ok(Described { design, ranges, fraction_bits })
     }
 

@@ -80,7 +80,7 @@ pub fn measure(bench: &Bench, extent: Extent, progress: &mut dyn FnMut(&Step)) -
         }
     }
     let rows = contestants.iter().zip(&records).map(|(contestant, record)| record.row(contestant.entry())).collect();
-    let clocks_of_a_frame = bench.frame.shaded_pixels() + u64::from(bench.design.latency());
+    let clocks_of_a_frame = bench.clocks();
     Ok(Measurement { machine: Machine::this(), clocks_of_a_frame, rows, skipped })
 }
 

@@ -44,7 +44,7 @@ impl Summing {
         let place = |node: &NodeId| watched.iter().position(|watched| watched == node);
         Summing {
             places: design.outputs.iter().filter_map(place).collect(),
-            leaving: latency..latency + stimulus.pixels(),
+            leaving: latency..latency + stimulus.fed_clocks(),
             sums: Sums::default(),
         }
     }

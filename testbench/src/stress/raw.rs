@@ -116,7 +116,7 @@ fn simulated(design: &Design, packets: &Vec<SpanPacket>) -> Result<Simulated, St
         arrivals.take(batch);
         for entry in assumptions::entries_that_violate(design, &stimulus, batch) {
             let behind = (0..packets.len()).find(|&span| stimulus.begin_of(span) > entry).unwrap_or(packets.len());
-            // The first span begins with the first clock in which a pixel enters.
+            // The first span begins with the first clock.
             breaks_a_fact[behind.saturating_sub(1)] = true;
         }
         Flow::Continue

@@ -164,11 +164,12 @@ fn disagreement(bench: &Bench, outcome: &Outcome) -> Option<Fault> {
 /// The pixel that leaves in a clock, or the last before.
 fn pixel_of(bench: &Bench, clock: u64) -> Place {
     let mut left = clock.saturating_sub(u64::from(bench.design.latency()));
-    for (span, length) in bench.frame.spans.iter().map(|span| u64::from(span.length)).enumerate() {
-        match left.checked_sub(length) {
+    let interval = u64::from(bench.design.interval);
+    for (span, clocks) in bench.frame.spans.iter().map(|span| u64::from(span.length) * interval).enumerate() {
+        match left.checked_sub(clocks) {
             Some(rest) => left = rest,
             // Less than a span's length.
-            None => return Place { span, pixel: left as u32 },
+            None => return Place { span, pixel: (left / interval) as u32 },
         }
     }
     Place { span: bench.frame.spans.len().saturating_sub(1), pixel: 0 }

@@ -1,6 +1,6 @@
 //! Lights and eyes at places, and every exponent.
 use glam::DVec3;
-use specula_scene::spec::phong::Highlight;
+use specula_scene::spec::phong::{Highlight, Places};
 use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Spot};
 
 use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
@@ -72,6 +72,58 @@ fn far_and_near_lights_have_true_directions() {
         let frame = wall(distance * direction, None, None);
         let total = shade(&spec(&frame, Method::Phong), &frame).comparison.errors.total.max_lsb;
         assert!(total <= 1.0, "a light {distance} away: off by {total} LSB");
+    }
+}
+
+fn wrapped(frame: &Frame) -> CoreSpec {
+    let mut core = spec(frame, Method::Phong);
+    if let MethodSpec::Phong(phong) = &mut core.method {
+        phong.places = Places::Wrapped;
+    }
+    core.check().unwrap();
+    core
+}
+
+/// Rows 11 and 40: wrapped directions are true at both ends of the span, however far the light is, and all along it if that is far.
+#[test]
+fn wrapped_directions_are_true_at_the_ends() {
+    for distance in [0.25, 1.0, 10.0, 1e4] {
+        let frame = wall(distance * tilted(60.0), None, Some(distance * tilted(20.0)));
+        let (wrapped, exact) = (codes(&wrapped(&frame), &frame), codes(&spec(&frame, Method::Phong), &frame));
+        let pixels = if distance > 1e3 { vec![0, 1, 2, 3, 4] } else { vec![0, 4] };
+        for i in pixels {
+            assert!(wrapped[i].abs_diff(exact[i]) <= 1, "{distance} away, pixel {i}: {wrapped:?} and {exact:?}");
+        }
+    }
+}
+
+/// Rows 7, 8 and 39: a light in the surface, at a pixel, at an end, or along it, and an eye likewise. Everything is defined.
+#[test]
+fn wraps_in_the_surface_are_defined() {
+    for place in [DVec3::ZERO, DVec3::new(-2.0, 0.0, 0.0), DVec3::new(-3.0, 0.0, 0.0), DVec3::new(0.5, 0.0, 0.0)] {
+        for spot in [None, Some(Spot { axis: DVec3::X, exponent: 5 }), Some(Spot { axis: -DVec3::Z, exponent: 1 })] {
+            for eye in [None, Some(place), Some(-DVec3::Z)] {
+                let frame = wall(place, spot.clone(), eye);
+                shade(&wrapped(&frame), &frame);
+            }
+        }
+    }
+}
+
+/// Eq. 37: a spot is dark 90 degrees from its axis and beyond, where the wrap would fold back (row 8), and true at the ends before that.
+#[test]
+fn wrapped_spots_are_dark_behind_themselves() {
+    for exponent in [1, 60, 8191] {
+        let at = |axis| {
+            let frame = wall(DVec3::Z, Some(Spot { axis, exponent }), None);
+            codes(&wrapped(&frame), &frame)
+        };
+        assert_eq!(at(DVec3::Z), vec![0; 5], "exponent {exponent}");
+        let aslant = at(DVec3::X);
+        assert_eq!(aslant[0], 0, "exponent {exponent}: {aslant:?}");
+        let frame = wall(DVec3::Z, Some(Spot { axis: -DVec3::Z, exponent }), None);
+        let (wrapped, exact) = (codes(&wrapped(&frame), &frame), codes(&spec(&frame, Method::Phong), &frame));
+        assert!(wrapped[0].abs_diff(exact[0]) <= 1 && wrapped[4].abs_diff(exact[4]) <= 1, "{wrapped:?} and {exact:?}");
     }
 }
 

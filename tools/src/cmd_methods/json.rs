@@ -3,8 +3,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use serde_json::Value;
-use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, SpecError};
-use specula_scene::{CoreSpec, Format, LoadedScene, Method, Needs};
+use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, Viewpoint};
+use specula_scene::{Format, LoadedScene, Method};
 use specula_testbench::Bench;
 
 use crate::error::ToolError;
@@ -40,7 +40,7 @@ struct MethodFacts {
 struct SceneFacts {
     most_lights: usize,
     largest_shininess: u32,
-    lights_and_eye_at_infinity: bool,
+    places_seen_from: Viewpoint,
 }
 
 #[derive(Serialize)]
@@ -54,15 +54,14 @@ struct FormatFacts {
 /// The methods as text.
 pub fn text() -> Result<String, ToolError> {
     let scene = specula_scene::load(SCENE, None)?;
-    let needs = Needs::of(&scene.frame);
     let methods: Vec<MethodFacts> =
-        Method::ALL.into_iter().map(|method| facts(method, &scene, &needs)).collect::<Result<_, ToolError>>()?;
+        Method::ALL.into_iter().map(|method| facts(method, &scene)).collect::<Result<_, ToolError>>()?;
     let mut text = serde_json::to_string_pretty(&methods).map_err(ToolError::Json)?;
     text.push('\n');
     Ok(text)
 }
 
-fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFacts, ToolError> {
+fn facts(method: Method, scene: &LoadedScene) -> Result<MethodFacts, ToolError> {
     let spec = scene.core_spec(Some(method))?.general();
     let design = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(SCENE))?.design;
     let size = design.size();
@@ -71,7 +70,7 @@ fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFac
         summary: method.summary(),
         paper: method.paper(),
         equations: method.equations(),
-        needs: scene_facts(method, needs),
+        needs: scene_facts(spec.places_seen_from()),
         options: options(method).map_err(ToolError::Json)?,
         formats: spec.narrowing_points().iter().map(format_facts).collect(),
         latency: design.latency(),
@@ -82,16 +81,10 @@ fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFac
     })
 }
 
-/// What the method takes, and whether it refuses a scene that differs from one it serves in the eye.
-fn scene_facts(method: Method, needs: &Needs) -> SceneFacts {
-    let local = CoreSpec::for_scene(&Needs { local_eye: true, ..needs.clone() }, None, Some(method)).err();
-    SceneFacts {
-        most_lights: MOST_LIGHTS,
-        largest_shininess: LARGEST_SHININESS,
-        lights_and_eye_at_infinity: matches!(local, Some(SpecError::Local { .. })),
-    }
+/// What the method takes.
+fn scene_facts(places_seen_from: Viewpoint) -> SceneFacts {
+    SceneFacts { most_lights: MOST_LIGHTS, largest_shininess: LARGEST_SHININESS, places_seen_from }
 }
-
 /// TOML writes the values, strings and whole numbers, as JSON does.
 fn options(method: Method) -> serde_json::Result<BTreeMap<&'static str, Vec<Value>>> {
     let values = |values: &[&str]| values.iter().map(|value| serde_json::from_str(value)).collect::<serde_json::Result<_>>();

@@ -37,14 +37,22 @@ fn title(run: &Run) -> String {
     let (method, latency) = (run.bench.spec.method(), run.bench.design.latency());
     format!(
         "# {}, shaded by `{}`\n\n\
-         A pipeline of {latency} clocks that takes a pixel in every clock: {}.\n\n\
+         A pipeline of {latency} clocks that takes a pixel in {}: {}.\n\n\
          Made by Specula {}; `{}` makes the same Verilog.\n",
         run.name,
         method.name(),
+        pace(run.bench.design.interval),
         method.summary(),
         env!("CARGO_PKG_VERSION"),
         run.origin.command
     )
+}
+
+fn pace(interval: u32) -> String {
+    match interval {
+        1 => "every clock".to_owned(),
+        clocks => format!("{clocks} clocks, one for each light"),
+    }
 }
 
 fn result(run: &Run) -> String {
@@ -131,14 +139,19 @@ fn built(run: &Run) -> String {
 }
 
 fn ports_of(run: &Run) -> String {
-    let rows = ports::rows(run.bench.spec, &run.bench.design);
+    let design = &run.bench.design;
+    let rows = ports::rows(run.bench.spec, design);
+    let (held, entering) = match design.interval {
+        1 => ("as many clocks as it has pixels".to_owned(), "on consecutive clocks"),
+        clocks => (format!("{clocks} clocks a pixel"), "one after the other"),
+    };
     format!(
         "## Ports\n\n{}\n\
-         A span's data inputs are held for as many clocks as it has pixels, `valid` high in each of them and `start` in the first\n\
-         only; its pixels enter on consecutive clocks. The next span may follow at once. A pixel that enters in clock c leaves in\n\
+         A span's data inputs are held for {held}, `valid` high in each of them and `start` in the first\n\
+         only; its pixels enter {entering}. The next span may follow at once. A pixel that enters in clock c leaves in\n\
          clock c + {}, with `valid_out` high.\n",
         table(["port", "direction", "bits", "format", "meaning"], &rows),
-        run.bench.design.latency()
+        design.latency()
     )
 }
 

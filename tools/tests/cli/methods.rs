@@ -41,11 +41,16 @@ fn json_says_what_scenes_a_method_takes() {
     let needs = |name: &str| {
         let needs = &named(&methods, name)["needs"];
         assert_eq!((&needs["most_lights"], &needs["largest_shininess"]), (&json!(4), &json!(8191)));
-        needs["lights_and_eye_at_infinity"].as_bool().unwrap()
+        needs["places_seen_from"].as_str().unwrap().to_owned()
     };
     for method in &methods {
         let name = method["name"].as_str().unwrap();
-        assert_eq!(needs(name), !["phong", "gouraud"].contains(&name), "{name}");
+        let seen_from = match name {
+            "phong" => "pixel",
+            "gouraud" => "vertex",
+            _ => "span",
+        };
+        assert_eq!(needs(name), seen_from, "{name}");
     }
 }
 

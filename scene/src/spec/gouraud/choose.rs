@@ -4,7 +4,7 @@ use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
 use crate::spec::choose::span_bits;
-use crate::spec::describe::Describe;
+use crate::spec::describe::{Describe, Viewpoint};
 use crate::spec::narrowing::{SIGNED_UNIT, UNIT};
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint};
@@ -56,8 +56,8 @@ impl Describe for GouraudSpec {
     }
 
     /// Intensities at the vertices are the host's work, wherever the light is.
-    fn shades_from_places(&self) -> bool {
-        true
+    fn places_seen_from(&self) -> Viewpoint {
+        Viewpoint::Vertex
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 pub use inputs::{LyonInputs, LyonLight};
-pub use wrap::Wrap;
 
 /// What the normal does along a span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

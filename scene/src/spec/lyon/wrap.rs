@@ -1,35 +1,15 @@
-//! What the host chooses for wrapped normals [Hast, Barrera and Bengtsson; METHODS.md C4 to C7].
-use glam::DVec3;
-
+//! What the host wraps normals around [Hast, Barrera and Bengtsson; METHODS.md C4 to C7].
 use super::{LyonSpec, WrapAxis};
 use crate::frame::{Frame, Span};
-
-/// The ends of a span of wrapped normals, and what they are wrapped around.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wrap {
-    /// Unit normals at the first and the last pixel.
-    pub ends: [DVec3; 2],
-    /// The unit vector w, within 90 degrees of both.
-    pub axis: DVec3,
-}
+use crate::spec::Wrap;
 
 impl LyonSpec {
-    /// The wrap of a span. A normal of length 0 is taken from the other end; where both are, everything is 0.
-    ///
-    /// An axis that is 90 degrees or more from an end gives way: the face's normal to the bisector (EXTREMES row 8), and the bisector of
-    /// opposite ends to a vector across them (row 7).
+    /// The wrap of a span's normals.
     pub fn wrap(&self, frame: &Frame, span: &Span) -> Wrap {
-        let [start, end] = frame.end_normals(span).map(DVec3::try_normalize);
-        let Some((start, end)) = start.or(end).zip(end.or(start)) else {
-            return Wrap { ends: [DVec3::ZERO; 2], axis: DVec3::ZERO };
-        };
-        let serves = |axis: &DVec3| axis.dot(start) > 0.0 && axis.dot(end) > 0.0;
-        let face = match self.axis {
-            WrapAxis::Face => Some(frame.mean_normal(span)).filter(serves),
+        let preferred = match self.axis {
+            WrapAxis::Face => Some(frame.mean_normal(span)),
             WrapAxis::Bisector => None,
         };
-        let bisector = || (start + end).try_normalize().filter(serves);
-        let axis = face.or_else(bisector).unwrap_or_else(|| start.any_orthonormal_vector());
-        Wrap { ends: [start, end], axis }
+        Wrap::around(preferred, frame.end_normals(span))
     }
 }

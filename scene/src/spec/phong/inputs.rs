@@ -1,5 +1,5 @@
 //! The inputs of a `phong` core.
-use super::{Highlight, PhongSpec};
+use super::{Highlight, PhongSpec, Places};
 use crate::format::Format;
 use crate::needs::LocalKind;
 use crate::spec::inputs::inputs;
@@ -8,10 +8,12 @@ use crate::spec::{CoreSpec, InputPort};
 inputs! {
     /// A vector that is interpolated along the span.
     Way {
-        /// At the first pixel.
+        /// At the first pixel; H if it is wrapped.
         start: vector,
         /// What it changes by over the whole span.
         delta: vector,
+        /// w; there if it is wrapped.
+        axis: vector_if_any,
     }
 }
 
@@ -40,7 +42,7 @@ inputs! {
         direction: vector_if_any,
         /// To the light; there for a light at a place.
         way: group_if_any(Way),
-        /// The spot's axis.
+        /// The spot's axis; there for a spot whose direction is not wrapped around it.
         axis: vector_if_any,
         /// The spot's exponent.
         exponent: one_if_any,
@@ -63,7 +65,7 @@ impl PhongSpec {
         let at_infinity = core.lights - core.local_lights.len();
         let kinds = (0..core.lights).map(|i| i.checked_sub(at_infinity).map(|local| core.local_lights[local]));
         let whole = PhongInputs {
-            normal: self.way("normal"),
+            normal: self.straight("normal"),
             weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
             shininess: InputPort::between("shininess", integer, 1.0, f64::from(largest)),
             eye: core.local_eye.then(|| self.way("eye")),
@@ -73,10 +75,24 @@ impl PhongSpec {
         whole.map(|port| core.over_frames(port))
     }
 
-    fn way(&self, name: &str) -> Way<InputPort> {
+    /// A vector that is brought to unit length.
+    fn straight(&self, name: &str) -> Way<InputPort> {
         Way {
             start: InputPort::vector(&format!("{name}_start"), self.formats.vector, 1.0),
             delta: InputPort::vector(&format!("{name}_delta"), self.formats.vector_sum(), 2.0),
+            axis: None,
+        }
+    }
+
+    /// A vector to a place.
+    fn way(&self, name: &str) -> Way<InputPort> {
+        match self.places {
+            Places::Exact => self.straight(name),
+            Places::Wrapped => Way {
+                start: InputPort::vector(&format!("{name}_wrap_start"), self.formats.vector_sum(), 2.0),
+                delta: InputPort::vector(&format!("{name}_wrap_delta"), self.formats.vector_sum(), 2.0),
+                axis: Some(InputPort::vector(&format!("{name}_wrap_axis"), self.formats.vector, 1.0)),
+            },
         }
     }
 
@@ -84,18 +100,15 @@ impl PhongSpec {
         let f = &self.formats;
         let name = |part: &str| format!("light{index}_{part}");
         let vector = |part: &str| InputPort::vector(&name(part), f.vector, 1.0);
-        let exponent = match kind {
-            Some(LocalKind::Spot { exponent }) => Some(exponent),
-            _ => None,
-        };
-        let exponent_port =
-            |largest| InputPort::between(name("exponent"), Format::unsigned(bits(largest), 0), 1.0, f64::from(largest));
+        let is_spot = matches!(kind, Some(LocalKind::Spot { .. }));
+        let largest = core.largest_spot_exponent();
+        let exponent = || InputPort::between(name("exponent"), Format::unsigned(bits(largest), 0), 1.0, f64::from(largest));
         let constant = kind.is_none() && !core.local_eye;
         PhongLight {
             direction: kind.is_none().then(|| vector("direction")),
             way: kind.is_some().then(|| self.way(&name("way"))),
-            axis: exponent.map(|_| vector("axis")),
-            exponent: exponent.map(exponent_port),
+            axis: (is_spot && self.places == Places::Exact).then(|| vector("axis")),
+            exponent: is_spot.then(exponent),
             light_dot_view: (constant && self.highlight == Highlight::Reflection)
                 .then(|| InputPort::between(name("light_dot_view"), f.cosine, -1.0, 1.0)),
             halfway_gain: (constant && self.highlight != Highlight::Reflection)

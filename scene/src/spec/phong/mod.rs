@@ -1,13 +1,15 @@
 //! Phong shading with the normal brought to unit length at each pixel [lecture, eq. 2.1, 4.1, 4.2], METHODS.md A3, A5, and Blinn's
-//! distributions [Lyon, TR 43, appendix], with lights and eye at infinity or at places [Hast et al., eq. 35, 38], METHODS.md C15, C18.
+//! distributions [Lyon, TR 43, appendix], with lights and eye at infinity or at places [Hast et al., eq. 35 to 38], METHODS.md C15 to C18.
 mod choose;
 mod inputs;
 mod set_up;
+mod wrap;
 
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 pub use inputs::{PhongInputs, PhongLight, Way};
+pub use wrap::{wrap_to_eye, wrap_to_light};
 
 /// How strong the highlight is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -23,12 +25,24 @@ pub enum Highlight {
     TrowbridgeReitz,
 }
 
+/// How the direction to a light or an eye at a place F comes out of F - P, which is linear along a span.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Places {
+    /// (F - P)/|F - P|, by a reciprocal root (C15).
+    Exact,
+    /// 2v H - w with H = w + (F - P) and v = H·w / H·H, without a root; F - P has length 1 at both ends of the span (C16 to C18).
+    Wrapped,
+}
+
 /// Options of the method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PhongSpec {
     /// How strong the highlight is.
     pub highlight: Highlight,
+    /// How directions to places come about.
+    pub places: Places,
     /// The narrowing points.
     pub formats: PhongFormats,
 }
@@ -48,6 +62,10 @@ pub struct PhongFormats {
     pub length_squared: Format,
     /// 1 over a length: `U4.f`, saturated.
     pub gain: Format,
+    /// H·w and H·H of wrapped vectors: `U3.f`.
+    pub wrap_operand: Format,
+    /// v = H·w / H·H, 0 to 1: `U1.f`.
+    pub wrap_ratio: Format,
     /// N·L, N·V and V·L: `S1.f`.
     pub cosine: Format,
     /// What is raised to a power, or 1 - H*·N: `U1.f`.

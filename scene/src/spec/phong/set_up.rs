@@ -1,8 +1,9 @@
 //! Set-up of a span for `phong`.
 use glam::DVec3;
 
-use super::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
+use super::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Places, Way, wrap_to_eye, wrap_to_light};
 use crate::frame::{DirectionalLight, EYE, Frame, LocalLight, Span};
+use crate::spec::Wrap;
 use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
 
 /// Sets up the spans of a frame.
@@ -19,10 +20,10 @@ impl SetUpSpan for PhongSetUp<'_> {
         let at_infinity = frame.lights.iter().zip(at_infinity).map(|(light, c)| self.at_infinity(light, c));
         let local = frame.local_lights.iter().zip(local).map(|(light, c)| self.at_a_place(span, light, c));
         let inputs = PhongInputs {
-            normal: way(f, frame.end_normals(span)),
+            normal: straight(f, frame.end_normals(span)),
             weight_step: f.weight_accumulator.quantise(step),
             shininess: i64::from(frame.material(span).shininess * self.phong.highlight.exponent_factor()),
-            eye: frame.eye.map(|eye| way(f, frame.end_vectors_to(span, eye))),
+            eye: frame.eye.map(|eye| self.to_eye(span, eye)),
             ambient: material.ambient,
             lights: at_infinity.chain(local).collect(),
         };
@@ -48,12 +49,24 @@ impl PhongSetUp<'_> {
         }
     }
 
+    fn to_eye(&self, span: &Span, eye: DVec3) -> Way<i64> {
+        let (f, frame) = (&self.phong.formats, self.frame);
+        match self.phong.places {
+            Places::Exact => straight(f, frame.end_vectors_to(span, eye)),
+            Places::Wrapped => wrapped(f, wrap_to_eye(frame, span, eye)),
+        }
+    }
+
     fn at_a_place(&self, span: &Span, light: &LocalLight, &Coefficients { diffuse, specular }: &Coefficients) -> PhongLight<i64> {
-        let f = &self.phong.formats;
+        let (f, frame) = (&self.phong.formats, self.frame);
+        let exact = self.phong.places == Places::Exact;
         PhongLight {
             direction: None,
-            way: Some(way(f, self.frame.end_vectors_to(span, light.position))),
-            axis: light.spot.as_ref().map(|spot| f.vector.quantise_vector(spot.axis)),
+            way: Some(match self.phong.places {
+                Places::Exact => straight(f, frame.end_vectors_to(span, light.position)),
+                Places::Wrapped => wrapped(f, wrap_to_light(frame, span, light)),
+            }),
+            axis: light.spot.as_ref().filter(|_| exact).map(|spot| f.vector.quantise_vector(spot.axis)),
             exponent: light.spot.as_ref().map(|spot| i64::from(spot.exponent)),
             light_dot_view: None,
             halfway_gain: None,
@@ -64,7 +77,13 @@ impl PhongSetUp<'_> {
 }
 
 /// A vector along the span, by its values at the ends.
-fn way(formats: &PhongFormats, ends: [DVec3; 2]) -> Way<i64> {
+fn straight(formats: &PhongFormats, ends: [DVec3; 2]) -> Way<i64> {
     let [start, end] = ends.map(|v| formats.vector.quantise_vector(v));
-    Way { start, delta: std::array::from_fn(|i| end[i] - start[i]) }
+    Way { start, delta: std::array::from_fn(|i| end[i] - start[i]), axis: None }
+}
+
+/// H along the span, and what it is wrapped around.
+fn wrapped(formats: &PhongFormats, Wrap { ends, axis }: Wrap) -> Way<i64> {
+    let [start, end] = ends.map(|v| formats.vector_sum().quantise_vector(v + axis));
+    Way { start, delta: std::array::from_fn(|i| end[i] - start[i]), axis: Some(formats.vector.quantise_vector(axis)) }
 }

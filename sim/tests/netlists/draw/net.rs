@@ -32,6 +32,7 @@ pub fn empty() -> Design {
         inputs: vec![],
         valid,
         start,
+        interval: 1,
         valid_out: valid,
         outputs: vec![],
         assumptions: vec![],

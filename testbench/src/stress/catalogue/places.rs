@@ -1,7 +1,7 @@
 //! Lights and eyes at places.
 use glam::DVec3;
 use specula_scene::MethodSpec;
-use specula_scene::spec::phong::Highlight;
+use specula_scene::spec::phong::{Highlight, Places};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;
@@ -15,9 +15,12 @@ fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {
     SpanScene { lights, eye, spans: vec![span] }
 }
 
-/// Whether this is Phong's own highlight, which exact shading has.
+/// Whether this is Phong's own highlight with true directions, which exact shading has.
 fn is_phongs(pixel: &Pixel) -> bool {
-    matches!(&pixel.shaded.spec.method, MethodSpec::Phong(phong) if phong.highlight == Highlight::Reflection)
+    match &pixel.shaded.spec.method {
+        MethodSpec::Phong(phong) => phong.highlight == Highlight::Reflection && phong.places == Places::Exact,
+        _ => false,
+    }
 }
 
 /// Row 39.

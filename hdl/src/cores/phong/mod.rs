@@ -1,15 +1,22 @@
 //! Phong's core.
+mod direction;
+mod lamp;
+
 use specula_scene::CoreSpec;
-use specula_scene::spec::phong::{Highlight, PhongInputs, PhongLight, PhongSpec, Way};
+use specula_scene::spec::phong::{Highlight, PhongInputs, PhongSpec};
 
-use super::{eye, finish};
-use crate::builder::{Builder, Sig, TooWide, Vector};
+use super::{eye, finish, turns};
+use crate::builder::{Builder, Sig, TooWide, Turns, Vector};
 use crate::design::Design;
-use crate::units::{self, ExactNormalisation, Interpolation, Light, ReciprocalRoot};
+use crate::units::{self, Interpolation, Light};
 
-/// Interpolated vectors, true normalisation, and for each light N·L and a power or a distribution. [lecture, eq. 2.1, 4.1, 4.2]
+use direction::Direction;
+use lamp::{Lamp, lamps};
+
+/// Interpolated vectors, true normalisation or wraps, and for each light N·L and a power or a distribution. [lecture, eq. 2.1, 4.1, 4.2; Hast
+/// et al., eq. 35 to 38]
 pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Design, TooWide> {
-    let control = b.control();
+    let turns = turns(&b, spec);
     let inputs = phong.inputs(spec).map(|port| b.input(port));
     let f = &phong.formats;
     let interpolation = Interpolation {
@@ -20,10 +27,10 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Des
         apart: units::chord(spec.shortest_normal.min(spec.shortest_way)),
         steps: spec.longest_span - 1,
     };
-    let weight = units::weight(&b, &control.start, &inputs.weight_step, interpolation);
+    let weight = units::weight(&b, &turns.first_pixel, &inputs.weight_step, interpolation);
     let pixel = Pixel { b: &b, spec, phong, interpolation, weight: &weight, shininess: &inputs.shininess };
-    let lights = pixel.lights(&inputs);
-    finish(&b, &control, &inputs.ambient, &lights)
+    let lights = pixel.lights(&turns, &inputs);
+    finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// What the vectors of a pixel have in common.
@@ -36,16 +43,10 @@ struct Pixel<'a> {
     shininess: &'a Sig,
 }
 
-/// A unit vector, and whether there is one.
-struct Direction {
-    vector: Vector,
-    exists: Sig,
-}
-
 /// A light at the pixel.
 struct Arrival<'a> {
     index: usize,
-    light: &'a PhongLight<Sig>,
+    lamp: &'a Lamp,
     direction: &'a Direction,
     view: &'a Direction,
     n_dot_v: &'a Sig,
@@ -53,51 +54,21 @@ struct Arrival<'a> {
 }
 
 impl Pixel<'_> {
-    fn lights(&self, inputs: &PhongInputs<Sig>) -> Vec<Light> {
+    fn lights(&self, turns: &Turns, inputs: &PhongInputs<Sig>) -> Vec<Light> {
         let b = self.b;
         let normal = self.along("normal", &inputs.normal, self.spec.shortest_normal);
         let view = match &inputs.eye {
-            Some(way) => self.along("eye", way, self.spec.shortest_way),
-            None => Direction { vector: eye(b), exists: b.integer(1) },
+            Some(way) => self.to_place("eye", way, &b.integer(0)),
+            None => Direction::new(eye(b), b.integer(1)),
         };
         let n_dot_v = self.cosine("n_dot_v", &normal, &view);
-        let shade = |(index, light): (usize, &PhongLight<Sig>)| {
-            let direction = self.direction(index, light);
+        let shade = |(index, lamp): (usize, &Lamp)| {
+            let direction = self.direction(index, lamp);
             let n_dot_l = self.cosine(&format!("light{index}_n_dot_l"), &normal, &direction);
-            let arrival = Arrival { index, light, direction: &direction, view: &view, n_dot_v: &n_dot_v, n_dot_l };
+            let arrival = Arrival { index, lamp, direction: &direction, view: &view, n_dot_v: &n_dot_v, n_dot_l };
             self.shade(&arrival, &normal.exists.and(&direction.exists))
         };
-        inputs.lights.iter().enumerate().map(shade).collect()
-    }
-
-    /// A vector along the span, brought to unit length.
-    fn along(&self, name: &str, way: &Way<Sig>, shortest: f64) -> Direction {
-        let (b, f) = (self.b, &self.phong.formats);
-        let (start, delta) = (Vector::new(way.start.clone()), Vector::new(way.delta.clone()));
-        let interpolated = || units::along(b, &start, &delta, self.weight, self.interpolation);
-        let vector = b.instance(&format!("{name}_along"), interpolated);
-        let to = ExactNormalisation {
-            length_squared_fraction_bits: f.length_squared.fraction_bits,
-            reciprocal: self.reciprocal(),
-            vector_fraction_bits: f.vector.fraction_bits,
-        };
-        let (vector, exists) = b.instance(&format!("{name}_normalise"), || units::normalise_exactly(b, &vector, to, shortest));
-        Direction { vector, exists }
-    }
-
-    fn reciprocal(&self) -> ReciprocalRoot {
-        self.phong.formats.gain.into()
-    }
-
-    fn direction(&self, index: usize, light: &PhongLight<Sig>) -> Direction {
-        match (&light.way, &light.direction) {
-            (Some(way), _) => self.along(&format!("light{index}"), way, self.spec.shortest_way),
-            (None, Some(direction)) => {
-                let unit = 1.0 + self.phong.formats.vector.ulp();
-                Direction { vector: Vector::new(direction.clone()).no_longer_than(unit), exists: self.b.integer(1) }
-            }
-            (None, None) => unreachable!("`PhongSpec::inputs` gives each light one of both"),
-        }
+        lamps(b, turns, &inputs.lights).iter().enumerate().map(shade).collect()
     }
 
     fn cosine(&self, name: &str, x: &Direction, y: &Direction) -> Sig {
@@ -109,12 +80,14 @@ impl Pixel<'_> {
         let zero = self.b.integer(0);
         let diffuse = at.n_dot_l.at_least_zero();
         let specular = at.view.exists.choose(&self.highlight(at), &zero);
-        let [diffuse, specular] = self.spotted(at, [diffuse, specular]).map(|amount| lit.choose(&amount, &zero));
+        let most_at_edge = at.direction.wrap.as_ref().map_or(0.0, |wrap| wrap.most_at_edge);
+        let where_lit = |amount: Sig| lit.choose(&amount, &zero).or_off_by(most_at_edge);
+        let [diffuse, specular] = self.spotted(at, [diffuse, specular]).map(where_lit);
         Light {
             diffuse,
             specular,
-            diffuse_coefficients: at.light.diffuse.clone(),
-            specular_coefficients: at.light.specular.clone(),
+            diffuse_coefficients: at.lamp.light.diffuse.clone(),
+            specular_coefficients: at.lamp.light.specular.clone(),
         }
     }
 
@@ -122,10 +95,10 @@ impl Pixel<'_> {
         let (b, f) = (self.b, &self.phong.formats);
         let called = |unit: &str| format!("light{}_{unit}", at.index);
         let base_bits = f.base.fraction_bits;
-        let gain = || at.light.halfway_gain.clone().unwrap_or_else(|| self.halfway_gain(at));
+        let gain = || self.unless_sent(at, at.lamp.light.halfway_gain.as_ref(), || self.halfway_gain(at));
         let base = match self.phong.highlight {
             Highlight::Reflection => {
-                let l_dot_v = at.light.light_dot_view.clone().unwrap_or_else(|| self.l_dot_v(at));
+                let l_dot_v = self.unless_sent(at, at.lamp.light.light_dot_view.as_ref(), || self.l_dot_v(at));
                 let base = || units::reflected_cosine(b, at.n_dot_v, &at.n_dot_l, &l_dot_v, base_bits);
                 b.instance(&called("reflected_cosine"), base)
             }
@@ -153,6 +126,15 @@ impl Pixel<'_> {
         }
     }
 
+    /// What the host sends of lights at infinity, and what is worked out here of those at places.
+    fn unless_sent(&self, at: &Arrival, sent: Option<&Sig>, worked_out: impl FnOnce() -> Sig) -> Sig {
+        match sent {
+            Some(sent) if at.lamp.light.way.is_none() => sent.clone(),
+            Some(sent) => at.lamp.local.choose(&worked_out(), sent),
+            None => worked_out(),
+        }
+    }
+
     fn l_dot_v(&self, at: &Arrival) -> Sig {
         self.cosine(&format!("light{}_l_dot_v", at.index), at.direction, at.view)
     }
@@ -166,18 +148,25 @@ impl Pixel<'_> {
 
     /// What a spot leaves of a light.
     fn spotted(&self, at: &Arrival, amounts: [Sig; 2]) -> [Sig; 2] {
+        let Some(exponent) = &at.lamp.light.exponent else { return amounts };
+        let (b, shape_bits, largest) = (self.b, self.phong.formats.shape.fraction_bits, self.spec.largest_spot_exponent());
+        let cosine = self.spot_cosine(at);
+        let share = || units::any_power_up_to(b, &cosine, exponent, largest.into(), shape_bits);
+        let share = b.instance(&format!("light{}_spot", at.index), share);
+        amounts.map(|amount| at.lamp.spot.choose(&(&amount * &share).rounded(shape_bits), &amount))
+    }
+
+    /// The cosine between a spot's axis and the way from it.
+    fn spot_cosine(&self, at: &Arrival) -> Sig {
         let (b, f) = (self.b, &self.phong.formats);
-        let called = |unit: &str| format!("light{}_{unit}", at.index);
-        match (&at.light.axis, &at.light.exponent) {
-            (Some(axis), Some(exponent)) => {
+        match (&at.direction.wrap, &at.lamp.light.axis) {
+            (Some(wrap), _) => wrap.cosine.clone(),
+            (None, Some(axis)) => {
                 let axis = Vector::new(axis.clone()).no_longer_than(1.0 + f.vector.ulp());
                 let cosine = || units::spot_cosine(b, &at.direction.vector, &axis, f.base.fraction_bits);
-                let cosine = b.instance(&called("spot_cosine"), cosine);
-                let shape_bits = f.shape.fraction_bits;
-                let share = b.instance(&called("spot"), || units::any_power(b, &cosine, exponent, shape_bits));
-                amounts.map(|amount| (amount * &share).rounded(shape_bits))
+                b.instance(&format!("light{}_spot_cosine", at.index), cosine)
             }
-            _ => amounts,
+            (None, None) => unreachable!("`PhongSpec::inputs` gives each spot an axis or a wrap"),
         }
     }
 }

@@ -1,0 +1,67 @@
+//! Lights and an eye at places for methods that work from one direction to each: those that the middle of a span sees.
+//!
+//! "A parallel light vector, which means that we can use the same vector over the polygon" [Hast, Barrera and Bengtsson, §5], over a span here.
+use glam::{DQuat, DVec3};
+
+use crate::frame::{DirectionalLight, EYE, Frame, Span, Triangle, VertexCone};
+
+/// A span by itself, under lights and an eye at infinity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParallelSpan {
+    /// A frame with this span, its triangle and its material alone.
+    pub frame: Frame,
+}
+
+impl ParallelSpan {
+    /// A span of `frame`, lit and seen from where its middle is. The eye is at infinity in the direction [`EYE`], so everything is turned
+    /// until the middle sees it there, which leaves the angles between vectors as they are.
+    ///
+    /// A light at the very middle is dark; an eye there sees no highlight (EXTREMES row 39).
+    pub fn new(frame: &Frame, span: &Span) -> ParallelSpan {
+        let triangle = &frame.triangles[span.triangle];
+        let middle = frame.position_at(span, std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v])));
+        let view = frame.view_from(middle);
+        let turn = DQuat::from_rotation_arc(view.unwrap_or(EYE), EYE);
+        let mut material = frame.materials[triangle.material].clone();
+        if view.is_none() {
+            material.specular = [0.0; 3];
+        }
+        let lights = frame.lights_from(middle).zip(frame.light_colours()).map(|(light, colour)| {
+            let (direction, share) = light.map_or((EYE, 0.0), |light| (turn * light.direction, light.share));
+            DirectionalLight { direction, colour: colour.map(|component| share * component) }
+        });
+        let frame = Frame {
+            lights: lights.collect(),
+            local_lights: Vec::new(),
+            eye: None,
+            materials: vec![material],
+            triangles: vec![turned(triangle, turn)],
+            spans: vec![Span { triangle: 0, ..span.clone() }],
+            ..*frame
+        };
+        ParallelSpan { frame }
+    }
+
+    /// The span.
+    pub fn span(&self) -> &Span {
+        &self.frame.spans[0]
+    }
+}
+
+fn turned(triangle: &Triangle, turn: DQuat) -> Triangle {
+    // The identity leaves every bit as it is.
+    let vector = |v: DVec3| if turn == DQuat::IDENTITY { v } else { turn * v };
+    Triangle {
+        normals: triangle.normals.map(vector),
+        positions: triangle.positions.map(vector),
+        cones: triangle.cones.map(|cone| VertexCone { axis: vector(cone.axis), ..cone }),
+        material: 0,
+    }
+}
+
+impl Frame {
+    /// Whether the directions to all lights and to the eye are the same at every pixel.
+    pub fn directions_are_constant(&self) -> bool {
+        self.local_lights.is_empty() && self.eye.is_none()
+    }
+}
