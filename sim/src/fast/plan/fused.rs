@@ -94,12 +94,12 @@ impl Planner<'_> {
     }
 }
 
-/// Whether 32-bit lanes hold a raw result of this range and what becomes of it.
+/// Whether 32-bit lanes hold a raw result of this range and what becomes of it. What is wrapped first may be whatever its width allows.
 pub(super) fn computes_narrow(raw: Range, post: Post) -> bool {
-    let wraps_narrow = match post.first {
-        Wrap::None => true,
-        Wrap::Signed(width) => width <= i32::BITS,
-        Wrap::Unsigned(width) => width < i32::BITS,
+    let shifted = match post.first {
+        Wrap::None => raw,
+        Wrap::Signed(width) => Range::whole(width, true),
+        Wrap::Unsigned(width) => Range::whole(width, false),
     };
-    wraps_narrow && fits_narrow(Range::new(raw.low, raw.high.saturating_add(post.half())))
+    fits_narrow(raw) && fits_narrow(Range::new(shifted.low, shifted.high.saturating_add(post.half())))
 }
