@@ -17,6 +17,7 @@ pub mod needs;
 pub mod picture;
 pub mod primitive;
 pub mod spec;
+mod spec_file;
 
 pub use builtin::builtin_names;
 pub use error::SceneError;
@@ -26,3 +27,4 @@ pub use frame::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spo
 pub use load::{LoadedScene, load, parse};
 pub use needs::Needs;
 pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};
+pub use spec_file::SpecFile;

@@ -2,53 +2,9 @@
 use serde::Serialize;
 use specula_hdl::Design;
 use specula_scene::CoreSpec;
-use specula_scene::spec::{Given, InputPort};
+use specula_scene::spec::{Given, InputPort, Subject};
 
 use crate::BenchError;
-
-/// What inputs tell of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Subject {
-    Light,
-    Exponent,
-    Ambient,
-    Diffuse,
-    Specular,
-    Surface,
-}
-
-impl Subject {
-    const ALL: [Subject; 6] =
-        [Subject::Light, Subject::Exponent, Subject::Ambient, Subject::Diffuse, Subject::Specular, Subject::Surface];
-
-    /// By an input's name, of which every method makes the same use.
-    fn of(name: &str) -> Subject {
-        let (stem, last) = name.rsplit_once('_').unwrap_or(("", name));
-        let is_channel = matches!(last, "r" | "g" | "b");
-        let constant_vector = ["_direction", "_halfway", "_axis"].iter().any(|end| stem.ends_with(end)) && !is_channel;
-        let of_lights = constant_vector && matches!(last, "x" | "y" | "z");
-        let scalar = ["dot_view", "halfway_gain"].iter().any(|end| name.ends_with(end));
-        match name {
-            _ if is_channel && stem == "ambient" => Subject::Ambient,
-            _ if is_channel && stem.ends_with("_diffuse") => Subject::Diffuse,
-            _ if is_channel && stem.ends_with("_specular") => Subject::Specular,
-            "shininess" | "root_shininess" | "log2_shininess" | "log2_exponent" => Subject::Exponent,
-            _ if name.starts_with("light") && (of_lights || scalar || name.ends_with("_exponent")) => Subject::Light,
-            _ => Subject::Surface,
-        }
-    }
-
-    const fn in_words(self) -> &'static str {
-        match self {
-            Subject::Light => "directions of lights",
-            Subject::Exponent => "exponents of materials",
-            Subject::Ambient => "ambient light",
-            Subject::Diffuse => "diffuse colours",
-            Subject::Specular => "specular colours",
-            Subject::Surface => "what changes along spans",
-        }
-    }
-}
 
 /// What a hardware is spared; negative where a constant's shifts and sums are more than they stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

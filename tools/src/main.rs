@@ -2,6 +2,7 @@
 mod arguments;
 mod cli;
 mod cmd_bench;
+mod cmd_explore;
 mod cmd_generate;
 mod cmd_methods;
 mod cmd_needs;
@@ -24,6 +25,7 @@ mod report;
 mod run;
 mod summary;
 mod table;
+mod task;
 mod trace_file;
 mod verilog;
 mod wave;

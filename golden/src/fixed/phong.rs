@@ -4,6 +4,7 @@ use specula_scene::spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLigh
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::method::{Method, Values};
 use super::number::{Wide, round_quotient, round_to};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
@@ -66,13 +67,16 @@ impl Method for Phong {
     }
 
     /// Interpolated vectors stay within the unit ball, but for rounding.
-    fn check(&self, inputs: &PhongInputs<Wide>, length: u32) -> Result<(), PacketError> {
+    fn check(&self, inputs: &PhongInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let ways =
             [&inputs.normal].into_iter().chain(&inputs.eye).chain(inputs.lights.iter().filter_map(|light| light.way.as_ref()));
         for way in ways {
-            packet::check_ends(&way.start, &way.delta, 1)?;
+            packet::check_ends(&way.start, &way.delta, 1, self.formats.vector)?;
         }
-        packet::check_weight(inputs.weight_step, length)
+        for vector in inputs.lights.iter().flat_map(|light| light.direction.iter().chain(&light.axis)) {
+            packet::check_length(vector, 1, self.formats.vector)?;
+        }
+        course.weight(inputs.weight_step, self.formats.weight_accumulator)
     }
 
     fn pixel(&self, inputs: &PhongInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

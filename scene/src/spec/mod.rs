@@ -23,11 +23,13 @@ pub mod phong;
 mod port;
 mod quadratic;
 pub mod reflection;
+mod serve;
 mod set_up;
 pub mod slerp;
 mod specialise;
+mod subject;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 use crate::needs::LocalKind;
@@ -48,9 +50,11 @@ pub use phong::{PhongInputs, PhongSpec};
 pub use port::InputPort;
 pub use quadratic::Quadratic;
 pub use reflection::{ReflectionInputs, ReflectionSpec};
+pub use serve::Served;
 pub use set_up::{SetUp, SpanPacket};
 pub use slerp::{SlerpInputs, SlerpSpec};
 pub use specialise::{Given, Specialisation};
+pub use subject::Subject;
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.
 pub const COEFFICIENT_FRACTION_BITS: u32 = 6;
@@ -64,7 +68,8 @@ pub const LARGEST_SHININESS: u32 = 8191;
 pub const LONGEST_SPAN: u32 = 8192;
 
 /// A core: a span goes in, one pixel comes out per clock.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct CoreSpec {
     /// Number of lights, 1 to [`MOST_LIGHTS`].
     pub lights: usize,
@@ -90,7 +95,7 @@ pub struct CoreSpec {
     /// How pixels are shaded.
     pub method: MethodSpec,
     /// What its inputs are given over the frames that it is for.
-    #[serde(skip_serializing_if = "Specialisation::is_general")]
+    #[serde(default, skip_serializing_if = "Specialisation::is_general")]
     pub specialisation: Specialisation,
 }
 

@@ -8,7 +8,7 @@ use crate::frame::Frame;
 
 /// What an input is given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "expected two raw values, smallest and largest, or an earlier input's name")]
 pub enum Given {
     /// Raw values from the first to the second.
     Between([i64; 2]),
@@ -127,9 +127,19 @@ impl Seen {
         }
     }
 
+    /// Smallest and largest raw value of an input; none in a frame without spans.
+    pub fn range(&self, input: usize) -> Option<(i64, i64)> {
+        self.ranges.as_ref().map(|ranges| ranges[input])
+    }
+
+    /// Earlier inputs that always had the value of this one.
+    pub fn twins(&self, input: usize) -> &[usize] {
+        &self.twins[input]
+    }
+
     /// What an input was given, if that is less than its port takes.
     fn given(&self, input: usize, ports: &[InputPort]) -> Option<Given> {
-        let range = self.ranges.as_ref()?[input];
+        let range = self.range(input)?;
         // An input that never changes needs no twin.
         let twin = self.twins[input].first().filter(|_| range.0 != range.1);
         let same = twin.map(|&other| Given::SameAs(ports[other].name.clone()));

@@ -11,7 +11,7 @@ pub mod row;
 pub mod scene;
 mod sweep;
 mod trial;
-mod variant;
+pub(crate) mod variant;
 
 pub use catalogue::CATALOGUE;
 pub use raw::{ID as RAW, INPUT as RAW_INPUT, WANTED as RAW_WANTED};

@@ -97,9 +97,9 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
     let bound = bench.design.error_bound();
     Report {
         version: env!("CARGO_PKG_VERSION"),
-        scene: run.name,
-        module: run.module,
-        command: &run.origin.command,
+        scene: run.name(),
+        module: &run.module,
+        command: &run.task.origin.command,
         method: bench.spec.method().name(),
         engine: run.engine.name(),
         width: bench.frame.width,

@@ -32,11 +32,11 @@ fn title(run: &Run) -> String {
         "# {}, shaded by `{}`\n\n\
          A pipeline of {latency} clocks that takes a pixel in every clock: {}.\n\n\
          Made by Specula {}; `{}` makes the same Verilog.\n",
-        run.name,
+        run.name(),
         method.name(),
         method.summary(),
         env!("CARGO_PKG_VERSION"),
-        run.origin.command
+        run.task.origin.command
     )
 }
 
@@ -209,7 +209,7 @@ fn way(run: &Run, written: &Written) -> String {
 }
 
 fn verilog(run: &Run) -> String {
-    let module = run.module;
+    let module = &run.module;
     format!(
         "## Verilog\n\n`{module}.v` is the whole core in Verilog-2001. What Specula emits belongs to whoever ran it. To look at it with\nother tools:\n\n\
          ```sh\n\

@@ -1,6 +1,7 @@
 //! The program as its users see it: what it prints, what it writes, and how it ends.
 mod bench;
 mod errors;
+mod explore;
 mod generate;
 mod help;
 mod methods;
@@ -9,5 +10,6 @@ mod output;
 mod program;
 mod reproduce;
 mod run;
+mod spec;
 mod stress;
 mod wave;

@@ -5,13 +5,14 @@ use serde_json::Value;
 
 use crate::program::Place;
 
-const FILES: [&str; 10] = [
+const FILES: [&str; 11] = [
     "error.png",
     "exact.png",
     "expected.png",
     "report.json",
     "report.md",
     "simulated.png",
+    "spec.toml",
     "teapot.v",
     "trace.gtkw",
     "trace.vcd",

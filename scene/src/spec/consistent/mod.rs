@@ -10,7 +10,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
-pub use inputs::{ConsistentInputs, ConsistentLight};
+pub use inputs::{ConsistentInputs, ConsistentLight, LARGEST_ANGLE};
 
 /// How q depends on α, with t = 2α/π.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
