@@ -60,7 +60,10 @@ impl<'a> Miter<'a> {
             let _ = writeln!(text, "  wire [7:0] general_{colour};\n  wire [{}:0] {colour}_0;", width - 1);
             for clock in 1..=wait {
                 let before = clock - 1;
-                let _ = writeln!(text, "  reg [7:0] {colour}_{clock};\n  always @(posedge clock) {colour}_{clock} <= {colour}_{before};");
+                let _ = writeln!(
+                    text,
+                    "  reg [7:0] {colour}_{clock};\n  always @(posedge clock) {colour}_{clock} <= {colour}_{before};"
+                );
             }
         }
         text += &instance(&self.general, "general", |colour| format!("general_{colour}"));
