@@ -14,8 +14,13 @@ fn outputs(design: &Design) -> Vec<NodeId> {
 }
 
 fn outputs_agree(method: Method) {
+    options_agree(method, "");
+}
+
+/// With these lines in the method's table.
+fn options_agree(method: Method, options: &str) {
     let frame = frames::frame(1993, 2, 12);
-    let spec = frames::spec(&frame, method);
+    let spec = frames::spec_with(&frame, method, options);
     let design = frames::design(&spec);
     let packets = frames::packets(&spec, &frame);
     let stimulus = Stimulus::whole(&packets, &design);
@@ -36,8 +41,27 @@ fn phongs_outputs_agree() {
 }
 
 #[test]
+fn phongs_distributions_agree() {
+    for highlight in ["blinn", "torrance-sparrow", "trowbridge-reitz"] {
+        options_agree(Method::Phong, &format!("highlight = \"{highlight}\""));
+    }
+}
+
+#[test]
+fn powers_by_tables_agree() {
+    for method in [Method::Hybrid, Method::Duff, Method::Reflection, Method::Slerp, Method::Direct, Method::Consistent] {
+        options_agree(method, "power = \"tables\"");
+    }
+}
+
+#[test]
 fn consistents_outputs_agree() {
     outputs_agree(Method::Consistent);
+}
+
+#[test]
+fn consistent_normals_outputs_agree() {
+    options_agree(Method::Consistent, "diffuse = \"consistent\"\nhighlight = \"blinn\"");
 }
 
 #[test]

@@ -40,6 +40,19 @@ fn specs() -> Vec<CoreSpec> {
         |lyon| lyon.difference = Difference::UnitHalfwayMinusNormal,
     ];
     specs.extend(changes.map(|change| frames::lyon(&frame, change)));
+    let options = [
+        (Method::Phong, "highlight = \"blinn\""),
+        (Method::Phong, "highlight = \"torrance-sparrow\""),
+        (Method::Phong, "highlight = \"trowbridge-reitz\""),
+        (Method::Hybrid, "power = \"tables\""),
+        (Method::Duff, "specular = \"blinn\"\npower = \"tables\""),
+        (Method::Reflection, "power = \"tables\""),
+        (Method::Consistent, "power = \"tables\""),
+        (Method::Consistent, "diffuse = \"consistent\"\nhighlight = \"blinn\""),
+        (Method::Slerp, "power = \"tables\""),
+        (Method::Direct, "power = \"tables\""),
+    ];
+    specs.extend(options.map(|(method, lines)| frames::spec_with(&frame, method, lines)));
     // For one frame alone, and for one in which every pixel is the same.
     let flat = frames::frame(6, 1, 1);
     specs.extend(Method::ALL.map(|method| frames::spec(&frame, method).specialised(&frame)));

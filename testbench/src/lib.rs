@@ -5,6 +5,7 @@ pub mod bench;
 mod compare;
 mod error;
 pub mod explore;
+pub mod figure9;
 mod image;
 pub mod reproduce;
 mod run;

@@ -9,10 +9,12 @@ use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight, narrow};
 use super::packet::PacketError;
+use super::raised::Raised;
 use super::root::reciprocal_square_root;
 
 /// The method in one core's formats.
 pub(super) struct Direct {
+    power: Raised,
     formats: DirectFormats,
     colour: Format,
     ports: DirectInputs<InputPort>,
@@ -24,14 +26,15 @@ struct Pixel {
     q: Wide,
     s: Wide,
     n_dot_v: Wide,
-    log2_shininess: Wide,
+    exponent: Wide,
 }
 
 impl Direct {
     pub fn new(core: &CoreSpec, direct: &DirectSpec) -> Direct {
         Direct {
+            power: Raised::new(core, direct.power_unit()),
             formats: direct.formats.clone(),
-            colour: sum_format(core, direct.formats.diffuse, direct.formats.base),
+            colour: sum_format(core, direct.formats.diffuse, direct.power_unit().format()),
             ports: direct.inputs(core),
         }
     }
@@ -75,7 +78,7 @@ impl Direct {
         let s = reciprocal_square_root(q, f.reciprocal.integer_bits, f.reciprocal.fraction_bits);
         observer.see(format_args!("reciprocal"), s, f.reciprocal);
         let n_dot_v = self.cosine("n_dot_v", &inputs.view, t, s, observer);
-        Pixel { t, q, s, n_dot_v, log2_shininess: inputs.log2_shininess }
+        Pixel { t, q, s, n_dot_v, exponent: inputs.exponent }
     }
 
     /// N·X s, kept within -1 to 1.
@@ -87,13 +90,12 @@ impl Direct {
         cosine
     }
 
-    /// max(2 J K - L·V, 0)^n, n = 2^j, by j squarings; none for a normal without direction.
+    /// max(2 J K - L·V, 0)^n; none for a normal without direction.
     fn highlight(&self, pixel: &Pixel, n_dot_l: Wide, light: &DirectLight<Wide>, observer: &mut impl Observer) -> Wide {
         let format = self.formats.base;
         let rounded = round_to(n_dot_l * pixel.n_dot_v * 2 - light.light_dot_view, format.fraction_bits);
         let base = if pixel.q > Wide::ZERO { rounded.clamp(Wide::ZERO, Wide::ONE) } else { Wide::ZERO };
         observer.see(format_args!("base"), base, format);
-        let squarings = pixel.log2_shininess.to_num::<u32>();
-        (0..squarings).fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, format))
+        self.power.of(observer, base, pixel.exponent)
     }
 }

@@ -1,6 +1,7 @@
 //! `direct` on raw values.
 use specula_scene::spec::DirectSpec;
 
+use crate::power;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
@@ -16,7 +17,7 @@ pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
         let linear = (raw.get(&format!("{name}_start")) << w) + t * raw.get(&format!("{name}_delta"));
         round(round(linear, p + w, x) * s, x + r, x).clamp(-1 << x, 1 << x)
     };
-    let bits = d.max(e);
+    let bits = d.max(e).max(f.shape.fraction_bits);
     let mut terms = Vec::new();
     for light in 0..lights {
         let j = cosine(&format!("light{light}"));
@@ -24,11 +25,9 @@ pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
         let fine = (2 * x).max(p);
         let dot_view = raw.get(&format!("light{light}_dot_view")) << (fine - p);
         let base = round(((2 * j * cosine("view")) << (fine - 2 * x)) - dot_view, fine, e).clamp(0, 1 << e);
-        let mut b = if q > 0 { base } else { 0 };
-        for _ in 0..raw.get("log2_shininess") {
-            b = round(b * b, 2 * e, e);
-        }
-        terms.push((format!("light{light}_specular"), b << (bits - e)));
+        let b = if q > 0 { base } else { 0 };
+        let (power, power_bits) = power::raised(raw, b, e, f.shape.fraction_bits);
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }

@@ -1,6 +1,7 @@
 //! `slerp` on raw values.
 use specula_scene::spec::SlerpSpec;
 
+use crate::power;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &SlerpSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
@@ -14,7 +15,7 @@ pub fn code(spec: &SlerpSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     };
     let g = round((2 << (2 * w)) - weights[0].pow(2) - weights[1].pow(2), 2 * w, x);
     let k = round(mixed("view") * g, 2 * x, x);
-    let bits = d.max(e);
+    let bits = d.max(e).max(f.shape.fraction_bits);
     let mut terms = Vec::new();
     for light in 0..lights {
         let j = mixed(&format!("light{light}"));
@@ -22,12 +23,10 @@ pub fn code(spec: &SlerpSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
         // On the finer of the two points.
         let fine = (2 * x).max(p);
         let base = ((2 * j * k) << (fine - 2 * x)) - (raw.get(&format!("light{light}_dot_view")) << (fine - p));
-        let mut b = round(base, fine, e).clamp(0, 1 << e);
-        for _ in 0..raw.get("log2_shininess") {
-            b = round(b * b, 2 * e, e);
-        }
+        let b = round(base, fine, e).clamp(0, 1 << e);
+        let (power, power_bits) = power::raised(raw, b, e, f.shape.fraction_bits);
         terms.push((format!("light{light}_diffuse"), diffuse << (bits - d)));
-        terms.push((format!("light{light}_specular"), b << (bits - e)));
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }

@@ -20,8 +20,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let view = [&inputs.view.start, &inputs.view.delta];
     let normal = UnitNormal::new(&t, &inputs.spread, formats, spec.shortest_normal);
     let k = b.instance("n_dot_v", || units::direct_cosine(&b, &t, view, &s, formats, normal));
-    let pixel =
-        Pixel { b: &b, spec, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, normal, log2_shininess: &inputs.log2_shininess };
+    let pixel = Pixel { b: &b, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, normal, exponent: &inputs.exponent };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -29,7 +28,6 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreSpec,
     direct: &'a DirectSpec,
     t: &'a Sig,
     q: &'a Sig,
@@ -37,7 +35,7 @@ struct Pixel<'a> {
     k: &'a Sig,
     smallest_q: f64,
     normal: UnitNormal,
-    log2_shininess: &'a Sig,
+    exponent: &'a Sig,
 }
 
 impl Pixel<'_> {
@@ -49,8 +47,7 @@ impl Pixel<'_> {
         let bits = formats.base.fraction_bits;
         let base = || units::directed_base(b, [&j, self.k], &light.light_dot_view, self.q, self.smallest_q, bits);
         let base = b.instance(&called("base"), base);
-        let most_squarings = self.spec.largest_shininess.ilog2();
-        let power = || units::power(b, &base, self.log2_shininess, most_squarings, bits);
+        let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &j, formats.diffuse.fraction_bits)),
             specular: b.instance(&called("power"), power),

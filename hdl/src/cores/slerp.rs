@@ -21,7 +21,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
     let n_dot_v = b.instance("n_dot_v", || units::along_arc(&b, weights, view, &slerp.formats, steps));
     let n_dot_v = units::corrected(&b, &n_dot_v, weights, &slerp.formats, steps);
     let bound = BaseBound::new(&slerp.formats, steps);
-    let pixel = Pixel { b: &b, spec, slerp, weights, n_dot_v: &n_dot_v, log2_shininess: &inputs.log2_shininess, bound };
+    let pixel = Pixel { b: &b, spec, slerp, weights, n_dot_v: &n_dot_v, exponent: &inputs.exponent, bound };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -33,7 +33,7 @@ struct Pixel<'a> {
     slerp: &'a SlerpSpec,
     weights: [&'a Sig; 2],
     n_dot_v: &'a Sig,
-    log2_shininess: &'a Sig,
+    exponent: &'a Sig,
     bound: BaseBound,
 }
 
@@ -46,8 +46,7 @@ impl Pixel<'_> {
         let n_dot_l = b.instance(&called("n_dot_l"), along_arc);
         let base = || units::base(b, &n_dot_l, self.n_dot_v, &light.light_dot_view, &self.bound, formats);
         let base = b.instance(&called("base"), base);
-        let most_squarings = self.spec.largest_shininess.ilog2();
-        let power = || units::power(b, &base, self.log2_shininess, most_squarings, formats.base.fraction_bits);
+        let power = || units::raised(b, &base, self.exponent, self.slerp.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &n_dot_l, formats.diffuse.fraction_bits)),
             specular: b.instance(&called("power"), power),

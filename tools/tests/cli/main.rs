@@ -2,6 +2,7 @@
 mod bench;
 mod errors;
 mod explore;
+mod figure9;
 mod generate;
 mod help;
 mod methods;

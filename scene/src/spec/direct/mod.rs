@@ -9,12 +9,15 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
+use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{DirectInputs, DirectLight, Ends};
 
 /// Options of the method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DirectSpec {
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: DirectFormats,
 }
@@ -43,11 +46,20 @@ pub struct DirectFormats {
     pub diffuse: Format,
     /// The base of the highlight, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
 }
 
 impl DirectFormats {
     /// Format of differences between the ends: the component's with one more integer bit.
     pub fn component_sum(&self) -> Format {
         Format::signed(self.component.integer_bits + 1, self.component.fraction_bits)
+    }
+}
+
+impl DirectSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
     }
 }

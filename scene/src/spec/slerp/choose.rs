@@ -3,9 +3,10 @@ use super::{SlerpFormats, SlerpSpec};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
-use crate::spec::choose::{powers_of_two_only, span_bits};
+use crate::spec::choose::{exponent_bits, span_bits};
 use crate::spec::describe::Describe;
 use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::spec::power::Power;
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 
@@ -15,16 +16,17 @@ const MOST_TURN_BITS: u32 = 30;
 
 impl SlerpSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[];
+    pub const CHOICES: &'static [Choice] = &[Power::CHOICE];
 
     /// An angle that is off by e moves cos^n by 1.2 √n e, and every step may add 0.9 units of the state's last place: with n = 2^j,
     /// log2 S + 9 + j/2 bits (NUMERICS 3d has log2 S + 8 for the diffuse intensity alone), and two more for what turns it. A scalar that is
     /// off by e moves the base by 2e and cos^n by 2 n e: 11 + j bits.
     pub fn for_needs(needs: &Needs) -> SlerpSpec {
-        let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
+        let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs));
         let state = (s + 9 + j.max(4).div_ceil(2)).min(MOST_STATE_BITS);
         let scalar = (11 + j.max(4)).min(MOST_FRACTION_BITS);
         SlerpSpec {
+            power: Power::for_needs(needs),
             formats: SlerpFormats {
                 turn: Format::signed(1, state + 2),
                 state: Format::signed(1, state),
@@ -33,6 +35,7 @@ impl SlerpSpec {
                 cosine: Format::signed(1, scalar),
                 diffuse: Format::unsigned(1, 12),
                 base: Format::unsigned(1, 9 + j.max(4)),
+                shape: Format::unsigned(1, 12),
             },
         }
     }
@@ -45,24 +48,29 @@ impl Describe for SlerpSpec {
 
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
-        let &SlerpFormats { turn, state, weight, component, cosine, diffuse, base } = &self.formats;
+        let &SlerpFormats { turn, state, weight, component, cosine, diffuse, base, shape: _ } = &self.formats;
         let (point, accumulated) = (NarrowingPoint::rounded, NarrowingPoint::accumulated);
         let linear = (1, span_bits);
         let turned = "cosine and sine of the angle from pixel to pixel, rounded by the host";
         let angle = "cosine and sine of the angle from the first pixel, rounded at every pixel";
-        vec![
+        let points = vec![
             accumulated("turn", turn, SIGNED_UNIT, linear, turned).with_at_most(MOST_TURN_BITS),
             accumulated("state", state, SIGNED_UNIT, linear, angle).with_at_most(MOST_STATE_BITS),
             point("weight", weight, SIGNED_UNIT, "cosine and sine, as they are multiplied with").no_finer_than(state),
             point("component", component, SIGNED_UNIT, "A.L, T.L, A.V, T.V and L.V, rounded by the host"),
             point("cosine", cosine, SIGNED_UNIT, "J = N.L, K = N.V, 2 - N.N, and K (2 - N.N)"),
             point("diffuse", diffuse, UNIT, "J, clamped to 0..1").no_finer_than(cosine),
-            point("base", base, UNIT, "2 J K - L.V, clamped to 0..1, and each square of it"),
-        ]
+            point("base", base, UNIT, "2 J K - L.V, clamped to 0..1, and each square of it where power = squaring"),
+        ];
+        points.into_iter().chain(self.power_unit().narrowing_point()).collect()
+    }
+
+    fn options(&self) -> Vec<(&'static str, String)> {
+        vec![self.power.option()]
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        powers_of_two_only(needs, "slerp")
+        self.power.check_serves(needs, "slerp")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -1,6 +1,5 @@
 //! The inputs of a `slerp` core.
 use super::SlerpSpec;
-use crate::format::Format;
 use crate::spec::inputs::inputs;
 use crate::spec::{CoreSpec, InputPort};
 
@@ -15,8 +14,8 @@ inputs! {
         view_start: one,
         /// T·V.
         view_across: one,
-        /// j, with n = 2^j.
-        log2_shininess: one,
+        /// n, or its logarithm.
+        exponent: one,
         /// Ambient light sent back, in LSBs.
         ambient: vector,
         /// What belongs to each light.
@@ -44,13 +43,12 @@ impl SlerpSpec {
     /// The ports of a core with this method. Angles are 0 to 180 degrees, so no sine is negative.
     pub fn inputs(&self, core: &CoreSpec) -> SlerpInputs<InputPort> {
         let turn = self.formats.turn;
-        let exponent = Format::unsigned(4, 0);
         let whole = SlerpInputs {
             turn_cosine: InputPort::between("turn_cosine", turn, -1.0, 1.0),
             turn_sine: InputPort::between("turn_sine", turn, 0.0, 1.0),
             view_start: self.component("view_start"),
             view_across: self.component("view_across"),
-            log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
+            exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
         };

@@ -10,12 +10,15 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
+use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{SlerpInputs, SlerpLight};
 
 /// Options of the method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SlerpSpec {
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: SlerpFormats,
 }
@@ -38,4 +41,13 @@ pub struct SlerpFormats {
     pub diffuse: Format,
     /// The base of the highlight, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
+}
+
+impl SlerpSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
+    }
 }

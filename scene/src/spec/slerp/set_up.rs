@@ -22,7 +22,7 @@ impl SetUpSpan for SlerpSetUp<'_> {
             turn_sine: f.turn.quantise(libm::sin(turn)),
             view_start: f.component.quantise(arc.start.dot(EYE)),
             view_across: f.component.quantise(arc.across.dot(EYE)),
-            log2_shininess: i64::from(self.frame.material(span).shininess.ilog2()),
+            exponent: self.slerp.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: lights.map(|(light, coefficients)| self.light(&arc, light, coefficients)).collect(),
         };
