@@ -40,7 +40,7 @@ pub struct NotFound {
 /// [`NotFound`] with the smallest error of those tried; [`BenchError`] where a core cannot be built.
 pub fn within(start: &CoreSpec, frame: &Frame, most: f64) -> Result<Result<CoreSpec, NotFound>, BenchError> {
     let start = start.general();
-    let goal = Goal { most, error: |spec: &CoreSpec| largest_error(spec, frame), cost };
+    let goal = Goal { most, error: &|spec: &CoreSpec| largest_error(spec, frame), cost: &cost };
     Ok(match goal.together(&start)? {
         Ok(found) => Ok(goal.each(found)?),
         Err(best) => Err(NotFound { method: start.method().name(), wanted: most, best }),
@@ -48,21 +48,16 @@ pub fn within(start: &CoreSpec, frame: &Frame, most: f64) -> Result<Result<CoreS
 }
 
 /// What formats are narrowed for.
-pub(crate) struct Goal<Error, Cost> {
+pub(crate) struct Goal<'a, Cost> {
     /// The largest error, in LSBs.
     pub most: f64,
     /// The error of a core, in LSBs.
-    pub error: Error,
+    pub error: &'a dyn Fn(&CoreSpec) -> Result<f64, BenchError>,
     /// What it costs.
-    pub cost: Cost,
+    pub cost: &'a dyn Fn(&CoreSpec) -> Result<Cost, BenchError>,
 }
 
-impl<Error, Cost, C> Goal<Error, Cost>
-where
-    Error: Fn(&CoreSpec) -> Result<f64, BenchError>,
-    Cost: Fn(&CoreSpec) -> Result<C, BenchError>,
-    C: Ord,
-{
+impl<Cost: Ord> Goal<'_, Cost> {
     /// `start` with all formats narrowed together as far as they can be, or made finer as far as they must; the smallest error of those
     /// tried where that is not enough.
     pub fn together(&self, start: &CoreSpec) -> Result<Result<CoreSpec, f64>, BenchError> {

@@ -37,8 +37,14 @@ fn the_same_search_finds_the_same() {
 #[test]
 fn methods_that_cannot_shade_the_scene_are_named() {
     let exploration = explored("lamps", 3.0, None);
-    assert_eq!(exploration.refused.len(), 3);
-    assert!(exploration.front.iter().all(|core| core.core.starts_with("phong")));
+    let lamps = load("lamps", Some((48, 36))).unwrap();
+    let refused: Vec<&str> =
+        METHODS.into_iter().filter(|&method| lamps.core_spec(Some(method)).is_err()).map(Method::name).collect();
+    assert!(!refused.is_empty() && refused.len() == exploration.refused.len());
+    for (method, reason) in refused.into_iter().zip(&exploration.refused) {
+        assert!(reason.starts_with(&format!("{method}: ")), "{reason}");
+        assert!(exploration.front.iter().all(|core| !core.core.starts_with(method)));
+    }
 }
 
 #[test]

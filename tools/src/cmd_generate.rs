@@ -18,9 +18,7 @@ const EXAMPLE: &str = "\
 Writes DIR/NAME.v, Verilog-2001 with one module per unit, and DIR/spec.toml, from which the same
 core can be made again. Other files in DIR stay.
 
-Examples:
-  specula generate teapot --method hybrid -o rtl
-  specula generate --spec rtl/spec.toml -o again";
+Example: specula generate teapot --method hybrid -o rtl";
 
 /// Arguments of `generate`.
 #[derive(Clone, Debug, Args)]

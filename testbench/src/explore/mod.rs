@@ -129,10 +129,8 @@ impl Search<'_> {
             return Ok(Searched { refused: Some(format!("{}: {error}", method.name())), ..Searched::default() });
         }
         let tries = Tries { search: self, tried: RefCell::default() };
-        if let Some(best) = tries.best_options(start)? {
-            if let Rank::Within(_) = best.rank {
-                tries.goal(&best.options).each(best.spec)?;
-            }
+        if let Some(Setting { options, spec, rank: Rank::Within(_) }) = tries.best_options(start)? {
+            tries.search_with(&options, |goal| goal.each(spec))?;
         }
         Ok(Searched { tried: tries.tried.into_inner(), refused: None })
     }
@@ -167,7 +165,7 @@ impl Tries<'_> {
     /// Options with all formats narrowed together; none where no core can be built with them.
     fn narrowed(&self, options: Options) -> Result<Option<Setting>, BenchError> {
         let Ok(start) = options.spec(self.search.needs) else { return Ok(None) };
-        let (spec, rank) = match self.goal(&options).together(&start)? {
+        let (spec, rank) = match self.search_with(&options, |goal| goal.together(&start))? {
             Ok(spec) => {
                 let cells = self.tried(&options, &spec)?.cells;
                 (spec, Rank::Within(cells))
@@ -177,15 +175,11 @@ impl Tries<'_> {
         Ok(Some(Setting { options, spec, rank }))
     }
 
-    fn goal<'a>(
-        &'a self,
-        options: &'a Options,
-    ) -> Goal<impl Fn(&CoreSpec) -> Result<f64, BenchError> + 'a, impl Fn(&CoreSpec) -> Result<u64, BenchError> + 'a> {
-        Goal {
-            most: self.search.wanted.most,
-            error: |spec: &CoreSpec| Ok(self.tried(options, spec)?.error),
-            cost: |spec: &CoreSpec| Ok(self.tried(options, spec)?.cells),
-        }
+    /// A search of formats for these options.
+    fn search_with<T>(&self, options: &Options, search: impl FnOnce(&Goal<u64>) -> T) -> T {
+        let error = |spec: &CoreSpec| Ok(self.tried(options, spec)?.error);
+        let cost = |spec: &CoreSpec| Ok(self.tried(options, spec)?.cells);
+        search(&Goal { most: self.search.wanted.most, error: &error, cost: &cost })
     }
 
     /// Error and size of a general core, specialised; beyond any error and any size where it cannot be built.
