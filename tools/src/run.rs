@@ -2,7 +2,7 @@
 use std::ops::Range;
 use std::time::Duration;
 
-use specula_testbench::{Bench, EngineKind, Outcome};
+use specula_testbench::{Bench, EngineKind, Outcome, Share, shares};
 
 use crate::disagreement::Disagreement;
 use crate::task::Task;
@@ -35,6 +35,17 @@ impl Run<'_> {
     /// The clock that a reader wants to see: that of the first disagreement, or that in which the worst pixel leaves.
     pub fn clock_to_look_at(&self) -> Option<u64> {
         self.disagreement.as_ref().map(Disagreement::first_clock).or(self.outcome.worst_cycle)
+    }
+
+    /// How many times the largest measured quantisation error its bound is; none if there is no finite one, or no error.
+    pub fn bound_ratio(&self) -> Option<f64> {
+        let ratio = self.bench.design.error_bound() / self.outcome.comparison.errors.quantisation.max_lsb;
+        ratio.is_finite().then_some(ratio)
+    }
+
+    /// What places that round contribute to the bound.
+    pub fn bound_shares(&self) -> Vec<Share> {
+        shares(self.bench.spec, self.bench.frame, self.bench.design.error_bound())
     }
 
     /// Clocks for each pixel, the way through the core included.

@@ -1,7 +1,7 @@
 //! The report for programs.
 use serde::Serialize;
 use specula_scene::CoreSpec;
-use specula_testbench::{Errors, Savings, Violation, savings};
+use specula_testbench::{Errors, Savings, Share, Violation, savings};
 
 use crate::disagreement::Disagreement;
 use crate::run::{Run, Written};
@@ -39,6 +39,10 @@ struct Report<'a> {
     largest_code_difference: u8,
     /// On the quantisation error; none if no finite one can be proven.
     bound_lsb: Option<f64>,
+    /// How many times the largest measured quantisation error it is.
+    bound_ratio: Option<f64>,
+    /// By how much it would be smaller if a place rounded far finer, the largest first.
+    bound_shares: Vec<Share>,
     worst_pixel: Option<WorstPixel>,
     /// The clocks in the waveform, from the first to the one behind the last.
     trace: Option<[u64; 2]>,
@@ -119,6 +123,8 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         error: &comparison.errors,
         largest_code_difference: comparison.largest_code_difference,
         bound_lsb: bound.is_finite().then_some(bound),
+        bound_ratio: run.bound_ratio(),
+        bound_shares: run.bound_shares(),
         worst_pixel: comparison.worst_pixel.map(|worst| WorstPixel {
             x: worst.x,
             y: worst.y,
@@ -127,7 +133,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         }),
         trace: written.window.as_ref().map(|window| [window.start, window.end]),
         size: size(run),
-        savings: (!bench.spec.specialisation.is_general()).then(|| savings(bench.spec).ok()).flatten(),
+        savings: (!bench.spec.specialisation.is_general()).then(|| savings(bench.spec, None).ok()).flatten(),
         spec: bench.spec,
         files: &written.files,
     }
