@@ -1,6 +1,6 @@
 //! Sums, differences and products, computed in one lane width and stored in another.
 use crate::kernel::Binary;
-use crate::post::{Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, WrappedAndShifted, Wrapped, ZeroFilled};
+use crate::post::{Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled};
 use crate::{Lane, Level, Post, Wrap};
 
 /// An arithmetic operator.

@@ -1,6 +1,6 @@
 //! Products of 32-bit lanes, and sums of two or three of them, so that no column is made for each product.
 use crate::kernel::Products;
-use crate::post::{Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, WrappedAndShifted, Wrapped, ZeroFilled};
+use crate::post::{Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled};
 use crate::{Lane, Level, Post};
 
 /// What becomes of the second of several products; all others are added.

@@ -73,7 +73,9 @@ impl Method for Consistent {
     fn check(&self, inputs: &ConsistentInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let f = &self.formats;
         packet::check_ends(&inputs.normal_start, &inputs.normal_delta, 1, f.vector)?;
-        inputs.lights.iter().try_for_each(|light| packet::check_length(&light.direction, 1, f.vector))?;
+        for vector in inputs.lights.iter().flat_map(|light| [&light.direction].into_iter().chain(&light.halfway)) {
+            packet::check_length(vector, 1, f.vector)?;
+        }
         course.weight(inputs.weight_step, f.weight_accumulator)?;
         let angle = Linear { start: inputs.angle_start, step: inputs.angle_step };
         course.rounded_up(format_args!("angle"), &angle, f.angle_accumulator, Wide::from_num(LARGEST_ANGLE))

@@ -53,8 +53,11 @@ pub fn posts(computed: u32, stored: u32) -> impl Strategy<Value = Post> {
     ];
     let wrap = |bits: u32| prop_oneof![Just(Wrap::None), (1..=bits).prop_map(Wrap::Signed), (1..bits).prop_map(Wrap::Unsigned)];
     let plus = prop_oneof![Just(0), number(24), number(40)];
-    (plus, wrap(computed), shift, wrap(stored)).prop_map(|(plus, first, shift, wrap)| Post { plus, first, shift, wrap })
-        .prop_filter("0 becomes something that fits", move |post| finished(*post, computed, 0).is_some_and(|result| fits(stored, result)))
+    (plus, wrap(computed), shift, wrap(stored))
+        .prop_map(|(plus, first, shift, wrap)| Post { plus, first, shift, wrap })
+        .prop_filter("0 becomes something that fits", move |post| {
+            finished(*post, computed, 0).is_some_and(|result| fits(stored, result))
+        })
 }
 
 /// What becomes of a raw result; `None` if it does not fit the lane that computes.

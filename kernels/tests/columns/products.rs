@@ -31,7 +31,8 @@ fn check<O: Lane, const N: usize>(
         let mut expected = vec![];
         for lane in 0..lanes {
             let products = factors.each_ref().map(|[a, b]| i128::from(a[lane]) * i128::from(b[lane]));
-            let result = |products: &[i128]| finished(post, computed, sum(second, products)).filter(|&result| fits(O::BITS, result));
+            let result =
+                |products: &[i128]| finished(post, computed, sum(second, products)).filter(|&result| fits(O::BITS, result));
             expected.push(result(&products).unwrap_or_else(|| {
                 factors.iter_mut().for_each(|[a, _]| a[lane] = 0);
                 result(&[0; N]).expect("what becomes of 0 fits")
