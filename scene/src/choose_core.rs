@@ -1,6 +1,6 @@
 //! The core for a loaded scene.
 use crate::spec::lyon::Normals;
-use crate::spec::{CoreOptions, SpecError, Specialise};
+use crate::spec::{CoreOptions, Specialise};
 use crate::{CoreSpec, LoadedScene, Method, MethodSpec, Needs, SceneError};
 
 impl LoadedScene {
@@ -14,7 +14,7 @@ impl LoadedScene {
         let needs = Needs::of(&self.frame);
         let spec = CoreSpec::for_scene(&needs, options.as_ref(), method);
         let spec = spec.map_err(|error| match &self.core {
-            Some(table) => table.error(table.span(), error.to_string(), help_of(&error)),
+            Some(table) => table.error(table.span(), error.to_string(), error.help_text()),
             None => SceneError::Spec(error),
         })?;
         Ok(match options.as_ref().and_then(|options| options.specialise).unwrap_or(Specialise::Scene) {
@@ -31,8 +31,4 @@ fn without_interpolation(mut spec: CoreSpec, needs: &Needs, options: Option<&Cor
         lyon.normals = Normals::Flat;
     }
     spec
-}
-
-fn help_of(error: &SpecError) -> String {
-    miette::Diagnostic::help(error).map(|help| help.to_string()).unwrap_or_default()
 }

@@ -20,10 +20,12 @@ pub enum SceneError {
         #[help]
         help: String,
     },
-    /// A scene file that the system does not give, or that is not text.
-    #[error("scene file `{path}`: {reason}")]
+    /// A file that the system does not give, or that is not text.
+    #[error("{kind} `{path}`: {reason}")]
     #[diagnostic(code(scene::unreadable))]
     Unreadable {
+        /// What it is to be.
+        kind: &'static str,
         /// The file.
         path: String,
         /// Why.
@@ -32,7 +34,7 @@ pub enum SceneError {
         #[help]
         help: String,
     },
-    /// Something wrong at a place in a scene file.
+    /// Something wrong at a place in a scene file or in a core's.
     #[error("{problem}")]
     #[diagnostic(code(scene::file))]
     File {
@@ -41,7 +43,7 @@ pub enum SceneError {
         /// What would be right.
         #[help]
         help: String,
-        /// The scene file.
+        /// The file.
         #[source_code]
         text: Arc<NamedSource<String>>,
         /// The place in it.

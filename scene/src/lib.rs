@@ -19,6 +19,7 @@ mod parallel;
 pub mod picture;
 pub mod primitive;
 pub mod spec;
+mod spec_file;
 mod surface;
 
 pub use builtin::builtin_names;
@@ -31,4 +32,5 @@ pub use load::{LoadedScene, load, parse};
 pub use needs::Needs;
 pub use parallel::ParallelSpan;
 pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};
+pub use spec_file::SpecFile;
 pub use surface::Surface;

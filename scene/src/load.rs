@@ -43,7 +43,7 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
         return finish(scene, &name, SceneFile::without_text(around(Mesh::read(path)?)), size);
     }
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
-        let source = read_text(path)?;
+        let source = read_text("scene file", path)?;
         return finish(scene, &name, SceneFile::parse(&source, path.parent())?, size);
     }
     let help = format!(
@@ -80,20 +80,21 @@ fn around(mesh: Mesh) -> Scene {
     }
 }
 
-fn read_text(path: &Path) -> Result<SourceFile, SceneError> {
+/// The text of a file that is to be of a kind.
+pub(crate) fn read_text(kind: &'static str, path: &Path) -> Result<SourceFile, SceneError> {
     let shown = path.display().to_string();
-    let unreadable = |reason: String, help: &str| SceneError::Unreadable { path: shown.clone(), reason, help: help.into() };
+    let unreadable = |reason: String, help: &str| SceneError::Unreadable { kind, path: shown.clone(), reason, help: help.into() };
     let bytes = mesh::read_file(path).map_err(|problem| unreadable(problem.to_string(), "check the path"))?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
-        unreadable(format!("it is not UTF-8 text: byte {at}, in line {line}, is wrong"), "scene files are TOML, in UTF-8")
+        unreadable(format!("it is not UTF-8 text: byte {at}, in line {line}, is wrong"), "scenes and specs are TOML, in UTF-8")
     })?;
     Ok(SourceFile::new(&shown, text))
 }
 
 /// A path's stem as [`LoadedScene::name`] has it.
-fn name_of(path: &Path) -> String {
+pub(crate) fn name_of(path: &Path) -> String {
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().to_lowercase()).unwrap_or_default();
     let plain = stem.chars().map(|c| if c.is_ascii_lowercase() || c.is_ascii_digit() { c } else { '_' });
     let name: String = plain.take(LONGEST_NAME - 1).collect();

@@ -1,6 +1,6 @@
 //! What a frame makes use of: it decides what is built and how wide, and whether a core that is there will do.
 use glam::DVec3;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::contributions::Contributions;
 use crate::frame::{EYE, Frame, LocalLight, Span, Triangle};
@@ -99,8 +99,8 @@ impl Ranges {
 }
 
 /// What a light at a place is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LocalKind {
     /// It shines to all sides alike.
     Point,

@@ -41,7 +41,7 @@ pub enum SimError {
     },
     /// An external tool is not installed.
     #[error("{tool} is not installed: there is no program `{command}` on the search path")]
-    #[diagnostic(code(specula::sim::absent), help("{install}, or use an engine that needs no other program: `--engine rust-hdl`"))]
+    #[diagnostic(code(specula::sim::absent), help("{install}, or {otherwise}"))]
     ToolAbsent {
         /// What people call it.
         tool: &'static str,
@@ -49,6 +49,8 @@ pub enum SimError {
         command: &'static str,
         /// How to get it.
         install: &'static str,
+        /// What does without it.
+        otherwise: &'static str,
     },
     /// An external tool failed, or had something to complain of.
     #[error("`{command}` failed or gave a warning ({status}):\n{output}")]

@@ -15,6 +15,7 @@ mod icarus;
 mod outline;
 mod rust_hdl;
 mod stimulus;
+mod synthesis;
 pub mod vcd;
 mod verilator;
 
@@ -24,4 +25,5 @@ pub use fast::Fast;
 pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
 pub use stimulus::{SpanSource, Stimulus};
+pub use synthesis::{Synthesised, synthesise};
 pub use verilator::{Effort, Keeping, TimedVerilator, Timing, Verilator};

@@ -1,6 +1,6 @@
 //! Facts that intervals cannot see, checked on every clock.
 use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_hdl::design::{NodeId, Range};
 use specula_sim::{Batch, Stimulus};
 
 /// A fact that did not hold.
@@ -44,14 +44,25 @@ pub(crate) fn first_violation(design: &Design, stimulus: &Stimulus, batch: &Batc
 
 /// Clocks of pixels that went in for which a fact did not hold, of these clocks, in no order.
 pub(crate) fn entries_that_violate(design: &Design, stimulus: &Stimulus, batch: &Batch) -> Vec<u64> {
-    let of = |assumption: &specula_hdl::design::Assumption| {
-        let stage = u64::from(design.node(assumption.node).stage);
-        let range = assumption.range;
-        batch.of(assumption.node).into_iter().flat_map(move |lanes| {
-            let outside = move |&row: &usize| !range.contains(lanes.get(row));
-            let entry = move |row: usize| (batch.first_clock() + row as u64).checked_sub(stage);
-            (0..lanes.clocks()).filter(outside).filter_map(entry).filter(|&entry| stimulus.feeds(entry))
-        })
+    let facts = design.assumptions.iter().map(|assumption| (assumption.node, assumption.range));
+    facts.flat_map(|(node, range)| entries_outside(design, stimulus, batch, node, range)).collect()
+}
+
+/// Signals outside their proven ranges, and clocks of the pixels that went in to which that belongs, of these clocks.
+pub(crate) fn signals_out_of_range(design: &Design, stimulus: &Stimulus, batch: &Batch) -> Vec<(NodeId, u64)> {
+    let of = |&node: &NodeId| {
+        let entries = entries_outside(design, stimulus, batch, node, design.node(node).range);
+        entries.into_iter().map(move |entry| (node, entry)).collect::<Vec<_>>()
     };
-    design.assumptions.iter().flat_map(of).collect()
+    batch.nodes().iter().flat_map(of).collect()
+}
+
+/// Clocks of pixels that went in for which a signal was outside a range, of these clocks.
+fn entries_outside(design: &Design, stimulus: &Stimulus, batch: &Batch, node: NodeId, range: Range) -> Vec<u64> {
+    let stage = u64::from(design.node(node).stage);
+    let Some(lanes) = batch.of(node) else { return Vec::new() };
+    let Some(first) = lanes.first_outside(range.low, range.high) else { return Vec::new() };
+    let entry = |row: usize| (batch.first_clock() + row as u64).checked_sub(stage);
+    let outside = (first..lanes.clocks()).filter(|&row| !range.contains(lanes.get(row)));
+    outside.filter_map(entry).filter(|&entry| stimulus.feeds(entry)).collect()
 }

@@ -1,54 +1,15 @@
-//! What a core for one scene saves, need by need: each is measured by elaborating the core without that one specialisation.
+//! What a core for one scene saves, need by need: each is measured by elaborating the core without knowing it.
+use rayon::prelude::*;
 use serde::Serialize;
 use specula_hdl::Design;
 use specula_scene::CoreSpec;
-use specula_scene::spec::{Given, InputPort};
+use specula_scene::spec::{Given, InputPort, LONGEST_SPAN, MOST_LIGHTS, Subject};
+use specula_sim::{SimError, Synthesised};
 
 use crate::BenchError;
 
-/// What inputs tell of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Subject {
-    Light,
-    Exponent,
-    Ambient,
-    Diffuse,
-    Specular,
-    Surface,
-}
-
-impl Subject {
-    const ALL: [Subject; 6] =
-        [Subject::Light, Subject::Exponent, Subject::Ambient, Subject::Diffuse, Subject::Specular, Subject::Surface];
-
-    /// By an input's name, of which every method makes the same use.
-    fn of(name: &str) -> Subject {
-        let (stem, last) = name.rsplit_once('_').unwrap_or(("", name));
-        let is_channel = matches!(last, "r" | "g" | "b");
-        let constant_vector = ["_direction", "_halfway", "_axis"].iter().any(|end| stem.ends_with(end)) && !is_channel;
-        let of_lights = constant_vector && matches!(last, "x" | "y" | "z");
-        let scalar = ["dot_view", "halfway_gain"].iter().any(|end| name.ends_with(end));
-        match name {
-            _ if is_channel && stem == "ambient" => Subject::Ambient,
-            _ if is_channel && stem.ends_with("_diffuse") => Subject::Diffuse,
-            _ if is_channel && stem.ends_with("_specular") => Subject::Specular,
-            "shininess" | "root_shininess" | "exponent" | "log2_exponent" => Subject::Exponent,
-            _ if name.starts_with("light") && (of_lights || scalar || name.ends_with("_exponent")) => Subject::Light,
-            _ => Subject::Surface,
-        }
-    }
-
-    const fn in_words(self) -> &'static str {
-        match self {
-            Subject::Light => "directions of lights",
-            Subject::Exponent => "exponents of materials",
-            Subject::Ambient => "ambient light",
-            Subject::Diffuse => "diffuse colours",
-            Subject::Specular => "specular colours",
-            Subject::Surface => "what changes along spans",
-        }
-    }
-}
+/// Makes cells of a design, if that is asked for: [`specula_sim::synthesise`].
+pub type Synthesis = fn(&Design) -> Result<Synthesised, SimError>;
 
 /// What a hardware is spared; negative where a constant's shifts and sums are more than they stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -65,20 +26,54 @@ pub struct Spared {
     pub register_bits: i64,
     /// Clocks of latency.
     pub latency: i64,
+    /// Cells of an FPGA, if they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cells: Option<SparedCells>,
+}
+
+/// Cells of an ECP5 that a hardware is spared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct SparedCells {
+    /// Look-up tables of four inputs.
+    pub luts: i64,
+    /// Multipliers of 18 x 18 bits.
+    pub multipliers: i64,
+    /// Flip-flops.
+    pub flip_flops: i64,
+}
+
+/// A core that was built.
+struct Built {
+    design: Design,
+    cells: Option<Synthesised>,
+}
+
+impl Built {
+    fn new(spec: &CoreSpec, synthesis: Option<Synthesis>) -> Result<Built, BenchError> {
+        let design = specula_hdl::elaborate(spec, "core")?;
+        let cells = synthesis.map(|synthesise| synthesise(&design)).transpose()?;
+        Ok(Built { design, cells })
+    }
 }
 
 impl Spared {
     /// What `less` has less than `more`.
-    pub fn between(more: &Design, less: &Design) -> Spared {
-        let (m, l) = (more.size(), less.size());
+    fn between(more: &Built, less: &Built) -> Spared {
+        let (m, l) = (more.design.size(), less.design.size());
         let difference = |a: u64, b: u64| a as i64 - b as i64;
+        let cells = |(more, less): (Synthesised, Synthesised)| SparedCells {
+            luts: difference(more.luts, less.luts),
+            multipliers: difference(more.multipliers, less.multipliers),
+            flip_flops: difference(more.flip_flops, less.flip_flops),
+        };
         Spared {
             multipliers: difference(m.multipliers as u64, l.multipliers as u64),
             multiplier_bits: difference(m.multiplier_bits, l.multiplier_bits),
             adders: difference(m.adders as u64, l.adders as u64),
             adder_bits: difference(m.adder_bits, l.adder_bits),
             register_bits: difference(m.register_bits, l.register_bits),
-            latency: i64::from(more.latency()) - i64::from(less.latency()),
+            latency: i64::from(more.design.latency()) - i64::from(less.design.latency()),
+            cells: more.cells.zip(less.cells).map(cells),
         }
     }
 }
@@ -105,24 +100,61 @@ pub struct Savings {
     pub together: Spared,
 }
 
-/// What the core of `spec` saves against the general one.
+/// What the core of `spec` saves against the general one, with cells if `synthesis` makes them.
 ///
 /// # Errors
-/// [`BenchError::TooWide`] if the general core has too wide a signal.
-pub fn savings(spec: &CoreSpec) -> Result<Savings, BenchError> {
-    let core = |spec: &CoreSpec| specula_hdl::elaborate(spec, "core").map_err(BenchError::from);
-    let (special, general) = (core(spec)?, core(&spec.general())?);
+/// [`BenchError::TooWide`] if the general core has too wide a signal, [`BenchError::Simulation`] if it cannot be synthesised.
+pub fn savings(spec: &CoreSpec, synthesis: Option<Synthesis>) -> Result<Savings, BenchError> {
+    let special = Built::new(spec, synthesis)?;
+    let saving = |without: Ignorant| {
+        let saves = Spared::between(&Built::new(&without.core, synthesis)?, &special);
+        Ok(Saving { need: without.need, left_out: without.left_out, saves, safe: without.safe })
+    };
+    let needs: Vec<Ignorant> = of_sizes(spec).chain(of_inputs(spec)).collect();
+    let needs: Result<Vec<Saving>, BenchError> = needs.into_par_iter().map(saving).collect();
+    let together = Spared::between(&Built::new(&spec.general(), synthesis)?, &special);
+    Ok(Savings { needs: needs?, together })
+}
+
+/// The core without knowing one need.
+struct Ignorant {
+    need: &'static str,
+    left_out: String,
+    safe: &'static str,
+    core: CoreSpec,
+}
+
+/// Without knowing how many lights there are, or how long spans are; where such a core can be built at all.
+fn of_sizes(spec: &CoreSpec) -> impl Iterator<Item = Ignorant> {
+    // Lights at places are the last ones, so more lights at infinity would have their names.
+    let fewer_lights = spec.lights < MOST_LIGHTS && spec.local_lights.is_empty();
+    let lights = fewer_lights.then(|| Ignorant {
+        need: "number of lights",
+        left_out: format!("{} of {MOST_LIGHTS} pipelines for lights", MOST_LIGHTS - spec.lights),
+        safe: "the scene has no more lights",
+        core: CoreSpec { lights: MOST_LIGHTS, ..spec.clone() },
+    });
+    let longer = (spec.longest_span < LONGEST_SPAN).then(|| spec.for_spans(LONGEST_SPAN).ok()).flatten();
+    let longer = longer.filter(|core| specula_hdl::elaborate(core, "core").is_ok());
+    let spans = longer.map(|core| Ignorant {
+        need: "longest span",
+        left_out: format!("accumulators for {} pixels, not {LONGEST_SPAN}", spec.longest_span),
+        safe: "no span of this frame is longer",
+        core,
+    });
+    lights.into_iter().chain(spans)
+}
+
+/// Without knowing what some inputs are given.
+fn of_inputs(spec: &CoreSpec) -> Vec<Ignorant> {
     let ports = spec.inputs();
-    let needs: Result<Vec<Option<Saving>>, BenchError> = groups(&ports)
-        .map(|(need, safe, group)| {
-            let Some(left_out) = described(spec, &group) else { return Ok(None) };
-            let known = |name: &str| !group.iter().any(|port| port.name == name);
-            let ignorant = CoreSpec { specialisation: spec.specialisation.only(known), ..spec.clone() };
-            let saves = Spared::between(&core(&ignorant)?, &special);
-            Ok(Some(Saving { need, left_out, saves, safe }))
-        })
-        .collect();
-    Ok(Savings { needs: needs?.into_iter().flatten().collect(), together: Spared::between(&general, &special) })
+    let ignorant = |(need, safe, group): (&'static str, &'static str, Vec<&InputPort>)| {
+        let left_out = described(spec, &group)?;
+        let known = |name: &str| !group.iter().any(|port| port.name == name);
+        let core = CoreSpec { specialisation: spec.specialisation.only(known), ..spec.clone() };
+        Some(Ignorant { need, left_out, safe, core })
+    };
+    groups(&ports).filter_map(ignorant).collect()
 }
 
 /// Inputs that a need is about. Coefficients that are the same in several channels are a need of their own.

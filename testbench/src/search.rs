@@ -40,36 +40,60 @@ pub struct NotFound {
 /// [`NotFound`] with the smallest error of those tried; [`BenchError`] where a core cannot be built.
 pub fn within(start: &CoreSpec, frame: &Frame, most: f64) -> Result<Result<CoreSpec, NotFound>, BenchError> {
     let start = start.general();
-    let fits = |spec: &CoreSpec| Ok::<bool, BenchError>(largest_error(spec, frame)? <= most);
-    let mut best = f64::INFINITY;
-    let mut found = None;
-    for added in 0..=MOST_ADDED {
-        let Some(spec) = shifted(&start, added) else { continue };
-        let error = largest_error(&spec, frame)?;
-        best = best.min(error);
-        if error <= most {
-            found = Some(spec);
-            break;
+    let goal = Goal { most, error: &|spec: &CoreSpec| largest_error(spec, frame), cost: &cost };
+    Ok(match goal.together(&start)? {
+        Ok(found) => Ok(goal.each(found)?),
+        Err(best) => Err(NotFound { method: start.method().name(), wanted: most, best }),
+    })
+}
+
+/// What formats are narrowed for.
+pub(crate) struct Goal<'a, Cost> {
+    /// The largest error, in LSBs.
+    pub most: f64,
+    /// The error of a core, in LSBs.
+    pub error: &'a dyn Fn(&CoreSpec) -> Result<f64, BenchError>,
+    /// What it costs.
+    pub cost: &'a dyn Fn(&CoreSpec) -> Result<Cost, BenchError>,
+}
+
+impl<Cost: Ord> Goal<'_, Cost> {
+    /// `start` with all formats narrowed together as far as they can be, or made finer as far as they must; the smallest error of those
+    /// tried where that is not enough.
+    pub fn together(&self, start: &CoreSpec) -> Result<Result<CoreSpec, f64>, BenchError> {
+        let mut best = f64::INFINITY;
+        let mut found = None;
+        for added in 0..=MOST_ADDED {
+            let Some(spec) = shifted(start, added) else { continue };
+            let error = (self.error)(&spec)?;
+            best = best.min(error);
+            if error <= self.most {
+                found = Some(spec);
+                break;
+            }
         }
-    }
-    let Some(mut found) = found else {
-        return Ok(Err(NotFound { method: start.method().name(), wanted: most, best }));
-    };
-    while let Some(spec) = shifted(&found, -1) {
-        if !fits(&spec)? {
-            break;
-        }
-        found = spec;
-    }
-    for name in found.narrowing_points().into_iter().map(|point| point.name) {
-        while let Some(spec) = narrower(&found, name) {
-            if cost(&spec)? > cost(&found)? || !fits(&spec)? {
+        let Some(mut found) = found else { return Ok(Err(best)) };
+        while let Some(spec) = shifted(&found, -1) {
+            if (self.error)(&spec)? > self.most {
                 break;
             }
             found = spec;
         }
+        Ok(Ok(found))
     }
-    Ok(Ok(found))
+
+    /// Each format by itself narrowed as far as it can be, as long as nothing gets larger.
+    pub fn each(&self, mut found: CoreSpec) -> Result<CoreSpec, BenchError> {
+        for name in found.narrowing_points().into_iter().map(|point| point.name) {
+            while let Some(spec) = narrower(&found, name) {
+                if (self.cost)(&spec)? > (self.cost)(&found)? || (self.error)(&spec)? > self.most {
+                    break;
+                }
+                found = spec;
+            }
+        }
+        Ok(found)
+    }
 }
 
 /// Largest |code - method in f64| over every pixel and channel, in LSBs.

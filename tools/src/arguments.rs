@@ -11,14 +11,24 @@ use specula_testbench::{EngineKind, search};
 
 use crate::error::ToolError;
 
-/// The scene, and the core for it.
+/// The folder to be written.
 #[derive(Clone, Debug, Args)]
-pub struct SceneArguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
-    pub scene: String,
+pub struct OutputArguments {
     /// Folder to write [default: out/NAME, by the scene's name]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+}
+
+impl OutputArguments {
+    /// The folder for what is called `name`.
+    pub fn folder(&self, name: &str) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| PathBuf::from("out").join(name))
+    }
+}
+
+/// What a core is to be like.
+#[derive(Clone, Debug, Default, Args)]
+pub struct Wishes {
     /// Width and height of the picture in pixels, such as 640x480 [default: what the scene says]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
     pub size: Option<(u32, u32)>,
@@ -35,10 +45,10 @@ pub struct SceneArguments {
     pub max_error: Option<f64>,
 }
 
-impl SceneArguments {
+impl Wishes {
     /// The scene and the core for it.
-    pub fn load(&self) -> Result<(LoadedScene, CoreSpec), ToolError> {
-        let scene = specula_scene::load(&self.scene, self.size)?;
+    pub fn load(&self, scene: &str) -> Result<(LoadedScene, CoreSpec), ToolError> {
+        let scene = specula_scene::load(scene, self.size)?;
         let spec = scene.core_spec(self.method)?;
         let general = spec.specialisation.is_general();
         let spec = match self.max_error {
@@ -53,15 +63,10 @@ impl SceneArguments {
         };
         Ok((scene, spec))
     }
-
-    /// The folder to be written.
-    pub fn folder(&self, scene: &LoadedScene) -> PathBuf {
-        self.output.clone().unwrap_or_else(|| PathBuf::from("out").join(&scene.name))
-    }
 }
 
 /// `--max-error`: LSBs of the 8-bit output.
-fn parse_error(text: &str) -> Result<f64, String> {
+pub fn parse_error(text: &str) -> Result<f64, String> {
     let number = text.strip_suffix("lsb").unwrap_or(text).parse::<f64>().ok().filter(|lsb| *lsb > 0.0 && *lsb <= 255.0);
     number.ok_or_else(|| "write a number of LSBs of the 8-bit output above 0 and up to 255, as in 1lsb".to_owned())
 }

@@ -5,7 +5,8 @@ use clap::{Parser, Subcommand};
 
 use crate::error::ToolError;
 use crate::{
-    cmd_bench, cmd_compare, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce, cmd_run, cmd_scenes, cmd_stress, cmd_wave,
+    cmd_bench, cmd_compare, cmd_explore, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce, cmd_run, cmd_scenes, cmd_stress,
+    cmd_wave,
 };
 
 const EXAMPLES: &str = "\
@@ -39,6 +40,8 @@ pub enum Command {
     Compare(cmd_compare::Arguments),
     /// Say what a scene needs, and what hardware its core leaves out for that
     Needs(cmd_needs::Arguments),
+    /// Search options and formats for the smallest core within an error of exact shading
+    Explore(cmd_explore::Arguments),
     /// Try every method on the catalogue of extremes
     Stress(cmd_stress::Arguments),
     /// Compute what the papers claim, and say what holds
@@ -69,6 +72,7 @@ impl Command {
             Command::Bench(arguments) => cmd_bench::execute(arguments, stdout),
             Command::Compare(arguments) => cmd_compare::execute(arguments, stdout),
             Command::Needs(arguments) => cmd_needs::execute(arguments, stdout),
+            Command::Explore(arguments) => cmd_explore::execute(arguments, stdout),
             Command::Stress(arguments) => cmd_stress::execute(arguments, stdout),
             Command::Reproduce(arguments) => cmd_reproduce::execute(arguments, stdout),
             Command::Scenes => cmd_scenes::execute(stdout),

@@ -1,18 +1,22 @@
 //! `specula generate`: a core's Verilog without simulating it.
 use std::io::Write;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use specula_testbench::Bench;
+use specula_scene::SpecFile;
+use specula_testbench::BenchError;
 
-use crate::arguments::SceneArguments;
+use crate::arguments::{OutputArguments, Wishes};
 use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::header::Origin;
-use crate::output::write_verilog;
+use crate::output::write_core;
+use crate::task::Task;
 use crate::verilog;
 
 const EXAMPLE: &str = "\
-Writes DIR/NAME.v alone: Verilog-2001, one module per unit. Other files in DIR stay.
+Writes DIR/NAME.v, Verilog-2001 with one module per unit, and DIR/spec.toml, from which the same
+core can be made again. Other files in DIR stay.
 
 Example: specula generate teapot --method hybrid -o rtl";
 
@@ -20,17 +24,55 @@ Example: specula generate teapot --method hybrid -o rtl";
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    #[arg(required_unless_present = "spec")]
+    scene: Option<String>,
     #[command(flatten)]
-    scene: SceneArguments,
+    output: OutputArguments,
+    /// The core in this spec.toml, in place of one for a scene
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error"])]
+    spec: Option<PathBuf>,
+    #[command(flatten)]
+    wishes: Wishes,
 }
 
-/// Writes the Verilog and says where.
+/// Writes the core and says where.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let (scene, spec) = arguments.scene.load()?;
-    let module = specula_hdl::verilog::module_name(&scene.name);
-    let bench = Bench::new(&scene.frame, &spec, &module)?;
-    let text = verilog::text(&Origin::new(&arguments.scene, &spec), &spec, &bench.design);
-    let path = write_verilog(&arguments.scene.folder(&scene), &verilog::file_name(&module), &text)?;
-    writeln!(stdout, "{}", path.display()).map_err(ToolError::Print)?;
+    let (file, origin) = arguments.core()?;
+    let module = specula_hdl::verilog::module_name(&file.name);
+    let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
+    let text = verilog::text(&origin, &file.spec, &design);
+    let folder = arguments.output.folder(&file.name);
+    let mut texts = vec![(verilog::file_name(&module), text)];
+    if !arguments.is_spec_of(&folder) {
+        texts.push((SpecFile::NAME.to_owned(), file.text()));
+    }
+    for path in write_core(&folder, &texts)? {
+        writeln!(stdout, "{}", path.display()).map_err(ToolError::Print)?;
+    }
     Ok(Verdict::Done)
+}
+
+impl Arguments {
+    /// Whether the spec that was given is the one in `folder`; it stays as the user wrote it.
+    fn is_spec_of(&self, folder: &Path) -> bool {
+        let place = |path: &Path| path.canonicalize().ok();
+        self.spec.as_ref().is_some_and(|spec| place(spec) == place(&folder.join(SpecFile::NAME)))
+    }
+
+    /// The core, and where it comes from.
+    fn core(&self) -> Result<(SpecFile, Origin), ToolError> {
+        match (&self.spec, &self.scene) {
+            (Some(path), _) => {
+                let file = SpecFile::read(path)?;
+                let origin = Origin::of_file(path, &file);
+                Ok((file, origin))
+            }
+            // The command line asks for one of both.
+            (None, scene) => {
+                let Task { file, origin, .. } = Task::of_scene(scene.as_deref().unwrap_or_default(), &self.wishes)?;
+                Ok((file, origin))
+            }
+        }
+    }
 }

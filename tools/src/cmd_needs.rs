@@ -4,7 +4,8 @@ use std::io::Write;
 use clap::Args;
 use serde::Serialize;
 use specula_scene::{Method, Needs};
-use specula_testbench::{Saving, Savings, Spared, savings};
+use specula_sim::synthesise;
+use specula_testbench::{Saving, Savings, Spared, Synthesis, savings};
 
 use crate::arguments::{method_parser, parse_size};
 use crate::cli::Verdict;
@@ -30,6 +31,9 @@ pub struct Arguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
+    /// Also synthesise the core without each need, by Yosys for an ECP5: a minute and more
+    #[arg(long)]
+    synthesis: bool,
     /// Print JSON, with the ranges of every quantity, instead of tables
     #[arg(long)]
     json: bool,
@@ -50,13 +54,15 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let spec = scene.core_spec(arguments.method)?;
     // What a scene leaves out is asked for whether its file wants it left out or not.
     let spec = if spec.specialisation.is_general() { spec.specialised(&scene.frame) } else { spec };
-    let (needs, savings) = (Needs::of(&scene.frame), savings(&spec)?);
+    let synthesis = arguments.synthesis.then_some(synthesise as Synthesis);
+    let (needs, savings) = (Needs::of(&scene.frame), savings(&spec, synthesis)?);
     let report = Report { scene: &scene.name, method: spec.method().name(), needs: &needs, savings: &savings };
     let text = if arguments.json {
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
     } else {
         let table = [vec![TITLES.map(str::to_owned)], rows(&savings)].concat();
-        format!("{}\n{}", table::lines(&facts(&report)), table::lines(&table))
+        let cells = if arguments.synthesis { format!("\n{}", table::lines(&cells(&savings))) } else { String::new() };
+        format!("{}\n{}{cells}", table::lines(&facts(&report)), table::lines(&table))
     };
     write!(stdout, "{text}").map_err(ToolError::Print)?;
     Ok(Verdict::Done)
@@ -105,4 +111,18 @@ pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
     let mut rows: Vec<[String; 9]> = savings.needs.iter().map(of).collect();
     rows.push(row("all together", "", &savings.together, "every pixel is compared"));
     rows
+}
+
+/// A table of what is saved in cells, where they were counted.
+fn cells(savings: &Savings) -> Vec<[String; 4]> {
+    let titles = ["need", "LUT4", "MULT18X18D", "flip-flops"].map(str::to_owned);
+    let row = |(need, saves): (&str, &Spared)| {
+        let cells = saves.cells?;
+        let numbers = [cells.luts, cells.multipliers, cells.flip_flops].map(|number| number.to_string());
+        let [luts, multipliers, flip_flops] = numbers;
+        Some([need.to_owned(), luts, multipliers, flip_flops])
+    };
+    let needs = savings.needs.iter().map(|saving| (saving.need, &saving.saves));
+    let rows = needs.chain([("all together", &savings.together)]).filter_map(row);
+    [titles].into_iter().chain(rows).collect()
 }

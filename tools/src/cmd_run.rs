@@ -3,26 +3,29 @@ mod figure9;
 
 use std::fs;
 use std::io::{self, Write};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
+use specula_scene::SpecFile;
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
-use crate::arguments::{SceneArguments, engine_parser, parse_choice};
+use crate::arguments::{OutputArguments, Wishes, engine_parser, parse_choice};
 use crate::cli::Verdict;
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
-use crate::header::Origin;
 use crate::output::{Destination, REPORT, Staging};
 use crate::run::{Run, Written};
+use crate::task::Task;
 use crate::trace_file::TraceFormat;
 use crate::{html, picture, progress, report, summary, verilog, waveform, worst};
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst,
-trace.gtkw, worst.svg (the worst pixel's way through the core), report.md, report.json and report.html,
-which has everything in it. DIR is replaced as a whole when everything is there; files in it that Specula did not write stay.
+trace.gtkw, worst.svg (the worst pixel's way through the core), spec.toml (the core itself, for
+`--core` and `generate --spec`), report.md, report.json and report.html, which has everything in it.
+DIR is replaced as a whole when everything is there; files in it that Specula did not write stay.
 
 `specula run figure9` shades Lyon's figure 9, a core for each of its twelve rows, and writes
 figure9.png, formulas.png (the same in f64), the cores, report.md and report.json.
@@ -35,8 +38,15 @@ Example: specula run teapot --size 320x240 --method hybrid --trace span=100";
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    scene: String,
     #[command(flatten)]
-    scene: SceneArguments,
+    output: OutputArguments,
+    /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if it lacks what the scene needs
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error"])]
+    core: Option<PathBuf>,
+    #[command(flatten)]
+    wishes: Wishes,
     /// What simulates the core
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
@@ -69,30 +79,37 @@ const PICTURES: [[&str; 3]; 3] = [
 
 /// Runs the scene, writes everything, and prints the summary or the report.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    if arguments.scene.scene == figure9::NAME {
+    if arguments.scene == figure9::NAME {
         return figure9::execute(arguments, stdout);
     }
     let begin = Instant::now();
-    let (scene, spec) = arguments.scene.load()?;
-    let folder = arguments.scene.folder(&scene);
-    let module = specula_hdl::verilog::module_name(&scene.name);
-    let destination = Destination::check(&folder, &file_names(&module))?;
-    let bench = Bench::new(&scene.frame, &spec, &module)?;
+    let task = arguments.task()?;
+    let destination = Destination::check(&arguments.output.folder(&task.scene.name), &file_names(&task.module()))?;
+    let bench = Bench::new(&task.scene.frame, task.spec(), &task.module())?;
     waveform::check(&arguments.trace, &bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
 
-    let run = run_of(arguments, (&scene.name, &module), &bench, &outcome);
+    let run = run_of(arguments, &task, &bench, &outcome);
     let text = write(arguments, begin, &destination, &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
 }
 
+impl Arguments {
+    /// The scene, and the core that shades it.
+    fn task(&self) -> Result<Task, ToolError> {
+        match &self.core {
+            None => Task::of_scene(&self.scene, &self.wishes),
+            Some(core) => Task::with_core(&self.scene, self.wishes.size, core),
+        }
+    }
+}
+
 /// What came of a run, with what disagrees in it.
-fn run_of<'a>(arguments: &Arguments, (name, module): (&'a str, &'a str), bench: &'a Bench<'a>, outcome: &'a Outcome) -> Run<'a> {
+fn run_of<'a>(arguments: &Arguments, task: &'a Task, bench: &'a Bench<'a>, outcome: &'a Outcome) -> Run<'a> {
     Run {
-        name,
-        module,
-        origin: Origin::new(&arguments.scene, bench.spec),
+        task,
+        module: task.module(),
         bench,
         engine: arguments.engine,
         trace_format: arguments.trace_format,
@@ -106,7 +123,7 @@ fn write(arguments: &Arguments, begin: Instant, destination: &Destination, run: 
     let staging = destination.stage()?;
     let window = waveform::write(&staging, run, &waveform::choice(&arguments.trace, run.disagreement.as_ref()))?;
     worst::write(&staging, run, window.as_ref())?;
-    let written = Written { files: files(run.module, &staging), window, wall: begin.elapsed() };
+    let written = Written { files: files(&run.module, &staging), window, wall: begin.elapsed() };
     let json = write_files(&staging, run, &written)?;
     staging.publish()?;
     Ok(if arguments.json { json } else { summary::summary(run, &written, &destination.shown) })
@@ -123,7 +140,7 @@ fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
 /// Every file that a run can write.
 fn file_names(module: &str) -> Vec<String> {
     let pictures = [SIMULATED, EXPECTED, EXACT, ERROR];
-    let names = pictures.into_iter().chain(optional_names()).chain([MARKDOWN, html::FILE, REPORT]);
+    let names = pictures.into_iter().chain(optional_names()).chain([SpecFile::NAME, MARKDOWN, html::FILE, REPORT]);
     [verilog::file_name(module)].into_iter().chain(names.map(str::to_owned)).collect()
 }
 
@@ -148,15 +165,17 @@ fn write_files(staging: &Staging, run: &Run, written: &Written) -> Result<String
     let map = picture::heat_map(comparison);
     picture::write_drawing(&staging.file(ERROR), &map).map_err(staging.failed(ERROR))?;
     let page = report::html(run, written, staging, &PICTURES).map_err(staging.failed(html::FILE))?;
-    let source = verilog::text(&run.origin, run.bench.spec, &run.bench.design);
+    let source = verilog::text(&run.task.origin, run.bench.spec, &run.bench.design);
     let json = report::json(run, written).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
+    let verilog = verilog::file_name(&run.module);
     let texts = [
-        (verilog::file_name(run.module), &source),
-        (MARKDOWN.to_owned(), &report::markdown(run, written)),
-        (html::FILE.to_owned(), &page),
-        (REPORT.to_owned(), &json),
+        (verilog.as_str(), &source),
+        (SpecFile::NAME, &run.task.file.text()),
+        (MARKDOWN, &report::markdown(run, written)),
+        (html::FILE, &page),
+        (REPORT, &json),
     ];
-    for (name, text) in &texts {
+    for (name, text) in texts {
         fs::write(staging.file(name), text).map_err(staging.failed(name))?;
     }
     Ok(json)

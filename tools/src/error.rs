@@ -10,6 +10,8 @@ use specula_testbench::search::NotFound;
 use specula_testbench::tradeoff::{JournalError, SweepError};
 use thiserror::Error;
 
+use crate::cmd_explore::NothingExplored;
+use crate::task::Refused;
 use crate::wave::WaveError;
 
 /// Why a command was not done; nothing has been written then.
@@ -46,6 +48,14 @@ pub enum ToolError {
         /// Each configuration with its reason.
         reasons: String,
     },
+    /// No core that was tried is as good as was asked for.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    NothingExplored(#[from] NothingExplored),
+    /// A core lacks what the scene needs.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Refused(#[from] Refused),
     /// A result cannot be put into JSON.
     #[error("the result cannot be written as JSON: {0}")]
     #[diagnostic(code(specula::json), help("this is a fault of Specula's: please report it with the command"))]

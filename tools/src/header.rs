@@ -3,9 +3,9 @@ use std::path::Path;
 
 use specula_hdl::Design;
 use specula_hdl::verilog::Header;
-use specula_scene::{CoreSpec, builtin_names};
+use specula_scene::{CoreSpec, SpecFile, builtin_names};
 
-use crate::arguments::SceneArguments;
+use crate::arguments::Wishes;
 use crate::table;
 
 /// The scene and the command, as files name them.
@@ -18,23 +18,33 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// The origin of the core of `spec`, which is made from `arguments`.
-    pub fn new(arguments: &SceneArguments, spec: &CoreSpec) -> Origin {
-        let scene = scene_name(&arguments.scene);
-        let size = arguments.size.map(|(width, height)| format!(" --size {width}x{height}")).unwrap_or_default();
+    /// The origin of the core of `spec`, which is made from a scene and wishes.
+    pub fn of_scene(scene: &str, wishes: &Wishes, spec: &CoreSpec) -> Origin {
+        let scene = scene_name(scene);
+        let size = wishes.size.map(|(width, height)| format!(" --size {width}x{height}")).unwrap_or_default();
         let method = spec.method().name();
-        let specialise = arguments.specialise.map(|wish| format!(" --specialise {}", wish.name())).unwrap_or_default();
-        let error = arguments.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
+        let specialise = wishes.specialise.map(|wish| format!(" --specialise {}", wish.name())).unwrap_or_default();
+        let error = wishes.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
         let command = format!("specula generate {}{size} --method {method}{specialise}{error}", quoted(&scene));
         Origin { scene, command }
+    }
+
+    /// The origin of a core that was read from a file.
+    pub fn of_file(path: &Path, file: &SpecFile) -> Origin {
+        let path = path.file_name().filter(|_| !path.is_dir()).map_or(SpecFile::NAME.into(), |name| name.to_string_lossy());
+        Origin { scene: file.name.clone(), command: format!("specula generate --spec {}", quoted(&printable(&path))) }
     }
 }
 
 fn scene_name(scene: &str) -> String {
     let file = Path::new(scene).file_name().filter(|_| !builtin_names().contains(&scene));
     let name = file.map_or(scene.into(), |file| file.to_string_lossy());
-    // Other characters could end the comment's line, or be read differently by different tools.
-    name.chars().map(|c| if c == ' ' || c.is_ascii_graphic() { c } else { '?' }).collect()
+    printable(&name)
+}
+
+/// Without characters that could end the comment's line, or be read differently by different tools.
+fn printable(text: &str) -> String {
+    text.chars().map(|c| if c == ' ' || c.is_ascii_graphic() { c } else { '?' }).collect()
 }
 
 /// As a shell takes it.
@@ -106,10 +116,9 @@ mod tests {
     use super::*;
 
     fn origin(scene: &str, size: Option<(u32, u32)>) -> Origin {
-        let arguments =
-            SceneArguments { scene: scene.to_owned(), output: None, size, method: None, specialise: None, max_error: None };
+        let wishes = Wishes { size, ..Wishes::default() };
         let spec = specula_scene::load("icosahedron", Some((8, 6))).and_then(|scene| scene.core_spec(None)).expect("it has a core");
-        Origin::new(&arguments, &spec)
+        Origin::of_scene(scene, &wishes, &spec)
     }
 
     #[test]

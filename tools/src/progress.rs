@@ -29,3 +29,16 @@ pub fn steps() -> ProgressBar {
         Err(_) => bar,
     }
 }
+
+/// How many have been done of what nobody knows the number of.
+pub fn count(what: &'static str) -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new_spinner().with_message(what);
+    match ProgressStyle::with_template("{spinner} {pos} {msg} {elapsed}") {
+        Ok(style) => bar.with_style(style),
+        // As above.
+        Err(_) => bar,
+    }
+}

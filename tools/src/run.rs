@@ -2,20 +2,18 @@
 use std::ops::Range;
 use std::time::Duration;
 
-use specula_testbench::{Bench, EngineKind, Outcome};
+use specula_testbench::{Bench, EngineKind, Outcome, Share, shares};
 
 use crate::disagreement::Disagreement;
-use crate::header::Origin;
+use crate::task::Task;
 use crate::trace_file::TraceFormat;
 
 /// A run that has been simulated and compared.
 pub struct Run<'a> {
-    /// The scene's name.
-    pub name: &'a str,
+    /// The scene, and where the core comes from.
+    pub task: &'a Task,
     /// The name of the core's module.
-    pub module: &'a str,
-    /// Where the core comes from.
-    pub origin: Origin,
+    pub module: String,
     /// The core and the frame.
     pub bench: &'a Bench<'a>,
     /// What ran it.
@@ -29,9 +27,25 @@ pub struct Run<'a> {
 }
 
 impl Run<'_> {
+    /// The scene's name.
+    pub fn name(&self) -> &str {
+        &self.task.scene.name
+    }
+
     /// The clock that a reader wants to see: that of the first disagreement, or that in which the worst pixel leaves.
     pub fn clock_to_look_at(&self) -> Option<u64> {
         self.disagreement.as_ref().map(Disagreement::first_clock).or(self.outcome.worst_cycle)
+    }
+
+    /// How many times the largest measured quantisation error its bound is; none if there is no finite one, or no error.
+    pub fn bound_ratio(&self) -> Option<f64> {
+        let ratio = self.bench.design.error_bound() / self.outcome.comparison.errors.quantisation.max_lsb;
+        ratio.is_finite().then_some(ratio)
+    }
+
+    /// What places that round contribute to the bound.
+    pub fn bound_shares(&self) -> Vec<Share> {
+        shares(self.bench.spec, self.bench.frame, self.bench.design.error_bound())
     }
 
     /// Clocks for each pixel, the way through the core included.

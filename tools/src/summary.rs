@@ -25,7 +25,7 @@ fn facts(run: &Run, written: &Written) -> Vec<[String; 2]> {
         worst.map(|(worst, cycle)| format!("({}, {}), {:.2} LSB, leaves in cycle {cycle}", worst.x, worst.y, worst.error_lsb));
     let trace = written.window.as_ref().map(|window| format!("cycles {} to {}", window.start, window.end - 1));
     let rows = [
-        ("scene", format!("{}, {} x {}", run.name, frame.width, frame.height)),
+        ("scene", format!("{}, {} x {}", run.name(), frame.width, frame.height)),
         ("method", run.bench.spec.method().name().to_owned()),
         ("engine", run.engine.name().to_owned()),
         ("pixels", outcome.pixels.to_string()),

@@ -50,8 +50,12 @@ pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
 pub fn write(staging: &Staging, run: &Run, choice: &Choice) -> Result<Option<Range<u64>>, ToolError> {
     let name = run.trace_format.file_name();
     let file = File::create(staging.file(name)).map_err(staging.failed(name))?;
-    let about =
-        format!("Specula {}, scene {}, method {}", env!("CARGO_PKG_VERSION"), run.origin.scene, run.bench.spec.method().name());
+    let about = format!(
+        "Specula {}, scene {}, method {}",
+        env!("CARGO_PKG_VERSION"),
+        run.task.origin.scene,
+        run.bench.spec.method().name()
+    );
     let mut dump = TraceFile::new(file, run.trace_format, &run.bench.design, &about);
     let mut written = Ok(());
     let bar = progress::bar("tracing", run.outcome.cycles + 1);

@@ -1,15 +1,16 @@
 //! `consistent`, bit for bit [Reshetov, Soupikov and Mark; METHODS.md D; `docs/arithmetic/consistent.md`].
 use specula_scene::Format;
 use specula_scene::spec::consistent::{
-    ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight,
+    ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight, LARGEST_ANGLE,
 };
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::method::{Method, Values};
 use super::number::{Wide, round_down, round_quotient, round_root, round_to, round_up};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
-use super::packet::PacketError;
+use super::packet::{self, PacketError};
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, dot};
@@ -69,9 +70,15 @@ impl Method for Consistent {
         self.ports.map(|port| values.next(port))
     }
 
-    /// Everything within the ports' ranges can be computed.
-    fn check(&self, _: &ConsistentInputs<Wide>, _: u32) -> Result<(), PacketError> {
-        Ok(())
+    fn check(&self, inputs: &ConsistentInputs<Wide>, course: Course) -> Result<(), PacketError> {
+        let f = &self.formats;
+        packet::check_ends(&inputs.normal_start, &inputs.normal_delta, 1, f.vector)?;
+        for vector in inputs.lights.iter().flat_map(|light| [&light.direction].into_iter().chain(&light.halfway)) {
+            packet::check_length(vector, 1, f.vector)?;
+        }
+        course.weight(inputs.weight_step, f.weight_accumulator)?;
+        let angle = Linear { start: inputs.angle_start, step: inputs.angle_step };
+        course.rounded_up(format_args!("angle"), &angle, f.angle_accumulator, Wide::from_num(LARGEST_ANGLE))
     }
 
     fn pixel(&self, inputs: &ConsistentInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

@@ -4,6 +4,7 @@ use specula_scene::spec::direct::{DirectFormats, DirectInputs, DirectLight, Dire
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight, narrow};
@@ -47,9 +48,8 @@ impl Method for Direct {
     }
 
     /// With t below 2, q, 1/√q and scalars are as small as their formats say, but for a bit or two.
-    fn check(&self, inputs: &DirectInputs<Wide>, length: u32) -> Result<(), PacketError> {
-        let last = inputs.weight_step * Wide::from_num(length - 1);
-        if last < 2 { Ok(()) } else { Err(PacketError::Weight { weight: last.to_num() }) }
+    fn check(&self, inputs: &DirectInputs<Wide>, course: Course) -> Result<(), PacketError> {
+        course.weight(inputs.weight_step, self.formats.weight_accumulator)
     }
 
     fn pixel(&self, inputs: &DirectInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

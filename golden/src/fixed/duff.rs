@@ -1,9 +1,12 @@
 //! `duff`, bit for bit [Hast, Barrera and Bengtsson, eq. 3 to 8, 17, 33 and 34; METHODS.md C2, C8 to C11; `docs/arithmetic.md`].
+use std::fmt;
+
 use specula_scene::Format;
 use specula_scene::spec::duff::{DuffFormats, DuffInputs, DuffLight, DuffSpec, Highlight};
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::forward::Accumulator;
 use super::highlight::{amount, cosine, quotient, reflection, root};
 use super::method::{Method, Values};
@@ -51,9 +54,17 @@ impl Method for Duff {
         self.ports.map(|port| values.next(port))
     }
 
-    /// Everything within the ports' ranges can be computed.
-    fn check(&self, _: &DuffInputs<Wide>, _: u32) -> Result<(), PacketError> {
-        Ok(())
+    fn check(&self, inputs: &DuffInputs<Wide>, course: Course) -> Result<(), PacketError> {
+        let f = &self.formats;
+        let linear = |name: fmt::Arguments<'_>, linear: &Linear<Wide>| course.linear(name, linear, f.linear_accumulator, (-1, 1));
+        course.quadratic(format_args!("denominator"), &inputs.denominator, f.accumulator, (0, 1))?;
+        inputs.view.iter().try_for_each(|view| linear(format_args!("view"), view))?;
+        inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
+            linear(format_args!("light{index}_p"), &light.cosine)?;
+            light.halfway.iter().try_for_each(|halfway| linear(format_args!("light{index}_halfway"), halfway))?;
+            let name = format_args!("light{index}_numerator");
+            light.numerator.iter().try_for_each(|numerator| course.quadratic(name, numerator, f.accumulator, (-1, 1)))
+        })
     }
 
     fn pixel(&self, inputs: &DuffInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

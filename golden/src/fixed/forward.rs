@@ -4,6 +4,7 @@ use std::fmt;
 use specula_scene::Format;
 use specula_scene::spec::{Linear, Quadratic};
 
+use super::course::quadratic_at;
 use super::number::Wide;
 use super::observer::{Observer, narrow};
 
@@ -22,9 +23,7 @@ impl Accumulator {
 
     /// start + first · i + second · i(i - 1)/2, rounded.
     pub fn quadratic(self, observer: &mut impl Observer, name: &str, quadratic: &Quadratic<Wide>, i: u32) -> Wide {
-        let pairs = Wide::from_num(u64::from(i) * u64::from(i).saturating_sub(1) / 2);
-        let accumulated = quadratic.start + quadratic.first_difference * Wide::from_num(i) + quadratic.second_difference * pairs;
-        self.narrow(observer, format_args!("{name}"), accumulated)
+        self.narrow(observer, format_args!("{name}"), quadratic_at(quadratic, i))
     }
 
     fn narrow(self, observer: &mut impl Observer, name: fmt::Arguments<'_>, accumulated: Wide) -> Wide {

@@ -1,9 +1,12 @@
 //! `gouraud`, bit for bit [lecture, eq. 2.1 and 3.2 to 3.6; METHODS.md A3, A4; `docs/arithmetic/gouraud.md`].
+use std::fmt;
+
 use specula_scene::Format;
 use specula_scene::spec::gouraud::{GouraudFormats, GouraudInputs, GouraudSpec, Intensity};
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight};
@@ -30,9 +33,15 @@ impl Method for Gouraud {
         self.ports.map(|port| values.next(port))
     }
 
-    /// Everything within the ports' ranges can be computed.
-    fn check(&self, _: &GouraudInputs<Wide>, _: u32) -> Result<(), PacketError> {
-        Ok(())
+    fn check(&self, inputs: &GouraudInputs<Wide>, course: Course) -> Result<(), PacketError> {
+        let check = |name: fmt::Arguments<'_>, intensity: &Intensity<Wide>| {
+            let linear = Linear { start: intensity.start, step: intensity.step.unwrap_or_default() };
+            course.linear(name, &linear, self.formats.accumulator, (0, 1))
+        };
+        inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
+            check(format_args!("light{index}_diffuse_intensity"), &light.diffuse_intensity)?;
+            check(format_args!("light{index}_specular_intensity"), &light.specular_intensity)
+        })
     }
 
     fn pixel(&self, inputs: &GouraudInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

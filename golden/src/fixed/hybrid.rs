@@ -1,9 +1,10 @@
 //! `hybrid`, bit for bit [Hast, Barrera and Bengtsson, eq. 17 to 26; METHODS.md C3; `docs/arithmetic.md`].
 use specula_scene::Format;
 use specula_scene::spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpec};
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::forward::Accumulator;
 use super::highlight::quotient;
 use super::method::{Method, Values};
@@ -38,9 +39,14 @@ impl Method for Hybrid {
         self.ports.map(|port| values.next(port))
     }
 
-    /// Everything within the ports' ranges can be computed.
-    fn check(&self, _: &HybridInputs<Wide>, _: u32) -> Result<(), PacketError> {
-        Ok(())
+    fn check(&self, inputs: &HybridInputs<Wide>, course: Course) -> Result<(), PacketError> {
+        let f = &self.formats;
+        course.quadratic(format_args!("denominator"), &inputs.denominator, f.accumulator, (0, 1))?;
+        inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
+            course.quadratic(format_args!("light{index}_numerator"), &light.numerator, f.accumulator, (-1, 1))?;
+            let intensity = Linear { start: light.intensity_start, step: light.intensity_step };
+            course.linear(format_args!("light{index}_intensity"), &intensity, f.diffuse_accumulator, (0, 1))
+        })
     }
 
     fn pixel(&self, inputs: &HybridInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

@@ -6,6 +6,7 @@ use specula_scene::spec::lyon::{
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::method::{Method, Values};
 use super::number::Wide;
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
@@ -57,16 +58,21 @@ impl Method for Lyon {
 
     /// Whether Newton's steps converge and |n| < 2.
     ///
-    /// |N0|², |N1|² ≤ 1.25 and a ≤ 1 + 1/16 give |N'| ≤ √1.25 · (1 + 2/16) + √3/32 (rounding to `S1.4`) < 1.32, so z < 1.75. There z·g1² ≤ 1 and
+    /// |N0|, |N1| ≤ 1 + 1/16 in `S1.4`, the coarsest format, and a ≤ 1 + 1/16 give |N'| ≤ 17/16 · (1 + 2/16) + √3/32 < 1.26, so z < 1.6. There z·g1² ≤ 1 and
     /// z·g2² < 1.42, inside the 3 below which g(3 - z g²)/2 goes towards 1/√z, and |n| = g√z < 1.2 at first and 1 after a step, before
     /// rounding.
-    fn check(&self, inputs: &LyonInputs<Wide>, length: u32) -> Result<(), PacketError> {
+    fn check(&self, inputs: &LyonInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let axis = inputs.wrap_axis.unwrap_or_default();
-        packet::check_ends(&axis, &Vector::default(), 1)?;
+        packet::check_length(&axis, 1, self.formats.vector)?;
+        let longest_halfway = if self.difference.takes_halfway() { 2 } else { 1 };
+        for light in &inputs.lights {
+            packet::check_length(&light.direction, 1, self.formats.vector)?;
+            packet::check_length(&light.halfway.unwrap_or_default(), longest_halfway, self.formats.vector)?;
+        }
         // H of wrapped normals is the sum of two unit vectors.
         let longest = if inputs.wrap_axis.is_some() { 2 } else { 1 };
-        packet::check_ends(&inputs.normal_start, &inputs.normal_delta.unwrap_or_default(), longest)?;
-        packet::check_weight(inputs.weight_step.unwrap_or_default(), length)
+        packet::check_ends(&inputs.normal_start, &inputs.normal_delta.unwrap_or_default(), longest, self.formats.vector)?;
+        course.weight(inputs.weight_step.unwrap_or_default(), self.formats.weight_accumulator)
     }
 
     fn pixel(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

@@ -2,6 +2,7 @@
 use specula_scene::SpanPacket;
 use specula_scene::spec::InputPort;
 
+use super::course::Course;
 use super::number::{Wide, from_raw};
 use super::observer::Observer;
 use super::packet::PacketError;
@@ -15,7 +16,7 @@ pub(super) trait Method {
     fn read(&self, values: Values<'_>) -> Self::Inputs;
 
     /// Whether inputs within their ports' ranges can be computed together.
-    fn check(&self, inputs: &Self::Inputs, length: u32) -> Result<(), PacketError>;
+    fn check(&self, inputs: &Self::Inputs, course: Course) -> Result<(), PacketError>;
 
     /// The code of pixel `i`.
     fn pixel(&self, inputs: &Self::Inputs, i: u32, observer: &mut impl Observer) -> [u8; 3];

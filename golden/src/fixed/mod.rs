@@ -3,6 +3,7 @@
 //! Numbers are exact between narrowing points (`number`), which round to nearest with ties up.
 mod colour;
 mod consistent;
+mod course;
 mod direct;
 mod duff;
 mod exp2;

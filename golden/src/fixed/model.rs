@@ -3,6 +3,7 @@ use specula_scene::spec::{InputPort, MethodSpec};
 use specula_scene::{CoreSpec, SpanPacket};
 
 use super::consistent::Consistent;
+use super::course::Course;
 use super::direct::Direct;
 use super::duff::Duff;
 use super::gouraud::Gouraud;
@@ -45,8 +46,8 @@ impl Model {
     /// # Errors
     /// [`PacketError`] if the packet is not one for this core; `out` is then as it was.
     pub fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
-        packet::check(packet, &self.ports, self.longest_span)?;
-        self.method.shade(packet, out)
+        let course = packet::check(packet, &self.ports, self.longest_span)?;
+        self.method.shade(packet, course, out)
     }
 
     /// Every named value of pixel `i`, in the order of the data. `<l>` counts lights, `<s>` steps, both from 0.
@@ -88,38 +89,38 @@ impl Model {
     /// # Errors
     /// [`PacketError`] if the packet is not one for this core, or has no pixel `i`.
     pub fn trace(&self, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError> {
-        packet::check(packet, &self.ports, self.longest_span)?;
+        let course = packet::check(packet, &self.ports, self.longest_span)?;
         if i >= packet.length {
             return Err(PacketError::NoSuchPixel { pixel: i, length: packet.length });
         }
-        self.method.trace(packet, i)
+        self.method.trace(packet, course, i)
     }
 }
 
 /// A method, once it has read its packets itself.
 trait ShadeSpan: Send + Sync {
-    fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError>;
+    fn shade(&self, packet: &SpanPacket, course: Course, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError>;
 
-    fn trace(&self, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError>;
+    fn trace(&self, packet: &SpanPacket, course: Course, i: u32) -> Result<Vec<Observation>, PacketError>;
 }
 
 impl<M: Method + Send + Sync> ShadeSpan for M {
-    fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
-        let inputs = read(self, packet)?;
+    fn shade(&self, packet: &SpanPacket, course: Course, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
+        let inputs = read(self, packet, course)?;
         out.extend((0..packet.length).map(|i| self.pixel(&inputs, i, &mut Nobody)));
         Ok(())
     }
 
-    fn trace(&self, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError> {
-        let inputs = read(self, packet)?;
+    fn trace(&self, packet: &SpanPacket, course: Course, i: u32) -> Result<Vec<Observation>, PacketError> {
+        let inputs = read(self, packet, course)?;
         let mut notebook = Notebook::default();
         self.pixel(&inputs, i, &mut notebook);
         Ok(notebook.0)
     }
 }
 
-fn read<M: Method>(method: &M, packet: &SpanPacket) -> Result<M::Inputs, PacketError> {
+fn read<M: Method>(method: &M, packet: &SpanPacket, course: Course) -> Result<M::Inputs, PacketError> {
     let inputs = method.read(Values::new(packet));
-    method.check(&inputs, packet.length)?;
+    method.check(&inputs, course)?;
     Ok(inputs)
 }

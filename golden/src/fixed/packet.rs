@@ -1,7 +1,8 @@
 //! Reading packets.
-use specula_scene::SpanPacket;
 use specula_scene::spec::InputPort;
+use specula_scene::{Format, SpanPacket};
 
+use super::course::Course;
 use super::number::Wide;
 use super::vector::{Vector, dot};
 
@@ -46,14 +47,22 @@ pub enum PacketError {
         /// Pixels of the longest span.
         longest: u32,
     },
-    /// A vector at the end of a span is not a unit vector, nor shorter.
-    #[error("a vector at the end of the span is too long")]
+    /// A vector is not a unit vector, nor shorter.
+    #[error("a vector of the span or of a light is too long")]
     LongVector,
-    /// Weight steps do not end at 1: 1/S is too coarse in the accumulator's format, or belongs to a shorter span.
-    #[error("the weight of the last normal grows to {weight} along the span, past 1")]
-    Weight {
-        /// The weight at the last pixel.
-        weight: f64,
+    /// What grows along the span by steps leaves its limits: the steps belong to a shorter span, or to none.
+    #[error("`{name}` grows to {value} at pixel {pixel}, outside {low} to {high}")]
+    Outgrown {
+        /// What grows.
+        name: String,
+        /// The pixel, counted from 0.
+        pixel: u32,
+        /// Its value there.
+        value: f64,
+        /// The lower limit.
+        low: f64,
+        /// The upper limit.
+        high: f64,
     },
     /// Cosine and sine of the angle from pixel to pixel are no rotation.
     #[error("the turn from pixel to pixel makes normals longer")]
@@ -68,27 +77,21 @@ pub enum PacketError {
     },
 }
 
-/// The largest |N|² of a vector at the end of a span. A unit vector in `S1.4`, the coarsest format, comes to (1 + √3/32)² = 1.112 at most.
-const LONGEST_SQUARED: Wide = Wide::lit("1.25");
-/// The largest weight at the last pixel; 1, and what the rounding of 1/S adds to it.
-const LARGEST_WEIGHT: Wide = Wide::lit("1.0625");
-
-/// Whether a vector that is interpolated along the span is no longer than `longest` at both ends, but for rounding.
-pub(super) fn check_ends(start: &Vector, delta: &Vector, longest: u32) -> Result<(), PacketError> {
-    let limit = LONGEST_SQUARED * Wide::from_num(longest * longest);
-    let end: Vector = std::array::from_fn(|c| start[c] + delta[c]);
-    let too_long = |vector: &Vector| dot(vector, vector) > limit;
-    if too_long(start) || too_long(&end) { Err(PacketError::LongVector) } else { Ok(()) }
+/// Whether a vector that is interpolated along the span is no longer than `longest` at both ends, but for rounding into `format`.
+pub(super) fn check_ends(start: &Vector, delta: &Vector, longest: u32, format: Format) -> Result<(), PacketError> {
+    let end = std::array::from_fn(|c| start[c] + delta[c]);
+    check_length(start, longest, format)?;
+    check_length(&end, longest, format)
 }
 
-/// Whether the weight ends at 1.
-pub(super) fn check_weight(step: Wide, length: u32) -> Result<(), PacketError> {
-    let weight = step * Wide::from_num(length - 1);
-    if weight > LARGEST_WEIGHT { Err(PacketError::Weight { weight: weight.to_num() }) } else { Ok(()) }
+/// Whether a vector is no longer than `longest`, but for rounding into `format`, which moves it by √3/2 units of the last place at most.
+pub(super) fn check_length(vector: &Vector, longest: u32, format: Format) -> Result<(), PacketError> {
+    let longest = Wide::from_num(longest) + (Wide::ONE >> format.fraction_bits);
+    if dot(vector, vector) > longest * longest { Err(PacketError::LongVector) } else { Ok(()) }
 }
 
-/// Whether a packet is one for these ports.
-pub(super) fn check(packet: &SpanPacket, ports: &[InputPort], longest: u32) -> Result<(), PacketError> {
+/// Whether a packet is one for these ports, and how far its span goes.
+pub(super) fn check(packet: &SpanPacket, ports: &[InputPort], longest: u32) -> Result<Course, PacketError> {
     if !(1..=longest).contains(&packet.length) {
         return Err(PacketError::Length { length: packet.length, longest });
     }
@@ -96,7 +99,8 @@ pub(super) fn check(packet: &SpanPacket, ports: &[InputPort], longest: u32) -> R
         return Err(PacketError::InputCount { given: packet.inputs.len(), wanted: ports.len() });
     }
     ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_range(port, raw))?;
-    ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_twin(port, raw, packet, ports))
+    ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_twin(port, raw, packet, ports))?;
+    Ok(Course { length: packet.length, longest })
 }
 
 fn check_twin(port: &InputPort, raw: i64, packet: &SpanPacket, ports: &[InputPort]) -> Result<(), PacketError> {

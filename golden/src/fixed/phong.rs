@@ -4,6 +4,7 @@ use specula_scene::spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLigh
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::gaussian::Gaussian;
 use super::method::{Method, Values};
 use super::number::{Wide, round_quotient, round_to};
@@ -89,15 +90,18 @@ impl Method for Phong {
     }
 
     /// Interpolated vectors stay within the unit ball, but for rounding; sums of two of them within twice as much.
-    fn check(&self, inputs: &PhongInputs<Wide>, length: u32) -> Result<(), PacketError> {
+    fn check(&self, inputs: &PhongInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let ways =
             [&inputs.normal].into_iter().chain(&inputs.eye).chain(inputs.lights.iter().filter_map(|light| light.way.as_ref()));
         for way in ways {
-            let axis = way.axis.unwrap_or_default();
-            packet::check_ends(&axis, &Vector::default(), 1)?;
-            packet::check_ends(&way.start, &way.delta, if way.axis.is_some() { 2 } else { 1 })?;
+            packet::check_length(&way.axis.unwrap_or_default(), 1, self.formats.vector)?;
+            let longest = if way.axis.is_some() { 2 } else { 1 };
+            packet::check_ends(&way.start, &way.delta, longest, self.formats.vector)?;
         }
-        packet::check_weight(inputs.weight_step, length)
+        for vector in inputs.lights.iter().flat_map(|light| light.direction.iter().chain(&light.axis)) {
+            packet::check_length(vector, 1, self.formats.vector)?;
+        }
+        course.weight(inputs.weight_step, self.formats.weight_accumulator)
     }
 
     fn pixel(&self, inputs: &PhongInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

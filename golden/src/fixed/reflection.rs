@@ -1,9 +1,12 @@
 //! `reflection`, bit for bit [Hast, Barrera and Bengtsson, eq. 27 to 34; METHODS.md C4 to C6 and C12 to C14; `docs/arithmetic.md`].
+use std::fmt;
+
 use specula_scene::Format;
 use specula_scene::spec::reflection::{Highlight, ReflectionFormats, ReflectionInputs, ReflectionLight, ReflectionSpec};
 use specula_scene::spec::{CoreSpec, InputPort, Quadratic};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::forward::Accumulator;
 use super::highlight::{amount, cosine, quotient, reflection};
 use super::method::{Method, Values};
@@ -103,9 +106,18 @@ impl Method for Reflection {
         self.ports.map(|port| values.next(port))
     }
 
-    /// Everything within the ports' ranges can be computed.
-    fn check(&self, _: &ReflectionInputs<Wide>, _: u32) -> Result<(), PacketError> {
-        Ok(())
+    fn check(&self, inputs: &ReflectionInputs<Wide>, course: Course) -> Result<(), PacketError> {
+        let check = |name: fmt::Arguments<'_>, quadratic: Option<&Quadratic<Wide>>, low: i32| {
+            quadratic.map_or(Ok(()), |quadratic| course.quadratic(name, quadratic, self.formats.accumulator, (low, 1)))
+        };
+        check(format_args!("denominator"), Some(&inputs.denominator), 0)?;
+        check(format_args!("view"), inputs.view.as_ref(), -1)?;
+        check(format_args!("normal_squared"), inputs.normal_squared.as_ref(), 0)?;
+        inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
+            check(format_args!("light{index}_p"), Some(&light.cosine), -1)?;
+            check(format_args!("light{index}_halfway"), light.halfway.as_ref(), -1)?;
+            check(format_args!("light{index}_numerator"), light.numerator.as_ref(), -1)
+        })
     }
 
     fn pixel(&self, inputs: &ReflectionInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {

@@ -6,6 +6,7 @@ use specula_scene::spec::slerp::{SlerpFormats, SlerpInputs, SlerpLight, SlerpSpe
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
+use super::course::Course;
 use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight, narrow};
@@ -47,7 +48,7 @@ impl Method for Slerp {
     }
 
     /// A turn that stretches would leave every range: its squares add up to 1 but for the host's rounding.
-    fn check(&self, Turning { inputs, .. }: &Turning, _: u32) -> Result<(), PacketError> {
+    fn check(&self, Turning { inputs, .. }: &Turning, _: Course) -> Result<(), PacketError> {
         let length = inputs.turn_cosine * inputs.turn_cosine + inputs.turn_sine * inputs.turn_sine;
         let longest = Wide::ONE + (Wide::ONE >> (self.formats.turn.fraction_bits - 1));
         if length <= longest { Ok(()) } else { Err(PacketError::Turn) }

@@ -1,5 +1,5 @@
 //! How far a consistent reflection departs from the plain one.
-use specula_scene::spec::consistent::{ConsistentFormats, Curve};
+use specula_scene::spec::consistent::{ConsistentFormats, Curve, LARGEST_ANGLE};
 
 use super::HOST_ERROR;
 use super::divider::{QuotientFormat, quotient};
@@ -28,7 +28,7 @@ pub fn contraction(b: &Builder, angles: SpanAngles, curve: Curve, formats: &Cons
     let inputs = (("start", angles.first), ("angle_start", angles.start), ("angle_step", angles.step));
     b.unit("contraction", "q(t), t = 2 alpha/pi [Reshetov et al.]", inputs, |b, (first, start, step)| {
         let accumulated = f64::from(steps + 1) * formats.angle_accumulator.ulp() + HOST_ERROR;
-        let high = start.format().value(start.range().high) + accumulated;
+        let high = LARGEST_ANGLE + formats.angle_accumulator.ulp() + accumulated;
         let sum = Sig::accumulated(&first, &start, &step, (0.0, high), steps, "0 <= t <= 1.0625");
         let t = rounded_up(b, &sum, formats.angle.fraction_bits).clamped_above(1);
         let t = t.stated_error_value(accumulated + formats.angle.ulp()).named("t");

@@ -37,7 +37,7 @@ impl CoreTable {
     /// # Errors
     /// A [`SceneError`] that points at the wrong place in the scene file.
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
-        self.source.parse::<OnlyCore<T>>().map(|file| file.core)
+        self.source.parse::<OnlyCore<T>>(super::KEYS).map(|file| file.core)
     }
 
     /// An error at a range of bytes of the scene file's text.

@@ -19,6 +19,9 @@ use crate::picture::project::PictureError;
 use crate::picture::{Rows, Scene};
 use crate::{Frame, SceneError, Surface};
 
+/// Where a scene file's keys are said.
+const KEYS: &str = "docs/scene-format.md lists every key with its unit, range and default";
+
 /// What a scene shows.
 pub(crate) enum Shown {
     /// Objects, seen by a camera.
@@ -41,7 +44,7 @@ impl SceneFile {
     /// # Errors
     /// A [`SceneError`] that points at the wrong place in the text.
     pub fn parse(source: &SourceFile, folder: Option<&Path>) -> Result<SceneFile, SceneError> {
-        let raw: raw::File = source.parse()?;
+        let raw: raw::File = source.parse(KEYS)?;
         let core = raw.core.as_ref().map(|table| CoreTable::new(source.clone(), table.span()));
         let camera = raw.camera.as_ref().map(|camera| (source.clone(), camera.span()));
         Ok(SceneFile { shown: build::shown(raw, source, folder)?, core, camera })

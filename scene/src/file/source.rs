@@ -20,9 +20,9 @@ impl SourceFile {
         self.0.inner()
     }
 
-    /// Reads the whole text as TOML of a type.
-    pub fn parse<T: DeserializeOwned>(&self) -> Result<T, SceneError> {
-        toml::from_str(self.text()).map_err(|error| self.toml_error(&error))
+    /// Reads the whole text as TOML of a type. `help` is what would be right where it is none.
+    pub fn parse<T: DeserializeOwned>(&self, help: &str) -> Result<T, SceneError> {
+        toml::from_str(self.text()).map_err(|error| self.toml_error(&error, help))
     }
 
     /// An error at a range of bytes of the text.
@@ -30,9 +30,9 @@ impl SourceFile {
         SceneError::File { problem: problem.into(), help: help.into(), text: self.0.clone(), at: at.into() }
     }
 
-    fn toml_error(&self, error: &toml::de::Error) -> SceneError {
+    fn toml_error(&self, error: &toml::de::Error, help: &str) -> SceneError {
         let at = error.span().unwrap_or(0..0);
-        self.error(at, in_toml_words(error.message()), "docs/scene-format.md lists every key with its unit, range and default")
+        self.error(at, in_toml_words(error.message()), help)
     }
 }
 

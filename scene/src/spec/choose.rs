@@ -8,10 +8,10 @@ use super::{
     Method, NarrowingPoint, SpecError, Specialisation,
 };
 use crate::format::Format;
-use crate::needs::Needs;
+use crate::needs::{LocalKind, Needs};
 
 /// The most integer bits of a coefficient: 256 times full scale.
-const MOST_COEFFICIENT_BITS: u64 = 16;
+const MOST_COEFFICIENT_BITS: f64 = 16.0;
 
 impl CoreSpec {
     /// The spec for a scene with these needs: the method asked for on the command line, else the scene file's, else `lyon`, with
@@ -41,12 +41,8 @@ impl CoreSpec {
             specialisation: Specialisation::default(),
         };
         spec.check()?;
-        spec.check_serves(needs)?;
+        spec.method.describe().check_serves(needs)?;
         Ok(spec)
-    }
-
-    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        self.method.describe().check_serves(needs)
     }
 
     /// Whether formats and numbers are such that a core can be built.
@@ -54,14 +50,42 @@ impl CoreSpec {
     /// # Errors
     /// [`SpecError`] names the first that is not.
     pub fn check(&self) -> Result<(), SpecError> {
-        within("lights", self.lights as u64, 1, MOST_LIGHTS as u64)?;
-        within("lights at a place", self.local_lights.len() as u64, 0, self.lights as u64)?;
-        within("longest_span", self.longest_span.into(), 1, LONGEST_SPAN.into())?;
-        within("coefficient integer bits", self.coefficient.integer_bits.into(), 1, MOST_COEFFICIENT_BITS)?;
-        within("largest_shininess", self.largest_shininess.into(), 1, LARGEST_SHININESS.into())?;
+        within("lights", self.lights as f64, 1.0, MOST_LIGHTS as f64)?;
+        self.check_places()?;
+        within("longest_span", self.longest_span.into(), 1.0, LONGEST_SPAN.into())?;
+        self.check_coefficient()?;
+        within("largest_shininess", self.largest_shininess.into(), 1.0, LARGEST_SHININESS.into())?;
+        within("shortest_normal", self.shortest_normal, 0.0, 1.0)?;
+        within("shortest_way", self.shortest_way, 0.0, 1.0)?;
+        within("shortest_unit_way", self.shortest_unit_way, 0.0, 1.0)?;
+        within("least_cone_cosine", self.least_cone_cosine, -1.0, 1.0)?;
+        within("least_view_cosine", self.least_view_cosine, -1.0, 1.0)?;
         self.method.describe().check_options()?;
         self.narrowing_points().iter().try_for_each(NarrowingPoint::check)?;
         self.check_specialisation()
+    }
+
+    /// Lights at places.
+    fn check_places(&self) -> Result<(), SpecError> {
+        within("lights at a place", self.local_lights.len() as f64, 0.0, self.lights as f64)?;
+        for light in &self.local_lights {
+            if let LocalKind::Spot { exponent } = *light {
+                within("exponent", exponent.into(), 1.0, LARGEST_SHININESS.into())?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_coefficient(&self) -> Result<(), SpecError> {
+        let Format { signed, integer_bits, fraction_bits } = self.coefficient;
+        within("coefficient integer bits", integer_bits.into(), 1.0, MOST_COEFFICIENT_BITS)?;
+        if signed || fraction_bits != COEFFICIENT_FRACTION_BITS {
+            let (name, given) = ("coefficient", self.coefficient);
+            let wanted = Format::unsigned(integer_bits, COEFFICIENT_FRACTION_BITS).to_string();
+            let bits = COEFFICIENT_FRACTION_BITS;
+            return Err(SpecError::WrongFormat { name, given, wanted, fewest_fraction_bits: bits, most_fraction_bits: bits });
+        }
+        Ok(())
     }
 
     /// Every place where the method rounds values, in the order of the data.
@@ -79,6 +103,24 @@ impl CoreSpec {
         let spec = CoreSpec { method: self.method.with(&changes)?, ..self.general() };
         spec.check()?;
         Ok(spec)
+    }
+
+    /// The same core for spans of up to `longest` pixels. Accumulators are as much finer as their errors add up further, and what is known
+    /// of their inputs is known in finer units.
+    ///
+    /// # Errors
+    /// [`SpecError`] if no such core can be built.
+    pub fn for_spans(&self, longest: u32) -> Result<CoreSpec, SpecError> {
+        let longer = CoreSpec { longest_span: longest, ..self.clone() };
+        let added = |(now, then): (NarrowingPoint, NarrowingPoint)| {
+            let bits = then.fewest_fraction_bits - now.fewest_fraction_bits;
+            (now.name, Format { fraction_bits: now.format.fraction_bits + bits, ..now.format })
+        };
+        let points = self.narrowing_points().into_iter().zip(longer.narrowing_points());
+        let formats: Vec<(&str, Format)> = points.map(added).collect();
+        let general = longer.with_formats(&formats)?;
+        let specialisation = self.specialisation.in_units_of(&general.inputs(), &self.general().inputs());
+        Ok(CoreSpec { specialisation, ..general })
     }
 
     /// What else the spec says: names and values, for people to read.
@@ -147,6 +189,6 @@ fn overlay(table: &mut toml::Table, changes: &toml::Table) {
 }
 
 /// Whether a number is one that cores can be built for.
-pub(super) fn within(name: &'static str, value: u64, low: u64, high: u64) -> Result<(), SpecError> {
+pub(super) fn within(name: &'static str, value: f64, low: f64, high: f64) -> Result<(), SpecError> {
     if (low..=high).contains(&value) { Ok(()) } else { Err(SpecError::OutOfRange { name, value, low, high }) }
 }

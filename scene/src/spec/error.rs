@@ -38,11 +38,11 @@ pub enum SpecError {
         /// What it is.
         name: &'static str,
         /// The value given.
-        value: u64,
+        value: f64,
         /// Smallest value.
-        low: u64,
+        low: f64,
         /// Largest value.
-        high: u64,
+        high: f64,
     },
     /// A format does not fit what it is to hold.
     #[error("format `{name}` is {given}, which cannot hold what it is for")]
@@ -74,6 +74,20 @@ pub enum SpecError {
         /// What is wrong.
         wrong: String,
     },
+    /// A core that is there lacks what a scene needs.
+    #[error("{has}, and the scene {needs}")]
+    #[diagnostic(
+        code(specula::spec::lacks),
+        help(
+            "let `specula run` build a core for this scene, or give a general one (`--specialise general`) of a scene with as much"
+        )
+    )]
+    Lacks {
+        /// What the core has.
+        has: String,
+        /// What the scene has or does.
+        needs: String,
+    },
     /// The `[core]` table of a scene file does not fit.
     #[error("the [core] table is wrong: {message}")]
     #[diagnostic(code(specula::spec::core), help("docs/scene-format.md lists the keys of [core] and their values"))]
@@ -81,4 +95,11 @@ pub enum SpecError {
         /// What is wrong.
         message: String,
     },
+}
+
+impl SpecError {
+    /// What would be right.
+    pub(crate) fn help_text(&self) -> String {
+        miette::Diagnostic::help(self).map(|help| help.to_string()).unwrap_or_default()
+    }
 }

@@ -1,5 +1,5 @@
 //! The methods there are.
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::choose::merged;
 use super::{
@@ -22,7 +22,7 @@ pub struct Choice {
 macro_rules! methods {
     ($($(#[$about:meta])* $method:ident($spec:ident) = $name:literal, $does:literal, [$paper:literal $(, $equations:literal)?];)*) => {
         /// How pixels are shaded.
-        #[derive(Clone, Debug, PartialEq, Serialize)]
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
         #[serde(rename_all = "kebab-case")]
         pub enum MethodSpec {
             $($(#[$about])* $method($spec),)*

@@ -25,12 +25,14 @@ mod port;
 pub mod power;
 mod quadratic;
 pub mod reflection;
+mod serve;
 mod set_up;
 pub mod slerp;
 mod specialise;
+mod subject;
 mod wrap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 use crate::needs::LocalKind;
@@ -55,9 +57,11 @@ pub use port::InputPort;
 pub use power::PowerUnit;
 pub use quadratic::Quadratic;
 pub use reflection::{ReflectionInputs, ReflectionSpec};
+pub use serve::Served;
 pub use set_up::{SetUp, SpanPacket};
 pub use slerp::{SlerpInputs, SlerpSpec};
 pub use specialise::{Given, Specialisation};
+pub use subject::Subject;
 pub use wrap::Wrap;
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.
@@ -72,7 +76,8 @@ pub const LARGEST_SHININESS: u32 = 8191;
 pub const LONGEST_SPAN: u32 = 8192;
 
 /// A core: a span goes in, and with every [`CoreSpec::interval`] clocks a pixel comes out.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct CoreSpec {
     /// Number of lights, 1 to [`MOST_LIGHTS`].
     pub lights: usize,
@@ -102,7 +107,7 @@ pub struct CoreSpec {
     /// How pixels are shaded.
     pub method: MethodSpec,
     /// What its inputs are given over the frames that it is for.
-    #[serde(skip_serializing_if = "Specialisation::is_general")]
+    #[serde(default, skip_serializing_if = "Specialisation::is_general")]
     pub specialisation: Specialisation,
 }
 

@@ -8,7 +8,7 @@ use crate::frame::Frame;
 
 /// What an input is given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "expected two raw values, smallest and largest, or an earlier input's name")]
 pub enum Given {
     /// Raw values from the first to the second.
     Between([i64; 2]),
@@ -43,6 +43,19 @@ impl Specialisation {
     /// What an input is given, if that is less than it could be.
     pub fn of(&self, name: &str) -> Option<&Given> {
         self.0.get(name)
+    }
+
+    /// What is known of inputs that have become finer: `ports` in place of `old`.
+    pub(super) fn in_units_of(&self, ports: &[InputPort], old: &[InputPort]) -> Specialisation {
+        let finer = |(port, old): (&InputPort, &InputPort)| {
+            let bits = port.format.fraction_bits - old.format.fraction_bits;
+            let given = match self.of(&port.name)? {
+                Given::Between(ends) => Given::Between(ends.map(|raw| (raw << bits).clamp(port.range.0, port.range.1))),
+                twin => twin.clone(),
+            };
+            Some((port.name.clone(), given))
+        };
+        Specialisation(ports.iter().zip(old).filter_map(finer).collect())
     }
 
     /// What is known of some inputs alone.
@@ -127,9 +140,19 @@ impl Seen {
         }
     }
 
+    /// Smallest and largest raw value of an input; none in a frame without spans.
+    pub fn range(&self, input: usize) -> Option<(i64, i64)> {
+        self.ranges.as_ref().map(|ranges| ranges[input])
+    }
+
+    /// Earlier inputs that always had the value of this one.
+    pub fn twins(&self, input: usize) -> &[usize] {
+        &self.twins[input]
+    }
+
     /// What an input was given, if that is less than its port takes.
     fn given(&self, input: usize, ports: &[InputPort]) -> Option<Given> {
-        let range = self.ranges.as_ref()?[input];
+        let range = self.range(input)?;
         // An input that never changes needs no twin.
         let twin = self.twins[input].first().filter(|_| range.0 != range.1);
         let same = twin.map(|&other| Given::SameAs(ports[other].name.clone()));

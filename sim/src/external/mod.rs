@@ -10,6 +10,6 @@ mod workshop;
 
 pub use ports::{Port, Ports};
 pub use results::read_results;
-pub use tool::Tool;
+pub use tool::{OTHER_ENGINE, Tool};
 pub use trace::{Sampling, Trace};
 pub use workshop::{RESULTS, STIMULUS, TRACE, Workshop};

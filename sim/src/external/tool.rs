@@ -17,7 +17,12 @@ pub struct Tool {
     pub version_argument: &'static str,
     /// How to get it.
     pub install: &'static str,
+    /// What does without it, as one says it behind `or`.
+    pub otherwise: &'static str,
 }
+
+/// What does without a simulator.
+pub const OTHER_ENGINE: &str = "use an engine that needs no other program: `--engine rust-hdl`";
 
 impl Tool {
     /// Whether it is there.
@@ -42,7 +47,8 @@ impl Tool {
     fn named<T>(&self, result: Result<T, SimError>) -> Result<T, SimError> {
         result.map_err(|error| match error {
             SimError::File { source, .. } if source.kind() == ErrorKind::NotFound => {
-                SimError::ToolAbsent { tool: self.name, command: self.command, install: self.install }
+                let Tool { name: tool, command, install, otherwise, .. } = *self;
+                SimError::ToolAbsent { tool, command, install, otherwise }
             }
             other => other,
         })
@@ -82,11 +88,16 @@ mod tests {
 
     #[test]
     fn an_absent_tool_is_named_and_its_installation_told() {
-        let tool =
-            Tool { name: "Nothing", command: "specula-has-no-such-tool", version_argument: "-V", install: "install nothing" };
+        let tool = Tool {
+            name: "Nothing",
+            command: "specula-has-no-such-tool",
+            version_argument: "-V",
+            install: "install nothing",
+            otherwise: "do without",
+        };
         let error = tool.present().unwrap_err();
         assert!(matches!(error, SimError::ToolAbsent { .. }));
-        assert!(error.to_string().contains("Nothing") && error.help().unwrap().to_string().contains("install nothing"));
+        assert!(error.to_string().contains("Nothing") && error.help().unwrap().to_string() == "install nothing, or do without");
     }
 
     #[cfg(unix)]

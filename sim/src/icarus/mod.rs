@@ -6,14 +6,15 @@ use std::time::{Duration, Instant};
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 
-use crate::external::{RESULTS, TRACE, Tool, Trace, Workshop, read_results};
+use crate::external::{OTHER_ENGINE, RESULTS, TRACE, Tool, Trace, Workshop, read_results};
 use crate::{Batch, Engine, Flow, SimError, Stimulus};
 
 use bench::Watch;
 
 const INSTALL: &str = "install it with `apt install iverilog` (Debian, Ubuntu) or `brew install icarus-verilog` (macOS)";
-const COMPILER: Tool = Tool { name: "Icarus Verilog", command: "iverilog", version_argument: "-V", install: INSTALL };
-const SIMULATOR: Tool = Tool { name: "Icarus Verilog", command: "vvp", version_argument: "-V", install: INSTALL };
+const COMPILER: Tool =
+    Tool { name: "Icarus Verilog", command: "iverilog", version_argument: "-V", install: INSTALL, otherwise: OTHER_ENGINE };
+const SIMULATOR: Tool = Tool { command: "vvp", ..COMPILER };
 
 /// Runs a design's Verilog in Icarus.
 ///

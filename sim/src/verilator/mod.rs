@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 
-use crate::external::{RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool};
+use crate::external::{OTHER_ENGINE, RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool};
 use crate::{Batch, Engine, Flow, SimError, Stimulus};
 
 use program::{PROGRAM, Program};
@@ -19,6 +19,7 @@ const VERILATOR: Tool = Tool {
     command: "verilator",
     version_argument: "--version",
     install: "install it with `apt install verilator g++ make` (Debian, Ubuntu) or `brew install verilator` (macOS)",
+    otherwise: OTHER_ENGINE,
 };
 
 /// The program that drives a core; what depends on the core is in the header that [`glue`] writes.

@@ -1,6 +1,7 @@
 //! Packets that no scene makes: patterns of bits within the ranges that ports state.
-use specula_golden::fixed::{Model, Observation};
+use specula_golden::fixed::Model;
 use specula_hdl::Design;
+use specula_hdl::design::NodeId;
 use specula_scene::spec::{InputPort, SpecError};
 use specula_scene::{CoreSpec, Method, Needs, SpanPacket, parse};
 use specula_sim::{Engine, Fast, Flow, Stimulus};
@@ -20,7 +21,7 @@ pub const ID: &str = "raw";
 pub const INPUT: &str = "ports at 0, at all ones, at the ends of their ranges, and at random patterns, without any scene";
 /// What is wanted.
 pub const WANTED: &str = "the model refuses packets that mean nothing; of others core and model agree, or the bench reports a fact that hosts keep and \
-they do not: nothing wraps around unseen";
+they do not, and no other signal leaves its proven range: nothing wraps around unseen";
 
 /// Runs a method's cores on patterns.
 pub fn cell(method: Method, draw: &mut Draw, extent: Extent) -> Cell {
@@ -59,7 +60,7 @@ fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw
     let fault = match simulated(&design, &packets) {
         Ok(simulated) => {
             cell.reported += simulated.breaks_a_fact.iter().filter(|&&breaks| breaks).count();
-            wrong_code(&model, &packets, &simulated)
+            simulated.out_of_range(&design).or_else(|| wrong_code(&model, &packets, &simulated))
         }
         Err(what) => Some(Fault { what, span: 0, pixel: 0 }),
     };
@@ -103,29 +104,40 @@ fn patterns(spec: &CoreSpec, draw: &mut Draw, random: usize) -> Vec<SpanPacket> 
 struct Simulated {
     codes: Vec<[u8; 3]>,
     breaks_a_fact: Vec<bool>,
+    /// Signals that left their proven ranges, and the packets with which they did.
+    leaves: Vec<(NodeId, usize)>,
+}
+
+impl Simulated {
+    /// The first signal that left its range with a packet that breaks no fact.
+    fn out_of_range(&self, design: &Design) -> Option<Fault> {
+        let (signal, span) = self.leaves.iter().find(|(_, span)| !self.breaks_a_fact[*span])?;
+        let what = format!("`{}` outside its proven range", design.full_name(*signal));
+        Some(Fault { what, span: *span, pixel: 0 })
+    }
 }
 
 fn simulated(design: &Design, packets: &Vec<SpanPacket>) -> Result<Simulated, String> {
     let stimulus = Stimulus::whole(packets, design);
     let mut arrivals = Arrivals::new(design, &stimulus);
     let mut breaks_a_fact = vec![false; packets.len()];
-    let mut watched = design.outputs.clone();
-    watched.push(design.valid_out);
-    watched.extend(assumptions::watched(design));
+    let (mut leaves, watched) = (Vec::new(), design.variables());
+    // The first span begins with the first clock in which a pixel enters.
+    let span_of = |entry: u64| (1..packets.len()).find(|&span| stimulus.begin_of(span) > entry).unwrap_or(packets.len()) - 1;
     let run = Fast::new(design).run(&stimulus, &watched, &mut |batch| {
         arrivals.take(batch);
         for entry in assumptions::entries_that_violate(design, &stimulus, batch) {
-            let behind = (0..packets.len()).find(|&span| stimulus.begin_of(span) > entry).unwrap_or(packets.len());
-            // The first span begins with the first clock.
-            breaks_a_fact[behind.saturating_sub(1)] = true;
+            breaks_a_fact[span_of(entry)] = true;
         }
+        let out = assumptions::signals_out_of_range(design, &stimulus, batch);
+        leaves.extend(out.into_iter().map(|(signal, entry)| (signal, span_of(entry))));
         Flow::Continue
     });
     run.map_err(|error| error.to_string())?;
     let Arrivals { codes, wrong_clocks, .. } = arrivals;
     match wrong_clocks.first() {
         Some(clock) => Err(format!("a pixel that comes or fails to come in clock {clock}")),
-        None => Ok(Simulated { codes, breaks_a_fact }),
+        None => Ok(Simulated { codes, breaks_a_fact, leaves }),
     }
 }
 
@@ -143,18 +155,8 @@ fn wrong_code(model: &Model, packets: &[SpanPacket], simulated: &Simulated) -> O
             return Some(Fault { what: error.to_string(), span, pixel: 0 });
         }
         let pixel = (0..expected.len()).find(|&i| given.get(i) != Some(&expected[i]))?;
-        if leaves_its_formats(model, packet, pixel as u32) {
-            return None;
-        }
         let (got, wanted) = (given.get(pixel), expected[pixel]);
         let what = format!("the code {got:?}, and the model has {wanted:?}; inputs {:?}", packet.inputs);
         Some(Fault { what, span, pixel: pixel as u32 })
     })
-}
-
-/// Whether the model has, at this pixel or before, a value that its own format does not hold: an accumulator's, which wraps around in
-/// hardware. Hosts send nothing of the kind.
-fn leaves_its_formats(model: &Model, packet: &SpanPacket, pixel: u32) -> bool {
-    let outside = |value: &Observation| !(value.format.min_raw()..=value.format.max_raw()).contains(&value.raw);
-    (0..=pixel).any(|i| model.trace(packet, i).is_ok_and(|values| values.iter().any(outside)))
 }

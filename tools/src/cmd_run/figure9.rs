@@ -4,7 +4,6 @@ mod report;
 
 use std::fs;
 use std::io::{self, Write};
-use std::path::PathBuf;
 
 use specula_scene::{Frame, SceneError};
 use specula_testbench::figure9::{self, Balls, Formula, ROWS, Row};
@@ -39,7 +38,7 @@ struct Shaded {
 /// Shades every row, writes everything, and prints the table or the report.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let balls = balls(arguments)?;
-    let folder = arguments.scene.output.clone().unwrap_or_else(|| PathBuf::from("out").join(NAME));
+    let folder = arguments.output.folder(NAME);
     let destination = Destination::check(&folder, &files())?;
     let frame = figure9::frame(balls);
     let numbered = ROWS.iter().zip(1..);
@@ -53,17 +52,18 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
 
 /// As large as asked for, if nothing is asked for that a set of cores does not have.
 fn balls(arguments: &Arguments) -> Result<Balls, ToolError> {
-    let scene = &arguments.scene;
+    let Arguments { core, wishes, trace, .. } = arguments;
     let asked = [
-        ("--method", scene.method.is_some()),
-        ("--specialise", scene.specialise.is_some()),
-        ("--max-error", scene.max_error.is_some()),
-        ("--trace", !matches!(arguments.trace, Choice::Worst | Choice::None)),
+        ("--core", core.is_some()),
+        ("--method", wishes.method.is_some()),
+        ("--specialise", wishes.specialise.is_some()),
+        ("--max-error", wishes.max_error.is_some()),
+        ("--trace", !matches!(trace, Choice::Worst | Choice::None)),
     ];
     if let Some((option, _)) = asked.into_iter().find(|(_, given)| *given) {
         return Err(ToolError::Figure9 { wrong: format!("{option} is for one core") });
     }
-    let Some((width, height)) = scene.size else { return Ok(Balls { radius: RADIUS }) };
+    let Some((width, height)) = wishes.size else { return Ok(Balls { radius: RADIUS }) };
     match Balls::within(width, height) {
         Some(balls) => Ok(balls),
         None => Err(ToolError::Figure9 { wrong: format!("its balls have no room in {width}x{height} pixels") }),

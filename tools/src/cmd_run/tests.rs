@@ -22,13 +22,13 @@ fn arguments(words: &[&str]) -> Arguments {
 /// Runs the scene, spoils what came of it, and writes the files into `folder`. Gives the clock of what was spoilt, and the verdict.
 fn spoilt_run(words: &[&str], folder: &Path, spoil: impl FnOnce(&mut Outcome) -> u64) -> (u64, Verdict) {
     let arguments = arguments(words);
-    let (scene, spec) = arguments.scene.load().expect("the scene is built in");
-    let bench = Bench::new(&scene.frame, &spec, &scene.name).expect("the core can be built");
+    let task = arguments.task().expect("the scene is built in");
+    let bench = Bench::new(&task.scene.frame, task.spec(), &task.module()).expect("the core can be built");
     let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
-    let run = run_of(&arguments, (&scene.name, &scene.name), &bench, &outcome);
-    let destination = Destination::check(folder, &file_names(run.module)).expect("the folder can be written");
+    let run = run_of(&arguments, &task, &bench, &outcome);
+    let destination = Destination::check(folder, &file_names(&run.module)).expect("the folder can be written");
     write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))
 }

@@ -2,7 +2,7 @@
 use serde::Serialize;
 use specula_hdl::design::Size;
 use specula_scene::CoreSpec;
-use specula_testbench::{Errors, Savings, Violation, savings};
+use specula_testbench::{Errors, Savings, Share, Violation, savings};
 
 use crate::disagreement::Disagreement;
 use crate::run::{Run, Written};
@@ -40,6 +40,10 @@ struct Report<'a> {
     largest_code_difference: u8,
     /// On the quantisation error; none if no finite one can be proven.
     bound_lsb: Option<f64>,
+    /// How many times the largest measured quantisation error it is.
+    bound_ratio: Option<f64>,
+    /// By how much it would be smaller if a place rounded far finer, the largest first.
+    bound_shares: Vec<Share>,
     worst_pixel: Option<WorstPixel>,
     /// The clocks in the waveform, from the first to the one behind the last.
     trace: Option<[u64; 2]>,
@@ -88,9 +92,9 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
     let bound = bench.design.error_bound();
     Report {
         version: env!("CARGO_PKG_VERSION"),
-        scene: run.name,
-        module: run.module,
-        command: &run.origin.command,
+        scene: run.name(),
+        module: &run.module,
+        command: &run.task.origin.command,
         method: bench.spec.method().name(),
         engine: run.engine.name(),
         width: bench.frame.width,
@@ -110,6 +114,8 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         error: &comparison.errors,
         largest_code_difference: comparison.largest_code_difference,
         bound_lsb: bound.is_finite().then_some(bound),
+        bound_ratio: run.bound_ratio(),
+        bound_shares: run.bound_shares(),
         worst_pixel: comparison.worst_pixel.map(|worst| WorstPixel {
             x: worst.x,
             y: worst.y,
@@ -118,7 +124,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         }),
         trace: written.window.as_ref().map(|window| [window.start, window.end]),
         size: bench.design.size(),
-        savings: (!bench.spec.specialisation.is_general()).then(|| savings(bench.spec).ok()).flatten(),
+        savings: (!bench.spec.specialisation.is_general()).then(|| savings(bench.spec, None).ok()).flatten(),
         spec: bench.spec,
         files: &written.files,
     }

@@ -1,5 +1,5 @@
 //! The report for people: what was built, how well it does, and how to go on with it.
-use specula_testbench::{ErrorFigures, savings};
+use specula_testbench::{ErrorFigures, Share, savings};
 
 use super::{facts, ports, units};
 use crate::header::bound;
@@ -39,12 +39,12 @@ fn title(run: &Run) -> String {
         "# {}, shaded by `{}`\n\n\
          A pipeline of {latency} clocks that takes a pixel in {}: {}.\n\n\
          Made by Specula {}; `{}` makes the same Verilog.\n",
-        run.name,
+        run.name(),
         method.name(),
         pace(run.bench.design.interval),
         method.summary(),
         env!("CARGO_PKG_VERSION"),
-        run.origin.command
+        run.task.origin.command
     )
 }
 
@@ -104,11 +104,29 @@ fn errors(run: &Run) -> String {
     });
     format!(
         "## Errors\n\nIn LSBs of the 8-bit output, over the three channels of all shaded pixels. {}\
-         The quantisation error is proven to stay within {}. Half an LSB of it is the rounding to 8 bits.\n\n{}",
+         The quantisation error is proven to stay within {}. Half an LSB of it is the rounding to 8 bits.\n\n{}\n{}",
         worst.unwrap_or_default(),
         bound(run.bench.design.error_bound()),
-        table(["error", "largest", "rms", "mean", "PSNR in dB"], &rows)
+        table(["error", "largest", "rms", "mean", "PSNR in dB"], &rows),
+        bound_shares(run)
     )
+}
+
+/// How the proven bound compares with what was measured, and where it comes from; nothing where there is no bound.
+fn bound_shares(run: &Run) -> String {
+    let Some(ratio) = run.bound_ratio() else { return String::new() };
+    let shares = run.bound_shares();
+    let row = |share: &Share| [format!("`{}`", share.name), format!("{:.3}", share.lsb), format!("`{}`", share.value)];
+    let rows: Vec<[String; 3]> = shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
+    let text = format!(
+        "The bound is {ratio:.1} times the largest quantisation error of this picture. It is for every scene with the same ranges; where formats were\n\
+         narrowed for this picture (`--max-error`, `explore`), only what was measured is within that goal.\n"
+    );
+    if rows.is_empty() {
+        return text;
+    }
+    let table = table(["narrowing point", "share in LSB", "what is rounded"], &rows);
+    format!("{text}\nBy how much the bound would be smaller if one place rounded far finer; shares overlap.\n\n{table}")
 }
 
 fn figures(name: &str, figures: &ErrorFigures) -> [String; 5] {
@@ -168,7 +186,7 @@ fn units(run: &Run) -> String {
 
 /// What the scene's needs save; nothing of a general core, or where the core without a need cannot be built.
 fn needs(run: &Run) -> String {
-    let Ok(savings) = savings(run.bench.spec) else { return String::new() };
+    let Ok(savings) = savings(run.bench.spec, None) else { return String::new() };
     if run.bench.spec.specialisation.is_general() {
         return String::new();
     }
@@ -232,7 +250,7 @@ fn way(run: &Run, written: &Written) -> String {
 }
 
 fn verilog(run: &Run) -> String {
-    let module = run.module;
+    let module = &run.module;
     format!(
         "## Verilog\n\n`{module}.v` is the whole core in Verilog-2001. What Specula emits belongs to whoever ran it. To look at it with\nother tools:\n\n\
          ```sh\n\

@@ -13,7 +13,7 @@ use crate::run::{Run, Written};
 /// # Errors
 /// What the system says of a file that cannot be read.
 pub fn html(run: &Run, written: &Written, staging: &Staging, shown: &[[&'static str; 3]]) -> io::Result<String> {
-    let title = format!("{}, shaded by {}", run.name, run.bench.spec.method().name());
+    let title = format!("{}, shaded by {}", run.name(), run.bench.spec.method().name());
     let pictures = pictures(run, staging, shown)?;
     let body = [
         render(&markdown::head(run), staging)?,

@@ -38,6 +38,9 @@ fn wrong_words() {
             &["run", "teapot", "--colour", "red"],
             &["run", "teapot", "--max-error", "-1lsb"],
             &["run", "icosahedron", "--size", "16x12", "--max-error", "0.01lsb"],
+            &["explore", "icosahedron", "--size", "16x12", "--methods", "gouraud", "--max-error", "0.6lsb"],
+            &["explore", "icosahedron", "--max-error", "1lsb", "--device", "abacus"],
+            &["explore", "icosahedron"],
         ],
     );
     insta::assert_snapshot!(said);
@@ -63,6 +66,27 @@ fn wrong_scenes() {
             &["generate", "wide.toml"],
             &["run", "empty.obj"],
             &["run", "."],
+        ],
+    );
+    insta::assert_snapshot!(said);
+}
+
+#[test]
+fn wrong_cores() {
+    let place = Place::new();
+    place.succeeds(&["generate", "torus", "--size", "48x36", "-o", "core"]);
+    place.write("old.toml", "version = 0\n");
+    place.write("scene.toml", "[[object]]\nprimitive = \"torus\"\n");
+    let said = refusals(
+        &place,
+        &[
+            &["run", "teapot", "--size", "48x36", "--core", "core"],
+            &["run", "torus", "--core", "nowhere"],
+            &["run", "torus", "--core", "core", "--method", "phong"],
+            &["generate", "--spec", "old.toml"],
+            &["generate", "--spec", "scene.toml"],
+            &["generate", "torus", "--spec", "core/spec.toml"],
+            &["generate"],
         ],
     );
     insta::assert_snapshot!(said);

@@ -6,11 +6,13 @@ use crate::program::Place;
 #[test]
 fn the_verilog_is_that_of_run() {
     let place = Place::new();
-    assert_eq!(place.succeeds(&["generate", "teapot", "--size", "64x48", "-o", "rtl"]), "rtl/teapot.v\n");
-    assert_eq!(place.names("rtl"), ["teapot.v"]);
+    assert_eq!(place.succeeds(&["generate", "teapot", "--size", "64x48", "-o", "rtl"]), "rtl/teapot.v\nrtl/spec.toml\n");
+    assert_eq!(place.names("rtl"), ["spec.toml", "teapot.v"]);
     place.succeeds(&["run", "teapot", "--size", "64x48"]);
-    let [alone, run] = ["rtl/teapot.v", "out/teapot/teapot.v"].map(|file| fs::read_to_string(place.path(file)).unwrap());
-    assert!(alone == run);
+    for file in ["teapot.v", "spec.toml"] {
+        let [alone, run] = ["rtl", "out/teapot"].map(|folder| fs::read_to_string(place.path(folder).join(file)).unwrap());
+        assert!(alone == run, "{file}");
+    }
 }
 
 #[test]
@@ -28,7 +30,7 @@ fn headers_say_what_the_core_is() {
 fn names_that_verilog_keeps_are_avoided() {
     let place = Place::new();
     place.write("module.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    assert_eq!(place.succeeds(&["generate", "module.obj"]), "out/module/module_core.v\n");
+    assert_eq!(place.succeeds(&["generate", "module.obj"]), "out/module/module_core.v\nout/module/spec.toml\n");
 }
 
 #[test]
@@ -38,7 +40,7 @@ fn other_files_stay() {
     place.write("rtl/mine.v", "module mine; endmodule\n");
     place.succeeds(&["generate", "teapot", "-o", "rtl"]);
     place.succeeds(&["generate", "teapot", "-o", "rtl"]);
-    assert_eq!(place.names("rtl"), ["mine.v", "teapot.v"]);
+    assert_eq!(place.names("rtl"), ["mine.v", "spec.toml", "teapot.v"]);
 }
 
 #[test]

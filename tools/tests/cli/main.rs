@@ -2,6 +2,7 @@
 mod bench;
 mod compare;
 mod errors;
+mod explore;
 mod figure9;
 mod generate;
 mod help;
@@ -12,5 +13,6 @@ mod page;
 mod program;
 mod reproduce;
 mod run;
+mod spec;
 mod stress;
 mod wave;

@@ -33,3 +33,20 @@ fn flat_meshes_are_not_interpolated() {
     let report: Value = serde_json::from_str(&report).expect("it prints JSON");
     assert_eq!(report["needs"]["flat"], Value::Bool(true));
 }
+
+/// Yosys is not everywhere; where it is not, it is named.
+#[test]
+fn cells_are_counted_if_asked_for() {
+    let place = Place::new();
+    let arguments = ["needs", "icosahedron", "--size", "24x18", "--method", "gouraud", "--synthesis", "--json"];
+    let ended = place.specula(&arguments);
+    if ended.stderr.contains("Yosys is not installed") && std::env::var_os("CI").is_none() {
+        assert!(ended.status == Some(2) && ended.stderr.contains("leave out `--synthesis`"), "{}", ended.stderr);
+        return;
+    }
+    assert_eq!(ended.status, Some(0), "{}", ended.stderr);
+    let report: Value = serde_json::from_str(&ended.stdout).expect("it prints JSON");
+    let cells = &report["savings"]["together"]["cells"];
+    assert!(cells["luts"].as_i64() > Some(0) && cells["flip_flops"].as_i64() > Some(0), "{}", ended.stdout);
+    assert!(place.succeeds(&arguments[..7]).contains("MULT18X18D"));
+}

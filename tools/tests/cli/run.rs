@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use crate::program::Place;
 
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     "error.png",
     "exact.png",
     "expected.png",
@@ -13,6 +13,7 @@ const FILES: [&str; 11] = [
     "report.json",
     "report.md",
     "simulated.png",
+    "spec.toml",
     "teapot.v",
     "trace.gtkw",
     "trace.vcd",

@@ -4,7 +4,7 @@ use crate::spec::inputs::inputs;
 use crate::spec::{CoreSpec, InputPort};
 
 /// t at a vertex is 1.06097 at most, which is 1.06097 quarter turns with the trigonometric curve and less with the rational one.
-const LARGEST_ANGLE: f64 = 1.0625;
+pub const LARGEST_ANGLE: f64 = 1.0625;
 
 inputs! {
     /// The core's inputs, or whatever belongs to each of them.

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 use crate::spec::power::{Power, PowerUnit};
-pub use inputs::{ConsistentInputs, ConsistentLight};
+pub use inputs::{ConsistentInputs, ConsistentLight, LARGEST_ANGLE};
 
 /// How q depends on α, with t = 2α/π.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -88,7 +88,7 @@ impl Describe for DirectSpec {
     }
 
     fn check_options(&self) -> Result<(), SpecError> {
-        within("reciprocal integer bits", self.formats.reciprocal.integer_bits.into(), 0, LARGEST_REACH.into())
+        within("reciprocal integer bits", self.formats.reciprocal.integer_bits.into(), 0.0, LARGEST_REACH.into())
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {

@@ -101,8 +101,8 @@ impl Describe for LyonSpec {
     }
 
     fn check_options(&self) -> Result<(), SpecError> {
-        within("newton_steps", self.newton_steps.into(), 0, 3)?;
-        within("squarings", self.squarings.into(), 0, 3)
+        within("newton_steps", self.newton_steps.into(), 0.0, 3.0)?;
+        within("squarings", self.squarings.into(), 0.0, 3.0)
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -1,0 +1,47 @@
+//! Where a core's error bound comes from: how much of it each place that rounds answers for.
+use serde::Serialize;
+use specula_scene::spec::NarrowingPoint;
+use specula_scene::{CoreSpec, Format, Frame};
+
+/// Fraction bits that make a rounding count for nothing beside the others; fewer where the format may not have so many.
+const ADDED: [u32; 4] = [12, 8, 4, 2];
+
+/// A place that rounds.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Share {
+    /// Its name in the spec.
+    pub name: &'static str,
+    /// What is rounded.
+    pub value: &'static str,
+    /// By how much the bound would be smaller if it rounded far finer, in LSBs.
+    pub lsb: f64,
+}
+
+/// The shares of a core's bound, `bound` LSBs, the largest first; of a core that is for `frame` alone, those of the bound for that frame.
+///
+/// They do not add up to the bound: half an LSB of it is the rounding to 8 bits, and errors of several places can come together in one
+/// product. A place that may not be finer has no share.
+pub fn shares(spec: &CoreSpec, frame: &Frame, bound: f64) -> Vec<Share> {
+    let share = |point: NarrowingPoint| {
+        let finer = finer(spec, frame, &point).unwrap_or(bound);
+        // Beside a bound that is not finite nothing can be said.
+        let lsb = if bound.is_finite() { (bound - finer).max(0.0) } else { 0.0 };
+        Share { name: point.name, value: point.value, lsb }
+    };
+    let mut shares: Vec<Share> = spec.narrowing_points().into_iter().map(share).collect();
+    shares.sort_by(|a, b| b.lsb.total_cmp(&a.lsb));
+    shares
+}
+
+/// The bound of the core with more bits at a place; none if it may not have more.
+fn finer(spec: &CoreSpec, frame: &Frame, point: &NarrowingPoint) -> Option<f64> {
+    for added in ADDED {
+        let format = Format { fraction_bits: point.format.fraction_bits + added, ..point.format };
+        let Ok(general) = spec.with_formats(&[(point.name, format)]) else { continue };
+        let finer = if spec.specialisation.is_general() { general } else { general.specialised(frame) };
+        if let Ok(design) = specula_hdl::elaborate(&finer, "core") {
+            return Some(design.error_bound());
+        }
+    }
+    None
+}

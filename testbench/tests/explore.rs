@@ -1,0 +1,58 @@
+//! The search for a small core near exact shading.
+use specula_scene::{Method, load};
+use specula_testbench::explore::{Device, Exploration, Wanted, explore};
+use specula_testbench::{Bench, EngineKind};
+
+const METHODS: [Method; 4] = [Method::Lyon, Method::Gouraud, Method::Phong, Method::Direct];
+
+fn explored(scene: &str, most: f64, device: Option<Device>) -> Exploration {
+    let frame = load(scene, Some((48, 36))).unwrap().frame;
+    explore(&frame, &Wanted { most, methods: &METHODS, device }, &|| ()).unwrap()
+}
+
+#[test]
+fn every_core_of_the_front_is_as_good_as_is_said() {
+    let loaded = load("teapot", Some((48, 36))).unwrap();
+    let exploration = explored("teapot", 2.0, None);
+    assert!(exploration.tried > 50 && exploration.refused.is_empty());
+    let best = &exploration.front[exploration.best.expect("phong comes within 2 LSB")];
+    assert!(best.error <= 2.0);
+    let general = load("teapot", Some((48, 36))).unwrap().core_spec(Some(Method::Phong)).unwrap();
+    let size = |spec| specula_hdl::elaborate(spec, "core").unwrap().size().multiplier_bits;
+    assert!(size(&best.spec) < size(&general), "{best:?}");
+    for (core, next) in exploration.front.iter().zip(exploration.front[1..].iter().map(Some).chain([None])) {
+        let bench = Bench::new(&loaded.frame, &core.spec, "teapot").unwrap();
+        let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+        assert!(outcome.agrees());
+        assert_eq!(outcome.comparison.errors.total.max_lsb, core.error, "{}", core.core);
+        assert!(next.is_none_or(|next| next.cost.cells() > core.cost.cells() && next.error < core.error));
+    }
+}
+
+#[test]
+fn the_same_search_finds_the_same() {
+    assert_eq!(format!("{:?}", explored("spheres", 3.0, None)), format!("{:?}", explored("spheres", 3.0, None)));
+}
+
+#[test]
+fn methods_that_cannot_shade_the_scene_are_named() {
+    let exploration = explored("lamps", 3.0, None);
+    let lamps = load("lamps", Some((48, 36))).unwrap();
+    let refused: Vec<&str> =
+        METHODS.into_iter().filter(|&method| lamps.core_spec(Some(method)).is_err()).map(Method::name).collect();
+    assert!(!refused.is_empty() && refused.len() == exploration.refused.len());
+    for (method, reason) in refused.into_iter().zip(&exploration.refused) {
+        assert!(reason.starts_with(&format!("{method}: ")), "{reason}");
+        assert!(exploration.front.iter().all(|core| !core.core.starts_with(method)));
+    }
+}
+
+#[test]
+fn the_best_core_fits_the_device() {
+    let device = Device::ALL[1];
+    let exploration = explored("teapot", 4.0, Some(device));
+    let best = &exploration.front[exploration.best.expect("there is one")];
+    assert!(best.cost.fits(&device) && best.cost.blocks.is_some_and(|blocks| blocks > 0), "{best:?}");
+    let none = explored("teapot", 4.0, Some(Device { blocks: 0, registers: 10, ..device }));
+    assert_eq!(none.best, None);
+}

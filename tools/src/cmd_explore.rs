@@ -1,0 +1,154 @@
+//! `specula explore`: the smallest core that shades a scene well enough.
+use std::io::Write;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use serde::Serialize;
+use specula_scene::{Frame, Method, SpecFile};
+use specula_testbench::explore::{Device, Exploration, Explored, Wanted, explore};
+
+use crate::arguments::{OutputArguments, method_parser, parse_error, parse_size};
+use crate::cli::Verdict;
+use crate::error::ToolError;
+use crate::output::write_core;
+use crate::{progress, table};
+
+const EXAMPLE: &str = "\
+Tries options and formats of each method, every core made for the scene alone. Errors are total:
+the core's codes against exact Phong shading, over every pixel. Cells are bit products of
+multipliers, bits of adders, of registers and of read-only memory; with --device a multiplier
+counts as the blocks it takes. Nothing is known of a device's timing: the clock is assumed.
+
+DIR/spec.toml is the smallest core within the error: for `run --core` and `generate --spec`.
+
+Example: specula explore teapot --max-error 2lsb --device ecp5-25 -o out/explored";
+
+/// Arguments of `explore`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = EXAMPLE)]
+pub struct Arguments {
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    scene: String,
+    #[command(flatten)]
+    output: OutputArguments,
+    /// Width and height of the picture in pixels [default: what the scene says]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
+    size: Option<(u32, u32)>,
+    /// Largest total error that the best core may have, such as 2lsb
+    #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
+    max_error: f64,
+    /// Methods to try, with commas between them [default: all]
+    #[arg(long, value_name = "METHODS", value_delimiter = ',', value_parser = method_parser())]
+    methods: Vec<Method>,
+    /// The FPGA whose multiplier blocks and registers count, and must be enough
+    #[arg(long, value_name = "DEVICE", value_parser = device_parser())]
+    device: Option<Device>,
+    /// The clock at which frames per second are said; it is assumed, not proven
+    #[arg(long, value_name = "MHZ", default_value_t = 100.0, value_parser = parse_clock)]
+    clock: f64,
+    /// Print JSON, with every core of the front, instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+fn device_parser() -> impl TypedValueParser<Value = Device> {
+    PossibleValuesParser::new(Device::ALL.map(|device| device.name))
+        .try_map(|name| Device::ALL.into_iter().find(|device| device.name == name).ok_or("there is no such device"))
+}
+
+fn parse_clock(text: &str) -> Result<f64, String> {
+    let clock = text.parse::<f64>().ok().filter(|mhz| *mhz > 0.0 && *mhz <= 10_000.0);
+    clock.ok_or_else(|| "write a number of MHz above 0 and up to 10000".to_owned())
+}
+
+/// What `explore --json` prints.
+#[derive(Serialize)]
+struct Report<'a> {
+    scene: &'a str,
+    max_error: f64,
+    device: Option<Device>,
+    #[serde(flatten)]
+    exploration: &'a Exploration,
+}
+
+/// Searches, writes the best core, and prints the front.
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    let scene = specula_scene::load(&arguments.scene, arguments.size)?;
+    let methods = if arguments.methods.is_empty() { &Method::ALL[..] } else { &arguments.methods };
+    let wanted = Wanted { most: arguments.max_error, methods, device: arguments.device };
+    let bar = progress::count("cores tried");
+    let exploration = explore(&scene.frame, &wanted, &|| bar.inc(1));
+    bar.finish_and_clear();
+    let exploration = exploration?;
+    let best = exploration.best.map(|index| &exploration.front[index]).ok_or_else(|| nothing(&wanted, &exploration))?;
+    let file = SpecFile { name: scene.name.clone(), spec: best.spec.clone() };
+    let folder = arguments.output.folder(&format!("{}-explored", scene.name));
+    let written = write_core(&folder, &[(SpecFile::NAME.to_owned(), file.text())])?;
+    let text = if arguments.json {
+        let (scene, max_error, device) = (scene.name.as_str(), arguments.max_error, arguments.device);
+        let report = Report { scene, max_error, device, exploration: &exploration };
+        serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
+    } else {
+        let paths: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
+        format!("{}\n{}\n", described(&exploration, &scene.frame, arguments), paths.join("\n"))
+    };
+    write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
+    Ok(Verdict::Done)
+}
+
+/// Why there is no best core.
+fn nothing(wanted: &Wanted, exploration: &Exploration) -> ToolError {
+    let nearest = exploration.front.last().map(|core| (core.error, core.core.clone()));
+    ToolError::NothingExplored(NothingExplored {
+        wanted: wanted.most,
+        nearest: match nearest {
+            Some((error, core)) if error > wanted.most => format!("the nearest comes to {error:.2} LSB: {core}"),
+            Some(_) => "those that come as near do not fit the device".to_owned(),
+            None => exploration.refused.join("; "),
+        },
+    })
+}
+
+/// No core is near enough.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("none of the cores that were tried is within {wanted} LSB of exact shading; {nearest}")]
+#[diagnostic(
+    code(specula::explore),
+    help("ask for a larger error, for other methods or for a larger device; rounding to 8 bits alone takes up to 0.5 LSB")
+)]
+pub struct NothingExplored {
+    wanted: f64,
+    nearest: String,
+}
+
+const TITLES: [&str; 9] =
+    ["", "error in LSB", "cells", "multiplier bits", "blocks", "adder bits", "register bits", "frames/s", "core"];
+
+/// The front as a table, and what was tried.
+fn described(exploration: &Exploration, frame: &Frame, arguments: &Arguments) -> String {
+    let row = |(index, core): (usize, &Explored)| {
+        let Explored { core: name, error, cost, latency, .. } = core;
+        let cycles = frame.shaded_pixels() + u64::from(*latency);
+        [
+            if exploration.best == Some(index) { "best" } else { "" }.to_owned(),
+            format!("{error:.3}"),
+            cost.cells().to_string(),
+            cost.multiplier_bits.to_string(),
+            cost.blocks.map_or("-".to_owned(), |blocks| blocks.to_string()),
+            cost.adder_bits.to_string(),
+            cost.register_bits.to_string(),
+            format!("{:.0}", arguments.clock * 1e6 / cycles as f64),
+            name.clone(),
+        ]
+    };
+    let rows = exploration.front.iter().enumerate().map(row);
+    let table: Vec<[String; 9]> = [TITLES.map(str::to_owned)].into_iter().chain(rows).collect();
+    let refused: String = exploration.refused.iter().map(|reason| format!("left out: {reason}\n")).collect();
+    format!(
+        "{}\n{} cores were tried, of which these {} are neither beaten in size nor in error; frames/s at an assumed {} MHz\n{refused}",
+        table::lines(&table),
+        exploration.tried,
+        exploration.front.len(),
+        arguments.clock
+    )
+}

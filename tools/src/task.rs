@@ -1,0 +1,64 @@
+//! A core to be made, from a scene or from a file, and the scene it is to shade.
+use std::path::{Path, PathBuf};
+
+use specula_scene::spec::{Served, SpecError};
+use specula_scene::{CoreSpec, LoadedScene, SpecFile};
+
+use crate::arguments::Wishes;
+use crate::error::ToolError;
+use crate::header::Origin;
+
+/// A core with its name, and a scene for it.
+pub struct Task {
+    /// The scene.
+    pub scene: LoadedScene,
+    /// The core, as it is written beside its Verilog.
+    pub file: SpecFile,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+impl Task {
+    /// The core for a scene.
+    pub fn of_scene(scene: &str, wishes: &Wishes) -> Result<Task, ToolError> {
+        let (loaded, spec) = wishes.load(scene)?;
+        let origin = Origin::of_scene(scene, wishes, &spec);
+        Ok(Task { file: SpecFile { name: loaded.name.clone(), spec }, scene: loaded, origin })
+    }
+
+    /// A scene and a core that was made before.
+    pub fn with_core(scene: &str, size: Option<(u32, u32)>, core: &Path) -> Result<Task, ToolError> {
+        let file = SpecFile::read(core)?;
+        let loaded = specula_scene::load(scene, size)?;
+        let served = file.spec.serving(&loaded.frame).map_err(|error| {
+            let (core, scene) = (core.to_owned(), loaded.name.clone());
+            ToolError::Refused(Refused { core, scene, error })
+        });
+        let Served { frame, spec } = served?;
+        let origin = Origin::of_file(core, &file);
+        Ok(Task { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })
+    }
+
+    /// The core.
+    pub fn spec(&self) -> &CoreSpec {
+        &self.file.spec
+    }
+
+    /// The name of its Verilog module.
+    pub fn module(&self) -> String {
+        specula_hdl::verilog::module_name(&self.file.name)
+    }
+}
+
+/// A core that a scene was to be shaded with cannot do it.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("the core `{}` cannot shade `{scene}`: {error}", core.display())]
+#[diagnostic(forward(error))]
+pub struct Refused {
+    /// Where the core is.
+    core: PathBuf,
+    /// The scene.
+    scene: String,
+    /// What it lacks.
+    error: SpecError,
+}
