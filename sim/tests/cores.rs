@@ -14,8 +14,12 @@ fn outputs(design: &Design) -> Vec<NodeId> {
 }
 
 fn outputs_agree(method: Method) {
+    outputs_agree_with(method, "");
+}
+
+fn outputs_agree_with(method: Method, options: &str) {
     let frame = frames::frame(1993, 2, 12);
-    let spec = frames::spec(&frame, method);
+    let spec = frames::spec_with(&frame, method, options);
     let design = frames::design(&spec);
     let packets = frames::packets(&spec, &frame);
     let stimulus = Stimulus::whole(&packets, &design);
@@ -73,6 +77,11 @@ fn slerps_outputs_agree() {
 #[test]
 fn directs_outputs_agree() {
     outputs_agree(Method::Direct);
+}
+
+#[test]
+fn directs_outputs_agree_with_newtons_root() {
+    outputs_agree_with(Method::Direct, "root = \"newton\"");
 }
 
 /// Every signal that is no constant.

@@ -81,6 +81,7 @@ impl Model {
     /// | c, s; c_w, s_w | `state_cosine`, `state_sine`; `weight_cosine`, `weight_sine` |
     /// | J; K, g, K' | `light<l>_n_dot_l`; `n_dot_v`, `correction`, `corrected` |
     /// | t, u, q, s of `direct` | `weight`, `product`, `length_squared`, `reciprocal` |
+    /// | d, w, K' of `direct` | `length`, `reciprocal_square`, `n_dot_v_over_square` |
     /// | p_V, p_L | `n_dot_v_linear`, `light<l>_n_dot_l_linear` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///

@@ -12,6 +12,7 @@ mod divider;
 mod fixed_log;
 mod interpolate;
 mod linear;
+mod newton_root;
 mod normalise;
 mod normalise_exactly;
 mod power;
@@ -32,10 +33,13 @@ pub use contraction::{SpanAngles, contraction};
 pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};
 pub use diffuse::{clamped_cosine, diffuse, gouraud};
-pub use direct::{UnitNormal, direct_cosine, directed_base, parameter, squared_length};
+pub use direct::{
+    DirectedBase, Product, UnitNormal, direct_cosine, direct_scalar, directed_base, over_square, parameter, squared_length,
+};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use interpolate::{Interpolation, SpanNormals, along, chord, interpolate, weight};
 pub use linear::{Steps, linear};
+pub use newton_root::{NewtonRoot, newton_root};
 pub use normalise::{has_direction, normalise};
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;

@@ -52,6 +52,12 @@ pub fn spec(frame: &Frame, method: Method) -> CoreSpec {
     CoreSpec::for_scene(&Needs::of(frame), None, Some(method)).unwrap()
 }
 
+/// The spec of a method for a frame, with `options` in its table.
+pub fn spec_with(frame: &Frame, method: Method, options: &str) -> CoreSpec {
+    let table = format!("[{}]\n{options}", method.name()).parse().unwrap();
+    CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(method)).unwrap()
+}
+
 /// The default spec of `lyon` for a frame, changed.
 pub fn lyon(frame: &Frame, change: impl FnOnce(&mut LyonSpec)) -> CoreSpec {
     let mut spec = spec(frame, Method::Lyon);
