@@ -76,7 +76,7 @@ impl<'a> Stimulus<'a> {
     /// The part of the run from `clocks` before the beginning of the span that enters `clocks` before `window` to the window's end.
     pub(crate) fn reaching_back(&self, window: &Range<u64>, clocks: u64) -> Stimulus<'a> {
         let early = window.start.saturating_sub(clocks);
-        // Behind the last span accumulators go on from it.
+        // Idle clocks load what the last span has loaded.
         let span = self.begins.partition_point(|&begin| begin <= early).min(self.begins.len() - 1).saturating_sub(1);
         // What a span loads may be added to by something that is older by up to as many clocks.
         let first = self.begins[span].saturating_sub(clocks).min(early);

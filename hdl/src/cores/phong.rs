@@ -140,7 +140,8 @@ impl Pixel<'_> {
                 b.instance(&called("power"), || units::any_power(b, &base, self.shininess, shape_bits))
             }
             Highlight::TrowbridgeReitz => {
-                b.instance(&called("distribution"), || units::trowbridge_reitz(b, &base, self.shininess, shape_bits))
+                let distribution = || units::trowbridge_reitz(b, &base, self.shininess, base_bits, shape_bits);
+                b.instance(&called("distribution"), distribution)
             }
         }
     }

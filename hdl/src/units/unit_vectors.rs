@@ -86,10 +86,10 @@ fn from_0_to_1(value: &Sig, fraction_bits: u32) -> Sig {
 
 /// Trowbridge and Reitz's (1/(1 + (1 - c²) n))². [Lyon, TR 43, appendix, formulation 12]
 ///
-/// x = (1 - c²) n has the base's fraction bits; 1 + x ≥ 1, so the reciprocal is off by no more than x is.
-pub fn trowbridge_reitz(b: &Builder, base: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
+/// x = (1 - c²) n is rounded to `x_bits` fraction bits; 1 + x ≥ 1, so the reciprocal is off by no more than x is.
+pub fn trowbridge_reitz(b: &Builder, base: &Sig, n: &Sig, x_bits: u32, fraction_bits: u32) -> Sig {
     b.unit("trowbridge_reitz", "f = (1/(1 + (1 - c^2) n))^2", (("base", base), ("n", n)), |b, (base, n)| {
-        let x = ((b.integer(1) - base.squared()) * n).rounded(base.fraction_bits()).at_least_zero().named("x");
+        let x = ((b.integer(1) - base.squared()) * n).rounded(x_bits).at_least_zero().named("x");
         let reciprocal = divider(b, &b.integer(1), &(b.integer(1) + x), fraction_bits, 1.0);
         reciprocal.squared().rounded(fraction_bits).named("f")
     })

@@ -36,7 +36,7 @@ impl Case {
         }
     }
 
-    /// What goes in at each clock, from the packets: span after span, then idle clocks with the last inputs held.
+    /// What goes in at each clock, from the packets: span after span, then idle clocks with the last inputs held and `start` high.
     fn rows(&self) -> Vec<Row> {
         let mut rows: Vec<Row> = vec![];
         for packet in &self.packets {
@@ -45,7 +45,7 @@ impl Case {
         }
         let idle = rows.last().map_or_else(|| vec![0; self.design.inputs.len()], |row| row.inputs.clone());
         let clocks = self.stimulus().clocks();
-        rows.resize(rows.len().max(clocks.end as usize), Row { valid: false, start: false, inputs: idle });
+        rows.resize(rows.len().max(clocks.end as usize), Row { valid: false, start: true, inputs: idle });
         rows[clocks.start as usize..clocks.end as usize].to_vec()
     }
 
