@@ -84,6 +84,18 @@ fn directs_outputs_agree_with_newtons_root() {
     outputs_agree_with(Method::Direct, "root = \"newton\"");
 }
 
+#[test]
+fn lyons_outputs_agree_with_normals_that_follow() {
+    outputs_agree_with(Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\"");
+}
+
+#[test]
+fn slerps_outputs_agree_with_the_normal_itself() {
+    for frame in ["orthonormal", "ends"] {
+        outputs_agree_with(Method::Slerp, &format!("form = \"vector\"\nframe = \"{frame}\""));
+    }
+}
+
 /// Every signal that is no constant.
 fn signals(design: &Design) -> Vec<NodeId> {
     design.variables()

@@ -40,7 +40,13 @@ fn specs() -> Vec<CoreSpec> {
         |lyon| lyon.difference = Difference::UnitHalfwayMinusNormal,
     ];
     specs.extend(changes.map(|change| frames::lyon(&frame, change)));
-    specs.push(frames::spec_with(&frame, Method::Direct, "root = \"newton\""));
+    let options = [
+        (Method::Direct, "root = \"newton\""),
+        (Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\""),
+        (Method::Slerp, "form = \"vector\""),
+        (Method::Slerp, "form = \"vector\"\nframe = \"ends\""),
+    ];
+    specs.extend(options.map(|(method, options)| frames::spec_with(&frame, method, options)));
     // For one frame alone, and for one in which every pixel is the same.
     let flat = frames::frame(6, 1, 1);
     specs.extend(Method::ALL.map(|method| frames::spec(&frame, method).specialised(&frame)));

@@ -23,6 +23,7 @@ mod rotation;
 mod shape;
 mod square_root;
 mod turned;
+mod turned_normal;
 mod unit_vectors;
 mod wrapped;
 
@@ -45,12 +46,13 @@ pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-pub use rotation::rotation;
+pub use rotation::{Turn, rotation, scaled_rotation};
 pub use shape::{root_shape, shape};
 pub use square_root::square_root;
 pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
+pub use turned_normal::{Weighing, turned_normal};
 pub use unit_vectors::{cosine_between, halfway_cosine, halfway_gain, reflected_cosine, spot_cosine, trowbridge_reitz};
-pub use wrapped::wrapped;
+pub use wrapped::{Follow, followed, wrapped};
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
 /// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.
