@@ -244,13 +244,11 @@ impl Frame {
     /// Gouraud's intensity at the first pixel and its step: max(N·L, 0) at the triangle's vertices, interpolated linearly
     /// [lecture, eq. 3.2 to 3.6].
     pub fn gouraud(&self, span: &Span, light: DVec3) -> [f64; 2] {
-        self.interpolated(span, |normal| normal.dot(light).max(0.0))
+        self.interpolated(span, self.triangles[span.triangle].normals.map(|normal| normal.dot(light).max(0.0)))
     }
 
-    /// A function of the triangle's vertex normals, interpolated linearly: its value at the first pixel and its step [lecture, eq. 3.2
-    /// to 3.6].
-    pub fn interpolated(&self, span: &Span, of: impl Fn(DVec3) -> f64) -> [f64; 2] {
-        let at_vertices = self.triangles[span.triangle].normals.map(of);
+    /// What a triangle has at its vertices, interpolated linearly: its value at the first pixel and its step [lecture, eq. 3.2 to 3.6].
+    pub fn interpolated(&self, span: &Span, at_vertices: [f64; 3]) -> [f64; 2] {
         let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
         let (start, end) = (at(span.start), at(span.end));
         [start, (end - start) / f64::from(span.steps().max(1))]

@@ -18,7 +18,7 @@ pub(super) struct Light {
 }
 
 /// How much of a light reaches the eye, each 0 to 1.
-#[derive(Default)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Amounts {
     pub diffuse: f64,
     pub specular: f64,

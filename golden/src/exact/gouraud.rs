@@ -6,53 +6,73 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
+use super::illumination::{self, Illumination};
 use super::method::ShadePixel;
 use super::normalisation::unit;
-use super::reflection::reflect;
 use super::shape::power;
 
 /// One span, shaded by `gouraud`.
 pub struct GouraudSpan<'a> {
     span: &'a Span,
-    /// Normals that intensities are worked out of, and how much each counts at the first and at the last pixel.
-    normals: Vec<DVec3>,
+    /// Amounts of each light at the points where they are worked out: the vertices, or the middle of the polygon.
+    lights: Vec<Vec<Amounts>>,
+    /// How much each point counts at the first and at the last pixel.
     ends: [Vec<f64>; 2],
-    shininess: u32,
     coefficients: Coefficients,
 }
+
+/// The middle of a triangle.
+const MIDDLE: [f64; 3] = [1.0 / 3.0; 3];
 
 impl<'a> GouraudSpan<'a> {
     /// Sets up a span of a frame.
     pub fn new(spec: &GouraudSpec, frame: &Frame, span: &'a Span) -> Self {
-        let vertices = &frame.triangles[span.triangle].normals;
-        let (normals, ends) = match spec.interpolation {
-            Interpolation::Linear => (vertices.to_vec(), [span.start, span.end].map(Vec::from)),
+        let normals = &frame.triangles[span.triangle].normals;
+        let vertex = |v: usize| (normals[v], std::array::from_fn(|k| if k == v { 1.0 } else { 0.0 }));
+        let (points, ends) = match spec.interpolation {
+            Interpolation::Linear => ([0, 1, 2].map(vertex).to_vec(), [span.start, span.end].map(Vec::from)),
             Interpolation::Uniform => {
-                (vec![unit(vertices.iter().sum()).unwrap_or(DVec3::ZERO)], [1.0; 2].map(|weight| vec![weight]))
+                (vec![(unit(normals.iter().sum()).unwrap_or(DVec3::ZERO), MIDDLE)], [1.0; 2].map(|weight| vec![weight]))
             }
         };
-        let shininess = frame.material(span).shininess;
-        GouraudSpan { span, normals, ends, shininess, coefficients: Coefficients::new(frame, span) }
+        let at_points: Vec<Vec<Amounts>> = points.into_iter().map(|(n, weights)| amounts(frame, span, n, weights)).collect();
+        let lights = (0..frame.light_colours().count()).map(|light| at_points.iter().map(|point| point[light]).collect());
+        GouraudSpan { span, lights: lights.collect(), ends, coefficients: Coefficients::new(frame, span) }
     }
 
-    /// Σ weight · `of`(normal), kept within 0 to 1.
-    fn interpolated(&self, i: u32, of: impl Fn(DVec3) -> f64) -> f64 {
+    /// Σ weight · amount, kept within 0 to 1.
+    fn interpolated(&self, i: u32, at_points: impl Iterator<Item = f64>) -> f64 {
         let t = self.span.parameter(i);
         let weights = self.ends[0].iter().zip(&self.ends[1]).map(|(start, end)| start + t * (end - start));
-        self.normals.iter().zip(weights).map(|(&n, weight)| weight * of(n)).sum::<f64>().clamp(0.0, 1.0)
+        at_points.zip(weights).map(|(amount, weight)| weight * amount).sum::<f64>().clamp(0.0, 1.0)
     }
 }
 
 impl ShadePixel for GouraudSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
-        self.coefficients.sum(|light| Amounts {
-            diffuse: self.interpolated(i, |n| lambert(n, light.direction)),
-            specular: self.interpolated(i, |n| highlight(n, light.direction, self.shininess)),
-        })
+        self.coefficients.sum_of(self.lights.iter().map(|points| Amounts {
+            diffuse: self.interpolated(i, points.iter().map(|point| point.diffuse)),
+            specular: self.interpolated(i, points.iter().map(|point| point.specular)),
+        }))
     }
 }
 
+/// What each light gives at a point with the normal `normal`.
+fn amounts(frame: &Frame, span: &Span, normal: DVec3, weights: [f64; 3]) -> Vec<Amounts> {
+    let shininess = frame.material(span).shininess;
+    let view = illumination::view(frame, span, weights);
+    let of = |light: Option<Illumination>| match light {
+        Some(Illumination { direction, share }) => Amounts {
+            diffuse: share * lambert(normal, direction),
+            specular: share * view.map_or(0.0, |view| highlight(normal, direction, view, shininess)),
+        },
+        None => Amounts::default(),
+    };
+    illumination::lights(frame, span, weights).map(of).collect()
+}
+
 /// max(R·L, 0)^n; none where there is no normal.
-fn highlight(normal: DVec3, light: DVec3, shininess: u32) -> f64 {
-    if normal == DVec3::ZERO { 0.0 } else { power(reflect(normal).dot(light).min(1.0), shininess) }
+fn highlight(normal: DVec3, light: DVec3, view: DVec3, shininess: u32) -> f64 {
+    let reflection = 2.0 * normal.dot(view) * normal - view;
+    if normal == DVec3::ZERO { 0.0 } else { power(reflection.dot(light).min(1.0), shininess) }
 }

@@ -42,7 +42,7 @@ fn codes_agree(core: &CoreSpec, frame: &Frame, packet: &SpanPacket) -> Result<()
             MethodSpec::Phong(spec) => phong::code(spec, &raw, core.lights, i),
             MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Duff(spec) => duff::code(spec, &raw, frame.lights.len(), i),
-            MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, frame.lights.len(), i),
+            MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, core.lights, i),
             MethodSpec::Reflection(spec) => reflection::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Consistent(spec) => consistent::code(spec, &raw, frame.lights.len(), i),
             MethodSpec::Slerp(spec) => slerp::code(spec, &raw, frame.lights.len(), i),
@@ -78,22 +78,14 @@ proptest! {
         check(Method::Phong, &draw, &bits, n)?;
     }
 
-    /// Lights and the eye at places near the surface, and one in it.
     #[test]
     fn phong_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
-        let mut frame = draw_frame(ANY, &draw, material(draw[8], draw[9], 3.0 * draw[10], n)).frame;
-        frame.triangles[0].positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
-        let place = |k: usize| DVec3::new(draw[k], draw[k + 1], draw[k + 2] - 0.5);
-        let spot = Spot { axis: -place(3).normalize_or(DVec3::Z), exponent: 1 + (n % 300) };
-        frame.lights.truncate(1);
-        frame.local_lights = vec![
-            LocalLight { position: place(0), spot: None, colour: [1.0; 3] },
-            LocalLight { position: place(3), spot: Some(spot), colour: [0.5, 1.0, 2.0] },
-            LocalLight { position: DVec3::ZERO, spot: None, colour: [1.0; 3] },
-        ];
-        frame.eye = (draw[11] < 0.7).then(|| place(6));
-        let core = core_for(&frame, Method::Phong, &bits);
-        codes_agree(&core, &frame, &packet(&core, &frame))?;
+        check_frame(Method::Phong, &frame_with_places(&draw, n), &bits)?;
+    }
+
+    #[test]
+    fn gouraud_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+        check_frame(Method::Gouraud, &frame_with_places(&draw, n), &bits)?;
     }
 
     #[test]
@@ -139,6 +131,22 @@ proptest! {
         }
         check_frame(Method::Consistent, &frame, &bits)?;
     }
+}
+
+/// A drawn frame with lights and the eye at places near the surface, and one light in it.
+fn frame_with_places(draw: &Draw, n: u32) -> Frame {
+    let mut frame = draw_frame(ANY, draw, material(draw[8], draw[9], 3.0 * draw[10], n)).frame;
+    frame.triangles[0].positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let place = |k: usize| DVec3::new(draw[k], draw[k + 1], draw[k + 2] - 0.5);
+    let spot = Spot { axis: -place(3).normalize_or(DVec3::Z), exponent: 1 + (n % 300) };
+    frame.lights.truncate(1);
+    frame.local_lights = vec![
+        LocalLight { position: place(0), spot: None, colour: [1.0; 3] },
+        LocalLight { position: place(3), spot: Some(spot), colour: [0.5, 1.0, 2.0] },
+        LocalLight { position: DVec3::ZERO, spot: None, colour: [1.0; 3] },
+    ];
+    frame.eye = (draw[11] < 0.7).then(|| place(6));
+    frame
 }
 
 fn check_frame(method: Method, frame: &Frame, bits: &[f64; 8]) -> Result<(), TestCaseError> {

@@ -62,9 +62,9 @@ const TRIANGLES: usize = 6;
 pub fn frame(draw: &mut Draw, method: Method, longest: u32) -> Frame {
     let lengths: Vec<u32> = (0..TRIANGLES).map(|i| if i == 0 { longest } else { draw.between(1, longest) }).collect();
     let lights = draw.between(1, 4);
-    // Only `phong` takes lights and eye at places.
-    let local = if method == Method::Phong { draw.between(0, lights) } else { 0 };
-    let viewer = if method == Method::Phong { draw.between(0, 1) } else { 0 };
+    let places = matches!(method, Method::Phong | Method::Gouraud);
+    let local = if places { draw.between(0, lights) } else { 0 };
+    let viewer = if places { draw.between(0, 1) } else { 0 };
     let triangles: Vec<Triangle> = (0..TRIANGLES).map(|material| triangle(draw, material)).collect();
     Frame {
         width: longest,

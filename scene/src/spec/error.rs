@@ -30,7 +30,7 @@ pub enum SpecError {
     #[error("the method `{method}` takes lights and eye at infinity, and the scene has {what}")]
     #[diagnostic(
         code(specula::spec::local),
-        help("use `--method phong`, or make the lights \"directional\" and the viewer \"infinite\"")
+        help("use `--method phong` or `--method gouraud`, or make the lights \"directional\" and the viewer \"infinite\"")
     )]
     Local {
         /// The method.

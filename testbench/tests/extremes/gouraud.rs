@@ -1,9 +1,9 @@
 //! Intensities that are uniform over a polygon.
 use glam::DVec3;
 use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::{CoreSpec, Frame, Method, MethodSpec};
+use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Spot};
 
-use crate::common::{codes, frame, material, spec, tilted};
+use crate::common::{codes, frame, material, shade, spec, tilted};
 
 fn uniform(frame: &Frame) -> CoreSpec {
     let mut core = spec(frame, Method::Gouraud);
@@ -34,4 +34,47 @@ fn normals_that_cancel_get_ambient_light() {
     let mut frame = frame([DVec3::X, -DVec3::X], 5, &[-DVec3::Z], material(0.2, 0.4, 0.4, 2));
     frame.triangles[0].normals = [DVec3::X, -DVec3::X, DVec3::ZERO];
     assert_eq!(codes(&uniform(&frame), &frame), [51; 5]);
+}
+
+/// A square of two units with a corner at each place given, under a spot straight above the first of them.
+fn floor(exponent: u32, height: f64, eye: Option<DVec3>) -> Frame {
+    let mut frame = frame([DVec3::Z, DVec3::Z], 3, &[], material(0.0, 0.5, 0.5, 2));
+    frame.triangles[0].positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let spot = Some(Spot { axis: -DVec3::Z, exponent });
+    frame.local_lights = vec![LocalLight { position: DVec3::new(0.0, 0.0, height), spot, colour: [1.0; 3] }];
+    frame.eye = eye;
+    frame
+}
+
+/// Intensities of vertices are exact wherever light and eye are. At the far vertex L is 45 degrees off, where Lambert's cosine is √½ and
+/// Warn's factor its square ½; V = (-1, 0, 1)/√2 towards the eye above the other vertex makes R·L = 0, V = Z makes it √½, its square ½.
+#[test]
+fn vertices_see_lights_and_eyes_at_places() {
+    let far = 0.5 * 0.5f64.sqrt();
+    for (eye, highlight) in [(Some(DVec3::Z), 0.0), (None, 0.5)] {
+        let frame = floor(2, 1.0, eye);
+        let last = 255.0 * 0.5 * (far + 0.5 * highlight);
+        let expected = [255.0, (255.0 + last) / 2.0, last].map(|x| x.round() as u8);
+        assert_eq!(codes(&spec(&frame, Method::Gouraud), &frame), expected, "{eye:?}");
+    }
+}
+
+/// Row 39: a light or an eye at the very vertex gives it nothing, and the other one what is due to it.
+#[test]
+fn a_light_at_a_vertex_does_not_light_it() {
+    let frame = floor(1, 0.0, None);
+    assert_eq!(codes(&spec(&frame, Method::Gouraud), &frame), [0; 3]);
+    let seen_from_the_vertex = floor(1, 1.0, Some(DVec3::ZERO));
+    // Diffuse alone at the first: 255/2.
+    assert_eq!(codes(&spec(&seen_from_the_vertex, Method::Gouraud), &seen_from_the_vertex)[0], 128);
+}
+
+/// One intensity for the polygon is that of its middle.
+#[test]
+fn uniform_polygons_see_places_from_their_middle() {
+    let mut frame = floor(1, 1.0, None);
+    let third = 1.0 / 3.0;
+    frame.local_lights[0].position = DVec3::new(third, third, 5.0);
+    assert_eq!(codes(&uniform(&frame), &frame), [255; 3]);
+    shade(&spec(&frame, Method::Gouraud), &frame);
 }

@@ -45,7 +45,7 @@ fn json_says_what_scenes_a_method_takes() {
     };
     assert_eq!(needs("phong"), [false, false]);
     assert_eq!(needs("lyon"), [false, true]);
-    assert_eq!(needs("gouraud"), [false, true]);
+    assert_eq!(needs("gouraud"), [false, false]);
     for name in ["hybrid", "duff", "reflection", "consistent", "slerp", "direct"] {
         assert_eq!(needs(name), [true, true], "{name}");
     }

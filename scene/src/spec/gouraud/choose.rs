@@ -55,6 +55,11 @@ impl Describe for GouraudSpec {
         vec![("interpolation", interpolation.to_owned())]
     }
 
+    /// Intensities at the vertices are the host's work, wherever the light is.
+    fn shades_from_places(&self) -> bool {
+        true
+    }
+
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
         Box::new(super::set_up::GouraudSetUp { gouraud: self, frame })
     }
