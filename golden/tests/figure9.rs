@@ -2,52 +2,26 @@
 mod common;
 
 use glam::DVec3;
-use specula_golden::exact::diffuse::lambert;
 use specula_golden::exact::distributions::{Formulation, formulation};
+use specula_golden::exact::figure9::{BACKGROUND, Balls, EXPONENTS, colour};
 use specula_golden::exact::method;
 use specula_scene::Method;
 use specula_scene::spec::MethodSpec;
 use specula_scene::spec::lyon::{Difference, Halfway, Normalisation};
 
-const FORMULAS: usize = Formulation::ALL.len();
-const EXPONENTS: [u32; 5] = [1, 4, 16, 64, 256];
-const BACKGROUND: f64 = 255.0;
-const DIFFUSE: f64 = 35.0;
-const BRIGHTEST_SPECULAR: f64 = 400.0;
-
-/// The first sphere from the left that covers the point, as its normal there and its number.
-fn sphere_at(x: f64, y: f64) -> Option<(DVec3, usize)> {
-    (0..EXPONENTS.len()).find_map(|sphere| {
-        let x = x - sphere as f64;
-        let z_squared = 1.0 - x * x - y * y;
-        (z_squared >= 0.0).then(|| (DVec3::new(x, y, z_squared.sqrt()), sphere))
-    })
-}
-
-fn colours(normal: DVec3, sphere: usize) -> [f64; FORMULAS] {
-    let lights = [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, -1.0, 1.0)].map(|l| l / 3.0_f64.sqrt());
-    let n = EXPONENTS[sphere];
-    let specular = BRIGHTEST_SPECULAR * (f64::from(n) / 256.0).powf(0.25);
-    let shaded =
-        lights.map(|l| Formulation::ALL.map(|row| specular * formulation(row, n, normal, l) + DIFFUSE * lambert(normal, l)));
-    std::array::from_fn(|formula| shaded[0][formula] + shaded[1][formula])
-}
-
-/// Sum of the picture with spheres of `radius` pixels, pictures of the formulas 1.5 radii apart, each over those before it.
-fn picture_sum(radius: i32) -> f64 {
-    let apart = (2 * radius - radius / 2) as usize;
-    let rows = (2 * radius + 1) as usize + (FORMULAS - 1) * apart;
-    (-radius..=radius * EXPONENTS.len() as i32).map(|i| column_sum(i, radius, apart, rows)).sum()
+/// Sum of the picture with balls of `radius` pixels, rows of the formulas each over those before it.
+fn picture_sum(radius: u32) -> f64 {
+    let balls = Balls { radius };
+    (0..balls.width()).map(|x| column_sum(balls, x)).sum()
 }
 
 /// Sum of what lies at one x, of every formula's picture.
-fn column_sum(i: i32, radius: i32, apart: usize, rows: usize) -> f64 {
-    let at = |pixel: i32| (0.5 + f64::from(pixel)) / f64::from(radius);
-    let mut column = vec![BACKGROUND; rows];
-    for (row, j) in (-radius..=radius).enumerate() {
-        if let Some((normal, sphere)) = sphere_at(at(i), at(j)) {
-            for (formula, colour) in colours(normal, sphere).into_iter().enumerate() {
-                column[row + formula * apart] = colour;
+fn column_sum(balls: Balls, x: u32) -> f64 {
+    let mut column = vec![BACKGROUND; balls.height_of_all() as usize];
+    for y in 0..balls.height() {
+        if let Some((normal, ball)) = balls.at(x, y) {
+            for (row, formula) in Formulation::ALL.into_iter().enumerate() {
+                column[y as usize + row * balls.apart() as usize] = colour(formula, normal, ball);
             }
         }
     }

@@ -1,8 +1,9 @@
 //! `exact` against figures and identities that do not come from it: the papers', METHODS.md's and NUMERICS.md's.
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 use proptest::prelude::*;
+use specula_golden::exact::consistent::{Scaling, pixel_angle, vertex_angle};
 use specula_golden::exact::duff::{eq33, eq34};
 use specula_golden::exact::hybrid::base;
 use specula_golden::exact::normalisation::{g1, g2, newton, unit};
@@ -15,6 +16,27 @@ use specula_scene::frame::EYE;
 fn f_of_angle(angle: f64, n: u32, k: u32) -> f64 {
     let d = 2.0 * (angle / 2.0).sin();
     f_k(f64::from(n) / 2.0 * d * d, k)
+}
+
+/// By how much the angles that vertices have to a face of normal z, interpolated as they are, fall short of that of the normal there.
+fn shortfall(normals: [DVec3; 3], weights: [f64; 3]) -> f64 {
+    let unscaled = Scaling { constant: 0.0, exponent: 1 };
+    let interpolated = pixel_angle(normals.map(|n| vertex_angle(n.z, unscaled)), weights);
+    let normal: DVec3 = (0..3).map(|v| weights[v] * normals[v]).sum();
+    DVec3::new(normal.x, normal.y, 0.0).length().atan2(normal.z) - interpolated
+}
+
+/// The most that it can be [Reshetov et al., eq. 5; NUMERICS.md 1].
+const LARGEST_SHORTFALL: f64 = 0.071115;
+
+/// One normal is the face's, one at a right angle to it with the weight u: the normal there is atan(u/(1 - u)) from the face's, and
+/// uπ/2 is what is interpolated. With u = (1 + √(4/π - 1))/2 the difference is largest.
+#[test]
+fn interpolated_angles_fall_short_by_four_degrees_at_most() {
+    let at = |u: f64| shortfall([DVec3::Z, DVec3::X, DVec3::Z], [1.0 - u, u, 0.0]);
+    let worst = (1.0 + (4.0 / PI - 1.0).sqrt()) / 2.0;
+    assert!((worst - 0.76136).abs() < 5e-6 && (at(worst) - LARGEST_SHORTFALL).abs() < 5e-7, "{} at {worst}", at(worst));
+    assert!((0..=1000).all(|k| at(f64::from(k) / 1000.0) <= at(worst)));
 }
 
 fn direction() -> impl Strategy<Value = DVec3> {
@@ -40,6 +62,15 @@ proptest! {
         let (v_n, l_n) = (EYE.dot(n), l.dot(n));
         let d1 = reflection_minus_light(n, l).length_squared();
         prop_assert!((d1 - d3.length_squared() - (v_n - l_n).powi(2)).abs() < 1e-14);
+    }
+
+    /// Reshetov et al., eq. 4 and 5: wherever in a triangle, and however the vertex normals stand in front of the face.
+    #[test]
+    fn interpolated_angles_fall_short_by_no_more(normals in prop::array::uniform3(direction()), draw in prop::array::uniform2(0.0..1.0_f64)) {
+        let normals = normals.map(|n| DVec3::new(n.x, n.y, n.z.abs()));
+        let root = draw[0].sqrt();
+        let weights = [1.0 - root, root * (1.0 - draw[1]), root * draw[1]];
+        prop_assert!(shortfall(normals, weights) <= LARGEST_SHORTFALL + 1e-6);
     }
 
     /// Hast, Prop. 2.1: the base of a normal of any length is R·L of its direction.

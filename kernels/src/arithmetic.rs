@@ -1,7 +1,7 @@
 //! Sums, differences and products, computed in one lane width and stored in another.
 use crate::kernel::Binary;
-use crate::post::{Amounts, Floor, Keep, Round, ShiftKind, Signed, Unsigned, WrapKind};
-use crate::{Lane, Level, Post, Shift, Wrap};
+use crate::post::{Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled};
+use crate::{Lane, Level, Post, Wrap};
 
 /// An arithmetic operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +16,15 @@ pub enum Arithmetic {
     Mul,
 }
 
+/// The smaller or the larger of two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extreme {
+    /// The smaller.
+    Min,
+    /// The larger.
+    Max,
+}
+
 /// An operator as a type.
 trait Operator {
     fn apply<L: Lane>(a: L, b: L) -> L;
@@ -25,6 +34,8 @@ struct First;
 struct Add;
 struct Sub;
 struct Mul;
+struct Min;
+struct Max;
 
 impl Operator for First {
     #[inline(always)]
@@ -54,29 +65,37 @@ impl Operator for Mul {
     }
 }
 
-/// Operands of lanes `I`, computed in lanes `C`, stored in lanes `O`.
-#[inline(always)]
-fn body<I: Lane, C: Lane, O: Lane, F: Operator, S: ShiftKind, W: WrapKind>(out: &mut [O], a: &[I], b: &[I], amounts: Amounts) {
-    let n = out.len();
-    let (a, b) = (&a[..n], &b[..n]);
-    for i in 0..n {
-        let raw = F::apply(C::from_i64(a[i].to_i64()), C::from_i64(b[i].to_i64()));
-        out[i] = O::from_i64(W::apply(S::apply(raw, amounts.shift), amounts.unused).to_i64());
+impl Operator for Min {
+    #[inline(always)]
+    fn apply<L: Lane>(a: L, b: L) -> L {
+        a.min(b)
     }
 }
 
-fn baseline<I: Lane, C: Lane, O: Lane, F: Operator, S: ShiftKind, W: WrapKind>(out: &mut [O], a: &[I], b: &[I], amounts: Amounts) {
-    body::<I, C, O, F, S, W>(out, a, b, amounts)
+impl Operator for Max {
+    #[inline(always)]
+    fn apply<L: Lane>(a: L, b: L) -> L {
+        a.max(b)
+    }
+}
+
+/// Operands of lanes `I`, computed in lanes `C`, stored in lanes `O`.
+#[inline(always)]
+fn body<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(out: &mut [O], a: &[I], b: &[I], amounts: &Amounts) {
+    let n = out.len();
+    let (a, b) = (&a[..n], &b[..n]);
+    for i in 0..n {
+        out[i] = P::apply(F::apply(C::from_i64(a[i].to_i64()), C::from_i64(b[i].to_i64())), amounts);
+    }
+}
+
+fn baseline<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(out: &mut [O], a: &[I], b: &[I], amounts: &Amounts) {
+    body::<I, C, O, F, P>(out, a, b, amounts)
 }
 
 #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2"))]
-unsafe fn avx2<I: Lane, C: Lane, O: Lane, F: Operator, S: ShiftKind, W: WrapKind>(
-    out: &mut [O],
-    a: &[I],
-    b: &[I],
-    amounts: Amounts,
-) {
-    body::<I, C, O, F, S, W>(out, a, b, amounts)
+unsafe fn avx2<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(out: &mut [O], a: &[I], b: &[I], amounts: &Amounts) {
+    body::<I, C, O, F, P>(out, a, b, amounts)
 }
 
 /// Operands and results of 32 bits, computed in 32.
@@ -104,9 +123,20 @@ pub fn narrowing(operator: Arithmetic, post: Post, level: Level) -> Binary<i64, 
     arithmetic::<i64, i64, i32>(operator, post, level)
 }
 
+/// The smaller or larger of two, of 32 bits.
+pub fn extreme(extreme: Extreme, wrap: Wrap, level: Level) -> Binary<i32, i32> {
+    let post = Post { wrap, ..Post::default() };
+    match (extreme, post.wraps()) {
+        (Extreme::Min, false) => chosen::<i32, i32, i32, Min, Plain>(post, level),
+        (Extreme::Min, true) => chosen::<i32, i32, i32, Min, Wrapped<Plain>>(post, level),
+        (Extreme::Max, false) => chosen::<i32, i32, i32, Max, Plain>(post, level),
+        (Extreme::Max, true) => chosen::<i32, i32, i32, Max, Wrapped<Plain>>(post, level),
+    }
+}
+
 /// The kernel of `operator` on operands of lanes `I`, computed in lanes `C`, after `post` stored in lanes `O`.
 ///
-/// The result is right where the raw result fits `C` and the result after `post` fits `O`.
+/// The result is right where the raw result, with [`Post::half`] more, fits `C` and the result after `post` fits `O`.
 fn arithmetic<I: Lane, C: Lane, O: Lane>(operator: Arithmetic, post: Post, level: Level) -> Binary<I, O> {
     match operator {
         Arithmetic::Copy => with_operator::<I, C, O, First>(post, level),
@@ -117,21 +147,19 @@ fn arithmetic<I: Lane, C: Lane, O: Lane>(operator: Arithmetic, post: Post, level
 }
 
 fn with_operator<I: Lane, C: Lane, O: Lane, F: Operator>(post: Post, level: Level) -> Binary<I, O> {
-    match post.shift {
-        Shift::None => with_shift::<I, C, O, F, Keep>(post, level),
-        Shift::Floor(_) => with_shift::<I, C, O, F, Floor>(post, level),
-        Shift::Round(_) => with_shift::<I, C, O, F, Round>(post, level),
+    match post.kind::<C, O>() {
+        Kind::Plain => with_finish::<I, C, O, F, Plain>(post, level),
+        Kind::Shifted(Fill::Zero) => with_finish::<I, C, O, F, Shifted<ZeroFilled>>(post, level),
+        Kind::Shifted(Fill::Sign) => with_finish::<I, C, O, F, Shifted<SignFilled>>(post, level),
+        Kind::WrappedAndShifted(Fill::Zero) => with_finish::<I, C, O, F, WrappedAndShifted<ZeroFilled>>(post, level),
+        Kind::WrappedAndShifted(Fill::Sign) => with_finish::<I, C, O, F, WrappedAndShifted<SignFilled>>(post, level),
     }
 }
 
-fn with_shift<I: Lane, C: Lane, O: Lane, F: Operator, S: ShiftKind>(post: Post, level: Level) -> Binary<I, O> {
-    match post.wrap {
-        Wrap::None => chosen::<I, C, O, F, S, Keep>(post, level),
-        Wrap::Signed(_) => chosen::<I, C, O, F, S, Signed>(post, level),
-        Wrap::Unsigned(_) => chosen::<I, C, O, F, S, Unsigned>(post, level),
-    }
+fn with_finish<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(post: Post, level: Level) -> Binary<I, O> {
+    if post.wraps() { chosen::<I, C, O, F, Wrapped<P>>(post, level) } else { chosen::<I, C, O, F, P>(post, level) }
 }
 
-fn chosen<I: Lane, C: Lane, O: Lane, F: Operator, S: ShiftKind, W: WrapKind>(post: Post, level: Level) -> Binary<I, O> {
-    Binary::new(baseline::<I, C, O, F, S, W>, avx2::<I, C, O, F, S, W>, level, post.amounts(C::BITS))
+fn chosen<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(post: Post, level: Level) -> Binary<I, O> {
+    Binary::new(baseline::<I, C, O, F, P>, avx2::<I, C, O, F, P>, level, post.amounts::<C>())
 }

@@ -13,7 +13,7 @@ pub enum Bits {
 }
 
 #[inline(always)]
-fn less_body<L: Lane + PartialOrd>(out: &mut [i32], a: &[L], b: &[L]) {
+fn less_body<L: Lane>(out: &mut [i32], a: &[L], b: &[L]) {
     let n = out.len();
     let (a, b) = (&a[..n], &b[..n]);
     for i in 0..n {
@@ -21,17 +21,17 @@ fn less_body<L: Lane + PartialOrd>(out: &mut [i32], a: &[L], b: &[L]) {
     }
 }
 
-fn less_baseline<L: Lane + PartialOrd>(out: &mut [i32], a: &[L], b: &[L], _: Amounts) {
+fn less_baseline<L: Lane>(out: &mut [i32], a: &[L], b: &[L], _: &Amounts) {
     less_body(out, a, b)
 }
 
 #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2"))]
-unsafe fn less_avx2<L: Lane + PartialOrd>(out: &mut [i32], a: &[L], b: &[L], _: Amounts) {
+unsafe fn less_avx2<L: Lane>(out: &mut [i32], a: &[L], b: &[L], _: &Amounts) {
     less_body(out, a, b)
 }
 
 /// The kernel of a < b.
-pub fn less_than<L: Lane + PartialOrd>(level: Level) -> Binary<L, i32> {
+pub fn less_than<L: Lane>(level: Level) -> Binary<L, i32> {
     Binary::new(less_baseline::<L>, less_avx2::<L>, level, Amounts::default())
 }
 
@@ -50,7 +50,7 @@ macro_rules! bitwise {
             out: &mut [L],
             a: &[L],
             b: &[L],
-            _: Amounts,
+            _: &Amounts,
         ) {
             bits_body(out, a, b, $f)
         }
@@ -60,7 +60,7 @@ macro_rules! bitwise {
             out: &mut [L],
             a: &[L],
             b: &[L],
-            _: Amounts,
+            _: &Amounts,
         ) {
             bits_body(out, a, b, $f)
         }

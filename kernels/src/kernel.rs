@@ -3,9 +3,9 @@ use crate::Level;
 use crate::post::Amounts;
 
 /// A loop over an output and `N` input columns of one length.
-pub(crate) type Loop<I, O> = fn(&mut [O], &[I], &[I], Amounts);
+pub(crate) type Loop<I, O> = fn(&mut [O], &[I], &[I], &Amounts);
 /// The same, compiled for instructions that must be there.
-pub(crate) type FeatureLoop<I, O> = unsafe fn(&mut [O], &[I], &[I], Amounts);
+pub(crate) type FeatureLoop<I, O> = unsafe fn(&mut [O], &[I], &[I], &Amounts);
 
 /// A kernel of two operands with lanes `I` and a result with lanes `O`.
 pub struct Binary<I, O> {
@@ -36,9 +36,49 @@ impl<I, O> Binary<I, O> {
     pub fn run(&self, out: &mut [O], a: &[I], b: &[I]) {
         if self.level.avx2 {
             // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the processor has AVX2.
-            unsafe { (self.avx2)(out, a, b, self.amounts) }
+            unsafe { (self.avx2)(out, a, b, &self.amounts) }
         } else {
-            (self.baseline)(out, a, b, self.amounts)
+            (self.baseline)(out, a, b, &self.amounts)
+        }
+    }
+}
+
+/// A loop over an output and `N` pairs of columns.
+pub(crate) type SumLoop<O, const N: usize> = fn(&mut [O], [[&[i32]; 2]; N], &Amounts);
+pub(crate) type FeatureSumLoop<O, const N: usize> = unsafe fn(&mut [O], [[&[i32]; 2]; N], &Amounts);
+
+/// A kernel of `N` products of 32-bit lanes and a result with lanes `O`.
+pub struct Products<O, const N: usize> {
+    baseline: SumLoop<O, N>,
+    avx2: FeatureSumLoop<O, N>,
+    level: Level,
+    amounts: Amounts,
+}
+
+impl<O, const N: usize> Clone for Products<O, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<O, const N: usize> Copy for Products<O, N> {}
+
+impl<O, const N: usize> Products<O, N> {
+    pub(crate) fn new(baseline: SumLoop<O, N>, avx2: FeatureSumLoop<O, N>, level: Level, amounts: Amounts) -> Self {
+        Products { baseline, avx2, level, amounts }
+    }
+
+    /// Fills `out` from the factors of each product.
+    ///
+    /// # Panics
+    /// If a factor is shorter than `out`.
+    #[inline]
+    pub fn run(&self, out: &mut [O], factors: [[&[i32]; 2]; N]) {
+        if self.level.avx2 {
+            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the processor has AVX2.
+            unsafe { (self.avx2)(out, factors, &self.amounts) }
+        } else {
+            (self.baseline)(out, factors, &self.amounts)
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Lanes of 32 and 64 bits.
 
 /// A lane: a two's complement number whose operations wrap around.
-pub trait Lane: Copy + Default + Send + Sync + 'static {
+pub trait Lane: Copy + Default + Ord + Send + Sync + 'static {
     /// Width in bits.
     const BITS: u32;
     /// The low bits of a 64-bit number.
@@ -14,8 +14,10 @@ pub trait Lane: Copy + Default + Send + Sync + 'static {
     fn minus(self, other: Self) -> Self;
     /// Product.
     fn times(self, other: Self) -> Self;
-    /// Shift left.
-    fn left(self, bits: u32) -> Self;
+    /// The bits that both have.
+    fn and(self, other: Self) -> Self;
+    /// The bits that one has.
+    fn xor(self, other: Self) -> Self;
     /// Shift right, sign filled.
     fn right(self, bits: u32) -> Self;
     /// Shift right, zero filled.
@@ -47,8 +49,12 @@ macro_rules! lane {
                 self.wrapping_mul(other)
             }
             #[inline(always)]
-            fn left(self, bits: u32) -> Self {
-                self.wrapping_shl(bits)
+            fn and(self, other: Self) -> Self {
+                self & other
+            }
+            #[inline(always)]
+            fn xor(self, other: Self) -> Self {
+                self ^ other
             }
             #[inline(always)]
             fn right(self, bits: u32) -> Self {

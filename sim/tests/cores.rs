@@ -14,10 +14,11 @@ fn outputs(design: &Design) -> Vec<NodeId> {
 }
 
 fn outputs_agree(method: Method) {
-    outputs_agree_with(method, "");
+    options_agree(method, "");
 }
 
-fn outputs_agree_with(method: Method, options: &str) {
+/// With these lines in the method's table.
+fn options_agree(method: Method, options: &str) {
     let frame = frames::frame(1993, 2, 12);
     let spec = frames::spec_with(&frame, method, options);
     let design = frames::design(&spec);
@@ -40,8 +41,44 @@ fn phongs_outputs_agree() {
 }
 
 #[test]
+fn phongs_distributions_agree() {
+    for highlight in ["blinn", "torrance-sparrow", "trowbridge-reitz"] {
+        options_agree(Method::Phong, &format!("highlight = \"{highlight}\""));
+    }
+}
+
+#[test]
+fn powers_by_tables_agree() {
+    for method in [Method::Hybrid, Method::Duff, Method::Reflection, Method::Slerp, Method::Direct, Method::Consistent] {
+        options_agree(method, "power = \"tables\"");
+    }
+}
+
+#[test]
+fn directs_outputs_agree_with_newtons_root() {
+    options_agree(Method::Direct, "root = \"newton\"");
+}
+
+#[test]
+fn lyons_outputs_agree_with_normals_that_follow() {
+    options_agree(Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\"");
+}
+
+#[test]
+fn slerps_outputs_agree_with_the_normal_itself() {
+    for frame in ["orthonormal", "ends"] {
+        options_agree(Method::Slerp, &format!("form = \"vector\"\nframe = \"{frame}\""));
+    }
+}
+
+#[test]
 fn consistents_outputs_agree() {
     outputs_agree(Method::Consistent);
+}
+
+#[test]
+fn consistent_normals_outputs_agree() {
+    options_agree(Method::Consistent, "diffuse = \"consistent\"\nhighlight = \"blinn\"");
 }
 
 #[test]
@@ -77,23 +114,6 @@ fn slerps_outputs_agree() {
 #[test]
 fn directs_outputs_agree() {
     outputs_agree(Method::Direct);
-}
-
-#[test]
-fn directs_outputs_agree_with_newtons_root() {
-    outputs_agree_with(Method::Direct, "root = \"newton\"");
-}
-
-#[test]
-fn lyons_outputs_agree_with_normals_that_follow() {
-    outputs_agree_with(Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\"");
-}
-
-#[test]
-fn slerps_outputs_agree_with_the_normal_itself() {
-    for frame in ["orthonormal", "ends"] {
-        outputs_agree_with(Method::Slerp, &format!("form = \"vector\"\nframe = \"{frame}\""));
-    }
 }
 
 /// Every signal that is no constant.

@@ -41,12 +41,22 @@ fn specs() -> Vec<CoreSpec> {
     ];
     specs.extend(changes.map(|change| frames::lyon(&frame, change)));
     let options = [
+        (Method::Phong, "highlight = \"blinn\""),
+        (Method::Phong, "highlight = \"torrance-sparrow\""),
+        (Method::Phong, "highlight = \"trowbridge-reitz\""),
+        (Method::Hybrid, "power = \"tables\""),
+        (Method::Duff, "specular = \"blinn\"\npower = \"tables\""),
+        (Method::Reflection, "power = \"tables\""),
+        (Method::Consistent, "power = \"tables\""),
+        (Method::Consistent, "diffuse = \"consistent\"\nhighlight = \"blinn\""),
+        (Method::Slerp, "power = \"tables\""),
+        (Method::Direct, "power = \"tables\""),
         (Method::Direct, "root = \"newton\""),
         (Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\""),
         (Method::Slerp, "form = \"vector\""),
         (Method::Slerp, "form = \"vector\"\nframe = \"ends\""),
     ];
-    specs.extend(options.map(|(method, options)| frames::spec_with(&frame, method, options)));
+    specs.extend(options.map(|(method, lines)| frames::spec_with(&frame, method, lines)));
     // For one frame alone, and for one in which every pixel is the same.
     let flat = frames::frame(6, 1, 1);
     specs.extend(Method::ALL.map(|method| frames::spec(&frame, method).specialised(&frame)));

@@ -4,6 +4,7 @@ mod assumptions;
 pub mod bench;
 mod compare;
 mod error;
+pub mod figure9;
 mod image;
 pub mod reproduce;
 mod run;

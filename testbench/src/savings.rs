@@ -32,7 +32,7 @@ impl Subject {
             _ if is_channel && stem == "ambient" => Subject::Ambient,
             _ if is_channel && stem.ends_with("_diffuse") => Subject::Diffuse,
             _ if is_channel && stem.ends_with("_specular") => Subject::Specular,
-            "shininess" | "root_shininess" | "log2_shininess" | "log2_exponent" => Subject::Exponent,
+            "shininess" | "root_shininess" | "exponent" | "log2_exponent" => Subject::Exponent,
             _ if name.starts_with("light") && (of_lights || scalar || name.ends_with("_exponent")) => Subject::Light,
             _ => Subject::Surface,
         }

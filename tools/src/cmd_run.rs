@@ -1,4 +1,6 @@
 //! `specula run`: the whole path from a scene to checked hardware.
+mod figure9;
+
 use std::fs;
 use std::io::{self, Write};
 use std::time::Instant;
@@ -21,6 +23,9 @@ const EXAMPLE: &str = "\
 Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst,
 trace.gtkw, worst.svg (the worst pixel's way through the core), report.md and report.json. DIR is
 replaced as a whole when everything is there; files in it that Specula did not write stay.
+
+`specula run figure9` shades Lyon's figure 9, a core for each of its twelve rows, and writes
+figure9.png, formulas.png (the same in f64), the cores, report.md and report.json.
 
 Exit status: 0 if every pixel agrees, 1 if not, 2 if the run could not be made.
 
@@ -58,6 +63,9 @@ const ERROR: &str = "error.png";
 
 /// Runs the scene, writes everything, and prints the summary or the report.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    if arguments.scene.scene == figure9::NAME {
+        return figure9::execute(arguments, stdout);
+    }
     let begin = Instant::now();
     let (scene, spec) = arguments.scene.load()?;
     let folder = arguments.scene.folder(&scene);

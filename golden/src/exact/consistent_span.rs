@@ -1,8 +1,8 @@
 //! Consistent normal interpolation as a shading method, without rounding [Reshetov, Soupikov and Mark; METHODS.md D].
 use glam::DVec3;
-use specula_scene::frame::EYE;
+use specula_scene::frame::{EYE, halfway};
 use specula_scene::spec::ConsistentSpec;
-use specula_scene::spec::consistent::{Curve, Diffuse, LARGEST_GAIN_BITS};
+use specula_scene::spec::consistent::{Curve, Diffuse, Highlight, LARGEST_GAIN_BITS};
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
@@ -59,7 +59,16 @@ impl<'a> ConsistentSpan<'a> {
     fn diffuse(&self, normal: DVec3, q: f64, light: DVec3) -> f64 {
         match self.spec.diffuse {
             Diffuse::Lambert => lambert(normal, light),
-            Diffuse::Consistent => consistent_lambert(normal, q, light),
+            Diffuse::Consistent => consistent_cosine(normal, q, light),
+        }
+    }
+
+    /// The highlight; none of Blinn's where L = -V leaves no H (EXTREMES row 12).
+    fn specular(&self, normal: DVec3, q: f64, light: DVec3) -> f64 {
+        match (self.spec.highlight, halfway(light)) {
+            (Highlight::Reflection, _) => power(reflection(normal, EYE, q).dot(light).min(1.0), self.shininess),
+            (Highlight::Blinn, DVec3::ZERO) => 0.0,
+            (Highlight::Blinn, halfway) => power(consistent_cosine(normal, q, halfway), 4 * self.shininess),
         }
     }
 }
@@ -67,16 +76,15 @@ impl<'a> ConsistentSpan<'a> {
 impl ShadePixel for ConsistentSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let Some((normal, q)) = self.normal_and_q(i) else { return self.coefficients.sum(|_| Amounts::default()) };
-        let reflected = reflection(normal, EYE, q);
         self.coefficients.sum(|light| Amounts {
             diffuse: self.diffuse(normal, q, light.direction),
-            specular: power(reflected.dot(light.direction).min(1.0), self.shininess),
+            specular: self.specular(normal, q, light.direction),
         })
     }
 }
 
-/// N_c·L, and 0 for a light below the horizon that α leaves: β + γ ≥ π, that is g + b ≤ 0.
-pub fn consistent_lambert(normal: DVec3, q: f64, light: DVec3) -> f64 {
-    let b = normal.dot(light);
-    if cos_gamma(q, b) + b <= 0.0 { 0.0 } else { cosine(light, reflection(normal, light, q)) }
+/// N_c·I, and 0 for an I below the horizon that α leaves: β + γ ≥ π, that is g + b ≤ 0.
+pub fn consistent_cosine(normal: DVec3, q: f64, incoming: DVec3) -> f64 {
+    let b = normal.dot(incoming);
+    if cos_gamma(q, b) + b <= 0.0 { 0.0 } else { cosine(incoming, reflection(normal, incoming, q)) }
 }

@@ -10,6 +10,7 @@ pub mod direct;
 mod direct_span;
 pub mod distributions;
 pub mod duff;
+pub mod figure9;
 pub mod gouraud;
 pub mod hybrid;
 pub mod illumination;

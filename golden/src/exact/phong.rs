@@ -5,7 +5,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
-use super::distributions::trowbridge_reitz;
+use super::distributions::{torrance_sparrow, trowbridge_reitz};
 use super::illumination::{self, Illumination};
 use super::method::ShadePixel;
 use super::normalisation::unit;
@@ -58,6 +58,7 @@ impl<'a> PhongSpan<'a> {
         match self.highlight {
             Highlight::Reflection => power(2.0 * normal.dot(view) * normal.dot(light) - view.dot(light), self.shininess),
             Highlight::Blinn => power(cosine_to_halfway(normal, light, view), 4 * self.shininess),
+            Highlight::TorranceSparrow => torrance_sparrow(cosine_to_halfway(normal, light, view), f64::from(self.shininess)),
             Highlight::TrowbridgeReitz => trowbridge_reitz(cosine_to_halfway(normal, light, view), f64::from(self.shininess)),
         }
     }
@@ -72,9 +73,9 @@ impl ShadePixel for PhongSpan<'_> {
 /// The largest 1/|L + V|: the `gain` of the core has 4 integer bits.
 const LARGEST_GAIN: f64 = 16.0;
 
-/// H*·N with H* = (L + V)/|L + V|, kept within 0 to 1; H* comes out short where |L + V| < 1/16, down to 0 for L = -V (EXTREMES row 12).
+/// H*·N with H* = (L + V)/|L + V|; H* comes out short where |L + V| < 1/16, down to 0 for L = -V (EXTREMES row 12).
 pub fn cosine_to_halfway(normal: DVec3, light: DVec3, view: DVec3) -> f64 {
     let halfway = light + view;
     let gain = halfway.length().recip().min(LARGEST_GAIN);
-    (gain * halfway).dot(normal).clamp(0.0, 1.0)
+    (gain * halfway).dot(normal)
 }

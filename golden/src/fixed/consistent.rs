@@ -1,6 +1,8 @@
 //! `consistent`, bit for bit [Reshetov, Soupikov and Mark; METHODS.md D; `docs/arithmetic/consistent.md`].
 use specula_scene::Format;
-use specula_scene::spec::consistent::{ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse};
+use specula_scene::spec::consistent::{
+    ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight,
+};
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
@@ -8,6 +10,7 @@ use super::method::{Method, Values};
 use super::number::{Wide, round_down, round_quotient, round_root, round_to, round_up};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::PacketError;
+use super::raised::Raised;
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, dot};
 
@@ -24,6 +27,8 @@ const TANGENT_FRACTION_BITS: u32 = 20;
 pub(super) struct Consistent {
     curve: Curve,
     diffuse: Diffuse,
+    highlight: Highlight,
+    power: Raised,
     formats: ConsistentFormats,
     colour: Format,
     ports: ConsistentInputs<InputPort>,
@@ -34,8 +39,10 @@ impl Consistent {
         Consistent {
             curve: consistent.curve,
             diffuse: consistent.diffuse,
+            highlight: consistent.highlight,
+            power: Raised::new(core, consistent.power_unit()),
             formats: consistent.formats.clone(),
-            colour: sum_format(core, consistent.formats.diffuse, consistent.formats.base),
+            colour: sum_format(core, consistent.formats.diffuse, consistent.power_unit().format()),
             ports: consistent.inputs(core),
         }
     }
@@ -70,13 +77,13 @@ impl Method for Consistent {
     fn pixel(&self, inputs: &ConsistentInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
         let (normal, has_direction) = self.normal(inputs, i, observer);
         let mirror = Mirror { normal, q: self.contraction(inputs, i, observer), has_direction };
-        let reflection = self.reflection(&mirror, &EYE, observer);
+        let reflection = self.reflection("", &mirror, &EYE, observer);
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
             colour.add(&light.diffuse, self.diffuse(&mirror, light, &mut observer));
             let base = self.base(&mirror, &reflection, light, &mut observer);
-            colour.add(&light.specular, self.power(base, inputs.log2_shininess, &mut observer));
+            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
         }
         colour.code(self.colour, observer)
     }
@@ -136,18 +143,23 @@ impl Consistent {
     }
 
     /// r = (g + ρb) n - ρI.
-    fn reflection(&self, mirror: &Mirror, incoming: &Vector, observer: &mut impl Observer) -> Reflection {
+    fn reflection(&self, of: &str, mirror: &Mirror, incoming: &Vector, observer: &mut impl Observer) -> Reflection {
         let f = &self.formats;
         let (n, q) = (&mirror.normal, mirror.q);
         let b = round_to(dot(n, incoming), f.cosine.fraction_bits).clamp(-Wide::ONE, Wide::ONE);
-        observer.see(format_args!("cos_beta"), b, f.cosine);
-        let g = narrow(observer, format_args!("cos_gamma"), Wide::ONE + q * (b - Wide::ONE), f.cosine);
+        observer.see(format_args!("{of}cos_beta"), b, f.cosine);
+        let g = narrow(observer, format_args!("{of}cos_gamma"), Wide::ONE + q * (b - Wide::ONE), f.cosine);
         let squared = self.sine_ratio_squared(q * (Wide::ONE + g), Wide::ONE + b);
-        observer.see(format_args!("sine_ratio_squared"), squared, f.sine_ratio_squared);
+        observer.see(format_args!("{of}sine_ratio_squared"), squared, f.sine_ratio_squared);
         let rho = round_root(squared, f.sine_ratio.fraction_bits);
-        observer.see(format_args!("sine_ratio"), rho, f.sine_ratio);
-        let share = narrow(observer, format_args!("normal_share"), g + rho * b, f.cosine);
-        let r = narrow_vector(observer, "reflection", std::array::from_fn(|c| share * n[c] - rho * incoming[c]), f.vector);
+        observer.see(format_args!("{of}sine_ratio"), rho, f.sine_ratio);
+        let share = narrow(observer, format_args!("{of}normal_share"), g + rho * b, f.cosine);
+        let r = narrow_vector(
+            observer,
+            &format!("{of}reflection"),
+            std::array::from_fn(|c| share * n[c] - rho * incoming[c]),
+            f.vector,
+        );
         Reflection { b, g, r }
     }
 
@@ -166,33 +178,33 @@ impl Consistent {
         let format = self.formats.diffuse;
         let intensity = match self.diffuse {
             Diffuse::Lambert => round_to(dot(&mirror.normal, &light.direction), format.fraction_bits).clamp(Wide::ZERO, Wide::ONE),
-            Diffuse::Consistent => self.consistent_lambert(mirror, &light.direction, observer),
+            Diffuse::Consistent => self.consistent_cosine("", mirror, &light.direction, format, observer),
         };
         observer.see(format_args!("diffuse"), intensity, format);
         intensity
     }
 
-    /// |L + r|/2, and 0 for a light below the horizon.
-    fn consistent_lambert(&self, mirror: &Mirror, light: &Vector, observer: &mut impl Observer) -> Wide {
-        let Reflection { b, g, r } = self.reflection(mirror, light, observer);
+    /// |I + r|/2, and 0 for an I below the horizon.
+    fn consistent_cosine(&self, of: &str, mirror: &Mirror, incoming: &Vector, to: Format, observer: &mut impl Observer) -> Wide {
+        let Reflection { b, g, r } = self.reflection(of, mirror, incoming, observer);
         if !mirror.has_direction || g + b <= Wide::ZERO {
             return Wide::ZERO;
         }
-        let sum: Vector = std::array::from_fn(|c| light[c] + r[c]);
-        round_root(dot(&sum, &sum).min(FOUR) >> 2, self.formats.diffuse.fraction_bits)
+        let sum: Vector = std::array::from_fn(|c| incoming[c] + r[c]);
+        round_root(dot(&sum, &sum).min(FOUR) >> 2, to.fraction_bits)
     }
 
-    /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
+    /// r·L or N_c·H, kept within 0 to 1, and 0 where the normal has no direction.
     fn base(&self, mirror: &Mirror, reflection: &Reflection, light: &ConsistentLight<Wide>, observer: &mut impl Observer) -> Wide {
-        let cosine = round_to(dot(&reflection.r, &light.direction), self.formats.base.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
-        let base = if mirror.has_direction { cosine } else { Wide::ZERO };
-        observer.see(format_args!("base"), base, self.formats.base);
+        let format = self.formats.base;
+        let base = match (self.highlight, &light.halfway) {
+            (Highlight::Blinn, Some(halfway)) => self.consistent_cosine("halfway_", mirror, halfway, format, observer),
+            _ if mirror.has_direction => {
+                round_to(dot(&reflection.r, &light.direction), format.fraction_bits).clamp(Wide::ZERO, Wide::ONE)
+            }
+            _ => Wide::ZERO,
+        };
+        observer.see(format_args!("base"), base, format);
         base
-    }
-
-    /// base^n, n = 2^j, by j squarings.
-    fn power(&self, base: Wide, log2_shininess: Wide, observer: &mut impl Observer) -> Wide {
-        let squarings = log2_shininess.to_num::<u32>();
-        (0..squarings).fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, self.formats.base))
     }
 }

@@ -10,12 +10,14 @@ use super::method::{Method, Values};
 use super::number::{Wide, round_quotient, round_to};
 use super::observer::{Nobody, Observer, OfLight, narrow};
 use super::packet::PacketError;
+use super::raised::Raised;
 use super::root::reciprocal_square_root;
 
 /// The method in one core's formats.
 pub(super) struct Direct {
     root: Root,
     newton_steps: u32,
+    power: Raised,
     formats: DirectFormats,
     colour: Format,
     ports: DirectInputs<InputPort>,
@@ -35,7 +37,7 @@ struct Pixel {
     s: Wide,
     /// K, which goes with J; with Newton's root K/q, which goes with p_L.
     view: Wide,
-    log2_shininess: Wide,
+    exponent: Wide,
 }
 
 impl Direct {
@@ -43,8 +45,9 @@ impl Direct {
         Direct {
             root: direct.root,
             newton_steps: direct.newton_steps,
+            power: Raised::new(core, direct.power_unit()),
             formats: direct.formats.clone(),
-            colour: sum_format(core, direct.formats.diffuse, direct.formats.base),
+            colour: sum_format(core, direct.formats.diffuse, direct.power_unit().format()),
             ports: direct.inputs(core),
         }
     }
@@ -98,7 +101,7 @@ impl Direct {
             Root::Exact => self.cosine("n_dot_v", linear, s, observer),
             Root::Newton => self.over_square(linear, q, observer),
         };
-        Pixel { t, q, s, view, log2_shininess: inputs.log2_shininess }
+        Pixel { t, q, s, view, exponent: inputs.exponent }
     }
 
     /// t and q = 1 - κ t (1 - t).
@@ -161,14 +164,13 @@ impl Direct {
         cosine
     }
 
-    /// max(2 J K - L·V, 0)^n, or with p_L K/q for J K, n = 2^j, by j squarings; none for a normal without direction.
+    /// max(2 J K - L·V, 0)^n, or with p_L K/q for J K; none for a normal without direction.
     fn highlight(&self, pixel: &Pixel, along_light: Wide, light: &DirectLight<Wide>, observer: &mut impl Observer) -> Wide {
         let format = self.formats.base;
         let rounded = round_to(along_light * pixel.view * 2 - light.light_dot_view, format.fraction_bits);
         let base = if pixel.q > Wide::ZERO { rounded.clamp(Wide::ZERO, Wide::ONE) } else { Wide::ZERO };
         observer.see(format_args!("base"), base, format);
-        let squarings = pixel.log2_shininess.to_num::<u32>();
-        (0..squarings).fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, format))
+        self.power.of(observer, base, pixel.exponent)
     }
 }
 

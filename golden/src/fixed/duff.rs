@@ -5,15 +5,17 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::forward::Accumulator;
-use super::highlight::{amount, cosine, power, quotient, reflection, root};
+use super::highlight::{amount, cosine, quotient, reflection, root};
 use super::method::{Method, Values};
 use super::number::{Wide, round_signed_quotient};
 use super::observer::{Observer, OfLight};
 use super::packet::PacketError;
+use super::raised::Raised;
 
 /// The method in one core's formats.
 pub(super) struct Duff {
     highlight: Highlight,
+    power: Raised,
     formats: DuffFormats,
     colour: Format,
     ports: DuffInputs<InputPort>,
@@ -27,15 +29,16 @@ struct Pixel {
     /// N·V, and that times s; 0 where nobody asks.
     view: Wide,
     view_cosine: Wide,
-    log2_exponent: Wide,
+    exponent: Wide,
 }
 
 impl Duff {
     pub fn new(core: &CoreSpec, duff: &DuffSpec) -> Duff {
         Duff {
             highlight: duff.specular,
+            power: Raised::new(core, duff.power_unit()),
             formats: duff.formats.clone(),
-            colour: sum_format(core, duff.formats.diffuse, duff.formats.base),
+            colour: sum_format(core, duff.formats.diffuse, duff.power_unit().format()),
             ports: duff.inputs(core),
         }
     }
@@ -62,7 +65,7 @@ impl Method for Duff {
             let c = cosine(&mut observer, "cosine", p * pixel.s, self.formats.cosine);
             colour.add(&light.diffuse, amount(&mut observer, "diffuse", c, self.formats.diffuse));
             let base = self.base(&pixel, light, p, c, &mut observer);
-            colour.add(&light.specular, power(&mut observer, base, pixel.log2_exponent, self.formats.base));
+            colour.add(&light.specular, self.power.of(&mut observer, base, pixel.exponent));
         }
         colour.code(self.colour, observer)
     }
@@ -86,7 +89,7 @@ impl Duff {
             view = self.linear().linear(observer, "view", linear, i);
             view_cosine = cosine(observer, "view_cosine", view * s, f.cosine);
         }
-        Pixel { i, q, s, view, view_cosine, log2_exponent: inputs.log2_exponent }
+        Pixel { i, q, s, view, view_cosine, exponent: inputs.exponent }
     }
 
     /// The base of the highlight, 0 to 1.

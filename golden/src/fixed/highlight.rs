@@ -53,9 +53,3 @@ pub(super) fn reflection(observer: &mut impl Observer, has_direction: bool, cosi
     observer.see(format_args!("base"), base, format);
     base
 }
-
-/// base^n, n = 2^j, by j squarings.
-pub(super) fn power(observer: &mut impl Observer, base: Wide, log2_exponent: Wide, format: Format) -> Wide {
-    let squarings = log2_exponent.to_num::<u32>();
-    (0..squarings).fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, format))
-}

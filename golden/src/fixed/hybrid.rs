@@ -5,14 +5,16 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::forward::Accumulator;
-use super::highlight::{power, quotient};
+use super::highlight::quotient;
 use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight};
 use super::packet::PacketError;
+use super::raised::Raised;
 
 /// The method in one core's formats.
 pub(super) struct Hybrid {
+    power: Raised,
     formats: HybridFormats,
     colour: Format,
     ports: HybridInputs<InputPort>,
@@ -21,8 +23,9 @@ pub(super) struct Hybrid {
 impl Hybrid {
     pub fn new(core: &CoreSpec, hybrid: &HybridSpec) -> Hybrid {
         Hybrid {
+            power: Raised::new(core, hybrid.power_unit()),
             formats: hybrid.formats.clone(),
-            colour: sum_format(core, hybrid.formats.diffuse, hybrid.formats.base),
+            colour: sum_format(core, hybrid.formats.diffuse, hybrid.power_unit().format()),
             ports: hybrid.inputs(core),
         }
     }
@@ -50,7 +53,7 @@ impl Method for Hybrid {
             let p = operand.quadratic(&mut observer, "numerator", &light.numerator, i);
             let base = quotient(&mut observer, p, q, f.base);
             colour.add(&light.diffuse, self.diffuse(light, i, &mut observer));
-            colour.add(&light.specular, power(&mut observer, base, inputs.log2_shininess, f.base));
+            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
         }
         colour.code(self.colour, observer)
     }

@@ -4,6 +4,7 @@ use specula_scene::spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLigh
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
+use super::gaussian::Gaussian;
 use super::method::{Method, Values};
 use super::number::{Wide, round_quotient, round_to};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
@@ -20,6 +21,7 @@ pub(super) struct Phong {
     highlight: Highlight,
     formats: PhongFormats,
     power: Power,
+    gaussian: Gaussian,
     /// For each light that is a spot.
     spot_powers: Vec<Option<Power>>,
     colour: Format,
@@ -49,6 +51,7 @@ impl Phong {
         let power = |largest: u32| Power::new(bits(largest), formats.shape.fraction_bits);
         Phong {
             highlight: phong.highlight,
+            gaussian: Gaussian::new(formats.shape.fraction_bits),
             power: power(core.largest_shininess * phong.highlight.exponent_factor()),
             spot_powers: ports.lights.iter().map(|light| light.exponent.as_ref().map(|port| power(port.range.1 as u32))).collect(),
             colour: sum_format(core, formats.cosine, formats.shape),
@@ -158,10 +161,11 @@ impl Phong {
             let squared = Wide::from_num(2) + (self.l_dot_v(at, view, observer) << 1);
             self.gain(narrow(observer, format_args!("halfway_squared"), squared, f.length_squared))
         });
-        let base = self.base((at.n_dot_l + at.n_dot_v) * gain, "base", observer);
+        let cosine = (at.n_dot_l + at.n_dot_v) * gain;
         match self.highlight {
-            Highlight::Reflection | Highlight::Blinn => self.power.of(base, exponent),
-            Highlight::TrowbridgeReitz => self.trowbridge_reitz(base, at.shininess, observer),
+            Highlight::Reflection | Highlight::Blinn => self.power.of(self.base(cosine, "base", observer), exponent),
+            Highlight::TorranceSparrow => self.gaussian.of(self.versine(cosine, observer), exponent),
+            Highlight::TrowbridgeReitz => self.trowbridge_reitz(self.base(cosine, "base", observer), at.shininess, observer),
         }
     }
 
@@ -173,6 +177,13 @@ impl Phong {
         let base = round_to(value, self.formats.base.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
         observer.see(format_args!("{name}"), base, self.formats.base);
         base
+    }
+
+    /// 1 - H*·N.
+    fn versine(&self, cosine: Wide, observer: &mut impl Observer) -> Wide {
+        let versine = round_to(Wide::ONE - cosine, self.formats.base.fraction_bits).clamp(Wide::ZERO, Gaussian::largest_versine());
+        observer.see(format_args!("base"), versine, self.formats.base);
+        versine
     }
 
     /// (1/(1 + (1 - b²) n))².

@@ -1,4 +1,5 @@
 //! `power` of docs/arithmetic/units.md: b^n for any whole n.
+use super::exp2::Exp2;
 use super::number::{Wide, round_to};
 
 /// The unit for one pair of formats, its tables filled.
@@ -7,14 +8,11 @@ pub(super) struct Power {
     working_bits: u32,
     /// I.
     index_bits: u32,
-    /// F.
-    fraction_bits: u32,
     /// c.
     reciprocals: Vec<Wide>,
     /// T.
     logarithms: Vec<Wide>,
-    /// E.
-    roots: Vec<Wide>,
+    exp2: Exp2,
 }
 
 impl Power {
@@ -25,8 +23,7 @@ impl Power {
         let parts = 1u32 << index_bits;
         let reciprocals: Vec<Wide> = (0..parts).map(|i| reciprocal(i, parts, index_bits + 4)).collect();
         let logarithms = reciprocals.iter().map(|&c| round_to(log2(c), working_bits)).collect();
-        let root = |h: u32| round_to(exp_minus(Wide::from_num(h) / 64 * ln_2()), fraction_bits + 6);
-        Power { working_bits, index_bits, fraction_bits, reciprocals, logarithms, roots: (0..64).map(root).collect() }
+        Power { working_bits, index_bits, reciprocals, logarithms, exp2: Exp2::new(fraction_bits) }
     }
 
     /// b^n.
@@ -34,8 +31,7 @@ impl Power {
         if base == Wide::ZERO {
             return Wide::ZERO;
         }
-        let y = round_to(Wide::from_num(n) * self.minus_log2(base), self.fraction_bits + 6);
-        if y >= Wide::from_num(self.fraction_bits + 2) { Wide::ZERO } else { self.two_to_minus(y) }
+        self.exp2.of(Wide::from_num(n) * self.minus_log2(base))
     }
 
     /// λ.
@@ -49,19 +45,8 @@ impl Power {
         let s = round_to(r * r, w);
         let t = round_to(r * s, w);
         let q = round_to(r - (s >> 1) + ((t * 5461) >> 14), w);
-        let rest = round_to(q * round_to(ln_2_inverse(), w - self.index_bits + 2), w);
+        let rest = round_to(q * round_to(Wide::LOG2_E, w - self.index_bits + 2), w);
         (Wide::from_num(e) + self.logarithms[index] - rest).max(Wide::ZERO)
-    }
-
-    fn two_to_minus(&self, y: Wide) -> Wide {
-        let bits = self.fraction_bits + 6;
-        let whole = y.to_num::<u32>();
-        let h = (y.frac() << 6_u32).to_num::<usize>();
-        let delta = y.frac() - (Wide::from_num(h) >> 6);
-        let d = round_to(delta * round_to(ln_2(), bits), bits);
-        let p = round_to(d - ((d * d) >> 1), bits);
-        let u = round_to(self.roots[h] * (Wide::ONE - p), bits);
-        round_to(u >> whole, self.fraction_bits)
     }
 }
 
@@ -91,25 +76,6 @@ fn log2(c: Wide) -> Wide {
         }
     }
     log
-}
-
-/// e^-x for 0 ≤ x < 1 by its series; the 21st term is below 2^-64.
-fn exp_minus(x: Wide) -> Wide {
-    let mut term = Wide::ONE;
-    let mut sum = Wide::ONE;
-    for k in 1..=20 {
-        term = -(term * x) / k;
-        sum += term;
-    }
-    sum
-}
-
-fn ln_2() -> Wide {
-    Wide::LN_2
-}
-
-fn ln_2_inverse() -> Wide {
-    Wide::LOG2_E
 }
 
 #[cfg(test)]

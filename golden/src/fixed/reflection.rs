@@ -5,11 +5,12 @@ use specula_scene::spec::{CoreSpec, InputPort, Quadratic};
 
 use super::colour::{Colour, sum_format};
 use super::forward::Accumulator;
-use super::highlight::{amount, cosine, power, quotient, reflection};
+use super::highlight::{amount, cosine, quotient, reflection};
 use super::method::{Method, Values};
 use super::number::{Wide, round_quotient};
 use super::observer::{Observer, OfLight};
 use super::packet::PacketError;
+use super::raised::Raised;
 
 /// The largest 1/q.
 const LARGEST_RECIPROCAL: Wide = Wide::lit("4");
@@ -17,6 +18,7 @@ const LARGEST_RECIPROCAL: Wide = Wide::lit("4");
 /// The method in one core's formats.
 pub(super) struct Reflection {
     highlight: Highlight,
+    power: Raised,
     formats: ReflectionFormats,
     colour: Format,
     ports: ReflectionInputs<InputPort>,
@@ -37,8 +39,9 @@ impl Reflection {
     pub fn new(core: &CoreSpec, spec: &ReflectionSpec) -> Reflection {
         Reflection {
             highlight: spec.specular,
+            power: Raised::new(core, spec.power_unit()),
             formats: spec.formats.clone(),
-            colour: sum_format(core, spec.formats.diffuse, spec.formats.base),
+            colour: sum_format(core, spec.formats.diffuse, spec.power_unit().format()),
             ports: spec.inputs(core),
         }
     }
@@ -114,7 +117,7 @@ impl Method for Reflection {
             let c = cosine(&mut observer, "cosine", p * pixel.w, self.formats.cosine);
             colour.add(&light.diffuse, amount(&mut observer, "diffuse", c, self.formats.diffuse));
             let base = self.base(&pixel, light, c, &mut observer);
-            colour.add(&light.specular, power(&mut observer, base, inputs.log2_exponent, self.formats.base));
+            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
         }
         colour.code(self.colour, observer)
     }

@@ -10,12 +10,14 @@ use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::{self, PacketError};
+use super::raised::Raised;
 use super::vector::{Vector, dot};
 
 /// The method in one core's formats.
 pub(super) struct Slerp {
     /// Of the angles' cosines and sines.
     state: Format,
+    power: Raised,
     formats: SlerpFormats,
     colour: Format,
     ports: SlerpInputs<InputPort>,
@@ -35,8 +37,9 @@ impl Slerp {
     pub fn new(core: &CoreSpec, slerp: &SlerpSpec) -> Slerp {
         Slerp {
             state: if slerp.between_ends() { slerp.formats.scaled_state } else { slerp.formats.state },
+            power: Raised::new(core, slerp.power_unit()),
             formats: slerp.formats.clone(),
-            colour: sum_format(core, slerp.formats.diffuse, slerp.formats.base),
+            colour: sum_format(core, slerp.formats.diffuse, slerp.power_unit().format()),
             ports: slerp.inputs(core),
         }
     }
@@ -86,7 +89,7 @@ impl Method for Slerp {
             let n_dot_l = narrow(&mut observer, format_args!("n_dot_l"), n_dot_l, f.cosine);
             colour.add(&light.diffuse, self.diffuse(n_dot_l, &mut observer));
             let base = self.base(n_dot_l, n_dot_v, light, &mut observer);
-            colour.add(&light.specular, self.power(base, inputs.log2_shininess, &mut observer));
+            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
         }
         colour.code(self.colour, observer)
     }
@@ -153,11 +156,5 @@ impl Slerp {
         let base = round_to(base, self.formats.base.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
         observer.see(format_args!("base"), base, self.formats.base);
         base
-    }
-
-    /// base^n, n = 2^j, by j squarings.
-    fn power(&self, base: Wide, log2_shininess: Wide, observer: &mut impl Observer) -> Wide {
-        let squarings = log2_shininess.to_num::<u32>();
-        (0..squarings).fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, self.formats.base))
     }
 }

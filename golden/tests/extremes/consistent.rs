@@ -2,16 +2,16 @@
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use glam::{DQuat, DVec3};
-use specula_golden::exact::consistent_span::consistent_lambert;
+use specula_golden::exact::consistent_span::consistent_cosine;
 use specula_scene::mesh::Mesh;
 use specula_scene::mesh::normals::newell;
 use specula_scene::primitive::Primitive;
-use specula_scene::spec::consistent::{Curve, Diffuse};
+use specula_scene::spec::consistent::{Curve, Diffuse, Highlight};
 use specula_scene::{CoreSpec, Frame, Method, MethodSpec, VertexCone};
 
 use crate::common::draw::Draws;
 use crate::common::{frame, material, mirror, spec, tilted, value};
-use crate::{assert_within_one_code, codes, trace};
+use crate::{assert_within_one_code, codes, method, trace};
 
 const CURVES: [Curve; 2] = [Curve::Rational, Curve::Trigonometric];
 
@@ -39,7 +39,7 @@ fn no_diffuse_light_from_the_horizon_on() {
             assert_eq!(codes(&core(&frame, curve, Diffuse::Consistent), &frame), [0, 0], "{degrees} {cosine}");
         }
     }
-    assert_eq!(consistent_lambert(DVec3::Z, 1.0, DVec3::X), 0.0);
+    assert_eq!(consistent_cosine(DVec3::Z, 1.0, DVec3::X), 0.0);
 }
 
 /// Row 42: α = π/2 and b = -1 is 0/0; r = N and ρ = 0.
@@ -86,6 +86,34 @@ fn flat_surroundings_reflect_plainly() {
             assert_within_one_code(&core, &frame);
         }
     }
+}
+
+/// The defaults with Blinn's highlight.
+fn blinn(frame: &Frame) -> CoreSpec {
+    let mut core = spec(frame, Method::Consistent).expect("the defaults serve it");
+    if let MethodSpec::Consistent(consistent) = &mut core.method {
+        consistent.highlight = Highlight::Blinn;
+    }
+    core
+}
+
+/// Row 44: α = 0 makes N_c the normal itself, and Blinn's highlight (N·H)^4n.
+#[test]
+fn flat_surroundings_have_blinns_plain_highlight() {
+    for degrees in [0.0, 10.0, 25.0, 40.0, 60.0] {
+        let frame = frame([tilted(degrees); 2], 1, &[tilted(60.0)], mirror(4));
+        let plain = 255.0 * tilted(degrees).dot(tilted(30.0)).powi(16);
+        let exact = method(&blinn(&frame), &frame)[0];
+        assert!((exact - plain).abs() < 1e-9, "{degrees}: {exact} instead of {plain}");
+        assert_within_one_code(&blinn(&frame), &frame);
+    }
+}
+
+/// Row 12: L = -V leaves no H, and so no highlight of Blinn's.
+#[test]
+fn no_halfway_vector_no_highlight() {
+    let frame = with_cosine(frame([tilted(80.0), tilted(100.0)], 5, &[-DVec3::Z], mirror(1)), 0.5);
+    assert_eq!(codes(&blinn(&frame), &frame), [0; 5]);
 }
 
 /// Row 45: vertices of 90 degrees are enlarged beyond it, and only pixels are clamped.

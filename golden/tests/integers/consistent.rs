@@ -1,7 +1,8 @@
 //! `consistent` on raw values.
 use specula_scene::spec::ConsistentSpec;
-use specula_scene::spec::consistent::{Curve, Diffuse};
+use specula_scene::spec::consistent::{Curve, Diffuse, Highlight};
 
+use crate::power;
 use crate::raw::{Raw, round};
 
 /// A reflection: b, g, r.
@@ -10,7 +11,7 @@ type Reflection = (i128, i128, [i128; 3]);
 pub fn code(spec: &ConsistentSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
     let (diffuse_bits, base_bits, v) = (f.diffuse.fraction_bits, f.base.fraction_bits, f.vector.fraction_bits);
-    let bits = diffuse_bits.max(base_bits);
+    let bits = diffuse_bits.max(base_bits).max(f.shape.fraction_bits);
     let (n, z) = normal(spec, raw, i);
     let q = contraction(spec, raw, i);
     let (_, _, r) = reflection(spec, n, q, [0, 0, 1 << v]);
@@ -20,14 +21,19 @@ pub fn code(spec: &ConsistentSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] 
         let diffuse = match spec.diffuse {
             Diffuse::Lambert => round(dot(n, l), 2 * v, diffuse_bits).clamp(0, 1 << diffuse_bits),
             Diffuse::Consistent if z == 0 => 0,
-            Diffuse::Consistent => lit(spec, reflection(spec, n, q, l), l),
+            Diffuse::Consistent => lit(spec, reflection(spec, n, q, l), l, diffuse_bits),
         };
         terms.push((format!("light{light}_diffuse"), diffuse << (bits - diffuse_bits)));
-        let mut base = if z == 0 { 0 } else { round(dot(r, l), 2 * v, base_bits).clamp(0, 1 << base_bits) };
-        for _ in 0..raw.get("log2_shininess") {
-            base = round(base * base, 2 * base_bits, base_bits);
-        }
-        terms.push((format!("light{light}_specular"), base << (bits - base_bits)));
+        let base = match spec.highlight {
+            _ if z == 0 => 0,
+            Highlight::Reflection => round(dot(r, l), 2 * v, base_bits).clamp(0, 1 << base_bits),
+            Highlight::Blinn => {
+                let h = raw.vector(&format!("light{light}_halfway"));
+                lit(spec, reflection(spec, n, q, h), h, base_bits)
+            }
+        };
+        let (power, power_bits) = power::raised(raw, base, base_bits, f.shape.fraction_bits);
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }
@@ -116,9 +122,9 @@ fn ratio(p: i128, q: i128, bits: u32) -> i128 {
     (if 2 * rest >= q { below + 1 } else { below }).min(1 << bits)
 }
 
-/// |L + r|/2, 0 to 1.
-fn lit(spec: &ConsistentSpec, (b, g, r): Reflection, l: [i128; 3]) -> i128 {
-    let (v, d) = (spec.formats.vector.fraction_bits, spec.formats.diffuse.fraction_bits);
+/// |L + r|/2, 0 to 1, with `d` bits.
+fn lit(spec: &ConsistentSpec, (b, g, r): Reflection, l: [i128; 3], d: u32) -> i128 {
+    let v = spec.formats.vector.fraction_bits;
     if g + b <= 0 {
         return 0;
     }

@@ -2,6 +2,7 @@
 use specula_scene::spec::DirectSpec;
 use specula_scene::spec::direct::Root;
 
+use crate::power;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
@@ -22,7 +23,7 @@ pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
             round(linear("view") * quotient((1, 0), (at_least(spec, q), z), 2 * m, r), x + r, x).clamp(-1 << (x + m), 1 << (x + m))
         }
     };
-    let bits = d.max(e);
+    let bits = d.max(e).max(f.shape.fraction_bits);
     let mut terms = Vec::new();
     for light in 0..lights {
         let name = format!("light{light}");
@@ -32,11 +33,9 @@ pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
         let dot_view = raw.get(&format!("light{light}_dot_view")) << (fine - p);
         let along_light = if spec.root == Root::Newton { linear(&name) } else { j };
         let base = round(((2 * along_light * view) << (fine - 2 * x)) - dot_view, fine, e).clamp(0, 1 << e);
-        let mut b = if q > 0 { base } else { 0 };
-        for _ in 0..raw.get("log2_shininess") {
-            b = round(b * b, 2 * e, e);
-        }
-        terms.push((format!("light{light}_specular"), b << (bits - e)));
+        let b = if q > 0 { base } else { 0 };
+        let (power, power_bits) = power::raised(raw, b, e, f.shape.fraction_bits);
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }

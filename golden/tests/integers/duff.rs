@@ -3,12 +3,13 @@ use specula_scene::spec::DuffSpec;
 use specula_scene::spec::duff::Highlight;
 
 use crate::hybrid::{base, quadratic};
+use crate::power;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &DuffSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
     let (diffuse_bits, base_bits, cosine_bits) = (f.diffuse.fraction_bits, f.base.fraction_bits, f.cosine.fraction_bits);
-    let bits = diffuse_bits.max(base_bits);
+    let bits = diffuse_bits.max(base_bits).max(f.shape.fraction_bits);
     let operand = f.operand.fraction_bits;
     let of_q = |name: &str| quadratic(raw, name, i, f.accumulator.fraction_bits, operand);
     let linear = |name: &str| linear(raw, name, i, f.linear_accumulator.fraction_bits, operand);
@@ -34,10 +35,10 @@ pub fn code(spec: &DuffSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
             }
             Highlight::Eq33 | Highlight::Eq34 => 0,
         };
-        let highlight = (0..raw.get("log2_exponent")).fold(base, |b, _| round(b * b, 2 * base_bits, base_bits));
+        let (power, power_bits) = power::raised(raw, base, base_bits, f.shape.fraction_bits);
         let diffuse = round(c, cosine_bits, diffuse_bits).max(0);
         terms.push((format!("light{light}_diffuse"), diffuse << (bits - diffuse_bits)));
-        terms.push((format!("light{light}_specular"), highlight << (bits - base_bits)));
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }

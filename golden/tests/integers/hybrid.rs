@@ -1,22 +1,21 @@
 //! `hybrid` on raw values.
 use specula_scene::spec::HybridSpec;
 
+use crate::power;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &HybridSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let (diffuse_bits, base_bits) = (spec.formats.diffuse.fraction_bits, spec.formats.base.fraction_bits);
-    let bits = diffuse_bits.max(base_bits);
+    let bits = diffuse_bits.max(base_bits).max(spec.formats.shape.fraction_bits);
     let operand = |name: &str| quadratic(raw, name, i, spec.formats.accumulator.fraction_bits, spec.formats.operand.fraction_bits);
     let q = operand("denominator");
     let mut terms = Vec::new();
     for light in 0..lights {
         let p = operand(&format!("light{light}_numerator"));
-        let mut b = base(p, q, base_bits);
-        for _ in 0..raw.get("log2_shininess") {
-            b = round(b * b, 2 * base_bits, base_bits);
-        }
+        let b = base(p, q, base_bits);
+        let (power, power_bits) = power::raised(raw, b, base_bits, spec.formats.shape.fraction_bits);
         terms.push((format!("light{light}_diffuse"), diffuse(spec, raw, light, i) << (bits - diffuse_bits)));
-        terms.push((format!("light{light}_specular"), b << (bits - base_bits)));
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }

@@ -2,8 +2,8 @@
 use specula_scene::spec::PhongSpec;
 use specula_scene::spec::phong::Highlight;
 
-use crate::power;
 use crate::raw::{Raw, round};
+use crate::{gaussian, power};
 
 /// A unit vector, if it has a direction.
 type Direction = Option<[i128; 3]>;
@@ -94,13 +94,18 @@ fn specular(spec: &PhongSpec, raw: &Raw, [n, l, view]: [[i128; 3]; 3], nl: i128,
             reciprocal_root(round((2 << c) + 2 * vl(), c, z), z, g)
         }
     };
-    let base = round((nl + nv) * gain, c + g, b).clamp(0, 1 << b);
+    let cosine = (nl + nv) * gain;
+    let base = round(cosine, c + g, b).clamp(0, 1 << b);
     match spec.highlight {
         Highlight::TrowbridgeReitz => {
             let x = round(((1 << (2 * b)) - base * base) * exponent, 2 * b, b);
             // 2^(s + 1) 2^b / (2^b + x), and half of it, rounded up.
             let u = ((1_i128 << (s + 1 + b)) / ((1 << b) + x) + 1) / 2;
             round(u * u, 2 * s, s)
+        }
+        Highlight::TorranceSparrow => {
+            let versine = round((1 << (c + g)) - cosine, c + g, b).clamp(0, 15 << (b - 3));
+            gaussian::of(versine, b, exponent, s)
         }
         _ => power::of(base, b, exponent, exponent_bits, s),
     }

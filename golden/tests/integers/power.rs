@@ -1,16 +1,28 @@
 //! b^n on raw values, with tables from f64.
-use crate::raw::round;
+use crate::raw::{Raw, round};
+
+/// The power of a highlight's base with `from` fraction bits, by squaring or by tables, whichever port there is, with `shape` fraction
+/// bits then; and its fraction bits.
+pub fn raised(raw: &Raw, base: i128, from: u32, shape: u32) -> (i128, u32) {
+    match raw.has("log2_exponent") {
+        true => ((0..raw.get("log2_exponent")).fold(base, |b, _| round(b * b, 2 * from, from)), from),
+        false => {
+            let exponent_bits = i128::BITS - raw.largest("exponent").leading_zeros();
+            (of(base, from, raw.get("exponent"), exponent_bits, shape), shape)
+        }
+    }
+}
 
 /// `base` has `from` fraction bits, exponents have up to `exponent_bits`, the power `to` fraction bits.
 pub fn of(base: i128, from: u32, n: i128, exponent_bits: u32, to: u32) -> i128 {
     if base == 0 {
         return 0;
     }
-    let y = round(n * minus_log2(base, from, to + exponent_bits + 3), to + exponent_bits + 3, to + 6);
-    if y >= i128::from(to + 2) << (to + 6) { 0 } else { two_to_minus(y, to) }
+    two_to_minus(n * minus_log2(base, from, to + exponent_bits + 3), to + exponent_bits + 3, to)
 }
 
-fn raw(value: f64, bits: u32) -> i128 {
+/// `value` to `bits`.
+pub fn raw(value: f64, bits: u32) -> i128 {
     (value * 2f64.powi(bits as i32) + 0.5).floor() as i128
 }
 
@@ -38,8 +50,13 @@ fn minus_log2(base: i128, from: u32, w: u32) -> i128 {
     ((i128::from(e) << w) + log_c - round(q * log2_e, 2 * w - index_bits + 2, w)).max(0)
 }
 
-fn two_to_minus(y: i128, to: u32) -> i128 {
+/// 2^-y; y has `from` fraction bits.
+pub fn two_to_minus(y: i128, from: u32, to: u32) -> i128 {
     let bits = to + 6;
+    let y = round(y, from, bits);
+    if y >= i128::from(to + 2) << bits {
+        return 0;
+    }
     let (h, delta) = (y >> to & 63, y & ((1 << to) - 1));
     let d = round(delta * raw(std::f64::consts::LN_2, bits), 2 * bits, bits);
     let p = round((d << (bits + 1)) - d * d, 2 * bits + 1, bits);

@@ -4,12 +4,13 @@ use specula_scene::spec::reflection::Highlight;
 
 use crate::duff::{cosine, less_light};
 use crate::hybrid::{base, quadratic};
+use crate::power;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &ReflectionSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
     let (diffuse_bits, base_bits, cosine_bits) = (f.diffuse.fraction_bits, f.base.fraction_bits, f.cosine.fraction_bits);
-    let bits = diffuse_bits.max(base_bits);
+    let bits = diffuse_bits.max(base_bits).max(f.shape.fraction_bits);
     let operand = |name: &str| quadratic(raw, name, i, f.accumulator.fraction_bits, f.operand.fraction_bits);
     let q = operand("denominator");
     let w = reciprocal(q, f.operand.fraction_bits, f.reciprocal.fraction_bits);
@@ -25,9 +26,9 @@ pub fn code(spec: &ReflectionSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] 
             }
             Highlight::Eq34 => 0,
         };
-        let highlight = (0..raw.get("log2_exponent")).fold(base, |b, _| round(b * b, 2 * base_bits, base_bits));
+        let (power, power_bits) = power::raised(raw, base, base_bits, f.shape.fraction_bits);
         terms.push((format!("light{light}_diffuse"), round(c, cosine_bits, diffuse_bits).max(0) << (bits - diffuse_bits)));
-        terms.push((format!("light{light}_specular"), highlight << (bits - base_bits)));
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }

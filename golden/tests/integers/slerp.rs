@@ -2,6 +2,7 @@
 use specula_scene::spec::SlerpSpec;
 use specula_scene::spec::slerp::Form;
 
+use crate::power;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &SlerpSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
@@ -21,7 +22,7 @@ pub fn code(spec: &SlerpSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
             round(mixed("view") * g, 2 * x, x)
         }
     };
-    let bits = d.max(e);
+    let bits = d.max(e).max(f.shape.fraction_bits);
     let mut terms = Vec::new();
     for light in 0..lights {
         let j = mixed(&format!("light{light}"));
@@ -29,12 +30,10 @@ pub fn code(spec: &SlerpSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
         // On the finer of the two points.
         let fine = (2 * x).max(p);
         let base = ((2 * j * k) << (fine - 2 * x)) - (raw.get(&format!("light{light}_dot_view")) << (fine - p));
-        let mut b = round(base, fine, e).clamp(0, 1 << e);
-        for _ in 0..raw.get("log2_shininess") {
-            b = round(b * b, 2 * e, e);
-        }
+        let b = round(base, fine, e).clamp(0, 1 << e);
+        let (power, power_bits) = power::raised(raw, b, e, f.shape.fraction_bits);
         terms.push((format!("light{light}_diffuse"), diffuse << (bits - d)));
-        terms.push((format!("light{light}_specular"), b << (bits - e)));
+        terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))
 }

@@ -1,6 +1,6 @@
 //! The core for consistent normal interpolation.
-use specula_scene::CoreSpec;
-use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse};
+use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
+use specula_scene::{CoreSpec, Format};
 
 use super::{eye, finish};
 use crate::builder::{Builder, Sig, TooWide, Vector};
@@ -40,10 +40,11 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
     let least_q = least_contraction(spec, consistent.curve);
     let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
-    let (r, _) = units::consistent_reflection(&b, &n, &eye(&b), &q, f, known);
-    let pixel = Pixel { b: &b, spec, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: &r };
-    let log2_shininess = &inputs.log2_shininess;
-    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, log2_shininess)).collect();
+    let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, known).0;
+    let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
+    let pixel = Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: r.as_ref() };
+    let exponent = &inputs.exponent;
+    let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, exponent)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
 
@@ -59,27 +60,30 @@ fn least_contraction(spec: &CoreSpec, curve: Curve) -> f64 {
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreSpec,
     consistent: &'a ConsistentSpec,
     n: &'a Vector,
     has_direction: &'a Sig,
     q: &'a Sig,
     least_q: f64,
-    r: &'a Vector,
+    /// The eye's reflection, where the highlight asks for it.
+    r: Option<&'a Vector>,
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, log2_shininess: &Sig) -> Light {
+    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, exponent: &Sig) -> Light {
         let (b, f) = (self.b, &self.consistent.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
         let diffuse = || match self.consistent.diffuse {
             Diffuse::Lambert => units::clamped_cosine(b, self.n, &direction, f.diffuse),
-            Diffuse::Consistent => units::consistent_diffuse(b, (self.n, self.q, self.has_direction), &direction, f, self.least_q),
+            Diffuse::Consistent => self.consistent_cosine(&direction, f.diffuse),
         };
-        let base = b.instance(&called("base"), || self.base(&direction));
-        let most_squarings = self.spec.largest_shininess.ilog2();
-        let power = || units::power(b, &base, log2_shininess, most_squarings, f.base.fraction_bits);
+        let base = b.instance(&called("base"), || match (self.r, &light.halfway) {
+            (_, Some(halfway)) => self.consistent_cosine(&Vector::new(halfway.clone()), f.base),
+            (Some(r), None) => self.reflected_cosine(r, &direction),
+            (None, None) => unreachable!("`ConsistentSpec::inputs` has H where there is no r"),
+        });
+        let power = || units::raised(b, &base, exponent, self.consistent.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), diffuse),
             specular: b.instance(&called("power"), power),
@@ -88,10 +92,16 @@ impl Pixel<'_> {
         }
     }
 
+    /// N_c·I of any I.
+    fn consistent_cosine(&self, incoming: &Vector, to: Format) -> Sig {
+        let mirror = (self.n, self.q, self.has_direction);
+        units::consistent_cosine(self.b, mirror, incoming, (&self.consistent.formats, to), self.least_q)
+    }
+
     /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
-    fn base(&self, light: &Vector) -> Sig {
+    fn reflected_cosine(&self, r: &Vector, light: &Vector) -> Sig {
         let (b, format) = (self.b, self.consistent.formats.base);
-        let inputs = (("r", self.r), ("l", light), ("has_direction", self.has_direction));
+        let inputs = (("r", r), ("l", light), ("has_direction", self.has_direction));
         b.unit("reflected_cosine", "b = r.L, clamped to [0, 1]", inputs, |b, (r, l, has_direction)| {
             let (off, off_l) = (r.off(), l.off().length);
             // The cosine of r's angle with L, but for what r is longer or shorter and L is off.

@@ -18,7 +18,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
     let length = length(&b, Squared { first: &control.start, t: &t, q: &q, spread: &inputs.spread, view: &view }, spec, direct);
     let smallest_q = spec.shortest_normal * spec.shortest_normal;
-    let pixel = Pixel { b: &b, spec, direct, t: &t, q: &q, length: &length, smallest_q, log2_shininess: &inputs.log2_shininess };
+    let pixel = Pixel { b: &b, direct, t: &t, q: &q, length: &length, smallest_q, exponent: &inputs.exponent };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -84,13 +84,12 @@ fn reciprocal_length(b: &Builder, first: &Sig, q: &Sig, formats: &DirectFormats,
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreSpec,
     direct: &'a DirectSpec,
     t: &'a Sig,
     q: &'a Sig,
     length: &'a Length,
     smallest_q: f64,
-    log2_shininess: &'a Sig,
+    exponent: &'a Sig,
 }
 
 impl Pixel<'_> {
@@ -102,8 +101,7 @@ impl Pixel<'_> {
         let j = b.instance(&called("n_dot_l"), || units::direct_cosine(b, &p, &length.reciprocal, formats, length.normal));
         let bits = formats.base.fraction_bits;
         let base = b.instance(&called("base"), || units::directed_base(b, self.base(&p, &j, light), bits));
-        let most_squarings = self.spec.largest_shininess.ilog2();
-        let power = || units::power(b, &base, self.log2_shininess, most_squarings, bits);
+        let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &j, formats.diffuse.fraction_bits)),
             specular: b.instance(&called("power"), power),

@@ -21,8 +21,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Desig
         .as_ref()
         .filter(|_| duff.specular == Highlight::Eq34)
         .map(|view| b.instance("view_cosine", || units::cosine(&b, view, &length, f.cosine.fraction_bits)));
-    let exponent = &inputs.log2_exponent;
-    let pixel = Pixel { forward, spec, duff, length: &length, view: view.as_ref(), view_cosine: view_cosine.as_ref(), exponent };
+    let exponent = &inputs.exponent;
+    let pixel = Pixel { forward, duff, length: &length, view: view.as_ref(), view_cosine: view_cosine.as_ref(), exponent };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -30,7 +30,6 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Desig
 /// What the lights have in common.
 struct Pixel<'a> {
     forward: Forward<'a>,
-    spec: &'a CoreSpec,
     duff: &'a DuffSpec,
     length: &'a Length,
     /// N·V, where the highlight asks for it.
@@ -47,8 +46,7 @@ impl Pixel<'_> {
         let p = self.forward.linear(&called("p"), &light.cosine, f.operand.fraction_bits).named(&called("p"));
         let cosine = b.instance(&called("cosine"), || units::cosine(b, &p, self.length, f.cosine.fraction_bits));
         let base = self.base(&called, light, (&p, &cosine));
-        let most_squarings = self.spec.largest_shininess.ilog2() + self.duff.specular.log2_exponent_factor();
-        let power = || units::power(b, &base, self.exponent, most_squarings, f.base.fraction_bits);
+        let power = || units::raised(b, &base, self.exponent, self.duff.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || units::amount(b, &cosine, f.diffuse.fraction_bits)),
             specular: b.instance(&called("power"), power),

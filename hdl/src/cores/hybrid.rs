@@ -14,7 +14,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<D
     let inputs = hybrid.inputs(spec).map(|port| b.input(port));
     let forward = Forward { b: &b, first: &control.start, steps: spec.longest_span - 1 };
     let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), hybrid.formats.operand.fraction_bits).named("q");
-    let pixel = Pixel { forward, spec, hybrid, log2_shininess: &inputs.log2_shininess };
+    let pixel = Pixel { forward, spec, hybrid, exponent: &inputs.exponent };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light, &q)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -24,7 +24,7 @@ struct Pixel<'a> {
     forward: Forward<'a>,
     spec: &'a CoreSpec,
     hybrid: &'a HybridSpec,
-    log2_shininess: &'a Sig,
+    exponent: &'a Sig,
 }
 
 impl Pixel<'_> {
@@ -39,10 +39,9 @@ impl Pixel<'_> {
             .named(&called("p"));
         let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
         let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
-        let most_squarings = self.spec.largest_shininess.ilog2();
         let ends = (&light.intensity_start, &light.intensity_step);
         let gouraud = || units::gouraud(b, first, ends, formats.diffuse.fraction_bits, steps);
-        let power = || units::power(b, &base, self.log2_shininess, most_squarings, fraction_bits);
+        let power = || units::raised(b, &base, self.exponent, self.hybrid.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), gouraud),
             specular: b.instance(&called("power"), power),

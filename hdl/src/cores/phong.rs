@@ -122,6 +122,7 @@ impl Pixel<'_> {
         let (b, f) = (self.b, &self.phong.formats);
         let called = |unit: &str| format!("light{}_{unit}", at.index);
         let base_bits = f.base.fraction_bits;
+        let gain = || at.light.halfway_gain.clone().unwrap_or_else(|| self.halfway_gain(at));
         let base = match self.phong.highlight {
             Highlight::Reflection => {
                 let l_dot_v = at.light.light_dot_view.clone().unwrap_or_else(|| self.l_dot_v(at));
@@ -129,15 +130,21 @@ impl Pixel<'_> {
                 b.instance(&called("reflected_cosine"), base)
             }
             Highlight::Blinn | Highlight::TrowbridgeReitz => {
-                let gain = at.light.halfway_gain.clone().unwrap_or_else(|| self.halfway_gain(at));
-                let base = || units::halfway_cosine(b, at.n_dot_v, &at.n_dot_l, &gain, base_bits);
+                let base = || units::halfway_cosine(b, at.n_dot_v, &at.n_dot_l, &gain(), base_bits);
                 b.instance(&called("halfway_cosine"), base)
+            }
+            Highlight::TorranceSparrow => {
+                let base = || units::halfway_versine(b, at.n_dot_v, &at.n_dot_l, &gain(), base_bits);
+                b.instance(&called("halfway_versine"), base)
             }
         };
         let shape_bits = f.shape.fraction_bits;
         match self.phong.highlight {
             Highlight::Reflection | Highlight::Blinn => {
                 b.instance(&called("power"), || units::any_power(b, &base, self.shininess, shape_bits))
+            }
+            Highlight::TorranceSparrow => {
+                b.instance(&called("distribution"), || units::gaussian(b, &base, self.shininess, shape_bits))
             }
             Highlight::TrowbridgeReitz => {
                 let distribution = || units::trowbridge_reitz(b, &base, self.shininess, base_bits, shape_bits);

@@ -21,7 +21,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, reflection: &ReflectionSpec) -> 
     let to = QuotientFormat { integer_bits: 2, fraction_bits: f.reciprocal.fraction_bits };
     let reciprocal = b.instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to, SMALLEST_SQUARE)).named("w");
     let has_direction = b.integer(0).less_than(&q).named("has_direction");
-    let exponent = &inputs.log2_exponent;
+    let exponent = &inputs.exponent;
     let mut pixel = Pixel { forward, spec, reflection, q, reciprocal, has_direction, view: None, normal_squared: None, exponent };
     pixel.view = inputs.view.as_ref().map(|view| pixel.cosine("view", view));
     let normal_squared =
@@ -66,8 +66,7 @@ impl Pixel<'_> {
         let (b, f) = (self.forward.b, &self.reflection.formats);
         let cosine = self.cosine(&format!("light{index}"), &light.cosine);
         let base = self.base(&called, light, &cosine);
-        let most_squarings = self.spec.largest_shininess.ilog2() + self.reflection.specular.log2_exponent_factor();
-        let power = || units::power(b, &base, self.exponent, most_squarings, f.base.fraction_bits);
+        let power = || units::raised(b, &base, self.exponent, self.reflection.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || units::amount(b, &cosine, f.diffuse.fraction_bits)),
             specular: b.instance(&called("power"), power),

@@ -31,8 +31,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
         }
     };
     let bound = BaseBound::new(formats, steps);
-    let log2_shininess = &inputs.log2_shininess;
-    let pixel = Pixel { b: &b, spec, slerp, weights, normal: normal.as_ref(), n_dot_v: &n_dot_v, log2_shininess, bound };
+    let pixel =
+        Pixel { b: &b, spec, slerp, weights, normal: normal.as_ref(), n_dot_v: &n_dot_v, exponent: &inputs.exponent, bound };
     let lights: Vec<Light> = inputs.lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &control, &inputs.ambient, &lights)
 }
@@ -76,7 +76,7 @@ struct Pixel<'a> {
     /// The normal, if that is what turns.
     normal: Option<&'a Vector>,
     n_dot_v: &'a Sig,
-    log2_shininess: &'a Sig,
+    exponent: &'a Sig,
     bound: BaseBound,
 }
 
@@ -86,8 +86,7 @@ impl Pixel<'_> {
         let called = |unit: &str| format!("light{index}_{unit}");
         let n_dot_l = b.instance(&called("n_dot_l"), || self.n_dot_l(light));
         let base = b.instance(&called("base"), || self.base(&n_dot_l, light));
-        let most_squarings = self.spec.largest_shininess.ilog2();
-        let power = || units::power(b, &base, self.log2_shininess, most_squarings, formats.base.fraction_bits);
+        let power = || units::raised(b, &base, self.exponent, self.slerp.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &n_dot_l, formats.diffuse.fraction_bits)),
             specular: b.instance(&called("power"), power),

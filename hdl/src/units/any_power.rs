@@ -3,8 +3,8 @@
 //! Widths and error are derived in docs/arithmetic/units.md.
 use specula_scene::format::power_of_two;
 
-use super::fixed_log;
 use super::power_error::PowerError;
+use super::{exp2, fixed_log};
 use crate::builder::{Builder, Sig};
 
 /// b^n for a base from 0 to 1 and whole n ≥ 1, to `fraction_bits`: faithful, off by less than one unit of the last place.
@@ -21,11 +21,8 @@ pub fn any_power(b: &Builder, base: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
         let base = positive.choose(&base, &one).named("positive_base");
         let minus_log = minus_log2(b, &base, fraction_bits + exponent_bits + 3);
         let y = (&n * minus_log).rounded(fraction_bits + 6).named("y");
-        let vanishes = y.at_least(&b.integer(i64::from(fraction_bits) + 2)).or(&positive.not()).named("vanishes");
-        let beyond = f64::from(fraction_bits + 2) - power_of_two(-i64::from(fraction_bits + 6));
-        let y = vanishes.choose(&zero, &y).assumed(0.0, beyond, "y < f + 2").named("kept_y");
-        let power = two_to_minus(b, &y, fraction_bits);
-        error.state(vanishes.choose(&zero, &power)).named("f")
+        let vanishes = exp2::vanishes(b, &y, fraction_bits).or(&positive.not()).named("vanishes");
+        error.state(exp2::two_to_minus(b, &y, &vanishes, fraction_bits)).named("f")
     })
 }
 
@@ -88,39 +85,4 @@ fn normalised(b: &Builder, base: &Sig) -> (Sig, Sig) {
         }
         (m, e)
     })
-}
-
-/// 2^-y for 0 ≤ y < `fraction_bits` + 2, rounded to `fraction_bits`.
-///
-/// y = Y + h/64 + δ: a shift, a table's entry, and 1 - d + d²/2 with d = δ ln 2 < 0.0109, whose cube is lost.
-fn two_to_minus(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
-    b.unit("two_to_minus", "f = 2^-y = 2^-Y 2^(-h/64) (1 - d + d^2/2)", (("y", y),), |b, (y,)| {
-        let bits = fraction_bits + 6;
-        let ulp = power_of_two(-i64::from(bits));
-        let whole = y.truncated(0).named("whole");
-        let upper = y.truncated(6);
-        let h = (&upper - &whole).times_power_of_two(6).assumed(0.0, 63.0, "h < 64").named("h");
-        let delta = (&y - &upper).assumed(0.0, 1.0 / 64.0 - ulp, "delta < 1/64").named("delta");
-        let ln_2 = b.integer(fixed_log::ln_2(bits)).times_power_of_two(-(bits as i32));
-        let d = (delta * ln_2).rounded(bits).named("d");
-        let p = (&d - d.squared().halved()).rounded(bits).named("p");
-        let entries = (0..64).map(|h| fixed_log::two_to_minus(h, bits)).collect();
-        let entry = h.looked_up(entries, bits, 0.5).named("entry");
-        let fraction = (entry * (b.integer(1) - p)).rounded(bits).assumed(0.0, 1.0, "2^-x <= 1").named("fraction");
-        shifted_right(b, &fraction, &whole).rounded(fraction_bits).named("power")
-    })
-}
-
-/// x 2^-Y, exactly.
-fn shifted_right(b: &Builder, x: &Sig, by: &Sig) -> Sig {
-    let most = by.range().high;
-    let (mut x, mut by) = (x.clone(), by.clone());
-    for bit in (0..i64::BITS - most.leading_zeros()).rev() {
-        let shift = 1i64 << bit;
-        let shifts = by.at_least(&b.integer(shift)).named("shifts_right");
-        x = shifts.choose(&x.times_power_of_two(-(shift as i32)), &x).named("shifted");
-        let rest = shifts.choose(&(&by - b.integer(shift)), &by);
-        by = rest.assumed(0.0, (shift - 1) as f64, "Y < 2 s").named("rest");
-    }
-    x
 }

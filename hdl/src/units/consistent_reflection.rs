@@ -1,4 +1,5 @@
 //! Reflections that never point into the surface.
+use specula_scene::Format;
 use specula_scene::spec::consistent::ConsistentFormats;
 
 use super::divider::divider;
@@ -109,33 +110,33 @@ fn of_sine_ratio(operands: f64, e_w: f64, formats: &ConsistentFormats, known: Co
     error + 0.5 * formats.sine_ratio.ulp()
 }
 
-/// N_c·L = |L + r|/2 with r the reflection of L, and 0 for a light below the horizon or a normal without direction.
+/// N_c·I = |I + r|/2 with r the reflection of I, and 0 for an I below the horizon or a normal without direction.
 /// [Reshetov, Soupikov and Mark; METHODS D]
 ///
 /// # Error
 /// The length of a vector is off by no more than the vector. At the horizon (N_c·L)² ≤ (g + b)/2, so that where rounding decides
-/// which side of it L is on, √((e_g + e_b)/2) at most is lost; what g + b is off by is no more than twice q's error and twice b's.
-pub fn consistent_diffuse(
+/// which side of it I is on, √((e_g + e_b)/2) at most is lost; what g + b is off by is no more than twice q's error and twice b's.
+pub fn consistent_cosine(
     b: &Builder,
     mirror: (&Vector, &Sig, &Sig),
-    light: &Vector,
-    formats: &ConsistentFormats,
+    incoming: &Vector,
+    (formats, to): (&ConsistentFormats, Format),
     least_q: f64,
 ) -> Sig {
     let (n, q, has_direction) = mirror;
-    let inputs = (("n", n), ("q", q), ("has_direction", has_direction), ("l", light));
-    b.unit("consistent_diffuse", "I = |L + r|/2 [Reshetov et al.]", inputs, |b, (n, q, has_direction, l)| {
-        let e_b = (n.off().length + l.off().length) * 2.0 + formats.cosine.ulp();
+    let inputs = (("n", n), ("q", q), ("has_direction", has_direction), ("incoming", incoming));
+    b.unit("consistent_cosine", "c = |I + r|/2 [Reshetov et al.]", inputs, |b, (n, q, has_direction, incoming)| {
+        let e_b = (n.off().length + incoming.off().length) * 2.0 + formats.cosine.ulp();
         let horizon = 2.0 * q.error_value() + 2.0 * e_b + formats.cosine.ulp();
         // Above the horizon 1 + b > 2q/(1 + q) ≥ q.
         let known = Consistency { least_q, least_divisor: (least_q - horizon).max(0.0) };
-        let (r, above_horizon) = consistent_reflection(b, &n, &l, &q, formats, known);
-        let sum = &l + &r;
+        let (r, above_horizon) = consistent_reflection(b, &n, &incoming, &q, formats, known);
+        let sum = &incoming + &r;
         let gate = if has_direction.error() > 0.0 { 1.0 } else { (horizon / 2.0).sqrt() };
-        let error = 0.5 * (l.off().length + r.off().length) + 0.5 * formats.diffuse.ulp() + gate;
+        let error = 0.5 * (incoming.off().length + r.off().length) + 0.5 * to.ulp() + gate;
         let quarter = sum.length_squared().times_power_of_two(-2).clamped_above(1).named("quarter");
-        let root = square_root(b, &quarter, formats.diffuse.fraction_bits);
+        let root = square_root(b, &quarter, to.fraction_bits);
         let lit = above_horizon.and(&has_direction).choose(&root, &b.integer(0)).clamped_above(1);
-        lit.stated_error_value(error.min(1.0)).named("intensity")
+        lit.stated_error_value(error.min(1.0)).named("cosine")
     })
 }

@@ -9,7 +9,9 @@ mod difference;
 mod diffuse;
 mod direct;
 mod divider;
+mod exp2;
 mod fixed_log;
+mod gaussian;
 mod interpolate;
 mod linear;
 mod newton_root;
@@ -18,6 +20,7 @@ mod normalise_exactly;
 mod power;
 mod power_error;
 mod quadratic;
+mod raised;
 mod reciprocal_square_root;
 mod rotation;
 mod shape;
@@ -29,7 +32,7 @@ mod wrapped;
 
 pub use any_power::any_power;
 pub use colour::{Coefficients, Light, channels};
-pub use consistent_reflection::{Consistency, consistent_diffuse, consistent_reflection};
+pub use consistent_reflection::{Consistency, consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
 pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};
@@ -38,6 +41,7 @@ pub use direct::{
     DirectedBase, Product, UnitNormal, direct_cosine, direct_scalar, directed_base, over_square, parameter, squared_length,
 };
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
+pub use gaussian::{gaussian, kept_versine};
 pub use interpolate::{Interpolation, SpanNormals, along, chord, interpolate, weight};
 pub use linear::{Steps, linear};
 pub use newton_root::{NewtonRoot, newton_root};
@@ -45,13 +49,16 @@ pub use normalise::{has_direction, normalise};
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
+pub use raised::raised;
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 pub use rotation::{Turn, rotation, scaled_rotation};
 pub use shape::{root_shape, shape};
 pub use square_root::square_root;
 pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
 pub use turned_normal::{Weighing, turned_normal};
-pub use unit_vectors::{cosine_between, halfway_cosine, halfway_gain, reflected_cosine, spot_cosine, trowbridge_reitz};
+pub use unit_vectors::{
+    cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine, trowbridge_reitz,
+};
 pub use wrapped::{Follow, followed, wrapped};
 
 /// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few

@@ -2,6 +2,7 @@
 use specula_scene::format::power_of_two;
 
 use super::divider::divider;
+use super::gaussian::kept_versine;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 use crate::builder::{Builder, Sig, Vector};
 use crate::design::ErrorForm;
@@ -55,6 +56,15 @@ pub fn halfway_cosine(b: &Builder, n_dot_v: &Sig, n_dot_l: &Sig, gain: &Sig, fra
     let inputs = (("n_dot_v", n_dot_v), ("n_dot_l", n_dot_l), ("gain", gain));
     b.unit("halfway_cosine", "H*.N = (N.L + N.V)/|L + V|", inputs, |_, (n_dot_v, n_dot_l, gain)| {
         from_0_to_1(&((n_dot_l + n_dot_v) * gain), fraction_bits)
+    })
+}
+
+/// 1 - H*·N, kept within 0 to 15/8; `gain` is 1/|L + V|. [METHODS B6; Lyon, TR 43, appendix, formulation 11]
+pub fn halfway_versine(b: &Builder, n_dot_v: &Sig, n_dot_l: &Sig, gain: &Sig, fraction_bits: u32) -> Sig {
+    let inputs = (("n_dot_v", n_dot_v), ("n_dot_l", n_dot_l), ("gain", gain));
+    b.unit("halfway_versine", "d = 1 - (N.L + N.V)/|L + V|", inputs, |b, (n_dot_v, n_dot_l, gain)| {
+        let versine = b.integer(1) - (n_dot_l + n_dot_v) * gain;
+        kept_versine(&versine.rounded(fraction_bits)).named("base")
     })
 }
 

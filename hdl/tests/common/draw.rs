@@ -65,6 +65,7 @@ pub fn frame(draw: &mut Draw, method: Method, longest: u32) -> Frame {
     let places = matches!(method, Method::Phong | Method::Gouraud);
     let local = if places { draw.between(0, lights) } else { 0 };
     let viewer = if places { draw.between(0, 1) } else { 0 };
+    let even = draw.one_of(&[true, false]);
     let triangles: Vec<Triangle> = (0..TRIANGLES).map(|material| triangle(draw, material)).collect();
     Frame {
         width: longest,
@@ -74,7 +75,7 @@ pub fn frame(draw: &mut Draw, method: Method, longest: u32) -> Frame {
         lights: (local..lights).map(|_| DirectionalLight { direction: draw.direction(), colour: colour(draw, 2.0) }).collect(),
         local_lights: (0..local).map(|_| local_light(draw, &triangles)).collect(),
         eye: (0..viewer).map(|_| place_about(draw, &triangles)).next(),
-        materials: (0..TRIANGLES).map(|_| material(draw, method)).collect(),
+        materials: (0..TRIANGLES).map(|_| material(draw, even)).collect(),
         triangles,
         spans: lengths.into_iter().enumerate().map(|(row, length)| span(draw, row, length)).collect(),
     }
@@ -98,12 +99,10 @@ fn colour(draw: &mut Draw, brightest: f64) -> [f64; 3] {
     std::array::from_fn(|_| brightest * draw.unit())
 }
 
-fn material(draw: &mut Draw, method: Method) -> Material {
+/// The exponent is a power of two where it is to be `even`.
+fn material(draw: &mut Draw, even: bool) -> Material {
     let log2 = draw.between(0, 12);
-    let shininess = match method {
-        Method::Hybrid | Method::Duff | Method::Reflection | Method::Consistent | Method::Slerp | Method::Direct => 1 << log2,
-        _ => draw.between(1, 8191).min(2 << log2),
-    };
+    let shininess = if even { 1 << log2 } else { draw.between(1, 8191).min(2 << log2) };
     Material { ambient: colour(draw, 1.0), diffuse: colour(draw, 1.0), specular: colour(draw, 1.0), shininess: shininess.min(8191) }
 }
 

@@ -8,6 +8,7 @@ mod cosine;
 mod difference;
 mod diffuse;
 mod divider;
+mod gaussian;
 mod newton_root;
 mod normalise;
 mod normalise_exactly;

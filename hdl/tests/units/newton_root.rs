@@ -25,6 +25,7 @@ fn formats(reach: u32, length: u32) -> DirectFormats {
         cosine: rest,
         diffuse: rest,
         base: rest,
+        shape: rest,
     }
 }
 

@@ -9,7 +9,7 @@ fn powers(base_bits: u32, most_squarings: u32) {
     let bench = Bench::new();
     let base = bench.input("base", Format::unsigned(1, base_bits), (0, one));
     let j = bench.input("j", Format::unsigned(4, 0), (0, most_squarings.into()));
-    let f = units::power(&bench.b, &base, &j, most_squarings, base_bits);
+    let f = units::power(&bench.b, &base, &j, base_bits);
     assert_eq!((f.fraction_bits(), f.range().high), (base_bits, one));
     let design = bench.finish(&[("f", f)]);
 
@@ -35,7 +35,7 @@ fn no_squarings_are_wires() {
     let bench = Bench::new();
     let base = bench.input("base", Format::unsigned(1, 4), (0, 16));
     let j = bench.input("j", Format::unsigned(4, 0), (0, 0));
-    let f = units::power(&bench.b, &base, &j, 0, 4);
+    let f = units::power(&bench.b, &base, &j, 4);
     let design = bench.finish(&[("f", f)]);
     assert_eq!(design.latency(), 0);
     let rows: Vec<Vec<i64>> = (0..=16).map(|b| vec![b, 0]).collect();

@@ -22,6 +22,7 @@ fn formats(turn: u32, state: u32) -> SlerpFormats {
         cosine: rest,
         diffuse: rest,
         base: rest,
+        shape: rest,
     }
 }
 

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use specula_kernels::{Lane, Level};
 
 /// Most lanes of a column: several vectors and an odd tail.
-const LONGEST: usize = 70;
+pub const LONGEST: usize = 70;
 /// Most lanes before the first that a kernel reads.
 const FURTHEST: usize = 5;
 

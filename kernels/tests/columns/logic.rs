@@ -1,6 +1,6 @@
 //! Comparisons, bits and choices.
 use proptest::prelude::*;
-use specula_kernels::{Bits, Lane, bits, choose, less_than};
+use specula_kernels::{Bits, Extreme, Lane, Wrap, bits, choose, extreme, less_than};
 
 use crate::lanes::{Shape, column, in_lanes, levels, numbers, shape, unfilled};
 
@@ -42,6 +42,22 @@ fn chosen<L: Lane>(shape: Shape, condition: &[i64], yes: &[i64], no: &[i64]) {
     }
 }
 
+fn limited(shape: Shape, a: &[i64], b: &[i64]) {
+    let (x, y) = (in_lanes::<i32>(a), in_lanes::<i32>(b));
+    for which in [Extreme::Min, Extreme::Max] {
+        let meaning = |(&a, &b): (&i64, &i64)| if which == Extreme::Min { a.min(b) } else { a.max(b) };
+        let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(meaning).collect();
+        let low_bits: Vec<i64> = expected.iter().map(|value| value & 0x7FFF).collect();
+        for level in levels() {
+            for (wrap, expected) in [(Wrap::None, &expected), (Wrap::Unsigned(15), &low_bits)] {
+                let mut out = unfilled::<i32>(shape.lanes);
+                extreme(which, wrap, level).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
+                assert_eq!(numbers(&out), *expected, "{which:?} {wrap:?} {}", level.name());
+            }
+        }
+    }
+}
+
 /// Columns that are equal in many lanes, so that comparisons see equal values.
 fn alike(bits: u32) -> impl Strategy<Value = (Vec<i64>, Vec<i64>)> {
     (column(bits), column(bits), any::<bool>()).prop_map(|(a, b, same)| if same { (a.clone(), a) } else { (a, b) })
@@ -52,6 +68,11 @@ proptest! {
     fn less(shape in shape(), (a, b) in alike(32), (c, d) in alike(64)) {
         compared::<i32>(shape, &a, &b);
         compared::<i64>(shape, &c, &d);
+    }
+
+    #[test]
+    fn extremes(shape in shape(), (a, b) in alike(32)) {
+        limited(shape, &a, &b);
     }
 
     #[test]

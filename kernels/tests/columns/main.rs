@@ -4,4 +4,5 @@
 mod arithmetic;
 mod lanes;
 mod logic;
+mod products;
 mod serial;

@@ -123,15 +123,9 @@ pub(super) fn root_reach(needs: &Needs, operand: u32) -> u32 {
     ((-shortest.log2()).ceil() as u32 + 1).min(operand / 2).min(LARGEST_ROOT_REACH)
 }
 
-/// Whether every exponent is one that squaring alone reaches.
-///
-/// # Errors
-/// [`SpecError::UnevenShininess`] in the name of `method` if one is not.
-pub(super) fn powers_of_two_only(needs: &Needs, method: &'static str) -> Result<(), SpecError> {
-    needs.uneven_shininess.map_or(Ok(()), |shininess| {
-        let above = shininess.next_power_of_two();
-        Err(SpecError::UnevenShininess { method, shininess, below: above / 2, above })
-    })
+/// log₂ n of the largest exponent, rounded up: how many bits of its base are lost in the power.
+pub(super) fn exponent_bits(needs: &Needs) -> u32 {
+    needs.largest_shininess.max(1).next_power_of_two().ilog2()
 }
 
 /// The default with the user's keys in place of its own.

@@ -15,7 +15,12 @@ pub enum SpecError {
     },
     /// The power by squaring takes powers of two only.
     #[error("the method `{method}` raises to n = 2^j by squaring, and a material has shininess {shininess}")]
-    #[diagnostic(code(specula::spec::shininess), help("use {below} or {above}, or `--method lyon`, which takes every n"))]
+    #[diagnostic(
+        code(specula::spec::shininess),
+        help(
+            "leave `power` out of [core.{method}], or set it to \"tables\", which take any n; else use shininess {below} or {above}"
+        )
+    )]
     UnevenShininess {
         /// The method's name.
         method: &'static str,
@@ -93,6 +98,6 @@ pub enum SpecError {
 impl SpecError {
     /// Whether the fault lies in what a `[core]` table says, rather than in the scene.
     pub(crate) fn is_about_options(&self) -> bool {
-        !matches!(self, SpecError::UnevenShininess { .. } | SpecError::Local { .. })
+        !matches!(self, SpecError::Local { .. })
     }
 }

@@ -9,7 +9,7 @@ pub(super) const LARGEST_ROOT_REACH: u32 = MOST_FRACTION_BITS / 2;
 /// The fewest fraction bits at any narrowing point.
 pub(super) const FEWEST_FRACTION_BITS: u32 = 4;
 /// The most fraction bits of an accumulator: with sign and three integer bits, 60 bits wide.
-const MOST_ACCUMULATOR_FRACTION_BITS: u32 = 56;
+pub(super) const MOST_ACCUMULATOR_FRACTION_BITS: u32 = 56;
 
 /// `U1`, of whatever fraction bits: 0 to 1 and a little more.
 pub(super) const UNIT: Format = Format::unsigned(1, 0);

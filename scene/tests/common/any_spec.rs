@@ -8,7 +8,11 @@ pub fn any_spec(needs: &Needs, method: Method, mut between: impl FnMut(u32, u32)
         let value = choice.values[between(0, choice.values.len() as u32 - 1) as usize];
         format!("{} = {value}", choice.key)
     };
-    let options: Vec<String> = method.choices().iter().map(&mut option).collect();
+    let mut options: Vec<String> = method.choices().iter().map(&mut option).collect();
+    if needs.uneven_shininess.is_some() {
+        // Squaring does not reach every exponent.
+        options.retain(|option| !option.starts_with("power"));
+    }
     // Which narrowing points there are depends on the options.
     let chosen =
         CoreSpec::for_scene(needs, Some(&table(method, &options, &[])), Some(method)).expect("choices are those there are");

@@ -1,8 +1,9 @@
 //! Where values come from: registers and ports become delays of the column they copy.
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use specula_hdl::Design;
 use specula_hdl::design::{Node, NodeId, Op, Register, WideRange};
+use specula_kernels::{Extreme, Second};
 
 /// A signal's value at clock c is `root`'s unregistered value at clock c - `delay`, and 0 before that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,6 +12,13 @@ pub struct Source {
     pub root: NodeId,
     /// Registers between.
     pub delay: u32,
+}
+
+impl Source {
+    /// The same, some clocks later.
+    pub fn later(self, clocks: u32) -> Source {
+        Source { delay: self.delay + clocks, ..self }
+    }
 }
 
 /// Feedback that has a kernel of its own.
@@ -36,12 +44,67 @@ pub enum Recurrence {
     },
 }
 
+/// What a fused operator reads: 32-bit lanes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Factor {
+    /// A signal.
+    Variable(Source),
+    /// A number.
+    Constant(i32),
+}
+
+impl Factor {
+    /// The same, some clocks later.
+    pub fn later(self, clocks: u32) -> Factor {
+        match self {
+            Factor::Variable(source) => Factor::Variable(source.later(clocks)),
+            constant => constant,
+        }
+    }
+}
+
+/// An operator that others have been fused into.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fused {
+    /// A sum of up to three products of these factors, the second added or subtracted.
+    Products(Vec<[Factor; 2]>, Second),
+    /// The smaller or larger of two.
+    Extreme(Extreme, [Factor; 2]),
+}
+
 /// The flow of values through a design.
 pub struct Flow {
     /// Where each signal's value comes from.
-    pub sources: Vec<Source>,
+    sources: Vec<Source>,
     /// The recurrence that computes a signal, where there is one.
     pub recurrences: Vec<Option<Recurrence>>,
+    /// What has been fused into a signal's operator and takes its place.
+    pub fused: HashMap<NodeId, Fused>,
+}
+
+impl Fused {
+    fn factors(&self) -> &[Factor] {
+        match self {
+            Fused::Products(products, _) => products.as_flattened(),
+            Fused::Extreme(_, factors) => factors,
+        }
+    }
+
+    fn factors_mut(&mut self) -> &mut [Factor] {
+        match self {
+            Fused::Products(products, _) => products.as_flattened_mut(),
+            Fused::Extreme(_, factors) => factors,
+        }
+    }
+
+    /// The signals that it reads.
+    fn sources(&self) -> impl Iterator<Item = Source> {
+        self.factors().iter().filter_map(|factor| if let Factor::Variable(source) = factor { Some(*source) } else { None })
+    }
+
+    fn sources_mut(&mut self) -> impl Iterator<Item = &mut Source> {
+        self.factors_mut().iter_mut().filter_map(|factor| if let Factor::Variable(source) = factor { Some(source) } else { None })
+    }
 }
 
 /// Whether the operand comes later in the design: feedback.
@@ -79,7 +142,15 @@ impl Flow {
             });
             recurrences.push(recurrence(design, id, node));
         }
-        Flow { sources, recurrences }
+        Flow { sources, recurrences, fused: HashMap::new() }
+    }
+
+    /// Has the signals that came from `id` come from `source`, and as many clocks later as before.
+    pub fn redirect(&mut self, id: NodeId, source: Source) {
+        let fused = self.fused.values_mut().flat_map(Fused::sources_mut);
+        for s in self.sources.iter_mut().chain(fused).filter(|s| s.root == id) {
+            *s = source.later(s.delay);
+        }
     }
 
     /// Forgets the recurrences of these signals; says whether there were any.
@@ -96,12 +167,14 @@ impl Flow {
         self.sources[id.0 as usize]
     }
 
-    /// The signals that a root's evaluation reads.
-    pub fn operands(&self, design: &Design, root: NodeId) -> Vec<NodeId> {
-        match self.recurrences[root.0 as usize] {
-            Some(Recurrence::Accumulate { first, start, step, .. }) => vec![first, start, step],
-            Some(Recurrence::Hold { enable, value }) => vec![enable, value],
-            None => design.node(root).op.operands().collect(),
+    /// What a root's evaluation reads.
+    pub fn operands(&self, design: &Design, root: NodeId) -> Vec<Source> {
+        let sources = |ids: &[NodeId]| ids.iter().map(|&id| self.source(id)).collect();
+        match (self.fused.get(&root), self.recurrences[root.0 as usize]) {
+            (Some(fused), _) => fused.sources().collect(),
+            (None, Some(Recurrence::Accumulate { first, start, step, .. })) => sources(&[first, start, step]),
+            (None, Some(Recurrence::Hold { enable, value })) => sources(&[enable, value]),
+            (None, None) => design.node(root).op.operands().map(|id| self.source(id)).collect(),
         }
     }
 }

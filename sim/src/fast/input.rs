@@ -7,7 +7,7 @@ use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 use specula_kernels::Lane;
 
-use super::memory::{Memory, PADDING, Place};
+use super::memory::{Column, Memory, PADDING, Place};
 use crate::Stimulus;
 use crate::stimulus::{Stride, Strides};
 
@@ -17,6 +17,13 @@ struct InputColumn {
     /// Number of the input in a packet.
     index: usize,
     uniform: Option<i64>,
+}
+
+/// A column of an input that is to be filled.
+struct Stale {
+    place: Place,
+    /// Number of the input in a packet.
+    index: usize,
 }
 
 /// A stride that reaches into this batch.
@@ -39,6 +46,8 @@ pub struct InputFeed<'a> {
     segments: Vec<Segment>,
     inputs: Vec<i64>,
     inputs_per_stride: usize,
+    /// For each input, bits in which its values of this batch differ.
+    varying: Vec<i64>,
 }
 
 impl<'a> InputFeed<'a> {
@@ -55,6 +64,7 @@ impl<'a> InputFeed<'a> {
             segments: vec![],
             inputs: vec![],
             inputs_per_stride: design.inputs.len(),
+            varying: vec![0; design.inputs.len()],
         }
     }
 
@@ -62,10 +72,15 @@ impl<'a> InputFeed<'a> {
     pub fn fill(&mut self, memory: &mut Memory, position: i64, lanes: usize) {
         self.collect(position, lanes);
         self.fill_control(memory, lanes);
+        self.find_varying();
         let before = (-position).clamp(0, lanes as i64) as usize;
-        for column in &mut self.columns {
-            column.fill(memory, &self.segments, self.inputs.get(column.index..).unwrap_or(&[]), self.inputs_per_stride, before);
+        let stale = self.stale(before);
+        for column in &stale {
+            memory.fill(column.place, 0, before, 0);
         }
+        let (wide, narrow): (Vec<Stale>, Vec<Stale>) = stale.into_iter().partition(|column| column.place.wide);
+        self.spread(&mut memory.narrow, &narrow);
+        self.spread(&mut memory.wide, &wide);
     }
 
     fn fill_control(&self, memory: &mut Memory, lanes: usize) {
@@ -101,38 +116,53 @@ impl<'a> InputFeed<'a> {
             *begins = relative(stride.clocks.start) >= position;
         }
     }
-}
 
-impl InputColumn {
-    /// `inputs` begins with the first stride's value of this input; the next one's follows `step` further on.
-    fn fill(&mut self, memory: &mut Memory, segments: &[Segment], inputs: &[i64], step: usize, before: usize) {
-        let values = inputs.iter().step_by(step);
-        // What is constant over many spans costs next to nothing: its lanes hold it already.
-        let only = inputs.first().copied().filter(|&first| before == 0 && values.clone().all(|&value| value == first));
-        if only.is_some() && only == self.uniform {
-            return;
-        }
-        memory.fill(self.place, 0, before, 0);
-        if self.place.wide {
-            let column = &mut memory.wide[self.place.index];
-            spread(&mut column.lanes[column.history..], segments, values);
-        } else {
-            let column = &mut memory.narrow[self.place.index];
-            spread(&mut column.lanes[column.history..], segments, values);
-        }
-        self.uniform = only;
+    /// The inputs of each stride; none if there are no inputs.
+    fn rows(&self) -> impl Iterator<Item = &[i64]> {
+        self.inputs.chunks_exact(self.inputs_per_stride.max(1))
     }
-}
 
-/// Writes each segment's value to its lanes, some lanes at a time and beyond its end: the next segment overwrites what is too much, and
-/// behind the batch there is padding.
-fn spread<'v, L: Lane>(lanes: &mut [L], segments: &[Segment], values: impl Iterator<Item = &'v i64>) {
-    for (segment, &value) in segments.iter().zip(values) {
-        let block = [L::from_i64(value); PADDING];
-        let mut lane = segment.lanes.start;
-        while lane < segment.lanes.end {
-            lanes[lane..lane + PADDING].copy_from_slice(&block);
-            lane += PADDING;
+    fn find_varying(&mut self) {
+        let mut varying = std::mem::take(&mut self.varying);
+        varying.fill(0);
+        for (row, next) in self.rows().zip(self.rows().skip(1)) {
+            for ((varying, value), next) in varying.iter_mut().zip(row).zip(next) {
+                *varying |= value ^ next;
+            }
+        }
+        self.varying = varying;
+    }
+
+    /// The columns whose lanes do not hold their values yet. What is constant over many spans costs next to nothing: it is there already.
+    /// The first `before` lanes are to be 0.
+    fn stale(&mut self, before: usize) -> Vec<Stale> {
+        let InputFeed { columns, inputs, varying, .. } = self;
+        let mut stale = vec![];
+        for InputColumn { place, index, uniform } in columns {
+            let only = inputs.get(*index).copied().filter(|_| before == 0 && varying[*index] == 0);
+            if only.is_none() || only != *uniform {
+                stale.push(Stale { place: *place, index: *index });
+            }
+            *uniform = only;
+        }
+        stale
+    }
+
+    /// Writes each segment's values to its lanes of the columns, some lanes at a time and beyond its end: the next segment overwrites what
+    /// is too much, and behind the batch there is padding.
+    fn spread<L: Lane>(&self, columns: &mut [Column<L>], stale: &[Stale]) {
+        let mut taken: Vec<Column<L>> = stale.iter().map(|stale| std::mem::take(&mut columns[stale.place.index])).collect();
+        for (segment, row) in self.segments.iter().zip(self.rows()) {
+            // A short segment's branches are the same for every column, and so are foreseen for all but the first.
+            for lane in segment.lanes.clone().step_by(PADDING) {
+                for (column, stale) in taken.iter_mut().zip(stale) {
+                    let first = column.history + lane;
+                    column.lanes[first..first + PADDING].copy_from_slice(&[L::from_i64(row[stale.index]); PADDING]);
+                }
+            }
+        }
+        for (column, stale) in taken.into_iter().zip(stale) {
+            columns[stale.place.index] = column;
         }
     }
 }

@@ -3,7 +3,7 @@ use specula_kernels::Lane;
 
 use crate::Lanes;
 
-/// Lanes behind the batch that may be written and are never read.
+/// Lanes behind the batch that may be written and are never read. So many are written at a time.
 pub const PADDING: usize = 8;
 
 /// Where a column is.
@@ -38,8 +38,9 @@ impl<L: Lane> Column<L> {
 
     /// Keeps what the next batch may look back at.
     fn advance(&mut self, clocks: usize) {
-        if self.history > 0 {
-            self.lanes.copy_within(clocks..clocks + self.history, 0);
+        // Most histories are short: copies of a length that the compiler knows need no call.
+        for first in (0..self.history).step_by(PADDING) {
+            self.lanes.copy_within(clocks + first..clocks + first + PADDING, first);
         }
     }
 }
@@ -54,8 +55,9 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// A new column with lanes for `batch` clocks, all 0.
+    /// A new column with lanes for `batch` clocks, all 0, that keeps at least `history` lanes of the batch before.
     pub fn add(&mut self, wide: bool, history: usize, batch: usize) -> Place {
+        let history = history.next_multiple_of(PADDING);
         if wide {
             self.wide.push(Column { history, lanes: vec![0; history + batch + PADDING] });
             Place { wide, index: self.wide.len() - 1 }

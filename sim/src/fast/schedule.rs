@@ -32,7 +32,7 @@ fn is_constant(design: &Design, id: NodeId) -> bool {
 }
 
 fn operand_roots(design: &Design, flow: &Flow, root: NodeId) -> Vec<NodeId> {
-    flow.operands(design, root).into_iter().map(|o| flow.source(o).root).filter(|&r| !is_constant(design, r)).collect()
+    flow.operands(design, root).into_iter().map(|source| source.root).filter(|&r| !is_constant(design, r)).collect()
 }
 
 /// The roots that the watched signals depend on, in id order.
@@ -85,7 +85,7 @@ pub fn groups(design: &Design, flow: &Flow, roots: &[NodeId]) -> Vec<Group> {
 /// The members of a component such that each comes behind those that it reads in the same clock.
 fn in_evaluation_order(design: &Design, flow: &Flow, members: Vec<NodeId>) -> Vec<NodeId> {
     let reads_at_once = |id: NodeId| {
-        let sources = flow.operands(design, id).into_iter().map(|o| flow.source(o));
+        let sources = flow.operands(design, id).into_iter();
         sources.filter(|s| s.delay == 0).map(|s| s.root).filter(|root| members.contains(root)).collect::<Vec<_>>()
     };
     let mut ordered = vec![];
@@ -111,7 +111,7 @@ pub fn skews(design: &Design, flow: &Flow, groups: &[Group]) -> HashMap<NodeId, 
     for group in groups {
         let members = group.members();
         let ahead = |Source { root, delay }: Source| skews.get(&root).map(|&skew: &u64| skew + u64::from(delay));
-        let outside = members.iter().flat_map(|&m| flow.operands(design, m)).map(|o| flow.source(o));
+        let outside = members.iter().flat_map(|&m| flow.operands(design, m));
         let skew = outside.filter(|s| !members.contains(&s.root)).filter_map(ahead).min().unwrap_or(0);
         skews.extend(members.iter().map(|&m| (m, skew)));
     }

@@ -1,5 +1,5 @@
 //! One step of a batch: a kernel with the columns it reads and writes.
-use specula_kernels::{Binary, Ternary};
+use specula_kernels::{Binary, Products, Ternary};
 
 use super::memory::{Memory, Place};
 use super::serial::{Member, Serial};
@@ -13,6 +13,46 @@ pub struct Read {
     pub back: usize,
 }
 
+/// A sum of `N` products.
+#[derive(Clone, Copy)]
+pub enum Sum<const N: usize> {
+    /// 32-bit result.
+    Narrow(Products<i32, N>, [[Read; 2]; N]),
+    /// 64-bit result.
+    Wide(Products<i64, N>, [[Read; 2]; N]),
+}
+
+impl<const N: usize> Sum<N> {
+    fn run(&self, memory: &mut Memory, out: usize, clocks: usize) {
+        match self {
+            Sum::Narrow(kernel, factors) => memory.write_narrow(out, |memory, out| {
+                kernel.run(out.write(0, clocks), factors.map(|pair| pair.map(|read| narrow(memory, read, clocks))));
+            }),
+            Sum::Wide(kernel, factors) => memory.write_wide(out, |memory, out| {
+                kernel.run(out.write(0, clocks), factors.map(|pair| pair.map(|read| narrow(memory, read, clocks))));
+            }),
+        }
+    }
+}
+
+impl From<Sum<1>> for Work {
+    fn from(sum: Sum<1>) -> Work {
+        Work::Product(sum)
+    }
+}
+
+impl From<Sum<2>> for Work {
+    fn from(sum: Sum<2>) -> Work {
+        Work::Products2(sum)
+    }
+}
+
+impl From<Sum<3>> for Work {
+    fn from(sum: Sum<3>) -> Work {
+        Work::Products3(sum)
+    }
+}
+
 /// What a step does.
 #[derive(Clone)]
 pub enum Work {
@@ -24,6 +64,12 @@ pub enum Work {
     Wide(Binary<i64, i64>, Read, Read),
     /// 64-bit operands, 32-bit result.
     Narrowing(Binary<i64, i32>, Read, Read),
+    /// A product of 32-bit operands.
+    Product(Sum<1>),
+    /// Two of them.
+    Products2(Sum<2>),
+    /// Three of them.
+    Products3(Sum<3>),
     /// A multiplexer of 32 bits.
     ChooseNarrow(Ternary<i32>, Read, Read, Read),
     /// A multiplexer of 64 bits.
@@ -62,6 +108,9 @@ impl Step {
             Work::Narrowing(kernel, a, b) => memory.write_narrow(out, |memory, out| {
                 kernel.run(out.write(0, clocks), wide(memory, *a, clocks), wide(memory, *b, clocks));
             }),
+            Work::Product(sum) => sum.run(memory, out, clocks),
+            Work::Products2(sum) => sum.run(memory, out, clocks),
+            Work::Products3(sum) => sum.run(memory, out, clocks),
             Work::ChooseNarrow(kernel, c, a, b) => memory.write_narrow(out, |memory, out| {
                 let (a, b) = (narrow(memory, *a, clocks), narrow(memory, *b, clocks));
                 kernel.run(out.write(0, clocks), narrow(memory, *c, clocks), a, b);

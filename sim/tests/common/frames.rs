@@ -52,7 +52,7 @@ pub fn spec(frame: &Frame, method: Method) -> CoreSpec {
     CoreSpec::for_scene(&Needs::of(frame), None, Some(method)).unwrap()
 }
 
-/// The spec of a method for a frame, with `options` in its table.
+/// A method's spec for a frame, with these lines in the method's table.
 pub fn spec_with(frame: &Frame, method: Method, options: &str) -> CoreSpec {
     let table = format!("[{}]\n{options}", method.name()).parse().unwrap();
     CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(method)).unwrap()

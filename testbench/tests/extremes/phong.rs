@@ -5,6 +5,9 @@ use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Spot};
 
 use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
 
+const HIGHLIGHTS: [Highlight; 4] =
+    [Highlight::Reflection, Highlight::Blinn, Highlight::TorranceSparrow, Highlight::TrowbridgeReitz];
+
 fn with(frame: &Frame, highlight: Highlight) -> CoreSpec {
     let mut core = spec(frame, Method::Phong);
     if let MethodSpec::Phong(phong) = &mut core.method {
@@ -23,11 +26,14 @@ fn wall(light: DVec3, spot: Option<Spot>, eye: Option<DVec3>) -> Frame {
     frame
 }
 
-/// Row 12: for L = -V there is no H*; Blinn's lobe is 0 there, and Trowbridge and Reitz's its floor (1/(1 + n))².
+/// Row 12: for L = -V there is no H*; Blinn's lobe is 0 there, and the distributions what they are at 90 degrees.
 #[test]
 fn opposite_light_and_eye_have_no_halfway_vector() {
     let frame = frame([tilted(80.0), tilted(100.0)], 5, &[-DVec3::Z], mirror(4));
     assert_eq!(codes(&with(&frame, Highlight::Blinn), &frame), [0; 5]);
+    let shallow = crate::common::frame([tilted(80.0), tilted(100.0)], 5, &[-DVec3::Z], mirror(1));
+    // 255 exp(-π²/2) = 1.83
+    assert_eq!(codes(&with(&shallow, Highlight::TorranceSparrow), &shallow), [2; 5]);
     // 255/25 = 10.2
     assert_eq!(codes(&with(&frame, Highlight::TrowbridgeReitz), &frame), [10; 5]);
 }
@@ -37,7 +43,7 @@ fn opposite_light_and_eye_have_no_halfway_vector() {
 fn all_but_opposite_light_and_eye_stay_within_bounds() {
     for degrees in [177.0, 179.0, 179.99, 180.0 - 1e-12] {
         let frame = frame([tilted(85.0), tilted(95.0)], 33, &[tilted(degrees)], mirror(16));
-        for highlight in [Highlight::Blinn, Highlight::TrowbridgeReitz] {
+        for highlight in [Highlight::Blinn, Highlight::TorranceSparrow, Highlight::TrowbridgeReitz] {
             shade(&with(&frame, highlight), &frame);
         }
     }
@@ -89,7 +95,7 @@ fn spots_end_where_they_should() {
 fn every_exponent_is_near_a_code() {
     for (n, most) in [(1, 1.25), (3, 1.25), (100, 1.25), (8190, 1.75), (8191, 1.75)] {
         let frame = frame([tilted(-3.0), tilted(5.0)], 257, &[tilted(2.0)], mirror(n));
-        for highlight in [Highlight::Reflection, Highlight::Blinn, Highlight::TrowbridgeReitz] {
+        for highlight in HIGHLIGHTS {
             let quantisation = shade(&with(&frame, highlight), &frame).comparison.errors.quantisation.max_lsb;
             assert!(quantisation <= most, "n = {n}, {highlight:?}: {quantisation} LSB");
         }

@@ -40,7 +40,6 @@ struct MethodFacts {
 struct SceneFacts {
     most_lights: usize,
     largest_shininess: u32,
-    shininess_is_power_of_two: bool,
     lights_and_eye_at_infinity: bool,
 }
 
@@ -83,15 +82,12 @@ fn facts(method: Method, scene: &LoadedScene, needs: &Needs) -> Result<MethodFac
     })
 }
 
-/// What the method refuses of scenes that differ from one it serves in one thing.
+/// What the method takes, and whether it refuses a scene that differs from one it serves in the eye.
 fn scene_facts(method: Method, needs: &Needs) -> SceneFacts {
-    let refusal = |needs: Needs| CoreSpec::for_scene(&needs, None, Some(method)).err();
-    let uneven = refusal(Needs { uneven_shininess: Some(3), ..needs.clone() });
-    let local = refusal(Needs { local_eye: true, ..needs.clone() });
+    let local = CoreSpec::for_scene(&Needs { local_eye: true, ..needs.clone() }, None, Some(method)).err();
     SceneFacts {
         most_lights: MOST_LIGHTS,
         largest_shininess: LARGEST_SHININESS,
-        shininess_is_power_of_two: matches!(uneven, Some(SpecError::UnevenShininess { .. })),
         lights_and_eye_at_infinity: matches!(local, Some(SpecError::Local { .. })),
     }
 }

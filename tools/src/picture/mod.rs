@@ -3,7 +3,7 @@ mod canvas;
 mod heat_map;
 mod scale;
 
-pub use canvas::Canvas;
+pub use canvas::{CHARACTER, Canvas};
 pub use heat_map::heat_map;
 
 use std::fs::File;

@@ -1,6 +1,7 @@
 //! The program as its users see it: what it prints, what it writes, and how it ends.
 mod bench;
 mod errors;
+mod figure9;
 mod generate;
 mod help;
 mod methods;

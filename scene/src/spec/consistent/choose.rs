@@ -1,11 +1,12 @@
 //! Options and formats of `consistent`: defaults for a scene, and what may be asked for.
-use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse, LARGEST_GAIN_BITS};
+use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse, Highlight, LARGEST_GAIN_BITS};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
-use crate::spec::choose::span_bits;
+use crate::spec::choose::{exponent_bits, span_bits};
 use crate::spec::describe::Describe;
 use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::spec::power::Power;
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 
@@ -20,13 +21,15 @@ impl ConsistentSpec {
     pub const CHOICES: &'static [Choice] = &[
         Choice { key: "curve", values: &["\"rational\"", "\"trigonometric\""] },
         Choice { key: "diffuse", values: &["\"lambert\"", "\"consistent\""] },
+        Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\""] },
+        Power::CHOICE,
     ];
 
     /// NUMERICS.md "Recommended formats" and 3e: 14 bits, 2 more for wide angles, and as many more as the power n multiplies what
     /// rounding adds to the length of r. ρ² has twice the bits of ρ where α comes near a quarter turn, where its root is steep, and
     /// else as many more as ρ ≥ q asks for.
     pub fn for_needs(needs: &Needs) -> ConsistentSpec {
-        let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
+        let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs));
         let curve = Curve::Rational;
         let widest = curve.quarter_turns(needs.least_cone_cosine);
         let steep = f64::max(1.0 - widest, 0.0).powi(2) / 2.0;
@@ -38,6 +41,8 @@ impl ConsistentSpec {
         ConsistentSpec {
             curve,
             diffuse: Diffuse::Lambert,
+            highlight: Highlight::Reflection,
+            power: Power::for_needs(needs),
             formats: ConsistentFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2 S + 1 more bits keep the
                 // weight within half an ulp of its own format.
@@ -56,7 +61,8 @@ impl ConsistentSpec {
                 sine_ratio_squared: unit(squared),
                 sine_ratio: unit(fine),
                 diffuse: unit(12),
-                base: unit(10 + j.max(4)),
+                base: unit(11 + j.max(4)),
+                shape: Format::unsigned(1, 12),
             },
         }
     }
@@ -84,11 +90,12 @@ impl Describe for ConsistentSpec {
             sine_ratio,
             diffuse,
             base,
+            shape: _,
         } = &self.formats;
         let (point, accumulated, linear) = (NarrowingPoint::rounded, NarrowingPoint::accumulated, (1, span_bits));
         let (weights, angles) =
             ("step of the interpolation weight, rounded by the host", "start and step of t, rounded up by the host");
-        vec![
+        let points = vec![
             accumulated("weight_accumulator", weight_accumulator, UNIT, linear, weights),
             point("weight", weight, UNIT, "interpolation weight a").no_finer_than(weight_accumulator),
             point("vector", vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0), of n = N'/|N'| and of r"),
@@ -102,8 +109,9 @@ impl Describe for ConsistentSpec {
             point("sine_ratio_squared", sine_ratio_squared, UNIT, "rho^2 = q (1 + g)/(1 + b)").up_to(MOST_SQUARED_FRACTION_BITS),
             point("sine_ratio", sine_ratio, UNIT, "rho"),
             point("diffuse", diffuse, UNIT, "n.L or |L + r|/2, clamped to 0..1"),
-            point("base", base, UNIT, "r.L, clamped to 0..1, and each square of it"),
-        ]
+            point("base", base, UNIT, "r.L or N_c.H, clamped to 0..1, and each square of it where power = squaring"),
+        ];
+        points.into_iter().chain(self.power_unit().narrowing_point()).collect()
     }
 
     fn options(&self) -> Vec<(&'static str, String)> {
@@ -115,14 +123,16 @@ impl Describe for ConsistentSpec {
             Diffuse::Lambert => "n.L",
             Diffuse::Consistent => "N_c.L, N_c half-way between L and its consistent reflection",
         };
-        vec![("curve", curve.to_owned()), ("diffuse", diffuse.to_owned())]
+        let base = match self.highlight {
+            Highlight::Reflection => "r.L",
+            Highlight::Blinn => "N_c.H with H = (L + V)/|L + V|, to the power 4n",
+        };
+        let options = [("curve", curve), ("diffuse", diffuse), ("base of the highlight", base)];
+        options.map(|(name, value)| (name, value.to_owned())).into_iter().chain([self.power.option()]).collect()
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        needs.uneven_shininess.map_or(Ok(()), |shininess| {
-            let above = shininess.next_power_of_two();
-            Err(SpecError::UnevenShininess { method: "consistent", shininess, below: above / 2, above })
-        })
+        self.power.check_serves(needs, "consistent")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -1,6 +1,5 @@
 //! The inputs of a `consistent` core.
-use super::ConsistentSpec;
-use crate::format::Format;
+use super::{ConsistentSpec, Highlight};
 use crate::spec::inputs::inputs;
 use crate::spec::{CoreSpec, InputPort};
 
@@ -20,8 +19,8 @@ inputs! {
         angle_start: one,
         /// What t grows by with each pixel; next to 0 in a span of one pixel.
         angle_step: one,
-        /// j, with n = 2^j.
-        log2_shininess: one,
+        /// n, or its logarithm.
+        exponent: one,
         /// Ambient light sent back, in LSBs.
         ambient: vector,
         /// What belongs to each light.
@@ -34,6 +33,8 @@ inputs! {
     ConsistentLight {
         /// L.
         direction: vector,
+        /// H = (L + V)/|L + V|; there with Blinn's highlight only.
+        halfway: vector_if_any,
         /// Diffuse coefficient, in LSBs.
         diffuse: vector,
         /// Specular coefficient, in LSBs.
@@ -45,14 +46,13 @@ impl ConsistentSpec {
     /// The ports of a core with this method.
     pub fn inputs(&self, core: &CoreSpec) -> ConsistentInputs<InputPort> {
         let f = &self.formats;
-        let exponent = Format::unsigned(4, 0);
         let whole = ConsistentInputs {
             normal_start: InputPort::vector("normal_start", f.vector, 1.0),
             normal_delta: InputPort::vector("normal_delta", f.vector_sum(), 2.0),
             weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
             angle_start: InputPort::between("angle_start", f.angle_accumulator, 0.0, LARGEST_ANGLE + f.angle_accumulator.ulp()),
             angle_step: InputPort::between("angle_step", f.angle_accumulator, -LARGEST_ANGLE, LARGEST_ANGLE),
-            log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
+            exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
         };
@@ -60,8 +60,10 @@ impl ConsistentSpec {
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> ConsistentLight<InputPort> {
+        let vector = |part: &str| InputPort::vector(&format!("light{index}_{part}"), self.formats.vector, 1.0);
         ConsistentLight {
-            direction: InputPort::vector(&format!("light{index}_direction"), self.formats.vector, 1.0),
+            direction: vector("direction"),
+            halfway: (self.highlight == Highlight::Blinn).then(|| vector("halfway")),
             diffuse: core.colour_ports(&format!("light{index}_diffuse")),
             specular: core.colour_ports(&format!("light{index}_specular")),
         }

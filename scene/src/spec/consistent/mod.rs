@@ -10,6 +10,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
+use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{ConsistentInputs, ConsistentLight};
 
 /// How q depends on α, with t = 2α/π.
@@ -32,6 +33,16 @@ pub enum Diffuse {
     Consistent,
 }
 
+/// Where the base of the highlight comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Highlight {
+    /// r·L, r the consistent reflection of the eye.
+    Reflection,
+    /// N_c·H, N_c half-way between H = (L + V)/|L + V| and its consistent reflection, to the power 4n: Blinn's.
+    Blinn,
+}
+
 /// m: normals shorter than 2^-m = 1/16 of the longer one at the ends of their span are lengthened by 2^m and stay short.
 pub const LARGEST_GAIN_BITS: u32 = 4;
 
@@ -43,6 +54,10 @@ pub struct ConsistentSpec {
     pub curve: Curve,
     /// What is diffusely reflected.
     pub diffuse: Diffuse,
+    /// The base of the highlight.
+    pub highlight: Highlight,
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: ConsistentFormats,
 }
@@ -78,14 +93,23 @@ pub struct ConsistentFormats {
     pub sine_ratio: Format,
     /// Diffuse intensity, clamped to 0..1: `U1.f`.
     pub diffuse: Format,
-    /// r·L, clamped to 0..1, and after each squaring: `U1.f`.
+    /// r·L or N_c·H, clamped to 0..1, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
 }
 
 impl ConsistentFormats {
     /// Format of N1 - N0: the vector's with one more integer bit, since the difference of two vectors is up to twice as long.
     pub fn vector_sum(&self) -> Format {
         Format::signed(self.vector.integer_bits + 1, self.vector.fraction_bits)
+    }
+}
+
+impl Highlight {
+    /// log2 of what the exponent is of n: 4 with Blinn's half-way vector, whose angle to N is half as wide as R's to L, else 1.
+    pub fn log2_exponent_factor(self) -> u32 {
+        if self == Highlight::Blinn { 2 } else { 0 }
     }
 }
 
@@ -102,5 +126,17 @@ impl Curve {
             Curve::Trigonometric => 0.06097 * (1.0 - m),
         };
         libm::acos(m) * std::f64::consts::FRAC_2_PI * (1.0 + excess)
+    }
+}
+
+impl ConsistentSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit {
+            power: self.power,
+            log2_factor: self.highlight.log2_exponent_factor(),
+            base: self.formats.base,
+            shape: self.formats.shape,
+        }
     }
 }

@@ -1,21 +1,44 @@
 //! Set-up of a span for `consistent`.
-use super::{ConsistentInputs, ConsistentLight, ConsistentSpec};
+use glam::DVec3;
+
+use super::{ConsistentInputs, ConsistentLight, ConsistentSpec, Highlight};
 use crate::format::Format;
-use crate::frame::{Frame, Span};
+use crate::frame::{DirectionalLight, Frame, Span, halfway};
 use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
 
 /// Sets up the spans of a frame.
 pub(super) struct ConsistentSetUp<'a> {
     consistent: &'a ConsistentSpec,
     frame: &'a Frame,
-    /// Directions of the lights.
-    directions: Vec<[i64; 3]>,
+    lights: Vec<Vectors>,
+}
+
+/// What is the same of a light in every span.
+struct Vectors {
+    /// L.
+    direction: [i64; 3],
+    /// H, where the highlight asks for it.
+    halfway: Option<[i64; 3]>,
+    /// Whether there is what the highlight asks for: not where L = -V and Blinn's asks for H (EXTREMES row 12).
+    has_highlight: bool,
+}
+
+impl Vectors {
+    fn new(consistent: &ConsistentSpec, light: &DirectionalLight) -> Vectors {
+        let (vector, h) = (consistent.formats.vector, halfway(light.direction));
+        let asked = consistent.highlight == Highlight::Blinn;
+        Vectors {
+            direction: vector.quantise_vector(light.direction),
+            halfway: asked.then(|| vector.quantise_vector(h)),
+            has_highlight: !asked || h != DVec3::ZERO,
+        }
+    }
 }
 
 impl<'a> ConsistentSetUp<'a> {
     pub fn new(consistent: &'a ConsistentSpec, frame: &'a Frame) -> ConsistentSetUp<'a> {
-        let directions = frame.lights.iter().map(|light| consistent.formats.vector.quantise_vector(light.direction)).collect();
-        ConsistentSetUp { consistent, frame, directions }
+        let lights = frame.lights.iter().map(|light| Vectors::new(consistent, light)).collect();
+        ConsistentSetUp { consistent, frame, lights }
     }
 
     /// t at the first pixel and its step, from the angles at the triangle's vertices.
@@ -27,7 +50,8 @@ impl<'a> ConsistentSetUp<'a> {
     }
 
     fn light(&self, index: usize, &Coefficients { diffuse, specular }: &Coefficients) -> ConsistentLight<i64> {
-        ConsistentLight { direction: self.directions[index], diffuse, specular }
+        let &Vectors { direction, halfway, has_highlight } = &self.lights[index];
+        ConsistentLight { direction, halfway, diffuse, specular: if has_highlight { specular } else { [0; 3] } }
     }
 }
 
@@ -43,7 +67,7 @@ impl SetUpSpan for ConsistentSetUp<'_> {
             weight_step: f.weight_accumulator.quantise(step),
             angle_start,
             angle_step,
-            log2_shininess: i64::from(self.frame.material(span).shininess.ilog2()),
+            exponent: self.consistent.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: material.lights.iter().enumerate().map(|(index, coefficients)| self.light(index, coefficients)).collect(),
         };

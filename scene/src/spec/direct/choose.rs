@@ -3,9 +3,10 @@ use super::{DirectFormats, DirectSpec, Root};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
-use crate::spec::choose::{powers_of_two_only, span_bits, within};
+use crate::spec::choose::{exponent_bits, span_bits, within};
 use crate::spec::describe::Describe;
 use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::spec::power::Power;
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 
@@ -14,19 +15,23 @@ const LARGEST_REACH: u32 = 4;
 
 impl DirectSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] =
-        &[Choice { key: "root", values: &["\"exact\"", "\"newton\""] }, Choice { key: "newton_steps", values: &["1", "2"] }];
+    pub const CHOICES: &'static [Choice] = &[
+        Power::CHOICE,
+        Choice { key: "root", values: &["\"exact\"", "\"newton\""] },
+        Choice { key: "newton_steps", values: &["1", "2"] },
+    ];
 
     /// NUMERICS.md 3b, direct evaluation: 12 + log2 n for what enters the base, whatever the length of the span, and as many more as q can
     /// be small; t turns the normal alone, which shows by √n. Two of Newton's steps serve spans of any length up to 90 degrees (NUMERICS 3c).
     pub fn for_needs(needs: &Needs) -> DirectSpec {
-        let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2().max(4));
+        let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs).max(4));
         let reach = (-needs.shortest_normal.max(0.0625).log2()).ceil() as u32;
         let most = |bits: u32| bits.min(MOST_FRACTION_BITS);
         let weight = 12 + j.div_ceil(2) + reach;
         DirectSpec {
             root: Root::Exact,
             newton_steps: 2,
+            power: Power::for_needs(needs),
             formats: DirectFormats {
                 weight_accumulator: Format::unsigned(1, weight + s + 1),
                 weight: Format::unsigned(1, weight),
@@ -39,6 +44,7 @@ impl DirectSpec {
                 cosine: Format::signed(1, most(12 + j + reach)),
                 diffuse: Format::unsigned(1, 12),
                 base: Format::unsigned(1, 9 + j),
+                shape: Format::unsigned(1, 12),
             },
         }
     }
@@ -63,6 +69,7 @@ impl Describe for DirectSpec {
             cosine,
             diffuse,
             base,
+            shape: _,
         } = &self.formats;
         let point = NarrowingPoint::rounded;
         let accumulated = "step of t, rounded by the host";
@@ -85,8 +92,9 @@ impl Describe for DirectSpec {
             point("reciprocal", reciprocal, reach, "1/sqrt(q)"),
             point("cosine", cosine, SIGNED_UNIT, "N.L and N.V, and both times 1/sqrt(q)"),
             point("diffuse", diffuse, UNIT, "N.L/sqrt(q), clamped to 0..1").no_finer_than(cosine),
-            point("base", base, UNIT, "2 J K - L.V, clamped to 0..1, and each square of it"),
+            point("base", base, UNIT, "2 J K - L.V, clamped to 0..1, and each square of it where power = squaring"),
         ]);
+        points.extend(self.power_unit().narrowing_point());
         points
     }
 
@@ -95,10 +103,11 @@ impl Describe for DirectSpec {
             1 => "1 step".to_owned(),
             steps => format!("{steps} steps"),
         };
-        vec![match self.root {
-            Root::Exact => ("root", "1/sqrt(q), correctly rounded".into()),
-            Root::Newton => ("root", format!("{steps} of Newton's method from the pixel before")),
-        }]
+        let root = match self.root {
+            Root::Exact => "1/sqrt(q), correctly rounded".to_owned(),
+            Root::Newton => format!("{steps} of Newton's method from the pixel before"),
+        };
+        vec![("root", root), self.power.option()]
     }
 
     fn check_options(&self) -> Result<(), SpecError> {
@@ -107,7 +116,7 @@ impl Describe for DirectSpec {
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        powers_of_two_only(needs, "direct")
+        self.power.check_serves(needs, "direct")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

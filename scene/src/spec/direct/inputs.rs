@@ -1,6 +1,5 @@
 //! The inputs of a `direct` core.
 use super::DirectSpec;
-use crate::format::Format;
 use crate::spec::inputs::inputs;
 use crate::spec::{CoreSpec, InputPort};
 
@@ -13,8 +12,8 @@ inputs! {
         spread: one,
         /// N·V.
         view: group(Ends),
-        /// j, with n = 2^j.
-        log2_shininess: one,
+        /// n, or its logarithm.
+        exponent: one,
         /// Ambient light sent back, in LSBs.
         ambient: vector,
         /// What belongs to each light.
@@ -50,12 +49,11 @@ impl DirectSpec {
     /// The ports of a core with this method.
     pub fn inputs(&self, core: &CoreSpec) -> DirectInputs<InputPort> {
         let f = &self.formats;
-        let exponent = Format::unsigned(4, 0);
         let whole = DirectInputs {
             weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
             spread: InputPort::between("spread", f.spread, 0.0, 4.0),
             view: self.ends("view"),
-            log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
+            exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
         };

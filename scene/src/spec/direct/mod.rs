@@ -9,6 +9,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
+use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{DirectInputs, DirectLight, Ends};
 
 /// How √q is found.
@@ -29,6 +30,8 @@ pub struct DirectSpec {
     pub root: Root,
     /// Newton's steps at each pixel, 1 or 2.
     pub newton_steps: u32,
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: DirectFormats,
 }
@@ -59,11 +62,20 @@ pub struct DirectFormats {
     pub diffuse: Format,
     /// The base of the highlight, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
 }
 
 impl DirectFormats {
     /// Format of differences between the ends: the component's with one more integer bit.
     pub fn component_sum(&self) -> Format {
         Format::signed(self.component.integer_bits + 1, self.component.fraction_bits)
+    }
+}
+
+impl DirectSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
     }
 }

@@ -21,7 +21,7 @@ impl SetUpSpan for DirectSetUp<'_> {
             weight_step: f.weight_accumulator.quantise(step),
             spread: f.spread.quantise((normals[1] - normals[0]).length_squared()),
             view: self.ends(normals, EYE),
-            log2_shininess: i64::from(self.frame.material(span).shininess.ilog2()),
+            exponent: self.direct.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: lights.map(|(light, coefficients)| self.light(normals, light, coefficients)).collect(),
         };

@@ -1,6 +1,5 @@
 //! The inputs of a `duff` core.
 use super::{DuffSpec, Highlight};
-use crate::format::Format;
 use crate::spec::inputs::inputs;
 use crate::spec::linear::Linear;
 use crate::spec::quadratic::Quadratic;
@@ -13,8 +12,8 @@ inputs! {
         denominator: group(Quadratic),
         /// N·V; there with eq. 33 and 34 only.
         view: group_if_any(Linear),
-        /// j, where the highlight's exponent is 2^j: n, or 4n with Blinn's half-way vector.
-        log2_exponent: one,
+        /// The highlight's exponent, n or 4n with Blinn's half-way vector, or its logarithm.
+        exponent: one,
         /// Ambient light sent back, in LSBs.
         ambient: vector,
         /// What belongs to each light.
@@ -46,13 +45,11 @@ impl DuffSpec {
     /// With |N| ≤ 1 along the span every linear value lies from -1 to 1, and q from 0 to 1; for numerators see `hybrid`.
     pub fn inputs(&self, core: &CoreSpec) -> DuffInputs<InputPort> {
         let f = &self.formats;
-        let largest_exponent = core.largest_shininess.ilog2() + self.specular.log2_exponent_factor();
-        let exponent = Format::unsigned(4, 0);
         let view = || Linear::ports("view", f.linear_accumulator);
         let whole = DuffInputs {
             denominator: Quadratic::squared_length_ports("denominator", f.accumulator),
             view: self.specular.looks_at_the_eye().then(view),
-            log2_exponent: InputPort::between("log2_exponent", exponent, 0.0, f64::from(largest_exponent)),
+            exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
         };

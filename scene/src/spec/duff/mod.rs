@@ -9,6 +9,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
+use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{DuffInputs, DuffLight};
 
 /// Where the base of the highlight comes from. N is the interpolated normal, s = 1/√(N·N).
@@ -31,6 +32,8 @@ pub enum Highlight {
 pub struct DuffSpec {
     /// The base of the highlight.
     pub specular: Highlight,
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: DuffFormats,
 }
@@ -54,8 +57,10 @@ pub struct DuffFormats {
     pub cosine: Format,
     /// Diffuse intensity: `U1.f`.
     pub diffuse: Format,
-    /// The base of the highlight, and after each squaring: `U1.f`.
+    /// The base of the highlight, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
 }
 
 impl Highlight {
@@ -67,5 +72,17 @@ impl Highlight {
     /// log2 of what the exponent is of n: 4 with Blinn's half-way vector, whose angle to N is half as wide as R's to L, else 1.
     pub fn log2_exponent_factor(self) -> u32 {
         if self == Highlight::Blinn { 2 } else { 0 }
+    }
+}
+
+impl DuffSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit {
+            power: self.power,
+            log2_factor: self.specular.log2_exponent_factor(),
+            base: self.formats.base,
+            shape: self.formats.shape,
+        }
     }
 }

@@ -21,7 +21,7 @@ impl SetUpSpan for DuffSetUp<'_> {
         let inputs = DuffInputs {
             denominator: Quadratic::squared_length(span, m, k).quantised(self.duff.formats.accumulator),
             view: highlight.looks_at_the_eye().then(|| self.linear(span, normal, EYE)),
-            log2_exponent: i64::from(self.frame.material(span).shininess.ilog2() + highlight.log2_exponent_factor()),
+            exponent: self.duff.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: lights.map(|(light, coefficients)| self.light(span, normal, light, coefficients)).collect(),
         };

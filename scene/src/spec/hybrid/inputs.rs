@@ -1,6 +1,5 @@
 //! The inputs of a `hybrid` core.
 use super::HybridSpec;
-use crate::format::Format;
 use crate::spec::inputs::inputs;
 use crate::spec::quadratic::Quadratic;
 use crate::spec::{CoreSpec, InputPort};
@@ -10,8 +9,8 @@ inputs! {
     HybridInputs {
         /// q = N·N.
         denominator: group(Quadratic),
-        /// j, with n = 2^j.
-        log2_shininess: one,
+        /// n, or its logarithm.
+        exponent: one,
         /// Ambient light sent back, in LSBs.
         ambient: vector,
         /// What belongs to each light.
@@ -38,10 +37,9 @@ inputs! {
 impl HybridSpec {
     /// The ports of a core with this method. With |N| ≤ 1 along the span, |p| ≤ q ≤ 1.
     pub fn inputs(&self, core: &CoreSpec) -> HybridInputs<InputPort> {
-        let exponent = Format::unsigned(4, 0);
         let whole = HybridInputs {
             denominator: Quadratic::squared_length_ports("denominator", self.formats.accumulator),
-            log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
+            exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
         };

@@ -9,12 +9,15 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
+use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{HybridInputs, HybridLight};
 
 /// Options of the method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HybridSpec {
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: HybridFormats,
 }
@@ -31,6 +34,15 @@ pub struct HybridFormats {
     pub accumulator: Format,
     /// p and q as they enter the divider: `S1.f`.
     pub operand: Format,
-    /// The base p/q, and after each squaring: `U1.f`.
+    /// The base p/q, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
+}
+
+impl HybridSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
+    }
 }

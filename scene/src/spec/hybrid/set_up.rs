@@ -16,7 +16,7 @@ impl SetUpSpan for HybridSetUp<'_> {
         let [m, k] = self.frame.normal_and_step(span);
         let inputs = HybridInputs {
             denominator: Quadratic::squared_length(span, m, k).quantised(self.hybrid.formats.accumulator),
-            log2_shininess: i64::from(self.frame.material(span).shininess.ilog2()),
+            exponent: self.hybrid.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: lights.map(|(light, coefficients)| self.light(span, light, coefficients)).collect(),
         };

@@ -12,7 +12,7 @@ use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint};
 impl PhongSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] =
-        &[Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\"", "\"trowbridge-reitz\""] }];
+        &[Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\"", "\"torrance-sparrow\"", "\"trowbridge-reitz\""] }];
 
     /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits of it (NUMERICS 3b, "power base bits
     /// alone", has 16 for n = 256 and 21 for 8000), and two more of the cosines and vectors it is made of, whose errors add up; short vectors
@@ -55,7 +55,7 @@ impl Describe for PhongSpec {
             point("length_squared", length_squared, Format::unsigned(2, 0), "squared lengths"),
             point("gain", gain, Format::unsigned(4, 0), "1 over a length, saturated"),
             point("cosine", cosine, SIGNED_UNIT, "n.l, n.v and v.l"),
-            point("base", base, UNIT, "R.L or H*.N, clamped to 0..1").with_at_most(22),
+            point("base", base, UNIT, "R.L or H*.N, clamped to 0..1, or 1 - H*.N").with_at_most(22),
             point("shape", shape, UNIT, "powers, and the share of a spot").with_at_most(16),
         ]
     }
@@ -64,6 +64,7 @@ impl Describe for PhongSpec {
         let highlight = match self.highlight {
             Highlight::Reflection => "(R.L)^n, R.L = 2(N.V)(N.L) - V.L",
             Highlight::Blinn => "(H*.N)^4n, H* = (L + V)/|L + V|",
+            Highlight::TorranceSparrow => "exp(-2n a^2), a the angle between H* and N",
             Highlight::TrowbridgeReitz => "(1/(1 + (1 - (H*.N)^2) n))^2",
         };
         vec![("highlight", highlight.to_owned())]

@@ -17,6 +17,8 @@ pub enum Highlight {
     Reflection,
     /// Blinn's (H*·N)^4n with H* = (L + V)/|L + V| (formulation 5).
     Blinn,
+    /// Torrance and Sparrow's exp(-2n α²), α the angle between H* and N (formulation 11).
+    TorranceSparrow,
     /// Trowbridge and Reitz's (1/(1 + (1 - (H*·N)²) n))² (formulation 12).
     TrowbridgeReitz,
 }
@@ -48,7 +50,7 @@ pub struct PhongFormats {
     pub gain: Format,
     /// N·L, N·V and V·L: `S1.f`.
     pub cosine: Format,
-    /// What is raised to a power: `U1.f`.
+    /// What is raised to a power, or 1 - H*·N: `U1.f`.
     pub base: Format,
     /// Powers, and what they are multiplied to: `U1.f`.
     pub shape: Format,
@@ -65,7 +67,7 @@ impl Highlight {
     /// What the host multiplies the exponent n by: Blinn's lobe in the angle to H* is as wide as Phong's in the angle to R with 4n.
     pub fn exponent_factor(self) -> u32 {
         match self {
-            Highlight::Reflection | Highlight::TrowbridgeReitz => 1,
+            Highlight::Reflection | Highlight::TorranceSparrow | Highlight::TrowbridgeReitz => 1,
             Highlight::Blinn => 4,
         }
     }

@@ -1,6 +1,5 @@
 //! The inputs of a `reflection` core.
 use super::{Highlight, ReflectionSpec};
-use crate::format::Format;
 use crate::spec::inputs::inputs;
 use crate::spec::quadratic::Quadratic;
 use crate::spec::{CoreSpec, InputPort};
@@ -14,8 +13,8 @@ inputs! {
         view: group_if_any(Quadratic),
         /// N·N; there with the hybrid's highlight only.
         normal_squared: group_if_any(Quadratic),
-        /// j, where the highlight's exponent is 2^j: n, or 4n with Blinn's half-way vector.
-        log2_exponent: one,
+        /// The highlight's exponent, n or 4n with Blinn's half-way vector, or its logarithm.
+        exponent: one,
         /// Ambient light sent back, in LSBs.
         ambient: vector,
         /// What belongs to each light.
@@ -45,13 +44,11 @@ impl ReflectionSpec {
     /// The ports of a core with this method. With |H| ≤ 1 and |N| ≤ 1 along the span, squares lie from 0 to 1 and numerators from -1 to 1.
     pub fn inputs(&self, core: &CoreSpec) -> ReflectionInputs<InputPort> {
         let accumulator = self.formats.accumulator;
-        let largest_exponent = core.largest_shininess.ilog2() + self.specular.log2_exponent_factor();
-        let exponent = Format::unsigned(4, 0);
         let whole = ReflectionInputs {
             denominator: Quadratic::squared_length_ports("denominator", accumulator),
             view: self.only_with(Highlight::Eq34, || Quadratic::reflected_ports("view", accumulator)),
             normal_squared: self.only_with(Highlight::Hybrid, || Quadratic::squared_length_ports("normal_squared", accumulator)),
-            log2_exponent: InputPort::between("log2_exponent", exponent, 0.0, f64::from(largest_exponent)),
+            exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
         };

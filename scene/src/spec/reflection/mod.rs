@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 use crate::frame::{Frame, Span};
+use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{ReflectionInputs, ReflectionLight};
 
 /// No longer than this, a sum of two unit vectors has no direction that is worth having (EXTREMES row 9).
@@ -49,6 +50,8 @@ pub struct ReflectionSpec {
     pub bisector: Bisector,
     /// The base of the highlight.
     pub specular: Highlight,
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: ReflectionFormats,
 }
@@ -67,8 +70,10 @@ pub struct ReflectionFormats {
     pub cosine: Format,
     /// Diffuse intensity: `U1.f`.
     pub diffuse: Format,
-    /// The base of the highlight, and after each squaring: `U1.f`.
+    /// The base of the highlight, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
 }
 
 impl Highlight {
@@ -91,6 +96,18 @@ impl Bisector {
                 let sum: DVec3 = frame.triangles[span.triangle].normals.iter().sum();
                 sum.try_normalize().filter(faces_both).or_else(of_ends)
             }
+        }
+    }
+}
+
+impl ReflectionSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit {
+            power: self.power,
+            log2_factor: self.specular.log2_exponent_factor(),
+            base: self.formats.base,
+            shape: self.formats.shape,
         }
     }
 }

@@ -45,7 +45,7 @@ impl SetUpSpan for ReflectionSetUp<'_> {
             denominator: Quadratic::squared_length(span, h.m, h.k).quantised(accumulator),
             view: spec.only_with(Highlight::Eq34, || h.times(EYE).quantised(accumulator)),
             normal_squared: spec.only_with(Highlight::Hybrid, || Quadratic::squared_length(span, m, k).quantised(accumulator)),
-            log2_exponent: i64::from(self.frame.material(span).shininess.ilog2() + spec.specular.log2_exponent_factor()),
+            exponent: spec.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: lights.map(|(light, coefficients)| self.light(&h, [m, k], light, coefficients)).collect(),
         };

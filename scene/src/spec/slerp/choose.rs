@@ -3,9 +3,10 @@ use super::{Basis, Form, SlerpFormats, SlerpSpec};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
-use crate::spec::choose::{powers_of_two_only, span_bits};
+use crate::spec::choose::{exponent_bits, span_bits};
 use crate::spec::describe::Describe;
 use crate::spec::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::spec::power::Power;
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
 
@@ -16,6 +17,7 @@ const MOST_TURN_BITS: u32 = 30;
 impl SlerpSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] = &[
+        Power::CHOICE,
         Choice { key: "form", values: &["\"scalar\"", "\"vector\""] },
         Choice { key: "frame", values: &["\"orthonormal\"", "\"ends\""] },
     ];
@@ -24,12 +26,13 @@ impl SlerpSpec {
     /// log2 S + 9 + j/2 bits (NUMERICS 3d has log2 S + 8 for the diffuse intensity alone), and two more for what turns it. A scalar that is
     /// off by e moves the base by 2e and cos^n by 2 n e: 11 + j bits.
     pub fn for_needs(needs: &Needs) -> SlerpSpec {
-        let (s, j) = (span_bits(needs.longest_span), needs.largest_shininess.max(1).ilog2());
+        let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs));
         let state = (s + 9 + j.max(4).div_ceil(2)).min(MOST_STATE_BITS);
         let scalar = (11 + j.max(4)).min(MOST_FRACTION_BITS);
         SlerpSpec {
             form: Form::Scalar,
             frame: Basis::Orthonormal,
+            power: Power::for_needs(needs),
             formats: SlerpFormats {
                 turn: Format::signed(1, state + 2),
                 state: Format::signed(1, state),
@@ -41,6 +44,7 @@ impl SlerpSpec {
                 cosine: Format::signed(1, scalar),
                 diffuse: Format::unsigned(1, 12),
                 base: Format::unsigned(1, 9 + j.max(4)),
+                shape: Format::unsigned(1, 12),
             },
         }
     }
@@ -53,7 +57,7 @@ impl Describe for SlerpSpec {
 
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
-        let &SlerpFormats { turn, state, scaled_state, weight, vector, component, cosine, diffuse, base } = &self.formats;
+        let &SlerpFormats { turn, state, scaled_state, weight, vector, component, cosine, diffuse, base, shape: _ } = &self.formats;
         let (point, accumulated) = (NarrowingPoint::rounded, NarrowingPoint::accumulated);
         let linear = (1, span_bits);
         let turned = "cosine and sine of the angle from pixel to pixel, rounded by the host";
@@ -79,8 +83,9 @@ impl Describe for SlerpSpec {
             point("component", component, SIGNED_UNIT, scalars),
             point("cosine", cosine, SIGNED_UNIT, cosines),
             point("diffuse", diffuse, UNIT, "J, clamped to 0..1").no_finer_than(cosine),
-            point("base", base, UNIT, "2 J K - L.V, clamped to 0..1, and each square of it"),
+            point("base", base, UNIT, "2 J K - L.V, clamped to 0..1, and each square of it where power = squaring"),
         ]);
+        points.extend(self.power_unit().narrowing_point());
         points
     }
 
@@ -90,11 +95,11 @@ impl Describe for SlerpSpec {
             (Form::Vector, Basis::Orthonormal) => "the normal itself, in an orthonormal frame",
             (Form::Vector, Basis::Ends) => "the normal itself, between the ends; linear below 10 degrees",
         };
-        vec![("what turns", words.to_owned())]
+        vec![("what turns", words.to_owned()), self.power.option()]
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        powers_of_two_only(needs, "slerp")
+        self.power.check_serves(needs, "slerp")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

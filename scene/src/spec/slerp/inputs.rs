@@ -1,6 +1,5 @@
 //! The inputs of a `slerp` core.
 use super::{Form, LARGEST_WEIGHT, SlerpSpec};
-use crate::format::Format;
 use crate::spec::inputs::inputs;
 use crate::spec::{CoreSpec, InputPort};
 
@@ -21,8 +20,8 @@ inputs! {
         view: group_if_any(OnArc),
         /// What a normal is put together from.
         normal: group_if_any(Axes),
-        /// j, with n = 2^j.
-        log2_shininess: one,
+        /// n, or its logarithm.
+        exponent: one,
         /// Ambient light sent back, in LSBs.
         ambient: vector,
         /// What belongs to each light.
@@ -71,7 +70,6 @@ impl SlerpSpec {
     pub fn inputs(&self, core: &CoreSpec) -> SlerpInputs<InputPort> {
         let (turn, state, ends) = (self.formats.turn, self.formats.scaled_state, self.between_ends());
         let vector = |name: &str| InputPort::vector(name, self.formats.vector, 1.0);
-        let exponent = Format::unsigned(4, 0);
         let whole = SlerpInputs {
             turn_cosine: InputPort::between("turn_cosine", turn, -1.0, 1.0),
             turn_sine: InputPort::between("turn_sine", turn, 0.0, 1.0),
@@ -81,7 +79,7 @@ impl SlerpSpec {
             view: self.on_arc("view"),
             normal: (self.form == Form::Vector)
                 .then(|| Axes { start: vector("normal_start"), other: vector(if ends { "normal_end" } else { "normal_across" }) }),
-            log2_shininess: InputPort::between("log2_shininess", exponent, 0.0, f64::from(core.largest_shininess.ilog2())),
+            exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
         };

@@ -11,6 +11,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
+use crate::spec::power::{Power, PowerUnit};
 pub use course::{Course, LARGEST_WEIGHT};
 pub use inputs::{Axes, OnArc, SlerpInputs, SlerpLight};
 
@@ -43,6 +44,8 @@ pub struct SlerpSpec {
     pub form: Form,
     /// What a normal is put together from; scalars have an orthonormal frame.
     pub frame: Basis,
+    /// How the power of the highlight is taken.
+    pub power: Power,
     /// The narrowing points.
     pub formats: SlerpFormats,
 }
@@ -69,4 +72,13 @@ pub struct SlerpFormats {
     pub diffuse: Format,
     /// The base of the highlight, and each square of it: `U1.f`.
     pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
+}
+
+impl SlerpSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
+    }
 }

@@ -27,7 +27,7 @@ impl SetUpSpan for SlerpSetUp<'_> {
             falling_cosine: ends.then(|| f.scaled_state.quantise(course.falling_cosine)),
             view: self.on_arc(&course, EYE),
             normal: (self.slerp.form == Form::Vector).then_some(Axes { start: axes[0], other: axes[1] }),
-            log2_shininess: i64::from(self.frame.material(span).shininess.ilog2()),
+            exponent: self.slerp.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: lights.map(|(light, coefficients)| self.light(&course, light, coefficients)).collect(),
         };

@@ -49,7 +49,7 @@ impl Planner<'_> {
             for &member in group.members() {
                 let skew = self.skews[&member];
                 for operand in self.flow.operands(self.design, member) {
-                    let root = self.flow.source(operand).root;
+                    let root = operand.root;
                     if self.skews.contains_key(&root) {
                         let keeps = history.entry(root).or_default();
                         *keeps = (*keeps).max(self.back(operand, skew));

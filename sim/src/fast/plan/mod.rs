@@ -1,5 +1,6 @@
 //! From a design to steps over columns.
 mod allocate;
+mod fused;
 mod reach;
 mod select;
 
@@ -10,7 +11,7 @@ use specula_hdl::Design;
 use specula_hdl::design::{Node, NodeId, Op, Range, Table};
 use specula_kernels::{Arithmetic, Bits, Level};
 
-use super::flow::{Flow, Recurrence};
+use super::flow::{Flow, Recurrence, Source};
 use super::fuse::{Fusion, fuse};
 use super::memory::{Memory, Place};
 use super::schedule::{Group, groups, in_components, needed, skews};
@@ -54,7 +55,8 @@ pub struct Plan {
 
 const NARROW: Range = Range::new(i32::MIN as i64, i32::MAX as i64);
 
-fn fits_narrow(range: Range) -> bool {
+/// Whether 32-bit lanes hold every value of a range.
+pub fn fits_narrow(range: Range) -> bool {
     NARROW.low <= range.low && range.high <= NARROW.high
 }
 
@@ -132,14 +134,17 @@ impl Planner<'_> {
     }
 
     fn shift(&self, id: NodeId) -> u64 {
-        let source = self.flow.source(id);
+        self.shift_of(self.flow.source(id))
+    }
+
+    fn shift_of(&self, source: Source) -> u64 {
         self.skews.get(&source.root).copied().unwrap_or(0) + u64::from(source.delay)
     }
 
     /// Clocks that a reader of skew `skew` looks back into the column of `operand`.
-    fn back(&self, operand: NodeId, skew: u64) -> usize {
+    fn back(&self, operand: Source, skew: u64) -> usize {
         // A group's skew is the smallest of its operands' shifts, so this is not negative.
-        (self.shift(operand) - skew) as usize
+        (self.shift_of(operand) - skew) as usize
     }
 
     fn watch(&mut self, id: NodeId) -> Watched {
@@ -166,13 +171,18 @@ impl Planner<'_> {
             self.steps.push(Step { out, skew: Some(skew), work });
             return;
         }
+        if let Some(fused) = self.flow.fused.get(&root) {
+            let work = self.fused(root, fused);
+            self.steps.push(Step { out, skew: Some(skew), work });
+            return;
+        }
         let post = self.fusion.post(root);
         let work = match node.op {
             Op::Input | Op::Constant(_) => return,
             Op::Copy(a) | Op::ShiftRight(a, _) | Op::Wrap(a) => Some(self.arithmetic(Arithmetic::Copy, root, a, a, post)),
             Op::Add(a, b) => Some(self.arithmetic(Arithmetic::Add, root, a, b, post)),
             Op::Sub(a, b) => Some(self.arithmetic(Arithmetic::Sub, root, a, b, post)),
-            Op::Mul(a, b) => Some(self.arithmetic(Arithmetic::Mul, root, a, b, post)),
+            Op::Mul(a, b) => Some(self.product(root, a, b, post)),
             Op::LessThan(a, b) => self.less_than(root, a, b),
             Op::Select(c, a, b) => self.select(root, c, a, b),
             Op::And(a, b) => self.bitwise(Bits::And, root, a, b),

@@ -4,24 +4,24 @@ use std::collections::HashMap;
 use specula_hdl::design::NodeId;
 
 use super::Planner;
-use crate::fast::flow::Recurrence;
+use crate::fast::flow::{Recurrence, Source};
 use crate::fast::schedule::Group;
 
 impl Planner<'_> {
     /// How far back the inputs lie that the watched values depend on.
     pub(super) fn reach(&self, order: &[Group], watched: &[NodeId]) -> u64 {
         let mut reaches: HashMap<NodeId, u64> = HashMap::new();
-        let reach_of = |reaches: &HashMap<NodeId, u64>, id: NodeId| reaches.get(&self.flow.source(id).root).copied().unwrap_or(0);
+        let reach_of = |reaches: &HashMap<NodeId, u64>, root: NodeId| reaches.get(&root).copied().unwrap_or(0);
         for group in order {
             for &member in group.members() {
                 let skew = self.skews[&member];
-                let variable = |o: &NodeId| self.skews.contains_key(&self.flow.source(*o).root);
+                let variable = |o: &Source| self.skews.contains_key(&o.root);
                 let operands = self.flow.operands(self.design, member).into_iter().filter(variable);
-                let reach = operands.map(|o| reach_of(&reaches, o) + self.back(o, skew) as u64).max().unwrap_or(0);
+                let reach = operands.map(|o| reach_of(&reaches, o.root) + self.back(o, skew) as u64).max().unwrap_or(0);
                 reaches.insert(member, reach);
             }
         }
-        watched.iter().map(|&id| self.shift(id) + reach_of(&reaches, id)).max().unwrap_or(0)
+        watched.iter().map(|&id| self.shift(id) + reach_of(&reaches, self.flow.source(id).root)).max().unwrap_or(0)
     }
 
     /// Whether all feedback is accumulators that the beginning of a span loads, and none adds what another was in the span before.
@@ -32,7 +32,7 @@ impl Planner<'_> {
             let Group::Column(root) = group else { return false };
             let skew = self.skews[root];
             let operands = self.flow.operands(self.design, *root).into_iter();
-            let age_of = |o: NodeId| ages.get(&self.flow.source(o).root).map(|age| age + self.back(o, skew));
+            let age_of = |o: Source| ages.get(&o.root).map(|age| age + self.back(o, skew));
             let age = operands.filter_map(age_of).max();
             match self.flow.recurrences[root.0 as usize] {
                 None => ages.extend(age.map(|age| (*root, age))),

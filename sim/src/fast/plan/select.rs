@@ -2,6 +2,7 @@
 use specula_hdl::design::{NodeId, Op, Range, TableId};
 use specula_kernels::{Arithmetic, Bits, Post, bits, choose, less_than, narrow, narrow_through_wide, narrowing, wide, widening};
 
+use super::fused::computes_narrow;
 use super::{Planner, fits_narrow};
 use crate::fast::flow::raw_range;
 use crate::fast::serial::Serial;
@@ -21,10 +22,10 @@ impl Planner<'_> {
 
     /// An operand as a reader of skew `skew` sees it.
     pub(super) fn read(&mut self, operand: NodeId, skew: u64) -> Read {
-        let root = self.flow.source(operand).root;
-        match self.node(root).op {
+        let source = self.flow.source(operand);
+        match self.node(source.root).op {
             Op::Constant(value) => self.constant(value, !fits_narrow(Range::single(value))),
-            _ => Read { place: self.places[&root], back: self.back(operand, skew) },
+            _ => Read { place: self.places[&source.root], back: self.back(source, skew) },
         }
     }
 
@@ -52,8 +53,7 @@ impl Planner<'_> {
         let raw = raw_range(self.design, raw_operator(self.node(root).op)).narrow().unwrap_or(self.node(root).range);
         let (a, b) = (self.read(a, skew), self.read(b, skew));
         let (wide_operands, wide_result) = (a.place.wide || b.place.wide, self.places[&root].wide);
-        // Rounding adds 1 to the raw result, so it must not be at the lane's end.
-        let narrow_compute = fits_narrow(Range::new(raw.low, raw.high.saturating_add(1)));
+        let narrow_compute = computes_narrow(raw, post);
         let level = self.level;
         match (wide_operands, narrow_compute, wide_result) {
             (false, true, false) => Work::Narrow(narrow(operator, post, level), a, b),

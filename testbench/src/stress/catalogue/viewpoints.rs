@@ -1,4 +1,6 @@
 //! Lights and eyes behind the surface, in its plane, and opposite each other.
+use std::f64::consts::PI;
+
 use glam::DVec3;
 use specula_scene::MethodSpec;
 use specula_scene::spec::lyon::{Difference, Halfway};
@@ -13,7 +15,7 @@ use super::{Case, RawSpan, Row, SpanScene, lit, material, mirror, scenes};
 pub const OPPOSITE_LIGHT: Row = Row {
     id: "12",
     input: "L = -V: no half-way vector",
-    wanted: "no NaN; lyon's H x N gives 255 and 0 with the unit half-way vector, phong's lobes 0, 0 and 255/(1 + n)^2, p/q 0",
+    wanted: "no NaN; lyon's H x N gives 255 and 0 with the unit half-way vector, phong's lobes 0, 0, 255 exp(-n pi^2/2) and 255/(1 + n)^2, p/q 0",
     trial: scenes(|_, _| {
         let span = |n| RawSpan::between([tilted(10.0), tilted(20.0)], 8, mirror(n));
         let scene = SpanScene::new(&[-DVec3::Z], [4, 16].map(span).into());
@@ -32,6 +34,7 @@ fn wanted_at_opposite(pixel: &Pixel) -> Option<u8> {
         },
         MethodSpec::Phong(phong) => match phong.highlight {
             Highlight::Reflection | Highlight::Blinn => Some(0),
+            Highlight::TorranceSparrow => Some((255.0 * (-n * PI * PI / 2.0).exp()).round() as u8),
             Highlight::TrowbridgeReitz => Some((255.0 / ((1.0 + n) * (1.0 + n))).round() as u8),
         },
         MethodSpec::Hybrid(_) | MethodSpec::Duff(_) => Some(0),

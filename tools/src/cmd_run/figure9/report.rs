@@ -1,0 +1,130 @@
+//! What is said of the rows.
+use std::fmt::Write;
+use std::path::Path;
+
+use serde::Serialize;
+use specula_testbench::figure9::{Balls, Row};
+use specula_testbench::{Bench, EngineKind, ErrorFigures, Outcome};
+
+use super::{FORMULAS, NAME, SIMULATED, Shaded, module};
+use crate::header::bound;
+use crate::{table, verilog};
+
+/// A row of the report. Errors are in LSBs of the 8-bit output.
+#[derive(Serialize)]
+pub struct Line {
+    /// From 1 on.
+    pub row: usize,
+    title: &'static str,
+    method: &'static str,
+    options: &'static [&'static str],
+    pixels: u64,
+    agrees: bool,
+    mismatches: u64,
+    /// Of the core's codes against the formula in f64, full scale at most.
+    error: ErrorFigures,
+    /// On the largest error; none if no finite one can be proven.
+    bound_lsb: Option<f64>,
+    latency: u32,
+    /// Of two variables.
+    multipliers: usize,
+    register_bits: u64,
+    /// The file that has the core.
+    pub verilog: String,
+}
+
+/// `report.json`.
+#[derive(Serialize)]
+struct Report<'a> {
+    /// Of Specula.
+    version: &'static str,
+    figure: &'static str,
+    engine: &'static str,
+    /// Radius of a ball in pixels.
+    radius: u32,
+    agrees: bool,
+    rows: Vec<&'a Line>,
+    files: &'a [String],
+}
+
+impl Line {
+    /// What came of a row.
+    pub fn new((row, number): (&Row, usize), bench: &Bench, outcome: &Outcome, error: ErrorFigures) -> Line {
+        let (bound, size) = (bench.design.error_bound(), bench.design.size());
+        Line {
+            row: number,
+            title: row.title,
+            method: row.method.name(),
+            options: row.options,
+            pixels: outcome.pixels,
+            agrees: outcome.agrees(),
+            mismatches: outcome.comparison.mismatches,
+            error,
+            bound_lsb: bound.is_finite().then_some(bound),
+            latency: bench.design.latency(),
+            multipliers: size.multipliers,
+            register_bits: size.register_bits,
+            verilog: verilog::file_name(&module(number)),
+        }
+    }
+
+    fn cells(&self) -> [String; 9] {
+        [
+            self.row.to_string(),
+            self.title.to_owned(),
+            self.method.to_owned(),
+            self.mismatches.to_string(),
+            format!("{:.3}", self.error.max_lsb),
+            format!("{:.3}", self.error.rms_lsb),
+            bound(self.bound_lsb.unwrap_or(f64::INFINITY)),
+            self.latency.to_string(),
+            self.multipliers.to_string(),
+        ]
+    }
+}
+
+/// Titles of the columns.
+const COLUMNS: [&str; 9] =
+    ["row", "formula", "method", "mismatches", "largest error", "rms", "proven bound", "latency", "multipliers"];
+
+fn lines(rows: &[Shaded]) -> Vec<[String; 9]> {
+    rows.iter().map(|row| row.line.cells()).collect()
+}
+
+/// What is printed.
+pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
+    let table: Vec<[String; 9]> = [COLUMNS.map(str::to_owned)].into_iter().chain(lines(rows)).collect();
+    let mut text = table::lines(&table);
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "\nfiles in {}", folder.display());
+    files.iter().for_each(|file| text.push_str(&format!("  {file}\n")));
+    text
+}
+
+/// `report.md`.
+pub fn markdown(rows: &[Shaded]) -> String {
+    let verdict = match rows.iter().all(|row| row.line.agrees) {
+        true => "Every pixel of every row agrees with the bit-true model, each in its clock.",
+        false => "**Not every row agrees with its model.**",
+    };
+    format!(
+        "# Lyon's figure 9, from hardware\n\n{verdict} Errors are in LSBs of the 8-bit output, against the appendix's formula in f64;\n\
+         half an LSB is the rounding to 8 bits.\n\n{}\n| simulated cores | formulas in f64 |\n|---|---|\n\
+         | ![simulated]({SIMULATED}) | ![formulas]({FORMULAS}) |\n",
+        table::markdown(COLUMNS, &lines(rows))
+    )
+}
+
+/// `report.json`.
+pub fn json(rows: &[Shaded], balls: Balls, engine: EngineKind, files: &[String]) -> serde_json::Result<String> {
+    let report = Report {
+        version: env!("CARGO_PKG_VERSION"),
+        figure: NAME,
+        engine: engine.name(),
+        radius: balls.radius,
+        agrees: rows.iter().all(|row| row.line.agrees),
+        rows: rows.iter().map(|row| &row.line).collect(),
+        files,
+    };
+    Ok(serde_json::to_string_pretty(&report)? + "\n")
+}
