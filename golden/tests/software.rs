@@ -1,27 +1,192 @@
-//! The f32 loops against f64.
+//! The loops against f64: each as the method it is, in f64 to its last places, and in f32 to what the paper's recurrence costs there.
+//!
+//! A scheme is given neither the number of the pixel nor anything but the operations of [`Number`], so that all of them go from pixel to pixel.
 use glam::DVec3;
-use specula_golden::exact;
+use specula_golden::exact::{MethodSpan, wrap};
+use specula_golden::recurrence::{
+    Chained, Chebyshev, Consistent, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong, Frame as SlerpFrame, Gouraud,
+    Hybrid, Line, LyonCross, LyonReflection, Pair, Phong, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp,
+    Uniform,
+};
 use specula_golden::software::{METHODS, by_name};
+use specula_scene::frame::EYE;
+use specula_scene::spec::FULL_SCALE;
 use specula_scene::spec::phong::Places;
 use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Needs, Spot};
 
 mod common;
 use common::{frame, material, tilted};
 
-/// Schemes that are Phong shading in exact arithmetic. f32 forward differences lose 2^-24 (1 + S + S²/2) of q at most (NUMERICS.md 3b), here 1.3e-4,
-/// of which the base takes twice and n = 16 sixteen times: 1 LSB.
-#[test]
-fn exact_reformulations_are_phong() {
-    let frame = frame([tilted(-15.0), tilted(15.0)], 65, &[tilted(20.0)], material(0.1, 0.3, 0.5, 16));
-    let span = &frame.spans[0];
-    for name in ["phong", "duff", "duff-hybrid", "duff-quotient", "direct", "fast-phong"] {
-        let mut out = [[0.0; 3]; 65];
-        (by_name(name).unwrap().set_up)(&frame, span).shade(&mut out);
-        for (i, pixel) in (0..).zip(out) {
-            let error = (f64::from(pixel[0]) - exact::phong(&frame, span, i)[0]).abs();
-            assert!(error < 1.0, "{name}, pixel {i}: {error}");
+const STEPS: u32 = 64;
+const SHININESS: u32 = 16;
+const REFLECTANCES: [f64; 3] = [0.1, 0.3, 0.5];
+
+/// What roundings add up to over a span of S steps, in units of the type's 2^-24 or 2^-53.
+#[derive(Clone, Copy)]
+enum Growth {
+    /// A pixel is worked out by itself: some dozens of operations on numbers up to 2.
+    Pixel,
+    /// What grows by a step is off by S units more, and so are the factors and divisors that are made of it, eight at most: N·N has three
+    /// components twice, and a rotation two products a step, over sin 30°.
+    Step,
+    /// Second differences are off by 1 + S + S²/2 units (NUMERICS 3b): p and q of a quotient, and q again where the base takes both. A
+    /// harmonic recurrence passes a rounding on S/φ times over (NUMERICS 2d), φ = 1/2, as does the rounding of its factor 2 cos δ.
+    Difference,
+}
+
+impl Growth {
+    /// How far I_d and the base may be off.
+    fn amount(self, unit: f64) -> f64 {
+        let s = f64::from(STEPS);
+        unit * match self {
+            Growth::Pixel => 32.0,
+            Growth::Step => 8.0 * (4.0 + s),
+            Growth::Difference => 4.0 * (8.0 + s + s * s / 2.0),
         }
     }
+
+    /// The same of a pixel in LSBs: the power makes n times as much of the base, which rows 5 and C8 raise to 4n.
+    fn lsb(self, unit: f64, exponent: u32) -> f64 {
+        let [_, diffuse, specular] = REFLECTANCES;
+        FULL_SCALE * self.amount(unit) * (diffuse + specular * f64::from(exponent))
+    }
+}
+
+/// What a loop is in exact arithmetic.
+type Exact = fn(&Frame) -> Vec<f64>;
+
+/// A loop, and what it is to be.
+struct Row {
+    name: &'static str,
+    in_f64: fn(&Frame) -> Vec<f64>,
+    exponent: u32,
+    exact: Exact,
+    growth: Growth,
+}
+
+/// The method with options in exact arithmetic, red at every pixel.
+fn method(frame: &Frame, method: Method, options: &str) -> Vec<f64> {
+    let table = format!("[{}]\n{options}", method.name()).parse().unwrap();
+    let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(method)).unwrap();
+    let span = MethodSpan::new(&spec, frame, &frame.spans[0]);
+    (0..=STEPS).map(|i| span.pixel(i)[0]).collect()
+}
+
+/// A scheme in f64, with f64's power and sum.
+fn in_f64<S: Scheme<f64>>(frame: &Frame) -> Vec<f64> {
+    let mut scheme = S::new(&Line::new(frame, &frame.spans[0]), frame.lights[0].direction);
+    (0..=STEPS).map(|_| shaded(scheme.pixel(), S::exponent(SHININESS))).collect()
+}
+
+fn shaded(Pair { diffuse, base }: Pair<f64>, exponent: u32) -> f64 {
+    let [ambient, k_d, k_s] = REFLECTANCES;
+    FULL_SCALE * (ambient + k_d * diffuse.clamp(0.0, 1.0) + k_s * base.clamp(0.0, 1.0).powi(exponent as i32))
+}
+
+/// C7 with Phong's highlight, which no `--method` has.
+fn chained(frame: &Frame) -> Vec<f64> {
+    let (span, light) = (&frame.spans[0], frame.lights[0].direction);
+    let [start, end] = frame.end_normals(span);
+    let normals = (0..=STEPS).map(|i| start.lerp(end, span.parameter(i)));
+    let pixel = |n: DVec3| Pair { diffuse: n.dot(light), base: 2.0 * n.dot(light) * n.dot(EYE) - light.dot(EYE) };
+    wrap::chained(start, normals).map(|n| shaded(pixel(n), SHININESS)).collect()
+}
+
+macro_rules! rows {
+    ($($name:literal, $scheme:ty, $exact:expr, $growth:ident;)*) => {
+        fn rows() -> Vec<Row> {
+            vec![$(Row {
+                name: $name,
+                in_f64: in_f64::<$scheme>,
+                exponent: <$scheme as Scheme<f64>>::exponent(SHININESS),
+                exact: $exact,
+                growth: Growth::$growth,
+            },)*]
+        }
+    };
+}
+
+rows! {
+    "uniform", Uniform<f64>, |f| method(f, Method::Gouraud, "interpolation = \"uniform\""), Pixel;
+    "gouraud", Gouraud<f64>, |f| method(f, Method::Gouraud, ""), Step;
+    "phong", Phong<f64>, |f| method(f, Method::Phong, ""), Step;
+    "fast-phong", FastPhong<f64, 1>, |f| method(f, Method::Direct, "root = \"newton\"\nnewton_steps = 1"), Step;
+    "fast-phong-2", FastPhong<f64, 2>, |f| method(f, Method::Direct, "root = \"newton\"\nnewton_steps = 2"), Step;
+    "slerp", Slerp<f64>, |f| method(f, Method::Slerp, ""), Step;
+    "slerp-frame", SlerpFrame<f64>, |f| method(f, Method::Slerp, ""), Step;
+    "chebyshev", Chebyshev<f64>, |f| method(f, Method::Slerp, ""), Difference;
+    "lyon", LyonCross<f64>, |f| method(f, Method::Lyon, "newton_steps = 0"), Step;
+    "lyon-reflection", LyonReflection<f64>,
+        |f| method(f, Method::Lyon, "newton_steps = 0\ndifference = \"reflection-minus-light\""), Step;
+    "duff", DuffRoot<f64>, |f| method(f, Method::Duff, "specular = \"eq34\""), Difference;
+    "duff-blinn", DuffBlinn<f64>, |f| method(f, Method::Duff, "specular = \"blinn\""), Difference;
+    "duff-hybrid", DuffHybrid<f64>, |f| method(f, Method::Duff, "specular = \"quotient\""), Difference;
+    "duff-quotient", DuffQuotient<f64>, |f| method(f, Method::Duff, "specular = \"eq33\""), Difference;
+    "direct", Direct<f64>, |f| method(f, Method::Direct, ""), Step;
+    "hybrid", Hybrid<f64>, |f| method(f, Method::Hybrid, ""), Difference;
+    "reflection", ReflectionRoot<f64>, |f| method(f, Method::Reflection, "bisector = \"triangle\"\nspecular = \"eq34\""), Difference;
+    "reflection-blinn", ReflectionBlinn<f64>,
+        |f| method(f, Method::Reflection, "bisector = \"triangle\"\nspecular = \"blinn\""), Difference;
+    "reflection-hybrid", ReflectionHybrid<f64>,
+        |f| method(f, Method::Reflection, "bisector = \"triangle\"\nspecular = \"hybrid\""), Difference;
+    "reflection-chained", Chained<f64>, chained, Step;
+    "consistent", Consistent<f64>, |f| method(f, Method::Consistent, ""), Step;
+}
+
+/// 30 degrees, with the highlight on the span and vertices among faces as their triangle's.
+fn span() -> Frame {
+    let material = material(REFLECTANCES[0], REFLECTANCES[1], REFLECTANCES[2], SHININESS);
+    let mut frame = frame([tilted(-15.0), tilted(15.0)], STEPS + 1, &[tilted(20.0)], material);
+    let triangle = &mut frame.triangles[0];
+    let face = specula_golden::recurrence::face(&triangle.normals);
+    for (cone, normal) in triangle.cones.iter_mut().zip(triangle.normals) {
+        cone.cosine = normal.dot(face);
+    }
+    frame
+}
+
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// Loops of lights and an eye at places, which have a test of their own.
+const PLACED: [(&str, Places); 2] = [("phong-places", Places::Exact), ("phong-wrapped-places", Places::Wrapped)];
+
+#[test]
+fn every_loop_is_compared() {
+    let mut compared: Vec<&str> = rows().iter().map(|row| row.name).chain(PLACED.map(|(name, _)| name)).collect();
+    let mut all = METHODS.map(|method| method.name);
+    compared.sort();
+    all.sort();
+    assert_eq!(compared, all);
+}
+
+#[test]
+fn loops_in_f64_are_their_methods() {
+    let frame = span();
+    let off = |row: &Row| {
+        let (error, most) =
+            (largest_difference(&(row.in_f64)(&frame), &(row.exact)(&frame)), row.growth.lsb(f64::EPSILON / 2.0, row.exponent));
+        (error > most).then(|| format!("{}: {error} LSB, and {most} at most", row.name))
+    };
+    let wrong: Vec<String> = rows().iter().filter_map(off).collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn loops_in_f32_are_off_by_their_roundings() {
+    let frame = span();
+    let off = |row: &Row| {
+        let mut out = [[0.0; 3]; STEPS as usize + 1];
+        (by_name(row.name).unwrap().set_up)(&frame, &frame.spans[0]).shade(&mut out);
+        let shaded = out.map(|pixel| f64::from(pixel[0]));
+        let (error, most) =
+            (largest_difference(&shaded, &(row.exact)(&frame)), row.growth.lsb(f64::from(f32::EPSILON / 2.0), row.exponent));
+        println!("{}: {error} of {most}", row.name);
+        (error > most).then(|| format!("{}: {error} LSB, and {most} at most", row.name))
+    };
+    let wrong: Vec<String> = rows().iter().filter_map(off).collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 /// EXTREMES rows 1, 2, 4, 7, 12, 13, 14 and 37: everything is a number between 0 and 255.
@@ -44,7 +209,7 @@ fn places_are_those_of_the_methods() {
     for distance in [1.5, 100.0] {
         let frame = lit_from_places(distance);
         let (span, needs) = (&frame.spans[0], Needs::of(&frame));
-        for (name, places) in [("phong-places", Places::Exact), ("phong-wrapped-places", Places::Wrapped)] {
+        for (name, places) in PLACED {
             let mut core = CoreSpec::for_scene(&needs, None, Some(Method::Phong)).unwrap();
             if let MethodSpec::Phong(phong) = &mut core.method {
                 phong.places = places;
@@ -52,7 +217,7 @@ fn places_are_those_of_the_methods() {
             let mut out = [[0.0; 3]; 65];
             (by_name(name).unwrap().set_up)(&frame, span).shade(&mut out);
             for (i, pixel) in (0..).zip(out) {
-                let error = (f64::from(pixel[0]) - exact::method(&core, &frame, span, i)[0]).abs();
+                let error = (f64::from(pixel[0]) - MethodSpan::new(&core, &frame, span).pixel(i)[0]).abs();
                 assert!(error < 0.05, "{name} at {distance}, pixel {i}: {error}");
             }
         }

@@ -60,6 +60,23 @@ fn powers_by_tables_agree() {
 }
 
 #[test]
+fn directs_outputs_agree_with_newtons_root() {
+    options_agree(Method::Direct, "root = \"newton\"");
+}
+
+#[test]
+fn lyons_outputs_agree_with_normals_that_follow() {
+    options_agree(Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\"");
+}
+
+#[test]
+fn slerps_outputs_agree_with_the_normal_itself() {
+    for frame in ["orthonormal", "ends"] {
+        options_agree(Method::Slerp, &format!("form = \"vector\"\nframe = \"{frame}\""));
+    }
+}
+
+#[test]
 fn consistents_outputs_agree() {
     outputs_agree(Method::Consistent);
 }

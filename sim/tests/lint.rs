@@ -51,6 +51,10 @@ fn specs() -> Vec<CoreSpec> {
         (Method::Consistent, "diffuse = \"consistent\"\nhighlight = \"blinn\""),
         (Method::Slerp, "power = \"tables\""),
         (Method::Direct, "power = \"tables\""),
+        (Method::Direct, "root = \"newton\""),
+        (Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\""),
+        (Method::Slerp, "form = \"vector\""),
+        (Method::Slerp, "form = \"vector\"\nframe = \"ends\""),
     ];
     specs.extend(options.map(|(method, lines)| frames::spec_with(&frame, method, lines)));
     // For one frame alone, and for one in which every pixel is the same.

@@ -1,6 +1,6 @@
 //! The stress catalogue, small: every row on every method.
 use specula_scene::Method;
-use specula_testbench::stress::{CATALOGUE, Cell, Extent, RAW, sweep};
+use specula_testbench::stress::{self, CATALOGUE, Cell, Extent, RAW, sweep};
 
 fn complaints(cells: &[Cell]) -> Vec<String> {
     let complaint = |cell: &Cell| {
@@ -22,6 +22,18 @@ fn every_row_holds_on_every_method() {
         let shaded = |row: &str| tried(row).is_some_and(|cell| cell.pixels > 0);
         assert!(shaded("1") && shaded("38") && shaded("any") && shaded(RAW), "{}", method.name());
     }
+    assert_page_is_up_to_date(&cells);
+}
+
+/// docs/extremes.md says what happens.
+fn assert_page_is_up_to_date(cells: &[Cell]) {
+    let [page, of_now] =
+        [concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/extremes.md"), concat!(env!("CARGO_TARGET_TMPDIR"), "/extremes.md")];
+    let text = stress::page(cells);
+    std::fs::write(of_now, &text).unwrap();
+    let written = std::fs::read_to_string(page).unwrap_or_default();
+    let first = written.lines().zip(text.lines()).find(|(written, now)| written != now);
+    assert!(written == text, "docs/extremes.md is not what happens, which is in {of_now}; first {first:#?}");
 }
 
 #[test]

@@ -1,25 +1,34 @@
 //! The fast Phong formulas, without rounding [lecture, eq. 4.3 to 4.6; METHODS.md A6, A7].
 use glam::DVec3;
 use specula_scene::frame::EYE;
+use specula_scene::spec::DirectSpec;
+use specula_scene::spec::direct::Root;
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::method::ShadePixel;
+use super::newton;
 use super::shape::power;
 
 /// One span, shaded by `direct`.
 pub struct DirectSpan<'a> {
     span: &'a Span,
     ends: [DVec3; 2],
+    /// |N| as Newton's method has it at each pixel, if it is asked.
+    lengths: Option<Vec<f64>>,
     shininess: u32,
     coefficients: Coefficients,
 }
 
 impl<'a> DirectSpan<'a> {
     /// Sets up a span of a frame.
-    pub fn new(frame: &Frame, span: &'a Span) -> Self {
+    pub fn new(direct: &DirectSpec, frame: &Frame, span: &'a Span) -> Self {
         let (ends, shininess) = (frame.unit_end_normals(span), frame.material(span).shininess);
-        DirectSpan { span, ends, shininess, coefficients: Coefficients::new(frame, span) }
+        let lengths = match direct.root {
+            Root::Exact => None,
+            Root::Newton => Some(newton::lengths(ends, span.steps(), direct.newton_steps).collect()),
+        };
+        DirectSpan { span, ends, lengths, shininess, coefficients: Coefficients::new(frame, span) }
     }
 }
 
@@ -30,10 +39,11 @@ impl ShadePixel for DirectSpan<'_> {
         if q <= 0.0 {
             return self.coefficients.sum(|_| Amounts::default());
         }
+        let length = self.lengths.as_ref().map_or(q.sqrt(), |lengths| lengths[i as usize]);
         self.coefficients.sum(|light| {
             let (p, k) = (normal.dot(light.direction), normal.dot(EYE));
             let base = 2.0 * p * k / q - light.direction.dot(EYE);
-            Amounts { diffuse: (p / q.sqrt()).clamp(0.0, 1.0), specular: power(base.min(1.0), self.shininess) }
+            Amounts { diffuse: (p / length).clamp(0.0, 1.0), specular: power(base.min(1.0), self.shininess) }
         })
     }
 }

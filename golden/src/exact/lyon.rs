@@ -1,6 +1,6 @@
 //! Lyon's method without rounding [Lyon, TR 43; METHODS.md B].
 use glam::DVec3;
-use specula_scene::spec::lyon::{Difference, Halfway, Normals};
+use specula_scene::spec::lyon::{Difference, Halfway, NormalWrap, Normals};
 use specula_scene::spec::{LyonSpec, Wrap};
 use specula_scene::{Frame, Span};
 
@@ -10,7 +10,7 @@ use super::method::ShadePixel;
 use super::normalisation::{g2, gain, unit};
 use super::reflection::{halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light};
 use super::shape::f_k;
-use super::wrap::wrap;
+use super::wrap::{chained, wrap};
 
 /// What the normal of a span is made of.
 enum Path {
@@ -20,6 +20,8 @@ enum Path {
     Linear { start: DVec3, delta: DVec3 },
     /// The same of unit ends, wrapped around the axis.
     Wrapped { start: DVec3, delta: DVec3, axis: DVec3 },
+    /// Each wrapped around the one before.
+    Chained(Vec<DVec3>),
 }
 
 impl Path {
@@ -31,8 +33,12 @@ impl Path {
                 Path::Linear { start, delta: end - start }
             }
             Normals::Wrapped => {
-                let Wrap { ends: [start, end], axis } = spec.wrap(frame, span);
-                Path::Wrapped { start, delta: end - start, axis }
+                let NormalWrap { wrap: Wrap { ends: [start, end], axis }, follows } = spec.wrap(frame, span);
+                let normals = (0..span.length).map(|i| start.lerp(end, span.parameter(i)));
+                match follows {
+                    true => Path::Chained(chained(axis, normals).collect()),
+                    false => Path::Wrapped { start, delta: end - start, axis },
+                }
             }
         }
     }
@@ -64,6 +70,7 @@ impl<'a> LyonSpan<'a> {
         let t = self.span.parameter(i);
         match self.path {
             Path::Flat(normal) => normal,
+            Path::Chained(ref normals) => normals[i as usize],
             Path::Linear { start, delta } => {
                 let interpolated = start + t * delta;
                 gain(self.spec, interpolated.length_squared()) * interpolated

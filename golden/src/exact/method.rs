@@ -27,8 +27,8 @@ impl<'a> MethodSpan<'a> {
             MethodSpec::Gouraud(gouraud) => Box::new(GouraudSpan::new(gouraud, frame, span)),
             MethodSpec::Reflection(reflection) => Box::new(ReflectionSpan::new(reflection, frame, span)),
             MethodSpec::Consistent(consistent) => Box::new(ConsistentSpan::new(consistent, frame, span)),
-            MethodSpec::Slerp(_) => Box::new(SlerpSpan::new(frame, span)),
-            MethodSpec::Direct(_) => Box::new(DirectSpan::new(frame, span)),
+            MethodSpec::Slerp(slerp) => Box::new(SlerpSpan::new(slerp, frame, span)),
+            MethodSpec::Direct(direct) => Box::new(DirectSpan::new(direct, frame, span)),
         })
     }
 

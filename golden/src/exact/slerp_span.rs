@@ -1,6 +1,7 @@
 //! Spherical interpolation along the scan line, without rounding [lecture, eq. 4.7; METHODS.md A8 to A11].
 use glam::DVec3;
 use specula_scene::frame::{Arc, EYE};
+use specula_scene::spec::SlerpSpec;
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
@@ -12,19 +13,27 @@ use super::shape::power;
 pub struct SlerpSpan<'a> {
     span: &'a Span,
     arc: Arc,
+    /// The ends between which the normal is interpolated linearly, if it is.
+    chord: Option<[DVec3; 2]>,
     shininess: u32,
     coefficients: Coefficients,
 }
 
 impl<'a> SlerpSpan<'a> {
     /// Sets up a span of a frame.
-    pub fn new(frame: &Frame, span: &'a Span) -> Self {
+    pub fn new(slerp: &SlerpSpec, frame: &Frame, span: &'a Span) -> Self {
         let shininess = frame.material(span).shininess;
-        SlerpSpan { span, arc: frame.arc(span), shininess, coefficients: Coefficients::new(frame, span) }
+        let course = slerp.course(frame, span);
+        let chord = course.is_linear.then_some(course.axes);
+        SlerpSpan { span, arc: frame.arc(span), chord, shininess, coefficients: Coefficients::new(frame, span) }
     }
 
-    /// N = cos(tf) A + sin(tf) T, of unit length; 0 where the span has no normal.
+    /// N = cos(tf) A + sin(tf) T, of unit length, or N (3 - N·N)/2 of the chord's; 0 where the span has no normal.
     pub fn normal(&self, i: u32) -> DVec3 {
+        if let Some([start, end]) = self.chord {
+            let normal = start.lerp(end, self.span.parameter(i));
+            return (3.0 - normal.length_squared()) / 2.0 * normal;
+        }
         let (sin, cos) = (self.span.parameter(i) * self.arc.angle).sin_cos();
         cos * self.arc.start + sin * self.arc.across
     }

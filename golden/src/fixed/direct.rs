@@ -1,23 +1,34 @@
 //! `direct`, bit for bit [lecture, eq. 4.3 to 4.6; METHODS.md A6, A7; `docs/arithmetic/direct.md`].
+use std::cell::RefCell;
+
 use specula_scene::Format;
-use specula_scene::spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends};
+use specula_scene::spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root};
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
 use super::method::{Method, Values};
-use super::number::{Wide, round_to};
-use super::observer::{Observer, OfLight, narrow};
+use super::number::{Wide, round_quotient, round_to};
+use super::observer::{Nobody, Observer, OfLight, narrow};
 use super::packet::PacketError;
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
 
 /// The method in one core's formats.
 pub(super) struct Direct {
+    root: Root,
+    newton_steps: u32,
     power: Raised,
     formats: DirectFormats,
     colour: Format,
     ports: DirectInputs<InputPort>,
+}
+
+/// A packet, and the lengths of its normals by Newton's method so far.
+pub(super) struct Walked {
+    inputs: DirectInputs<Wide>,
+    /// d of the pixels from the first on, as many as have been asked for.
+    lengths: RefCell<Vec<Wide>>,
 }
 
 /// What the lights have in common at one pixel.
@@ -25,13 +36,16 @@ struct Pixel {
     t: Wide,
     q: Wide,
     s: Wide,
-    n_dot_v: Wide,
+    /// K, which goes with J; with Newton's root K/q, which goes with p_L.
+    view: Wide,
     exponent: Wide,
 }
 
 impl Direct {
     pub fn new(core: &CoreSpec, direct: &DirectSpec) -> Direct {
         Direct {
+            root: direct.root,
+            newton_steps: direct.newton_steps,
             power: Raised::new(core, direct.power_unit()),
             formats: direct.formats.clone(),
             colour: sum_format(core, direct.formats.diffuse, direct.power_unit().format()),
@@ -41,61 +55,127 @@ impl Direct {
 }
 
 impl Method for Direct {
-    type Inputs = DirectInputs<Wide>;
+    type Inputs = Walked;
 
-    fn read(&self, mut values: Values<'_>) -> DirectInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn read(&self, mut values: Values<'_>) -> Walked {
+        Walked { inputs: self.ports.map(|port| values.next(port)), lengths: RefCell::default() }
     }
 
     /// With t below 2, q, 1/√q and scalars are as small as their formats say, but for a bit or two.
-    fn check(&self, inputs: &DirectInputs<Wide>, course: Course) -> Result<(), PacketError> {
+    fn check(&self, Walked { inputs, .. }: &Walked, course: Course) -> Result<(), PacketError> {
         course.weight(inputs.weight_step, self.formats.weight_accumulator)
     }
 
-    fn pixel(&self, inputs: &DirectInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
-        let pixel = self.common(inputs, i, observer);
+    fn pixel(&self, walked: &Walked, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+        let pixel = self.common(walked, i, observer);
+        let inputs = &walked.inputs;
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
-            let n_dot_l = self.cosine("n_dot_l", &light.light, pixel.t, pixel.s, &mut observer);
+            let linear = self.linear("n_dot_l", &light.light, pixel.t, &mut observer);
+            let n_dot_l = self.cosine("n_dot_l", linear, pixel.s, &mut observer);
             let diffuse = round_to(n_dot_l, self.formats.diffuse.fraction_bits).max(Wide::ZERO);
             observer.see(format_args!("diffuse"), diffuse, self.formats.diffuse);
             colour.add(&light.diffuse, diffuse);
-            colour.add(&light.specular, self.highlight(&pixel, n_dot_l, light, &mut observer));
+            let along_light = match self.root {
+                Root::Exact => n_dot_l,
+                Root::Newton => linear,
+            };
+            colour.add(&light.specular, self.highlight(&pixel, along_light, light, &mut observer));
         }
         colour.code(self.colour, observer)
     }
 }
 
 impl Direct {
-    fn common(&self, inputs: &DirectInputs<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
+    fn common(&self, walked: &Walked, i: u32, observer: &mut impl Observer) -> Pixel {
+        let (f, inputs) = (&self.formats, &walked.inputs);
+        let (t, q) = self.squared_length(inputs, i, observer);
+        let s = match self.root {
+            Root::Exact => reciprocal_square_root(q, f.reciprocal.integer_bits, f.reciprocal.fraction_bits),
+            Root::Newton => self.reciprocal_length(walked, i, observer),
+        };
+        observer.see(format_args!("reciprocal"), s, f.reciprocal);
+        let linear = self.linear("n_dot_v", &inputs.view, t, observer);
+        let view = match self.root {
+            Root::Exact => self.cosine("n_dot_v", linear, s, observer),
+            Root::Newton => self.over_square(linear, q, observer),
+        };
+        Pixel { t, q, s, view, exponent: inputs.exponent }
+    }
+
+    /// t and q = 1 - κ t (1 - t).
+    fn squared_length(&self, inputs: &DirectInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Wide, Wide) {
         let f = &self.formats;
         let accumulated = inputs.weight_step * Wide::from_num(i);
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
         let t = narrow(observer, format_args!("weight"), accumulated, f.weight);
         let product = narrow(observer, format_args!("product"), t * (Wide::ONE - t), f.product);
-        let q = narrow(observer, format_args!("length_squared"), Wide::ONE - inputs.spread * product, f.length_squared);
-        let s = reciprocal_square_root(q, f.reciprocal.integer_bits, f.reciprocal.fraction_bits);
-        observer.see(format_args!("reciprocal"), s, f.reciprocal);
-        let n_dot_v = self.cosine("n_dot_v", &inputs.view, t, s, observer);
-        Pixel { t, q, s, n_dot_v, exponent: inputs.exponent }
+        (t, narrow(observer, format_args!("length_squared"), Wide::ONE - inputs.spread * product, f.length_squared))
+    }
+
+    /// 1/d of pixel `i`, d by Newton's steps from 1 on.
+    fn reciprocal_length(&self, walked: &Walked, i: u32, observer: &mut impl Observer) -> Wide {
+        let mut lengths = walked.lengths.borrow_mut();
+        for pixel in lengths.len() as u32..=i {
+            let (_, q) = self.squared_length(&walked.inputs, pixel, &mut Nobody);
+            let before = lengths.last().copied().unwrap_or(Wide::ONE);
+            lengths.push((0..self.newton_steps).fold(before, |d, _| self.newton_step(d, q)));
+        }
+        let d = lengths[i as usize];
+        observer.see(format_args!("length"), d, self.formats.length);
+        let reciprocal = self.formats.reciprocal;
+        limited_quotient(Wide::ONE, d, reciprocal.integer_bits, reciprocal.fraction_bits)
+    }
+
+    /// (d + q/d)/2.
+    fn newton_step(&self, d: Wide, q: Wide) -> Wide {
+        let fraction_bits = self.formats.length.fraction_bits;
+        let quotient = limited_quotient(self.limited(q), d, self.formats.reciprocal.integer_bits, fraction_bits);
+        round_to((d + quotient) / 2, fraction_bits)
+    }
+
+    /// p_V/q, kept within 2^m.
+    fn over_square(&self, linear: Wide, q: Wide, observer: &mut impl Observer) -> Wide {
+        let Format { integer_bits, fraction_bits, .. } = self.formats.reciprocal;
+        let reciprocal = limited_quotient(Wide::ONE, self.limited(q), 2 * integer_bits, fraction_bits);
+        observer.see(format_args!("reciprocal_square"), reciprocal, Format::unsigned(2 * integer_bits, fraction_bits));
+        let (format, limit) = (self.formats.cosine, Wide::ONE << integer_bits);
+        let quotient = round_to(linear * reciprocal, format.fraction_bits).clamp(-limit, limit);
+        observer.see(format_args!("n_dot_v_over_square"), quotient, format);
+        quotient
+    }
+
+    /// q, 4^-m at least.
+    fn limited(&self, q: Wide) -> Wide {
+        q.max(Wide::ONE >> (2 * self.formats.reciprocal.integer_bits))
+    }
+
+    /// N·X, linear along the span.
+    fn linear(&self, name: &str, ends: &Ends<Wide>, t: Wide, observer: &mut impl Observer) -> Wide {
+        narrow(observer, format_args!("{name}_linear"), ends.start + t * ends.delta, self.formats.cosine)
     }
 
     /// N·X s, kept within -1 to 1.
-    fn cosine(&self, name: &str, ends: &Ends<Wide>, t: Wide, s: Wide, observer: &mut impl Observer) -> Wide {
+    fn cosine(&self, name: &str, linear: Wide, s: Wide, observer: &mut impl Observer) -> Wide {
         let format = self.formats.cosine;
-        let linear = narrow(observer, format_args!("{name}_linear"), ends.start + t * ends.delta, format);
         let cosine = round_to(linear * s, format.fraction_bits).clamp(-Wide::ONE, Wide::ONE);
         observer.see(format_args!("{name}"), cosine, format);
         cosine
     }
 
-    /// max(2 J K - L·V, 0)^n; none for a normal without direction.
-    fn highlight(&self, pixel: &Pixel, n_dot_l: Wide, light: &DirectLight<Wide>, observer: &mut impl Observer) -> Wide {
+    /// max(2 J K - L·V, 0)^n, or with p_L K/q for J K; none for a normal without direction.
+    fn highlight(&self, pixel: &Pixel, along_light: Wide, light: &DirectLight<Wide>, observer: &mut impl Observer) -> Wide {
         let format = self.formats.base;
-        let rounded = round_to(n_dot_l * pixel.n_dot_v * 2 - light.light_dot_view, format.fraction_bits);
+        let rounded = round_to(along_light * pixel.view * 2 - light.light_dot_view, format.fraction_bits);
         let base = if pixel.q > Wide::ZERO { rounded.clamp(Wide::ZERO, Wide::ONE) } else { Wide::ZERO };
         observer.see(format_args!("base"), base, format);
         self.power.of(observer, base, pixel.exponent)
     }
+}
+
+/// p/q of positive numbers to `fraction_bits`, 2^`integer_bits` at most.
+fn limited_quotient(p: Wide, q: Wide, integer_bits: u32, fraction_bits: u32) -> Wide {
+    let limit = Wide::ONE << integer_bits;
+    if p >= q * limit { limit } else { round_quotient(p, q, fraction_bits) }
 }

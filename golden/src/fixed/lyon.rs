@@ -1,4 +1,6 @@
 //! `lyon`, bit for bit [Lyon, TR 43; METHODS.md B; `docs/arithmetic.md`].
+use std::cell::RefCell;
+
 use specula_scene::Format;
 use specula_scene::spec::lyon::{
     Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation, ShapeDatapath,
@@ -7,9 +9,10 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::highlight::limited_quotient;
 use super::method::{Method, Values};
 use super::number::Wide;
-use super::observer::{Observer, OfLight, narrow, narrow_vector};
+use super::observer::{Nobody, Observer, OfLight, narrow, narrow_vector};
 use super::packet::{self, PacketError};
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, cross, dot};
@@ -33,6 +36,13 @@ pub(super) struct Lyon {
     ports: LyonInputs<InputPort>,
 }
 
+/// A packet, and the normals that were wrapped around one another so far.
+pub(super) struct Followed {
+    inputs: LyonInputs<Wide>,
+    /// n of the pixels from the first on, as many as have been asked for.
+    normals: RefCell<Vec<Vector>>,
+}
+
 impl Lyon {
     pub fn new(core: &CoreSpec, lyon: &LyonSpec) -> Lyon {
         Lyon {
@@ -50,10 +60,10 @@ impl Lyon {
 }
 
 impl Method for Lyon {
-    type Inputs = LyonInputs<Wide>;
+    type Inputs = Followed;
 
-    fn read(&self, mut values: Values<'_>) -> LyonInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn read(&self, mut values: Values<'_>) -> Followed {
+        Followed { inputs: self.ports.map(|port| values.next(port)), normals: RefCell::default() }
     }
 
     /// Whether Newton's steps converge and |n| < 2.
@@ -61,7 +71,7 @@ impl Method for Lyon {
     /// |N0|, |N1| ≤ 1 + 1/16 in `S1.4`, the coarsest format, and a ≤ 1 + 1/16 give |N'| ≤ 17/16 · (1 + 2/16) + √3/32 < 1.26, so z < 1.6. There z·g1² ≤ 1 and
     /// z·g2² < 1.42, inside the 3 below which g(3 - z g²)/2 goes towards 1/√z, and |n| = g√z < 1.2 at first and 1 after a step, before
     /// rounding.
-    fn check(&self, inputs: &LyonInputs<Wide>, course: Course) -> Result<(), PacketError> {
+    fn check(&self, Followed { inputs, .. }: &Followed, course: Course) -> Result<(), PacketError> {
         let axis = inputs.wrap_axis.unwrap_or_default();
         packet::check_length(&axis, 1, self.formats.vector)?;
         let longest_halfway = if self.difference.takes_halfway() { 2 } else { 1 };
@@ -69,14 +79,15 @@ impl Method for Lyon {
             packet::check_length(&light.direction, 1, self.formats.vector)?;
             packet::check_length(&light.halfway.unwrap_or_default(), longest_halfway, self.formats.vector)?;
         }
-        // H of wrapped normals is the sum of two unit vectors.
-        let longest = if inputs.wrap_axis.is_some() { 2 } else { 1 };
+        // H of normals wrapped around a fixed vector is the sum of two unit vectors.
+        let longest = if inputs.wrap_axis.is_some() && inputs.wrap_follows.is_none() { 2 } else { 1 };
         packet::check_ends(&inputs.normal_start, &inputs.normal_delta.unwrap_or_default(), longest, self.formats.vector)?;
         course.weight(inputs.weight_step.unwrap_or_default(), self.formats.weight_accumulator)
     }
 
-    fn pixel(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
-        let (normal, has_direction) = self.normal(inputs, i, observer);
+    fn pixel(&self, followed: &Followed, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+        let inputs = &followed.inputs;
+        let (normal, has_direction) = self.normal(followed, i, observer);
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
@@ -90,19 +101,19 @@ impl Method for Lyon {
 
 impl Lyon {
     /// n = g N', with N' = N0 + a (N1 - N0), and whether N' has a direction.
-    fn normal(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Vector, bool) {
-        let f = &self.formats;
-        let (Some(delta), Some(weight_step)) = (inputs.normal_delta, inputs.weight_step) else {
+    fn normal(&self, followed: &Followed, i: u32, observer: &mut impl Observer) -> (Vector, bool) {
+        let (f, inputs) = (&self.formats, &followed.inputs);
+        let Some(interpolated) = self.interpolated(inputs, i, observer) else {
             return (inputs.normal_start, inputs.normal_start != [Wide::ZERO; 3]);
         };
-        let accumulated = Wide::from_num(i) * weight_step;
-        observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
-        let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
-        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * delta[c]);
-        let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
         if let Some(axis) = &inputs.wrap_axis {
-            let formats = WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
-            let normal = wrapped(observer, ["wrap", "normal"], &interpolated, axis, formats).vector;
+            let normal = match inputs.wrap_follows {
+                None => {
+                    let formats = WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
+                    wrapped(observer, ["wrap", "normal"], &interpolated, axis, formats).vector
+                }
+                Some(follows) => self.wrapped_after(followed, (axis, follows == Wide::ONE), i, observer),
+            };
             return (normal, normal != [Wide::ZERO; 3]);
         }
         if self.normalisation == Normalisation::None {
@@ -111,6 +122,46 @@ impl Lyon {
         let z = narrow(observer, format_args!("length_squared"), dot(&interpolated, &interpolated), f.length_squared);
         let gain = self.gain(z, observer);
         (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z != Wide::ZERO)
+    }
+
+    /// N' = N0 + a (N1 - N0); none of flat normals.
+    fn interpolated(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> Option<Vector> {
+        let f = &self.formats;
+        let (delta, weight_step) = (inputs.normal_delta?, inputs.weight_step?);
+        let accumulated = Wide::from_num(i) * weight_step;
+        observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
+        let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
+        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * delta[c]);
+        Some(narrow_vector(observer, "interpolated", lerp, f.vector))
+    }
+
+    /// n of pixel `i`, wrapped around that of the pixel before, or around the axis (METHODS.md C7).
+    fn wrapped_after(&self, followed: &Followed, (axis, follows): (&Vector, bool), i: u32, observer: &mut impl Observer) -> Vector {
+        let mut normals = followed.normals.borrow_mut();
+        for pixel in normals.len() as u32..i {
+            let interpolated = self.interpolated(&followed.inputs, pixel, &mut Nobody).unwrap_or_default();
+            let before = normals.last().filter(|_| follows).unwrap_or(axis);
+            let next = self.next(&interpolated, before, &mut Nobody);
+            normals.push(next);
+        }
+        let interpolated = self.interpolated(&followed.inputs, i, &mut Nobody).unwrap_or_default();
+        let before = i.checked_sub(1).filter(|_| follows).map_or(*axis, |before| normals[before as usize]);
+        let normal = self.next(&interpolated, &before, observer);
+        if normals.len() == i as usize {
+            normals.push(normal);
+        }
+        normal
+    }
+
+    /// n = N' + u H with H = N' + b and u = (1 - z)/H·H, clamped to 0 to 1: 2H (H·b)/(H·H) - b for a unit vector b.
+    fn next(&self, interpolated: &Vector, before: &Vector, observer: &mut impl Observer) -> Vector {
+        let f = &self.formats;
+        let z = narrow(observer, format_args!("length_squared"), dot(interpolated, interpolated), f.length_squared);
+        let h: Vector = std::array::from_fn(|c| interpolated[c] + before[c]);
+        let q = narrow(observer, format_args!("wrap_q"), dot(&h, &h), f.wrap_operand);
+        let ratio = limited_quotient(Wide::ONE - z, q, f.wrap_ratio.fraction_bits);
+        observer.see(format_args!("wrap_ratio"), ratio, f.wrap_ratio);
+        narrow_vector(observer, "normal", std::array::from_fn(|c| interpolated[c] + ratio * h[c]), f.vector)
     }
 
     /// g, near 1/√z: g1 or g2 (METHODS.md B8, B9), then Newton steps.

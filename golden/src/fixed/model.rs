@@ -81,8 +81,10 @@ impl Model {
     /// | b, g, s, ρ, m | `cos_beta`, `cos_gamma`, `sine_ratio_squared`, `sine_ratio`, `normal_share`; of L with `light<l>_` before |
     /// | r | `reflection_x`, `_y`, `_z`; of L with `light<l>_` before |
     /// | c, s; c_w, s_w | `state_cosine`, `state_sine`; `weight_cosine`, `weight_sine` |
+    /// | N, g, n of `slerp` | `turned_x`, `gain`, `normal_x`, and `_y`, `_z` |
     /// | J; K, g, K' | `light<l>_n_dot_l`; `n_dot_v`, `correction`, `corrected` |
     /// | t, u, q, s of `direct` | `weight`, `product`, `length_squared`, `reciprocal` |
+    /// | d, w, K' of `direct` | `length`, `reciprocal_square`, `n_dot_v_over_square` |
     /// | p_V, p_L | `n_dot_v_linear`, `light<l>_n_dot_l_linear` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///

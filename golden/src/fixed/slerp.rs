@@ -2,35 +2,42 @@
 use std::cell::RefCell;
 
 use specula_scene::Format;
-use specula_scene::spec::slerp::{SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
+use specula_scene::spec::slerp::{Axes, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
 use super::method::{Method, Values};
 use super::number::{Wide, round_to};
-use super::observer::{Observer, OfLight, narrow};
-use super::packet::PacketError;
+use super::observer::{Observer, OfLight, narrow, narrow_vector};
+use super::packet::{self, PacketError};
 use super::raised::Raised;
+use super::vector::{Vector, dot};
 
 /// The method in one core's formats.
 pub(super) struct Slerp {
+    /// Of the angles' cosines and sines.
+    state: Format,
     power: Raised,
     formats: SlerpFormats,
     colour: Format,
     ports: SlerpInputs<InputPort>,
 }
 
-/// A packet, and what the rotation has made of it so far.
+/// A packet, and what the rotations have made of it so far.
 pub(super) struct Turning {
     inputs: SlerpInputs<Wide>,
-    /// c and s of the pixels from the first on, as many as have been asked for.
-    states: RefCell<Vec<[Wide; 2]>>,
+    /// What the weights of start and end are taken from, at the pixels from the first on, as many as have been asked for.
+    states: RefCell<Vec<[Circling; 2]>>,
 }
+
+/// A cosine and a sine, times a factor.
+type Circling = [Wide; 2];
 
 impl Slerp {
     pub fn new(core: &CoreSpec, slerp: &SlerpSpec) -> Slerp {
         Slerp {
+            state: if slerp.between_ends() { slerp.formats.scaled_state } else { slerp.formats.state },
             power: Raised::new(core, slerp.power_unit()),
             formats: slerp.formats.clone(),
             colour: sum_format(core, slerp.formats.diffuse, slerp.power_unit().format()),
@@ -44,50 +51,97 @@ impl Method for Slerp {
 
     fn read(&self, mut values: Values<'_>) -> Turning {
         let inputs = self.ports.map(|port| values.next(port));
-        Turning { inputs, states: RefCell::new(vec![[Wide::ONE, Wide::ZERO]]) }
+        // Between the ends both have angles of their own; else one rotation has both weights.
+        let falling = [Wide::ONE, inputs.falling_cosine.unwrap_or(Wide::ZERO)];
+        let rising = [inputs.rising_cosine.unwrap_or(Wide::ONE), Wide::ZERO];
+        Turning { inputs, states: RefCell::new(vec![[falling, rising]]) }
     }
 
-    /// A turn that stretches would leave every range: its squares add up to 1 but for the host's rounding.
-    fn check(&self, Turning { inputs, .. }: &Turning, _: Course) -> Result<(), PacketError> {
-        let length = inputs.turn_cosine * inputs.turn_cosine + inputs.turn_sine * inputs.turn_sine;
+    /// A turn that stretches would leave every range: its squares add up to 1 but for the host's rounding. With weights below 8 normals are
+    /// shorter than 18, before their length is corrected.
+    fn check(&self, turning: &Turning, course: Course) -> Result<(), PacketError> {
+        let inputs = &turning.inputs;
+        let stretch = inputs.turn_cosine * inputs.turn_cosine + inputs.turn_sine * inputs.turn_back.unwrap_or(inputs.turn_sine);
         let longest = Wide::ONE + (Wide::ONE >> (self.formats.turn.fraction_bits - 1));
-        if length <= longest { Ok(()) } else { Err(PacketError::Turn) }
+        if let Some(Axes { start, other }) = &inputs.normal {
+            packet::check_length(start, 1, self.formats.vector)?;
+            packet::check_length(other, 1, self.formats.vector)?;
+        }
+        let small = |i: u32| self.states(turning, i).iter().flatten().all(|x| x.abs() < 8);
+        let fits = stretch <= longest && (inputs.turn_back.is_none() || (0..course.length).all(small));
+        if fits { Ok(()) } else { Err(PacketError::Turn) }
     }
 
     fn pixel(&self, turning: &Turning, i: u32, observer: &mut impl Observer) -> [u8; 3] {
         let (f, inputs) = (&self.formats, &turning.inputs);
-        let [cosine, sine] = self.state(turning, i);
-        observer.see(format_args!("state_cosine"), cosine, f.state);
-        observer.see(format_args!("state_sine"), sine, f.state);
-        let c = narrow(observer, format_args!("weight_cosine"), cosine, f.weight);
-        let s = narrow(observer, format_args!("weight_sine"), sine, f.weight);
-        let n_dot_v = narrow(observer, format_args!("n_dot_v"), c * inputs.view_start + s * inputs.view_across, f.cosine);
-        let correction = narrow(observer, format_args!("correction"), Wide::from_num(2) - (c * c + s * s), f.cosine);
-        let corrected = narrow(observer, format_args!("corrected"), n_dot_v * correction, f.cosine);
+        let weights = self.weights(turning, i, observer);
+        let normal = inputs.normal.as_ref().map(|axes| self.normal(axes, weights, observer));
+        let n_dot_v = match &normal {
+            Some(n) => narrow(observer, format_args!("n_dot_v"), n[2], f.cosine),
+            None => self.corrected(inputs.view.as_ref(), weights, observer),
+        };
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
-            let n_dot_l = c * light.light_start + s * light.light_across;
+            let n_dot_l = match (&normal, &light.direction) {
+                (Some(n), Some(direction)) => dot(n, direction),
+                _ => on_arc(light.light.as_ref(), weights),
+            };
             let n_dot_l = narrow(&mut observer, format_args!("n_dot_l"), n_dot_l, f.cosine);
             colour.add(&light.diffuse, self.diffuse(n_dot_l, &mut observer));
-            let base = self.base(n_dot_l, corrected, light, &mut observer);
+            let base = self.base(n_dot_l, n_dot_v, light, &mut observer);
             colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
         }
         colour.code(self.colour, observer)
     }
 }
 
+/// u A·X + v T·X.
+fn on_arc(scalars: Option<&OnArc<Wide>>, [u, v]: [Wide; 2]) -> Wide {
+    scalars.map_or(Wide::ZERO, |scalars| u * scalars.start + v * scalars.across)
+}
+
 impl Slerp {
-    /// c and s after `i` turns.
-    fn state(&self, turning: &Turning, i: u32) -> [Wide; 2] {
+    /// The weights of start and end after `i` turns.
+    fn weights(&self, turning: &Turning, i: u32, observer: &mut impl Observer) -> [Wide; 2] {
+        let [falling, rising] = self.states(turning, i);
+        let [cosine, sine] = [falling[0], rising[1]];
+        observer.see(format_args!("state_cosine"), cosine, self.state);
+        observer.see(format_args!("state_sine"), sine, self.state);
+        let c = narrow(observer, format_args!("weight_cosine"), cosine, self.formats.weight);
+        let s = narrow(observer, format_args!("weight_sine"), sine, self.formats.weight);
+        [c, s]
+    }
+
+    fn states(&self, turning: &Turning, i: u32) -> [Circling; 2] {
         let (cosine, sine) = (turning.inputs.turn_cosine, turning.inputs.turn_sine);
+        let back = turning.inputs.turn_back.unwrap_or(sine);
+        let turned = |[c, s]: Circling, down: Wide, up: Wide| {
+            [c * cosine - s * down, s * cosine + c * up].map(|x| round_to(x, self.state.fraction_bits))
+        };
         let mut states = turning.states.borrow_mut();
         while states.len() <= i as usize {
-            let [c, s] = states[states.len() - 1];
-            let turned = [c * cosine - s * sine, s * cosine + c * sine];
-            states.push(turned.map(|x| round_to(x, self.formats.state.fraction_bits)));
+            let [falling, rising] = states[states.len() - 1];
+            states.push([turned(falling, sine, back), turned(rising, back, sine)]);
         }
         states[i as usize]
+    }
+
+    /// K (2 - N·N).
+    fn corrected(&self, view: Option<&OnArc<Wide>>, weights: [Wide; 2], observer: &mut impl Observer) -> Wide {
+        let (format, [c, s]) = (self.formats.cosine, weights);
+        let n_dot_v = narrow(observer, format_args!("n_dot_v"), on_arc(view, weights), format);
+        let correction = narrow(observer, format_args!("correction"), Wide::from_num(2) - (c * c + s * s), format);
+        narrow(observer, format_args!("corrected"), n_dot_v * correction, format)
+    }
+
+    /// n = N (3 - N·N)/2.
+    fn normal(&self, axes: &Axes<Wide>, [u, v]: [Wide; 2], observer: &mut impl Observer) -> Vector {
+        let f = &self.formats;
+        let turned: Vector = std::array::from_fn(|c| u * axes.start[c] + v * axes.other[c]);
+        let turned = narrow_vector(observer, "turned", turned, f.vector);
+        let gain = narrow(observer, format_args!("gain"), (Wide::from_num(3) - dot(&turned, &turned)) / 2, f.cosine);
+        narrow_vector(observer, "normal", turned.map(|c| gain * c), f.vector)
     }
 
     /// J, kept within 0 to 1.

@@ -28,10 +28,19 @@ fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> ([i128; 3], bool) {
         return (n, n != [0; 3]);
     }
     let (v, w, zf, gf) = (f.vector.fraction_bits, f.weight.fraction_bits, f.length_squared.fraction_bits, f.gain.fraction_bits);
-    let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
     let (start, delta) =
-        (raw.vector(if spec.normals == Normals::Wrapped { "wrap_start" } else { "normal_start" }), raw.vector("normal_delta"));
-    let lerp = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
+        (raw.vector(if raw.has("wrap_start_x") { "wrap_start" } else { "normal_start" }), raw.vector("normal_delta"));
+    let interpolated = |i: u32| {
+        let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
+        [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v))
+    };
+    let lerp = interpolated(i);
+    if raw.has("wrap_follows") {
+        let axis = raw.vector("wrap_axis");
+        let from = if raw.get("wrap_follows") == 1 { 0 } else { i };
+        let n = (from..=i).fold(axis, |before, i| follower(spec, interpolated(i), before));
+        return (n, n != [0; 3]);
+    }
     if spec.normals == Normals::Wrapped {
         let n = wrapped(spec, lerp, raw.vector("wrap_axis"));
         return (n, n != [0; 3]);
@@ -73,6 +82,19 @@ fn wrapped(spec: &LyonSpec, h: [i128; 3], w: [i128; 3]) -> [i128; 3] {
     let (p, q) = (round(dot(h, w), 2 * v, o), round(dot(h, h), 2 * v, o));
     let ratio = if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
     [0, 1, 2].map(|c| round(2 * ratio * h[c] - (w[c] << r), v + r, v))
+}
+
+/// N + u (N + b), u = (1 - N·N)/|N + b|².
+fn follower(spec: &LyonSpec, n: [i128; 3], before: [i128; 3]) -> [i128; 3] {
+    let f = &spec.formats;
+    let (v, z, o, r) =
+        (f.vector.fraction_bits, f.length_squared.fraction_bits, f.wrap_operand.fraction_bits, f.wrap_ratio.fraction_bits);
+    let h = [0, 1, 2].map(|c| n[c] + before[c]);
+    // p/q in the same units.
+    let p = ((1 << z) - round(dot(n, n), 2 * v, z)) << o;
+    let q = round(dot(h, h), 2 * v, o) << z;
+    let ratio = if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
+    [0, 1, 2].map(|c| round((n[c] << r) + ratio * h[c], v + r, v))
 }
 
 fn shape(spec: &LyonSpec, raw: &Raw, n: [i128; 3], light: usize) -> i128 {

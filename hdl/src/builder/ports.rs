@@ -63,3 +63,4 @@ inputs!(A 0, B 1);
 inputs!(A 0, B 1, C 2);
 inputs!(A 0, B 1, C 2, D 3);
 inputs!(A 0, B 1, C 2, D 3, E 4);
+inputs!(A 0, B 1, C 2, D 3, E 4, F 5);

@@ -33,7 +33,8 @@ impl Builder {
         body()
     }
 
-    /// What `body` describes works within one clock: its operators get no registers, its results one each.
+    /// What `body` describes works within one clock: its operators get no registers, its results one each, or none where what is around
+    /// it works within one clock itself.
     pub fn in_one_clock<O: Bundle>(&self, body: impl FnOnce() -> O) -> O {
         let results = self.without_registers(body);
         let mut last = 0;
@@ -52,7 +53,12 @@ impl Builder {
         results
     }
 
+    /// A target that wants no register behind a multiplexer wants none here: what is around works within one clock.
     fn behind_a_register(&self, sig: &Sig) -> Sig {
+        let id = sig.id();
+        if self.state.borrow().register_after(&Op::Select(id, id, id)) == Register::None {
+            return sig.clone();
+        }
         let facts = Facts { range: sig.range().into(), fraction_bits: sig.fraction_bits(), error: sig.error(), kind: "registered" };
         self.emit(Op::Copy(sig.id()), Register::Data, facts)
     }

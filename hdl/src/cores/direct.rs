@@ -1,11 +1,11 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_scene::CoreSpec;
-use specula_scene::spec::direct::{DirectLight, DirectSpec};
+use specula_scene::spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
+use specula_scene::{CoreSpec, Format};
 
 use super::{finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
-use crate::units::{self, Light, UnitNormal};
+use crate::units::{self, DirectedBase, Light, NewtonRoot, Product, QuotientFormat, UnitNormal};
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to 4.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, TooWide> {
@@ -14,15 +14,71 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let formats = &direct.formats;
     let t = units::parameter(&b, &turns.first_pixel, &inputs.weight_step, formats, spec.longest_span - 1);
     let q = units::squared_length(&b, &t, &inputs.spread, formats);
-    // Unit ends are no closer to each other's middle than those of which the longer alone is a unit vector.
-    let smallest_q = spec.shortest_normal * spec.shortest_normal;
-    let s = units::reciprocal_square_root(&b, &q, formats.reciprocal.into(), smallest_q);
     let view = [&inputs.view.start, &inputs.view.delta];
-    let normal = UnitNormal::new(&t, &inputs.spread, formats, spec.shortest_normal);
-    let k = b.instance("n_dot_v", || units::direct_cosine(&b, &t, view, &s, formats, normal));
-    let pixel = Pixel { b: &b, direct, t: &t, q: &q, s: &s, k: &k, smallest_q, normal, exponent: &inputs.exponent };
+    let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
+    let length = length(&b, Squared { first: &turns.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view }, spec, direct);
+    let smallest_q = spec.shortest_normal * spec.shortest_normal;
+    let pixel = Pixel { b: &b, direct, t: &t, q: &q, length: &length, smallest_q, exponent: &inputs.exponent };
     let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &turns, &inputs.ambient, &lights)
+}
+
+/// What a pixel's length is made of.
+#[derive(Clone, Copy)]
+struct Squared<'a> {
+    first: &'a Sig,
+    t: &'a Sig,
+    q: &'a Sig,
+    spread: &'a Sig,
+    /// N·V, not of the unit normal.
+    view: &'a Sig,
+}
+
+/// What the length of N is divided out by.
+struct Length {
+    /// 1/√q, or 1/d.
+    reciprocal: Sig,
+    /// What is known of N times that.
+    normal: UnitNormal,
+    highlight: Highlight,
+}
+
+/// What the base of the highlight is made of.
+enum Highlight {
+    /// J and this K.
+    OfCosines(Sig),
+    /// p_L and this p_V/q, whose product is known so well.
+    OfQuotient(Sig, Option<Product>),
+}
+
+/// Unit ends are no closer to each other's middle than those of which the longer alone is a unit vector.
+fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Length {
+    let Squared { first, t, q, spread, view } = of;
+    let (formats, shortest) = (&direct.formats, spec.shortest_normal);
+    let smallest_q = shortest * shortest;
+    match direct.root {
+        Root::Exact => {
+            let reciprocal = units::reciprocal_square_root(b, q, formats.reciprocal.into(), smallest_q);
+            let normal = UnitNormal::new(t, spread, formats, shortest);
+            let k = b.instance("n_dot_v", || units::direct_cosine(b, view, &reciprocal, formats, normal));
+            Length { reciprocal, normal, highlight: Highlight::OfCosines(k) }
+        }
+        Root::Newton => {
+            let newton = NewtonRoot { steps: direct.newton_steps, shortest };
+            let reciprocal = reciprocal_length(b, first, q, formats, newton);
+            let normal = UnitNormal::by_newton(t, q, spread, formats, newton);
+            let quotient = units::over_square(b, view, q, smallest_q, formats);
+            let known = Product::with_quotient(t, spread, formats, shortest);
+            Length { reciprocal, normal, highlight: Highlight::OfQuotient(quotient, known) }
+        }
+    }
+}
+
+/// 1/d, d by Newton's method from the pixel before.
+fn reciprocal_length(b: &Builder, first: &Sig, q: &Sig, formats: &DirectFormats, newton: NewtonRoot) -> Sig {
+    let d = units::newton_root(b, first, q, formats, newton);
+    let Format { integer_bits, fraction_bits, .. } = formats.reciprocal;
+    units::quotient(b, &b.integer(1), &d, QuotientFormat { integer_bits, fraction_bits }, newton.shortest)
 }
 
 /// What the lights have in common.
@@ -31,22 +87,20 @@ struct Pixel<'a> {
     direct: &'a DirectSpec,
     t: &'a Sig,
     q: &'a Sig,
-    s: &'a Sig,
-    k: &'a Sig,
+    length: &'a Length,
     smallest_q: f64,
-    normal: UnitNormal,
     exponent: &'a Sig,
 }
 
 impl Pixel<'_> {
     fn shade(&self, index: usize, light: &DirectLight<Sig>) -> Light {
-        let (b, formats) = (self.b, &self.direct.formats);
+        let (b, formats, length) = (self.b, &self.direct.formats, self.length);
         let called = |unit: &str| format!("light{index}_{unit}");
         let ends = [&light.light.start, &light.light.delta];
-        let j = b.instance(&called("n_dot_l"), || units::direct_cosine(b, self.t, ends, self.s, formats, self.normal));
+        let p = b.instance(&called("scalar"), || units::direct_scalar(b, self.t, ends, formats));
+        let j = b.instance(&called("n_dot_l"), || units::direct_cosine(b, &p, &length.reciprocal, formats, length.normal));
         let bits = formats.base.fraction_bits;
-        let base = || units::directed_base(b, [&j, self.k], &light.light_dot_view, self.q, self.smallest_q, bits);
-        let base = b.instance(&called("base"), base);
+        let base = b.instance(&called("base"), || units::directed_base(b, self.base(&p, &j, light), bits));
         let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &j, formats.diffuse.fraction_bits)),
@@ -54,5 +108,13 @@ impl Pixel<'_> {
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
         }
+    }
+
+    fn base<'a>(&'a self, p: &'a Sig, j: &'a Sig, light: &'a DirectLight<Sig>) -> DirectedBase<'a> {
+        let (factors, known) = match &self.length.highlight {
+            Highlight::OfCosines(k) => ([j, k], Product::of_cosines([j, k])),
+            Highlight::OfQuotient(k, known) => ([p, k], *known),
+        };
+        DirectedBase { factors, known, light_dot_view: &light.light_dot_view, q: self.q, smallest_q: self.smallest_q }
     }
 }

@@ -5,7 +5,7 @@ use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, 
 use super::{eye, finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
-use crate::units::{self, Interpolation, Light, SpanNormals, WrapFormats};
+use crate::units::{self, Follow, Interpolation, Light, SpanNormals, WrapFormats};
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR 43, fig. 6 to 8]
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
@@ -44,15 +44,21 @@ fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, l
             },
         )
     };
-    match &inputs.wrap_axis {
-        None => units::normalise(b, &along(1.0), lyon, spec.shortest_normal),
-        Some(axis) => {
+    let Some(axis) = inputs.wrap_axis.as_ref().map(unit) else {
+        return units::normalise(b, &along(1.0), lyon, spec.shortest_normal);
+    };
+    let n = match &inputs.wrap_follows {
+        None => {
             let to = WrapFormats { operand: formats.wrap_operand, ratio: formats.wrap_ratio, vector: formats.vector };
-            let n = units::wrapped(b, &along(2.0), &unit(axis), to);
-            let has_direction = units::has_direction(b, &n);
-            (n, has_direction)
+            units::wrapped(b, &along(2.0), &axis, to)
         }
-    }
+        Some(follows) => {
+            let of = Follow { first, follows, axis: &axis, normal: &along(1.0) };
+            units::followed(b, of, formats, spec.shortest_normal)
+        }
+    };
+    let has_direction = units::has_direction(b, &n);
+    (n, has_direction)
 }
 
 /// What the lights have in common.

@@ -1,29 +1,70 @@
 //! The core of spherical interpolation.
 use specula_scene::CoreSpec;
-use specula_scene::spec::slerp::{SlerpLight, SlerpSpec};
+use specula_scene::spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
 
-use super::{finish, pipelines, turns};
-use crate::builder::{Builder, Sig, TooWide};
+use super::{eye, finish, pipelines, turns};
+use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
-use crate::units::{self, BaseBound, Light};
+use crate::units::{self, BaseBound, Light, Turn, Weighing};
 
-/// One rotation, and what it makes of N·V and of each light's N·L; specular base 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to
-/// 4.12]
+/// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base 2 J K - L·V, then its power.
+/// [lecture, eq. 4.5, 4.7 to 4.12]
 pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = slerp.inputs(spec).map(|port| b.input(port));
-    let steps = spec.longest_span - 1;
-    let turn = [&inputs.turn_cosine, &inputs.turn_sine];
-    let [c, s] = units::rotation(&b, &turns.first_pixel, turn, &slerp.formats, steps)
-        .map(|x| x.rounded(slerp.formats.weight.fraction_bits).named("weight"));
-    let weights = [&c, &s];
-    let view = [&inputs.view_start, &inputs.view_across];
-    let n_dot_v = b.instance("n_dot_v", || units::along_arc(&b, weights, view, &slerp.formats, steps));
-    let n_dot_v = units::corrected(&b, &n_dot_v, weights, &slerp.formats, steps);
-    let bound = BaseBound::new(&slerp.formats, steps);
-    let pixel = Pixel { b: &b, spec, slerp, weights, n_dot_v: &n_dot_v, exponent: &inputs.exponent, bound };
+    let (formats, steps) = (&slerp.formats, spec.longest_span - 1);
+    let [u, v] = weights(&b, &turns.first_pixel, &inputs, slerp, steps);
+    let weights = [&u, &v];
+    let normal = inputs.normal.as_ref().map(|axes| {
+        let known = match slerp.frame {
+            Basis::Orthonormal => Weighing::orthonormal(formats, steps),
+            Basis::Ends => Weighing::between_ends(formats, steps, spec.shortest_normal),
+        };
+        let [start, other] = [&axes.start, &axes.other].map(|axis| unit(axis, formats));
+        units::turned_normal(&b, weights, [&start, &other], formats, known)
+    });
+    let n_dot_v = match &normal {
+        Some(n) => b.instance("n_dot_v", || units::cosine_between(&b, n, &eye(&b), formats.cosine.fraction_bits)),
+        None => {
+            let n_dot_v = b.instance("n_dot_v", || on_arc(&b, weights, inputs.view.as_ref(), formats, steps));
+            units::corrected(&b, &n_dot_v, weights, formats, steps)
+        }
+    };
+    let bound = BaseBound::new(formats, steps);
+    let pixel =
+        Pixel { b: &b, spec, slerp, weights, normal: normal.as_ref(), n_dot_v: &n_dot_v, exponent: &inputs.exponent, bound };
     let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &turns, &inputs.ambient, &lights)
+}
+
+/// The weights of what stands at the start and of what goes with it.
+fn weights(b: &Builder, first: &Sig, inputs: &SlerpInputs<Sig>, slerp: &SlerpSpec, steps: u32) -> [Sig; 2] {
+    let (formats, cosine, sine) = (&slerp.formats, &inputs.turn_cosine, &inputs.turn_sine);
+    let turned = match (&inputs.turn_back, &inputs.rising_cosine, &inputs.falling_cosine) {
+        (Some(back), Some(rising), Some(falling)) => {
+            let turn = |name: &str, starts: [&Sig; 2], [down, up]: [&Sig; 2]| {
+                let turn = Turn { cosine, down, up };
+                b.instance(name, || units::scaled_rotation(b, first, starts, turn, formats, steps))
+            };
+            let [falling, _] = turn("falling", [&b.integer(1), falling], [sine, back]);
+            let [_, rising] = turn("rising", [rising, &b.integer(0)], [back, sine]);
+            [falling, rising]
+        }
+        _ => units::rotation(b, first, [cosine, sine], formats, steps),
+    };
+    turned.map(|x| x.rounded(formats.weight.fraction_bits).named("weight"))
+}
+
+/// A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
+fn unit(components: &[Sig; 3], formats: &SlerpFormats) -> Vector {
+    Vector::new(components.clone()).no_longer_than(1.0 + formats.vector.ulp())
+}
+
+/// N·X; scalars have ports wherever there is no normal.
+fn on_arc(b: &Builder, weights: [&Sig; 2], scalars: Option<&OnArc<Sig>>, formats: &SlerpFormats, steps: u32) -> Sig {
+    let zero = b.integer(0);
+    let [start, across] = scalars.map_or([&zero, &zero], |scalars| [&scalars.start, &scalars.across]);
+    units::along_arc(b, weights, [start, across], formats, steps)
 }
 
 /// What the lights have in common.
@@ -32,6 +73,8 @@ struct Pixel<'a> {
     spec: &'a CoreSpec,
     slerp: &'a SlerpSpec,
     weights: [&'a Sig; 2],
+    /// The normal, if that is what turns.
+    normal: Option<&'a Vector>,
     n_dot_v: &'a Sig,
     exponent: &'a Sig,
     bound: BaseBound,
@@ -41,17 +84,30 @@ impl Pixel<'_> {
     fn shade(&self, index: usize, light: &SlerpLight<Sig>) -> Light {
         let (b, formats) = (self.b, &self.slerp.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
-        let scalars = [&light.light_start, &light.light_across];
-        let along_arc = || units::along_arc(b, self.weights, scalars, formats, self.spec.longest_span - 1);
-        let n_dot_l = b.instance(&called("n_dot_l"), along_arc);
-        let base = || units::base(b, &n_dot_l, self.n_dot_v, &light.light_dot_view, &self.bound, formats);
-        let base = b.instance(&called("base"), base);
+        let n_dot_l = b.instance(&called("n_dot_l"), || self.n_dot_l(light));
+        let base = b.instance(&called("base"), || self.base(&n_dot_l, light));
         let power = || units::raised(b, &base, self.exponent, self.slerp.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &n_dot_l, formats.diffuse.fraction_bits)),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
+        }
+    }
+
+    fn n_dot_l(&self, light: &SlerpLight<Sig>) -> Sig {
+        let (b, formats) = (self.b, &self.slerp.formats);
+        match (self.normal, &light.direction) {
+            (Some(n), Some(direction)) => units::cosine_between(b, n, &unit(direction, formats), formats.cosine.fraction_bits),
+            _ => on_arc(b, self.weights, light.light.as_ref(), formats, self.spec.longest_span - 1),
+        }
+    }
+
+    fn base(&self, n_dot_l: &Sig, light: &SlerpLight<Sig>) -> Sig {
+        let (b, formats) = (self.b, &self.slerp.formats);
+        match self.normal {
+            Some(_) => units::reflected_cosine(b, self.n_dot_v, n_dot_l, &light.light_dot_view, formats.base.fraction_bits),
+            None => units::base(b, n_dot_l, self.n_dot_v, &light.light_dot_view, &self.bound, formats),
         }
     }
 }

@@ -4,7 +4,9 @@ use specula_scene::format::power_of_two;
 use specula_scene::spec::direct::DirectFormats;
 
 use super::HOST_ERROR;
+use super::divider::{QuotientFormat, quotient};
 use super::interpolate::{chord, overshoot};
+use super::newton_root::NewtonRoot;
 use super::unit_vectors::half_unit_where_narrowed;
 use crate::builder::{Builder, Sig};
 use crate::design::ErrorForm;
@@ -39,64 +41,108 @@ pub fn squared_length(b: &Builder, t: &Sig, spread: &Sig, formats: &DirectFormat
     )
 }
 
+/// What rounding leaves of N between unit ends: t turns it, and q is that of another.
+struct Moved {
+    /// |B - A| e_t, by how much N is moved along its line.
+    by: f64,
+    /// Length of the shortest N as it is.
+    least: f64,
+    /// By how much its direction is turned: an angle whose chord is |B - A| e_t/√(s m), s for the shortest N as it should be and m as it is.
+    angle: f64,
+    /// What t reaches past 1.
+    past: f64,
+    /// By how much q is off from that of N as it is: the rounding of κ times t (1 - t), which is 1/4 at most, that of the product times κ, and its
+    /// own.
+    of_square: f64,
+}
+
+impl Moved {
+    fn new(t: &Sig, spread: &Sig, formats: &DirectFormats, shortest: f64) -> Moved {
+        let by = chord(shortest) * t.error_value();
+        let least = shortest - by;
+        let chord_turned = by / (shortest * least).sqrt();
+        let past = (t.format().value(t.range().high) - 1.0).max(0.0);
+        let half = |format: Format| 0.5 * format.ulp();
+        let spread_range = spread.range().high as f64 * spread.ulp();
+        let kappa = spread_range.min(chord(shortest).powi(2) + half(formats.spread));
+        let t_by_rest = 0.25 + past * (1.0 + past);
+        let of_square = t_by_rest * half(formats.spread) + kappa * half(formats.product) + half(formats.length_squared);
+        Moved { by, least, angle: 2.0 * (chord_turned / 2.0).min(1.0).asin(), past, of_square }
+    }
+
+    /// q as it comes is no less, if it is known to be above what 1/√q ends at.
+    fn least_square(&self, formats: &DirectFormats) -> Option<f64> {
+        let least = self.least * self.least - self.of_square;
+        let sure = self.least > 0.0 && least >= power_of_two(-2 * i64::from(formats.reciprocal.integer_bits));
+        (sure && least > self.of_square).then_some(least)
+    }
+
+    /// By how much N·X of N as it is is off: the host sends the difference of rounded ends, and it is rounded itself.
+    fn of_scalar(&self, formats: &DirectFormats) -> f64 {
+        let half = |format: Format| 0.5 * format.ulp() + HOST_ERROR;
+        (1.0 + 2.0 * self.past) * half(formats.component) + half(formats.cosine)
+    }
+}
+
 /// What is known of the unit normal n = N/√q that cosines are taken of, whatever X.
-///
-/// # Error
-/// A parameter off by e_t leaves N on its line, |B - A| e_t further. So with s for the shortest N and m = s - |B - A| e_t, n turns by an angle
-/// whose chord is |B - A| e_t/√(s m). q is that of this N but for ε, what rounding adds: that of κ times t (1 - t), which is 1/4 at most, that of the
-/// product times κ, and its own. With x = ε/(m² - ε), √(1/q) is off by x/(2 - x) of itself, and by half a unit.
 #[derive(Clone, Copy, Debug)]
 pub struct UnitNormal {
     /// By how much it is turned.
     angle: f64,
-    /// By how much 1/√q is off, relative to the length of N as it is.
-    stretch: f64,
-    /// The largest 1/√q.
-    largest_reciprocal: f64,
+    /// By how much n·X is off beside that and the rounding of n·X.
+    rest: f64,
 }
 
 impl UnitNormal {
-    /// Of normals no shorter than `shortest`.
+    const UNKNOWN: UnitNormal = UnitNormal { angle: f64::INFINITY, rest: f64::INFINITY };
+
+    /// Of normals no shorter than `shortest`, with a rounded 1/√q.
+    ///
+    /// # Error
+    /// With ε for what q is off from that of N as it is, and x = ε/(m² - ε), √(1/q) is off by x/(2 - x) of itself, and by half a unit.
     pub fn new(t: &Sig, spread: &Sig, formats: &DirectFormats, shortest: f64) -> UnitNormal {
-        const UNKNOWN: UnitNormal = UnitNormal { angle: f64::INFINITY, stretch: f64::INFINITY, largest_reciprocal: f64::INFINITY };
-        let moved = chord(shortest) * t.error_value();
-        let least = shortest - moved;
-        let half = |format: Format| 0.5 * format.ulp();
-        let spread_range = spread.range().high as f64 * spread.ulp();
-        let kappa = spread_range.min(chord(shortest).powi(2) + half(formats.spread));
-        let past = (t.format().value(t.range().high) - 1.0).max(0.0);
-        let t_by_rest = 0.25 + past * (1.0 + past);
-        let of_q = t_by_rest * half(formats.spread) + kappa * half(formats.product) + half(formats.length_squared);
-        let least_q = least * least - of_q;
-        if least <= 0.0 || least_q < power_of_two(-2 * i64::from(formats.reciprocal.integer_bits)) || least_q <= of_q {
-            return UNKNOWN;
-        }
-        let x = of_q / least_q;
-        let chord = moved / (shortest * least).sqrt();
-        let stretch = x / (2.0 - x) + (1.0 + 2.0 * past) * half(formats.reciprocal);
-        UnitNormal { angle: 2.0 * (chord / 2.0).min(1.0).asin(), stretch, largest_reciprocal: (1.0 + stretch) / least }
+        let moved = Moved::new(t, spread, formats, shortest);
+        let Some(least_square) = moved.least_square(formats) else { return UnitNormal::UNKNOWN };
+        let x = moved.of_square / least_square;
+        let stretch = x / (2.0 - x) + (1.0 + 2.0 * moved.past) * 0.5 * formats.reciprocal.ulp();
+        UnitNormal { angle: moved.angle, rest: stretch + moved.of_scalar(formats) * (1.0 + stretch) / moved.least }
+    }
+
+    /// With 1/d for 1/√q: the real scalar is r N·X/√q with r = √q/d, and r ≤ 1 since Newton's d is √q or more.
+    ///
+    /// # Error
+    /// r cos x is itself the cosine of an angle, which turns no faster than x, since r² sin² x ≤ 1 - r² cos² x. What is left is by how much r is
+    /// off: with d off by e_d and so s - e_d or more, |N| by what N has moved, it is both over s - e_d, and half a unit of 1/d.
+    pub fn by_newton(t: &Sig, q: &Sig, spread: &Sig, formats: &DirectFormats, newton: NewtonRoot) -> UnitNormal {
+        let moved = Moved::new(t, spread, formats, newton.shortest);
+        let Some(error) = newton.bound(q, formats).filter(|_| moved.least > 0.0) else { return UnitNormal::UNKNOWN };
+        let least_length = newton.shortest - error;
+        let half_unit = (1.0 + 2.0 * moved.past) * 0.5 * formats.reciprocal.ulp();
+        let stretch = (moved.by + error) / least_length + half_unit;
+        UnitNormal { angle: moved.angle, rest: stretch + moved.of_scalar(formats) * (1.0 / least_length + half_unit) }
     }
 }
 
-/// N·X/√q for X = L and V alike, kept within -1 to 1: linear in t, times s = 1/√q. [lecture, eq. 4.3]
+/// p = N·X for X = L and V alike, linear in t. [lecture, eq. 4.3]
 ///
 /// Both ends are rounded and t ≤ 1 + o, so N·X is no larger than 1 + 2o.
-///
-/// # Error
-/// The host sends the difference of rounded ends, so that N·X of N as it is comes out off by (1 + 2o) times half a unit and half of its
-/// own; times 1/√q. What 1/√q is off by and half a unit come on top, beside the angle by which n is turned.
-pub fn direct_cosine(b: &Builder, t: &Sig, [start, delta]: [&Sig; 2], s: &Sig, formats: &DirectFormats, normal: UnitNormal) -> Sig {
-    let inputs = (("t", t), ("at_start", start), ("delta", delta), ("s", s));
-    b.unit("cosine", "N.X/sqrt(q), N.X = A.X + t (B.X - A.X) [lecture, eq. 4.3]", inputs, |_, (t, start, delta, s)| {
-        let fraction_bits = formats.cosine.fraction_bits;
+pub fn direct_scalar(b: &Builder, t: &Sig, [start, delta]: [&Sig; 2], formats: &DirectFormats) -> Sig {
+    let inputs = (("t", t), ("at_start", start), ("delta", delta));
+    b.unit("scalar", "p = N.X = A.X + t (B.X - A.X) [lecture, eq. 4.3]", inputs, |_, (t, start, delta)| {
         let past = (t.format().value(t.range().high) - 1.0).max(0.0);
         let linear = (start + t * delta).assumed(-1.0 - 2.0 * past, 1.0 + 2.0 * past, "|N.X| <= 1");
-        let linear = linear.rounded(fraction_bits).named("linear");
-        let half = |format: Format| 0.5 * format.ulp() + HOST_ERROR;
-        let of_linear = (1.0 + 2.0 * past) * half(formats.component) + half(formats.cosine);
-        let rest = normal.stretch + of_linear * normal.largest_reciprocal + half(formats.cosine);
-        let cosine = (linear * s).rounded(fraction_bits).clamped_below(-1).clamped_above(1);
-        let cosine = cosine.named("cosine");
+        linear.rounded(formats.cosine.fraction_bits).named("linear")
+    })
+}
+
+/// p s with s = 1/√q, kept within -1 to 1. [lecture, eq. 4.3]
+///
+/// # Error
+/// That of [`UnitNormal`], and half a unit.
+pub fn direct_cosine(b: &Builder, p: &Sig, s: &Sig, formats: &DirectFormats, normal: UnitNormal) -> Sig {
+    b.unit("cosine", "c = p/sqrt(q) [lecture, eq. 4.3]", (("p", p), ("s", s)), |_, (p, s)| {
+        let rest = normal.rest + 0.5 * formats.cosine.ulp() + HOST_ERROR;
+        let cosine = (p * s).rounded(formats.cosine.fraction_bits).clamped_below(-1).clamped_above(1).named("cosine");
         // Where N may vanish, its real length does not end at 2^-m as 1/√q does, so propagation through that says nothing.
         match rest.is_finite() {
             true => cosine.known_cosine(normal.angle, rest),
@@ -105,27 +151,92 @@ pub fn direct_cosine(b: &Builder, t: &Sig, [start, delta]: [&Sig; 2], s: &Sig, f
     })
 }
 
+/// p/q, which with another p makes p p/q of any length of N: |p/q| ≤ 1/√q ≤ 2^m. [lecture, eq. 4.5]
+pub fn over_square(b: &Builder, p: &Sig, q: &Sig, smallest_q: f64, formats: &DirectFormats) -> Sig {
+    b.unit("over_square", "k = p/q [lecture, eq. 4.5]", (("p", p), ("q", q)), |b, (p, q)| {
+        let Format { integer_bits, fraction_bits, .. } = formats.reciprocal;
+        let to = QuotientFormat { integer_bits: 2 * integer_bits, fraction_bits };
+        let reciprocal = quotient(b, &b.integer(1), &at_least(b, &q, 2 * integer_bits), to, smallest_q);
+        let limit = 1 << integer_bits;
+        (p * reciprocal).rounded(formats.cosine.fraction_bits).clamped_below(-limit).clamped_above(limit).named("quotient")
+    })
+}
+
+/// q, and 2^-`exponent` where it is less.
+pub(super) fn at_least(b: &Builder, q: &Sig, exponent: u32) -> Sig {
+    let smallest = b.integer(1).times_power_of_two(-(exponent as i32));
+    q.less_than(&smallest).choose(&smallest, q).named("limited")
+}
+
+/// What is known of a product that stands for J K of the unit normal.
+#[derive(Clone, Copy, Debug)]
+pub struct Product {
+    /// By how much the normal is turned.
+    angle: f64,
+    /// By how much twice the product is off beside that.
+    rest: f64,
+}
+
+impl Product {
+    /// Of J and K themselves, if they are known.
+    pub fn of_cosines([j, k]: [&Sig; 2]) -> Option<Product> {
+        let (ErrorForm::OfCosine { angle, rest: r_j }, ErrorForm::OfCosine { rest: r_k, .. }) = (j.error_form(), k.error_form())
+        else {
+            return None;
+        };
+        Some(Product { angle, rest: 2.0 * (r_j + r_k + r_j * r_k) })
+    }
+
+    /// Of p_L and p_V/q.
+    ///
+    /// # Error
+    /// For N as it is, no shorter than m, p is off by e_p and 1/q by ε/(m² - ε) of itself and half a unit. So p_V/q is off by
+    /// e_k = e_p max 1/q + ε/(m² - ε)/m, and these half units, and with |p_L| ≤ |N| the product by |N| e_k + e_p (1/m + e_k).
+    pub fn with_quotient(t: &Sig, spread: &Sig, formats: &DirectFormats, shortest: f64) -> Option<Product> {
+        let moved = Moved::new(t, spread, formats, shortest);
+        let least_square = moved.least_square(formats)?;
+        let (longest, half) = (1.0 + 2.0 * moved.past, |format: Format| 0.5 * format.ulp());
+        let e_p = moved.of_scalar(formats);
+        let largest = 1.0 / least_square + half(formats.reciprocal);
+        let of_reciprocal = moved.of_square / least_square / moved.least + longest * half(formats.reciprocal);
+        let e_k = e_p * largest + of_reciprocal + half(formats.cosine);
+        Some(Product { angle: moved.angle, rest: 2.0 * (longest * e_k + e_p * (1.0 / moved.least + e_k)) })
+    }
+}
+
+/// What the base of the highlight is made of.
+pub struct DirectedBase<'a> {
+    /// J and K, or p_L and p_V/q.
+    pub factors: [&'a Sig; 2],
+    /// What is known of their product.
+    pub known: Option<Product>,
+    /// L·V.
+    pub light_dot_view: &'a Sig,
+    /// q.
+    pub q: &'a Sig,
+    /// No real q is smaller.
+    pub smallest_q: f64,
+}
+
 /// 2 J K - L·V, kept within 0 to 1, and 0 where q ≤ 0; a q that may be rounded to 0 though it is not makes all of it unsure.
 /// [lecture, eq. 4.5; METHODS A7]
 ///
 /// # Error
 /// As that of [`reflected_cosine`](super::reflected_cosine), with V and L as they are.
-pub fn directed_base(b: &Builder, [j, k]: [&Sig; 2], light_dot_view: &Sig, q: &Sig, smallest_q: f64, fraction_bits: u32) -> Sig {
-    let inputs = (("n_dot_l", j), ("n_dot_v", k), ("light_dot_view", light_dot_view), ("q", q));
+pub fn directed_base(b: &Builder, of: DirectedBase, fraction_bits: u32) -> Sig {
+    let [j, k] = of.factors;
+    let inputs = (("n_dot_l", j), ("n_dot_v", k), ("light_dot_view", of.light_dot_view), ("q", of.q));
     b.unit("specular_base", "b = max(2 J K - L.V, 0) [lecture, eq. 4.5]", inputs, |b, (j, k, light_dot_view, q)| {
-        let sure = smallest_q - q.error_value() > 0.0;
         let base = (&j * &k).doubled() - &light_dot_view;
         let rounding = half_unit_where_narrowed(&base, fraction_bits);
         let base = base.rounded(fraction_bits).at_least_zero().clamped_above(1);
         let error = base.error_value();
         let chosen = b.integer(0).less_than(&q).choose(&base, &b.integer(0)).named("base");
-        match [&j, &k].map(Sig::error_form) {
-            _ if !sure => chosen.stated_error_value(1.0),
-            [ErrorForm::OfCosine { angle, rest: r_j }, ErrorForm::OfCosine { rest: r_k, .. }] => {
-                let rest = 2.0 * (r_j + r_k + r_j * r_k) + light_dot_view.error_value() + rounding;
-                chosen.stated_error_value(error).known_cosine(2.0 * angle, rest)
+        match of.known.filter(|_| of.smallest_q - q.error_value() > 0.0) {
+            Some(Product { angle, rest }) => {
+                chosen.stated_error_value(error).known_cosine(2.0 * angle, rest + light_dot_view.error_value() + rounding)
             }
-            _ => chosen.stated_error_value(error),
+            None => chosen.stated_error_value(1.0),
         }
     })
 }

@@ -11,9 +11,11 @@ mod direct;
 mod divider;
 mod exp2;
 mod fixed_log;
+mod followed;
 mod gaussian;
 mod interpolate;
 mod linear;
+mod newton_root;
 mod normalise;
 mod normalise_exactly;
 mod power;
@@ -25,6 +27,7 @@ mod rotation;
 mod shape;
 mod square_root;
 mod turned;
+mod turned_normal;
 mod unit_vectors;
 mod wrapped;
 
@@ -35,21 +38,26 @@ pub use contraction::{SpanAngles, contraction};
 pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};
 pub use diffuse::{clamped_cosine, diffuse, gouraud};
-pub use direct::{UnitNormal, direct_cosine, directed_base, parameter, squared_length};
+pub use direct::{
+    DirectedBase, Product, UnitNormal, direct_cosine, direct_scalar, directed_base, over_square, parameter, squared_length,
+};
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
+pub use followed::{Follow, followed};
 pub use gaussian::{gaussian, kept_versine};
 pub use interpolate::{Interpolation, SpanNormals, along, chord, interpolate, weight};
 pub use linear::{Steps, linear};
+pub use newton_root::{NewtonRoot, newton_root};
 pub use normalise::{has_direction, normalise};
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
 pub use raised::raised;
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-pub use rotation::rotation;
+pub use rotation::{Turn, rotation, scaled_rotation};
 pub use shape::{root_shape, shape};
 pub use square_root::square_root;
 pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
+pub use turned_normal::{Weighing, turned_normal};
 pub use unit_vectors::{
     cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine, trowbridge_reitz,
 };

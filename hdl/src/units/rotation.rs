@@ -1,5 +1,5 @@
 //! A vector that turns by the same angle with each pixel.
-use specula_scene::spec::slerp::SlerpFormats;
+use specula_scene::spec::slerp::{LARGEST_WEIGHT, SlerpFormats};
 
 use super::HOST_ERROR;
 use crate::builder::{Builder, Known, Sig};
@@ -15,16 +15,65 @@ pub fn rotation(b: &Builder, first: &Sig, turn: [&Sig; 2], formats: &SlerpFormat
     let turned = b.unit("rotation", formula, inputs, |b, (first, cosine, sine)| {
         let drift = drift(formats, steps);
         let known = Known { limits: (-1.0 - drift, 1.0 + drift), fact: "c^2 + s^2 = 1", error: drift };
-        let fraction_bits = formats.state.fraction_bits;
-        let [one, zero] = [1, 0].map(|whole| b.integer(whole));
-        let turned = b.recurrence(&first, [&one, &zero], fraction_bits, &known, |[c, s]| {
-            let (next_c, next_s) = (c * &cosine - s * &sine, s * &cosine + c * &sine);
-            [next_c, next_s].map(|x| x.rounded(fraction_bits))
-        });
-        let [c, s] = turned;
+        let turn = Turn { cosine: &cosine, down: &sine, up: &sine };
+        let [c, s] = turned(b, &first, [&b.integer(1), &b.integer(0)], turn, formats.state.fraction_bits, &known);
         (c.named("cosine"), s.named("sine"))
     });
     [turned.0, turned.1]
+}
+
+/// The angle from pixel to pixel.
+#[derive(Clone, Copy)]
+pub struct Turn<'a> {
+    /// cos δ.
+    pub cosine: &'a Sig,
+    /// sin δ as it takes from the cosine.
+    pub down: &'a Sig,
+    /// sin δ as it adds to the sine.
+    pub up: &'a Sig,
+}
+
+/// The same from any start, larger than 1 by the factor 1/sin 10° at most, and with two sines: where one of them is 0, one of cosine and sine stays,
+/// and the other grows by the same with each pixel. [lecture, eq. 4.9 to 4.12; METHODS A9]
+///
+/// # Error
+/// [`scaled_drift`]. Where one sine is 0 and cos δ is 1 nothing turns, and what grows is off by half a unit of the sine's and the state's last place for
+/// each step, which is less.
+pub fn scaled_rotation(b: &Builder, first: &Sig, starts: [&Sig; 2], turn: Turn, formats: &SlerpFormats, steps: u32) -> [Sig; 2] {
+    let Turn { cosine, down, up } = turn;
+    let inputs = (
+        ("start", first),
+        ("cosine_start", starts[0]),
+        ("sine_start", starts[1]),
+        ("turn_cosine", cosine),
+        ("down", down),
+        ("up", up),
+    );
+    let formula = "c' = c cos d - s sin d, s' = s cos d + c sin d [lecture, eq. 4.9-4.12]";
+    let turned = b.unit("scaled_rotation", formula, inputs, |b, (first, c, s, cosine, down, up)| {
+        let drift = scaled_drift(formats, steps);
+        let limit = LARGEST_WEIGHT + drift;
+        let known = Known { limits: (-limit, limit), fact: "c^2 + s^2 <= (1/sin 10)^2", error: drift };
+        let turn = Turn { cosine: &cosine, down: &down, up: &up };
+        let [c, s] = turned(b, &first, [&c, &s], turn, formats.scaled_state.fraction_bits, &known);
+        (c.named("cosine"), s.named("sine"))
+    });
+    [turned.0, turned.1]
+}
+
+fn turned(b: &Builder, first: &Sig, starts: [&Sig; 2], turn: Turn, fraction_bits: u32, known: &Known) -> [Sig; 2] {
+    b.recurrence(first, starts, fraction_bits, known, |[c, s]| {
+        let (next_c, next_s) = (c * turn.cosine - s * turn.down, s * turn.cosine + c * turn.up);
+        [next_c, next_s].map(|x| x.rounded(fraction_bits))
+    })
+}
+
+/// As [`drift`], of what is m = 1/sin 10° long at most and begins off by b: S (a m + b) e^(S a), and b more.
+pub(super) fn scaled_drift(formats: &SlerpFormats, steps: u32) -> f64 {
+    let s = f64::from(steps);
+    let half_diagonal = 0.5f64.sqrt();
+    let (a, b) = (half_diagonal * formats.turn.ulp() + HOST_ERROR, half_diagonal * formats.scaled_state.ulp() + HOST_ERROR);
+    (s * (a * LARGEST_WEIGHT + b) + b) * (s * a).exp()
 }
 
 /// How far (c, s) can come from (cos iδ, sin iδ), as a distance in the plane.

@@ -15,7 +15,9 @@ fn formats(turn: u32, state: u32) -> SlerpFormats {
     SlerpFormats {
         turn: Format::signed(1, turn),
         state: Format::signed(1, state),
+        scaled_state: Format::signed(3, state),
         weight: rest,
+        vector: rest,
         component: rest,
         cosine: rest,
         diffuse: rest,

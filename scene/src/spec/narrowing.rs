@@ -7,7 +7,7 @@ pub(super) const MOST_FRACTION_BITS: u32 = 24;
 /// The most integer bits of a reciprocal root: 2^12 is that of the last place of an operand with the most fraction bits.
 pub(super) const LARGEST_ROOT_REACH: u32 = MOST_FRACTION_BITS / 2;
 /// The fewest fraction bits at any narrowing point.
-const FEWEST_FRACTION_BITS: u32 = 4;
+pub(super) const FEWEST_FRACTION_BITS: u32 = 4;
 /// The most fraction bits of an accumulator: with sign and three integer bits, 60 bits wide.
 pub(super) const MOST_ACCUMULATOR_FRACTION_BITS: u32 = 56;
 

@@ -103,7 +103,7 @@ fn gouraud() {
         let last = format!("$signed({{1'b0, {name}_start}}) + 2 * {name}_step");
         format!("{last} >= 0 && {last} <= 256")
     };
-    let facts = ["light0_diffuse_intensity", "light0_specular_intensity"].map(|name| stays(name)).join(" && ");
+    let facts = ["light0_diffuse_intensity", "light0_specular_intensity"].map(stays).join(" && ");
     let smooth = [("icosahedron", "torus")];
     assert_equivalent(&core(Method::Gouraud, &smooth), &facts, &["ambient_r", "light0_specular_b"]);
 }

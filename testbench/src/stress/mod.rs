@@ -6,6 +6,7 @@
 mod catalogue;
 pub(crate) mod draw;
 pub mod drift;
+mod page;
 mod raw;
 pub mod row;
 pub mod scene;
@@ -14,6 +15,7 @@ mod trial;
 pub(crate) mod variant;
 
 pub use catalogue::CATALOGUE;
+pub use page::page;
 pub use raw::{ID as RAW, INPUT as RAW_INPUT, WANTED as RAW_WANTED};
 pub use row::Extent;
 pub use sweep::{Cell, Worst, sweep};

@@ -150,6 +150,11 @@ impl Pixel<'_> {
         self.i == 0 || self.i + 1 == self.span.length
     }
 
+    /// The exponent of its material.
+    pub fn n(&self) -> u32 {
+        self.shaded.frame.material(self.span).shininess
+    }
+
     /// The code of ambient light alone.
     pub fn ambient(&self) -> u8 {
         (FULL_SCALE * self.shaded.frame.material(self.span).ambient[1] * self.shaded.frame.ambient[1]).round() as u8

@@ -12,10 +12,24 @@ use crate::format::Format;
 use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{DirectInputs, DirectLight, Ends};
 
+/// How √q is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Root {
+    /// 1/√q, correctly rounded.
+    Exact,
+    /// d = √q by Newton's d ← (d + q/d)/2, which begins with the d of the pixel before, and 1 at the first (§4.2 of the lecture).
+    Newton,
+}
+
 /// Options of the method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct DirectSpec {
+    /// How √q is found.
+    pub root: Root,
+    /// Newton's steps at each pixel, 1 or 2.
+    pub newton_steps: u32,
     /// How the power of the highlight is taken.
     pub power: Power,
     /// The narrowing points.
@@ -38,7 +52,9 @@ pub struct DirectFormats {
     pub component: Format,
     /// q: `U1.f`.
     pub length_squared: Format,
-    /// 1/√q: `U<m>.f`. q counts as 4^-m at least, with m from 0 to 4.
+    /// d = √q by Newton's method, and q/d before: `U1.f`.
+    pub length: Format,
+    /// 1/√q, or 1/d: `U<m>.f`. q counts as 4^-m at least, with m from 0 to 4.
     pub reciprocal: Format,
     /// N·L and N·V, before and after they are multiplied by 1/√q: `S1.f`.
     pub cosine: Format,

@@ -5,15 +5,18 @@ use crate::frame::Frame;
 use crate::needs::Needs;
 use crate::spec::choose::{span_bits, within};
 use crate::spec::describe::Describe;
-use crate::spec::narrowing::{SIGNED_UNIT, UNIT};
+use crate::spec::narrowing::{FEWEST_FRACTION_BITS, SIGNED_UNIT, UNIT};
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+
+/// The fewest fraction bits on the way from one wrapped normal to the next.
+const FEWEST_TO_FOLLOW: u32 = 8;
 
 impl LyonSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] = &[
         Choice { key: "normals", values: &["\"linear\"", "\"flat\"", "\"wrapped\""] },
-        Choice { key: "axis", values: &["\"bisector\"", "\"face\""] },
+        Choice { key: "axis", values: &["\"bisector\"", "\"face\"", "\"previous\""] },
         Choice { key: "normalisation", values: &["\"none\"", "\"g1\"", "\"g2\"", "\"exact\""] },
         Choice { key: "newton_steps", values: &["0", "1", "2", "3"] },
         Choice {
@@ -119,12 +122,19 @@ impl LyonSpec {
             return vec![point("vector", f.vector, SIGNED_UNIT, "components of the normal n")];
         }
         let accumulated = "step of the interpolation weight, rounded by the host";
+        // What is carried from pixel to pixel stays near unit length only where rounding is fine.
+        let fewest = if self.follows() { FEWEST_TO_FOLLOW } else { FEWEST_FRACTION_BITS };
         let mut points = vec![
             NarrowingPoint::accumulated("weight_accumulator", f.weight_accumulator, UNIT, (1, span_bits), accumulated),
-            point("weight", f.weight, UNIT, "interpolation weight a").no_finer_than(f.weight_accumulator),
-            point("vector", f.vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0) and of n = g N'"),
+            point("weight", f.weight, UNIT, "interpolation weight a").no_finer_than(f.weight_accumulator).with_at_least(fewest),
+            point("vector", f.vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0) and of n = g N'").with_at_least(fewest),
         ];
-        if self.normals == Normals::Wrapped {
+        if self.follows() {
+            points.push(point("length_squared", f.length_squared, UNIT, "z = N'.N'").with_at_least(fewest));
+            let q = "H.H, H = N' + n of the pixel before, or + w";
+            points.push(point("wrap_operand", f.wrap_operand, Format::unsigned(3, 0), q).with_at_least(fewest));
+            points.push(point("wrap_ratio", f.wrap_ratio, UNIT, "u = (1 - z) / H.H").with_at_least(fewest));
+        } else if self.normals == Normals::Wrapped {
             points.push(point("wrap_operand", f.wrap_operand, Format::unsigned(3, 0), "H.w and H.H, H = N' + w"));
             points.push(point("wrap_ratio", f.wrap_ratio, UNIT, "v = H.w / H.H"));
         } else if self.normalisation != Normalisation::None {
@@ -160,6 +170,9 @@ impl LyonSpec {
             (Normals::Linear, _) => "interpolated linearly",
             (Normals::Flat, _) => "the face's mean normal",
             (Normals::Wrapped, WrapAxis::Bisector) => "wrapped around the bisector of the end normals",
+            (Normals::Wrapped, WrapAxis::Previous) => {
+                "wrapped around the one of the pixel before; around the bisector in wide spans of few steps"
+            }
             (Normals::Wrapped, WrapAxis::Face) => "wrapped around the face's mean normal, or the bisector 90 degrees from it",
         }
         .to_owned()

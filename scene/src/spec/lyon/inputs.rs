@@ -7,7 +7,7 @@ use crate::spec::{CoreSpec, InputPort};
 inputs! {
     /// The core's inputs, or whatever belongs to each of them.
     LyonInputs {
-        /// N0, the normal at the first pixel; of flat normals the only one, and of wrapped ones N0 + w.
+        /// N0, the normal at the first pixel; of flat normals the only one, and of those wrapped around a fixed w N0 + w.
         normal_start: vector,
         /// N1 - N0, over the whole span; not there with flat normals.
         normal_delta: vector_if_any,
@@ -15,6 +15,8 @@ inputs! {
         weight_step: one_if_any,
         /// w, with wrapped normals.
         wrap_axis: vector_if_any,
+        /// Whether w is the wrapped normal before from the second pixel on, where normals are wrapped around that.
+        wrap_follows: one_if_any,
         /// n, or m of the root shape.
         shininess: one,
         /// Ambient light sent back, in LSBs.
@@ -47,11 +49,13 @@ impl LyonSpec {
             normal_start: match self.normals {
                 Normals::Linear => InputPort::vector("normal_start", f.vector, 1.0),
                 Normals::Flat => InputPort::vector("normal", f.vector, 1.0),
+                Normals::Wrapped if self.follows() => InputPort::vector("normal_start", f.vector, 1.0),
                 Normals::Wrapped => InputPort::vector("wrap_start", f.vector_sum(), 2.0),
             },
             normal_delta: changes.then(|| InputPort::vector("normal_delta", f.vector_sum(), 2.0)),
             weight_step: changes.then(|| InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0)),
             wrap_axis: (self.normals == Normals::Wrapped).then(|| InputPort::vector("wrap_axis", f.vector, 1.0)),
+            wrap_follows: self.follows().then(|| InputPort::between("wrap_follows", Format::unsigned(1, 0), 0.0, 1.0)),
             shininess: self.shininess_input(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),

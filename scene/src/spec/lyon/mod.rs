@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::format::Format;
 pub use inputs::{LyonInputs, LyonLight};
+pub use wrap::NormalWrap;
 
 /// What the normal does along a span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -30,6 +31,9 @@ pub enum WrapAxis {
     Bisector,
     /// The face's mean normal; the bisector where an end normal is 90 degrees or more from it (EXTREMES row 8).
     Face,
+    /// The wrapped normal of the pixel before, and N0 at the first; the bisector in spans of more than 30 degrees that take fewer than 16 steps,
+    /// and in those of more than 120 degrees (EXTREMES row 11).
+    Previous,
 }
 
 /// How the interpolated normal is brought to unit length: n = g·N', with z = N'·N' and y = 1 - z.

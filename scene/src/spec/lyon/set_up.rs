@@ -1,7 +1,7 @@
 //! Set-up of a span for `lyon`.
 use glam::DVec3;
 
-use super::{Halfway, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath};
+use super::{Halfway, LyonInputs, LyonLight, LyonSpec, NormalWrap, Normals, ShapeDatapath};
 use crate::frame::{DirectionalLight, EYE, Frame, Span};
 use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
 
@@ -63,6 +63,7 @@ struct NormalInputs {
     start: [i64; 3],
     delta: Option<[i64; 3]>,
     axis: Option<[i64; 3]>,
+    follows: Option<i64>,
 }
 
 impl LyonSetUp<'_> {
@@ -73,16 +74,20 @@ impl LyonSetUp<'_> {
         match self.lyon.normals {
             Normals::Linear => {
                 let [start, end] = self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
-                NormalInputs { start, delta: between(start, end), axis: None }
+                NormalInputs { start, delta: between(start, end), axis: None, follows: None }
             }
             Normals::Flat => {
                 let start = f.vector.quantise_vector(self.frame.mean_normal(span));
-                NormalInputs { start, delta: None, axis: None }
+                NormalInputs { start, delta: None, axis: None, follows: None }
             }
             Normals::Wrapped => {
-                let wrap = self.lyon.wrap(self.frame, span);
-                let [start, end] = wrap.ends.map(|n| f.vector_sum().quantise_vector(n + wrap.axis));
-                NormalInputs { start, delta: between(start, end), axis: Some(f.vector.quantise_vector(wrap.axis)) }
+                let NormalWrap { wrap, follows } = self.lyon.wrap(self.frame, span);
+                let follows = self.lyon.follows().then_some(i64::from(follows));
+                let [start, end] = match follows {
+                    Some(_) => wrap.ends.map(|n| f.vector.quantise_vector(n)),
+                    None => wrap.ends.map(|n| f.vector_sum().quantise_vector(n + wrap.axis)),
+                };
+                NormalInputs { start, delta: between(start, end), axis: Some(f.vector.quantise_vector(wrap.axis)), follows }
             }
         }
     }
@@ -111,6 +116,7 @@ impl SetUpSpan for LyonSetUp<'_> {
             normal_delta: normals.delta,
             weight_step: normals.delta.map(|_| self.weight_step(span)),
             wrap_axis: normals.axis,
+            wrap_follows: normals.follows,
             shininess: self.shininess(self.frame.material(span).shininess),
             ambient: material.ambient,
             lights: self.lights.iter().zip(&material.lights).map(|(light, coefficients)| light.with(coefficients)).collect(),

@@ -21,7 +21,7 @@ use super::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
 use super::variant::Variant;
 
 /// Every row, in EXTREMES.md's order; then what breaks first by NUMERICS.md, and anything.
-pub static CATALOGUE: [&Row; 61] = [
+pub static CATALOGUE: [&Row; 62] = [
     &opposite::LERP,
     &opposite::DUFF,
     &opposite::WIDE,
@@ -33,6 +33,7 @@ pub static CATALOGUE: [&Row; 61] = [
     &wrapped::NEARLY_OPPOSITE,
     &wrapped::ITSELF,
     &wrapped::CHAINED,
+    &wrapped::FOLLOWING,
     &viewpoints::OPPOSITE_LIGHT,
     &slerp::NO_ANGLE,
     &slerp::HALF_A_TURN,

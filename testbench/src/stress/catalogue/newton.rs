@@ -1,19 +1,26 @@
 //! Newton's steps towards a length.
-use specula_scene::Method;
+use specula_scene::spec::lyon::Normals;
+use specula_scene::{Method, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::{Pixel, Place, Shaded};
-use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, scenes, spans};
+use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, spans};
 
 fn steps() -> Vec<Variant> {
-    (0..=3).map(|n| Variant { method: Method::Lyon, table: format!("newton_steps = {n}\n") }).collect()
+    let lyon = (0..=3).map(|n| Variant { method: Method::Lyon, table: format!("newton_steps = {n}\n") });
+    lyon.chain(roots()).collect()
+}
+
+/// Newton's root, warm-started.
+fn roots() -> impl Iterator<Item = Variant> {
+    (1..=2).map(|n| Variant { method: Method::Direct, table: format!("root = \"newton\"\nnewton_steps = {n}\n") })
 }
 
 /// Row 18.
 pub const FIRST_PIXEL: Row = Row {
     id: "18",
     input: "90 degrees in 1, 2 and 3 steps; the first pixel of a span",
-    wanted: "the first pixel is right; lyon with two steps or more within 2 codes of exact diffuse light everywhere",
+    wanted: "the first pixel is right; lyon and direct with two steps or more within 2 codes of exact diffuse light everywhere",
     trial: Trial::Scenes {
         cases: |_, _| {
             let span = |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, super::matt());
@@ -25,9 +32,12 @@ pub const FIRST_PIXEL: Row = Row {
 };
 
 fn two_steps_suffice(shaded: &Shaded) -> Option<Place> {
-    let specula_scene::MethodSpec::Lyon(lyon) = &shaded.spec.method else { return None };
-    let is_linear = lyon.normals == specula_scene::spec::lyon::Normals::Linear;
-    shaded.frame.spans.iter().enumerate().filter(|_| is_linear && lyon.newton_steps >= 2).find_map(|(number, span)| {
+    let suffices = match &shaded.spec.method {
+        MethodSpec::Lyon(lyon) => lyon.normals == Normals::Linear && lyon.newton_steps >= 2,
+        MethodSpec::Direct(direct) => direct.newton_steps >= 2,
+        _ => false,
+    };
+    shaded.frame.spans.iter().enumerate().filter(|_| suffices).find_map(|(number, span)| {
         let off = |&i: &u32| {
             let pixel = Pixel { shaded, span, i };
             !pixel.is_within(2.0, pixel.exact())
@@ -57,12 +67,15 @@ pub const NEW_SPAN: Row = Row {
     id: "20",
     input: "a span, then one of quite another length of normals, then the first again",
     wanted: "the second time as the first: a span leaves nothing behind",
-    trial: scenes(|draw, extent| {
-        let mut all = spans(draw, extent, [0.0, 179.0], lit);
-        all.truncate(12);
-        let scene = aimed(draw, all.iter().chain(&all).cloned().collect());
-        vec![Case { scene, want: Box::new(first_that_differs) }]
-    }),
+    trial: Trial::Scenes {
+        cases: |draw, extent| {
+            let mut all = spans(draw, extent, [0.0, 179.0], lit);
+            all.truncate(12);
+            let scene = aimed(draw, all.iter().chain(&all).cloned().collect());
+            vec![Case { scene, want: Box::new(first_that_differs) }]
+        },
+        variants: || roots().collect(),
+    },
 };
 
 /// The first pixel of the second half of the spans that is not as in the first.

@@ -1,11 +1,12 @@
 //! Normals reflected about a fixed one.
 use glam::DVec3;
-use specula_scene::Method;
+use specula_scene::spec::lyon::Normals;
+use specula_scene::{Method, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;
 use super::super::scene::{lit, matt};
-use super::{Case, RawSpan, Row, SpanScene, aimed, scenes, spans};
+use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, scenes, spans};
 
 /// Row 7.
 pub const OPPOSITE: Row = Row {
@@ -66,13 +67,51 @@ pub const ITSELF: Row = Row {
 pub const CHAINED: Row = Row {
     id: "11",
     input: "90 and 150 degrees in 1, 2, 4 and 8 steps",
-    wanted: "the normals at both ends are right; between them methods that chain are far off, within their bounds",
-    trial: scenes(|_, _| {
-        let span = |(degrees, length): (f64, u32)| RawSpan::between([tilted(0.0), tilted(degrees)], length, matt());
-        let all = [90.0, 150.0].iter().flat_map(|&degrees| [2, 3, 5, 9].map(|length| span((degrees, length))));
-        vec![Case::new(SpanScene::new(&[tilted(40.0)], all.collect()))]
-    }),
+    wanted: "the normals at both ends are right; normals that would be wrapped around those before are wrapped around the bisector",
+    trial: Trial::Scenes {
+        cases: |_, _| {
+            let span = |(degrees, length): (f64, u32)| RawSpan::between([tilted(0.0), tilted(degrees)], length, matt());
+            let all = [90.0, 150.0].iter().flat_map(|&degrees| [2, 3, 5, 9].map(|length| span((degrees, length))));
+            vec![Case::wanting(SpanScene::new(&[tilted(40.0)], all.collect()), wrapped_ends_are_right)]
+        },
+        variants: || vec![Variant { method: Method::Lyon, table: PREVIOUS.into() }],
+    },
 };
+
+/// Wrapped around the normal of the pixel before.
+const PREVIOUS: &str = "normals = \"wrapped\"\naxis = \"previous\"\n";
+
+fn wrapped_ends_are_right(pixel: &Pixel) -> bool {
+    let is_wrapped = matches!(&pixel.shaded.spec.method, MethodSpec::Lyon(lyon) if lyon.normals == Normals::Wrapped);
+    !is_wrapped || !pixel.is_end() || pixel.is_within(1.0, pixel.exact())
+}
+
+/// What row 11 leaves to methods that chain: 16 steps and more.
+pub const FOLLOWING: Row = Row {
+    id: "11b",
+    input: "normals wrapped around those before: 30, 90 and 120 degrees in 16 steps and more, and random spans",
+    wanted: "30 degrees and 256 steps of 90 within a code of exact diffuse light; the others within what NUMERICS 2b has, 1.5 degrees, as codes",
+    trial: Trial::Scenes {
+        cases: |draw, extent| {
+            let of = |degrees: f64, length: u32| RawSpan::between([tilted(0.0), tilted(degrees)], length, matt());
+            let right = SpanScene::new(&[tilted(15.0)], vec![of(30.0, 17), of(30.0, 200), of(90.0, 257)]);
+            let near = SpanScene::new(&[tilted(40.0)], vec![of(90.0, 17), of(90.0, 65)]);
+            let within = |lsb: f64| move |pixel: &Pixel| !follows(pixel) || pixel.is_within(lsb, pixel.exact());
+            let random = spans(draw, extent, [0.0, 121.0], lit);
+            vec![
+                Case::wanting(right, within(1.0)),
+                // 1.5 degrees of the cosine's steepest slope.
+                Case::wanting(near, within(255.0 * 1.5_f64.to_radians() + 1.0)),
+                Case::new(aimed(draw, random)),
+            ]
+        },
+        variants: || vec![Variant { method: Method::Lyon, table: PREVIOUS.into() }],
+    },
+};
+
+fn follows(pixel: &Pixel) -> bool {
+    matches!(&pixel.shaded.spec.method, MethodSpec::Lyon(lyon) if lyon.follows())
+}
 
 fn first_is_right(pixel: &Pixel) -> bool {
     pixel.shaded.spec.method() != Method::Reflection || pixel.i > 0 || pixel.is_within(1.0, pixel.exact())
