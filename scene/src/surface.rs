@@ -1,6 +1,7 @@
 //! Curved surfaces that meshes stand for: the yardstick for normals that are interpolated.
 use glam::{DAffine3, DMat3, DVec3};
 
+use crate::frame::EYE;
 use crate::primitive::Primitive;
 
 /// A surface whose normal is known everywhere, placed in view space.
@@ -15,9 +16,34 @@ pub struct Surface {
 enum Shape {
     /// The unit sphere.
     Sphere,
-    /// The tube round the unit circle about the y axis; its radius does not change the nearest point's normal.
-    Torus,
+    /// The tube of this radius round the unit circle about the y axis.
+    Torus { tube: f64 },
 }
+
+/// A function that is 0 on a surface, at some point.
+struct Implicit {
+    value: f64,
+    /// Outward.
+    gradient: DVec3,
+}
+
+impl Shape {
+    /// None where it has no gradient: on the axis and the circle of the torus.
+    fn implicit(self, point: DVec3) -> Option<Implicit> {
+        match self {
+            Shape::Sphere => Some(Implicit { value: (point.length_squared() - 1.0) / 2.0, gradient: point }),
+            Shape::Torus { tube } => {
+                let gradient = point - DVec3::new(point.x, 0.0, point.z).try_normalize()?;
+                Some(Implicit { value: (gradient.length_squared() - tube * tube) / 2.0, gradient })
+            }
+        }
+    }
+}
+
+/// Steps of Newton's method: each doubles the digits, from the mesh's distance to the surface on.
+const STEPS: u32 = 16;
+/// The surface is met: a length in its own coordinates, where it is about 1 wide.
+const MET: f64 = 1e-13;
 
 impl Surface {
     /// The surface that a primitive's vertices lie on, if its normals are known in closed form; `to_view` leads from its own coordinates to
@@ -25,24 +51,32 @@ impl Surface {
     pub fn of(primitive: Primitive, to_view: DAffine3) -> Option<Surface> {
         let shape = match primitive {
             Primitive::Sphere { .. } | Primitive::Icosahedron { .. } => Shape::Sphere,
-            Primitive::Torus { .. } => Shape::Torus,
-            // Bicubic patches have no closed form of the point nearest to a place.
+            Primitive::Torus { tube, .. } => Shape::Torus { tube },
+            // Bicubic patches are no zeros of a function that could be written down.
             Primitive::Teapot { .. } => return None,
         };
         Some(Surface { shape, to_own: to_view.inverse() })
     }
 
-    /// The unit normal in view space at the surface's point that is nearest to `place` in its own coordinates, turned to the side of
-    /// `towards`. None where every point is as near: at the centre of the sphere, on the axis or the circle of the torus.
+    /// The unit normal in view space where the line of sight through `place` meets the surface near it, turned to the side of `towards`.
+    /// None where it passes by the surface, as it may beside an outline.
     pub fn normal(&self, place: DVec3, towards: DVec3) -> Option<DVec3> {
-        let own = self.to_own.transform_point3(place);
-        let outward = match self.shape {
-            Shape::Sphere => own,
-            Shape::Torus => own - DVec3::new(own.x, 0.0, own.z).try_normalize()?,
-        };
+        let outward = self.met(self.to_own.transform_point3(place), self.to_own.transform_vector3(EYE))?;
         // Normals go by the inverse transpose of the way to view space.
         let normal = (DMat3::transpose(&self.to_own.matrix3) * outward).try_normalize()?;
         Some(if normal.dot(towards) < 0.0 { -normal } else { normal })
+    }
+
+    /// The gradient where a line meets the surface, in its own coordinates, by Newton's method along the line.
+    fn met(&self, mut point: DVec3, along: DVec3) -> Option<DVec3> {
+        for _ in 0..STEPS {
+            let Implicit { value, gradient } = self.shape.implicit(point)?;
+            if value.abs() < MET {
+                return Some(gradient);
+            }
+            point -= along * (value / gradient.dot(along));
+        }
+        None
     }
 }
 
@@ -57,6 +91,14 @@ mod tests {
             glam::DQuat::from_rotation_x(0.7),
             DVec3::new(4.0, -1.0, 2.0),
         )
+    }
+
+    /// A point inside the sphere, and the one in front of it.
+    #[test]
+    fn normals_are_those_of_what_is_seen() {
+        let surface = Surface::of(Primitive::Sphere { level: 4 }, DAffine3::IDENTITY).expect("it has a surface");
+        let seen = surface.normal(DVec3::new(0.6, 0.0, 0.7), DVec3::Z).expect("it is met");
+        assert!(seen.distance(DVec3::new(0.6, 0.0, 0.8)) < 1e-12, "{seen}");
     }
 
     /// Vertices of these meshes have exact normals.
@@ -80,10 +122,12 @@ mod tests {
     }
 
     #[test]
-    fn where_everything_is_as_near_there_is_no_normal() {
+    fn lines_that_pass_by_meet_nothing() {
         for primitive in [Primitive::Sphere { level: 4 }, Primitive::Torus { level: 4, tube: 0.3 }] {
             let surface = Surface::of(primitive, DAffine3::IDENTITY).expect("it has a surface");
-            assert_eq!(surface.normal(DVec3::ZERO, DVec3::Z), None);
+            for place in [DVec3::ZERO, DVec3::new(1.4, 0.0, 0.1), DVec3::new(0.3, 5.0, 0.0)] {
+                assert_eq!(surface.normal(place, DVec3::Z), None, "{primitive:?} {place}");
+            }
         }
         assert_eq!(Surface::of(Primitive::Teapot { level: 4 }, DAffine3::IDENTITY), None);
     }

@@ -68,10 +68,10 @@ fn a_core_serves_its_own_scene_as_it_is() {
 #[test]
 fn a_general_core_takes_less_than_it_has() {
     let spec = CoreSpec { longest_span: 4, ..core("spheres", None).general() };
-    let torus = frame("torus");
-    let served = spec.serving(&torus).unwrap();
+    let teapot = frame("teapot");
+    let served = spec.serving(&teapot).unwrap();
     assert_eq!(served.frame.lights.len(), spec.lights);
-    assert_eq!(served.frame.lights[torus.lights.len()..].iter().map(|light| light.colour).collect::<Vec<_>>(), [[0.0; 3]]);
+    assert_eq!(served.frame.lights[teapot.lights.len()..].iter().map(|light| light.colour).collect::<Vec<_>>(), [[0.0; 3]]);
     let formats = |spec: &CoreSpec| (spec.method.clone(), spec.inputs());
     assert_eq!(formats(&served.spec), formats(&spec));
     // Bounds rest on the shorter normals of both.

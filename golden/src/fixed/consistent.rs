@@ -72,9 +72,11 @@ impl Method for Consistent {
 
     fn check(&self, inputs: &ConsistentInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let f = &self.formats;
-        packet::check_ends(&inputs.normal_start, &inputs.normal_delta, 1, f.vector)?;
-        for vector in inputs.lights.iter().flat_map(|light| [&light.direction].into_iter().chain(&light.halfway)) {
-            packet::check_length(vector, 1, f.vector)?;
+        packet::check_ends(format_args!("normal"), (&inputs.normal_start, &inputs.normal_delta), Wide::ONE, f.vector)?;
+        for (i, light) in inputs.lights.iter().enumerate() {
+            packet::check_length(format_args!("light{i}_direction"), &light.direction, Wide::ONE, f.vector)?;
+            let halfway = light.halfway.unwrap_or_default();
+            packet::check_length(format_args!("light{i}_halfway"), &halfway, Wide::ONE, f.vector)?;
         }
         course.weight(inputs.weight_step, f.weight_accumulator)?;
         let angle = Linear { start: inputs.angle_start, step: inputs.angle_step };

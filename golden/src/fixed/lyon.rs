@@ -20,7 +20,10 @@ use super::wrapped::{WrapFormats, wrapped};
 
 /// V = (0, 0, 1).
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
+const TWO: Wide = Wide::lit("2");
 const THREE: Wide = Wide::lit("3");
+/// A half-way vector that g2 brings near unit length is longer than 1 by 0.00176 at most (METHODS B9).
+const LONGEST_BY_G2: Wide = Wide::lit("1.002");
 
 /// The method in one core's formats.
 pub(super) struct Lyon {
@@ -73,15 +76,17 @@ impl Method for Lyon {
     /// rounding.
     fn check(&self, Followed { inputs, .. }: &Followed, course: Course) -> Result<(), PacketError> {
         let axis = inputs.wrap_axis.unwrap_or_default();
-        packet::check_length(&axis, 1, self.formats.vector)?;
-        let longest_halfway = if self.difference.takes_halfway() { 2 } else { 1 };
-        for light in &inputs.lights {
-            packet::check_length(&light.direction, 1, self.formats.vector)?;
-            packet::check_length(&light.halfway.unwrap_or_default(), longest_halfway, self.formats.vector)?;
+        packet::check_length(format_args!("wrap_axis"), &axis, Wide::ONE, self.formats.vector)?;
+        let longest_halfway = if self.difference.takes_halfway() { TWO } else { LONGEST_BY_G2 };
+        for (i, light) in inputs.lights.iter().enumerate() {
+            packet::check_length(format_args!("light{i}_direction"), &light.direction, Wide::ONE, self.formats.vector)?;
+            let halfway = light.halfway.unwrap_or_default();
+            packet::check_length(format_args!("light{i}_halfway"), &halfway, longest_halfway, self.formats.vector)?;
         }
         // H of normals wrapped around a fixed vector is the sum of two unit vectors.
-        let longest = if inputs.wrap_axis.is_some() && inputs.wrap_follows.is_none() { 2 } else { 1 };
-        packet::check_ends(&inputs.normal_start, &inputs.normal_delta.unwrap_or_default(), longest, self.formats.vector)?;
+        let longest = if inputs.wrap_axis.is_some() && inputs.wrap_follows.is_none() { TWO } else { Wide::ONE };
+        let ends = (&inputs.normal_start, &inputs.normal_delta.unwrap_or_default());
+        packet::check_ends(format_args!("normal"), ends, longest, self.formats.vector)?;
         course.weight(inputs.weight_step.unwrap_or_default(), self.formats.weight_accumulator)
     }
 

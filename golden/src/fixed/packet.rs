@@ -1,4 +1,6 @@
 //! Reading packets.
+use std::fmt;
+
 use specula_scene::spec::InputPort;
 use specula_scene::{Format, SpanPacket};
 
@@ -47,9 +49,16 @@ pub enum PacketError {
         /// Pixels of the longest span.
         longest: u32,
     },
-    /// A vector is not a unit vector, nor shorter.
-    #[error("a vector of the span or of a light is too long")]
-    LongVector,
+    /// A vector is longer than one there can be.
+    #[error("{name} is a vector of length {length}, and no longer than {longest} is taken")]
+    LongVector {
+        /// The vector, and at which end of the span if it changes.
+        name: String,
+        /// Its length.
+        length: f64,
+        /// What a rounded vector may have.
+        longest: f64,
+    },
     /// What grows along the span by steps leaves its limits: the steps belong to a shorter span, or to none.
     #[error("`{name}` grows to {value} at pixel {pixel}, outside {low} to {high}")]
     Outgrown {
@@ -78,16 +87,25 @@ pub enum PacketError {
 }
 
 /// Whether a vector that is interpolated along the span is no longer than `longest` at both ends, but for rounding into `format`.
-pub(super) fn check_ends(start: &Vector, delta: &Vector, longest: u32, format: Format) -> Result<(), PacketError> {
+pub(super) fn check_ends(
+    name: fmt::Arguments<'_>,
+    (start, delta): (&Vector, &Vector),
+    longest: Wide,
+    format: Format,
+) -> Result<(), PacketError> {
     let end = std::array::from_fn(|c| start[c] + delta[c]);
-    check_length(start, longest, format)?;
-    check_length(&end, longest, format)
+    check_length(format_args!("{name} at the first pixel"), start, longest, format)?;
+    check_length(format_args!("{name} at the last pixel"), &end, longest, format)
 }
 
 /// Whether a vector is no longer than `longest`, but for rounding into `format`, which moves it by √3/2 units of the last place at most.
-pub(super) fn check_length(vector: &Vector, longest: u32, format: Format) -> Result<(), PacketError> {
-    let longest = Wide::from_num(longest) + (Wide::ONE >> format.fraction_bits);
-    if dot(vector, vector) > longest * longest { Err(PacketError::LongVector) } else { Ok(()) }
+pub(super) fn check_length(name: fmt::Arguments<'_>, vector: &Vector, longest: Wide, format: Format) -> Result<(), PacketError> {
+    let longest = longest + (Wide::ONE >> format.fraction_bits);
+    let squared = dot(vector, vector);
+    if squared <= longest * longest {
+        return Ok(());
+    }
+    Err(PacketError::LongVector { name: name.to_string(), length: squared.to_num::<f64>().sqrt(), longest: longest.to_num() })
 }
 
 /// Whether a packet is one for these ports, and how far its span goes.

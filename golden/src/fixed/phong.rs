@@ -1,4 +1,6 @@
 //! `phong`, bit for bit [lecture, eq. 2.1, 4.1, 4.2; Lyon, TR 43, appendix; Hast et al., eq. 35 to 38; `docs/arithmetic/phong.md`].
+use std::fmt;
+
 use specula_scene::Format;
 use specula_scene::spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
 use specula_scene::spec::{CoreSpec, InputPort};
@@ -65,6 +67,17 @@ struct Arrival<'a> {
 }
 
 impl Phong {
+    fn check_way(&self, name: fmt::Arguments<'_>, way: Option<&Way<Wide>>) -> Result<(), PacketError> {
+        let Some(way) = way else { return Ok(()) };
+        self.check_unit(format_args!("{name}_wrap_axis"), way.axis.as_ref())?;
+        let longest = if way.axis.is_some() { Wide::lit("2") } else { Wide::ONE };
+        packet::check_ends(name, (&way.start, &way.delta), longest, self.formats.vector)
+    }
+
+    fn check_unit(&self, name: fmt::Arguments<'_>, vector: Option<&Vector>) -> Result<(), PacketError> {
+        vector.map_or(Ok(()), |vector| packet::check_length(name, vector, Wide::ONE, self.formats.vector))
+    }
+
     pub fn new(core: &CoreSpec, phong: &PhongSpec) -> Phong {
         let formats = phong.formats.clone();
         let bits = |n: u32| u32::BITS - n.leading_zeros();
@@ -91,15 +104,12 @@ impl Method for Phong {
 
     /// Interpolated vectors stay within the unit ball, but for rounding; sums of two of them within twice as much.
     fn check(&self, inputs: &PhongInputs<Wide>, course: Course) -> Result<(), PacketError> {
-        let ways =
-            [&inputs.normal].into_iter().chain(&inputs.eye).chain(inputs.lights.iter().filter_map(|light| light.way.as_ref()));
-        for way in ways {
-            packet::check_length(&way.axis.unwrap_or_default(), 1, self.formats.vector)?;
-            let longest = if way.axis.is_some() { 2 } else { 1 };
-            packet::check_ends(&way.start, &way.delta, longest, self.formats.vector)?;
-        }
-        for vector in inputs.lights.iter().flat_map(|light| light.direction.iter().chain(&light.axis)) {
-            packet::check_length(vector, 1, self.formats.vector)?;
+        self.check_way(format_args!("normal"), Some(&inputs.normal))?;
+        self.check_way(format_args!("eye"), inputs.eye.as_ref())?;
+        for (i, light) in inputs.lights.iter().enumerate() {
+            self.check_way(format_args!("light{i}_way"), light.way.as_ref())?;
+            self.check_unit(format_args!("light{i}_direction"), light.direction.as_ref())?;
+            self.check_unit(format_args!("light{i}_axis"), light.axis.as_ref())?;
         }
         course.weight(inputs.weight_step, self.formats.weight_accumulator)
     }

@@ -64,8 +64,8 @@ impl Method for Slerp {
         let stretch = inputs.turn_cosine * inputs.turn_cosine + inputs.turn_sine * inputs.turn_back.unwrap_or(inputs.turn_sine);
         let longest = Wide::ONE + (Wide::ONE >> (self.formats.turn.fraction_bits - 1));
         if let Some(Axes { start, other }) = &inputs.normal {
-            packet::check_length(start, 1, self.formats.vector)?;
-            packet::check_length(other, 1, self.formats.vector)?;
+            packet::check_length(format_args!("normal_start"), start, Wide::ONE, self.formats.vector)?;
+            packet::check_length(format_args!("normal_other"), other, Wide::ONE, self.formats.vector)?;
         }
         let small = |i: u32| self.states(turning, i).iter().flatten().all(|x| x.abs() < 8);
         let fits = stretch <= longest && (inputs.turn_back.is_none() || (0..course.length).all(small));

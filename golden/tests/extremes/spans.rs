@@ -74,8 +74,13 @@ fn packets_past_the_unit_ball_are_refused() {
         }
         Model::new(&core).shade(&packet, &mut Vec::new())
     };
-    assert_eq!(with_high(["normal_start_x", "normal_start_y", ""]), Err(PacketError::LongVector));
-    assert_eq!(with_high(["normal_delta_x", "", ""]), Err(PacketError::LongVector));
+    for (high, long) in [
+        (["normal_start_x", "normal_start_y", ""], "normal at the first pixel"),
+        (["normal_delta_x", "", ""], "normal at the last pixel"),
+    ] {
+        let refused = with_high(high);
+        assert!(matches!(&refused, Err(PacketError::LongVector { name, .. }) if name == long), "{refused:?}");
+    }
     let weight = with_high(["weight_step", "", ""]);
     assert!(matches!(weight, Err(PacketError::Outgrown { pixel: 7, value: 7.0, .. })), "{weight:?}");
 }

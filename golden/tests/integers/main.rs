@@ -3,7 +3,7 @@
 //! It runs with overflow checks, so it tries the widths that `fixed::number` argues for, too.
 use glam::DVec3;
 use proptest::prelude::*;
-use specula_golden::fixed::Model;
+use specula_golden::fixed::{Model, PacketError};
 use specula_scene::spec::{CoreSpec, MethodSpec, SpanPacket};
 use specula_scene::{Frame, LocalLight, Method, Spot};
 
@@ -174,7 +174,8 @@ fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result
     check_frame(method, &frame, bits)
 }
 
-/// Inputs at the ends of their ranges, all at once: not what a host would send, but nothing may overflow.
+/// Inputs at the ends of their ranges, all at once: not what a host would send, but nothing may overflow. Over a long span they outgrow what the
+/// core is for, and are refused; over one of a pixel they are as good as any.
 #[test]
 fn forward_differences_take_every_input_in_range() {
     for method in [Method::Hybrid, Method::Duff, Method::Reflection] {
@@ -192,8 +193,10 @@ fn takes_every_input_in_range(method: Method) {
             let end = |(k, port): (usize, specula_scene::spec::InputPort)| {
                 if high >> (k % 6) & 1 == 1 { port.range.1 } else { port.range.0 }
             };
-            let inputs = core.inputs().into_iter().enumerate().map(end).collect();
-            codes_agree(&core, &SpanPacket { length: 8192, inputs }).unwrap_or_else(|e| panic!("{e}"));
+            let inputs: Vec<i64> = core.inputs().into_iter().enumerate().map(end).collect();
+            codes_agree(&core, &SpanPacket { length: 1, inputs: inputs.clone() }).unwrap_or_else(|e| panic!("{e}"));
+            let refused = Model::new(&core).shade(&SpanPacket { length: 8192, inputs }, &mut Vec::new());
+            assert!(matches!(refused, Err(PacketError::Outgrown { .. })), "{method:?}, {high:b}: {refused:?}");
         }
     }
 }

@@ -46,13 +46,20 @@ impl<'a> Miter<'a> {
         known.map(of).chain((!self.facts.is_empty()).then(|| self.facts.to_owned())).collect()
     }
 
-    /// Inputs are registers that keep what they begin with, which is anything; a span of them goes in from the first clock on.
+    /// What comes in with the first clock is anything, and is kept; a span of it goes in from then on.
     fn module(&self, given: &[String]) -> String {
-        let mut text = "module miter(input clock, output holds);\n".to_owned();
+        let ports: Vec<_> = self.general.inputs.iter().flatten().map(|&id| port(&self.general, id)).collect();
+        let whole: String = ports.iter().map(|(name, width, _)| format!(", input [{}:0] {name}_given", width - 1)).collect();
+        let mut text = format!("module miter(input clock{whole}, output holds);\n");
         text += "  reg first = 1;\n  always @(posedge clock) first <= 0;\n";
-        for (name, width, sign) in self.general.inputs.iter().flatten().map(|&id| port(&self.general, id)) {
+        for (name, width, sign) in ports {
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "  reg {sign}[{}:0] {name};\n  always @(posedge clock) {name} <= {name};", width - 1);
+            let _ = writeln!(
+                text,
+                "  reg [{0}:0] {name}_kept;\n  wire {sign}[{0}:0] {name} = first ? {name}_given : {name}_kept;\n  \
+                 always @(posedge clock) {name}_kept <= {name};",
+                width - 1
+            );
         }
         let wait = self.general.latency() - self.special.latency();
         for (k, colour) in ["red", "green", "blue"].into_iter().enumerate() {
