@@ -3,7 +3,7 @@ use specula_scene::format::power_of_two;
 
 use super::Sig;
 use super::state::Facts;
-use crate::design::{Assumption, ErrorForm, Op, Range, Register};
+use crate::design::{Assumption, ErrorForm, Op, Range, Register, Share};
 
 impl Sig {
     /// Nearest value with `fraction_bits` bits right of the point, ties up; off by half a unit of the new last place at most.
@@ -163,7 +163,9 @@ impl Sig {
             return self;
         }
         let form = match self.error_form() {
-            ErrorForm::Proportional { ratio, rest } => ErrorForm::Proportional { ratio, rest: rest.max(error) },
+            ErrorForm::Proportional(shares) => {
+                ErrorForm::Proportional(shares.map(|share| Share { rest: share.rest.max(error), ..share }))
+            }
             ErrorForm::Bounded | ErrorForm::OfCosine { .. } => ErrorForm::Bounded,
         };
         let most = self.error_value().max(error);

@@ -1,5 +1,5 @@
 //! The core of Hast's reflection shading.
-use specula_scene::spec::reflection::{Highlight, ReflectionLight, ReflectionSpec};
+use specula_scene::spec::reflection::{Bisector, Highlight, ReflectionLight, ReflectionSpec};
 use specula_scene::spec::{CoreSpec, Quadratic};
 
 use super::forward::Forward;
@@ -8,8 +8,17 @@ use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, Base, Light, QuotientFormat};
 
-/// |H|² is no smaller along any span, except those where it and all numerators are 0.
-const SMALLEST_SQUARE: f64 = 0.25;
+/// |H|² of H = (N + n)/2 is no smaller along any span, except those where it and all numerators are 0.
+///
+/// n is no more than a right angle from N, so H·n ≥ 1/2. Where it halves the angle f between the ends, N·n = cos(f/2) all along, and that is no
+/// less than s = `shortest_normal`, so that H·n ≥ (1 + s)/2: let the end normals have lengths 1 and β ≤ 1. Where the foot of the perpendicular on
+/// their chord lies between them, s is its length, and the ends are acos s and acos(s/β) ≤ acos s from it; elsewhere it is β ≤ cos f. So f ≤ 2 acos s.
+fn smallest_square(bisector: Bisector, shortest_normal: f64) -> f64 {
+    match bisector {
+        Bisector::Span => ((1.0 + shortest_normal) / 2.0).powi(2),
+        Bisector::Triangle => 0.25,
+    }
+}
 
 /// Quotients of quadratics by forward differences, all by one reciprocal. [Hast et al., eq. 27 to 34]
 pub(super) fn core(b: Builder, spec: &CoreSpec, reflection: &ReflectionSpec) -> Result<Design, TooWide> {
@@ -19,10 +28,12 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, reflection: &ReflectionSpec) -> 
     let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
     let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits).named("q");
     let to = QuotientFormat { integer_bits: 2, fraction_bits: f.reciprocal.fraction_bits };
-    let reciprocal = b.instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to, SMALLEST_SQUARE)).named("w");
+    let smallest = smallest_square(reflection.bisector, spec.shortest_normal);
+    let reciprocal = b.instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to, smallest)).named("w");
     let has_direction = b.integer(0).less_than(&q).named("has_direction");
     let exponent = &inputs.exponent;
-    let mut pixel = Pixel { forward, spec, reflection, q, reciprocal, has_direction, view: None, normal_squared: None, exponent };
+    let mut pixel =
+        Pixel { forward, spec, reflection, q, smallest, reciprocal, has_direction, view: None, normal_squared: None, exponent };
     pixel.view = inputs.view.as_ref().map(|view| pixel.cosine("view", view));
     let normal_squared =
         |square| pixel.forward.quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits).named("normal_squared");
@@ -37,6 +48,8 @@ struct Pixel<'a> {
     spec: &'a CoreSpec,
     reflection: &'a ReflectionSpec,
     q: Sig,
+    /// See [`smallest_square`].
+    smallest: f64,
     /// 1/q.
     reciprocal: Sig,
     has_direction: Sig,
@@ -57,7 +70,7 @@ impl Pixel<'_> {
         let p = self.operand(&format!("{called}_numerator"), numerator);
         let (b, fraction_bits) = (self.forward.b, self.reflection.formats.cosine.fraction_bits);
         b.instance(&format!("{called}_cosine"), || {
-            units::cosine_by_reciprocal(b, &p, &self.q, &self.reciprocal, SMALLEST_SQUARE, fraction_bits)
+            units::cosine_by_reciprocal(b, &p, &self.q, &self.reciprocal, self.smallest, fraction_bits)
         })
     }
 
@@ -95,5 +108,34 @@ impl Pixel<'_> {
                 b.instance(&called("base"), || units::reflected_base(b, (v, cosine), dot_view, &self.has_direction, to))
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use specula_scene::spec::reflection::Bisector;
+
+    use super::smallest_square;
+
+    /// Ends of lengths 1 and β, an angle f apart, in the plane: N between the unit ends, n in their middle.
+    #[test]
+    fn halfway_vectors_are_no_shorter_than_stated() {
+        let mut closest = f64::INFINITY;
+        for degrees in (1..180).step_by(7) {
+            let f = f64::from(degrees).to_radians();
+            for beta in [0.05, 0.3, 0.7, 0.95, 1.0] {
+                let points = (0..=1000).map(|i| f64::from(i) / 1000.0);
+                let length = |t: f64, end: f64| (1.0 - t + t * end * f.cos()).hypot(t * end * f.sin());
+                let shortest = points.clone().map(|t| length(t, beta)).fold(1.0, f64::min);
+                let (c, s) = ((f / 2.0).cos(), (f / 2.0).sin());
+                let square = |t: f64| ((c + 1.0) / 2.0).powi(2) + (s * (t - 0.5)).powi(2);
+                let smallest = points.map(square).fold(1.0, f64::min);
+                // The shortest of a thousand points is a little longer than the foot of the perpendicular.
+                let stated = smallest_square(Bisector::Span, shortest - 1e-3);
+                assert!(stated <= smallest, "{degrees} degrees, {beta}: {stated} against {smallest}");
+                closest = closest.min(smallest / stated);
+            }
+        }
+        assert!(closest < 1.002, "{closest}");
     }
 }

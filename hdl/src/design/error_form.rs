@@ -15,12 +15,18 @@ pub enum ErrorForm {
         /// By how much the cosine is off beside that.
         rest: f64,
     },
-    /// |fixed - real| ≤ `ratio` · min(fixed, real) + `rest`. Of several such values that add up to no more than full scale, the ratios count
-    /// once.
-    Proportional {
-        /// What grows with the value.
-        ratio: f64,
-        /// What does not.
-        rest: f64,
-    },
+    /// Each of these holds. Of several such values that add up to no more than full scale, the ratios count once.
+    Proportional([Share; SHARES]),
+}
+
+/// How many shares are kept: what is small at small values is large at large ones, and which counts is seen where values are added.
+pub const SHARES: usize = 8;
+
+/// |fixed - real| ≤ `ratio` · min(fixed, real) + `rest`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Share {
+    /// What grows with the value; not negative.
+    pub ratio: f64,
+    /// What does not.
+    pub rest: f64,
 }

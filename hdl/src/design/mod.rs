@@ -9,7 +9,7 @@ mod size;
 
 use specula_scene::Format;
 
-pub use error_form::ErrorForm;
+pub use error_form::{ErrorForm, SHARES, Share};
 pub use op::{Op, Table, TableId, wrapped};
 pub use range::{Range, WideRange};
 pub use size::{Size, UnitSize};

@@ -2,7 +2,7 @@
 use specula_scene::spec::FULL_SCALE;
 
 use crate::builder::{Builder, Sig, Turns};
-use crate::design::ErrorForm;
+use crate::design::{ErrorForm, SHARES, Share};
 
 /// A colour coefficient for each channel, in LSBs of the output.
 pub type Coefficients = [Sig; 3];
@@ -50,7 +50,8 @@ fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
 /// # Error
 /// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the smaller sum, and of each product k f the
 /// smaller one in it, adds up to less than 255; so with intensities off by ρ f + r and coefficients by e, the sum is off by 255 times the
-/// largest ρ, and by Σ (k r + f e) with the largest k and f.
+/// largest ρ, or Σ k ρ where that is less, and by Σ (k r + f e) with the largest k and f. Of the pairs of ρ and r that hold, those count that
+/// make the least of it.
 fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()];
     let intensities = |light: &Light| [light.diffuse.clone(), light.specular.clone()];
@@ -83,15 +84,20 @@ fn below_full_scale(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], tu
         return f64::INFINITY;
     }
     let largest = |sig: &Sig| sig.range().magnitude() * sig.ulp();
-    let (mut ratio, mut of_a_turn) = (0.0_f64, 0.0);
-    for (coefficient, intensity) in coefficients.iter().zip(intensities) {
-        let (of_value, beside) = match intensity.error_form() {
-            ErrorForm::Proportional { ratio, rest } => (ratio, rest),
-            _ => (0.0, intensity.error_value()),
-        };
-        ratio = ratio.max(of_value);
-        of_a_turn += (largest(coefficient) + coefficient.error_value()) * beside.min(intensity.error_value())
-            + (largest(intensity) + intensity.error_value()) * coefficient.error_value();
-    }
-    FULL_SCALE * ratio + ambient.error_value() + f64::from(turns) * of_a_turn
+    let with = |share: usize| {
+        let (mut largest_ratio, mut of_values, mut beside) = (0.0_f64, 0.0, 0.0);
+        for (coefficient, intensity) in coefficients.iter().zip(intensities) {
+            let Share { ratio, rest } = match intensity.error_form() {
+                ErrorForm::Proportional(shares) => shares[share],
+                _ => Share { ratio: 0.0, rest: intensity.error_value() },
+            };
+            let most = largest(coefficient) + coefficient.error_value();
+            largest_ratio = largest_ratio.max(ratio);
+            of_values += most * largest(intensity) * ratio;
+            beside += most * rest.min(intensity.error_value())
+                + (largest(intensity) + intensity.error_value()) * coefficient.error_value();
+        }
+        (FULL_SCALE * largest_ratio).min(f64::from(turns) * of_values) + f64::from(turns) * beside
+    };
+    ambient.error_value() + (0..SHARES).map(with).fold(f64::INFINITY, f64::min)
 }

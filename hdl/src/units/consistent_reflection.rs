@@ -65,34 +65,107 @@ pub fn consistent_reflection(
 /// Let m and J be the directions of n and I as they come, turned by a and a_I, and σ, σ_I what their lengths are off. r is compared with the
 /// reflection of J about m with q as it comes, and that with the real one.
 ///
-/// Roundings: b is off by r_b = (1 + σ)(1 + σ_I) - 1 + u/2, g by r_g = r_b + u/2. With w = 1 + b no less than w_0, and ρ² = q(1 + g)/w, clamped
-/// to 1, off by (q r_g + ρ² r_b)/(w - r_b) and half a unit u', the root is off by that over ρ, or less where both are clamped. 1 + g ≥ w makes
-/// ρ² ≥ q² and ρ² ≥ q, so q/ρ ≤ 1; and |bm - J| ≤ √(2w). So what ρ is off by moves r by √(2/w_0) (r_g + r_b)/(1 - r_b/w_0) + u'/√q. What
-/// n and I are too long adds r_g (1 + σ) + σ and r_b (1 + σ) + σ + σ_I, and rounding g + ρb half a unit.
+/// Roundings: [`Rounded`] bounds how far this moves r as a whole, and along r.
 ///
 /// Turns: with sin(γ/2) = √q sin(β/2), γ' ≤ √q, so that r turns by 2a and a_I at most, and by dγ/dq = sin(β/2)/(√q cos(γ/2)) ≤ 1/√(q w_0/2).
 /// Where ρ is clamped, β is beyond a right angle and g + b ≤ 0: r = (g + b)N - I has |r|² = 1 + g² - b² ≥ 1 - b_0² with -b_0 the least b, and
 /// moves by (2 + 2b_0) a + 3 a_I + 2 e_q at most, of which 2 b_0 (a + a_I + e_q) over |r| makes it longer or shorter.
+/// What roundings move along the one reflection is along the other but for the angle between them.
 fn of_reflection([n, incoming]: [&Vector; 2], q: &Sig, formats: &ConsistentFormats, known: Consistency) -> Option<Off> {
-    let (a, sigma) = (n.off().angle(), n.off().stretch());
-    let (a_i, sigma_i) = (incoming.off().angle(), incoming.off().stretch());
+    let (a, a_i) = (n.off().angle(), incoming.off().angle());
     let e_q = q.error_value();
-    let (w, least_q) = (known.least_divisor - a - a_i, known.least_q - e_q);
-    let half_unit = 0.5 * formats.cosine.ulp();
-    let r_b = (1.0 + sigma) * (1.0 + sigma_i) - 1.0 + half_unit;
-    let r_g = r_b + half_unit;
-    let b_0 = (1.0 - w).max(0.0);
-    if !(w > 2.0 * r_b && least_q > 0.0 && b_0 < 0.9) {
-        return None;
-    }
-    let shortest = (1.0 - b_0 * b_0).sqrt();
-    let of_square = (2.0 / w).sqrt() * (r_g + r_b) / (1.0 - r_b / w) + formats.sine_ratio_squared.ulp() / least_q.sqrt();
-    let of_root = of_square + 0.5 * formats.sine_ratio.ulp();
-    let of_lengths = r_g * (1.0 + sigma) + sigma + r_b * (1.0 + sigma) + sigma + sigma_i;
-    let along = 2.0 * b_0 * (a + a_i + e_q) / shortest;
-    let rest = of_root + of_lengths + half_unit * (1.0 + sigma) + along;
+    let half_units = [formats.cosine, formats.sine_ratio_squared, formats.sine_ratio].map(|format| 0.5 * format.ulp());
+    let least = [known.least_divisor - a - a_i, known.least_q - e_q];
+    let rounded = Rounded::new([n, incoming].map(|v| v.off().stretch()), half_units, least)?;
+    let Rounded { w, q: least_q, b_0, shortest, .. } = rounded;
+    let clamped = 2.0 * b_0 * (a + a_i + e_q) / shortest;
+    let rest = rounded.length() + clamped;
     let turned = (2.0 + 2.0 * b_0) * a + 3.0 * a_i + e_q * (least_q * w / 2.0).sqrt().recip().max(2.0);
-    Some(Off { length: turned + rest, across: (turned + rest) / shortest, along: rest + turned * turned / 2.0 })
+    let along = rounded.along() + clamped + rest * turned / shortest + turned * turned / 2.0;
+    Some(Off { length: turned + rest, across: (turned + rest) / shortest, along: along.min(rest + turned * turned / 2.0) })
+}
+
+/// What lengths and roundings move the reflection r of J about m by, two unit vectors whose b = m·J is -b_0 or more, with q as it comes.
+///
+/// Let n and I be longer than m and J by the factors 1 + σ and 1 + σ_I, τ = (1 + σ)(1 + σ_I) - 1, and u half a unit of cosines' last place.
+/// What is computed, with primes, is b' off by δ_b, |δ_b| ≤ |b| τ + u; g' off by δ_g = q δ_b + η, |η| ≤ u; the share s' = g' + ρ'b' + ε, |ε| ≤ u;
+/// and r' = s'n - ρ'I. So with δ_ρ = ρ' - ρ
+///
+///   r' - r = (δ_g + ρ'δ_b + ε + σ s') m + δ_ρ (b m - J) - ρ' σ_I J.
+///
+/// ρ² = q(1 + g)/w with w = 1 + b is off by ((q² - ρ²) δ_b + q η)/(w + δ_b) and by v, half a unit of its last place; since q² and q are ρ² at most,
+/// and ρ² 1, that is |δ_b| + u over w - |δ_b|, and relative to ρ² no more than x = (|δ_b| + u)/(w - |δ_b|) + v/q. Clamping both squares to 1 brings
+/// them no further apart, and for a ρ² beyond 1 the same holds with 1 in its place. The root moves by what its square does over
+/// ρ + ρ' ≥ ρ/κ, κ = 1/(1 + √(1 - x)); and by its own rounding.
+#[derive(Clone, Copy, Debug)]
+struct Rounded {
+    /// σ, σ_I and τ.
+    sigma: f64,
+    sigma_i: f64,
+    tau: f64,
+    /// u.
+    half_unit: f64,
+    /// Half a unit of the last place of ρ² and of ρ.
+    of_squared: f64,
+    of_root: f64,
+    /// The smallest w and q there are.
+    w: f64,
+    q: f64,
+    /// -b_0 is the smallest b there is, if that is negative.
+    b_0: f64,
+    /// √(1 - b_0²), as short as r is at most.
+    shortest: f64,
+    /// x and κ.
+    x: f64,
+    kappa: f64,
+}
+
+impl Rounded {
+    /// None where too little is known of w or q; half units are those of cosines, ρ² and ρ.
+    fn new([sigma, sigma_i]: [f64; 2], [half_unit, of_squared, of_root]: [f64; 3], [w, q]: [f64; 2]) -> Option<Rounded> {
+        let tau = (1.0 + sigma) * (1.0 + sigma_i) - 1.0;
+        let (e_b, b_0) = (tau + half_unit, (1.0 - w).max(0.0));
+        let x = (e_b + half_unit) / (w - e_b) + of_squared / q;
+        if !(w > 2.0 * e_b && q > 0.0 && b_0 < 0.9 && x < 1.0) {
+            return None;
+        }
+        let (shortest, kappa) = ((1.0 - b_0 * b_0).sqrt(), 1.0 / (1.0 + (1.0 - x).sqrt()));
+        Some(Rounded { sigma, sigma_i, tau, half_unit, of_squared, of_root, w, q, b_0, shortest, x, kappa })
+    }
+
+    /// What r is off by as a whole.
+    ///
+    /// |bm - J| ≤ √(2w) and ρ ≥ √q: what ρ is off by moves r by κ (√(2/w) (|δ_b| + u)/(1 - |δ_b|/w) + 2v/√q) and by 2 times its rounding, as √(2w) ≤ 2.
+    fn length(self) -> f64 {
+        let Rounded { sigma, sigma_i, tau, half_unit: u, w, q, kappa, .. } = self;
+        let e_b = tau + u;
+        let of_rho =
+            kappa * ((2.0 / w).sqrt() * (e_b + u) / (1.0 - e_b / w) + 2.0 * self.of_squared / q.sqrt()) + 2.0 * self.of_root;
+        (e_b + u) + e_b + u + sigma * (2.0 + self.second_order()) + sigma_i + of_rho
+    }
+
+    /// |s'| is no larger than 1 + |b| and this.
+    fn second_order(self) -> f64 {
+        2.0 * (self.tau + self.half_unit) + 2.0 * self.half_unit + self.x + self.of_root
+    }
+
+    /// What r is longer or shorter by, to first order in the turn that roundings are.
+    ///
+    /// m·r = g, |g| ≤ 1, and (bm - J)·r = ρ(1 - b²): what ρ is off by makes r longer or shorter by no more than κ (1 - b)(|δ_b| + u)/(1 - |δ_b|/w),
+    /// κ v and the root's rounding. With λ = κ/(1 - |δ_b|/w), all that depends on b is no more than
+    ///
+    ///   τ(1 + 3|b|) + 4u + λ(1 - b)(|b|τ + 2u).
+    ///
+    /// From b = 0 on b(1 - b) ≤ 1 - b, which leaves something linear in b, largest at 0 or 1; below 0 it grows with |b|, and r may be shorter than 1.
+    fn along(self) -> f64 {
+        let Rounded { tau, half_unit: u, b_0, .. } = self;
+        let lambda = self.kappa / (1.0 - (tau + u) / self.w);
+        let anywhere = self.sigma * self.second_order() + self.sigma_i + self.kappa * self.of_squared + self.of_root;
+        let upright = 4.0 * tau + 4.0 * u;
+        let level = tau + 4.0 * u + lambda * (tau + 2.0 * u);
+        let below = tau * (1.0 + 3.0 * b_0) + 4.0 * u + lambda * (1.0 + b_0) * (b_0 * tau + 2.0 * u);
+        (upright.max(level) + anywhere).max((below + anywhere) / self.shortest)
+    }
 }
 
 /// What the error of ρ adds to a component of ρ(bN - I), with E for the errors of q(1 + g) and of w = 1 + b together and u for half a unit
@@ -139,4 +212,46 @@ pub fn consistent_cosine(
         let lit = above_horizon.and(&has_direction).choose(&root, &b.integer(0)).clamped_above(1);
         lit.stated_error_value(error.min(1.0)).named("cosine")
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// J and its reflection in the plane of both, m along the second axis, computed with every rounding at its worst.
+    fn off(b: f64, q: f64, of: Rounded, signs: [f64; 7]) -> ([f64; 2], [f64; 2]) {
+        let [of_n, of_i, of_b, of_g, of_share, of_squared, of_root] = signs;
+        let j = [(1.0 - b * b).sqrt(), b];
+        let reflected = |b: f64, g: f64, rho: f64, [longer, longer_i]: [f64; 2], rounding: f64| {
+            let share = g + rho * b + rounding;
+            [-rho * longer_i * j[0], share * longer - rho * longer_i * j[1]]
+        };
+        let g = 1.0 + q * (b - 1.0);
+        let squared = |b: f64, g: f64| (q * (1.0 + g) / (1.0 + b)).clamp(0.0, 1.0);
+        let real = reflected(b, g, squared(b, g).sqrt(), [1.0, 1.0], 0.0);
+        let (longer, longer_i) = (1.0 + of_n * of.sigma, 1.0 + of_i * of.sigma_i);
+        let b = (b * longer * longer_i + of_b * of.half_unit).clamp(-1.0, 1.0);
+        let g = 1.0 + q * (b - 1.0) + of_g * of.half_unit;
+        let rho = ((squared(b, g) + of_squared * of.of_squared).clamp(0.0, 1.0).sqrt() + of_root * of.of_root).min(1.0);
+        (real, reflected(b, g, rho, [longer, longer_i], of_share * of.half_unit))
+    }
+
+    #[test]
+    fn roundings_move_a_reflection_by_no_more_than_stated() {
+        let signs = |bits: u32| std::array::from_fn(|i| if bits >> i & 1 == 1 { 1.0 } else { -1.0 });
+        for (w, least_q) in [(1.0, 0.8), (0.7, 0.3), (0.4, 0.1)] {
+            let of = Rounded::new([1e-3, 3e-4], [2e-4, 1e-5, 1e-4], [w, least_q]).unwrap();
+            let (mut length, mut along) = (0.0_f64, 0.0_f64);
+            for (i, j, bits) in (0..=50).flat_map(|i| (0..=10).flat_map(move |j| (0..128).map(move |bits| (i, j, bits)))) {
+                let (b, q) = (w - 1.0 + (2.0 - w) * f64::from(i) / 50.0, least_q + (1.0 - least_q) * f64::from(j) / 10.0);
+                let (real, fixed) = off(b, q, of, signs(bits));
+                let moved = [fixed[0] - real[0], fixed[1] - real[1]];
+                length = length.max(moved[0].hypot(moved[1]));
+                along = along.max((moved[0] * real[0] + moved[1] * real[1]).abs() / real[0].hypot(real[1]));
+            }
+            println!("w {w}: length {length:.3e} of {:.3e}, along {along:.3e} of {:.3e}", of.length(), of.along());
+            assert!(length <= of.length() && length > 0.4 * of.length());
+            assert!(along <= of.along() && along > 0.7 * of.along());
+        }
+    }
 }

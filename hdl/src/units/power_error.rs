@@ -2,18 +2,23 @@
 use specula_scene::format::power_of_two;
 
 use crate::builder::Sig;
-use crate::design::ErrorForm;
+use crate::design::{ErrorForm, SHARES, Share};
 
 /// What is known of b^n of a base b from 0 to 1 and n from 1 on.
 ///
 /// # Error
 /// Let the base be s cos t, off by an angle a and by r beside that.
 ///
-/// - cos^n t has the slope √n ((n-1)/n)^((n-1)/2) at most, where cos² t = (n-1)/n. So the angle moves the power by a times that.
+/// - The angle moves cos^n t by a times a slope σ(v) of it in t, n cos^(n-1) t sin t, at a v = cos^n t between both powers. [`Line`] says what is
+///   known of σ.
 /// - x^n and y^n with |x - y| ≤ r are no further apart than n r m^(n-1) with m = max(x, y), that is r (1 + (n-1) m^n) at most, since
 ///   n m^(n-1) ≤ 1 + (n-1) m^n (weighted means). m^n exceeds both powers by no more than their bound.
 pub(super) struct PowerError {
-    /// Bound on the error.
+    /// n.
+    exponent: f64,
+    /// a.
+    angle: f64,
+    /// Bound on what the angle has no part in.
     bound: f64,
     /// Of it, what grows with the power.
     ratio: f64,
@@ -22,14 +27,13 @@ pub(super) struct PowerError {
 }
 
 impl PowerError {
-    /// Of the exact power of a base as it comes, for exponents up to `n`.
+    /// Of the exact power of a base as it comes, for whole exponents up to `n`.
     pub fn of(base: &Sig, n: f64) -> PowerError {
         let (angle, r) = match base.error_form() {
             ErrorForm::OfCosine { angle, rest } => (angle, rest),
             _ => (0.0, base.error_value()),
         };
-        let turned = angle * steepest(n);
-        PowerError { bound: turned + n * r, ratio: (n - 1.0) * r, rest: turned + r }
+        PowerError { exponent: n, angle, bound: n * r, ratio: (n - 1.0) * r, rest: r }
     }
 
     /// And off by `error` besides.
@@ -45,19 +49,112 @@ impl PowerError {
             bound: self.bound + all * half_unit,
             ratio: self.ratio + (all - squares) * half_unit,
             rest: self.rest + squares * half_unit,
+            ..self
         }
     }
 
     /// States it of the power.
     pub fn state(self, power: Sig) -> Sig {
-        let bound = self.bound.min(1.0);
-        // The ratio counts for m^n, which exceeds the smaller power by the bound at most.
-        let rest = self.rest + self.ratio * bound;
-        power.stated_error_value(bound).of_error_form(ErrorForm::Proportional { ratio: self.ratio, rest })
+        let (bound, shares) = (self.most(), self.shares());
+        power.stated_error_value(bound).of_error_form(ErrorForm::Proportional(shares))
+    }
+
+    /// Bound on the error; no power exceeds 1.
+    fn most(&self) -> f64 {
+        self.shares().iter().map(|share| share.ratio + share.rest).fold(self.at_worst_apart(), f64::min)
+    }
+
+    /// Both parts at their worst, wherever that is; 1 at most.
+    fn at_worst_apart(&self) -> f64 {
+        (self.angle * steepest(self.exponent) + self.bound).min(1.0)
+    }
+
+    fn shares(&self) -> [Share; SHARES] {
+        let level = Line { slope: 0.0, rest: steepest(self.exponent) };
+        let lines = [0.95, 0.9, 0.8, 0.7, 0.5, 0.35, 0.2].map(|v| Line::touching(v, self.exponent));
+        std::array::from_fn(|i| self.share(if i == 0 { level } else { lines[i - 1] }))
+    }
+
+    /// With a line above σ: v and m^n exceed the smaller power by the bound at most, and v falls short of it by what has no part in the
+    /// angle at most, which counts where the line falls.
+    fn share(&self, line: Line) -> Share {
+        let (most, slope) = (self.at_worst_apart(), self.angle * line.slope);
+        let of_turn = self.angle * line.rest + slope.max(0.0) * most + (-slope).max(0.0) * self.bound;
+        Share { ratio: (slope + self.ratio).max(0.0), rest: of_turn + self.rest + self.ratio * most }
+    }
+}
+
+/// A line that the slope σ(v) = n cos^(n-1) t sin t of v = cos^n t stays below, for any whole exponent from 1 to n.
+///
+/// σ is concave in v: dσ/dv = (n-1) tan t - cot t grows with t, and v falls. So its tangent at t stays above it, whose value at v = 0 is
+/// cos^(n-1) t/sin t.
+///
+/// With y = -ln v/n, σ = n v √(e^(2y) - 1). That grows with n where y ≤ 0.796, since √(e^(2y) - 1)/y falls until there: what holds for n holds for
+/// smaller exponents n' where v ≥ e^(-0.796 n'). Below that σ is less than n' v^((n'-1)/n') ≤ n' e^(-0.796 (n'-1)) ≤ 1: it is enough that the
+/// line is no lower than 1 up to v = e^(-0.796) < 0.46.
+#[derive(Clone, Copy)]
+struct Line {
+    slope: f64,
+    /// At v = 0.
+    rest: f64,
+}
+
+impl Line {
+    fn touching(v: f64, n: f64) -> Line {
+        let cosine = v.powf(1.0 / n);
+        let sine = (1.0 - cosine * cosine).sqrt();
+        let slope = (n - 1.0) * sine / cosine - cosine / sine;
+        let rest = v / (cosine * sine);
+        let below = rest + 0.46 * slope.min(0.0);
+        Line { slope, rest: rest + (1.0 - below).max(0.0) }
     }
 }
 
 /// Largest slope of cos^n.
 fn steepest(n: f64) -> f64 {
     n.sqrt() * ((n - 1.0) / n).powf((n - 1.0) / 2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Powers up to `exponent` of s cos t and s cos (t ± a) ± r: the largest error over what each share and the bound allow.
+    fn used(of: &PowerError, exponents: &[f64], r: f64) -> [f64; SHARES + 1] {
+        let mut used = [0.0_f64; SHARES + 1];
+        for &n in exponents {
+            for (i, length, turn, r) in (0..=1500).flat_map(|i| {
+                [1.0, 0.99].into_iter().flat_map(move |s| [-1.0, 1.0].into_iter().flat_map(move |a| [-r, r].map(|r| (i, s, a, r))))
+            }) {
+                let t = f64::from(i) / 1500.0 * std::f64::consts::FRAC_PI_2;
+                let power = |base: f64| base.clamp(0.0, 1.0).powf(n);
+                let (real, fixed) = (power(length * t.cos()), power(length * (t + turn * of.angle).cos() + r));
+                let error = (fixed - real).abs();
+                for (used, share) in used.iter_mut().zip(of.shares()) {
+                    *used = f64::max(*used, error / (share.ratio * fixed.min(real) + share.rest));
+                }
+                used[SHARES] = used[SHARES].max(error / of.most());
+            }
+        }
+        used
+    }
+
+    #[test]
+    fn every_share_holds_and_comes_near() {
+        for n in [1.0, 2.0, 3.0, 16.0, 256.0, 8191.0] {
+            for (angle, r) in [(1e-3, 1e-4), (1e-5, 1e-6), (1e-6, 1e-5), (1e-4, 0.0)] {
+                let of = PowerError { exponent: n, angle, bound: n * r, ratio: (n - 1.0) * r, rest: r };
+                let all = [1.0, 2.0, 3.0, 5.0, 16.0, 100.0, 256.0, 8191.0];
+                let below: Vec<f64> = all.into_iter().filter(|&exponent| exponent <= n).collect();
+                let used = used(&of, &below, r);
+                assert!(used.iter().all(|&used| used <= 1.0 + 1e-9), "n {n}, angle {angle}, r {r}: {used:?}");
+                // A line that falls faster than the ratio of r rises touches nothing.
+                let touches = of.shares().map(|share| share.ratio > 0.0);
+                if n >= 16.0 && n * r < 0.1 {
+                    let near = used.iter().zip(touches.into_iter().chain([true])).all(|(&used, touches)| used > 0.7 || !touches);
+                    assert!(near, "n {n}, angle {angle}, r {r}: {used:?}");
+                }
+            }
+        }
+    }
 }
