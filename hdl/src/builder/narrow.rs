@@ -166,7 +166,7 @@ impl Sig {
             ErrorForm::Proportional(shares) => {
                 ErrorForm::Proportional(shares.map(|share| Share { rest: share.rest.max(error), ..share }))
             }
-            ErrorForm::Bounded | ErrorForm::OfCosine { .. } => ErrorForm::Bounded,
+            ErrorForm::Bounded | ErrorForm::OfCosine { .. } | ErrorForm::OneOfSeveral { .. } => ErrorForm::Bounded,
         };
         let most = self.error_value().max(error);
         self.stated_error_value(most).of_error_form(form)

@@ -4,7 +4,7 @@ use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, 
 
 use super::{eye, finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide, Vector};
-use crate::design::Design;
+use crate::design::{Design, ErrorForm};
 use crate::units::{self, Follow, Interpolation, Light, SpanNormals, WrapFormats};
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR 43, fig. 6 to 8]
@@ -12,8 +12,10 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
     let turns = turns(&b, spec);
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
     let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs, spec, lyon);
-    let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    let lights = pipelines(&turns, &inputs.lights);
+    let apart = if turns.count() == 1 { least_distance(&lights) } else { 0.0 };
+    let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess, apart };
+    let lights: Vec<Light> = lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }
 
@@ -68,6 +70,23 @@ struct Pixel<'a> {
     n: &'a Vector,
     has_direction: &'a Sig,
     shininess: &'a Sig,
+    /// See [`least_distance`].
+    apart: f64,
+}
+
+/// How far the directions of two lights are apart at least, in the ranges that the core is made for.
+fn least_distance(lights: &[LyonLight<Sig>]) -> f64 {
+    let distance = |a: &[Sig; 3], b: &[Sig; 3]| {
+        let gap = |(a, b): (&Sig, &Sig)| {
+            let (a, b, ulp) = (a.range(), b.range(), a.ulp());
+            (a.low - b.high).max(b.low - a.high).max(0) as f64 * ulp
+        };
+        let off = |components: &[Sig; 3]| Vector::new(components.clone()).off().length;
+        let gaps = a.iter().zip(b).map(gap).map(|gap| gap * gap).sum::<f64>().sqrt();
+        (gaps - off(a) - off(b)).max(0.0)
+    };
+    let pairs = lights.iter().enumerate().flat_map(|(i, a)| lights[..i].iter().map(move |b| (a, b)));
+    pairs.map(|(a, b)| distance(&a.direction, &b.direction)).fold(f64::INFINITY, f64::min)
 }
 
 impl Pixel<'_> {
@@ -77,7 +96,7 @@ impl Pixel<'_> {
         let direction = Vector::new(light.direction.clone());
         let d = b.instance(&called("difference"), || self.difference(light));
         let shape = || match self.lyon.shape {
-            ShapeDatapath::FK => units::shape(b, &d, self.shininess, self.has_direction, self.lyon),
+            ShapeDatapath::FK => self.alone(units::shape(b, &d, self.shininess, self.has_direction, self.lyon), &d),
             ShapeDatapath::Root => units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon),
         };
         Light {
@@ -90,6 +109,16 @@ impl Pixel<'_> {
 }
 
 impl Pixel<'_> {
+    /// Says of f that no two lights are near the middle of their highlights at once.
+    ///
+    /// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all but one are at least half as long as lights are
+    /// apart.
+    fn alone(&self, f: Sig, d: &Vector) -> Sig {
+        let aside = units::shape_error_beyond(d, self.apart / 2.0, self.lyon);
+        let known = self.lyon.difference == Difference::ReflectionMinusLight && aside < f.error_value() && f.error_value() < 1.0;
+        if known { f.of_error_form(ErrorForm::OneOfSeveral { aside }) } else { f }
+    }
+
     fn difference(&self, light: &LyonLight<Sig>) -> Vector {
         let (b, n, formats) = (self.b, self.n, &self.lyon.formats);
         // A rounded unit vector is longer than 1 by √3/2 units of the last place at most, and H than 2.

@@ -30,7 +30,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
             units::corrected(&b, &n_dot_v, weights, formats, steps)
         }
     };
-    let bound = BaseBound::new(formats, steps);
+    let bound = BaseBound::new(formats, steps, spec.shortest_normal);
     let pixel =
         Pixel { b: &b, spec, slerp, weights, normal: normal.as_ref(), n_dot_v: &n_dot_v, exponent: &inputs.exponent, bound };
     let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();

@@ -17,6 +17,11 @@ pub enum ErrorForm {
     },
     /// Each of these holds. Of several such values that add up to no more than full scale, the ratios count once.
     Proportional([Share; SHARES]),
+    /// Of all signals of this form in one sum, all but one at a time are off by no more than `aside`.
+    OneOfSeveral {
+        /// Bound on the error of the others.
+        aside: f64,
+    },
 }
 
 /// How many shares are kept: what is small at small values is large at large ones, and which counts is seen where values are added.

@@ -51,7 +51,7 @@ fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
 /// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the smaller sum, and of each product k f the
 /// smaller one in it, adds up to less than 255; so with intensities off by ρ f + r and coefficients by e, the sum is off by 255 times the
 /// largest ρ, or Σ k ρ where that is less, and by Σ (k r + f e) with the largest k and f. Of the pairs of ρ and r that hold, those count that
-/// make the least of it.
+/// make the least of it. Intensities of which one at a time alone is off by r, and all others by less, count with r once in a turn.
 fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()];
     let intensities = |light: &Light| [light.diffuse.clone(), light.specular.clone()];
@@ -85,18 +85,21 @@ fn below_full_scale(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], tu
     }
     let largest = |sig: &Sig| sig.range().magnitude() * sig.ulp();
     let with = |share: usize| {
-        let (mut largest_ratio, mut of_values, mut beside) = (0.0_f64, 0.0, 0.0);
+        let (mut largest_ratio, mut of_values, mut beside, mut of_one) = (0.0_f64, 0.0, 0.0, 0.0_f64);
         for (coefficient, intensity) in coefficients.iter().zip(intensities) {
-            let Share { ratio, rest } = match intensity.error_form() {
-                ErrorForm::Proportional(shares) => shares[share],
-                _ => Share { ratio: 0.0, rest: intensity.error_value() },
+            let off = intensity.error_value();
+            let (Share { ratio, rest }, once) = match intensity.error_form() {
+                ErrorForm::Proportional(shares) => (shares[share], 0.0),
+                ErrorForm::OneOfSeveral { aside } => (Share { ratio: 0.0, rest: aside }, (off - aside).max(0.0)),
+                _ => (Share { ratio: 0.0, rest: off }, 0.0),
             };
             let most = largest(coefficient) + coefficient.error_value();
             largest_ratio = largest_ratio.max(ratio);
             of_values += most * largest(intensity) * ratio;
-            beside += most * rest.min(intensity.error_value())
-                + (largest(intensity) + intensity.error_value()) * coefficient.error_value();
+            of_one = of_one.max(most * once);
+            beside += most * rest.min(off) + (largest(intensity) + off) * coefficient.error_value();
         }
+        beside += of_one;
         (FULL_SCALE * largest_ratio).min(f64::from(turns) * of_values) + f64::from(turns) * beside
     };
     ambient.error_value() + (0..SHARES).map(with).fold(f64::INFINITY, f64::min)

@@ -54,7 +54,7 @@ pub use quadratic::{Differences, quadratic};
 pub use raised::raised;
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 pub use rotation::{Turn, rotation, scaled_rotation};
-pub use shape::{root_shape, shape};
+pub use shape::{root_shape, shape, shape_error_beyond};
 pub use square_root::square_root;
 pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
 pub use turned_normal::{Weighing, turned_normal};

@@ -81,6 +81,24 @@ fn root_error(d: &Vector, m: &Sig, lyon: &LyonSpec) -> f64 {
     steepest_slope(lyon.squarings, 2.0 * terms) * e_u + of_m + (terms - 0.5) * lyon.formats.shape.ulp()
 }
 
+/// How far [`shape`] is off where the real D is no shorter than `shortest`, whatever n is.
+///
+/// With y = n d² its slope in d is y (1 - y/2K)^(K-1)/d, largest at y = 2; and between both D no d is shorter than `shortest` less what D is off.
+pub fn shape_error_beyond(d: &Vector, shortest: f64, lyon: &LyonSpec) -> f64 {
+    let k = f64::from(1u32 << lyon.squarings);
+    let off = d.off().length;
+    let least = shortest - off;
+    if least <= 0.0 {
+        return 1.0;
+    }
+    off * steepest_of_any(k) / least + (k - 0.5) * lyon.formats.shape.ulp()
+}
+
+/// Largest |df_k/d|D|| times |D|, for any exponent.
+fn steepest_of_any(k: f64) -> f64 {
+    2.0 * (1.0 - 1.0 / k).powf(k - 1.0)
+}
+
 /// Largest |df_k/d|D|| for exponents up to `n`.
 fn steepest_slope(squarings: u32, n: f64) -> f64 {
     let k = f64::from(1u32 << squarings);
@@ -95,7 +113,7 @@ pub(super) fn square(b: &Builder, base: &Sig, fraction_bits: u32) -> Sig {
 
 #[cfg(test)]
 mod tests {
-    use super::steepest_slope;
+    use super::{steepest_of_any, steepest_slope};
 
     #[test]
     fn the_slope_bound_is_met_and_not_exceeded() {
@@ -111,6 +129,19 @@ mod tests {
                 let steepest = (0..4000).map(slope).fold(0.0, f64::max);
                 let bound = steepest_slope(squarings, n);
                 assert!(steepest <= bound * 1.0001 && steepest > bound * 0.99, "k {squarings} n {n}: {steepest} against {bound}");
+            }
+        }
+    }
+
+    #[test]
+    fn away_from_the_middle_no_exponent_is_steeper_than_stated() {
+        for squarings in 0..=3 {
+            let k = f64::from(1u32 << squarings);
+            for d in [0.05, 0.4, 0.8, 1.9_f64] {
+                let slope = |n: f64| if n * d * d < 2.0 * k { n * d * (1.0 - n * d * d / (2.0 * k)).powf(k - 1.0) } else { 0.0 };
+                let steepest = (1..40_000).map(|i| slope(f64::from(i) / 20.0)).fold(0.0, f64::max);
+                let bound = steepest_of_any(k) / d;
+                assert!(steepest <= bound && steepest > 0.9 * bound, "k {squarings} d {d}: {steepest} against {bound}");
             }
         }
     }

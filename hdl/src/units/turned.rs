@@ -2,7 +2,7 @@
 use specula_scene::spec::slerp::SlerpFormats;
 
 use super::HOST_ERROR;
-use super::rotation::drift;
+use super::rotation::{drift, drift_across, sum_of_components};
 use crate::builder::{Builder, Sig};
 
 /// N·X = c A·X + s T·X, for L and V alike. [lecture, eq. 4.7; METHODS A10]
@@ -49,11 +49,12 @@ pub fn base(b: &Builder, j: &Sig, k: &Sig, light_dot_view: &Sig, bound: &BaseBou
 
 /// What is known of the base's error.
 ///
-/// Let N' = c A + s T of the weights as they are, n its direction, |N' - N| ≤ e. The angle between n and N is at most asin e, so R turns
-/// by 2 asin e, and the base moves as the cosine of an angle does that is off by so much. Beside that the base is off by
+/// Let N' = c A + s T of the weights as they are, n its direction, |N' - N| ≤ e, of which x lies across N. The angle between n and N is at most
+/// atan(x/(1 - e)) and asin e, so R turns by twice that, and the base moves as the cosine of an angle does that is off by so much. Spans turn by f at most, with
+/// cos(f/2) the length of the shortest normal or more, and |cos t| + |sin t| ≤ κ up to f. Beside that the base is off by
 ///
 /// - 2 (2e + e²)², what the correction leaves of |N'|² - 1;
-/// - twice the error of J K', where J and K are off by e1 = half a unit of the scalar's last place times |c| + |s| ≤ √2 (1 + e), and
+/// - twice the error of J K', where J and K are off by e1 = half a unit of the scalar's last place times |c| + |s| ≤ κ + √2 e, and
 ///   half a unit of their own; K' by K's error times 2 - N'·N' ≤ 1 + 2e + e², and another half unit for it and for K' each;
 /// - half a unit of L·V and half a unit of the base.
 pub struct BaseBound {
@@ -64,17 +65,21 @@ pub struct BaseBound {
 }
 
 impl BaseBound {
-    /// The bound for spans of `steps` + 1 pixels.
-    pub fn new(formats: &SlerpFormats, steps: u32) -> BaseBound {
+    /// The bound for spans of `steps` + 1 pixels with normals no shorter than `shortest_normal`.
+    pub fn new(formats: &SlerpFormats, steps: u32, shortest_normal: f64) -> BaseBound {
         let e = off(formats, steps);
+        let widest = 2.0 * shortest_normal.clamp(0.0, 1.0).acos();
+        let kappa = sum_of_components(widest);
+        let across = drift_across(formats, steps, widest) + 0.5 * kappa * formats.weight.ulp();
         let half = |format: &specula_scene::Format| 0.5 * format.ulp() + HOST_ERROR;
         let (scalar, own) = (half(&formats.component), half(&formats.cosine));
         let (length, stretch) = (1.0 + e, 2.0 * e + e * e);
-        let e1 = 2f64.sqrt() * length * scalar + own;
+        let e1 = (kappa + 2f64.sqrt() * e) * scalar + own;
         let e_k = e1 * (1.0 + stretch) + (length + e1) * own + own;
         let product = length * e_k + length * (1.0 + stretch) * e1 + e1 * e_k;
         let rounding = half(&formats.base);
-        let angle = 2.0 * e.min(1.0).asin();
+        let least_along = (1.0 - e).max(0.0);
+        let angle = 2.0 * across.atan2(least_along).min(e.min(1.0).asin());
         BaseBound { angle, rest: 2.0 * stretch * stretch + 2.0 * product + scalar + rounding }
     }
 }
