@@ -27,9 +27,9 @@ use result::{Clock, Compared, sorted};
 
 const EXAMPLE: &str = "\
 Simulates the core of each method with each of the formats on every pixel, and measures the papers'
-own loops in software. Writes DIR/report.md, report.html, report.json, cores.csv, software.csv, plots
-of error against run time and size as SVG and PNG, and results.jsonl: a sweep that was interrupted
-goes on where it stopped.
+own loops in software. Writes DIR/report.md, report.html, report.json, cores.csv, software.csv,
+plots of error against run time and size as SVG and PNG, and results.jsonl: a sweep that was
+interrupted goes on where it stopped.
 
 Exit status: 0 if every pixel of every core agrees with the bit-true model, 1 if not, 2 if the
 comparison could not be made.

@@ -51,7 +51,8 @@ fn wrong_scenes() {
     let place = Place::new();
     place.write("latin1.toml", b"# caf\xe9\n");
     place.write("typo.toml", "[[object]]\nprimitve = \"torus\"\n");
-    place.write("three.toml", "[[object]]\nprimitive = \"torus\"\n[object.material]\nshininess = 3\n");
+    let three = "[[object]]\nprimitive = \"torus\"\n[object.material]\nshininess = 3\n[core.hybrid]\npower = \"squaring\"\n";
+    place.write("three.toml", three);
     place.write("wide.toml", "[[object]]\nprimitive = \"torus\"\n[core.lyon.formats]\nvector = \"S1.60\"\n");
     place.write("empty.obj", "");
     let said = refusals(

@@ -125,7 +125,8 @@ impl LyonSpec {
         // What is carried from pixel to pixel stays near unit length only where rounding is fine.
         let fewest = if self.follows() { FEWEST_TO_FOLLOW } else { FEWEST_FRACTION_BITS };
         let mut points = vec![
-            NarrowingPoint::accumulated("weight_accumulator", f.weight_accumulator, UNIT, (1, span_bits), accumulated),
+            NarrowingPoint::accumulated("weight_accumulator", f.weight_accumulator, UNIT, (1, span_bits), accumulated)
+                .with_at_least(fewest),
             point("weight", f.weight, UNIT, "interpolation weight a").no_finer_than(f.weight_accumulator).with_at_least(fewest),
             point("vector", f.vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0) and of n = g N'").with_at_least(fewest),
         ];
