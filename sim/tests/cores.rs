@@ -130,7 +130,8 @@ fn outputs_with_lights_and_an_eye_at_places_agree() {
     for method in Method::ALL {
         let spec = frames::spec(&frame, method).specialised(&frame);
         let design = frames::design(&spec);
-        let stimulus = Stimulus::whole(&frames::packets(&spec, &frame), &design);
+        let packets = frames::packets(&spec, &frame);
+        let stimulus = Stimulus::whole(&packets, &design);
         let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) else { return };
         let outputs = outputs(&design);
         let reference = engines::run(&mut RustHdl::new(&design).unwrap(), &stimulus, &outputs).unwrap();
