@@ -53,7 +53,8 @@ fn the_lectures_counts_are_documented() {
         let core = count.contents(&frame).unwrap();
         assert_eq!(core, count.core, "{}", count.what);
         let numbers = [core.accumulators, core.multipliers, core.dividers, core.reciprocal_roots].map(|n| n.to_string()).join(", ");
-        let options: Vec<&str> = count.options.lines().map(|line| line.split_once('.').map_or(line, |(_, option)| option)).collect();
+        let options: Vec<&str> =
+            count.options.lines().map(|line| line.split_once('.').map_or(line, |(_, option)| option)).collect();
         let options: String = options.iter().map(|option| format!(", `{option}`")).collect();
         let method = count.method.name();
         let line = format!("| {} | {} | {} | `{method}`{options} | {numbers} |", count.section, count.what, count.printed);
