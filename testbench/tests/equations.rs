@@ -96,10 +96,9 @@ fn defines(source: &str, item: &str) -> bool {
         rest.strip_prefix(before).and_then(|rest| rest.strip_prefix(item)).is_some_and(|rest| !rest.starts_with(is_of_a_name))
     };
     let visible = |line: &str| line.trim().replacen("pub(super) ", "pub ", 1).replacen("pub(crate) ", "pub ", 1);
-    source
-        .lines()
-        .map(visible)
-        .any(|line| ["fn ", "struct ", "enum ", "trait "].iter().any(|kind| begins(&line, kind)) || line == format!("{item},"))
+    source.lines().map(visible).any(|line| {
+        ["fn ", "struct ", "enum ", "trait ", "type "].iter().any(|kind| begins(&line, kind)) || line == format!("{item},")
+    })
 }
 
 fn is_of_a_name(c: char) -> bool {
