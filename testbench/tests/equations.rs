@@ -5,7 +5,7 @@ use specula_scene::Method;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// Folders that a column's files are in, by the column's title; other columns name files from the repository's root.
+/// Folders that a column's files are in, by the column's title, where they are not named from the repository's root.
 const FOLDERS: [(&str, &str); 4] =
     [("exact", "golden/src/exact"), ("loop", "golden/src/recurrence"), ("fixed", "golden/src/fixed"), ("hdl", "hdl/src")];
 
@@ -114,7 +114,7 @@ fn absent(cell: &Cell) -> Vec<String> {
     // A column with one file for all has it in its title.
     for name in quoted(&cell.title).into_iter().chain(quoted(&cell.text)) {
         if is_file(name) {
-            let from_the_root = ["host", "test"].iter().any(|whose| cell.text.contains(&format!("{whose}: `{name}`")));
+            let from_the_root = Path::new(ROOT).join(name).is_file();
             let path = if from_the_root { name.to_owned() } else { format!("{folder}/{name}") };
             match std::fs::read_to_string(Path::new(ROOT).join(&path)) {
                 Ok(source) => file = Some((path, source)),
