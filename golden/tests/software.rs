@@ -4,9 +4,10 @@
 use glam::DVec3;
 use specula_golden::exact::{MethodSpan, wrap};
 use specula_golden::recurrence::{
-    Chained, Chebyshev, Consistent, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong, Frame as SlerpFrame, Gouraud,
-    Hybrid, Line, LyonCross, LyonReflection, Pair, Phong, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp,
-    Uniform,
+    Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong,
+    Frame as SlerpFrame, Gouraud, Half, HalfG2, Hybrid, Line, LyonCross, LyonLightReflection, LyonNormal, LyonProjection,
+    LyonReflection, Pair, Phong, Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum, TorranceSparrow,
+    Trigonometric, TrowbridgeReitz, Uniform, Unit,
 };
 use specula_golden::software::{METHODS, by_name};
 use specula_scene::frame::EYE;
@@ -72,6 +73,11 @@ fn method(frame: &Frame, method: Method, options: &str) -> Vec<f64> {
     (0..=STEPS).map(|i| span.pixel(i)[0]).collect()
 }
 
+/// Lyon's with g2 alone, as he has it.
+fn lyon(frame: &Frame, options: &str) -> Vec<f64> {
+    method(frame, Method::Lyon, &format!("newton_steps = 0\n{options}"))
+}
+
 /// A scheme in f64, with f64's power and sum.
 fn in_f64<S: Scheme<f64>>(frame: &Frame) -> Vec<f64> {
     let mut scheme = S::new(&Line::new(frame, &frame.spans[0]), frame.lights[0].direction);
@@ -110,14 +116,30 @@ rows! {
     "uniform", Uniform<f64>, |f| method(f, Method::Gouraud, "interpolation = \"uniform\""), Pixel;
     "gouraud", Gouraud<f64>, |f| method(f, Method::Gouraud, ""), Step;
     "phong", Phong<f64>, |f| method(f, Method::Phong, ""), Step;
+    "phong-blinn", Blinn<f64>, |f| method(f, Method::Phong, "highlight = \"blinn\""), Step;
+    "phong-torrance-sparrow", TorranceSparrow<f64>, |f| method(f, Method::Phong, "highlight = \"torrance-sparrow\""), Step;
+    "phong-trowbridge-reitz", TrowbridgeReitz<f64>, |f| method(f, Method::Phong, "highlight = \"trowbridge-reitz\""), Step;
     "fast-phong", FastPhong<f64, 1>, |f| method(f, Method::Direct, "root = \"newton\"\nnewton_steps = 1"), Step;
     "fast-phong-2", FastPhong<f64, 2>, |f| method(f, Method::Direct, "root = \"newton\"\nnewton_steps = 2"), Step;
     "slerp", Slerp<f64>, |f| method(f, Method::Slerp, ""), Step;
     "slerp-frame", SlerpFrame<f64>, |f| method(f, Method::Slerp, ""), Step;
     "chebyshev", Chebyshev<f64>, |f| method(f, Method::Slerp, ""), Difference;
-    "lyon", LyonCross<f64>, |f| method(f, Method::Lyon, "newton_steps = 0"), Step;
-    "lyon-reflection", LyonReflection<f64>,
-        |f| method(f, Method::Lyon, "newton_steps = 0\ndifference = \"reflection-minus-light\""), Step;
+    "lyon", LyonCross<f64>, |f| lyon(f, "difference = \"halfway-cross-normal\""), Step;
+    "lyon-reflection", LyonReflection<f64, 2>, |f| lyon(f, "difference = \"reflection-minus-light\""), Step;
+    "lyon-reflection-1", LyonReflection<f64, 1>, |f| lyon(f, "difference = \"reflection-minus-light\"\nsquarings = 1"), Step;
+    "lyon-reflection-0", LyonReflection<f64, 0>, |f| lyon(f, "difference = \"reflection-minus-light\"\nsquarings = 0"), Step;
+    "lyon-light-reflection", LyonLightReflection<f64>, |f| lyon(f, "difference = \"light-reflection\""), Step;
+    "lyon-projection", LyonProjection<f64, Sum, 2>, |f| lyon(f, "difference = \"halfway-projection\""), Step;
+    "lyon-unit-projection", LyonProjection<f64, Unit, 2>, |f| lyon(f, "difference = \"unit-halfway-projection\""), Step;
+    "lyon-half-projection", LyonProjection<f64, Half, 2>,
+        |f| lyon(f, "difference = \"unit-halfway-projection\"\nhalfway = \"half\""), Step;
+    "lyon-half-g2-projection", LyonProjection<f64, HalfG2, 2>,
+        |f| lyon(f, "difference = \"unit-halfway-projection\"\nhalfway = \"half-g2\""), Step;
+    "lyon-half-g2-projection-1", LyonProjection<f64, HalfG2, 1>,
+        |f| lyon(f, "difference = \"unit-halfway-projection\"\nhalfway = \"half-g2\"\nsquarings = 1"), Step;
+    "lyon-unit-normal", LyonNormal<f64, Unit>, |f| lyon(f, "difference = \"unit-halfway-minus-normal\""), Step;
+    "lyon-half-g2-normal", LyonNormal<f64, HalfG2>,
+        |f| lyon(f, "difference = \"unit-halfway-minus-normal\"\nhalfway = \"half-g2\""), Step;
     "duff", DuffRoot<f64>, |f| method(f, Method::Duff, "specular = \"eq34\""), Difference;
     "duff-blinn", DuffBlinn<f64>, |f| method(f, Method::Duff, "specular = \"blinn\""), Difference;
     "duff-hybrid", DuffHybrid<f64>, |f| method(f, Method::Duff, "specular = \"quotient\""), Difference;
@@ -130,7 +152,11 @@ rows! {
     "reflection-hybrid", ReflectionHybrid<f64>,
         |f| method(f, Method::Reflection, "bisector = \"triangle\"\nspecular = \"hybrid\""), Difference;
     "reflection-chained", Chained<f64>, chained, Step;
-    "consistent", Consistent<f64>, |f| method(f, Method::Consistent, ""), Step;
+    "consistent", Consistent<f64, Rational>, |f| method(f, Method::Consistent, ""), Step;
+    "consistent-trigonometric", Consistent<f64, Trigonometric>,
+        |f| method(f, Method::Consistent, "curve = \"trigonometric\""), Step;
+    "consistent-normal", ConsistentNormal<f64, Rational>,
+        |f| method(f, Method::Consistent, "diffuse = \"consistent\"\nhighlight = \"blinn\""), Step;
 }
 
 /// 30 degrees, with the highlight on the span and vertices among faces as their triangle's.

@@ -121,6 +121,25 @@ fn directs_outputs_agree() {
     outputs_agree(Method::Direct);
 }
 
+/// A distant light, a lamp and a spot, seen from a place, by every method, in the cores that `run` makes.
+#[test]
+fn outputs_with_lights_and_an_eye_at_places_agree() {
+    let mut frame = frames::frame(1968, 3, 7);
+    frames::place_lights(&mut frame);
+    assert_eq!((frame.lights.len(), frame.local_lights.len(), frame.eye.is_some()), (1, 2, true));
+    for method in Method::ALL {
+        let spec = frames::spec(&frame, method).specialised(&frame);
+        let design = frames::design(&spec);
+        let packets = frames::packets(&spec, &frame);
+        let stimulus = Stimulus::whole(&packets, &design);
+        let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) else { return };
+        let outputs = outputs(&design);
+        let reference = engines::run(&mut RustHdl::new(&design).unwrap(), &stimulus, &outputs).unwrap();
+        let columns = engines::run(&mut verilator, &stimulus, &outputs).unwrap();
+        engines::assert_same(&design, &reference, &columns, 0, verilator.name());
+    }
+}
+
 /// Lights that take turns: quadratics, rotations, and lights of all kinds with an eye at a place, wrapped or not.
 #[test]
 fn shared_pipelines_outputs_agree() {

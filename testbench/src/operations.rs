@@ -1,20 +1,25 @@
 //! What an elaborated core does in a pixel, counted as the papers count: powers and the materials' products left out.
+use serde::Serialize;
 use specula_hdl::Design;
 use specula_hdl::design::{Node, NodeId, Op, Register, Scope, ScopeId};
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
 use crate::BenchError;
 
-/// Units that divide, and units that take a reciprocal root.
+pub mod lecture;
+pub mod lyon;
+
+/// Units that divide, that take a reciprocal root, and that take a root.
 const DIVIDERS: [&str; 3] = ["divider", "limited_quotient", "signed_quotient"];
-const ROOTS: [&str; 1] = ["reciprocal_square_root"];
+const RECIPROCAL_ROOTS: [&str; 1] = ["reciprocal_square_root"];
+const ROOTS: [&str; 1] = ["square_root"];
 /// What the papers leave out: powers, and the materials' products.
 const LEFT_OUT: [&str; 4] = ["channel", "power", "square", "any_power"];
 
 /// What a core does in a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Contents {
-    /// Forward differences: registers that grow by a step.
+    /// What goes from pixel to pixel: registers that grow by a step or turn by an angle.
     pub accumulators: usize,
     /// Products of two variables.
     pub multipliers: usize,
@@ -22,25 +27,44 @@ pub struct Contents {
     pub dividers: usize,
     /// Units for 1/√.
     pub reciprocal_roots: usize,
+    /// Units for √ alone.
+    pub square_roots: usize,
 }
 
 impl Contents {
     /// Of a design.
     pub fn of(design: &Design) -> Contents {
-        let inner: Vec<&str> = DIVIDERS.into_iter().chain(ROOTS).chain(LEFT_OUT).collect();
-        let constant = |id| design.node(id).op.constant().is_some();
-        let is_product = |op: Op| matches!(op, Op::Mul(a, b) if !constant(a) && !constant(b));
-        let products = design.iter().filter(|(_, node)| is_product(node.op) && !is_within(design, node.scope, &inner)).count();
+        let inner: Vec<&str> = DIVIDERS.into_iter().chain(RECIPROCAL_ROOTS).chain(ROOTS).chain(LEFT_OUT).collect();
+        let counts = |node: &&Node| is_product(design, node.op) && !is_within(design, node.scope, &inner);
         // An accumulator's register reads what is described behind it.
         let accumulates =
             |(id, node): &(NodeId, &Node)| node.register == Register::Data && matches!(node.op, Op::Wrap(next) if next > *id);
         Contents {
             accumulators: design.iter().filter(accumulates).count(),
-            multipliers: products,
+            multipliers: design.nodes.iter().filter(counts).count(),
             dividers: outermost(design, &DIVIDERS),
-            reciprocal_roots: outermost(design, &ROOTS),
+            reciprocal_roots: outermost(design, &RECIPROCAL_ROOTS),
+            square_roots: outermost(design, &ROOTS),
         }
     }
+}
+
+/// Whether a product is of two variables.
+fn is_product(design: &Design, op: Op) -> bool {
+    let variable = |id| design.node(id).op.constant().is_none();
+    matches!(op, Op::Mul(a, b) if variable(a) && variable(b))
+}
+
+/// Widths of the operands of each product of two variables inside units of this name, the wider first, sign included.
+pub fn products(design: &Design, unit: &str) -> Vec<[u32; 2]> {
+    let widths = |node: &Node| match node.op {
+        Op::Mul(a, b) if is_product(design, node.op) => {
+            let [a, b] = [a, b].map(|id| design.node(id).width());
+            Some([a.max(b), a.min(b)])
+        }
+        _ => None,
+    };
+    design.nodes.iter().filter(|node| is_within(design, node.scope, &[unit])).filter_map(widths).collect()
 }
 
 /// Whether a scope is one of `units`, or inside one.
@@ -98,7 +122,12 @@ impl Counterpart {
     /// # Errors
     /// [`BenchError`] if it cannot be built for the frame.
     pub fn contents(&self, frame: &Frame) -> Result<Contents, BenchError> {
-        let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&self.options.parse()?), Some(self.method))?;
-        Ok(Contents::of(&specula_hdl::elaborate(&spec, "core")?))
+        Ok(Contents::of(&general_core(&Needs::of(frame), self.method, self.options)?))
     }
+}
+
+/// The general core of a method with options.
+fn general_core(needs: &Needs, method: Method, options: &str) -> Result<Design, BenchError> {
+    let spec = CoreSpec::for_scene(needs, Some(&options.parse()?), Some(method))?;
+    Ok(specula_hdl::elaborate(&spec, "core")?)
 }

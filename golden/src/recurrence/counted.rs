@@ -83,4 +83,20 @@ impl Number for Counted {
     fn at_most_one(self) -> Self {
         Counted(self.0.at_most_one())
     }
+
+    fn where_positive(self, sign: Self) -> Self {
+        Counted(self.0.where_positive(sign.0))
+    }
+
+    fn sine(self) -> Self {
+        Counted(self.0.sine())
+    }
+
+    fn arc_cosine(self) -> Self {
+        Counted(self.0.arc_cosine())
+    }
+
+    fn exponential(self) -> Self {
+        Counted(self.0.exponential())
+    }
 }

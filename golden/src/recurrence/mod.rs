@@ -6,6 +6,7 @@
 mod consistent;
 mod counted;
 mod differences;
+mod distributions;
 mod duff;
 mod gouraud;
 mod line;
@@ -18,13 +19,14 @@ mod slerp;
 
 use glam::DVec3;
 
-pub use consistent::Consistent;
+pub use consistent::{Consistent, ConsistentNormal, Rational, Trigonometric};
 pub use counted::{Counted, count};
 pub use differences::{Linear, Second, Vector, Walk, dot, vector};
+pub use distributions::{Blinn, TorranceSparrow, TrowbridgeReitz};
 pub use duff::{Direct, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, Hybrid};
 pub use gouraud::{Gouraud, Uniform};
 pub use line::{Line, face};
-pub use lyon::{LyonCross, LyonReflection};
+pub use lyon::{Half, HalfG2, LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Sum, Unit};
 pub use number::Number;
 pub use phong::{FastPhong, Phong};
 pub use place::{Normalised, Place, Seen, Wrapped};

@@ -1,7 +1,8 @@
 //! What a recurrence computes with: f32 to be fast, f64 to be right, [`Counted`](super::Counted) to count.
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Arithmetic as the papers count it. Comparisons, doublings and halvings (shifts) are not counted by them and have their own names.
+/// Arithmetic as the papers count it. Comparisons, doublings and halvings (shifts) are not counted by them and have their own names; functions
+/// that no table of theirs has are not counted either.
 pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
     /// The least that a squared length is taken to be: it keeps quotients finite where a normal vanishes.
     const LEAST: f64;
@@ -23,6 +24,18 @@ pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
 
     /// x, or 1 if that is less.
     fn at_most_one(self) -> Self;
+
+    /// x, or 0 where `sign` is not above 0.
+    fn where_positive(self, sign: Self) -> Self;
+
+    /// sin x.
+    fn sine(self) -> Self;
+
+    /// The angle from 0 to π whose cosine is x.
+    fn arc_cosine(self) -> Self;
+
+    /// e^x.
+    fn exponential(self) -> Self;
 }
 
 macro_rules! float {
@@ -58,6 +71,26 @@ macro_rules! float {
             #[inline(always)]
             fn at_most_one(self) -> Self {
                 self.min(1.0)
+            }
+
+            #[inline(always)]
+            fn where_positive(self, sign: Self) -> Self {
+                if sign > 0.0 { self } else { 0.0 }
+            }
+
+            #[inline(always)]
+            fn sine(self) -> Self {
+                self.sin()
+            }
+
+            #[inline(always)]
+            fn arc_cosine(self) -> Self {
+                self.acos()
+            }
+
+            #[inline(always)]
+            fn exponential(self) -> Self {
+                self.exp()
             }
         }
     };

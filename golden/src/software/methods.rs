@@ -4,9 +4,10 @@ use specula_scene::{Frame, Span};
 use super::{Loop, PlacedLoop, SetUp, Software};
 use crate::exact::{slerp, wrap};
 use crate::recurrence::{
-    Chained, Chebyshev, Consistent, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong, Frame as SlerpFrame, Gouraud,
-    Hybrid, Line, LyonCross, LyonReflection, Normalised, Phong, Place, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme,
-    Slerp, Uniform, Wrapped,
+    Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong,
+    Frame as SlerpFrame, Gouraud, Half, HalfG2, Hybrid, Line, LyonCross, LyonLightReflection, LyonNormal, LyonProjection,
+    LyonReflection, Normalised, Phong, Place, Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum,
+    TorranceSparrow, Trigonometric, TrowbridgeReitz, Uniform, Unit, Wrapped,
 };
 
 /// A method of METHODS.md in software.
@@ -19,10 +20,13 @@ pub struct Method {
 }
 
 /// Every method.
-pub const METHODS: [Method; 23] = [
+pub const METHODS: [Method; 38] = [
     method::<Uniform<f32>>("uniform"),
     method::<Gouraud<f32>>("gouraud"),
     method::<Phong<f32>>("phong"),
+    method::<Blinn<f32>>("phong-blinn"),
+    method::<TorranceSparrow<f32>>("phong-torrance-sparrow"),
+    method::<TrowbridgeReitz<f32>>("phong-trowbridge-reitz"),
     Method { name: "phong-places", set_up: placed::<Normalised<f32>> },
     Method { name: "phong-wrapped-places", set_up: placed::<Wrapped<f32>> },
     method::<FastPhong<f32, 1>>("fast-phong"),
@@ -31,7 +35,17 @@ pub const METHODS: [Method; 23] = [
     Method { name: "slerp-frame", set_up: arc::<SlerpFrame<f32>> },
     Method { name: "chebyshev", set_up: arc::<Chebyshev<f32>> },
     method::<LyonCross<f32>>("lyon"),
-    method::<LyonReflection<f32>>("lyon-reflection"),
+    method::<LyonReflection<f32, 2>>("lyon-reflection"),
+    method::<LyonReflection<f32, 1>>("lyon-reflection-1"),
+    method::<LyonReflection<f32, 0>>("lyon-reflection-0"),
+    method::<LyonLightReflection<f32>>("lyon-light-reflection"),
+    method::<LyonProjection<f32, Sum, 2>>("lyon-projection"),
+    method::<LyonProjection<f32, Unit, 2>>("lyon-unit-projection"),
+    method::<LyonProjection<f32, Half, 2>>("lyon-half-projection"),
+    method::<LyonProjection<f32, HalfG2, 2>>("lyon-half-g2-projection"),
+    method::<LyonProjection<f32, HalfG2, 1>>("lyon-half-g2-projection-1"),
+    method::<LyonNormal<f32, Unit>>("lyon-unit-normal"),
+    method::<LyonNormal<f32, HalfG2>>("lyon-half-g2-normal"),
     method::<DuffRoot<f32>>("duff"),
     method::<DuffBlinn<f32>>("duff-blinn"),
     method::<DuffHybrid<f32>>("duff-hybrid"),
@@ -42,7 +56,9 @@ pub const METHODS: [Method; 23] = [
     Method { name: "reflection-blinn", set_up: wrapped::<ReflectionBlinn<f32>> },
     Method { name: "reflection-hybrid", set_up: wrapped::<ReflectionHybrid<f32>> },
     method::<Chained<f32>>("reflection-chained"),
-    method::<Consistent<f32>>("consistent"),
+    method::<Consistent<f32, Rational>>("consistent"),
+    method::<Consistent<f32, Trigonometric>>("consistent-trigonometric"),
+    method::<ConsistentNormal<f32, Rational>>("consistent-normal"),
 ];
 
 /// The method of that name.

@@ -16,8 +16,19 @@ pub struct Miter<'a> {
     facts: &'a str,
 }
 
-/// Pixels of the span that both are given.
+/// Pixels of the span that both are given, where there is feedback.
 const PIXELS: u32 = 3;
+
+/// Seconds after which Yosys gives up: no proof.
+const SECONDS: u32 = 100;
+
+/// A register for Yosys's `techmap` that is a wire.
+const WIRE: &str = "\
+(* techmap_celltype = \"$dff\" *)
+module wire_for_register #(parameter WIDTH = 1, parameter CLK_POLARITY = 1) (input CLK, input [WIDTH-1:0] D, output [WIDTH-1:0] Q);
+  assign Q = D;
+endmodule
+";
 
 impl<'a> Miter<'a> {
     pub fn new(spec: &'a CoreSpec, facts: &'a str) -> Miter<'a> {
@@ -27,12 +38,24 @@ impl<'a> Miter<'a> {
         Miter { spec, general, special, facts }
     }
 
-    /// Files by name: both cores, the miter, and the script that proves it.
-    pub fn files(&self, given: &[String]) -> [(&'static str, String); 4] {
+    /// Files by name: both cores, the miter, the register that is a wire, and the script that proves it.
+    pub fn files(&self, given: &[String]) -> [(&'static str, String); 5] {
         let print = |design: &Design| verilog::print(&design.to_block(), &Header { lines: vec!["A core.".into()] });
         let files = [("general.v", print(&self.general)), ("special.v", print(&self.special))];
         let [general, special] = files;
-        [general, special, ("miter.v", self.module(given)), ("prove.ys", self.script())]
+        [general, special, ("miter.v", self.module(given)), ("wire.v", WIRE.into()), ("prove.ys", self.script())]
+    }
+
+    /// Whether a register of either core depends on itself. Where none does, and inputs stay as they are, each comes to hold what goes into
+    /// it, so registers are wires to the proof, and it has one clock.
+    fn has_feedback(&self) -> bool {
+        let depends = |design: &Design| design.iter().any(|(id, node)| node.op.operands().any(|operand| operand.0 >= id.0));
+        [&self.general, &self.special].into_iter().any(depends)
+    }
+
+    /// Clocks after which the codes of a pixel leave the general core, and the special one, in the proof.
+    fn latencies(&self) -> [u32; 2] {
+        [&self.general, &self.special].map(|design| if self.has_feedback() { design.latency() } else { 0 })
     }
 
     /// What the spec says of inputs, as Verilog.
@@ -61,7 +84,8 @@ impl<'a> Miter<'a> {
                 width - 1
             );
         }
-        let wait = self.general.latency() - self.special.latency();
+        let [general, special] = self.latencies();
+        let wait = general - special;
         for (k, colour) in ["red", "green", "blue"].into_iter().enumerate() {
             let (_, width, _) = port(&self.special, self.special.outputs[k]);
             let _ = writeln!(text, "  wire [7:0] general_{colour};\n  wire [{}:0] {colour}_0;", width - 1);
@@ -81,17 +105,20 @@ impl<'a> Miter<'a> {
         text
     }
 
-    /// Before the span goes in registers hold anything. What leaves behind the latency is the span.
+    /// Before the span goes in registers hold anything. What leaves behind the latency is the span. Wires that make a loop are refused.
     fn script(&self) -> String {
-        let read = |core: &str| format!("read_verilog {core}.v\nprep -flatten -top {core}\ndesign -stash {core}\n");
-        let latency = self.general.latency();
+        let [latency, _] = self.latencies();
+        let (registers, clocks) = match self.has_feedback() {
+            true => ("", latency + PIXELS),
+            false => ("techmap -map wire.v\ncheck -assert\n", 1),
+        };
+        let read = |core: &str| format!("read_verilog {core}.v\nprep -flatten -top {core}\n{registers}design -stash {core}\n");
         format!(
             "{}{}design -copy-from general general\ndesign -copy-from special special\nread_verilog miter.v\n\
              prep -flatten -top miter\nopt -full\n\
-             sat -seq {} -prove-skip {latency} -prove holds 1 -set-init first 1 -verify miter\n",
+             sat -timeout {SECONDS} -seq {clocks} -prove-skip {latency} -prove holds 1 -set-init first 1 -verify miter\n",
             read("general"),
-            read("special"),
-            latency + PIXELS
+            read("special")
         )
     }
 }

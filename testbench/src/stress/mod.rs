@@ -12,7 +12,7 @@ pub mod row;
 pub mod scene;
 mod sweep;
 mod trial;
-pub(crate) mod variant;
+pub mod variant;
 
 pub use catalogue::CATALOGUE;
 pub use page::page;

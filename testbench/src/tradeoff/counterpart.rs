@@ -1,19 +1,19 @@
 //! Which of the papers' loops does in software what a core does.
 use specula_scene::CoreSpec;
 use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::spec::lyon::{Difference, Normals};
-use specula_scene::spec::{MethodSpec, duff, phong, reflection};
+use specula_scene::spec::lyon::{Difference, Halfway, LyonSpec, Normals};
+use specula_scene::spec::{ConsistentSpec, DirectSpec, MethodSpec, consistent, direct, duff, phong, reflection};
 
 /// The loop that does what a core does, if there is one.
 pub fn counterpart(spec: &CoreSpec) -> Option<&'static str> {
     match &spec.method {
-        MethodSpec::Lyon(lyon) if lyon.normals != Normals::Linear => None,
-        MethodSpec::Lyon(lyon) => match lyon.difference {
-            Difference::ReflectionMinusLight => Some("lyon-reflection"),
-            Difference::HalfwayCrossNormal => Some("lyon"),
-            _ => None,
-        },
-        MethodSpec::Phong(phong) => (phong.highlight == phong::Highlight::Reflection).then_some("phong"),
+        MethodSpec::Lyon(lyon) => of_lyon(lyon),
+        MethodSpec::Phong(phong) => Some(match phong.highlight {
+            phong::Highlight::Reflection => "phong",
+            phong::Highlight::Blinn => "phong-blinn",
+            phong::Highlight::TorranceSparrow => "phong-torrance-sparrow",
+            phong::Highlight::TrowbridgeReitz => "phong-trowbridge-reitz",
+        }),
         MethodSpec::Hybrid(_) => Some("hybrid"),
         MethodSpec::Duff(duff) => Some(match duff.specular {
             duff::Highlight::Blinn => "duff-blinn",
@@ -30,8 +30,67 @@ pub fn counterpart(spec: &CoreSpec) -> Option<&'static str> {
             reflection::Highlight::Hybrid => "reflection-hybrid",
             reflection::Highlight::Eq34 => "reflection",
         }),
-        MethodSpec::Consistent(_) => Some("consistent"),
+        MethodSpec::Consistent(consistent) => of_consistent(consistent),
         MethodSpec::Slerp(_) => Some("slerp"),
-        MethodSpec::Direct(_) => Some("direct"),
+        MethodSpec::Direct(direct) => Some(of_direct(direct)),
+    }
+}
+
+fn of_lyon(lyon: &LyonSpec) -> Option<&'static str> {
+    if lyon.normals != Normals::Linear {
+        return None;
+    }
+    match (lyon.difference, lyon.halfway, lyon.squarings) {
+        (Difference::ReflectionMinusLight, _, 2) => Some("lyon-reflection"),
+        (Difference::ReflectionMinusLight, _, 1) => Some("lyon-reflection-1"),
+        (Difference::ReflectionMinusLight, _, 0) => Some("lyon-reflection-0"),
+        (Difference::LightReflection, _, 2) => Some("lyon-light-reflection"),
+        (Difference::HalfwayProjection, _, 2) => Some("lyon-projection"),
+        (Difference::HalfwayCrossNormal, _, 2) => Some("lyon"),
+        (Difference::UnitHalfwayMinusNormal, Halfway::Unit, 2) => Some("lyon-unit-normal"),
+        (Difference::UnitHalfwayMinusNormal, Halfway::HalfG2, 2) => Some("lyon-half-g2-normal"),
+        (Difference::UnitHalfwayProjection, Halfway::Unit, 2) => Some("lyon-unit-projection"),
+        (Difference::UnitHalfwayProjection, Halfway::Half, 2) => Some("lyon-half-projection"),
+        (Difference::UnitHalfwayProjection, Halfway::HalfG2, 2) => Some("lyon-half-g2-projection"),
+        (Difference::UnitHalfwayProjection, Halfway::HalfG2, 1) => Some("lyon-half-g2-projection-1"),
+        _ => None,
+    }
+}
+
+fn of_consistent(spec: &ConsistentSpec) -> Option<&'static str> {
+    use consistent::{Curve, Diffuse, Highlight};
+    match (spec.curve, spec.diffuse, spec.highlight) {
+        (Curve::Rational, Diffuse::Lambert, Highlight::Reflection) => Some("consistent"),
+        (Curve::Trigonometric, Diffuse::Lambert, Highlight::Reflection) => Some("consistent-trigonometric"),
+        (Curve::Rational, Diffuse::Consistent, Highlight::Blinn) => Some("consistent-normal"),
+        _ => None,
+    }
+}
+
+fn of_direct(spec: &DirectSpec) -> &'static str {
+    match (spec.root, spec.newton_steps) {
+        (direct::Root::Exact, _) => "direct",
+        (direct::Root::Newton, 1) => "fast-phong",
+        (direct::Root::Newton, _) => "fast-phong-2",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use specula_golden::software::by_name;
+    use specula_scene::{CoreSpec, Method, Needs, load};
+
+    use super::counterpart;
+    use crate::stress::variant::Variant;
+
+    #[test]
+    fn every_counterpart_is_a_loop() {
+        let needs = Needs::of(&load("teapot", Some((32, 24))).unwrap().frame);
+        for variant in Method::ALL.into_iter().flat_map(Variant::all_of) {
+            let spec = CoreSpec::for_scene(&needs, Some(&variant.options().unwrap()), Some(variant.method)).unwrap();
+            let name = counterpart(&spec);
+            assert!(name.is_none_or(|name| by_name(name).is_some()), "{}: {name:?}", variant.describe());
+            assert!(!variant.table.is_empty() || name.is_some(), "{} has no loop", variant.describe());
+        }
     }
 }

@@ -3,9 +3,12 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use serde_json::Value;
+use specula_hdl::Design;
 use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, Viewpoint};
-use specula_scene::{Format, LoadedScene, Method};
-use specula_testbench::Bench;
+use specula_scene::{CoreSpec, Format, LoadedScene, Method, Needs};
+use specula_testbench::operations::Contents;
+use specula_testbench::stress::variant::Variant;
+use specula_testbench::{Bench, BenchError};
 
 use crate::error::ToolError;
 
@@ -27,6 +30,10 @@ struct MethodFacts {
     formats: Vec<FormatFacts>,
     /// Clocks from a pixel's entry to its exit.
     latency: u32,
+    /// In a pixel, powers and the materials' products left out, as the papers leave them out.
+    operations: Contents,
+    /// What the core is with each value of each option alone.
+    variants: Vec<VariantFacts>,
     /// Of two variables.
     multipliers: usize,
     /// And subtractors.
@@ -41,6 +48,14 @@ struct SceneFacts {
     most_lights: usize,
     largest_shininess: u32,
     places_seen_from: Viewpoint,
+}
+
+#[derive(Serialize)]
+struct VariantFacts {
+    option: &'static str,
+    value: Value,
+    latency: u32,
+    operations: Contents,
 }
 
 #[derive(Serialize)]
@@ -74,6 +89,8 @@ fn facts(method: Method, scene: &LoadedScene) -> Result<MethodFacts, ToolError> 
         options: options(method).map_err(ToolError::Json)?,
         formats: spec.narrowing_points().iter().map(format_facts).collect(),
         latency: design.latency(),
+        operations: Contents::of(&design),
+        variants: variants(method, scene)?,
         multipliers: size.multipliers,
         adders: size.adders,
         registers: design.nodes.iter().filter(|node| node.registered()).count(),
@@ -85,6 +102,25 @@ fn facts(method: Method, scene: &LoadedScene) -> Result<MethodFacts, ToolError> 
 fn scene_facts(places_seen_from: Viewpoint) -> SceneFacts {
     SceneFacts { most_lights: MOST_LIGHTS, largest_shininess: LARGEST_SHININESS, places_seen_from }
 }
+
+/// What each value of each option makes of the core.
+fn variants(method: Method, scene: &LoadedScene) -> Result<Vec<VariantFacts>, ToolError> {
+    let needs = Needs::of(&scene.frame);
+    let values = method.choices().iter().flat_map(|choice| choice.values.iter().map(|value| (choice.key, *value)));
+    let facts = |(option, value): (&'static str, &str)| {
+        let design = variant(&needs, &Variant { method, table: format!("{option} = {value}\n") })?;
+        let value = serde_json::from_str(value).map_err(ToolError::Json)?;
+        Ok(VariantFacts { option, value, latency: design.latency(), operations: Contents::of(&design) })
+    };
+    values.map(facts).collect()
+}
+
+/// The general core with an option.
+fn variant(needs: &Needs, variant: &Variant) -> Result<Design, BenchError> {
+    let spec = CoreSpec::for_scene(needs, Some(&variant.options()?), Some(variant.method))?;
+    Ok(specula_hdl::elaborate(&spec, SCENE)?)
+}
+
 /// TOML writes the values, strings and whole numbers, as JSON does.
 fn options(method: Method) -> serde_json::Result<BTreeMap<&'static str, Vec<Value>>> {
     let values = |values: &[&str]| values.iter().map(|value| serde_json::from_str(value)).collect::<serde_json::Result<_>>();

@@ -62,3 +62,35 @@ fn json_has_the_values_of_options_as_a_scene_file_means_them() {
     assert_eq!(options("duff"), &json!({ "power": ["squaring", "tables"], "specular": ["blinn", "quotient", "eq33", "eq34"] }));
     assert_eq!(options("hybrid"), &json!({ "power": ["squaring", "tables"] }));
 }
+
+/// One core for each value of each option, the default's among them.
+#[test]
+fn json_has_the_operations_of_every_option() {
+    for method in methods() {
+        let options = method["options"].as_object().unwrap();
+        let variants = method["variants"].as_array().unwrap();
+        let of = |variant: &Value| (variant["latency"].clone(), variant["operations"].clone());
+        for (option, values) in options {
+            let cores: Vec<&Value> = variants.iter().filter(|variant| variant["option"] == option.as_str()).collect();
+            let shown: Vec<&Value> = cores.iter().map(|core| &core["value"]).collect();
+            assert_eq!(shown, values.as_array().unwrap().iter().collect::<Vec<_>>(), "{option}");
+            assert!(cores.iter().any(|core| of(core) == of(&method)), "no value of {option} is {}'s default", method["name"]);
+        }
+    }
+}
+
+/// Hast's counts of C8 to C11, as docs/operations.md has them.
+#[test]
+fn json_has_the_operations_that_the_paper_prints() {
+    let methods = methods();
+    let counts = |specular: &str| {
+        let variants = named(&methods, "duff")["variants"].as_array().unwrap();
+        let core = variants.iter().find(|variant| variant["option"] == "specular" && variant["value"] == specular).unwrap();
+        ["accumulators", "multipliers", "dividers", "reciprocal_roots", "square_roots"]
+            .map(|count| core["operations"][count].as_u64().unwrap())
+    };
+    assert_eq!(counts("blinn"), [4, 2, 0, 1, 0]);
+    assert_eq!(counts("quotient"), [5, 1, 1, 1, 0]);
+    assert_eq!(counts("eq33"), [4, 2, 1, 1, 0]);
+    assert_eq!(counts("eq34"), [4, 3, 0, 1, 0]);
+}

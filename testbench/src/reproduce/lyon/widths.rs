@@ -9,6 +9,7 @@ use specula_scene::{Format, Method};
 
 use super::super::claim::{Claim, Ground, Ruling};
 use super::super::span_core::{SpanCore, frame, value};
+use crate::operations::lyon::{Datapath, FIGURE_7, FIGURE_8};
 use crate::stress::draw::{Draw, turned};
 use crate::stress::scene::mirror;
 use crate::stress::variant::Variant;
@@ -48,28 +49,6 @@ fn error_of_reflection(narrowed: fn(DVec3) -> DVec3) -> f64 {
     let reflect = |normal: DVec3, eye: DVec3| 2.0 * normal.dot(eye) * normal - eye;
     normals_and_eyes().map(|[normal, eye]| (reflect(narrowed(normal), eye) - reflect(normal, eye)).length()).fold(0.0, f64::max)
 }
-
-/// A datapath of the report: options and formats of `lyon`, and its k.
-struct Datapath {
-    table: &'static str,
-    squarings: u32,
-}
-
-/// Figure 7 with g2 and 10 fraction bits everywhere.
-const FIGURE_7: Datapath = Datapath {
-    table: "difference = \"reflection-minus-light\"\nnormalisation = \"g2\"\nnewton_steps = 0\nsquarings = 2\n\
-            formats.weight = \"U1.10\"\nformats.vector = \"S1.10\"\nformats.length_squared = \"U1.10\"\nformats.gain = \"U2.10\"\n\
-            formats.difference = \"S2.10\"\nformats.shape = \"U1.10\"\n",
-    squarings: 2,
-};
-
-/// Figure 8 behind the exact normalisation: vectors and D with 10 fraction bits, m D with 9.
-const FIGURE_8: Datapath = Datapath {
-    table: "difference = \"reflection-minus-light\"\nnormalisation = \"exact\"\nshape = \"root\"\nsquarings = 1\n\
-            formats.weight = \"U1.10\"\nformats.vector = \"S1.10\"\nformats.length_squared = \"U1.14\"\nformats.gain = \"U2.14\"\n\
-            formats.difference = \"S2.10\"\nformats.scaled_difference = \"U8.9\"\nformats.shape = \"U1.16\"\n",
-    squarings: 1,
-};
 
 /// The largest error in LSBs, before the rounding to 8 bits, of the datapath's f against f_k of true normals: spans of up to 30 degrees
 /// whose middle is up to 70 from the eye, the light within the lobe of the middle.
