@@ -105,15 +105,20 @@ pub struct Savings {
 /// # Errors
 /// [`BenchError::TooWide`] if the general core has too wide a signal, [`BenchError::Simulation`] if it cannot be synthesised.
 pub fn savings(spec: &CoreSpec, synthesis: Option<Synthesis>) -> Result<Savings, BenchError> {
-    let special = Built::new(spec, synthesis)?;
-    let saving = |without: Ignorant| {
-        let saves = Spared::between(&Built::new(&without.core, synthesis)?, &special);
-        Ok(Saving { need: without.need, left_out: without.left_out, saves, safe: without.safe })
-    };
     let needs: Vec<Ignorant> = of_sizes(spec).chain(of_inputs(spec)).collect();
-    let needs: Result<Vec<Saving>, BenchError> = needs.into_par_iter().map(saving).collect();
-    let together = Spared::between(&Built::new(&spec.general(), synthesis)?, &special);
-    Ok(Savings { needs: needs?, together })
+    let build = |core: &CoreSpec| Built::new(core, synthesis);
+    // All at once: synthesis takes many seconds of each.
+    let of_needs = || needs.par_iter().map(|need| build(&need.core)).collect::<Result<Vec<Built>, BenchError>>();
+    let (of_needs, (special, general)) = rayon::join(of_needs, || rayon::join(|| build(spec), || build(&spec.general())));
+    let (of_needs, special, general) = (of_needs?, special?, general?);
+    let saving = |(without, core): (Ignorant, &Built)| Saving {
+        need: without.need,
+        left_out: without.left_out,
+        saves: Spared::between(core, &special),
+        safe: without.safe,
+    };
+    let together = Spared::between(&general, &special);
+    Ok(Savings { needs: needs.into_iter().zip(&of_needs).map(saving).collect(), together })
 }
 
 /// The core without knowing one need.
