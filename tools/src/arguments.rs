@@ -5,7 +5,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_scene::picture::limits;
 use specula_scene::spec::Specialise;
-use specula_scene::{CoreSpec, LoadedScene, Method};
+use specula_scene::{CoreSpec, Frame, LoadedScene, Method};
 use specula_testbench::trace::Choice;
 use specula_testbench::{EngineKind, search};
 
@@ -55,13 +55,19 @@ impl Wishes {
             None => spec,
             Some(most) => search::within(&spec, &scene.frame, most)??,
         };
-        let spec = match self.specialise {
-            None if general || self.max_error.is_none() => spec,
-            None => spec.specialised(&scene.frame),
-            Some(Specialise::Scene) => spec.specialised(&scene.frame),
-            Some(Specialise::General) => spec.general(),
-        };
+        // What narrows formats gives the general core.
+        let wish = self.specialise.or((!general && self.max_error.is_some()).then_some(Specialise::Scene));
+        let spec = specialised(spec, wish, &scene.frame);
         Ok((scene, spec))
+    }
+}
+
+/// A core for a frame as `--specialise` has it: as it is, where nobody says.
+pub fn specialised(spec: CoreSpec, wish: Option<Specialise>, frame: &Frame) -> CoreSpec {
+    match wish {
+        None => spec,
+        Some(Specialise::Scene) => spec.specialised(frame),
+        Some(Specialise::General) => spec.general(),
     }
 }
 
@@ -105,7 +111,7 @@ pub fn method_parser() -> impl TypedValueParser<Value = Method> {
 }
 
 /// `--specialise`.
-fn specialise_parser() -> impl TypedValueParser<Value = Specialise> {
+pub fn specialise_parser() -> impl TypedValueParser<Value = Specialise> {
     PossibleValuesParser::new(Specialise::ALL.map(Specialise::name))
         .try_map(|name| Specialise::ALL.into_iter().find(|wish| wish.name() == name).ok_or("there is no such wish"))
 }

@@ -6,10 +6,11 @@ use std::io::Write;
 
 use clap::Args;
 use specula_scene::Method;
+use specula_scene::spec::Specialise;
 use specula_testbench::Bench;
 use specula_testbench::bench::{Extent, Measurement, Step, measure};
 
-use crate::arguments::{method_parser, parse_size};
+use crate::arguments::{method_parser, parse_size, specialise_parser, specialised};
 use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::progress;
@@ -38,6 +39,10 @@ pub struct Arguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
+    /// The core for this scene alone, as `run` makes it, or the general one, which takes every input
+    /// [default: what the scene says, else scene]
+    #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
+    specialise: Option<Specialise>,
     /// Rounds to take the medians of
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
@@ -60,7 +65,7 @@ struct Measured<'a> {
 /// Measures and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = specula_scene::load(&arguments.scene, Some(arguments.size))?;
-    let spec = scene.core_spec(arguments.method)?.general();
+    let spec = specialised(scene.core_spec(arguments.method)?, arguments.specialise, &scene.frame);
     let bench = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(&scene.name))?;
     let extent = Extent { rounds: arguments.rounds as usize, seconds: arguments.seconds };
     let measurement = measured(&bench, extent)?;
