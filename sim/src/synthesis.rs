@@ -18,7 +18,7 @@ const COUNTS: &str = "cells.txt";
 /// Cells of an ECP5.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Synthesised {
-    /// Look-up tables of four inputs, `LUT4`.
+    /// Look-up tables of four inputs: `LUT4`, and the two of each carry cell, `CCU2C`.
     pub luts: u64,
     /// Multipliers of 18 x 18 bits, `MULT18X18D`.
     pub multipliers: u64,
@@ -36,8 +36,8 @@ pub fn synthesise(design: &Design) -> Result<Synthesised, SimError> {
     let script = format!("read_verilog {source}; synth_ecp5 -top {core}; tee -q -o {COUNTS} stat");
     YOSYS.run(workshop.path(), &["-q".to_owned(), "-p".to_owned(), script])?;
     let text = std::fs::read_to_string(workshop.path().join(COUNTS)).map_err(SimError::file("read what Yosys counted"))?;
-    let [luts, multipliers, flip_flops] = ["LUT4", "MULT18X18D", "TRELLIS_FF"].map(|cell| count(&text, cell));
-    Ok(Synthesised { luts, multipliers, flip_flops })
+    let [luts, carries, multipliers, flip_flops] = ["LUT4", "CCU2C", "MULT18X18D", "TRELLIS_FF"].map(|cell| count(&text, cell));
+    Ok(Synthesised { luts: luts + 2 * carries, multipliers, flip_flops })
 }
 
 /// The number in the first line that names the cell, before or behind its name, as versions of Yosys have it; 0 if none does.

@@ -110,6 +110,11 @@ pub fn method_parser() -> impl TypedValueParser<Value = Method> {
     PossibleValuesParser::new(Method::ALL.map(Method::name)).try_map(|name| Method::from_name(&name))
 }
 
+/// The methods that `--methods` names, each once and in their order; all of them where it names none.
+pub fn asked(named: &[Method]) -> Vec<Method> {
+    Method::ALL.into_iter().filter(|method| named.is_empty() || named.contains(method)).collect()
+}
+
 /// `--specialise`.
 pub fn specialise_parser() -> impl TypedValueParser<Value = Specialise> {
     PossibleValuesParser::new(Specialise::ALL.map(Specialise::name))

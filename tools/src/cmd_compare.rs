@@ -18,7 +18,7 @@ use specula_scene::{LoadedScene, Method};
 use specula_testbench::bench::Machine;
 use specula_testbench::tradeoff::{Configuration, Formats, Journal, Planned, interpolation_errors, plan, software, sweep};
 
-use crate::arguments::{method_parser, parse_size};
+use crate::arguments::{asked, method_parser, parse_size};
 use crate::cli::Verdict;
 use crate::error::{OutputError, ToolError};
 use crate::output::Destination;
@@ -147,12 +147,11 @@ fn step(bar: &ProgressBar, what: &str) {
 
 /// Each once, methods in their order, formats from narrow to wide.
 fn configurations(arguments: &Arguments) -> Vec<Configuration> {
-    let is_asked = |method: &Method| arguments.methods.is_empty() || arguments.methods.contains(method);
     let mut formats = arguments.formats.clone();
     formats.sort_unstable();
     formats.dedup();
     let of_method = |method| formats.iter().map(move |&formats| Configuration { method, formats });
-    Method::ALL.into_iter().filter(is_asked).flat_map(of_method).collect()
+    asked(&arguments.methods).into_iter().flat_map(of_method).collect()
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use serde::Serialize;
 use specula_scene::{Frame, Method, SpecFile};
 use specula_testbench::explore::{Device, Exploration, Explored, Wanted, explore};
 
-use crate::arguments::{OutputArguments, method_parser, parse_error, parse_size};
+use crate::arguments::{OutputArguments, asked, method_parser, parse_error, parse_size};
 use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::output::write_core;
@@ -74,8 +74,8 @@ struct Report<'a> {
 /// Searches, writes the best core, and prints the front.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = specula_scene::load(&arguments.scene, arguments.size)?;
-    let methods = if arguments.methods.is_empty() { &Method::ALL[..] } else { &arguments.methods };
-    let wanted = Wanted { most: arguments.max_error, methods, device: arguments.device };
+    let methods = asked(&arguments.methods);
+    let wanted = Wanted { most: arguments.max_error, methods: &methods, device: arguments.device };
     let bar = progress::count("cores tried");
     let exploration = explore(&scene.frame, &wanted, &|| bar.inc(1));
     bar.finish_and_clear();

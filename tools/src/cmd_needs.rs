@@ -115,7 +115,7 @@ pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
 
 /// A table of what is saved in cells, where they were counted.
 fn cells(savings: &Savings) -> Vec<[String; 4]> {
-    let titles = ["need", "LUT4", "MULT18X18D", "flip-flops"].map(str::to_owned);
+    let titles = ["need", "LUTs", "MULT18X18D", "flip-flops"].map(str::to_owned);
     let row = |(need, saves): (&str, &Spared)| {
         let cells = saves.cells?;
         let numbers = [cells.luts, cells.multipliers, cells.flip_flops].map(|number| number.to_string());

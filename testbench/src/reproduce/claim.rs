@@ -90,6 +90,17 @@ pub struct Verdict {
     pub ruling: Ruling,
 }
 
+/// A claim about exact arithmetic.
+pub(super) const fn exact(
+    what: &'static str,
+    quantity: &'static str,
+    expected: (f64, f64),
+    measure: fn() -> f64,
+    judge: fn(f64) -> Ruling,
+) -> Claim {
+    Claim { what, quantity, on: Ground::Exact, expected, measure, judge }
+}
+
 impl Claim {
     pub fn verdict(&self, paper: Paper) -> Verdict {
         let (measured, (expected, tolerance)) = ((self.measure)(), self.expected);

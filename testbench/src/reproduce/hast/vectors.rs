@@ -9,7 +9,7 @@ use specula_golden::exact::wrap;
 use specula_scene::frame::EYE;
 use specula_scene::spec::FULL_SCALE;
 
-use super::super::claim::{Claim, Ground, Ruling};
+use super::super::claim::{Claim, Ruling, exact};
 use super::super::{HALF_LSB, largest};
 use crate::stress::draw::{Draw, tilted, turned};
 
@@ -65,16 +65,6 @@ fn flank_error(degrees: f64) -> f64 {
 /// The angle in degrees at which a spot's light comes out, that stands at 60 degrees and at this distance.
 fn spot(distance: f64) -> f64 {
     libm::acos(wrapped_cosine(DVec3::Z, distance * tilted(60.0))).to_degrees()
-}
-
-const fn exact(
-    what: &'static str,
-    quantity: &'static str,
-    expected: (f64, f64),
-    measure: fn() -> f64,
-    judge: fn(f64) -> Ruling,
-) -> Claim {
-    Claim { what, quantity, on: Ground::Exact, expected, measure, judge }
 }
 
 fn equal(off: f64) -> Ruling {

@@ -4,7 +4,7 @@ use specula_golden::exact::newton::lengths;
 use specula_golden::exact::slerp::{slerp, weights};
 use specula_scene::spec::FULL_SCALE;
 
-use super::claim::{Claim, Ground, Ruling};
+use super::claim::{Claim, Ruling, exact};
 use super::{HALF_LSB, largest};
 use crate::stress::draw::{tilted, turned};
 
@@ -41,16 +41,6 @@ fn spread(degrees: f64) -> f64 {
     let centres: Option<Vec<DVec3>> = (0..3).map(centre).collect();
     let apart = |c: &[DVec3]| [(0, 1), (1, 2), (2, 0)].map(|(a, b)| c[a].angle_between(c[b])).into_iter().fold(0.0, f64::max);
     centres.map_or(f64::NAN, |centres| apart(&centres).to_degrees())
-}
-
-const fn exact(
-    what: &'static str,
-    quantity: &'static str,
-    expected: (f64, f64),
-    measure: fn() -> f64,
-    judge: fn(f64) -> Ruling,
-) -> Claim {
-    Claim { what, quantity, on: Ground::Exact, expected, measure, judge }
 }
 
 const fn difference(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {

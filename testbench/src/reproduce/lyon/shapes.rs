@@ -7,7 +7,7 @@ use specula_golden::exact::distributions::{Formulation, formulation, torrance_sp
 use specula_golden::exact::reflection::{halfway, reflect, reflection_minus_light};
 use specula_golden::exact::shape::{f_k, power};
 
-use super::super::claim::{Claim, Ground, Ruling};
+use super::super::claim::{Claim, Ruling, exact};
 use super::super::{HALF_LSB, largest};
 use crate::stress::draw::tilted;
 
@@ -71,16 +71,6 @@ fn chord_error() -> f64 {
         let angle = libm::atan2(reflect(normal).cross(light).length(), reflect(normal).dot(light));
         (reflection_minus_light(normal, light).length() - 2.0 * libm::sin(angle / 2.0)).abs()
     })
-}
-
-const fn exact(
-    what: &'static str,
-    quantity: &'static str,
-    expected: (f64, f64),
-    measure: fn() -> f64,
-    judge: fn(f64) -> Ruling,
-) -> Claim {
-    Claim { what, quantity, on: Ground::Exact, expected, measure, judge }
 }
 
 const fn row_10(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {

@@ -3,7 +3,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use specula_golden::exact::consistent::{Scaling, cos_gamma, q, rational_q, vertex_angle};
 
-use super::super::claim::{Claim, Ground, Ruling};
+use super::super::claim::{Claim, Ruling, exact};
 use super::super::largest;
 
 /// α at a share u of the way from a vertex with the face's normal to one whose normal is `theta` radians from it.
@@ -51,16 +51,6 @@ fn at_45(scaling: Scaling) -> f64 {
     vertex_angle(0.5_f64.sqrt(), scaling).to_degrees() - 45.0
 }
 
-const fn angle(
-    what: &'static str,
-    quantity: &'static str,
-    expected: (f64, f64),
-    measure: fn() -> f64,
-    judge: fn(f64) -> Ruling,
-) -> Claim {
-    Claim { what, quantity, on: Ground::Exact, expected, measure, judge }
-}
-
 const THIRD_POWER: &str = "what falls short grows as the third power of the angle, what is added as the fifth. With the exponent 1 and 0.06097 nothing is short";
 
 fn none_short(degrees: f64) -> Ruling {
@@ -69,21 +59,21 @@ fn none_short(degrees: f64) -> Ruling {
 
 /// Inequality 5, equation 6 and its constants.
 pub const CLAIMS: [Claim; 7] = [
-    angle(
+    exact(
         "without scaling the interpolated angle falls short by less than 4.075 degrees",
         "largest shortfall in degrees",
         (4.07457, 5e-5),
         || largest(|u| short(FRAC_PI_2, u, Scaling { constant: 0.0, exponent: 1 })).to_degrees(),
         |degrees| Ruling::of(degrees < 4.075, "it is more"),
     ),
-    angle(
+    exact(
         "0.03632 suffices for q~, which makes up for some",
         "degrees beyond what q~ < q makes up",
         (0.0, 1e-9),
         rational_deficit,
         none_short,
     ),
-    angle(
+    exact(
         "0.06096 suffices for q, with the exponent 2 as printed",
         "largest shortfall in degrees",
         // NUMERICS cut its digits off.
@@ -91,28 +81,28 @@ pub const CLAIMS: [Claim; 7] = [
         || shortest(Scaling::TRIGONOMETRIC),
         none_short,
     ),
-    angle(
+    exact(
         "0.06096 suffices for q, with the exponent 2 as printed",
         "how far r enters the face",
         (0.0085, 5e-4),
         || entering(Scaling::TRIGONOMETRIC),
         |depth| Ruling::of(depth < 1e-9, THIRD_POWER),
     ),
-    angle(
+    exact(
         "0.06097 suffices for q, with the exponent 1 (our constant, not a claim)",
         "largest shortfall in degrees",
         (0.0, 1e-9),
         || shortest(Scaling::TRIGONOMETRIC_LINEAR),
         none_short,
     ),
-    angle(
+    exact(
         "vertex angles of 45 degrees are enlarged by less than 0.3 degrees (q)",
         "degrees",
         (0.235, 5e-4),
         || at_45(Scaling::TRIGONOMETRIC),
         |degrees| Ruling::of(degrees < 0.3, "it is more"),
     ),
-    angle(
+    exact(
         "vertex angles of 45 degrees are enlarged by less than 0.3 degrees (q~)",
         "degrees",
         (0.140, 5e-4),

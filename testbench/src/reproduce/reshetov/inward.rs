@@ -5,7 +5,7 @@ use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
 use specula_scene::spec::FULL_SCALE;
 
-use super::super::claim::{Claim, Ground, Ruling};
+use super::super::claim::{Claim, Ruling, exact};
 use crate::stress::draw::{Draw, turned};
 
 /// Rays for each mesh, about.
@@ -98,16 +98,6 @@ const ICOSAHEDRON: Primitive = Primitive::Icosahedron { level: 0 };
 const PHONG: &str = "Phong's normals reflect into coarse meshes";
 const CONSISTENT: &str = "consistent normals never do";
 
-const fn share(
-    what: &'static str,
-    quantity: &'static str,
-    expected: (f64, f64),
-    measure: fn() -> f64,
-    judge: fn(f64) -> Ruling,
-) -> Claim {
-    Claim { what, quantity, on: Ground::Exact, expected, measure, judge }
-}
-
 fn some(share: f64) -> Ruling {
     Ruling::of(share > 0.0, "they do not")
 }
@@ -121,10 +111,10 @@ const OF_RAYS: f64 = 3e-3;
 
 /// On icosahedra, which the project's measurement had too.
 pub(super) const CLAIMS: [Claim; 6] = [
-    share(PHONG, "share of rays, icosahedron", (0.211, OF_RAYS), || count(&ICOSAHEDRON.mesh()).phong, some),
-    share(PHONG, "share of rays, 80 triangles", (0.105, OF_RAYS), || count(&MESHES[1].1.mesh()).phong, some),
-    share(PHONG, "share of rays, 320 triangles", (0.052, OF_RAYS), || count(&MESHES[2].1.mesh()).phong, some),
-    share(PHONG, "share of rays, 1280 triangles", (0.026, OF_RAYS), || count(&MESHES[3].1.mesh()).phong, some),
-    share(CONSISTENT, "share of rays, icosahedron, q~", (0.0, 0.0), || count(&ICOSAHEDRON.mesh()).rational, no_ray),
-    share(CONSISTENT, "share of rays, icosahedron, q", (0.0, 0.0), || count(&ICOSAHEDRON.mesh()).trigonometric, no_ray),
+    exact(PHONG, "share of rays, icosahedron", (0.211, OF_RAYS), || count(&ICOSAHEDRON.mesh()).phong, some),
+    exact(PHONG, "share of rays, 80 triangles", (0.105, OF_RAYS), || count(&MESHES[1].1.mesh()).phong, some),
+    exact(PHONG, "share of rays, 320 triangles", (0.052, OF_RAYS), || count(&MESHES[2].1.mesh()).phong, some),
+    exact(PHONG, "share of rays, 1280 triangles", (0.026, OF_RAYS), || count(&MESHES[3].1.mesh()).phong, some),
+    exact(CONSISTENT, "share of rays, icosahedron, q~", (0.0, 0.0), || count(&ICOSAHEDRON.mesh()).rational, no_ray),
+    exact(CONSISTENT, "share of rays, icosahedron, q", (0.0, 0.0), || count(&ICOSAHEDRON.mesh()).trigonometric, no_ray),
 ];
