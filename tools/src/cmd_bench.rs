@@ -40,9 +40,8 @@ pub struct Arguments {
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
     /// The core for this scene alone, as `run` makes it, or the general one, which takes every input
-    /// [default: what the scene says, else scene]
-    #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
-    specialise: Option<Specialise>,
+    #[arg(long, value_name = "FOR", default_value = "general", value_parser = specialise_parser())]
+    specialise: Specialise,
     /// Rounds to take the medians of
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
@@ -65,7 +64,7 @@ struct Measured<'a> {
 /// Measures and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = specula_scene::load(&arguments.scene, Some(arguments.size))?;
-    let spec = specialised(scene.core_spec(arguments.method)?, arguments.specialise, &scene.frame);
+    let spec = specialised(scene.core_spec(arguments.method)?, Some(arguments.specialise), &scene.frame);
     let bench = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(&scene.name))?;
     let extent = Extent { rounds: arguments.rounds as usize, seconds: arguments.seconds };
     let measurement = measured(&bench, extent)?;
