@@ -1,6 +1,6 @@
 //! Consistent normal interpolation.
 use glam::DVec3;
-use specula_scene::spec::consistent::Diffuse;
+use specula_scene::spec::consistent::{Diffuse, Highlight};
 use specula_scene::{Method, MethodSpec};
 
 use super::super::draw::tilted;
@@ -8,7 +8,7 @@ use super::super::row::Pixel;
 use super::super::scene::matt;
 use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, material, mirror, spans};
 
-/// Both curves with both kinds of diffuse light.
+/// Both curves with both kinds of diffuse light, and Blinn's highlight.
 fn forms() -> Vec<Variant> {
     let form = |(curve, diffuse)| {
         let table = format!("curve = \"{curve}\"\ndiffuse = \"{diffuse}\"\n");
@@ -18,6 +18,7 @@ fn forms() -> Vec<Variant> {
         .iter()
         .flat_map(|curve| ["lambert", "consistent"].map(|diffuse| (*curve, diffuse)))
         .map(form)
+        .chain([Variant { method: Method::Consistent, table: "highlight = \"blinn\"\ndiffuse = \"consistent\"\n".to_owned() }])
         .collect()
 }
 
@@ -32,6 +33,10 @@ fn flat(normal: DVec3, cosine: f64, material: specula_scene::Material) -> RawSpa
 
 fn is_consistent_diffuse(pixel: &Pixel) -> bool {
     matches!(&pixel.shaded.spec.method, MethodSpec::Consistent(spec) if spec.diffuse == Diffuse::Consistent)
+}
+
+fn has_highlight(pixel: &Pixel, highlight: Highlight) -> bool {
+    matches!(&pixel.shaded.spec.method, MethodSpec::Consistent(spec) if spec.highlight == highlight)
 }
 
 fn is_consistent(pixel: &Pixel) -> bool {
@@ -56,10 +61,14 @@ pub const HORIZON: Row = Row {
 pub const QUARTER_TURN: Row = Row {
     id: "42",
     input: "al = pi/2 and b = -1: rho is 0/0",
-    wanted: "r = N: 255 with the light there",
+    wanted: "r = N: 255 with the light there; by Blinn's highlight 0, since L = -V has no half-way vector",
     trial: trial(|_, _| {
         let scene = SpanScene::new(&[-DVec3::Z], vec![flat(-DVec3::Z, 0.0, mirror(1))]);
-        vec![Case::wanting(scene, |pixel| !is_consistent(pixel) || pixel.code() == 255)]
+        vec![Case::wanting(scene, |pixel| match pixel.code() {
+            0 => !has_highlight(pixel, Highlight::Reflection),
+            255 => !has_highlight(pixel, Highlight::Blinn),
+            _ => !is_consistent(pixel),
+        })]
     }),
 };
 
@@ -78,11 +87,11 @@ pub const ABOVE: Row = Row {
 pub const FLAT: Row = Row {
     id: "44",
     input: "al = 0: flat surroundings",
-    wanted: "the plain reflection, within a code of exact shading",
+    wanted: "the plain reflection, within a code of exact shading; Blinn's lobe is another",
     trial: trial(|draw, extent| {
         let tilts = [0.0, 20.0, 60.0, 80.0].into_iter().chain((0..extent.spans).map(|_| draw.within(0.0, 80.0)));
         let all = tilts.map(|degrees| flat(tilted(degrees), 1.0, mirror(16))).collect();
-        let plain = |pixel: &Pixel| !is_consistent(pixel) || pixel.is_within(1.0, pixel.exact());
+        let plain = |pixel: &Pixel| !has_highlight(pixel, Highlight::Reflection) || pixel.is_within(1.0, pixel.exact());
         vec![Case::wanting(SpanScene::new(&[tilted(50.0)], all), plain)]
     }),
 };
