@@ -9,7 +9,7 @@ use std::time::Instant;
 use clap::Args;
 use specula_scene::SpecFile;
 use specula_testbench::trace::Choice;
-use specula_testbench::{Bench, EngineKind, Outcome};
+use specula_testbench::{Bench, EngineKind, Outcome, savings, shares};
 
 use crate::arguments::{OutputArguments, Wishes, engine_parser, parse_choice};
 use crate::cli::Verdict;
@@ -108,6 +108,7 @@ impl Arguments {
 
 /// What came of a run, with what disagrees in it.
 fn run_of<'a>(arguments: &Arguments, task: &'a Task, bench: &'a Bench<'a>, outcome: &'a Outcome) -> Run<'a> {
+    let is_general = bench.spec.specialisation.is_general();
     Run {
         task,
         module: task.module(),
@@ -115,6 +116,8 @@ fn run_of<'a>(arguments: &Arguments, task: &'a Task, bench: &'a Bench<'a>, outco
         engine: arguments.engine,
         trace_format: arguments.trace_format,
         disagreement: Disagreement::of(outcome, bench),
+        bound_shares: shares(bench.spec, bench.frame, bench.design.error_bound()),
+        savings: if is_general { None } else { savings(bench.spec, None).ok() },
         outcome,
     }
 }

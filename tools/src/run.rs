@@ -2,7 +2,7 @@
 use std::ops::Range;
 use std::time::Duration;
 
-use specula_testbench::{Bench, EngineKind, Outcome, Share, shares};
+use specula_testbench::{Bench, EngineKind, Outcome, Savings, Share};
 
 use crate::disagreement::Disagreement;
 use crate::task::Task;
@@ -24,6 +24,10 @@ pub struct Run<'a> {
     pub outcome: &'a Outcome,
     /// What of it is not as it must be.
     pub disagreement: Option<Disagreement>,
+    /// What places that round contribute to the bound.
+    pub bound_shares: Vec<Share>,
+    /// What the scene's needs save; none of a general core, or where the core without a need cannot be built.
+    pub savings: Option<Savings>,
 }
 
 impl Run<'_> {
@@ -41,11 +45,6 @@ impl Run<'_> {
     pub fn bound_ratio(&self) -> Option<f64> {
         let ratio = self.bench.design.error_bound() / self.outcome.comparison.errors.quantisation.max_lsb;
         ratio.is_finite().then_some(ratio)
-    }
-
-    /// What places that round contribute to the bound.
-    pub fn bound_shares(&self) -> Vec<Share> {
-        shares(self.bench.spec, self.bench.frame, self.bench.design.error_bound())
     }
 
     /// Clocks for each pixel, the way through the core included.

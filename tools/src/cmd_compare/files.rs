@@ -30,11 +30,12 @@ pub fn write(destination: &Destination, compared: &Compared, journal: &Journal) 
     let drawn: Vec<&plots::Subject> = plots::SUBJECTS.iter().filter(|subject| subject.has_places(compared)).collect();
     drawn.iter().try_for_each(|subject| draw(&staging, subject, compared))?;
     let put = |name: &str, text: &str| fs::write(staging.file(name), text).map_err(staging.failed(name));
-    put(MARKDOWN, &markdown::markdown(compared))?;
+    let text = markdown::markdown(compared);
+    put(MARKDOWN, &text)?;
     put(CORES, &csv::cores(compared))?;
     put(SOFTWARE, &csv::software(compared))?;
     put(JOURNAL, &journal.text()?)?;
-    let page = page(compared, &staging).map_err(staging.failed(html::FILE))?;
+    let page = page(compared, &text, &staging).map_err(staging.failed(html::FILE))?;
     put(html::FILE, &page)?;
     let plots = drawn.iter().flat_map(|subject| subject.names());
     let files: Vec<String> = FIXED.map(str::to_owned).into_iter().chain(plots).collect();
@@ -44,10 +45,10 @@ pub fn write(destination: &Destination, compared: &Compared, journal: &Journal) 
     Ok(report)
 }
 
-/// The report for browsers, made of what has been written.
-fn page(compared: &Compared, staging: &Staging) -> io::Result<String> {
+/// The report for browsers: that for people, with what has been written in it.
+fn page(compared: &Compared, text: &str, staging: &Staging) -> io::Result<String> {
     let title = format!("{}: methods and formats compared", compared.scene);
-    Ok(html::page(&title, &html::render(&markdown::markdown(compared), staging)?))
+    Ok(html::page(&title, &html::render(text, staging)?))
 }
 
 fn draw(staging: &Staging, subject: &plots::Subject, compared: &Compared) -> Result<(), ToolError> {

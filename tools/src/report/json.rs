@@ -2,7 +2,7 @@
 use serde::Serialize;
 use specula_hdl::design::Size;
 use specula_scene::CoreSpec;
-use specula_testbench::{Errors, Savings, Share, Violation, savings};
+use specula_testbench::{Errors, Savings, Share, Violation};
 
 use crate::disagreement::Disagreement;
 use crate::run::{Run, Written};
@@ -43,13 +43,13 @@ struct Report<'a> {
     /// How many times the largest measured quantisation error it is.
     bound_ratio: Option<f64>,
     /// By how much it would be smaller if a place rounded far finer, the largest first.
-    bound_shares: Vec<Share>,
+    bound_shares: &'a [Share],
     worst_pixel: Option<WorstPixel>,
     /// The clocks in the waveform, from the first to the one behind the last.
     trace: Option<[u64; 2]>,
     size: Size,
     /// What is saved against the general core, need by need; none if this is one.
-    savings: Option<Savings>,
+    savings: Option<&'a Savings>,
     spec: &'a CoreSpec,
     files: &'a [String],
 }
@@ -115,7 +115,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         largest_code_difference: comparison.largest_code_difference,
         bound_lsb: bound.is_finite().then_some(bound),
         bound_ratio: run.bound_ratio(),
-        bound_shares: run.bound_shares(),
+        bound_shares: &run.bound_shares,
         worst_pixel: comparison.worst_pixel.map(|worst| WorstPixel {
             x: worst.x,
             y: worst.y,
@@ -124,7 +124,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         }),
         trace: written.window.as_ref().map(|window| [window.start, window.end]),
         size: bench.design.size(),
-        savings: (!bench.spec.specialisation.is_general()).then(|| savings(bench.spec, None).ok()).flatten(),
+        savings: run.savings.as_ref(),
         spec: bench.spec,
         files: &written.files,
     }

@@ -1,5 +1,5 @@
 //! The report for people: what was built, how well it does, and how to go on with it.
-use specula_testbench::{ErrorFigures, Share, savings};
+use specula_testbench::{ErrorFigures, Share};
 
 use super::{facts, ports, units};
 use crate::header::bound;
@@ -115,9 +115,8 @@ fn errors(run: &Run) -> String {
 /// How the proven bound compares with what was measured, and where it comes from; nothing where there is no bound.
 fn bound_shares(run: &Run) -> String {
     let Some(ratio) = run.bound_ratio() else { return String::new() };
-    let shares = run.bound_shares();
     let row = |share: &Share| [format!("`{}`", share.name), format!("{:.3}", share.lsb), format!("`{}`", share.value)];
-    let rows: Vec<[String; 3]> = shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
+    let rows: Vec<[String; 3]> = run.bound_shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
     let text = format!(
         "The bound is {ratio:.1} times the largest quantisation error of this picture. It is for every scene with the same ranges; where formats were\n\
          narrowed for this picture (`--max-error`, `explore`), only what was measured is within that goal.\n"
@@ -184,17 +183,14 @@ fn units(run: &Run) -> String {
     )
 }
 
-/// What the scene's needs save; nothing of a general core, or where the core without a need cannot be built.
+/// What the scene's needs save, if that is known.
 fn needs(run: &Run) -> String {
-    let Ok(savings) = savings(run.bench.spec, None) else { return String::new() };
-    if run.bench.spec.specialisation.is_general() {
-        return String::new();
-    }
+    let Some(savings) = &run.savings else { return String::new() };
     format!(
         "## What the scene does not need\n\n\
          Measured by elaborating the core without that one need known; savings overlap, and a negative number is what products\n\
          with constants cost in adders in place of multipliers.\n\n{}",
-        table(cmd_needs::TITLES, &cmd_needs::rows(&savings))
+        table(cmd_needs::TITLES, &cmd_needs::rows(savings))
     )
 }
 
