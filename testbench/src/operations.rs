@@ -35,7 +35,7 @@ impl Contents {
     /// Of a design.
     pub fn of(design: &Design) -> Contents {
         let inner: Vec<&str> = DIVIDERS.into_iter().chain(RECIPROCAL_ROOTS).chain(ROOTS).chain(LEFT_OUT).collect();
-        let counts = |node: &&Node| is_product(design, node.op) && !is_within(design, node.scope, &inner);
+        let counts = |node: &&Node| design.factors(node).is_some() && !is_within(design, node.scope, &inner);
         // An accumulator's register reads what is described behind it.
         let accumulates =
             |(id, node): &(NodeId, &Node)| node.register == Register::Data && matches!(node.op, Op::Wrap(next) if next > *id);
@@ -49,20 +49,11 @@ impl Contents {
     }
 }
 
-/// Whether a product is of two variables.
-fn is_product(design: &Design, op: Op) -> bool {
-    let variable = |id| design.node(id).op.constant().is_none();
-    matches!(op, Op::Mul(a, b) if variable(a) && variable(b))
-}
-
 /// Widths of the operands of each product of two variables inside units of this name, the wider first, sign included.
 pub fn products(design: &Design, unit: &str) -> Vec<[u32; 2]> {
-    let widths = |node: &Node| match node.op {
-        Op::Mul(a, b) if is_product(design, node.op) => {
-            let [a, b] = [a, b].map(|id| design.node(id).width());
-            Some([a.max(b), a.min(b)])
-        }
-        _ => None,
+    let widths = |node: &Node| {
+        let [a, b] = design.factors(node)?.map(|id| design.node(id).width());
+        Some([a.max(b), a.min(b)])
     };
     design.nodes.iter().filter(|node| is_within(design, node.scope, &[unit])).filter_map(widths).collect()
 }

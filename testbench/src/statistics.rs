@@ -1,6 +1,8 @@
 //! Error figures over all channels of all shaded pixels.
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use specula_scene::spec::FULL_SCALE;
+use specula_scene::{Frame, Span};
 
 /// One kind of error, in LSBs of the 8-bit output.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -49,6 +51,14 @@ impl Sums {
         self.largest = self.largest.max(other.largest);
         self.magnitudes += other.magnitudes;
         self.squares += other.squares;
+    }
+
+    /// Those of all spans of a frame, which are worked on in parallel and put together in their order, so that nothing depends on threads.
+    pub fn of_spans(frame: &Frame, of_span: impl Fn(&Span) -> Sums + Sync) -> Sums {
+        let of_spans: Vec<Sums> = frame.spans.par_iter().map(&of_span).collect();
+        let mut sums = Sums::default();
+        of_spans.iter().for_each(|span| sums.merge(span));
+        sums
     }
 
     pub fn figures(&self) -> ErrorFigures {

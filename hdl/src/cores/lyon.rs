@@ -2,7 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
 
-use super::{eye, finish, pipelines, turns};
+use super::{eye, finish, pipelines, turns, unit_vector};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::{Design, ErrorForm};
 use crate::units::{self, Follow, Interpolation, Light, SpanNormals, WrapFormats};
@@ -22,8 +22,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
 /// n at each pixel, and whether it has a direction.
 fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, lyon: &LyonSpec) -> (Vector, Sig) {
     let formats = &lyon.formats;
-    // A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
-    let unit = |components: &[Sig; 3]| Vector::new(components.clone()).no_longer_than(1.0 + formats.vector.ulp());
+    let unit = |components| unit_vector(components, formats.vector);
     let (Some(delta), Some(weight_step)) = (&inputs.normal_delta, &inputs.weight_step) else {
         let n = unit(&inputs.normal_start);
         let has_direction = units::has_direction(b, &n);
@@ -121,18 +120,16 @@ impl Pixel<'_> {
 
     fn difference(&self, light: &LyonLight<Sig>) -> Vector {
         let (b, n, formats) = (self.b, self.n, &self.lyon.formats);
-        // A rounded unit vector is longer than 1 by √3/2 units of the last place at most, and H than 2.
-        let ulp = formats.vector.ulp();
-        let direction = Vector::new(light.direction.clone()).no_longer_than(1.0 + ulp);
+        let direction = unit_vector(&light.direction, formats.vector);
         let Some(halfway) = light.halfway.clone().map(Vector::new) else {
             return match self.lyon.difference {
                 Difference::LightReflection => units::light_reflection(b, n, &direction, &eye(b), formats),
                 _ => units::reflection_minus_light(b, n, &eye(b), &direction, formats),
             };
         };
-        // g2 makes h longer than 1 by 0.00176 at most (METHODS B9).
+        // g2 makes h longer than 1 by 0.00176 at most (METHODS B9), and rounding any by √3/2 units of the last place.
         let longest = if self.lyon.difference.takes_unit_halfway() { 1.002 } else { 2.0 };
-        let h = halfway.no_longer_than(longest + ulp);
+        let h = halfway.no_longer_than(longest + formats.vector.ulp());
         match self.lyon.difference {
             Difference::HalfwayCrossNormal => units::halfway_cross_normal(b, &h, n, formats),
             Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),

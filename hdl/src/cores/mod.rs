@@ -14,7 +14,7 @@ mod slerp;
 use std::rc::Rc;
 
 use specula_scene::spec::EachInput;
-use specula_scene::{CoreSpec, MethodSpec};
+use specula_scene::{CoreSpec, Format, MethodSpec};
 
 use crate::builder::{Builder, Sig, TooWide, Turns, Vector};
 use crate::design::Design;
@@ -57,6 +57,11 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
 /// V = (0, 0, 1): the eye is at infinity, so what multiplies its components folds away.
 fn eye(b: &Builder) -> Vector {
     Vector::new([0, 0, 1].map(|component| b.integer(component)))
+}
+
+/// A unit vector that the host rounded: longer than 1 by √3/2 units of the last place at most.
+fn unit_vector(components: &[Sig; 3], format: Format) -> Vector {
+    Vector::new(components.clone()).no_longer_than(1.0 + format.ulp())
 }
 
 /// Opens the control inputs; lights that share a pipeline take turns from there on.

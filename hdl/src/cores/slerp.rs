@@ -2,7 +2,7 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
 
-use super::{eye, finish, pipelines, turns};
+use super::{eye, finish, pipelines, turns, unit_vector};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
 use crate::units::{self, BaseBound, Light, Turn, Weighing};
@@ -20,7 +20,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
             Basis::Orthonormal => Weighing::orthonormal(formats, steps),
             Basis::Ends => Weighing::between_ends(formats, steps, spec.shortest_normal),
         };
-        let [start, other] = [&axes.start, &axes.other].map(|axis| unit(axis, formats));
+        let [start, other] = [&axes.start, &axes.other].map(|axis| unit_vector(axis, formats.vector));
         units::turned_normal(&b, weights, [&start, &other], formats, known)
     });
     let n_dot_v = match &normal {
@@ -53,11 +53,6 @@ fn weights(b: &Builder, first: &Sig, inputs: &SlerpInputs<Sig>, slerp: &SlerpSpe
         _ => units::rotation(b, first, [cosine, sine], formats, steps),
     };
     turned.map(|x| x.rounded(formats.weight.fraction_bits).named("weight"))
-}
-
-/// A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
-fn unit(components: &[Sig; 3], formats: &SlerpFormats) -> Vector {
-    Vector::new(components.clone()).no_longer_than(1.0 + formats.vector.ulp())
 }
 
 /// N·X; scalars have ports wherever there is no normal.
@@ -98,7 +93,9 @@ impl Pixel<'_> {
     fn n_dot_l(&self, light: &SlerpLight<Sig>) -> Sig {
         let (b, formats) = (self.b, &self.slerp.formats);
         match (self.normal, &light.direction) {
-            (Some(n), Some(direction)) => units::cosine_between(b, n, &unit(direction, formats), formats.cosine.fraction_bits),
+            (Some(n), Some(direction)) => {
+                units::cosine_between(b, n, &unit_vector(direction, formats.vector), formats.cosine.fraction_bits)
+            }
             _ => on_arc(b, self.weights, light.light.as_ref(), formats, self.spec.longest_span - 1),
         }
     }

@@ -1,7 +1,7 @@
 //! What a design is made of, before any FPGA tool sees it.
 use serde::{Deserialize, Serialize};
 
-use super::{Design, Node, Op, ScopeId};
+use super::{Design, Node, NodeId, Op, ScopeId};
 
 /// Operators and registers, counted.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -36,9 +36,8 @@ pub struct UnitSize {
 impl Size {
     fn count(&mut self, design: &Design, node: &Node) {
         let width = |id| u64::from(design.node(id).width());
-        let constant = |id| design.node(id).op.constant().is_some();
         match node.op {
-            Op::Mul(a, b) if !constant(a) && !constant(b) => {
+            Op::Mul(a, b) if design.factors(node).is_some() => {
                 self.multipliers += 1;
                 self.multiplier_bits += width(a) * width(b);
             }
@@ -60,6 +59,15 @@ impl Size {
 }
 
 impl Design {
+    /// The operands of a product of two variables, which takes a multiplier; one with a constant takes adders.
+    pub fn factors(&self, node: &Node) -> Option<[NodeId; 2]> {
+        let variable = |id| self.node(id).op.constant().is_none();
+        match node.op {
+            Op::Mul(a, b) if variable(a) && variable(b) => Some([a, b]),
+            _ => None,
+        }
+    }
+
     /// Size of the whole design.
     pub fn size(&self) -> Size {
         let mut size = Size::default();

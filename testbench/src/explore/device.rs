@@ -1,7 +1,6 @@
 //! What a core takes of an FPGA, as far as that can be told before any FPGA tool has seen it.
 use serde::Serialize;
 use specula_hdl::Design;
-use specula_hdl::design::Op;
 
 /// An FPGA, by what its maker's data sheet says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -79,15 +78,11 @@ impl Cost {
 
 /// Widths of the operands of every product of two variables, a sign counted where there is none.
 fn products(design: &Design) -> impl Iterator<Item = [u32; 2]> {
-    let constant = |id| design.node(id).op.constant().is_some();
     let width = |id| {
         let range = design.node(id).range;
         range.width() + u32::from(!range.signed())
     };
-    design.nodes.iter().filter_map(move |node| match node.op {
-        Op::Mul(a, b) if !constant(a) && !constant(b) => Some([width(a), width(b)]),
-        _ => None,
-    })
+    design.nodes.iter().filter_map(move |node| Some(design.factors(node)?.map(width)))
 }
 
 #[cfg(test)]

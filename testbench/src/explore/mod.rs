@@ -4,7 +4,6 @@
 //! together; and at last, for the setting that was best, each by itself. This is a descent: what it finds is as good as stated and
 //! need not be the smallest there is. The search looks at a sample of the spans; what is reported is measured on every pixel.
 mod device;
-mod front;
 mod options;
 mod picture;
 
@@ -14,10 +13,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
-use crate::BenchError;
 use crate::search::Goal;
+use crate::{BenchError, pareto_front};
 pub use device::{Cost, Device};
-use front::front;
 use options::Options;
 use picture::{ExactPicture, sampled};
 
@@ -83,6 +81,13 @@ pub fn explore(frame: &Frame, wanted: &Wanted, progress: &(dyn Fn() + Sync)) -> 
     Ok(Exploration { front, best, tried: number, refused })
 }
 
+/// Those that no other one beats, the smallest first. Of equals the first counts.
+fn front(tried: Vec<Explored>) -> Vec<Explored> {
+    // Far fewer cells than 2^53.
+    let places: Vec<(f64, f64)> = tried.iter().map(|core| (core.cost.cells() as f64, core.error)).collect();
+    pareto_front(&places).into_iter().map(|number| tried[number].clone()).collect()
+}
+
 /// The front of cores whose errors are of a sample, by their errors over every pixel.
 fn measured(cores: Vec<Explored>, frame: &Frame) -> Result<Vec<Explored>, BenchError> {
     let whole = ExactPicture::new(frame.clone());
@@ -128,7 +133,7 @@ impl Search<'_> {
         if let Err(error) = start.spec(self.needs) {
             return Ok(Searched { refused: Some(format!("{}: {error}", method.name())), ..Searched::default() });
         }
-        let tries = Tries { search: self, tried: RefCell::default() };
+        let tries = Tries { search: self, tried: RefCell::default(), known: RefCell::default() };
         if let Some(Setting { options, spec, rank: Rank::Within(_) }) = tries.best_options(start)? {
             tries.search_with(&options, |goal| goal.each(spec))?;
         }
@@ -140,6 +145,8 @@ impl Search<'_> {
 struct Tries<'a> {
     search: &'a Search<'a>,
     tried: RefCell<Vec<Explored>>,
+    /// What is known of general cores; to specialise one takes the set-up of every span.
+    known: RefCell<Vec<(CoreSpec, Tried)>>,
 }
 
 impl Tries<'_> {
@@ -184,6 +191,16 @@ impl Tries<'_> {
 
     /// Error and size of a general core, specialised; beyond any error and any size where it cannot be built.
     fn tried(&self, options: &Options, general: &CoreSpec) -> Result<Tried, BenchError> {
+        let known = self.known.borrow().iter().find(|(core, _)| core == general).map(|(_, tried)| *tried);
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let tried = self.tried_anew(options, general)?;
+        self.known.borrow_mut().push((general.clone(), tried));
+        Ok(tried)
+    }
+
+    fn tried_anew(&self, options: &Options, general: &CoreSpec) -> Result<Tried, BenchError> {
         let Search { frame, sample, wanted, progress, .. } = self.search;
         let spec = general.specialised(frame);
         let seen = self.tried.borrow().iter().find(|core| core.spec == spec).map(Tried::of);

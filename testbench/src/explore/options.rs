@@ -1,5 +1,5 @@
 //! A method with options, and those next to it.
-use specula_scene::spec::{CoreOptions, CoreSpec, SpecError};
+use specula_scene::spec::{CoreSpec, SpecError};
 use specula_scene::{Method, Needs};
 
 use crate::stress::variant::Variant;
@@ -40,8 +40,7 @@ impl Options {
 
     /// The general core for a scene, in the formats that are recommended for it.
     pub fn spec(&self, needs: &Needs) -> Result<CoreSpec, SpecError> {
-        let options: CoreOptions = self.variant().options()?;
-        CoreSpec::for_scene(needs, Some(&options), Some(self.method))
+        self.variant().core_spec(needs)
     }
 
     fn variant(&self) -> Variant {

@@ -44,7 +44,7 @@ fn spec(variant: &Variant, longest: u32) -> Result<CoreSpec, SpecError> {
     let scene = SpanScene::new(&[tilted(10.0), tilted(-30.0)], spans);
     // The text is that of every other row's scenes.
     let frame = parse("raw.toml", scene.text("")).map_err(|error| SpecError::Core { message: error.to_string() })?.frame;
-    CoreSpec::for_scene(&Needs::of(&frame), Some(&variant.options()?), Some(variant.method))
+    variant.core_spec(&Needs::of(&frame))
 }
 
 fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw, extent: Extent) {

@@ -72,8 +72,7 @@ impl<'a> Prepared<'a> {
 
     /// Tries a variant, unless its core is one of `before`, to which it is added.
     pub fn run(&self, variant: &Variant, before: &mut Vec<CoreSpec>) -> Tried {
-        let spec = variant.options().and_then(|options| CoreSpec::for_scene(&self.needs, Some(&options), Some(variant.method)));
-        let spec = match spec {
+        let spec = match variant.core_spec(&self.needs) {
             Ok(spec) if before.contains(&spec) => return Tried::Again,
             Ok(spec) => spec,
             Err(error) => return Tried::Refused(error.to_string()),

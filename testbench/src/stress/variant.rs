@@ -1,6 +1,6 @@
 //! Methods with their options.
-use specula_scene::Method;
 use specula_scene::spec::{CoreOptions, SpecError};
+use specula_scene::{CoreSpec, Method, Needs};
 
 /// A method with options and formats that differ from its defaults.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,6 +38,14 @@ impl Variant {
     pub fn options(&self) -> Result<CoreOptions, SpecError> {
         let name = self.method.name();
         format!("method = \"{name}\"\n\n[{name}]\n{}", self.table).parse()
+    }
+
+    /// Its general core for these needs.
+    ///
+    /// # Errors
+    /// [`SpecError`] if the table is none, or the method with these options cannot serve them.
+    pub fn core_spec(&self, needs: &Needs) -> Result<CoreSpec, SpecError> {
+        CoreSpec::for_scene(needs, Some(&self.options()?), Some(self.method))
     }
 
     /// Its name for people: the method and what differs.

@@ -78,7 +78,7 @@ fn of_direct(spec: &DirectSpec) -> &'static str {
 #[cfg(test)]
 mod tests {
     use specula_golden::software::by_name;
-    use specula_scene::{CoreSpec, Method, Needs, load};
+    use specula_scene::{Method, Needs, load};
 
     use super::counterpart;
     use crate::stress::variant::Variant;
@@ -87,7 +87,7 @@ mod tests {
     fn every_counterpart_is_a_loop() {
         let needs = Needs::of(&load("teapot", Some((32, 24))).unwrap().frame);
         for variant in Method::ALL.into_iter().flat_map(Variant::all_of) {
-            let spec = CoreSpec::for_scene(&needs, Some(&variant.options().unwrap()), Some(variant.method)).unwrap();
+            let spec = variant.core_spec(&needs).unwrap();
             let name = counterpart(&spec);
             assert!(name.is_none_or(|name| by_name(name).is_some()), "{}: {name:?}", variant.describe());
             assert!(!variant.table.is_empty() || name.is_some(), "{} has no loop", variant.describe());

@@ -130,10 +130,7 @@ fn errors(method: &Method, frame: &Frame) -> ErrorFigures {
         }
         sums
     };
-    let of_spans: Vec<Sums> = frame.spans.par_iter().map(of_span).collect();
-    let mut sums = Sums::default();
-    of_spans.iter().for_each(|span| sums.merge(span));
-    sums.figures()
+    Sums::of_spans(frame, of_span).figures()
 }
 
 #[cfg(test)]

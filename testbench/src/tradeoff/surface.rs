@@ -1,5 +1,4 @@
 //! Errors against what a smooth surface would look like, where the surface of a mesh is known.
-use rayon::prelude::*;
 use specula_golden::exact::PhongSpan;
 use specula_scene::{LoadedScene, Span};
 
@@ -25,11 +24,7 @@ fn against_surface(scene: &LoadedScene, given: impl Given) -> Option<ErrorFigure
     if !scene.surfaces.iter().any(Option::is_some) {
         return None;
     }
-    // In order, so that the sums do not depend on threads.
-    let of_spans: Vec<Sums> = scene.frame.spans.par_iter().map(|span| of_span(scene, span, &given)).collect();
-    let mut sums = Sums::default();
-    of_spans.iter().for_each(|span| sums.merge(span));
-    Some(sums.figures())
+    Some(Sums::of_spans(&scene.frame, |span| of_span(scene, span, &given)).figures())
 }
 
 fn of_span(scene: &LoadedScene, span: &Span, given: &impl Given) -> Sums {

@@ -1,10 +1,11 @@
 //! Error against size and against run time.
 use specula_scene::Method;
+use specula_testbench::pareto_front;
 use specula_testbench::tradeoff::Formats;
 
 use super::result::{Compared, Core, size};
 use crate::drawing::{SERIES, Series};
-use crate::plot::{Axis, Label, Place, Plot, PlotSeries, Scale, Shown, pareto_front};
+use crate::plot::{Axis, Label, Place, Plot, PlotSeries, Scale, Shown};
 
 /// A plot: its file without an ending, what it shows, and what is drawn.
 pub struct Subject {

@@ -1,10 +1,10 @@
 //! What came of a comparison, as tables, plots and reports see it.
-use specula_testbench::ErrorFigures;
 use specula_testbench::bench::Machine;
 use specula_testbench::tradeoff::software::Software;
 use specula_testbench::tradeoff::{Configuration, Measured, Measurement, Row, counterpart};
+use specula_testbench::{ErrorFigures, pareto_front};
 
-use crate::plot::{Place, pareto_front};
+use crate::plot::Place;
 
 /// A comparison that was made.
 pub struct Compared {

@@ -5,7 +5,7 @@ use serde::Serialize;
 use serde_json::Value;
 use specula_hdl::Design;
 use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, Viewpoint};
-use specula_scene::{CoreSpec, Format, LoadedScene, Method, Needs};
+use specula_scene::{Format, LoadedScene, Method, Needs};
 use specula_testbench::operations::Contents;
 use specula_testbench::stress::variant::Variant;
 use specula_testbench::{Bench, BenchError};
@@ -117,7 +117,7 @@ fn variants(method: Method, scene: &LoadedScene) -> Result<Vec<VariantFacts>, To
 
 /// The general core with an option.
 fn variant(needs: &Needs, variant: &Variant) -> Result<Design, BenchError> {
-    let spec = CoreSpec::for_scene(needs, Some(&variant.options()?), Some(variant.method))?;
+    let spec = variant.core_spec(needs)?;
     Ok(specula_hdl::elaborate(&spec, SCENE)?)
 }
 

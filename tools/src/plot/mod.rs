@@ -84,18 +84,5 @@ impl Plot {
     }
 }
 
-/// The best of `places` where less is better on both axes: each that no other one is at most as large as on both, from left to right.
-pub fn pareto_front(places: &[Place]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..places.len()).filter(|&k| places[k].0.is_finite() && places[k].1.is_finite()).collect();
-    order.sort_by(|&a, &b| places[a].0.total_cmp(&places[b].0).then(places[a].1.total_cmp(&places[b].1)).then(a.cmp(&b)));
-    let mut front: Vec<usize> = vec![];
-    for k in order {
-        if front.last().is_none_or(|&last| places[k].1 < places[last].1) {
-            front.push(k);
-        }
-    }
-    front
-}
-
 #[cfg(test)]
 mod tests;

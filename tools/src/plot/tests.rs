@@ -8,7 +8,7 @@ fn axis(title: &str, scale: Scale) -> Axis {
 }
 
 fn plot(scale: Scale, places: Vec<Place>) -> Plot {
-    let front = pareto_front(&places).into_iter().map(|k| places[k]).collect();
+    let front = specula_testbench::pareto_front(&places).into_iter().map(|k| places[k]).collect();
     let label = |&at: &Place| Label { at, words: format!("{} {}", at.0, at.1), colour: Series::new(0) };
     Plot {
         title: "Error against <size>".to_owned(),
@@ -19,13 +19,6 @@ fn plot(scale: Scale, places: Vec<Place>) -> Plot {
         front,
         notes: vec!["A note.".to_owned()],
     }
-}
-
-#[test]
-fn the_front_is_what_nothing_beats() {
-    let places = [(3.0, 1.0), (1.0, 4.0), (2.0, 4.0), (2.0, 2.0), (4.0, 1.0), (f64::NAN, 0.0), (5.0, 0.5)];
-    assert_eq!(pareto_front(&places), [1, 3, 0, 6]);
-    assert_eq!(pareto_front(&[]), Vec::<usize>::new());
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Unit vectors along the span.
 use specula_scene::spec::phong::Way;
 
+use super::super::unit_vector;
 use super::Pixel;
 use super::lamp::Lamp;
 use crate::builder::{Sig, Vector};
@@ -77,7 +78,7 @@ impl Pixel<'_> {
         let (b, f, shortest) = (self.b, &self.phong.formats, self.spec.shortest_unit_way);
         let interpolation = Interpolation { longest: 2.0, apart: units::chord(shortest), ..self.interpolation };
         let h = self.interpolated(name, way, interpolation);
-        let axis = Vector::new(axis.clone()).no_longer_than(1.0 + f.vector.ulp());
+        let axis = unit_vector(axis, f.vector);
         let formats = WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
         let to = ToPlace { formats, cosine_bits: f.base.fraction_bits, shortest };
         let place = b.instance(&format!("{name}_wrapped"), || units::wrapped_place(b, &h, &axis, spot, to));

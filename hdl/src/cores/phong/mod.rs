@@ -5,8 +5,8 @@ mod lamp;
 use specula_scene::CoreSpec;
 use specula_scene::spec::phong::{Highlight, PhongInputs, PhongSpec};
 
-use super::{eye, finish, turns};
-use crate::builder::{Builder, Sig, TooWide, Turns, Vector};
+use super::{eye, finish, turns, unit_vector};
+use crate::builder::{Builder, Sig, TooWide, Turns};
 use crate::design::Design;
 use crate::units::{self, Interpolation, Light};
 
@@ -162,7 +162,7 @@ impl Pixel<'_> {
         match (&at.direction.wrap, &at.lamp.light.axis) {
             (Some(wrap), _) => wrap.cosine.clone(),
             (None, Some(axis)) => {
-                let axis = Vector::new(axis.clone()).no_longer_than(1.0 + f.vector.ulp());
+                let axis = unit_vector(axis, f.vector);
                 let cosine = || units::spot_cosine(b, &at.direction.vector, &axis, f.base.fraction_bits);
                 b.instance(&format!("light{}_spot_cosine", at.index), cosine)
             }
