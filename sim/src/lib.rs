@@ -25,5 +25,5 @@ pub use fast::Fast;
 pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
 pub use stimulus::{SpanSource, Stimulus};
-pub use synthesis::{Synthesised, synthesise};
+pub use synthesis::{Progress, Synthesised, synthesise};
 pub use verilator::{Effort, Keeping, Library, TimedVerilator, Timing, Verilator};

@@ -8,8 +8,8 @@ use specula_sim::{SimError, Synthesised};
 
 use crate::BenchError;
 
-/// Makes cells of a design, if that is asked for: [`specula_sim::synthesise`].
-pub type Synthesis = fn(&Design) -> Result<Synthesised, SimError>;
+/// Makes cells of designs, if that is asked for: [`specula_sim::synthesise`].
+pub type Synthesis<'a> = &'a dyn Fn(&[&Design]) -> Result<Vec<Synthesised>, SimError>;
 
 /// What a hardware is spared; negative where a constant's shifts and sums are more than they stand for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -49,10 +49,15 @@ struct Built {
 }
 
 impl Built {
-    fn new(spec: &CoreSpec, synthesis: Option<Synthesis>) -> Result<Built, BenchError> {
-        let design = specula_hdl::elaborate(spec, "core")?;
-        let cells = synthesis.map(|synthesise| synthesise(&design)).transpose()?;
-        Ok(Built { design, cells })
+    /// The cores of `specs`, and with `synthesis` their cells.
+    fn all(specs: &[&CoreSpec], synthesis: Option<Synthesis>) -> Result<Vec<Built>, BenchError> {
+        let designs: Vec<Design> = specs.par_iter().map(|spec| specula_hdl::elaborate(spec, "core")).collect::<Result<_, _>>()?;
+        let references: Vec<&Design> = designs.iter().collect();
+        let cells = match synthesis {
+            Some(synthesise) => synthesise(&references)?.into_iter().map(Some).collect(),
+            None => vec![None; designs.len()],
+        };
+        Ok(designs.into_iter().zip(cells).map(|(design, cells)| Built { design, cells }).collect())
     }
 }
 
@@ -106,19 +111,18 @@ pub struct Savings {
 /// [`BenchError::TooWide`] if the general core has too wide a signal, [`BenchError::Simulation`] if it cannot be synthesised.
 pub fn savings(spec: &CoreSpec, synthesis: Option<Synthesis>) -> Result<Savings, BenchError> {
     let needs: Vec<Ignorant> = of_sizes(spec).chain(of_inputs(spec)).collect();
-    let build = |core: &CoreSpec| Built::new(core, synthesis);
-    // All at once: synthesis takes many seconds of each.
-    let of_needs = || needs.par_iter().map(|need| build(&need.core)).collect::<Result<Vec<Built>, BenchError>>();
-    let (of_needs, (special, general)) = rayon::join(of_needs, || rayon::join(|| build(spec), || build(&spec.general())));
-    let (of_needs, special, general) = (of_needs?, special?, general?);
+    let general = spec.general();
+    let specs: Vec<&CoreSpec> = [spec, &general].into_iter().chain(needs.iter().map(|need| &need.core)).collect();
+    let built = Built::all(&specs, synthesis)?;
+    let ([special, general], of_needs) = (&[&built[0], &built[1]], &built[2..]);
     let saving = |(without, core): (Ignorant, &Built)| Saving {
         need: without.need,
         left_out: without.left_out,
-        saves: Spared::between(core, &special),
+        saves: Spared::between(core, special),
         safe: without.safe,
     };
-    let together = Spared::between(&general, &special);
-    Ok(Savings { needs: needs.into_iter().zip(&of_needs).map(saving).collect(), together })
+    let together = Spared::between(general, special);
+    Ok(Savings { needs: needs.into_iter().zip(of_needs).map(saving).collect(), together })
 }
 
 /// The core without knowing one need.

@@ -3,14 +3,15 @@ use std::io::Write;
 
 use clap::Args;
 use serde::Serialize;
-use specula_scene::{Method, Needs};
-use specula_sim::synthesise;
+use specula_hdl::Design;
+use specula_scene::{CoreSpec, Method, Needs};
+use specula_sim::{Progress, synthesise};
 use specula_testbench::{Saving, Savings, Spared, Synthesis, savings};
 
 use crate::arguments::{method_parser, parse_size};
 use crate::cli::Verdict;
 use crate::error::ToolError;
-use crate::table;
+use crate::{progress, table};
 
 const EXAMPLE: &str = "\
 Each line is measured: the core is elaborated with and without that one need known. Savings
@@ -31,7 +32,7 @@ pub struct Arguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
-    /// Also synthesise the core without each need, by Yosys for an ECP5: a minute and more
+    /// Also synthesise the core without each need, by Yosys for an ECP5: half a minute and more
     #[arg(long)]
     synthesis: bool,
     /// Print JSON, with the ranges of every quantity, instead of tables
@@ -54,8 +55,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let spec = scene.core_spec(arguments.method)?;
     // What a scene leaves out is asked for whether its file wants it left out or not.
     let spec = if spec.specialisation.is_general() { spec.specialised(&scene.frame) } else { spec };
-    let synthesis = arguments.synthesis.then_some(synthesise as Synthesis);
-    let (needs, savings) = (Needs::of(&scene.frame), savings(&spec, synthesis)?);
+    let (needs, savings) = (Needs::of(&scene.frame), measured(&spec, arguments.synthesis)?);
     let report = Report { scene: &scene.name, method: spec.method().name(), needs: &needs, savings: &savings };
     let text = if arguments.json {
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
@@ -66,6 +66,20 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     };
     write!(stdout, "{text}").map_err(ToolError::Print)?;
     Ok(Verdict::Done)
+}
+
+/// What the core saves, with cells of an ECP5 if they are asked for.
+fn measured(spec: &CoreSpec, synthesis: bool) -> Result<Savings, ToolError> {
+    let bar = progress::steps();
+    bar.set_message("modules");
+    let watch = |progress: Progress| {
+        bar.set_length(progress.modules as u64);
+        bar.set_position(progress.done as u64);
+    };
+    let synthesise = |designs: &[&Design]| synthesise(designs, &watch);
+    let savings = savings(spec, synthesis.then_some(&synthesise as Synthesis));
+    bar.finish_and_clear();
+    Ok(savings?)
 }
 
 fn facts(report: &Report) -> Vec<[String; 2]> {

@@ -1,4 +1,5 @@
 //! Verilog-2001 that people want to own: one module per distinct unit, named after it, with formats and latencies in comments.
+mod library;
 mod module;
 pub mod statement;
 mod unread;
@@ -6,6 +7,8 @@ mod unread;
 use std::fmt::Write;
 
 use crate::block::Module;
+
+pub use library::{Library, Printed};
 
 /// What the file says of itself, one line each, without comment marks.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,59 +19,25 @@ pub struct Header {
 
 /// Prints a design as one Verilog file, the core first and then its units. The same design and header give the same bytes.
 pub fn print(core: &Module, header: &Header) -> String {
-    let mut library = Library { prefix: core.instance.clone(), modules: vec![] };
-    let top = library.text_of(core, &core.instance);
+    let mut library = Library::new(&core.instance);
+    let children = library.add_children(core);
+    let top = module::text(core, &core.instance, &library.names(&children));
     let mut file = String::new();
     for line in &header.lines {
         // Writing to a String cannot fail.
         let _ = writeln!(file, "{}", format!("// {line}").trim_end());
     }
     let _ = write!(file, "`default_nettype none\n\n{top}");
-    if !library.modules.is_empty() {
+    if !library.modules().is_empty() {
         file.push_str("\n// Units follow; they stand in the core's file so that one file is the whole design.\n");
         file.push_str("// verilator lint_off DECLFILENAME\n");
-        for module in &library.modules {
-            let _ = write!(file, "\n{}", module.text.replacen(PLACEHOLDER, &module.name, 1));
+        for module in library.modules() {
+            let _ = write!(file, "\n{}", module.source());
         }
         file.push_str("// verilator lint_on DECLFILENAME\n");
     }
     file.push_str("\n`default_nettype wire\n");
     file
-}
-
-/// Stands for the module's name while texts are compared; no name can contain it.
-const PLACEHOLDER: &str = "\u{0}";
-
-struct Printed {
-    unit: String,
-    name: String,
-    text: String,
-}
-
-/// The modules printed so far, each distinct one once.
-struct Library {
-    prefix: String,
-    modules: Vec<Printed>,
-}
-
-impl Library {
-    fn text_of(&mut self, module: &Module, name: &str) -> String {
-        let children: Vec<String> = module.children().iter().map(|child| self.name_of(&child.module)).collect();
-        module::text(module, name, &children)
-    }
-
-    /// The name of the module that `module` is printed as: an equal one printed before, or a new one.
-    fn name_of(&mut self, module: &Module) -> String {
-        let text = self.text_of(module, PLACEHOLDER);
-        if let Some(same) = self.modules.iter().find(|m| m.unit == module.unit && m.text == text) {
-            return same.name.clone();
-        }
-        let number = self.modules.iter().filter(|m| m.unit == module.unit).count();
-        let base = format!("{}_{}", self.prefix, module.unit);
-        let name = if number == 0 { base } else { format!("{base}_{}", number + 1) };
-        self.modules.push(Printed { unit: module.unit.clone(), name: name.clone(), text });
-        name
-    }
 }
 
 /// Names of every module's control ports.

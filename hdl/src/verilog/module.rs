@@ -45,7 +45,8 @@ fn shape(wire: &WireType) -> String {
     }
 }
 
-fn ports(module: &Module) -> String {
+/// The ports, a line each.
+pub fn ports(module: &Module) -> String {
     let mut rows: Vec<[String; 3]> = vec![];
     if needs_clock(module) {
         rows.push(["input wire".into(), "clock".into(), String::new()]);
@@ -171,19 +172,24 @@ fn gates(module: &Module, out: &mut String) {
     }
 }
 
+/// The most registers in a block. Yosys takes time with the square of their number.
+const BLOCK: usize = 64;
+
 fn registers(module: &Module, out: &mut String) {
     let of = |kind: Register| module.cells().filter(move |c| c.register == kind);
     let name = |cell: &Cell| module.wires()[cell.wire as usize].wire_type().name.clone();
     let (delays, computed): (Vec<&Cell>, Vec<&Cell>) = of(Register::Data).partition(|cell| is_delay(cell));
     for (cells, comment) in [(computed, ""), (delays, "  // Delays, so that what belongs together arrives together.\n")] {
-        if cells.is_empty() {
-            continue;
+        if !cells.is_empty() {
+            let _ = write!(out, "\n{comment}");
         }
-        let _ = write!(out, "\n{comment}  always @(posedge clock) begin\n");
-        for cell in cells {
-            let _ = writeln!(out, "    {}", module.assignment(cell));
+        for block in cells.chunks(BLOCK) {
+            out.push_str("  always @(posedge clock) begin\n");
+            for cell in block {
+                let _ = writeln!(out, "    {}", module.assignment(cell));
+            }
+            out.push_str("  end\n");
         }
-        out.push_str("  end\n");
     }
     if of(Register::Validity).next().is_some() {
         out.push_str("\n  always @(posedge clock) begin\n    if (reset) begin\n");

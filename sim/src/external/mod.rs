@@ -12,4 +12,4 @@ pub use ports::{Port, Ports};
 pub use results::read_results;
 pub use tool::{OTHER_ENGINE, Tool};
 pub use trace::{Sampling, Trace};
-pub use workshop::{RESULTS, STIMULUS, TRACE, Workshop};
+pub use workshop::{RESULTS, STIMULUS, TRACE, Workshop, temporary_directory};

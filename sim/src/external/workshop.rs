@@ -17,6 +17,14 @@ pub const RESULTS: &str = "results.bin";
 /// The file into which all signals are written.
 pub const TRACE: &str = "trace.vcd";
 
+/// A new temporary directory; it is gone when it is dropped.
+///
+/// # Errors
+/// [`SimError::File`] if it cannot be made.
+pub fn temporary_directory() -> Result<TempDir, SimError> {
+    tempfile::Builder::new().prefix("specula-").tempdir().map_err(SimError::file("make a temporary directory"))
+}
+
 /// A temporary directory that holds a design's Verilog; it is gone when this is dropped.
 pub struct Workshop {
     directory: TempDir,
@@ -32,8 +40,7 @@ impl Workshop {
     /// # Errors
     /// [`SimError::File`] if it cannot be written.
     pub fn new(design: &Design) -> Result<Workshop, SimError> {
-        let directory = tempfile::Builder::new().prefix("specula-").tempdir();
-        let directory = directory.map_err(SimError::file("make a temporary directory"))?;
+        let directory = temporary_directory()?;
         let ports = Ports::of(design);
         let source = format!("{}.v", ports.core);
         let workshop = Workshop { directory, ports, source };

@@ -1,0 +1,76 @@
+//! The modules of cores, each distinct one once.
+use super::module;
+use crate::block::Module;
+
+/// Stands for the module's name while texts are compared; no name can contain it.
+const PLACEHOLDER: &str = "\u{0}";
+
+/// A module as text.
+#[derive(Clone, Debug)]
+pub struct Printed {
+    /// The unit that it is.
+    unit: String,
+    /// Its name.
+    pub name: String,
+    /// Its text, without its name.
+    text: String,
+    /// Its ports, as text.
+    ports: String,
+    /// The places in the library of what it instantiates, once for each instance; they come before its own.
+    pub children: Vec<usize>,
+}
+
+/// Modules by their texts: what is equal is there once, whichever core it is from.
+#[derive(Clone, Debug)]
+pub struct Library {
+    prefix: String,
+    modules: Vec<Printed>,
+}
+
+impl Library {
+    /// An empty one, in which all names begin with `prefix`.
+    pub fn new(prefix: &str) -> Library {
+        Library { prefix: prefix.to_owned(), modules: vec![] }
+    }
+
+    /// Every distinct module, those that are instantiated before those that instantiate them.
+    pub fn modules(&self) -> &[Printed] {
+        &self.modules
+    }
+
+    /// Adds a module with all that is in it, and gives its place: that of an equal one added before, or a new one.
+    pub fn add(&mut self, module: &Module) -> usize {
+        let children = self.add_children(module);
+        let text = module::text(module, PLACEHOLDER, &self.names(&children));
+        if let Some(same) = self.modules.iter().position(|m| m.unit == module.unit && m.text == text) {
+            return same;
+        }
+        let number = self.modules.iter().filter(|m| m.unit == module.unit).count();
+        let base = format!("{}_{}", self.prefix, module.unit);
+        let name = if number == 0 { base } else { format!("{base}_{}", number + 1) };
+        self.modules.push(Printed { unit: module.unit.clone(), name, text, ports: module::ports(module), children });
+        self.modules.len() - 1
+    }
+
+    /// Adds what is in a module, and gives the places of its children.
+    pub fn add_children(&mut self, module: &Module) -> Vec<usize> {
+        module.children().iter().map(|child| self.add(&child.module)).collect()
+    }
+
+    /// Names of the modules in these places.
+    pub fn names(&self, places: &[usize]) -> Vec<String> {
+        places.iter().map(|&place| self.modules[place].name.clone()).collect()
+    }
+}
+
+impl Printed {
+    /// The module.
+    pub fn source(&self) -> String {
+        self.text.replacen(PLACEHOLDER, &self.name, 1)
+    }
+
+    /// The module with nothing in it, for tools that are to take it as it is.
+    pub fn black_box(&self) -> String {
+        format!("(* blackbox *)\nmodule {} (\n{}\n);\nendmodule\n", self.name, self.ports)
+    }
+}
