@@ -11,6 +11,7 @@ mod describe;
 pub mod direct;
 pub mod duff;
 mod error;
+mod finer;
 pub mod gouraud;
 pub mod hybrid;
 mod inputs;
