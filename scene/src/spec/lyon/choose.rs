@@ -7,7 +7,7 @@ use crate::spec::choose::{span_bits, within};
 use crate::spec::describe::Describe;
 use crate::spec::narrowing::{FEWEST_FRACTION_BITS, SIGNED_UNIT, UNIT};
 use crate::spec::set_up::SetUpSpan;
-use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::spec::{Choice, CoreSpec, FULL_SCALE, InputPort, NarrowingPoint, SpecError};
 
 /// The fewest fraction bits on the way from one wrapped normal to the next.
 const FEWEST_TO_FOLLOW: u32 = 8;
@@ -42,7 +42,7 @@ impl LyonSpec {
         LyonSpec {
             normals: Normals::Linear,
             axis: WrapAxis::Bisector,
-            normalisation: Normalisation::G2,
+            normalisation: cheapest_normalisation(needs),
             newton_steps: u32::from(!typical),
             difference: Difference::HalfwayCrossNormal,
             halfway: Halfway::Unit,
@@ -67,6 +67,21 @@ impl LyonSpec {
                 shape: Format::unsigned(1, shape),
             },
         }
+    }
+}
+
+/// The cheapest normalisation that makes the shortest normal long enough, or g2, of which NUMERICS.md says when it takes a Newton step.
+///
+/// A normal of length r is r g1 = (3r - r³)/2 long after g1. Where it is too short by 2^-11, N·L at full scale is 1/8 LSB too small. D = R - L, which takes
+/// it worst, is off by twice as much along itself, and f_2 moves with it by 0.67 √n: that is to be half an LSB at most.
+fn cheapest_normalisation(needs: &Needs) -> Normalisation {
+    let r = needs.shortest_normal;
+    let steepest = 0.67 * f64::from(needs.largest_shininess).sqrt();
+    let most = (1.0 / 2048.0_f64).min(0.5 / (2.0 * steepest * FULL_SCALE));
+    match (1.0 - r, 1.0 - (3.0 * r - r * r * r) / 2.0) {
+        (as_it_is, _) if as_it_is <= most => Normalisation::None,
+        (_, after_g1) if after_g1 <= most => Normalisation::G1,
+        _ => Normalisation::G2,
     }
 }
 
