@@ -1,7 +1,7 @@
 //! The ranges of `lyon`.
 use glam::DVec3;
 use specula_scene::spec::MethodSpec;
-use specula_scene::spec::lyon::{Difference, LyonSpec};
+use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation};
 use specula_scene::{CoreSpec, Frame, Method};
 
 use crate::common::{frame, mirror, spec, tilted, value};
