@@ -164,3 +164,20 @@ fn less_is_left_out() {
     let [small, large] = [1, 4096].map(|n| multipliers(&spec(Method::Hybrid, 1, 64, n)));
     assert_eq!(large - small, 12, "a multiplier for each squaring");
 }
+
+/// What is finer for the brightest highlights still fits 63 bits, with the longest spans and the largest exponents.
+#[test]
+fn cores_for_bright_highlights_can_be_built() {
+    for method in Method::ALL {
+        for (span, shininess) in [(1, 1), (LONGEST_SPAN, 8191)] {
+            let of = |brightest_coefficient| {
+                let needs =
+                    Needs { brightest_coefficient, shortest_normal: 0.05, widest_angle: 170.0, ..needs(4, span, shininess) };
+                let spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
+                specula_hdl::elaborate(&spec, "core").unwrap().error_bound()
+            };
+            let (full, bright) = (of(1.0), of(4.0));
+            assert!(full > 0.5 && bright > 0.5, "{}: {full} and {bright}", method.name());
+        }
+    }
+}

@@ -1,5 +1,8 @@
 //! Every signal stays in its proven range, and every stated fact holds, whatever spec and scene are.
 mod common;
+#[macro_use]
+#[path = "../../scene/tests/common/each_method.rs"]
+mod each_method;
 
 use common::draw::{self, Draw};
 use common::{Drive, run};
@@ -17,20 +20,9 @@ fn stays_in_range(seed: u64, method: Method) {
     run(&design, packets.iter().flat_map(Drive::span));
 }
 
-#[test]
-fn every_method_stays_in_its_ranges() {
-    for method in Method::ALL {
-        println!("{}", method.name());
-        (0..80).for_each(|seed| stays_in_range(seed, method));
-    }
+fn every_signal_stays_in_its_range(method: Method) {
+    let specs = if matches!(method, Method::Slerp | Method::Direct) { 250 } else { 80 };
+    (0..specs).for_each(|seed| stays_in_range(seed, method));
 }
 
-#[test]
-fn slerp_stays_in_its_ranges() {
-    (0..250).for_each(|seed| stays_in_range(seed, Method::Slerp));
-}
-
-#[test]
-fn direct_stays_in_its_ranges() {
-    (0..250).for_each(|seed| stays_in_range(seed, Method::Direct));
-}
+each_method!(every_signal_stays_in_its_range);

@@ -26,4 +26,4 @@ pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
 pub use stimulus::{SpanSource, Stimulus};
 pub use synthesis::{Progress, Synthesised, synthesise};
-pub use verilator::{Effort, Keeping, TimedVerilator, Timing, Verilator};
+pub use verilator::{Effort, Keeping, Library, TimedVerilator, Timing, Verilator};

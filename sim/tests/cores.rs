@@ -133,7 +133,7 @@ fn outputs_with_lights_and_an_eye_at_places_agree() {
         let design = frames::design(&spec);
         let packets = frames::packets(&spec, &frame);
         let stimulus = Stimulus::whole(&packets, &design);
-        let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) else { return };
+        let Some(mut verilator) = tools::verilator(&design) else { return };
         let outputs = outputs(&design);
         let reference = engines::run(&mut RustHdl::new(&design).unwrap(), &stimulus, &outputs).unwrap();
         let columns = engines::run(&mut verilator, &stimulus, &outputs).unwrap();
@@ -176,7 +176,7 @@ fn every_signal_agrees_in_a_trace() {
     let stimulus = Stimulus::whole(&packets, &design);
     let all = signals(&design);
     let reference = engines::run(&mut RustHdl::new(&design).unwrap(), &stimulus, &all).unwrap();
-    if let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) {
+    if let Some(mut verilator) = tools::verilator(&design) {
         let columns = engines::run(&mut verilator, &stimulus, &all).unwrap();
         engines::assert_same(&design, &reference, &columns, 0, verilator.name());
     }
@@ -186,6 +186,7 @@ fn every_signal_agrees_in_a_trace() {
     }
 }
 
+/// With all of the program built for it alone, as `run` has it.
 #[test]
 fn runs_may_begin_late_and_share_a_build() {
     let frame = frames::frame(11, 1, 40);
@@ -196,7 +197,7 @@ fn runs_may_begin_late_and_share_a_build() {
     let window = 120..140;
     let late = whole.leading_to(&window, &design);
     assert!(late.clocks().start > 0);
-    let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastRun)) else { return };
+    let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) else { return };
     let outputs = outputs(&design);
     let all = engines::run(&mut verilator, &whole, &outputs).unwrap();
     let built = verilator.build_seconds();

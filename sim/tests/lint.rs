@@ -1,5 +1,8 @@
 //! The cores' Verilog passes the tools that people run on it, and none of them says a word.
 mod common;
+#[macro_use]
+#[path = "../../scene/tests/common/each_method.rs"]
+mod each_method;
 
 use std::path::Path;
 use std::process::Command;
@@ -64,15 +67,15 @@ fn specs() -> Vec<CoreSpec> {
     specs
 }
 
-/// Runs a tool on every spec's Verilog; `arguments` are given the core's name, and run where its file `<name>.v` is.
-fn silent(tool: &str, arguments: impl Fn(&str) -> Vec<String>) {
+/// Runs a tool on the Verilog of every spec of a method; `arguments` are given the core's name, and run where its file `<name>.v` is.
+fn silent(method: Method, tool: &str, arguments: impl Fn(&str) -> Vec<String>) {
     if !tools::program(tool) {
         return;
     }
     let directory = tempfile::tempdir().unwrap();
-    for spec in specs() {
+    let name = method.name();
+    for spec in specs().into_iter().filter(|spec| spec.method() == method) {
         let design = frames::design(&spec);
-        let name = spec.method().name();
         let text = verilog::print(&design.to_block(), &Header { lines: vec!["A core.".into()] });
         std::fs::write(directory.path().join(format!("{name}.v")), text).unwrap();
         assert_silent(&mut command(tool, directory.path(), &arguments(name)), &spec);
@@ -96,18 +99,19 @@ fn words(line: String) -> Vec<String> {
     line.split(' ').map(str::to_owned).collect()
 }
 
-#[test]
-fn verilator_is_silent() {
-    silent("verilator", |name| words(format!("--lint-only -Wall --top-module {name} {name}.v")));
+fn verilator_is_silent(method: Method) {
+    silent(method, "verilator", |name| words(format!("--lint-only -Wall --top-module {name} {name}.v")));
 }
 
-#[test]
-fn icarus_is_silent() {
-    silent("iverilog", |name| words(format!("-g2001 -Wall -s {name} -o {name}.vvp {name}.v")));
+fn icarus_is_silent(method: Method) {
+    silent(method, "iverilog", |name| words(format!("-g2001 -Wall -s {name} -o {name}.vvp {name}.v")));
 }
 
-#[test]
-fn yosys_is_silent() {
+fn yosys_is_silent(method: Method) {
     let script = |name: &str| format!("read_verilog {name}.v; hierarchy -check -top {name}; proc; check -assert");
-    silent("yosys", |name| ["-q".into(), "-p".into(), script(name)].to_vec());
+    silent(method, "yosys", |name| ["-q".into(), "-p".into(), script(name)].to_vec());
 }
+
+each_method!(verilator_is_silent);
+each_method!(icarus_is_silent);
+each_method!(yosys_is_silent);

@@ -3,7 +3,7 @@ mod common;
 
 use specula_hdl::design::NodeId;
 use specula_scene::Method;
-use specula_sim::{Effort, Engine, Fast, Icarus, RustHdl, Stimulus, Verilator};
+use specula_sim::{Engine, Fast, Icarus, RustHdl, Stimulus};
 
 use common::dump::{Format, read, written};
 use common::{engines, frames, tools};
@@ -23,7 +23,7 @@ fn waveforms_of_all_engines_agree() {
     let reference = file(&mut RustHdl::new(&design).unwrap());
     assert!(file(&mut Fast::new(&design)) == reference, "the fast engine's waveform differs from rust-hdl's");
     let wanted = read(reference, &design, &all, stimulus.clocks());
-    if let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) {
+    if let Some(mut verilator) = tools::verilator(&design) {
         // Its registers begin as rust-hdl's do.
         let got = read(file(&mut verilator), &design, &all, stimulus.clocks());
         engines::assert_same(&design, &wanted, &got, 0, verilator.name());

@@ -2,7 +2,6 @@
 use rayon::prelude::*;
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
-use specula_scene::spec::NarrowingPoint;
 use specula_scene::{CoreSpec, Format, Frame};
 
 use crate::BenchError;
@@ -64,7 +63,7 @@ impl<Cost: Ord> Goal<'_, Cost> {
         let mut best = f64::INFINITY;
         let mut found = None;
         for added in 0..=MOST_ADDED {
-            let Some(spec) = shifted(start, added) else { continue };
+            let Some(spec) = start.finer(added, &[]) else { continue };
             let error = (self.error)(&spec)?;
             best = best.min(error);
             if error <= self.most {
@@ -73,7 +72,7 @@ impl<Cost: Ord> Goal<'_, Cost> {
             }
         }
         let Some(mut found) = found else { return Ok(Err(best)) };
-        while let Some(spec) = shifted(&found, -1) {
+        while let Some(spec) = found.finer(-1, &[]) {
             if (self.error)(&spec)? > self.most {
                 break;
             }
@@ -116,18 +115,6 @@ fn largest_error(spec: &CoreSpec, frame: &Frame) -> Result<f64, BenchError> {
 fn cost(spec: &CoreSpec) -> Result<(u64, u64), BenchError> {
     let size = specula_hdl::elaborate(spec, "core")?.size();
     Ok((size.multiplier_bits, size.register_bits))
-}
-
-/// All formats finer by `added` bits, as far as they may be; none where nothing changes or no such core can be built.
-pub(crate) fn shifted(spec: &CoreSpec, added: i32) -> Option<CoreSpec> {
-    let finer = |point: NarrowingPoint| {
-        let bits = point.format.fraction_bits.saturating_add_signed(added);
-        let fraction_bits = bits.clamp(point.fewest_fraction_bits, point.most_fraction_bits.max(point.fewest_fraction_bits));
-        (point.name, Format { fraction_bits, ..point.format })
-    };
-    let formats: Vec<(&str, Format)> = spec.narrowing_points().into_iter().map(finer).collect();
-    let changed = spec.with_formats(&formats).ok()?;
-    (added == 0 || changed != *spec).then_some(changed)
 }
 
 /// One format narrower by a bit; none where it may not be.

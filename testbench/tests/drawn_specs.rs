@@ -2,6 +2,9 @@
 //! error of each output stays within its stated bound. A spec may be refused as too wide, and nothing else.
 #[path = "../../hdl/tests/common/draw.rs"]
 mod draw;
+#[macro_use]
+#[path = "../../scene/tests/common/each_method.rs"]
+mod each_method;
 
 use draw::Draw;
 use specula_golden::exact::MethodSpan;
@@ -47,20 +50,9 @@ fn errors_stay_within_bounds(design: &Design, spec: &CoreSpec, frame: &Frame, si
     }
 }
 
-#[test]
-fn every_method_agrees() {
-    for method in Method::ALL {
-        println!("{}", method.name());
-        (0..80).for_each(|seed| agrees(seed, method));
-    }
+fn hardware_agrees_with_the_model(method: Method) {
+    let specs = if matches!(method, Method::Slerp | Method::Direct) { 250 } else { 80 };
+    (0..specs).for_each(|seed| agrees(seed, method));
 }
 
-#[test]
-fn slerp_agrees() {
-    (0..250).for_each(|seed| agrees(seed, Method::Slerp));
-}
-
-#[test]
-fn direct_agrees() {
-    (0..250).for_each(|seed| agrees(seed, Method::Direct));
-}
+each_method!(hardware_agrees_with_the_model);

@@ -28,7 +28,7 @@ pub use ports::{Bundle, Inputs};
 pub use recurrence::Known;
 pub use sig::Sig;
 pub use turns::Turns;
-pub use vector::{Off, Vector};
+pub use vector::{Gains, Off, Vector};
 
 use state::State;
 

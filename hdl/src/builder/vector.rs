@@ -29,6 +29,8 @@ pub struct Off {
     pub across: f64,
     /// Along the real vector: what makes it longer or shorter.
     pub along: f64,
+    /// Of both so much is one error, whatever its direction.
+    pub free: f64,
 }
 
 impl Off {
@@ -37,12 +39,22 @@ impl Off {
 
     /// By no more than `length`, whatever the direction.
     pub const fn within(length: f64) -> Off {
-        Off { length, across: length, along: length }
+        Off { length, across: length, along: length, free: length }
     }
 
     /// By no more than these across and along.
     pub fn parts(across: f64, along: f64) -> Off {
-        Off { length: across.hypot(along), across, along }
+        Off { length: across.hypot(along), across, along, free: 0.0 }
+    }
+
+    /// How far a linear function of the vector is off, whose gain is `across` for errors across the vector, `along` for those along it, and
+    /// `free` for any.
+    pub fn times(self, gains: Gains) -> f64 {
+        if self.length.is_infinite() {
+            return f64::INFINITY;
+        }
+        let parts = gains.across * (self.across - self.free).max(0.0) + gains.along * (self.along - self.free).max(0.0);
+        parts + gains.free * self.free
     }
 
     /// By how much the length of a real unit vector is off at most; infinite where nothing of it may be left.
@@ -54,13 +66,19 @@ impl Off {
 
     /// And by no more than `length` besides.
     fn and_within(self, length: f64) -> Off {
-        Off { length: self.length + length, across: self.across + length, along: self.along + length }
+        Off { length: self.length + length, across: self.across + length, along: self.along + length, free: self.free + length }
     }
 
-    /// What both bounds leave.
+    /// What both bounds leave. Parts of one and the other are no longer one error.
     fn and_also(self, other: Off) -> Off {
-        let Off { length, across, along } = other;
-        Off { length: self.length.min(length), across: self.across.min(across), along: self.along.min(along) }
+        let Off { length, across, along, .. } = other;
+        let is_within = |a: &Off, b: &Off| a.length <= b.length && a.across <= b.across && a.along <= b.along;
+        let free = match (is_within(&self, &other), is_within(&other, &self)) {
+            (true, _) => self.free,
+            (_, true) => other.free,
+            _ => 0.0,
+        };
+        Off { length: self.length.min(length), across: self.across.min(across), along: self.along.min(along), free }
     }
 
     /// By the angle it turns a real unit vector at most, in radians; a half turn where it may be longer than that.
@@ -68,6 +86,17 @@ impl Off {
         let shortest = 1.0 - self.along;
         if self.across < shortest { (self.across / shortest).atan() } else { std::f64::consts::PI }
     }
+}
+
+/// How much of errors in three directions shows in what is made of a vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gains {
+    /// Across the vector.
+    pub across: f64,
+    /// Along it.
+    pub along: f64,
+    /// In the direction in which they show most.
+    pub free: f64,
 }
 
 impl Vector {
@@ -159,7 +188,12 @@ impl Vector {
     /// `yes` where the bit is 1, else `no`; what has been stated of both is true of either.
     pub fn choose(bit: &Sig, yes: &Vector, no: &Vector) -> Vector {
         let [a, b] = [yes.off(), no.off()];
-        let off = Off { length: a.length.max(b.length), across: a.across.max(b.across), along: a.along.max(b.along) };
+        let off = Off {
+            length: a.length.max(b.length),
+            across: a.across.max(b.across),
+            along: a.along.max(b.along),
+            free: a.free.min(b.free),
+        };
         let component = |yes: &Sig, no: &Sig| bit.choose(yes, no);
         let chosen = Vector::new([component(&yes.x, &no.x), component(&yes.y, &no.y), component(&yes.z, &no.z)]);
         chosen.no_longer_than(yes.longest().max(no.longest())).proven_off(off)

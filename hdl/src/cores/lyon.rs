@@ -1,11 +1,11 @@
 //! Lyon's core.
 use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
+use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath};
 
 use super::{eye, finish, pipelines, turns, unit_vector};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::{Design, ErrorForm};
-use crate::units::{self, Follow, Interpolation, Light, SpanNormals, WrapFormats};
+use crate::units::{self, Follow, Interpolation, LengthOff, Light, SpanNormals, WrapFormats};
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR 43, fig. 6 to 8]
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
@@ -14,7 +14,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
     let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs, spec, lyon);
     let lights = pipelines(&turns, &inputs.lights);
     let apart = if turns.count() == 1 { least_distance(&lights) } else { 0.0 };
-    let pixel = Pixel { b: &b, lyon, n: &n, has_direction: &has_direction, shininess: &inputs.shininess, apart };
+    let shortest = shortest_normal(spec, lyon);
+    let pixel = Pixel { b: &b, lyon, n: &n, shortest, has_direction: &has_direction, shininess: &inputs.shininess, apart };
     let lights: Vec<Light> = lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }
@@ -62,11 +63,21 @@ fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, l
     (n, has_direction)
 }
 
+/// How short n can be in exact arithmetic, up to 1.
+fn shortest_normal(spec: &CoreSpec, lyon: &LyonSpec) -> f64 {
+    match lyon.normals {
+        Normals::Flat | Normals::Wrapped => 1.0,
+        Normals::Linear => units::shortest_normalised(lyon, spec.shortest_normal),
+    }
+}
+
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
     lyon: &'a LyonSpec,
     n: &'a Vector,
+    /// See [`shortest_normal`].
+    shortest: f64,
     has_direction: &'a Sig,
     shininess: &'a Sig,
     /// See [`least_distance`].
@@ -93,9 +104,12 @@ impl Pixel<'_> {
         let (b, formats) = (self.b, &self.lyon.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
-        let d = b.instance(&called("difference"), || self.difference(light));
+        let (d, length_off) = b.instance(&called("difference"), || self.difference(light));
         let shape = || match self.lyon.shape {
-            ShapeDatapath::FK => self.alone(units::shape(b, &d, self.shininess, self.has_direction, self.lyon), &d),
+            ShapeDatapath::FK => {
+                let f = units::shape(b, (&d, length_off), self.shininess, self.has_direction, self.lyon);
+                self.alone(f, &d, length_off)
+            }
             ShapeDatapath::Root => units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon),
         };
         Light {
@@ -111,29 +125,34 @@ impl Pixel<'_> {
     /// Says of f that no two lights are near the middle of their highlights at once.
     ///
     /// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all but one are at least half as long as lights are
-    /// apart.
-    fn alone(&self, f: Sig, d: &Vector) -> Sig {
-        let aside = units::shape_error_beyond(d, self.apart / 2.0, self.lyon);
-        let known = self.lyon.difference == Difference::ReflectionMinusLight && aside < f.error_value() && f.error_value() < 1.0;
-        if known { f.of_error_form(ErrorForm::OneOfSeveral { aside }) } else { f }
+    /// apart. With exponents from [`units::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is off for those.
+    fn alone(&self, f: Sig, d: &Vector, length_off: LengthOff) -> Sig {
+        let dark = units::least_dark_exponent(self.apart / 2.0 - d.off().length, self.lyon);
+        let largest = self.shininess.range().magnitude();
+        let known = self.lyon.difference == Difference::ReflectionMinusLight && dark < largest && f.error_value() < 1.0;
+        let together = units::shape_error(d, length_off, dark.min(largest), self.lyon);
+        if known { f.of_error_form(ErrorForm::OneOfSeveral { together }) } else { f }
     }
 
-    fn difference(&self, light: &LyonLight<Sig>) -> Vector {
+    /// D, and how far its length is off.
+    fn difference(&self, light: &LyonLight<Sig>) -> (Vector, LengthOff) {
         let (b, n, formats) = (self.b, self.n, &self.lyon.formats);
         let direction = unit_vector(&light.direction, formats.vector);
         let Some(halfway) = light.halfway.clone().map(Vector::new) else {
             return match self.lyon.difference {
-                Difference::LightReflection => units::light_reflection(b, n, &direction, &eye(b), formats),
-                _ => units::reflection_minus_light(b, n, &eye(b), &direction, formats),
+                Difference::LightReflection => units::light_reflection(b, (n, self.shortest), &direction, &eye(b), formats),
+                _ => units::reflection_minus_light(b, (n, self.shortest), &eye(b), &direction, formats),
             };
         };
         // g2 makes h longer than 1 by 0.00176 at most (METHODS B9), and rounding any by √3/2 units of the last place.
         let longest = if self.lyon.difference.takes_unit_halfway() { 1.002 } else { 2.0 };
         let h = halfway.no_longer_than(longest + formats.vector.ulp());
-        match self.lyon.difference {
+        let d = match self.lyon.difference {
             Difference::HalfwayCrossNormal => units::halfway_cross_normal(b, &h, n, formats),
             Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
             _ => units::halfway_projection(b, &h, n, formats),
-        }
+        };
+        let length_off = LengthOff::of(&d);
+        (d, length_off)
     }
 }

@@ -17,10 +17,10 @@ pub enum ErrorForm {
     },
     /// Each of these holds. Of several such values that add up to no more than full scale, the ratios count once.
     Proportional([Share; SHARES]),
-    /// Of all signals of this form in one sum, all but one at a time are off by no more than `aside`.
+    /// Of all signals of this form in one sum, either none is off by more than `together`, or all but one are exact.
     OneOfSeveral {
-        /// Bound on the error of the others.
-        aside: f64,
+        /// Bound on the errors of all, where more than one is off.
+        together: f64,
     },
 }
 

@@ -51,7 +51,7 @@ fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
 /// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the smaller sum, and of each product k f the
 /// smaller one in it, adds up to less than 255; so with intensities off by ρ f + r and coefficients by e, the sum is off by 255 times the
 /// largest ρ, or Σ k ρ where that is less, and by Σ (k r + f e) with the largest k and f. Of the pairs of ρ and r that hold, those count that
-/// make the least of it. Intensities of which one at a time alone is off by r, and all others by less, count with r once in a turn.
+/// make the least of it. Intensities of which one alone is off by r, or else all by less, count with r once in a turn, or with the less all of them.
 fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()];
     let intensities = |light: &Light| [light.diffuse.clone(), light.specular.clone()];
@@ -85,21 +85,26 @@ fn below_full_scale(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], tu
     }
     let largest = |sig: &Sig| sig.range().magnitude() * sig.ulp();
     let with = |share: usize| {
-        let (mut largest_ratio, mut of_values, mut beside, mut of_one) = (0.0_f64, 0.0, 0.0, 0.0_f64);
+        let (mut largest_ratio, mut of_values, mut beside) = (0.0_f64, 0.0, 0.0);
+        let (mut of_one, mut of_all) = (0.0_f64, 0.0);
         for (coefficient, intensity) in coefficients.iter().zip(intensities) {
             let off = intensity.error_value();
-            let (Share { ratio, rest }, once) = match intensity.error_form() {
-                ErrorForm::Proportional(shares) => (shares[share], 0.0),
-                ErrorForm::OneOfSeveral { aside } => (Share { ratio: 0.0, rest: aside }, (off - aside).max(0.0)),
-                _ => (Share { ratio: 0.0, rest: off }, 0.0),
-            };
             let most = largest(coefficient) + coefficient.error_value();
+            beside += (largest(intensity) + off) * coefficient.error_value();
+            let Share { ratio, rest } = match intensity.error_form() {
+                ErrorForm::Proportional(shares) => shares[share],
+                ErrorForm::OneOfSeveral { together } => {
+                    of_one = of_one.max(most * off);
+                    of_all += most * together.min(off);
+                    continue;
+                }
+                _ => Share { ratio: 0.0, rest: off },
+            };
             largest_ratio = largest_ratio.max(ratio);
             of_values += most * largest(intensity) * ratio;
-            of_one = of_one.max(most * once);
-            beside += most * rest.min(off) + (largest(intensity) + off) * coefficient.error_value();
+            beside += most * rest.min(off);
         }
-        beside += of_one;
+        beside += of_one.max(of_all);
         (FULL_SCALE * largest_ratio).min(f64::from(turns) * of_values) + f64::from(turns) * beside
     };
     ambient.error_value() + (0..SHARES).map(with).fold(f64::INFINITY, f64::min)

@@ -82,7 +82,12 @@ fn of_reflection([n, incoming]: [&Vector; 2], q: &Sig, formats: &ConsistentForma
     let rest = rounded.length() + clamped;
     let turned = (2.0 + 2.0 * b_0) * a + 3.0 * a_i + e_q * (least_q * w / 2.0).sqrt().recip().max(2.0);
     let along = rounded.along() + clamped + rest * turned / shortest + turned * turned / 2.0;
-    Some(Off { length: turned + rest, across: (turned + rest) / shortest, along: along.min(rest + turned * turned / 2.0) })
+    Some(Off {
+        length: turned + rest,
+        across: (turned + rest) / shortest,
+        along: along.min(rest + turned * turned / 2.0),
+        free: 0.0,
+    })
 }
 
 /// What lengths and roundings move the reflection r of J about m by, two unit vectors whose b = m·J is -b_0 or more, with q as it comes.

@@ -1,6 +1,7 @@
 //! The vector D, whose squared length the highlight depends on.
 use specula_scene::spec::lyon::LyonFormats;
 
+use super::length_off::{LengthOff, Reflected};
 use crate::builder::{Builder, Off, Vector};
 
 /// D = H × N with H = L + V, as long as the part of H that is perpendicular to N. [METHODS B13]
@@ -16,19 +17,48 @@ pub fn halfway_cross_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonF
     })
 }
 
-/// D = R - L with R = 2(N·V)N - V, the view vector reflected about the normal. [Lyon, TR 43, fig. 7; METHODS B1, B2]
-pub fn reflection_minus_light(b: &Builder, n: &Vector, v: &Vector, l: &Vector, formats: &LyonFormats) -> Vector {
+/// D = R - L with R = 2(N·V)N - V, the view vector reflected about the normal, which is no shorter than `shortest`, and how far |D| is off.
+/// [Lyon, TR 43, fig. 7; METHODS B1, B2]
+pub fn reflection_minus_light(
+    b: &Builder,
+    (n, shortest): (&Vector, f64),
+    v: &Vector,
+    l: &Vector,
+    formats: &LyonFormats,
+) -> (Vector, LengthOff) {
     let formula = "D = 2(N.V)N - V - L [Lyon, TR 43, fig. 7]";
-    b.unit("reflection_minus_light", formula, (("n", n), ("v", v), ("l", l)), |_, (n, v, l)| {
+    let d = b.unit("reflection_minus_light", formula, (("n", n), ("v", v), ("l", l)), |_, (n, v, l)| {
         reflected_minus(&n, ("twice_n_dot_v", &v), &l, formats)
-    })
+    });
+    (d, reflected_length_off((n, shortest), v, l, formats))
 }
 
-/// D2 = 2(N·L)N - L - V, the light reflected about the normal, less V. [Lyon, TR 43, fig. 5; METHODS B4]
-pub fn light_reflection(b: &Builder, n: &Vector, l: &Vector, v: &Vector, formats: &LyonFormats) -> Vector {
+/// D2 = 2(N·L)N - L - V, the light reflected about the normal, which is no shorter than `shortest`, less V, and how far |D2| is off.
+/// [Lyon, TR 43, fig. 5; METHODS B4]
+pub fn light_reflection(
+    b: &Builder,
+    (n, shortest): (&Vector, f64),
+    l: &Vector,
+    v: &Vector,
+    formats: &LyonFormats,
+) -> (Vector, LengthOff) {
     let formula = "D = 2(N.L)N - L - V [Lyon, TR 43, fig. 5]";
-    b.unit("light_reflection", formula, (("n", n), ("l", l), ("v", v)), |_, (n, l, v)| {
+    let d = b.unit("light_reflection", formula, (("n", n), ("l", l), ("v", v)), |_, (n, l, v)| {
         reflected_minus(&n, ("twice_n_dot_l", &l), &v, formats)
+    });
+    (d, reflected_length_off((n, shortest), l, v, formats))
+}
+
+/// Of D as [`reflected_minus`] makes it.
+fn reflected_length_off((n, shortest): (&Vector, f64), of: &Vector, from: &Vector, formats: &LyonFormats) -> LengthOff {
+    let (off, ulp) = (n.off(), formats.difference.ulp());
+    LengthOff::of_reflection(&Reflected {
+        n: off,
+        lengths: ((shortest - off.length).max(0.0), n.longest() + off.length),
+        of: of.off().length,
+        from: from.off().length,
+        rounding_along: 0.5 * ulp,
+        rounding: 0.75f64.sqrt() * ulp,
     })
 }
 

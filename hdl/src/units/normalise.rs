@@ -59,6 +59,21 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
     })
 }
 
+/// How short n can be in exact arithmetic for normals no shorter than `shortest`, up to 1.
+pub fn shortest_normalised(lyon: &LyonSpec, shortest: f64) -> f64 {
+    let after = |first: FirstGain| {
+        let first = GainBound::first(first, (shortest, 1.0), 0.0, 0.0);
+        let bound = (0..lyon.newton_steps).fold(first, |bound, _| bound.after_newton_step());
+        (1.0 - bound.residue).max(0.0).sqrt()
+    };
+    match lyon.normalisation {
+        Normalisation::None => shortest,
+        Normalisation::Exact => (shortest * f64::from(1u32 << LOG2_LARGEST_GAIN)).min(1.0),
+        Normalisation::G1 => after(FirstGain::G1),
+        Normalisation::G2 => after(FirstGain::G2),
+    }
+}
+
 /// The approximation that Newton steps begin with.
 #[derive(Clone, Copy)]
 enum FirstGain {

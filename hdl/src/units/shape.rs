@@ -1,6 +1,8 @@
 //! The shape of the highlight.
 use specula_scene::spec::lyon::LyonSpec;
 
+use super::LengthOff;
+use super::shape_error::{shape_error, steepest_slope};
 use crate::builder::{Builder, Sig, Vector};
 
 /// f_k(x) = (1 - x/2^k)^(2^k), 0 for x ≥ 2^k and where the normal has no direction, with x = (n/2) D·D. [Lyon, TR 43; METHODS B]
@@ -8,21 +10,16 @@ use crate::builder::{Builder, Sig, Vector};
 /// Where D goes with 4n, read 4n for n.
 ///
 /// # Error
-/// As a function of d = |D| and with K = 2^k, f = (1 - n d²/2K)^K has the slope -n d (1 - n d²/2K)^(K-1). Put t = n d²/2K: it is
-/// √n √(2Kt) (1 - t)^(K-1), largest at t = 1/(2K - 1), so a vector D that is off by e moves f by
-/// e √n √(2K/(2K-1)) ((2K-2)/(2K-1))^(K-1) at most. Rounding x/2^k and each square adds K/2 + (K - 1)/2 units of the last place.
-pub fn shape(b: &Builder, d: &Vector, shininess: &Sig, has_direction: &Sig, lyon: &LyonSpec) -> Sig {
+/// That of [`shape_error`] for the largest exponent.
+pub fn shape(b: &Builder, (d, length_off): (&Vector, LengthOff), shininess: &Sig, has_direction: &Sig, lyon: &LyonSpec) -> Sig {
     let log2_factor = lyon.difference.log2_exponent_factor();
     let x = if log2_factor == 0 { "(n/2)" } else { "2n" };
     let formula = format!("f = max(1 - x/{0}, 0)^{0}, x = {x} D.D [Lyon, TR 43]", 1 << lyon.squarings);
     b.unit("shape", &formula, (("d", d), ("n", shininess), ("has_direction", has_direction)), |b, (d, n, has_direction)| {
         let fraction_bits = lyon.formats.shape.fraction_bits;
-        let slope = steepest_slope(lyon.squarings, n.range().magnitude() * f64::from(1 << log2_factor));
-        let k = 1 << lyon.squarings;
-        let rounding = (f64::from(k) - 0.5) * lyon.formats.shape.ulp();
         // Where rounding may decide whether a normal has a direction, nothing is known of f.
         let sure = has_direction.error() == 0.0;
-        let error = if sure { (d.off().length * slope + rounding).min(1.0) } else { 1.0 };
+        let error = if sure { shape_error(&d, length_off, n.range().magnitude(), lyon) } else { 1.0 };
 
         let squared_length = d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
         let x = (&n * squared_length)
@@ -81,68 +78,12 @@ fn root_error(d: &Vector, m: &Sig, lyon: &LyonSpec) -> f64 {
     steepest_slope(lyon.squarings, 2.0 * terms) * e_u + of_m + (terms - 0.5) * lyon.formats.shape.ulp()
 }
 
-/// How far [`shape`] is off where the real D is no shorter than `shortest`, whatever n is.
-///
-/// With y = n d² its slope in d is y (1 - y/2K)^(K-1)/d, largest at y = 2; and between both D no d is shorter than `shortest` less what D is off.
-pub fn shape_error_beyond(d: &Vector, shortest: f64, lyon: &LyonSpec) -> f64 {
-    let k = f64::from(1u32 << lyon.squarings);
-    let off = d.off().length;
-    let least = shortest - off;
-    if least <= 0.0 {
-        return 1.0;
-    }
-    off * steepest_of_any(k) / least + (k - 0.5) * lyon.formats.shape.ulp()
-}
-
-/// Largest |df_k/d|D|| times |D|, for any exponent.
-fn steepest_of_any(k: f64) -> f64 {
-    2.0 * (1.0 - 1.0 / k).powf(k - 1.0)
-}
-
-/// Largest |df_k/d|D|| for exponents up to `n`.
-fn steepest_slope(squarings: u32, n: f64) -> f64 {
-    let k = f64::from(1u32 << squarings);
-    let t = 1.0 / (2.0 * k - 1.0);
-    (n * 2.0 * k * t).sqrt() * (1.0 - t).powf(k - 1.0)
+/// The least exponent from which on f is 0 wherever D is no shorter than `shortest`: n d² ≥ 2^(k+1).
+pub fn least_dark_exponent(shortest: f64, lyon: &LyonSpec) -> f64 {
+    if shortest > 0.0 { f64::from(2u32 << lyon.squarings) / (shortest * shortest) } else { f64::INFINITY }
 }
 
 /// The square of a number from 0 to 1, rounded.
 pub(super) fn square(b: &Builder, base: &Sig, fraction_bits: u32) -> Sig {
     b.unit("square", "b^2", (("base", base),), |_, (base,)| base.squared().rounded(fraction_bits).named("squared"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{steepest_of_any, steepest_slope};
-
-    #[test]
-    fn the_slope_bound_is_met_and_not_exceeded() {
-        for squarings in 0..=3 {
-            let k = f64::from(1u32 << squarings);
-            for n in [1.0, 16.0, 300.0, 8191.0] {
-                let f = |d: f64| (1.0 - n * d * d / (2.0 * k)).max(0.0).powf(k);
-                let step = 1e-5 / f64::sqrt(n);
-                let slope = |i: i32| {
-                    let d = f64::from(i) * 1e-3 / n.sqrt();
-                    ((f(d + step) - f(d)) / step).abs()
-                };
-                let steepest = (0..4000).map(slope).fold(0.0, f64::max);
-                let bound = steepest_slope(squarings, n);
-                assert!(steepest <= bound * 1.0001 && steepest > bound * 0.99, "k {squarings} n {n}: {steepest} against {bound}");
-            }
-        }
-    }
-
-    #[test]
-    fn away_from_the_middle_no_exponent_is_steeper_than_stated() {
-        for squarings in 0..=3 {
-            let k = f64::from(1u32 << squarings);
-            for d in [0.05, 0.4, 0.8, 1.9_f64] {
-                let slope = |n: f64| if n * d * d < 2.0 * k { n * d * (1.0 - n * d * d / (2.0 * k)).powf(k - 1.0) } else { 0.0 };
-                let steepest = (1..40_000).map(|i| slope(f64::from(i) / 20.0)).fold(0.0, f64::max);
-                let bound = steepest_of_any(k) / d;
-                assert!(steepest <= bound && steepest > 0.9 * bound, "k {squarings} d {d}: {steepest} against {bound}");
-            }
-        }
-    }
 }

@@ -1,6 +1,7 @@
 //! From intensities to a code.
 use specula_hdl::Design;
 use specula_hdl::builder::Sig;
+use specula_hdl::design::ErrorForm;
 use specula_hdl::units::{self, Light};
 use specula_scene::Format;
 
@@ -11,6 +12,11 @@ const ONE: i64 = 16;
 /// The three channels of `lights` lights, with coefficients of `U<integer_bits>.6` and intensities of `U1.4`. Rows hold ambient, then
 /// diffuse intensity, specular intensity and both coefficients of each light; all channels have the same.
 fn design(lights: usize, integer_bits: u32) -> Design {
+    design_with(lights, integer_bits, |specular| specular)
+}
+
+/// The same, with what is `stated` of specular intensities.
+fn design_with(lights: usize, integer_bits: u32, stated: impl Fn(Sig) -> Sig) -> Design {
     let bench = Bench::new();
     let coefficient = Format::unsigned(integer_bits, 6);
     let whole = (0, coefficient.max_raw());
@@ -22,7 +28,7 @@ fn design(lights: usize, integer_bits: u32) -> Design {
     let intensity = |name: String| bench.input(&name, Format::unsigned(1, 4), (0, ONE));
     let light = |i: usize| Light {
         diffuse: intensity(format!("diffuse_{i}")),
-        specular: intensity(format!("specular_{i}")),
+        specular: stated(intensity(format!("specular_{i}"))),
         diffuse_coefficients: grey(&format!("kd_{i}")),
         specular_coefficients: grey(&format!("ks_{i}")),
     };
@@ -68,4 +74,19 @@ fn all_ones_are_white() {
         let white = outputs(&design, &[row])[0].clone();
         assert_eq!(white, [if integer_bits == 1 { 6 } else { 255 }; 3]);
     }
+}
+
+/// Where one highlight is off by 1/4 or else both by less, the sum is off by the larger of one and both.
+#[test]
+fn highlights_that_are_never_off_together_count_once() {
+    let bound = |form: ErrorForm| design_with(2, 2, |f| f.stated_error_value(0.25).of_error_form(form)).error_bound();
+    let one = bound(ErrorForm::OneOfSeveral { together: 0.0 });
+    // A coefficient of U2.6 is 255/64 at most, off by 1/128.
+    let most = 255.0 / 64.0 + 1.0 / 128.0;
+    for (together, more) in [(0.125, 0.0), (0.2, 2.0 * 0.2 - 0.25), (0.24, 2.0 * 0.24 - 0.25)] {
+        let got = bound(ErrorForm::OneOfSeveral { together }) - one;
+        assert!((got - most * more).abs() < 1e-9, "{together}: {got} more");
+    }
+    // Propagation through the products comes to a little less here, since it has the coefficients' own errors apart.
+    assert!((bound(ErrorForm::Bounded) - one - most * 0.25).abs() < 0.01);
 }

@@ -12,6 +12,8 @@ use crate::needs::{LocalKind, Needs};
 
 /// The most integer bits of a coefficient: 256 times full scale.
 const MOST_COEFFICIENT_BITS: f64 = 16.0;
+/// The most bits by which formats are finer for bright highlights.
+const MOST_BITS_FOR_HIGHLIGHTS: f64 = 2.0;
 
 impl CoreSpec {
     /// The spec for a scene with these needs: the method asked for on the command line, else the scene file's, else `lyon`, with
@@ -40,9 +42,21 @@ impl CoreSpec {
             method: method.spec(needs, &table.of(method))?,
             specialisation: Specialisation::default(),
         };
+        let spec = spec.for_highlights(needs, &table.of(method));
         spec.check()?;
         spec.method.describe().check_serves(needs)?;
         Ok(spec)
+    }
+
+    /// The same core with finer formats where a colour is brighter than full scale, but for those that `changes` names.
+    ///
+    /// NUMERICS.md recommends formats by errors of intensities times full scale. Twice as bright, and those errors are twice as large: a bit
+    /// more in every format. Two are the most, since what is four times full scale is white but for the highlight's edge.
+    fn for_highlights(self, needs: &Needs, changes: &toml::Table) -> CoreSpec {
+        let bits = needs.brightest_coefficient.max(1.0).log2().ceil().min(MOST_BITS_FOR_HIGHLIGHTS) as i32;
+        let formats = changes.get("formats").and_then(toml::Value::as_table);
+        let kept: Vec<&str> = formats.into_iter().flat_map(toml::Table::keys).map(String::as_str).collect();
+        (1..=bits).rev().find_map(|added| self.finer(added, &kept)).unwrap_or(self)
     }
 
     /// Whether formats and numbers are such that a core can be built.

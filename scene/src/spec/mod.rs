@@ -12,6 +12,7 @@ mod describe;
 pub mod direct;
 pub mod duff;
 mod error;
+mod finer;
 pub mod gouraud;
 pub mod hybrid;
 mod inputs;

@@ -31,7 +31,16 @@ impl Tool {
     /// [`SimError::ToolAbsent`] says how to install it.
     pub fn present(&self) -> Result<(), SimError> {
         // What it prints or returns does not matter: Icarus tells its version and then complains that it has no sources.
-        self.named(output(self.command.as_ref(), Path::new("."), &[self.version_argument.to_owned()])).map(drop)
+        self.version().map(drop)
+    }
+
+    /// What it prints of its version.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] says how to install it.
+    pub fn version(&self) -> Result<String, SimError> {
+        let output = self.named(output(self.command.as_ref(), Path::new("."), &[self.version_argument.to_owned()]))?;
+        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     }
 
     /// Runs it in `directory`.

@@ -4,18 +4,9 @@
 //     run STIMULUS TRACE             writes every signal as a VCD, clock r of the run at time r (built with --trace)
 //
 // What depends on the core stands in ports.h.
-#include <cinttypes>
-#include <cstdio>
-#include <cstdlib>
-#include <memory>
-#include <vector>
+#include "headers.h"
 
 #include "Vcore.h"
-#include "verilated.h"
-#if VM_TRACE
-#include "verilated_vcd_c.h"
-#endif
-
 #include "ports.h"
 
 // Where values go.

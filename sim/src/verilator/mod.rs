@@ -1,5 +1,7 @@
 //! Verilator: the emitted Verilog, compiled to a program.
+mod common;
 mod glue;
+mod library;
 mod program;
 mod timed;
 
@@ -11,6 +13,8 @@ use specula_hdl::design::NodeId;
 use crate::external::{OTHER_ENGINE, RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool};
 use crate::{Batch, Engine, Flow, SimError, Stimulus};
 
+use common::Common;
+pub use library::Library;
 use program::{PROGRAM, Program};
 pub use timed::{Keeping, TimedVerilator, Timing};
 
@@ -24,6 +28,10 @@ const VERILATOR: Tool = Tool {
 
 /// The program that drives a core; what depends on the core is in the header that [`glue`] writes.
 const MAIN: &str = include_str!("main.cpp");
+/// The headers that it needs for any core.
+const HEADERS: &str = include_str!("headers.h");
+/// The file that holds them.
+const HEADERS_FILE: &str = "headers.h";
 
 /// Runs a design's Verilog in Verilator.
 ///
@@ -32,6 +40,7 @@ pub struct Verilator<'a> {
     design: &'a Design,
     workshop: Workshop,
     effort: Effort,
+    library: Option<Library>,
     /// Whether the program that writes ports is built, and the one that traces.
     built: [bool; 2],
     build_time: Duration,
@@ -53,6 +62,11 @@ impl Effort {
             Effort::FastRun => "-O3",
             Effort::FastBuild => "-O0",
         }
+    }
+
+    /// Variables of Verilator's makefile, which puts its own options behind those that it is given for all compilations.
+    fn make_variables(self) -> [String; 3] {
+        ["OPT_FAST", "OPT_SLOW", "OPT_GLOBAL"].map(|variable| format!("{variable}={}", self.option()))
     }
 }
 
@@ -90,8 +104,14 @@ impl<'a> Verilator<'a> {
         Verilator::present()?;
         let workshop = Workshop::new(design)?;
         workshop.write("main.cpp", MAIN)?;
+        workshop.write(HEADERS_FILE, HEADERS)?;
         workshop.write("ports.h", &glue::header(&workshop.ports))?;
-        Ok(Verilator { design, workshop, effort, built: [false; 2], build_time: Duration::ZERO })
+        Ok(Verilator { design, workshop, effort, library: None, built: [false; 2], build_time: Duration::ZERO })
+    }
+
+    /// The engine with programs whose common parts are compiled once, for all that are given this library.
+    pub fn with_library(self, library: Library) -> Verilator<'a> {
+        Verilator { library: Some(library), ..self }
     }
 
     /// Whether Verilator is installed.
@@ -122,7 +142,9 @@ impl<'a> Verilator<'a> {
             return Ok(());
         }
         let begin = Instant::now();
-        let program = Program { directory: kind.directory(), main: "main.cpp", effort: self.effort, options: kind.options() };
+        let common = self.library.as_ref().map(|library| library.common(kind, self.effort)).transpose()?;
+        let (directory, options) = (kind.directory(), kind.options());
+        let program = Program { directory, main: "main.cpp", effort: self.effort, options, common: common.as_ref() };
         program.build(&self.workshop)?;
         self.build_time += begin.elapsed();
         self.built[kind as usize] = true;

@@ -1,5 +1,5 @@
 //! How a program is built round a core.
-use super::{Effort, VERILATOR};
+use super::{Common, Effort, VERILATOR};
 use crate::SimError;
 use crate::external::Workshop;
 
@@ -13,6 +13,8 @@ pub struct Program<'a> {
     pub effort: Effort,
     /// Verilator's options beside those that all programs have.
     pub options: &'a [&'a str],
+    /// What is compiled already.
+    pub common: Option<&'a Common>,
 }
 
 /// What programs are called, in their directory.
@@ -28,17 +30,16 @@ impl Program<'_> {
     }
 
     fn arguments(&self, workshop: &Workshop) -> Vec<String> {
-        let fixed = "--cc --exe --build -j 0 -O3 -Wall --prefix Vcore";
+        // Registers begin as rust-hdl's do, without a call for each that would ask at run time what they are to begin with.
+        let fixed = "--cc --exe --build -j 0 -O3 -Wall --x-initial 0 --prefix Vcore";
         let mut arguments: Vec<String> = fixed.split(' ').map(str::to_owned).collect();
-        // The makefile puts its own -Os behind -CFLAGS, so they must be set as well.
-        for flags in ["OPT_FAST", "OPT_SLOW", "OPT_GLOBAL"] {
-            arguments.extend(["-MAKEFLAGS".into(), format!("{flags}={}", self.effort.option())]);
-        }
+        arguments.extend(self.effort.make_variables().into_iter().flat_map(|variable| ["-MAKEFLAGS".to_owned(), variable]));
         arguments.extend(["-o", PROGRAM, "--top-module", &workshop.ports.core, "-Mdir", self.directory].map(str::to_owned));
         arguments.extend(self.options.iter().map(|&option| option.to_owned()));
         arguments.extend([workshop.source.clone(), self.main.to_owned()]);
         // ports.h stands beside the source, not in the directory of the object files.
         arguments.extend(["-CFLAGS".into(), format!("-I.. {}", self.effort.option())]);
+        arguments.extend(self.common.into_iter().flat_map(Common::arguments));
         arguments
     }
 }

@@ -70,7 +70,8 @@ impl TimedVerilator {
         workshop.write("ports.h", &glue::header(&workshop.ports))?;
         workshop.write_stimulus(frame, design)?;
         let begin = Instant::now();
-        let program = Program { directory: "timed", main: "timed.cpp", effort: Effort::FastRun, options: keeping.options() };
+        let program =
+            Program { directory: "timed", main: "timed.cpp", effort: Effort::FastRun, options: keeping.options(), common: None };
         program.build(&workshop)?;
         Ok(TimedVerilator { workshop, keeping, build_seconds: begin.elapsed().as_secs_f64() })
     }

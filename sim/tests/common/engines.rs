@@ -2,9 +2,9 @@
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 use specula_sim::fast::{Level, Settings};
-use specula_sim::{Columns, Effort, Engine, Fast, Flow, Icarus, RustHdl, SimError, Stimulus, Verilator};
+use specula_sim::{Columns, Engine, Fast, Flow, Icarus, RustHdl, SimError, Stimulus};
 
-use super::tools::installed;
+use super::tools::{installed, verilator};
 
 /// All that an engine gives.
 pub fn run(engine: &mut dyn Engine, stimulus: &Stimulus, watched: &[NodeId]) -> Result<Columns, SimError> {
@@ -26,7 +26,7 @@ pub fn run_all(design: &Design, stimulus: &Stimulus, watched: &[NodeId]) -> (Col
         let mut fast = Fast::with_settings(design, Settings { batch: 61, level, threads: 2, piece: 100 });
         others.push((fast.name(), run(&mut fast, stimulus, watched).unwrap()));
     }
-    if let Some(mut verilator) = installed(Verilator::new(design, Effort::FastBuild)) {
+    if let Some(mut verilator) = verilator(design) {
         others.push((verilator.name(), run(&mut verilator, stimulus, watched).unwrap()));
         println!("Verilator: built in {:.1} s", verilator.build_seconds());
     }

@@ -1,7 +1,15 @@
 //! External tools in tests: in CI they must be there, elsewhere a test without its tool is skipped.
+use std::path::Path;
 use std::process::Command;
 
-use specula_sim::SimError;
+use specula_hdl::Design;
+use specula_sim::{Effort, Library, SimError, Verilator};
+
+/// Verilator for a short run; what all programs have in common is compiled once for all test programs.
+pub fn verilator(design: &Design) -> Option<Verilator<'_>> {
+    let library = Library::new(Path::new(env!("CARGO_TARGET_TMPDIR")).join("verilator"));
+    Some(installed(Verilator::new(design, Effort::FastBuild))?.with_library(library))
+}
 
 /// What needs a tool; `None` if the tool is absent and this is not CI.
 pub fn installed<T>(result: Result<T, SimError>) -> Option<T> {

@@ -4,7 +4,7 @@
 mod known;
 
 use specula_hdl::design::NodeId;
-use specula_sim::{Columns, Effort, Engine, Icarus, Verilator};
+use specula_sim::{Columns, Engine, Icarus};
 
 use crate::case::Case;
 use crate::common::random::Random;
@@ -23,7 +23,7 @@ fn as_verilog() {
         let case = pruned(draw::case(&mut Random(SEED + number), Profile::verilog()));
         let expected = case.expected().unwrap();
         let signals: Vec<NodeId> = case.design.variables();
-        if let Some(mut verilator) = tools::installed(Verilator::new(&case.design, Effort::FastBuild)) {
+        if let Some(mut verilator) = tools::verilator(&case.design) {
             let outputs: Vec<NodeId> = [case.design.valid_out].iter().chain(&case.design.outputs).copied().collect();
             compare(&case, &expected, &outputs, &mut verilator, |_, _| true);
             println!("built in {:.1} s", verilator.build_seconds());

@@ -4,8 +4,6 @@ use std::str::FromStr;
 
 use specula_scene::{CoreSpec, LoadedScene, Method};
 
-use crate::search;
-
 /// Fraction bits by which all formats of a core are finer than those that its method recommends for the scene; fewer where a format
 /// cannot follow so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -75,8 +73,8 @@ impl Configuration {
         if self.formats == Formats::DEFAULT {
             return Ok(recommended);
         }
-        let shifted = search::shifted(&recommended.general(), self.formats.added());
-        let spec = shifted.ok_or("no format of it can differ so much from the one recommended")?;
+        let finer = recommended.general().finer(self.formats.added(), &[]);
+        let spec = finer.ok_or("no format of it can differ so much from the one recommended")?;
         Ok(if recommended.specialisation.is_general() { spec } else { spec.specialised(&scene.frame) })
     }
 }
