@@ -10,17 +10,36 @@ impl LoadedScene {
     /// # Errors
     /// A [`SceneError`] that points at the `[core]` table, if there is one.
     pub fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, SceneError> {
-        let options = self.core.as_ref().map(|table| table.parse::<CoreOptions>()).transpose()?;
-        let needs = Needs::of(&self.frame);
-        let spec = CoreSpec::for_scene(&needs, options.as_ref(), method);
+        let spec = self.core_for(&Needs::of(&self.frame), method)?;
+        Ok(match self.specialise()? {
+            Specialise::General => spec,
+            Specialise::Scene => spec.specialised(&self.frame),
+        })
+    }
+
+    /// The core that this scene would get if its needs were these: it is general, and its frame is not looked at.
+    ///
+    /// # Errors
+    /// As [`LoadedScene::core_spec`].
+    pub fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, SceneError> {
+        let options = self.options()?;
+        let spec = CoreSpec::for_scene(needs, options.as_ref(), method);
         let spec = spec.map_err(|error| match &self.core {
             Some(table) => table.error(table.span(), error.to_string(), error.help_text()),
             None => SceneError::Spec(error),
         })?;
-        Ok(match options.as_ref().and_then(|options| options.specialise).unwrap_or(Specialise::Scene) {
+        Ok(match self.specialise()? {
             Specialise::General => spec,
-            Specialise::Scene => without_interpolation(spec, &needs, options.as_ref()).specialised(&self.frame),
+            Specialise::Scene => without_interpolation(spec, needs, options.as_ref()),
         })
+    }
+
+    fn options(&self) -> Result<Option<CoreOptions>, SceneError> {
+        self.core.as_ref().map(|table| table.parse::<CoreOptions>()).transpose()
+    }
+
+    fn specialise(&self) -> Result<Specialise, SceneError> {
+        Ok(self.options()?.and_then(|options| options.specialise).unwrap_or(Specialise::Scene))
     }
 }
 

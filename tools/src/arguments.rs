@@ -26,12 +26,33 @@ impl OutputArguments {
     }
 }
 
-/// What a core is to be like.
+/// The scene and its picture.
+#[derive(Clone, Debug, Args)]
+pub struct SceneArguments {
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    pub scene: String,
+    #[command(flatten)]
+    pub picture: PictureArguments,
+}
+
+impl SceneArguments {
+    /// Reads it.
+    pub fn load(&self) -> Result<LoadedScene, ToolError> {
+        Ok(specula_scene::load(&self.scene, self.picture.size)?)
+    }
+}
+
+/// The picture of a scene.
 #[derive(Clone, Debug, Default, Args)]
-pub struct Wishes {
+pub struct PictureArguments {
     /// Width and height of the picture in pixels, such as 640x480 [default: what the scene says]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
     pub size: Option<(u32, u32)>,
+}
+
+/// What a core is to be like.
+#[derive(Clone, Debug, Default, Args)]
+pub struct Wishes {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     pub method: Option<Method>,
@@ -46,9 +67,8 @@ pub struct Wishes {
 }
 
 impl Wishes {
-    /// The scene and the core for it.
-    pub fn load(&self, scene: &str) -> Result<(LoadedScene, CoreSpec), ToolError> {
-        let scene = specula_scene::load(scene, self.size)?;
+    /// The core for a scene.
+    pub fn core(&self, scene: &LoadedScene) -> Result<CoreSpec, ToolError> {
         let spec = scene.core_spec(self.method)?;
         let general = spec.specialisation.is_general();
         let spec = match self.max_error {
@@ -57,8 +77,7 @@ impl Wishes {
         };
         // What narrows formats gives the general core.
         let wish = self.specialise.or((!general && self.max_error.is_some()).then_some(Specialise::Scene));
-        let spec = specialised(spec, wish, &scene.frame);
-        Ok((scene, spec))
+        Ok(specialised(spec, wish, &scene.frame))
     }
 }
 

@@ -18,12 +18,13 @@ use specula_scene::{LoadedScene, Method};
 use specula_testbench::bench::Machine;
 use specula_testbench::tradeoff::{Configuration, Formats, Journal, Planned, interpolation_errors, plan, software, sweep};
 
-use crate::arguments::{asked, method_parser, parse_size};
+use crate::arguments::{SceneArguments, asked, method_parser};
 use crate::cli::Verdict;
+use crate::clock::ClockArguments;
 use crate::error::{OutputError, ToolError};
 use crate::output::Destination;
 use crate::progress;
-use result::{Clock, Compared, sorted};
+use result::{Compared, sorted};
 
 const EXAMPLE: &str = "\
 Simulates the core of each method with each of the formats on every pixel, and measures the papers'
@@ -40,11 +41,8 @@ Example: specula compare teapot --methods lyon,phong,gouraud --formats -4,-2,def
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
-    scene: String,
-    /// Width and height of the picture in pixels [default: what the scene says]
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
-    size: Option<(u32, u32)>,
+    #[command(flatten)]
+    scene: SceneArguments,
     /// Methods to compare [default: all of them]
     #[arg(long, value_name = "METHODS", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
@@ -58,9 +56,8 @@ pub struct Arguments {
         default_value = DEFAULT_FORMATS
     )]
     formats: Vec<Formats>,
-    /// Clock of the cores in MHz [default: 100, an assumption]
-    #[arg(long, value_name = "MHZ", allow_hyphen_values = true, value_parser = parse_clock)]
-    clock: Option<f64>,
+    #[command(flatten)]
+    clock: ClockArguments,
     /// Measure everything again, also what results.jsonl has of an earlier or interrupted sweep
     #[arg(long)]
     fresh: bool,
@@ -75,15 +72,9 @@ pub struct Arguments {
 /// From what an 8-bit picture shows clearly to what it does not show any more.
 const DEFAULT_FORMATS: &str = "-8,-6,-4,-2,default,+2";
 
-/// `--clock`.
-fn parse_clock(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok().filter(|mhz| (0.001..=100_000.0).contains(mhz));
-    number.ok_or_else(|| "write a number of MHz from 0.001 to 100000".to_owned())
-}
-
 /// Compares, writes everything, and prints the tables or the report.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let scene = specula_scene::load(&arguments.scene, arguments.size)?;
+    let scene = arguments.scene.load()?;
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("out/compare").join(&scene.name));
     let destination = Destination::check(&folder, &files::names())?;
     let planned = plan(&scene, configurations(arguments));
@@ -126,7 +117,7 @@ fn compare(arguments: &Arguments, scene: &LoadedScene, planned: Vec<Planned>, jo
     let rows = sweep(scene, planned, journal, &|configuration| step(&bar, &configuration.to_string()))?;
     let software = software::measure(&scene.frame, extent, &mut || step(&bar, "software"));
     bar.finish_and_clear();
-    let clock = arguments.clock.map_or(Clock::ASSUMED, Clock::given);
+    let clock = arguments.clock.clock();
     let (cores, refusals) = sorted(rows, clock);
     Ok(Compared {
         scene: scene.name.clone(),
@@ -152,17 +143,4 @@ fn configurations(arguments: &Arguments) -> Vec<Configuration> {
     formats.dedup();
     let of_method = |method| formats.iter().map(move |&formats| Configuration { method, formats });
     asked(&arguments.methods).into_iter().flat_map(of_method).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn clocks_are_read_or_refused() {
-        assert_eq!(parse_clock("150"), Ok(150.0));
-        for text in ["", "0", "-1", "fast", "inf", "NaN", "1e9"] {
-            assert!(parse_clock(text).is_err(), "{text}");
-        }
-    }
 }

@@ -1,14 +1,16 @@
 //! `specula explore`: the smallest core that shades a scene well enough.
 use std::io::Write;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
-use specula_scene::{Frame, Method, SpecFile};
+use specula_scene::{Method, SpecFile};
 use specula_testbench::explore::{Device, Exploration, Explored, Wanted, explore};
 
-use crate::arguments::{OutputArguments, asked, method_parser, parse_error, parse_size};
+use crate::arguments::{SceneArguments, asked, method_parser, parse_error};
 use crate::cli::Verdict;
+use crate::clock::{Clock, ClockArguments};
+use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::output::write_core;
 use crate::{progress, table};
@@ -27,38 +29,24 @@ Example: specula explore teapot --max-error 2lsb --device ecp5-25 -o out/explore
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
-    scene: String,
     #[command(flatten)]
-    output: OutputArguments,
-    /// Width and height of the picture in pixels [default: what the scene says]
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
-    size: Option<(u32, u32)>,
+    scene: SceneArguments,
+    /// Folder to write [default: out/NAME-explored, by the scene's name]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
     /// Largest total error that the best core may have, such as 2lsb
     #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
     max_error: f64,
     /// Methods to try, with commas between them [default: all]
     #[arg(long, value_name = "METHODS", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
-    /// The FPGA whose multiplier blocks and registers count, and must be enough
-    #[arg(long, value_name = "DEVICE", value_parser = device_parser())]
-    device: Option<Device>,
-    /// The clock at which frames per second are said; it is assumed, not proven
-    #[arg(long, value_name = "MHZ", default_value_t = 100.0, value_parser = parse_clock)]
-    clock: f64,
+    #[command(flatten)]
+    device: DeviceArguments,
+    #[command(flatten)]
+    clock: ClockArguments,
     /// Print JSON, with every core of the front, instead of a table
     #[arg(long)]
     json: bool,
-}
-
-fn device_parser() -> impl TypedValueParser<Value = Device> {
-    PossibleValuesParser::new(Device::ALL.map(|device| device.name))
-        .try_map(|name| Device::ALL.into_iter().find(|device| device.name == name).ok_or("there is no such device"))
-}
-
-fn parse_clock(text: &str) -> Result<f64, String> {
-    let clock = text.parse::<f64>().ok().filter(|mhz| *mhz > 0.0 && *mhz <= 10_000.0);
-    clock.ok_or_else(|| "write a number of MHz above 0 and up to 10000".to_owned())
 }
 
 /// What `explore --json` prints.
@@ -73,24 +61,25 @@ struct Report<'a> {
 
 /// Searches, writes the best core, and prints the front.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let scene = specula_scene::load(&arguments.scene, arguments.size)?;
+    let scene = arguments.scene.load()?;
     let methods = asked(&arguments.methods);
-    let wanted = Wanted { most: arguments.max_error, methods: &methods, device: arguments.device };
+    let wanted = Wanted { most: arguments.max_error, methods: &methods, device: arguments.device.device };
     let bar = progress::count("cores tried");
     let exploration = explore(&scene.frame, &wanted, &|| bar.inc(1));
     bar.finish_and_clear();
     let exploration = exploration?;
     let best = exploration.best.map(|index| &exploration.front[index]).ok_or_else(|| nothing(&wanted, &exploration))?;
     let file = SpecFile { name: scene.name.clone(), spec: best.spec.clone() };
-    let folder = arguments.output.folder(&format!("{}-explored", scene.name));
+    // Not `run`'s folder, in which no other core's spec may be put.
+    let folder = arguments.output.clone().unwrap_or_else(|| Path::new("out").join(format!("{}-explored", scene.name)));
     let written = write_core(&folder, &[(SpecFile::NAME.to_owned(), file.text())])?;
     let text = if arguments.json {
-        let (scene, max_error, device) = (scene.name.as_str(), arguments.max_error, arguments.device);
+        let (scene, max_error, device) = (scene.name.as_str(), arguments.max_error, arguments.device.device);
         let report = Report { scene, max_error, device, exploration: &exploration };
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
     } else {
         let paths: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
-        format!("{}\n{}\n", described(&exploration, &scene.frame, arguments), paths.join("\n"))
+        format!("{}\n{}\n", described(&exploration, arguments.clock.clock()), paths.join("\n"))
     };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(Verdict::Done)
@@ -125,10 +114,9 @@ const TITLES: [&str; 9] =
     ["", "error in LSB", "cells", "multiplier bits", "blocks", "adder bits", "register bits", "frames/s", "core"];
 
 /// The front as a table, and what was tried.
-fn described(exploration: &Exploration, frame: &Frame, arguments: &Arguments) -> String {
+fn described(exploration: &Exploration, clock: Clock) -> String {
     let row = |(index, core): (usize, &Explored)| {
-        let Explored { core: name, error, cost, latency, .. } = core;
-        let cycles = frame.shaded_pixels() + u64::from(*latency);
+        let Explored { core: name, error, cost, cycles, .. } = core;
         [
             if exploration.best == Some(index) { "best" } else { "" }.to_owned(),
             format!("{error:.3}"),
@@ -137,7 +125,7 @@ fn described(exploration: &Exploration, frame: &Frame, arguments: &Arguments) ->
             cost.blocks.map_or("-".to_owned(), |blocks| blocks.to_string()),
             cost.adder_bits.to_string(),
             cost.register_bits.to_string(),
-            format!("{:.0}", arguments.clock * 1e6 / cycles as f64),
+            format!("{:.0}", clock.frames_per_second(cycles)),
             name.clone(),
         ]
     };
@@ -145,10 +133,10 @@ fn described(exploration: &Exploration, frame: &Frame, arguments: &Arguments) ->
     let table: Vec<[String; 9]> = [TITLES.map(str::to_owned)].into_iter().chain(rows).collect();
     let refused: String = exploration.refused.iter().map(|reason| format!("left out: {reason}\n")).collect();
     format!(
-        "{}\n{} cores were tried, of which these {} are neither beaten in size nor in error; frames/s at an assumed {} MHz\n{refused}",
+        "{}\n{} cores were tried, of which these {} are neither beaten in size nor in error; frames/s, set-up counted, at {}\n{refused}",
         table::lines(&table),
         exploration.tried,
         exploration.front.len(),
-        arguments.clock
+        clock.in_words()
     )
 }

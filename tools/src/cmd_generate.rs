@@ -6,8 +6,9 @@ use clap::Args;
 use specula_scene::SpecFile;
 use specula_testbench::BenchError;
 
-use crate::arguments::{OutputArguments, Wishes};
+use crate::arguments::{OutputArguments, PictureArguments, SceneArguments, Wishes};
 use crate::cli::Verdict;
+use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::header::Origin;
 use crate::output::write_core;
@@ -33,7 +34,11 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error"])]
     spec: Option<PathBuf>,
     #[command(flatten)]
+    picture: PictureArguments,
+    #[command(flatten)]
     wishes: Wishes,
+    #[command(flatten)]
+    device: DeviceArguments,
 }
 
 /// Writes the core and says where.
@@ -41,6 +46,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let (file, origin) = arguments.core()?;
     let module = specula_hdl::verilog::module_name(&file.name);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
+    arguments.device.fitted(&design)?;
     let text = verilog::text(&origin, &file.spec, &design);
     let folder = arguments.output.folder(&file.name);
     let mut texts = vec![(verilog::file_name(&module), text)];
@@ -70,7 +76,8 @@ impl Arguments {
             }
             // The command line asks for one of both.
             (None, scene) => {
-                let Task { file, origin, .. } = Task::of_scene(scene.as_deref().unwrap_or_default(), &self.wishes)?;
+                let scene = SceneArguments { scene: scene.clone().unwrap_or_default(), picture: self.picture.clone() };
+                let Task { file, origin, .. } = Task::of_scene(&scene, &self.wishes)?;
                 Ok((file, origin))
             }
         }

@@ -4,19 +4,20 @@ use std::io::Write;
 use clap::Args;
 use serde::Serialize;
 use specula_hdl::Design;
-use specula_scene::{CoreSpec, Method, Needs};
+use specula_scene::{CoreSpec, LoadedScene, Method, Needs};
 use specula_sim::{Progress, synthesise};
 use specula_testbench::{Saving, Savings, Spared, Synthesis, savings};
 
-use crate::arguments::{method_parser, parse_size};
+use crate::arguments::{SceneArguments, method_parser};
 use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\
 Each line is measured: the core is elaborated with and without that one need known. Savings
-overlap, so they do not add up to what all save together. A negative number is what products with
-constants cost in adders in place of multipliers. Every pixel is that of the general core.
+overlap, so they do not add up to what all save together, against a core that knows nothing of the
+scene. A negative number is what products with constants cost in adders in place of multipliers.
+Inputs that are left out change no pixel; options and formats are those that are exact enough.
 
 Example: specula needs teapot --method phong";
 
@@ -24,11 +25,8 @@ Example: specula needs teapot --method phong";
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
-    scene: String,
-    /// Width and height of the picture in pixels [default: what the scene says]
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
-    size: Option<(u32, u32)>,
+    #[command(flatten)]
+    scene: SceneArguments,
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
@@ -51,11 +49,11 @@ struct Report<'a> {
 
 /// Prints the needs and the savings.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let scene = specula_scene::load(&arguments.scene, arguments.size)?;
+    let scene = arguments.scene.load()?;
     let spec = scene.core_spec(arguments.method)?;
     // What a scene leaves out is asked for whether its file wants it left out or not.
     let spec = if spec.specialisation.is_general() { spec.specialised(&scene.frame) } else { spec };
-    let (needs, savings) = (Needs::of(&scene.frame), measured(&spec, arguments.synthesis)?);
+    let (needs, savings) = (Needs::of(&scene.frame), measured(&scene, &spec, arguments.synthesis)?);
     let report = Report { scene: &scene.name, method: spec.method().name(), needs: &needs, savings: &savings };
     let text = if arguments.json {
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
@@ -69,7 +67,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
 }
 
 /// What the core saves, with cells of an ECP5 if they are asked for.
-fn measured(spec: &CoreSpec, synthesis: bool) -> Result<Savings, ToolError> {
+fn measured(scene: &LoadedScene, spec: &CoreSpec, synthesis: bool) -> Result<Savings, ToolError> {
     let bar = progress::steps();
     bar.set_message("modules");
     let watch = |progress: Progress| {
@@ -77,7 +75,7 @@ fn measured(spec: &CoreSpec, synthesis: bool) -> Result<Savings, ToolError> {
         bar.set_position(progress.done as u64);
     };
     let synthesise = |designs: &[&Design]| synthesise(designs, &watch);
-    let savings = savings(spec, synthesis.then_some(&synthesise as Synthesis));
+    let savings = savings(scene, spec, synthesis.then_some(&synthesise as Synthesis));
     bar.finish_and_clear();
     Ok(savings?)
 }
@@ -123,8 +121,14 @@ pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
     };
     let of = |saving: &Saving| row(saving.need, &saving.left_out, &saving.saves, saving.safe);
     let mut rows: Vec<[String; 9]> = savings.needs.iter().map(of).collect();
-    rows.push(row("all together", "", &savings.together, "every pixel is compared"));
+    rows.push(row("all together", &together(savings), &savings.together, "every pixel is compared"));
     rows
+}
+
+/// What all savings together are measured against.
+fn together(savings: &Savings) -> String {
+    let known: Vec<String> = savings.known.iter().map(|need| format!(", but the {need}")).collect();
+    format!("against a core that knows nothing of the scene{}", known.concat())
 }
 
 /// A table of what is saved in cells, where they were counted.

@@ -11,8 +11,10 @@ use specula_scene::SpecFile;
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome, savings, shares};
 
-use crate::arguments::{OutputArguments, Wishes, engine_parser, parse_choice};
+use crate::arguments::{OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice};
 use crate::cli::Verdict;
+use crate::clock::ClockArguments;
+use crate::device::DeviceArguments;
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::output::{Destination, REPORT, Staging};
@@ -39,8 +41,8 @@ Example: specula run teapot --size 320x240 --method hybrid --trace span=100";
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
-    scene: String,
+    #[command(flatten)]
+    scene: SceneArguments,
     #[command(flatten)]
     output: OutputArguments,
     /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if it lacks what the scene needs
@@ -48,6 +50,10 @@ pub struct Arguments {
     core: Option<PathBuf>,
     #[command(flatten)]
     wishes: Wishes,
+    #[command(flatten)]
+    device: DeviceArguments,
+    #[command(flatten)]
+    clock: ClockArguments,
     /// What simulates the core
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
@@ -80,17 +86,18 @@ const PICTURES: [[&str; 3]; 3] = [
 
 /// Runs the scene, writes everything, and prints the summary or the report.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    if arguments.scene == figure9::NAME {
+    if arguments.scene.scene == figure9::NAME {
         return figure9::execute(arguments, stdout);
     }
     let begin = Instant::now();
     let task = arguments.task()?;
     let destination = Destination::check(&arguments.output.folder(&task.scene.name), &file_names(&task.module()))?;
     let bench = Bench::new(&task.scene.frame, task.spec(), &task.module())?;
+    let fitted = arguments.device.fitted(&bench.design)?;
     waveform::check(&arguments.trace, &bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
 
-    let run = run_of(arguments, &task, &bench, &outcome);
+    let run = Run { fitted, ..run_of(arguments, &task, &bench, &outcome) };
     let text = write(arguments, begin, &destination, &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
@@ -101,7 +108,7 @@ impl Arguments {
     fn task(&self) -> Result<Task, ToolError> {
         match &self.core {
             None => Task::of_scene(&self.scene, &self.wishes),
-            Some(core) => Task::with_core(&self.scene, self.wishes.size, core),
+            Some(core) => Task::with_core(&self.scene, core),
         }
     }
 }
@@ -116,8 +123,10 @@ fn run_of<'a>(arguments: &Arguments, task: &'a Task, bench: &'a Bench<'a>, outco
         engine: arguments.engine,
         trace_format: arguments.trace_format,
         disagreement: Disagreement::of(outcome, bench),
+        clock: arguments.clock.clock(),
+        fitted: None,
         bound_shares: shares(bench.spec, bench.frame, bench.design.error_bound()),
-        savings: if is_general { None } else { savings(bench.spec, None).ok() },
+        savings: if is_general { None } else { savings(&task.scene, bench.spec, None).ok() },
         outcome,
     }
 }

@@ -11,6 +11,7 @@ use specula_testbench::tradeoff::{JournalError, SweepError};
 use thiserror::Error;
 
 use crate::cmd_explore::NothingExplored;
+use crate::device::DoesNotFit;
 use crate::task::Refused;
 use crate::wave::WaveError;
 
@@ -52,6 +53,10 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     NothingExplored(#[from] NothingExplored),
+    /// A core takes more than the device has.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    DoesNotFit(#[from] DoesNotFit),
     /// A core lacks what the scene needs.
     #[error(transparent)]
     #[diagnostic(transparent)]

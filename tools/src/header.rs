@@ -5,7 +5,7 @@ use specula_hdl::Design;
 use specula_hdl::verilog::Header;
 use specula_scene::{CoreSpec, SpecFile, builtin_names};
 
-use crate::arguments::Wishes;
+use crate::arguments::{SceneArguments, Wishes};
 use crate::table;
 
 /// The scene and the command, as files name them.
@@ -19,9 +19,9 @@ pub struct Origin {
 
 impl Origin {
     /// The origin of the core of `spec`, which is made from a scene and wishes.
-    pub fn of_scene(scene: &str, wishes: &Wishes, spec: &CoreSpec) -> Origin {
-        let scene = scene_name(scene);
-        let size = wishes.size.map(|(width, height)| format!(" --size {width}x{height}")).unwrap_or_default();
+    pub fn of_scene(scene: &SceneArguments, wishes: &Wishes, spec: &CoreSpec) -> Origin {
+        let size = scene.picture.size.map(|(width, height)| format!(" --size {width}x{height}")).unwrap_or_default();
+        let scene = scene_name(&scene.scene);
         let method = spec.method().name();
         let specialise = wishes.specialise.map(|wish| format!(" --specialise {}", wish.name())).unwrap_or_default();
         let error = wishes.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
@@ -114,11 +114,12 @@ pub fn bound(lsb: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::arguments::PictureArguments;
 
     fn origin(scene: &str, size: Option<(u32, u32)>) -> Origin {
-        let wishes = Wishes { size, ..Wishes::default() };
+        let arguments = SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
         let spec = specula_scene::load("icosahedron", Some((8, 6))).and_then(|scene| scene.core_spec(None)).expect("it has a core");
-        Origin::of_scene(scene, &wishes, &spec)
+        Origin::of_scene(&arguments, &Wishes::default(), &spec)
     }
 
     #[test]

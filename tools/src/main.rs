@@ -1,6 +1,7 @@
 //! Specula's command line: a scene goes in, checked shading hardware comes out.
 mod arguments;
 mod cli;
+mod clock;
 mod cmd_bench;
 mod cmd_compare;
 mod cmd_explore;
@@ -12,6 +13,7 @@ mod cmd_run;
 mod cmd_scenes;
 mod cmd_stress;
 mod cmd_wave;
+mod device;
 mod disagreement;
 mod drawing;
 mod error;

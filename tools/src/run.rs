@@ -2,8 +2,11 @@
 use std::ops::Range;
 use std::time::Duration;
 
+use specula_testbench::tradeoff::FrameCycles;
 use specula_testbench::{Bench, EngineKind, Outcome, Savings, Share};
 
+use crate::clock::Clock;
+use crate::device::Fitted;
 use crate::disagreement::Disagreement;
 use crate::task::Task;
 use crate::trace_file::TraceFormat;
@@ -20,6 +23,10 @@ pub struct Run<'a> {
     pub engine: EngineKind,
     /// The kind of file for its waveform.
     pub trace_format: TraceFormat,
+    /// What it is taken to be clocked with.
+    pub clock: Clock,
+    /// What the core takes of the device, if one was named.
+    pub fitted: Option<Fitted>,
     /// What came of it.
     pub outcome: &'a Outcome,
     /// What of it is not as it must be.
@@ -45,6 +52,16 @@ impl Run<'_> {
     pub fn bound_ratio(&self) -> Option<f64> {
         let ratio = self.bench.design.error_bound() / self.outcome.comparison.errors.quantisation.max_lsb;
         ratio.is_finite().then_some(ratio)
+    }
+
+    /// Frames per second at the clock, set-up counted.
+    pub fn frames_per_second(&self) -> f64 {
+        self.clock.frames_per_second(&FrameCycles::new(&self.bench.design, self.bench.frame))
+    }
+
+    /// The same for people.
+    pub fn frames_per_second_in_words(&self) -> String {
+        format!("{:.1} at {} that is not proven, set-up counted", self.frames_per_second(), self.clock.in_words())
     }
 
     /// Clocks for each pixel, the way through the core included.

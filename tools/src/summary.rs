@@ -33,11 +33,13 @@ fn facts(run: &Run, written: &Written) -> Vec<[String; 2]> {
         ("cycles", outcome.cycles.to_string()),
         ("cycles per pixel", format!("{:.4}", run.cycles_per_pixel())),
         ("latency", format!("{} clocks", run.bench.design.latency())),
+        ("frames per second", run.frames_per_second_in_words()),
         ("worst pixel", worst.unwrap_or_else(|| "none".to_owned())),
         ("waveform", trace.unwrap_or_else(|| "none".to_owned())),
         ("time", seconds),
     ];
-    rows.map(|(name, value)| [name.to_owned(), value]).to_vec()
+    let device = run.fitted.map(|fitted| ("device", fitted.in_words()));
+    rows.into_iter().chain(device).map(|(name, value)| [name.to_owned(), value]).collect()
 }
 
 fn errors(run: &Run) -> Vec<[String; 6]> {

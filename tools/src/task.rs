@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use specula_scene::spec::{Served, SpecError};
 use specula_scene::{CoreSpec, LoadedScene, SpecFile};
 
-use crate::arguments::Wishes;
+use crate::arguments::{SceneArguments, Wishes};
 use crate::error::ToolError;
 use crate::header::Origin;
 
@@ -20,16 +20,17 @@ pub struct Task {
 
 impl Task {
     /// The core for a scene.
-    pub fn of_scene(scene: &str, wishes: &Wishes) -> Result<Task, ToolError> {
-        let (loaded, spec) = wishes.load(scene)?;
+    pub fn of_scene(scene: &SceneArguments, wishes: &Wishes) -> Result<Task, ToolError> {
+        let loaded = scene.load()?;
+        let spec = wishes.core(&loaded)?;
         let origin = Origin::of_scene(scene, wishes, &spec);
         Ok(Task { file: SpecFile { name: loaded.name.clone(), spec }, scene: loaded, origin })
     }
 
     /// A scene and a core that was made before.
-    pub fn with_core(scene: &str, size: Option<(u32, u32)>, core: &Path) -> Result<Task, ToolError> {
+    pub fn with_core(scene: &SceneArguments, core: &Path) -> Result<Task, ToolError> {
         let file = SpecFile::read(core)?;
-        let loaded = specula_scene::load(scene, size)?;
+        let loaded = scene.load()?;
         let served = file.spec.serving(&loaded.frame).map_err(|error| {
             let (core, scene) = (core.to_owned(), loaded.name.clone());
             ToolError::Refused(Refused { core, scene, error })

@@ -137,6 +137,11 @@ impl CoreSpec {
         Ok(CoreSpec { specialisation, ..general })
     }
 
+    /// The options of the method: names and values, for people to read.
+    pub fn method_options(&self) -> Vec<(&'static str, String)> {
+        self.method.describe().options()
+    }
+
     /// What else the spec says: names and values, for people to read.
     pub fn options(&self) -> Vec<(&'static str, String)> {
         let mut options = vec![
@@ -149,7 +154,7 @@ impl CoreSpec {
         if self.light_pipelines == LightPipelines::Shared {
             options.push(("light pipelines", format!("one, in which the lights take turns: {} clocks a pixel", self.interval())));
         }
-        options.extend(self.method.describe().options());
+        options.extend(self.method_options());
         options.push(("made for", self.specialisation.in_words()));
         options
     }

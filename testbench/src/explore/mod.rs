@@ -14,6 +14,7 @@ use serde::Serialize;
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
 use crate::search::Goal;
+use crate::tradeoff::FrameCycles;
 use crate::{BenchError, pareto_front};
 pub use device::{Cost, Device};
 use options::Options;
@@ -44,8 +45,8 @@ pub struct Explored {
     pub error: f64,
     /// What it takes.
     pub cost: Cost,
-    /// Clocks from a pixel's entry to its exit.
-    pub latency: u32,
+    /// Clocks that it takes for the frame.
+    pub cycles: FrameCycles,
     /// The core, for this scene alone.
     pub spec: CoreSpec,
 }
@@ -210,7 +211,7 @@ impl Tries<'_> {
         let Ok(design) = specula_hdl::elaborate(&spec, "core") else { return Ok(Tried { error: f64::INFINITY, cells: u64::MAX }) };
         let cost = Cost::of(&design, wanted.device.as_ref());
         let error = sample.largest_error(&spec)?;
-        let core = Explored { core: options.describe(), error, cost, latency: design.latency(), spec };
+        let core = Explored { core: options.describe(), error, cost, cycles: FrameCycles::new(&design, frame), spec };
         let tried = Tried::of(&core);
         self.tried.borrow_mut().push(core);
         progress();

@@ -4,6 +4,7 @@ use specula_testbench::tradeoff::software::Software;
 use specula_testbench::tradeoff::{Configuration, Measured, Measurement, Row, counterpart};
 use specula_testbench::{ErrorFigures, pareto_front};
 
+use crate::clock::Clock;
 use crate::plot::Place;
 
 /// A comparison that was made.
@@ -24,35 +25,6 @@ pub struct Compared {
     pub interpolation: Option<ErrorFigures>,
     /// Where the loops ran.
     pub machine: Machine,
-}
-
-/// The clock of cores. No tool has placed and routed them, so it is not known which one they reach.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Clock {
-    /// In MHz.
-    pub mhz: f64,
-    /// Whether nobody gave it.
-    pub assumed: bool,
-}
-
-impl Clock {
-    /// What is assumed unless it is given.
-    pub const ASSUMED: Clock = Clock { mhz: 100.0, assumed: true };
-
-    /// The user's.
-    pub const fn given(mhz: f64) -> Clock {
-        Clock { mhz, assumed: false }
-    }
-
-    /// For people.
-    pub fn in_words(self) -> String {
-        format!("{} {} MHz", if self.assumed { "an assumed" } else { "a given" }, self.mhz)
-    }
-
-    /// Nanoseconds that so many clocks take.
-    pub fn nanoseconds(self, clocks: f64) -> f64 {
-        1000.0 * clocks / self.mhz
-    }
 }
 
 /// A core that was measured.
@@ -89,7 +61,7 @@ impl Core {
 
     /// Frames in a second, set-up counted.
     pub fn frames_per_second(&self) -> f64 {
-        1e9 / self.clock.nanoseconds(self.measured().cycles.with_set_up as f64)
+        self.clock.frames_per_second(&self.measured().cycles)
     }
 
     /// Root of the mean square of its total error, in LSBs.

@@ -52,18 +52,20 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
 
 /// As large as asked for, if nothing is asked for that a set of cores does not have.
 fn balls(arguments: &Arguments) -> Result<Balls, ToolError> {
-    let Arguments { core, wishes, trace, .. } = arguments;
+    let Arguments { scene, core, wishes, device, clock, trace, .. } = arguments;
     let asked = [
         ("--core", core.is_some()),
         ("--method", wishes.method.is_some()),
         ("--specialise", wishes.specialise.is_some()),
         ("--max-error", wishes.max_error.is_some()),
+        ("--device", device.device.is_some()),
+        ("--clock", clock.is_given()),
         ("--trace", !matches!(trace, Choice::Worst | Choice::None)),
     ];
     if let Some((option, _)) = asked.into_iter().find(|(_, given)| *given) {
         return Err(ToolError::Figure9 { wrong: format!("{option} is for one core") });
     }
-    let Some((width, height)) = wishes.size else { return Ok(Balls { radius: RADIUS }) };
+    let Some((width, height)) = scene.picture.size else { return Ok(Balls { radius: RADIUS }) };
     match Balls::within(width, height) {
         Some(balls) => Ok(balls),
         None => Err(ToolError::Figure9 { wrong: format!("its balls have no room in {width}x{height} pixels") }),

@@ -4,6 +4,7 @@ use specula_hdl::design::Size;
 use specula_scene::CoreSpec;
 use specula_testbench::{Errors, Savings, Share, Violation};
 
+use crate::device::Fitted;
 use crate::disagreement::Disagreement;
 use crate::run::{Run, Written};
 
@@ -32,6 +33,13 @@ struct Report<'a> {
     cycles: u64,
     latency: u32,
     cycles_per_pixel: f64,
+    /// Assumed or given, and not proven.
+    clock_mhz: f64,
+    /// At that clock, set-up counted.
+    frames_per_second: f64,
+    /// What the core takes of the device, if one was named.
+    #[serde(flatten)]
+    fitted: Option<Fitted>,
     /// Of the whole run.
     wall_seconds: f64,
     simulation_seconds: f64,
@@ -109,6 +117,9 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         cycles: outcome.cycles,
         latency: bench.design.latency(),
         cycles_per_pixel: run.cycles_per_pixel(),
+        clock_mhz: run.clock.mhz,
+        frames_per_second: run.frames_per_second(),
+        fitted: run.fitted,
         wall_seconds: written.wall.as_secs_f64(),
         simulation_seconds: outcome.simulation_seconds,
         error: &comparison.errors,

@@ -71,9 +71,11 @@ fn result(run: &Run) -> String {
         ["cycles", &outcome.cycles.to_string()],
         ["cycles per pixel", &format!("{:.4}", run.cycles_per_pixel())],
         ["latency", &format!("{} clocks", run.bench.design.latency())],
+        ["frames per second", &run.frames_per_second_in_words()],
         ["engine", run.engine.name()],
     ];
-    let rows = rows.map(|row| row.map(str::to_owned));
+    let device = run.fitted.map(|fitted| ["device".to_owned(), fitted.in_words()]);
+    let rows: Vec<[String; 2]> = rows.into_iter().map(|row| row.map(str::to_owned)).chain(device).collect();
     format!("## Result\n\n{verdict}\n{}", table(["", ""], &rows))
 }
 
@@ -189,7 +191,8 @@ fn needs(run: &Run) -> String {
     format!(
         "## What the scene does not need\n\n\
          Measured by elaborating the core without that one need known; savings overlap, and a negative number is what products\n\
-         with constants cost in adders in place of multipliers.\n\n{}",
+         with constants cost in adders in place of multipliers. All together are measured against a core that knows nothing of the\n\
+         scene: the most lights, the longest spans, the widest angles, any exponent.\n\n{}",
         table(cmd_needs::TITLES, &cmd_needs::rows(savings))
     )
 }

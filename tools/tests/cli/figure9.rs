@@ -35,6 +35,8 @@ fn what_is_for_one_core_is_refused() {
         (["--method", "phong"], "--method"),
         (["--specialise", "general"], "--specialise"),
         (["--max-error", "1lsb"], "--max-error"),
+        (["--device", "xc7a35t"], "--device"),
+        (["--clock", "100"], "--clock"),
         (["--trace", "all"], "--trace"),
         (["--size", "6x480"], "6x480"),
     ] {

@@ -177,3 +177,36 @@ fn a_reader_may_stop_reading() {
     let ended = child.wait_with_output().unwrap();
     assert_eq!((ended.status.code(), ended.stderr.as_slice()), (Some(0), &b""[..]));
 }
+
+#[test]
+fn a_core_must_fit_its_device() {
+    let place = Place::new();
+    let refused = place.specula(&["run", "torus", "--size", "64x48", "--device", "ice40up5k"]);
+    assert_eq!(refused.status, Some(2));
+    for part in ["does not fit ice40up5k", "of 8 multiplier blocks", "of 5280", "specula explore", "`ecp5-25` has enough"] {
+        assert!(refused.stderr.contains(part), "{part}: {}", refused.stderr);
+    }
+    assert!(!place.path("out").exists());
+    let said = place.succeeds(&["run", "torus", "--size", "64x48", "--device", "xc7a35t"]);
+    assert!(said.contains("of 90 multiplier blocks"), "{said}");
+    let report = place.report("out/torus");
+    assert_eq!(report["device"]["name"], "xc7a35t");
+    assert!(report["cost"]["blocks"].as_u64().is_some_and(|blocks| blocks > 8 && blocks <= 90), "{report}");
+    assert!(fs::read_to_string(place.path("out/torus/report.md")).unwrap().contains("| device | xc7a35t: "));
+    // The core that was made is asked too.
+    let refused = place.specula(&["generate", "--spec", "out/torus/spec.toml", "--device", "ice40up5k", "-o", "rtl"]);
+    assert!(refused.status == Some(2) && !place.path("rtl").exists(), "{}", refused.stderr);
+}
+
+#[test]
+fn frames_per_second_are_said_at_a_clock() {
+    let place = Place::new();
+    let at = |clock: &str| {
+        place.succeeds(&["run", "torus", "--size", "32x24", "--clock", clock]);
+        place.report("out/torus")["frames_per_second"].as_f64().expect("a number")
+    };
+    let (slow, fast) = (at("50"), at("200"));
+    assert!((fast / slow - 4.0).abs() < 1e-9, "{slow} {fast}");
+    assert!(fs::read_to_string(place.path("out/torus/report.md")).unwrap().contains("at a given 200 MHz that is not proven"));
+    assert!(place.succeeds(&["run", "torus", "--size", "32x24"]).contains("at an assumed 100 MHz that is not proven"));
+}

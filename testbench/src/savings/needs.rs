@@ -1,0 +1,164 @@
+//! Cores that do not know some of a scene's needs.
+use specula_scene::needs::LocalKind;
+use specula_scene::spec::{InputPort, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS, SpecError};
+use specula_scene::{CoreSpec, LoadedScene, Needs};
+
+use super::Ignorant;
+
+/// What may be known of a scene before any of its inputs is.
+struct Fact {
+    need: &'static str,
+    safe: &'static str,
+    /// The needs of scenes of which it is not known.
+    forget: fn(&mut Needs),
+    /// What is known, in the words of a table.
+    known: fn(&Needs) -> String,
+}
+
+/// Every fact on which [`LoadedScene::core_for`] rests.
+const FACTS: [Fact; 10] = [
+    Fact {
+        need: "number of lights",
+        safe: "the scene has no more lights",
+        // Lights at places are the last ones, so more lights at infinity would have their names.
+        forget: |needs| needs.lights = if needs.local_lights.is_empty() { MOST_LIGHTS } else { needs.lights },
+        known: |needs| format!("{} of {MOST_LIGHTS} pipelines for lights", MOST_LIGHTS - needs.lights),
+    },
+    Fact {
+        need: "lights at infinity",
+        safe: "the direction to such a light is the same everywhere",
+        forget: |needs| {
+            let at_infinity = needs.lights - needs.local_lights.len();
+            needs.local_lights.splice(0..0, vec![LocalKind::Point; at_infinity]);
+        },
+        known: |needs| format!("directions to the places of {} lights", needs.lights - needs.local_lights.len()),
+    },
+    Fact {
+        need: "eye at infinity",
+        safe: "the direction to the eye is the same everywhere",
+        forget: |needs| needs.local_eye = true,
+        known: |_| "directions to the place of the eye".to_owned(),
+    },
+    Fact {
+        need: "longest span",
+        safe: "no span of this frame is longer",
+        forget: |needs| needs.longest_span = LONGEST_SPAN,
+        known: |needs| format!("spans of {} pixels, not {LONGEST_SPAN}", needs.longest_span),
+    },
+    Fact {
+        need: "angle between the normals of a span",
+        safe: "no span of this frame has a wider one",
+        forget: |needs| (needs.widest_angle, needs.shortest_normal) = (180.0, 0.0),
+        known: |needs| format!("{:.1} degrees, not 180", needs.widest_angle),
+    },
+    Fact {
+        need: "angle between normals and faces",
+        safe: "no triangle of this frame has a wider one",
+        forget: |needs| needs.least_cone_cosine = -1.0,
+        known: |needs| format!("{:.1} degrees, not 180", needs.least_cone_cosine.clamp(-1.0, 1.0).acos().to_degrees()),
+    },
+    Fact {
+        need: "distance to places",
+        safe: "no span of this frame comes nearer to one",
+        forget: |needs| {
+            if !needs.directions_are_constant() {
+                (needs.shortest_way, needs.shortest_unit_way) = (0.0, 0.0);
+            }
+        },
+        known: |needs| format!("vectors to places of {:.3} of the longer end's length at least", needs.shortest_way),
+    },
+    Fact {
+        need: "largest exponent",
+        safe: "no material of this frame has a larger one",
+        forget: |needs| needs.largest_shininess = LARGEST_SHININESS,
+        known: |needs| format!("n = {}, not {LARGEST_SHININESS}", needs.largest_shininess),
+    },
+    Fact {
+        need: "exponents are powers of two",
+        safe: "squaring reaches every exponent of this frame",
+        forget: |needs| needs.uneven_shininess = Some(UNEVEN),
+        known: |_| "exponents between them".to_owned(),
+    },
+    Fact {
+        need: "flat normals",
+        safe: "the normal is the same, and of unit length, all over each triangle",
+        forget: |needs| needs.flat = false,
+        known: |_| "making interpolated normals unit vectors".to_owned(),
+    },
+];
+
+/// An exponent that squaring does not reach.
+const UNEVEN: u32 = 3;
+
+/// The cores for scenes of which one fact is not known, where that makes another core and it can be built.
+pub fn of_needs(scene: &LoadedScene, spec: &CoreSpec) -> Vec<Ignorant> {
+    let needs = Needs::of(&scene.frame);
+    let ignorant = |fact: &Fact| {
+        let general = without(scene, spec, &[fact]).ok().filter(|core| *core != spec.general())?;
+        let core = knowing_inputs(general, scene, spec);
+        specula_hdl::elaborate(&core, "core").ok()?;
+        let left_out = [(fact.known)(&needs), differences(spec, &core)].concat();
+        Some(Ignorant { need: fact.need, left_out, safe: fact.safe, core })
+    };
+    FACTS.iter().filter_map(ignorant).collect()
+}
+
+/// The core of which nothing is known, or as little as one can be built for, and what it knows all the same.
+pub fn knowing_nothing(scene: &LoadedScene, spec: &CoreSpec) -> (CoreSpec, Vec<&'static str>) {
+    let built = |facts: &[&Fact]| {
+        let core = without(scene, spec, facts).ok()?;
+        specula_hdl::elaborate(&core, "core").ok().map(|_| core)
+    };
+    let (mut core, mut forgotten, mut known) = (spec.general(), vec![], vec![]);
+    for fact in &FACTS {
+        forgotten.push(fact);
+        match built(&forgotten) {
+            Some(ignorant) => core = ignorant,
+            None => {
+                forgotten.pop();
+                known.push(fact.need);
+            }
+        }
+    }
+    (core, known)
+}
+
+/// The general core for scenes of which these facts are not known.
+fn without(scene: &LoadedScene, spec: &CoreSpec, facts: &[&Fact]) -> Result<CoreSpec, SpecError> {
+    let needs = Needs::of(&scene.frame);
+    let mut unknown = needs.clone();
+    facts.iter().for_each(|fact| (fact.forget)(&mut unknown));
+    let core = |needs: &Needs| scene.core_for(needs, Some(spec.method()));
+    match (core(&needs), core(&unknown)) {
+        (Ok(from), Ok(to)) => spec.changed(&from, &to),
+        // The scene has a core, so it is the other needs that none can be built for.
+        _ => Err(SpecError::Core { message: "no core has such needs".to_owned() }),
+    }
+}
+
+/// The core with what is known of its inputs: over the frame, or, if it has other lights than the frame, of those inputs that the scene's core has too.
+fn knowing_inputs(core: CoreSpec, scene: &LoadedScene, spec: &CoreSpec) -> CoreSpec {
+    let places = |core: &CoreSpec| (core.lights, core.local_lights.clone(), core.local_eye);
+    if places(&core) == places(spec) {
+        return core.specialised(&scene.frame);
+    }
+    let (own, theirs) = (core.inputs(), spec.general().inputs());
+    let port = |ports: &[InputPort], name: &str| ports.iter().find(|port| port.name == name).cloned();
+    let known = |name: &str| port(&own, name).is_some_and(|own| Some(own) == port(&theirs, name));
+    CoreSpec { specialisation: spec.specialisation.only(known), ..core }
+}
+
+/// What else the core for the scene has less, for the end of a line: options that are others, and formats that are narrower.
+fn differences(spec: &CoreSpec, core: &CoreSpec) -> String {
+    let theirs = core.method_options();
+    let option = |(name, own): (&str, String)| {
+        let (_, other) = theirs.iter().find(|(option, other)| *option == name && *other != own)?;
+        Some(format!("; {name}: {own}, not {other}"))
+    };
+    let options: String = spec.method_options().into_iter().filter_map(option).collect();
+    let (points, others) = (spec.narrowing_points(), core.narrowing_points());
+    let width = |name: &str| others.iter().find(|point| point.name == name).map(|point| point.format.width());
+    let narrower = points.iter().filter(|point| width(point.name).is_some_and(|other| other > point.format.width())).count();
+    let formats = if narrower > 0 { format!("; narrower formats: {narrower} of {}", points.len()) } else { String::new() };
+    options + &formats
+}

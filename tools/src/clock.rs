@@ -1,0 +1,70 @@
+//! The clock of cores. No tool has placed and routed them, so it is not known which one they reach.
+use clap::Args;
+use specula_testbench::tradeoff::FrameCycles;
+
+/// `--clock`, for every command that says how fast a core is.
+#[derive(Clone, Debug, Default, Args)]
+pub struct ClockArguments {
+    /// Clock in MHz at which times and frames per second are said: assumed, not proven [default: 100]
+    #[arg(long = "clock", value_name = "MHZ", allow_hyphen_values = true, value_parser = parse_clock)]
+    mhz: Option<f64>,
+}
+
+impl ClockArguments {
+    /// What was asked for.
+    pub fn clock(&self) -> Clock {
+        self.mhz.map_or(Clock::ASSUMED, |mhz| Clock { mhz, assumed: false })
+    }
+
+    /// Whether anything was.
+    pub fn is_given(&self) -> bool {
+        self.mhz.is_some()
+    }
+}
+
+/// A clock that is taken for granted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock {
+    /// In MHz.
+    pub mhz: f64,
+    /// Whether nobody gave it.
+    pub assumed: bool,
+}
+
+impl Clock {
+    /// What is assumed unless it is given.
+    pub const ASSUMED: Clock = Clock { mhz: 100.0, assumed: true };
+
+    /// For people.
+    pub fn in_words(self) -> String {
+        format!("{} {} MHz", if self.assumed { "an assumed" } else { "a given" }, self.mhz)
+    }
+
+    /// Nanoseconds that so many clocks take.
+    pub fn nanoseconds(self, clocks: f64) -> f64 {
+        1000.0 * clocks / self.mhz
+    }
+
+    /// Frames in a second, set-up counted.
+    pub fn frames_per_second(self, cycles: &FrameCycles) -> f64 {
+        1e9 / self.nanoseconds(cycles.with_set_up as f64)
+    }
+}
+
+fn parse_clock(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|mhz| (0.001..=100_000.0).contains(mhz));
+    number.ok_or_else(|| "write a number of MHz from 0.001 to 100000".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clocks_are_read_or_refused() {
+        assert_eq!(parse_clock("150"), Ok(150.0));
+        for text in ["", "0", "-1", "fast", "inf", "NaN", "1e9", "100MHz"] {
+            assert!(parse_clock(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! The FPGA that a core is for.
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use miette::Diagnostic;
+use serde::Serialize;
+use specula_hdl::Design;
+use specula_testbench::explore::{Cost, Device};
+use thiserror::Error;
+
+/// `--device`, for every command that makes a core.
+#[derive(Clone, Debug, Default, Args)]
+pub struct DeviceArguments {
+    /// The FPGA whose multiplier blocks and registers must be enough for the core
+    #[arg(long, value_name = "DEVICE", value_parser = device_parser())]
+    pub device: Option<Device>,
+}
+
+fn device_parser() -> impl TypedValueParser<Value = Device> {
+    PossibleValuesParser::new(Device::ALL.map(|device| device.name))
+        .try_map(|name| Device::ALL.into_iter().find(|device| device.name == name).ok_or("there is no such device"))
+}
+
+impl DeviceArguments {
+    /// What the core takes of the device, if one was named.
+    ///
+    /// # Errors
+    /// [`DoesNotFit`] if that is more than it has.
+    pub fn fitted(&self, design: &Design) -> Result<Option<Fitted>, DoesNotFit> {
+        let Some(device) = self.device else { return Ok(None) };
+        let fitted = Fitted { device, cost: Cost::of(design, Some(&device)) };
+        if fitted.cost.fits(&device) { Ok(Some(fitted)) } else { Err(DoesNotFit::new(fitted, design)) }
+    }
+}
+
+/// A device, and what a core takes of it.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Fitted {
+    device: Device,
+    cost: Cost,
+}
+
+impl Fitted {
+    /// For people.
+    pub fn in_words(&self) -> String {
+        let Fitted { device, cost } = self;
+        let (blocks, registers) = (cost.blocks.unwrap_or(0), cost.register_bits);
+        format!(
+            "{}: {blocks} of {} multiplier blocks, {registers} of {} registers; logic cells are not counted",
+            device.name, device.blocks, device.registers
+        )
+    }
+}
+
+/// A core takes more than the device has.
+#[derive(Debug, Error, Diagnostic)]
+#[error("the core does not fit {}", self.fitted.in_words())]
+#[diagnostic(
+    code(specula::device),
+    help("`specula explore SCENE --max-error 2lsb --device {}` looks for a core that fits; narrower formats (`--max-error`) or another method may; {larger}", self.fitted.device.name)
+)]
+pub struct DoesNotFit {
+    fitted: Fitted,
+    larger: String,
+}
+
+impl DoesNotFit {
+    fn new(fitted: Fitted, design: &Design) -> DoesNotFit {
+        let fits = |device: &&Device| Cost::of(design, Some(device)).fits(device);
+        let larger = match Device::ALL.iter().find(fits) {
+            Some(device) => format!("`{}` has enough", device.name),
+            None => "no device that is known here has enough".to_owned(),
+        };
+        DoesNotFit { fitted, larger }
+    }
+}
