@@ -1,4 +1,8 @@
 //! The fast engine against rust-hdl, on every signal and clock of both cores.
+#[macro_use]
+#[path = "../../scene/tests/common/each_method.rs"]
+mod each_method;
+
 use specula_hdl::design::NodeId;
 use specula_scene::{Method, load};
 use specula_sim::fast::{Level, Settings};
@@ -16,66 +20,61 @@ fn all_columns(engine: &mut dyn Engine, stimulus: &Stimulus, nodes: &[NodeId]) -
     all
 }
 
-#[test]
-fn every_signal_agrees_with_rust_hdl_at_every_clock() {
+fn every_signal_agrees_with_rust_hdl_at_every_clock(method: Method) {
     for (scene, size) in [("teapot", (40, 30)), ("torus", (24, 18)), ("icosahedron", (40, 30))] {
-        for method in Method::ALL {
-            let loaded = load(scene, Some(size)).unwrap();
-            let spec = loaded.core_spec(Some(method)).unwrap();
-            let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
-            let spans = FrameSpans::new(&loaded.frame, &spec);
-            let stimulus = Stimulus::whole(&spans, &bench.design);
-            let nodes: Vec<NodeId> = bench.design.variables();
-            let expected = all_columns(&mut RustHdl::new(&bench.design).unwrap(), &stimulus, &nodes);
-            let baseline = Level::BASELINE;
-            for (batch, level, threads) in
-                [(1, baseline, 1), (7, baseline, 3), (512, baseline, 1), (7, Level::best(), 1), (512, Level::best(), 2)]
-            {
-                {
-                    let settings = Settings { batch, level, threads, piece: 50 };
-                    let mut fast = Fast::with_settings(&bench.design, settings);
-                    let given = all_columns(&mut fast, &stimulus, &nodes);
-                    assert_eq!(given.span(), expected.span(), "{scene} {settings:?}");
-                    for (i, &node) in nodes.iter().enumerate() {
-                        let differs = (0..expected.clocks()).find(|&c| expected.values[i][c] != given.values[i][c]);
-                        if let Some(clock) = differs {
-                            panic!(
-                                "{scene} {} {settings:?}: {} at clock {clock}: {} instead of {} {:?}",
-                                method.name(),
-                                bench.design.full_name(node),
-                                given.values[i][clock],
-                                expected.values[i][clock],
-                                bench.design.node(node)
-                            );
-                        }
-                    }
-                    // Fused, with the outputs alone.
-                    let outputs = all_columns(&mut fast, &stimulus, &bench.design.outputs);
-                    for &node in &bench.design.outputs {
-                        assert_eq!(outputs.of(node), expected.of(node), "{scene} {settings:?}");
-                    }
+        let loaded = load(scene, Some(size)).unwrap();
+        let spec = loaded.core_spec(Some(method)).unwrap();
+        let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
+        let spans = FrameSpans::new(&loaded.frame, &spec);
+        let stimulus = Stimulus::whole(&spans, &bench.design);
+        let nodes: Vec<NodeId> = bench.design.variables();
+        let expected = all_columns(&mut RustHdl::new(&bench.design).unwrap(), &stimulus, &nodes);
+        let baseline = Level::BASELINE;
+        for (batch, level, threads) in
+            [(1, baseline, 1), (7, baseline, 3), (512, baseline, 1), (7, Level::best(), 1), (512, Level::best(), 2)]
+        {
+            let settings = Settings { batch, level, threads, piece: 50 };
+            let mut fast = Fast::with_settings(&bench.design, settings);
+            let given = all_columns(&mut fast, &stimulus, &nodes);
+            assert_eq!(given.span(), expected.span(), "{scene} {settings:?}");
+            for (i, &node) in nodes.iter().enumerate() {
+                let differs = (0..expected.clocks()).find(|&c| expected.values[i][c] != given.values[i][c]);
+                if let Some(clock) = differs {
+                    panic!(
+                        "{scene} {} {settings:?}: {} at clock {clock}: {} instead of {} {:?}",
+                        method.name(),
+                        bench.design.full_name(node),
+                        given.values[i][clock],
+                        expected.values[i][clock],
+                        bench.design.node(node)
+                    );
                 }
+            }
+            // Fused, with the outputs alone.
+            let outputs = all_columns(&mut fast, &stimulus, &bench.design.outputs);
+            for &node in &bench.design.outputs {
+                assert_eq!(outputs.of(node), expected.of(node), "{scene} {settings:?}");
             }
         }
     }
 }
 
-#[test]
-fn whole_frames_agree() {
+fn whole_frames_agree(method: Method) {
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((640, 480))).unwrap();
-        for method in Method::ALL {
-            let spec = loaded.core_spec(Some(method)).unwrap();
-            let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
-            let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
-            println!(
-                "{scene} {}: {} pixels {} s: {} ns/clock",
-                method.name(),
-                outcome.pixels,
-                outcome.simulation_seconds,
-                outcome.simulation_seconds * 1e9 / outcome.cycles as f64
-            );
-            assert!(outcome.agrees(), "{:?} {:?}", outcome.comparison.first_mismatch, outcome.violation);
-        }
+        let spec = loaded.core_spec(Some(method)).unwrap();
+        let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
+        let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+        println!(
+            "{scene} {}: {} pixels {} s: {} ns/clock",
+            method.name(),
+            outcome.pixels,
+            outcome.simulation_seconds,
+            outcome.simulation_seconds * 1e9 / outcome.cycles as f64
+        );
+        assert!(outcome.agrees(), "{:?} {:?}", outcome.comparison.first_mismatch, outcome.violation);
     }
 }
+
+each_method!(every_signal_agrees_with_rust_hdl_at_every_clock);
+each_method!(whole_frames_agree);

@@ -70,10 +70,20 @@ fn share_of_mistakes_found(core: &CoreSpec, frame: &Frame) -> f64 {
 }
 
 #[test]
-fn mistaken_operators_are_reported() {
+fn mistaken_operators_of_lyons_cross_product_are_reported() {
     let frame = picture();
     assert!(share_of_mistakes_found(&coarse(&frame, Difference::HalfwayCrossNormal), &frame) > 0.95);
+}
+
+#[test]
+fn mistaken_operators_of_lyons_reflection_are_reported() {
+    let frame = picture();
     assert!(share_of_mistakes_found(&coarse(&frame, Difference::ReflectionMinusLight), &frame) > 0.95);
+}
+
+#[test]
+fn mistaken_operators_of_the_hybrid_are_reported() {
+    let frame = picture();
     assert!(share_of_mistakes_found(&spec(&frame, Method::Hybrid), &frame) > 0.9);
 }
 

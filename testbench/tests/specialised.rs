@@ -1,4 +1,8 @@
 //! A core for one scene gives the codes of the general core, and is never larger.
+#[macro_use]
+#[path = "../../scene/tests/common/each_method.rs"]
+mod each_method;
+
 use specula_hdl::Design;
 use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind, Image};
@@ -18,24 +22,18 @@ fn sizes(design: &Design) -> [u64; 3] {
     [size.multiplier_bits, size.adder_bits, size.register_bits]
 }
 
-#[test]
-fn every_pixel_is_that_of_the_general_core() {
+fn every_pixel_is_that_of_the_general_core(method: Method) {
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((96, 72))).unwrap();
-        for method in Method::ALL {
-            let special = loaded.core_spec(Some(method)).unwrap();
-            let general = special.general();
-            let [special, general] = [&special, &general].map(|spec| Bench::new(&loaded.frame, spec, scene).unwrap());
-            assert!(shaded(&special) == shaded(&general), "{scene} {}", method.name());
-            let (s, g) = (sizes(&special.design), sizes(&general.design));
-            println!(
-                "{scene} {}: {s:?} of {g:?}, latency {} of {}",
-                method.name(),
-                special.design.latency(),
-                general.design.latency()
-            );
-            assert!(s[0] < g[0] && s[2] < g[2], "{scene} {}", method.name());
-            assert!(special.design.latency() <= general.design.latency());
-        }
+        let special = loaded.core_spec(Some(method)).unwrap();
+        let general = special.general();
+        let [special, general] = [&special, &general].map(|spec| Bench::new(&loaded.frame, spec, scene).unwrap());
+        assert!(shaded(&special) == shaded(&general), "{scene} {}", method.name());
+        let (s, g) = (sizes(&special.design), sizes(&general.design));
+        println!("{scene} {}: {s:?} of {g:?}, latency {} of {}", method.name(), special.design.latency(), general.design.latency());
+        assert!(s[0] < g[0] && s[2] < g[2], "{scene} {}", method.name());
+        assert!(special.design.latency() <= general.design.latency());
     }
 }
+
+each_method!(every_pixel_is_that_of_the_general_core);

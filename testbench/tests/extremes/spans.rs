@@ -1,5 +1,6 @@
 //! Lengths of spans.
 use glam::DVec3;
+use rayon::prelude::*;
 use specula_scene::{Material, Method};
 
 use crate::common::{Row, codes, cores, frame, frame_of, material, mirror, row, shade, tilted};
@@ -62,14 +63,14 @@ fn spans_leave_nothing_behind() {
     let rows = mixed();
     let lights = [tilted(15.0), DVec3::new(-0.6, 0.64, 0.48)];
     let together = frame_of(&rows, &lights);
-    for core in cores(&together) {
-        let outcome = shade(&core, &together);
+    cores(&together).par_iter().for_each(|core| {
+        let outcome = shade(core, &together);
         assert_eq!(outcome.pixels, MIXED.iter().map(|&length| u64::from(length)).sum::<u64>());
         for (number, alone) in rows.iter().enumerate().filter(|(_, row)| row.length < 10) {
             let alone = frame_of(std::slice::from_ref(alone), &lights);
-            assert_eq!(row(&outcome, &together, number), row(&shade(&core, &alone), &alone, 0), "span {number}");
+            assert_eq!(row(&outcome, &together, number), row(&shade(core, &alone), &alone, 0), "{core:?}, span {number}");
         }
-    }
+    });
 }
 
 /// A frame in which nothing is visible still runs to its end.
