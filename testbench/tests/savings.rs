@@ -68,9 +68,10 @@ fn angles_and_exponents_decide_formats() {
     }
     let torus = of(&scene("torus"), Method::Consistent);
     assert!(line(&torus, "angle between normals and faces").unwrap().saves.register_bits > 0);
-    // Up to 30 degrees `lyon` does without Newton's step; here spans are wider, and formats the finest anyway.
+    // Up to 30 degrees `lyon` does without Newton's step.
     let narrow = of(&scene("torus"), Method::Lyon);
     assert!(line(&narrow, "angle between the normals of a span").unwrap().left_out.contains("Newton steps: 0, not 1"));
+    // Spans of this one are wider, and formats the finest anyway.
     assert_eq!(line(&of(&scene("icosahedron"), Method::Lyon), "angle between the normals of a span"), None);
 }
 

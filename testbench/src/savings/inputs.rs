@@ -1,19 +1,25 @@
 //! Cores that do not know what some of their inputs are given.
+use rayon::prelude::*;
 use specula_scene::CoreSpec;
 use specula_scene::spec::{Given, InputPort, Subject};
 
 use super::Ignorant;
+use crate::BenchError;
 
 /// Without knowing what some inputs are given.
-pub fn of_inputs(spec: &CoreSpec) -> Vec<Ignorant> {
+///
+/// # Errors
+/// [`BenchError::TooWide`] if such a core has too wide a signal.
+pub fn of_inputs(spec: &CoreSpec) -> Result<Vec<Ignorant>, BenchError> {
     let ports = spec.inputs();
     let ignorant = |(need, safe, group): (&'static str, &'static str, Vec<&InputPort>)| {
         let left_out = described(spec, &group)?;
         let known = |name: &str| !group.iter().any(|port| port.name == name);
         let core = CoreSpec { specialisation: spec.specialisation.only(known), ..spec.clone() };
-        Some(Ignorant { need, left_out, safe, core })
+        let design = specula_hdl::elaborate(&core, "core").map_err(BenchError::from);
+        Some(design.map(|design| Ignorant { need, left_out, safe, design }))
     };
-    groups(&ports).filter_map(ignorant).collect()
+    groups(&ports).collect::<Vec<_>>().into_par_iter().filter_map(ignorant).collect()
 }
 
 /// Inputs that a need is about. Coefficients that are the same in several channels are a need of their own.

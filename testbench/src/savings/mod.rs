@@ -7,6 +7,7 @@ mod needs;
 mod spared;
 
 use serde::Serialize;
+use specula_hdl::Design;
 use specula_scene::{CoreSpec, LoadedScene};
 
 use crate::BenchError;
@@ -43,19 +44,21 @@ pub struct Savings {
 /// # Errors
 /// [`BenchError::TooWide`] if the core has too wide a signal, [`BenchError::Simulation`] if it cannot be synthesised.
 pub fn savings(scene: &LoadedScene, spec: &CoreSpec, synthesis: Option<Synthesis>) -> Result<Savings, BenchError> {
-    let needs: Vec<Ignorant> = needs::of_needs(scene, spec).into_iter().chain(inputs::of_inputs(spec)).collect();
-    let (nothing, known) = needs::knowing_nothing(scene, spec);
-    let specs: Vec<&CoreSpec> = [spec, &nothing].into_iter().chain(needs.iter().map(|need| &need.core)).collect();
-    let built = Built::all(&specs, synthesis)?;
-    let ([special, nothing], of_needs) = (&[&built[0], &built[1]], &built[2..]);
-    let saving = |(without, core): (Ignorant, &Built)| Saving {
+    let special = specula_hdl::elaborate(spec, "core")?;
+    let (of_facts, of_inputs) = rayon::join(|| needs::ignorant(scene, spec), || inputs::of_inputs(spec));
+    let (of_facts, nothing) = of_facts?;
+    let needs: Vec<Ignorant> = of_facts.into_iter().chain(of_inputs?).collect();
+    let designs: Vec<&Design> = [&special, &nothing.design].into_iter().chain(needs.iter().map(|need| &need.design)).collect();
+    let built = Built::all(&designs, synthesis)?;
+    let (special, ignorant, of_needs) = (&built[0], &built[1], &built[2..]);
+    let saving = |(without, core): (&Ignorant, &Built)| Saving {
         need: without.need,
-        left_out: without.left_out,
+        left_out: without.left_out.clone(),
         saves: Spared::between(core, special),
         safe: without.safe,
     };
-    let needs = needs.into_iter().zip(of_needs).map(saving).filter(|saving| !saving.saves.is_nothing()).collect();
-    Ok(Savings { needs, together: Spared::between(nothing, special), known })
+    let needs = needs.iter().zip(of_needs).map(saving).filter(|saving| !saving.saves.is_nothing()).collect();
+    Ok(Savings { needs, together: Spared::between(ignorant, special), known: nothing.known })
 }
 
 /// The core without knowing one need.
@@ -63,5 +66,5 @@ struct Ignorant {
     need: &'static str,
     left_out: String,
     safe: &'static str,
-    core: CoreSpec,
+    design: Design,
 }

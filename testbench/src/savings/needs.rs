@@ -1,7 +1,10 @@
 //! Cores that do not know some of a scene's needs.
+use rayon::prelude::*;
+use specula_hdl::Design;
+use specula_hdl::builder::TooWide;
 use specula_scene::needs::LocalKind;
-use specula_scene::spec::{InputPort, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS, SpecError};
-use specula_scene::{CoreSpec, LoadedScene, Needs};
+use specula_scene::spec::{InputPort, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
+use specula_scene::{CoreSpec, LoadedScene, Needs, SceneError};
 
 use super::Ignorant;
 
@@ -90,49 +93,76 @@ const FACTS: [Fact; 10] = [
 /// An exponent that squaring does not reach.
 const UNEVEN: u32 = 3;
 
-/// The cores for scenes of which one fact is not known, where that makes another core and it can be built.
-pub fn of_needs(scene: &LoadedScene, spec: &CoreSpec) -> Vec<Ignorant> {
-    let needs = Needs::of(&scene.frame);
-    let ignorant = |fact: &Fact| {
-        let general = without(scene, spec, &[fact]).ok().filter(|core| *core != spec.general())?;
-        let core = knowing_inputs(general, scene, spec);
-        specula_hdl::elaborate(&core, "core").ok()?;
-        let left_out = [(fact.known)(&needs), differences(spec, &core)].concat();
-        Some(Ignorant { need: fact.need, left_out, safe: fact.safe, core })
-    };
-    FACTS.iter().filter_map(ignorant).collect()
+/// The cores for scenes of which one fact is not known, where that makes another core and it can be built; and the core of which nothing is known.
+///
+/// # Errors
+/// [`TooWide`] if not even the scene's own general core can be built.
+pub fn ignorant(scene: &LoadedScene, spec: &CoreSpec) -> Result<(Vec<Ignorant>, Nothing), TooWide> {
+    let chosen = Chosen::new(scene, spec);
+    let one = || FACTS.par_iter().filter_map(|fact| chosen.ignorant(fact)).collect();
+    let (needs, nothing) = rayon::join(one, || chosen.knowing_nothing());
+    Ok((needs, nothing?))
 }
 
-/// The core of which nothing is known, or as little as one can be built for, and what it knows all the same.
-pub fn knowing_nothing(scene: &LoadedScene, spec: &CoreSpec) -> (CoreSpec, Vec<&'static str>) {
-    let built = |facts: &[&Fact]| {
-        let core = without(scene, spec, facts).ok()?;
-        specula_hdl::elaborate(&core, "core").ok().map(|_| core)
-    };
-    let (mut core, mut forgotten, mut known) = (spec.general(), vec![], vec![]);
-    for fact in &FACTS {
-        forgotten.push(fact);
-        match built(&forgotten) {
-            Some(ignorant) => core = ignorant,
-            None => {
-                forgotten.pop();
-                known.push(fact.need);
+/// The core of which nothing is known, or as little as one can be built for.
+pub struct Nothing {
+    pub design: Design,
+    /// What it knows all the same.
+    pub known: Vec<&'static str>,
+}
+
+/// A core, and how it was chosen.
+struct Chosen<'a> {
+    scene: &'a LoadedScene,
+    spec: &'a CoreSpec,
+    needs: Needs,
+    /// What is chosen for the needs, before any format is narrowed.
+    general: Result<CoreSpec, SceneError>,
+}
+
+impl Chosen<'_> {
+    fn new<'a>(scene: &'a LoadedScene, spec: &'a CoreSpec) -> Chosen<'a> {
+        let needs = Needs::of(&scene.frame);
+        let general = scene.core_for(&needs, Some(spec.method()));
+        Chosen { scene, spec, needs, general }
+    }
+
+    fn ignorant(&self, fact: &Fact) -> Option<Ignorant> {
+        let general = self.without(&[fact]).filter(|core| *core != self.spec.general())?;
+        let core = knowing_inputs(general, self.scene, self.spec);
+        let design = specula_hdl::elaborate(&core, "core").ok()?;
+        let left_out = [(fact.known)(&self.needs), differences(self.spec, &core)].concat();
+        Some(Ignorant { need: fact.need, left_out, safe: fact.safe, design })
+    }
+
+    fn knowing_nothing(&self) -> Result<Nothing, TooWide> {
+        let (mut core, mut forgotten, mut known) = (self.spec.general(), vec![], vec![]);
+        let mut design = specula_hdl::elaborate(&core, "core")?;
+        for fact in &FACTS {
+            forgotten.push(fact);
+            let ignorant = self.without(&forgotten);
+            // Many facts make no other core, and that is built already.
+            if ignorant.as_ref() == Some(&core) {
+                continue;
+            }
+            let built = ignorant.and_then(|ignorant| Some((specula_hdl::elaborate(&ignorant, "core").ok()?, ignorant)));
+            match built {
+                Some(ignorant) => (design, core) = ignorant,
+                None => {
+                    forgotten.pop();
+                    known.push(fact.need);
+                }
             }
         }
+        Ok(Nothing { design, known })
     }
-    (core, known)
-}
 
-/// The general core for scenes of which these facts are not known.
-fn without(scene: &LoadedScene, spec: &CoreSpec, facts: &[&Fact]) -> Result<CoreSpec, SpecError> {
-    let needs = Needs::of(&scene.frame);
-    let mut unknown = needs.clone();
-    facts.iter().for_each(|fact| (fact.forget)(&mut unknown));
-    let core = |needs: &Needs| scene.core_for(needs, Some(spec.method()));
-    match (core(&needs), core(&unknown)) {
-        (Ok(from), Ok(to)) => spec.changed(&from, &to),
-        // The scene has a core, so it is the other needs that none can be built for.
-        _ => Err(SpecError::Core { message: "no core has such needs".to_owned() }),
+    /// The general core for scenes of which these facts are not known; none where it cannot be described.
+    fn without(&self, facts: &[&Fact]) -> Option<CoreSpec> {
+        let mut unknown = self.needs.clone();
+        facts.iter().for_each(|fact| (fact.forget)(&mut unknown));
+        let to = self.scene.core_for(&unknown, Some(self.spec.method())).ok()?;
+        self.spec.changed(self.general.as_ref().ok()?, &to).ok()
     }
 }
 

@@ -1,8 +1,6 @@
 //! Hardware of one core against that of another.
-use rayon::prelude::*;
 use serde::Serialize;
 use specula_hdl::Design;
-use specula_scene::CoreSpec;
 use specula_sim::{SimError, Synthesised};
 
 use crate::BenchError;
@@ -42,21 +40,19 @@ pub struct SparedCells {
 }
 
 /// A core that was built.
-pub(super) struct Built {
-    design: Design,
+pub(super) struct Built<'a> {
+    design: &'a Design,
     cells: Option<Synthesised>,
 }
 
-impl Built {
-    /// The cores of `specs`, and with `synthesis` their cells.
-    pub fn all(specs: &[&CoreSpec], synthesis: Option<Synthesis>) -> Result<Vec<Built>, BenchError> {
-        let designs: Vec<Design> = specs.par_iter().map(|spec| specula_hdl::elaborate(spec, "core")).collect::<Result<_, _>>()?;
-        let references: Vec<&Design> = designs.iter().collect();
+impl Built<'_> {
+    /// These cores, and with `synthesis` their cells.
+    pub fn all<'a>(designs: &[&'a Design], synthesis: Option<Synthesis>) -> Result<Vec<Built<'a>>, BenchError> {
         let cells = match synthesis {
-            Some(synthesise) => synthesise(&references)?.into_iter().map(Some).collect(),
+            Some(synthesise) => synthesise(designs)?.into_iter().map(Some).collect(),
             None => vec![None; designs.len()],
         };
-        Ok(designs.into_iter().zip(cells).map(|(design, cells)| Built { design, cells }).collect())
+        Ok(designs.iter().zip(cells).map(|(design, cells)| Built { design, cells }).collect())
     }
 }
 
