@@ -14,7 +14,7 @@ use specula_testbench::{Bench, EngineKind, Outcome, savings, shares};
 use crate::arguments::{OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice};
 use crate::cli::Verdict;
 use crate::clock::ClockArguments;
-use crate::device::DeviceArguments;
+use crate::device::{DeviceArguments, Fitted};
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::output::{Destination, REPORT, Staging};
@@ -97,7 +97,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     waveform::check(&arguments.trace, &bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
 
-    let run = Run { fitted, ..run_of(arguments, &task, &bench, &outcome) };
+    let run = run_of(arguments, &task, &bench, fitted, &outcome);
     let text = write(arguments, begin, &destination, &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
@@ -114,7 +114,13 @@ impl Arguments {
 }
 
 /// What came of a run, with what disagrees in it.
-fn run_of<'a>(arguments: &Arguments, task: &'a Task, bench: &'a Bench<'a>, outcome: &'a Outcome) -> Run<'a> {
+fn run_of<'a>(
+    arguments: &Arguments,
+    task: &'a Task,
+    bench: &'a Bench<'a>,
+    fitted: Option<Fitted>,
+    outcome: &'a Outcome,
+) -> Run<'a> {
     let is_general = bench.spec.specialisation.is_general();
     Run {
         task,
@@ -124,7 +130,7 @@ fn run_of<'a>(arguments: &Arguments, task: &'a Task, bench: &'a Bench<'a>, outco
         trace_format: arguments.trace_format,
         disagreement: Disagreement::of(outcome, bench),
         clock: arguments.clock.clock(),
-        fitted: None,
+        fitted,
         bound_shares: shares(bench.spec, bench.frame, bench.design.error_bound()),
         savings: if is_general { None } else { savings(&task.scene, bench.spec, None).ok() },
         outcome,

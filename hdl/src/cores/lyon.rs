@@ -129,9 +129,10 @@ impl Pixel<'_> {
     fn alone(&self, f: Sig, d: &Vector, length_off: LengthOff) -> Sig {
         let dark = units::least_dark_exponent(self.apart / 2.0 - d.off().length, self.lyon);
         let largest = self.shininess.range().magnitude();
-        let known = self.lyon.difference == Difference::ReflectionMinusLight && dark < largest && f.error_value() < 1.0;
-        let together = units::shape_error(d, length_off, dark.min(largest), self.lyon);
-        if known { f.of_error_form(ErrorForm::OneOfSeveral { together }) } else { f }
+        if self.lyon.difference != Difference::ReflectionMinusLight || dark >= largest || f.error_value() >= 1.0 {
+            return f;
+        }
+        f.of_error_form(ErrorForm::OneOfSeveral { together: units::shape_error(d, length_off, dark, self.lyon) })
     }
 
     /// D, and how far its length is off.

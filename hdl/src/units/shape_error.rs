@@ -26,7 +26,9 @@ pub fn shape_error(d: &Vector, length_off: LengthOff, shininess: f64, lyon: &Lyo
         let at = |i| highlight.error(f64::from(i) / f64::from(STEPS), length_off, moved);
         (0..STEPS).map(at).fold(0.0, f64::max)
     };
-    worst(length_off).min(worst(whole)).min(1.0)
+    // Of most D nothing more is known than of the whole.
+    let of_length = if length_off == whole { 1.0 } else { worst(length_off) };
+    of_length.min(worst(whole)).min(1.0)
 }
 
 /// f_k for one exponent.

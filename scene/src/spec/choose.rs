@@ -119,24 +119,6 @@ impl CoreSpec {
         Ok(spec)
     }
 
-    /// The same core for spans of up to `longest` pixels. Accumulators are as much finer as their errors add up further, and what is known
-    /// of their inputs is known in finer units.
-    ///
-    /// # Errors
-    /// [`SpecError`] if no such core can be built.
-    pub fn for_spans(&self, longest: u32) -> Result<CoreSpec, SpecError> {
-        let longer = CoreSpec { longest_span: longest, ..self.clone() };
-        let added = |(now, then): (NarrowingPoint, NarrowingPoint)| {
-            let bits = then.fewest_fraction_bits - now.fewest_fraction_bits;
-            (now.name, Format { fraction_bits: now.format.fraction_bits + bits, ..now.format })
-        };
-        let points = self.narrowing_points().into_iter().zip(longer.narrowing_points());
-        let formats: Vec<(&str, Format)> = points.map(added).collect();
-        let general = longer.with_formats(&formats)?;
-        let specialisation = self.specialisation.in_units_of(&general.inputs(), &self.general().inputs());
-        Ok(CoreSpec { specialisation, ..general })
-    }
-
     /// The options of the method: names and values, for people to read.
     pub fn method_options(&self) -> Vec<(&'static str, String)> {
         self.method.describe().options()

@@ -45,19 +45,6 @@ impl Specialisation {
         self.0.get(name)
     }
 
-    /// What is known of inputs that have become finer: `ports` in place of `old`.
-    pub(super) fn in_units_of(&self, ports: &[InputPort], old: &[InputPort]) -> Specialisation {
-        let finer = |(port, old): (&InputPort, &InputPort)| {
-            let bits = port.format.fraction_bits - old.format.fraction_bits;
-            let given = match self.of(&port.name)? {
-                Given::Between(ends) => Given::Between(ends.map(|raw| (raw << bits).clamp(port.range.0, port.range.1))),
-                twin => twin.clone(),
-            };
-            Some((port.name.clone(), given))
-        };
-        Specialisation(ports.iter().zip(old).filter_map(finer).collect())
-    }
-
     /// What is known of some inputs alone.
     pub fn only(&self, keep: impl Fn(&str) -> bool) -> Specialisation {
         Specialisation(self.0.iter().filter(|(name, _)| keep(name)).map(|(name, given)| (name.clone(), given.clone())).collect())

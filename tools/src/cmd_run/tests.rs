@@ -27,7 +27,7 @@ fn spoilt_run(words: &[&str], folder: &Path, spoil: impl FnOnce(&mut Outcome) ->
     let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
-    let run = run_of(&arguments, &task, &bench, &outcome);
+    let run = run_of(&arguments, &task, &bench, None, &outcome);
     let destination = Destination::check(folder, &file_names(&run.module)).expect("the folder can be written");
     write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))
