@@ -17,8 +17,9 @@ const PATIENCE: u64 = 60;
 const RISE: f64 = 1e-4;
 /// What the rounding to 8 bits alone is off by at most, in LSBs.
 const OF_ROUNDING: f64 = 0.5;
-/// What is added to bounds, in LSBs, one of these in an ascent: with little, errors of fine formats count as much as those of coarse
-/// ones, and roundings of colours to 2^-7 LSB lead to a ratio of 1; with much, only large errors count.
+/// What is added to bounds, in LSBs, one of these in an ascent: with little, errors of fine formats
+/// count as much as those of coarse ones, and roundings of colours to 2^-7 LSB lead to a ratio of
+/// 1; with much, only large errors count.
 const SLACKS: [f64; 3] = [0.002, 0.03, 0.3];
 /// Ambient lights that are tried to make an error show in codes.
 const AMBIENTS: u64 = 24;
@@ -112,7 +113,8 @@ impl Climber<'_> {
         best
     }
 
-    /// Where the error of a sum is beyond what is proven of it, some ambient light carries that over the middle between two codes.
+    /// Where the error of a sum is beyond what is proven of it, some ambient light carries that
+    /// over the middle between two codes.
     fn show(&mut self, genome: &Genome) {
         for _ in 0..AMBIENTS {
             if self.is_tired() {
@@ -160,8 +162,9 @@ impl Climber<'_> {
     }
 }
 
-/// How high a scene stands: the error of a sum before it is rounded to a code, by what is proven of that. The codes' own ratio is near 1
-/// wherever the rounding to 8 bits is most of it, and does not move with small changes.
+/// How high a scene stands: the error of a sum before it is rounded to a code, by what is proven of
+/// that. The codes' own ratio is near 1 wherever the rounding to 8 bits is most of it, and does not
+/// move with small changes.
 fn height(measure: &Measure, slack: f64) -> f64 {
     if measure.bound >= NO_BOUND {
         return 0.0;

@@ -7,7 +7,8 @@ use specula_scene::{CoreSpec, Format, Method, Needs};
 /// How often formats that depend on one another are brought into line before a core is given up.
 const MOST_REPAIRS: usize = 60;
 
-/// A method, options and formats that differ from its defaults, and what else a `[core]` table says.
+/// A method, options and formats that differ from its defaults, and what else a `[core]` table
+/// says.
 #[derive(Clone, Debug)]
 pub struct CoreChoice {
     /// The method.
@@ -67,8 +68,8 @@ impl CoreChoice {
         text
     }
 
-    /// Brings options and formats into line with what the scene needs and with one another, and notes the narrowing points; none where
-    /// there is no such core.
+    /// Brings options and formats into line with what the scene needs and with one another, and
+    /// notes the narrowing points; none where there is no such core.
     pub fn settled(mut self, needs: &Needs) -> Option<CoreChoice> {
         for _ in 0..MOST_REPAIRS {
             let options: CoreOptions = self.tables("").parse().ok()?;

@@ -22,7 +22,8 @@ impl Genome {
         self.scene.text(&self.core.text())
     }
 
-    /// The same with a core that there is; none where the scene is none, or no core can be brought into line with it.
+    /// The same with a core that there is; none where the scene is none, or no core can be brought
+    /// into line with it.
     pub fn settled(self) -> Option<Genome> {
         let frame = parse(FILE, self.scene.text("")).ok()?.frame;
         let core = self.core.settled(&Needs::of(&frame))?;

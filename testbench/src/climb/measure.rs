@@ -90,7 +90,8 @@ fn caught<T>(body: impl FnOnce() -> Result<T, Unmeasured>) -> Result<T, Unmeasur
     catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|_| Err(Unmeasured::Fault("a panic".to_owned())))
 }
 
-/// The largest errors of codes and of sums of light against the method in exact arithmetic, in LSBs.
+/// The largest errors of codes and of sums of light against the method in exact arithmetic, in
+/// LSBs.
 fn errors(spec: &CoreSpec, frame: &Frame) -> Result<[f64; 2], PacketError> {
     let (model, spans) = (Model::new(spec), FrameSpans::new(frame, spec));
     let mut largest = [0.0_f64; 2];

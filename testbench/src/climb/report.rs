@@ -41,7 +41,8 @@ pub struct MethodReport {
     pub climbers_that_broke_one: usize,
     /// That with the largest ratio; none where no scene had a bound.
     pub largest: Option<Peak>,
-    /// What must not be, made small: broken bounds, those with the largest ratio first, and other faults.
+    /// What must not be, made small: broken bounds, those with the largest ratio first, and other
+    /// faults.
     pub wrong: Vec<Peak>,
 }
 

@@ -1,27 +1,26 @@
-//! Scenes that break a bound, made small.
+//! Scenes in which something is wrong, made small.
 use glam::DVec3;
 use specula_scene::spec::{LightPipelines, Specialise};
 
 use super::genome::Genome;
-use super::measure::{Bound, Measure, measure};
 use crate::stress::scene::{RawSpan, SpanScene};
 
 /// The most scenes that are tried to make one smaller.
 const MOST_TRIED: usize = 300;
 
-/// The genome without what the broken bound does not need, and its measure.
+/// The genome without what is not needed for what is wrong with it, and what is then wrong.
 ///
-/// Each change is kept that leaves the bound broken; they are gone through until none is.
-pub fn shrunk(genome: &Genome, of_genome: Measure, bound: &Bound) -> (Genome, Measure) {
-    let (mut best, mut tried) = ((genome.clone(), of_genome), 0);
+/// `wrong` says what is wrong with a genome, if anything is. Each change is kept that leaves
+/// something wrong; they are gone through until none does, or too many were tried.
+pub(super) fn shrunk<T>(genome: &Genome, is_wrong: T, wrong: &dyn Fn(&Genome) -> Option<T>) -> (Genome, T) {
+    let (mut best, mut tried) = ((genome.clone(), is_wrong), 0);
     loop {
         let text = best.0.text();
         let smaller = simpler(&best.0).into_iter().take(MOST_TRIED - tried).find_map(|simpler| {
             tried += 1;
             // What was taken away may have been put back, as the core needs it.
             let simpler = simpler.settled().filter(|simpler| simpler.text() != text)?;
-            let measure = measure(simpler.text(), bound).ok()?;
-            (measure.ratio() > 1.0).then_some((simpler, measure))
+            wrong(&simpler).map(|is_wrong| (simpler, is_wrong))
         });
         match smaller {
             Some(smaller) => best = smaller,

@@ -41,7 +41,8 @@ fn redraw(genome: &mut Genome, draw: &mut Draw) {
     }
 }
 
-/// Few narrowing points may have other integer bits than they have; others are brought into line later.
+/// Few narrowing points may have other integer bits than they have; others are brought into line
+/// later.
 fn shift_integer_bits(genome: &mut Genome, draw: &mut Draw) {
     if let Some(point) = any(&mut genome.core.points, draw).cloned() {
         let integer_bits = point.format.integer_bits.saturating_add_signed(draw.one_of(&[-1, 1]));

@@ -1,7 +1,5 @@
 //! Changes to lights and to the eye.
-use specula_scene::Colour;
-
-use super::vector::{badly_rounded, turned_a_bit};
+use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
 use super::{Genome, Operator, any};
 use crate::climb::random::{self, MOST_LIGHTS, happens};
 use crate::stress::draw::Draw;
@@ -13,16 +11,24 @@ pub(super) const OPERATORS: &[Operator] = &[
     |genome, draw| change(genome, draw, turn),
     |genome, draw| change(genome, draw, |light, draw| *light = random::light(draw)),
     round_badly,
+    |genome, draw| change(genome, draw, make_components_alike),
+    make_a_twin,
     aim,
-    |genome, draw| any(&mut genome.scene.colours, draw).into_iter().for_each(|colour: &mut Colour| *colour = random::colour(draw)),
+    recolour,
     add,
     drop_one,
     |genome, draw| genome.scene.eye = happens(draw, 0.4).then(|| random::place(draw)),
 ];
 
-fn change(genome: &mut Genome, draw: &mut Draw, of: fn(&mut Light, &mut Draw)) {
+fn change(genome: &mut Genome, draw: &mut Draw, of: impl FnOnce(&mut Light, &mut Draw)) {
     if let Some(light) = any(&mut genome.scene.lights, draw) {
         of(light, draw);
+    }
+}
+
+fn recolour(genome: &mut Genome, draw: &mut Draw) {
+    if let Some(colour) = any(&mut genome.scene.colours, draw) {
+        *colour = random::colour(draw);
     }
 }
 
@@ -44,6 +50,21 @@ fn round_badly(genome: &mut Genome, draw: &mut Draw) {
     if let Some(Light::Towards(direction)) = any(&mut genome.scene.lights, draw) {
         *direction = badly_rounded(*direction, format, draw);
     }
+}
+
+fn make_components_alike(light: &mut Light, draw: &mut Draw) {
+    if let Light::Towards(direction) = light {
+        *direction = with_alike_components(*direction, draw);
+    }
+}
+
+/// A light where another one is, or nearly so.
+fn make_a_twin(genome: &mut Genome, draw: &mut Draw) {
+    let Some(mut twin) = any(&mut genome.scene.lights, draw).copied() else { return };
+    if draw.one_of(&[true, false]) {
+        turn(&mut twin, draw);
+    }
+    change(genome, draw, |light, _| *light = twin);
 }
 
 /// A light whose highlight lies on a span.

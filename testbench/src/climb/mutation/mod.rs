@@ -11,7 +11,8 @@ use crate::stress::draw::Draw;
 /// A change; it may leave everything as it is.
 pub(super) type Operator = fn(&mut Genome, &mut Draw);
 
-/// What changes are about. An ascent leaves some of these as they are, so that not all end on the same peak.
+/// What changes are about. An ascent leaves some of these as they are, so that not all end on the
+/// same peak.
 const SUBJECTS: [&[Operator]; 5] = [span::SHAPE, span::MATERIAL, light::OPERATORS, core::FORMATS, core::OPTIONS];
 
 /// How likely a subject is changed in an ascent.

@@ -1,7 +1,8 @@
 //! Changes to spans.
 use glam::DVec3;
+use specula_scene::Colour;
 
-use super::vector::{badly_rounded, turned_a_bit};
+use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
 use super::{Genome, Operator, any};
 use crate::climb::random::{self, LONGEST, MOST_SPANS, happens};
 use crate::stress::draw::Draw;
@@ -15,6 +16,7 @@ pub(super) const SHAPE: &[Operator] = &[
     |genome, draw| change(genome, draw, |span, _| span.normals = [span.normals[0]; 3]),
     |genome, draw| change(genome, draw, |span, _| span.normals[2] = span.normals[0]),
     round_a_normal_badly,
+    |genome, draw| change(genome, draw, make_components_alike),
     |genome, draw| change(genome, draw, |span, draw| span.length = draw.length(LONGEST)),
     |genome, draw| change(genome, draw, stretch),
     |genome, draw| change(genome, draw, stretch),
@@ -33,6 +35,8 @@ pub(super) const MATERIAL: &[Operator] = &[
     |genome, draw| change(genome, draw, |span, draw| span.material.ambient = random::colour(draw)),
     |genome, draw| change(genome, draw, |span, draw| span.material.diffuse = random::colour(draw)),
     |genome, draw| change(genome, draw, |span, draw| span.material.specular = random::colour(draw)),
+    |genome, draw| change(genome, draw, |span, draw| nudge(&mut span.material.diffuse, draw)),
+    |genome, draw| change(genome, draw, |span, draw| nudge(&mut span.material.specular, draw)),
     |genome, draw| genome.scene.ambient = random::colour(draw),
 ];
 
@@ -40,6 +44,18 @@ fn change(genome: &mut Genome, draw: &mut Draw, of: fn(&mut RawSpan, &mut Draw))
     if let Some(span) = any(&mut genome.scene.spans, draw) {
         of(span, draw);
     }
+}
+
+/// A component a little brighter or darker, or as another one, or nearly so.
+fn nudge(colour: &mut Colour, draw: &mut Draw) {
+    let (channel, other) = (draw.between(0, 2) as usize, draw.between(0, 2) as usize);
+    let apart = draw.one_of(&[0.0, 1.0, -1.0]) * random::of_any_size(draw, 1e-6, 1e-2);
+    colour[channel] = (colour[other] + apart).clamp(0.0, 1.0);
+}
+
+fn make_components_alike(span: &mut RawSpan, draw: &mut Draw) {
+    let before = span.normals[draw.between(0, 2) as usize];
+    replace(span, before, with_alike_components(before, draw), draw);
 }
 
 /// One vertex's normal, and those of other vertices that have the same along with it now and then.

@@ -12,21 +12,30 @@ pub(super) fn turned_a_bit(vector: DVec3, draw: &mut Draw) -> DVec3 {
     vector.try_normalize().map_or(DVec3::Z, |axis| turned(axis, angle, azimuth))
 }
 
-/// The unit vector with a component near the middle between two values of `format`, where rounding is off by most; or between
-/// those that round to 0.
+/// The unit vector with a component near the middle between two values of `format`, where rounding
+/// is off by most; or between those that round to 0.
 pub(super) fn badly_rounded(vector: DVec3, format: Format, draw: &mut Draw) -> DVec3 {
     let (axis, ulp) = (draw.between(0, 2) as usize, format.ulp());
     let short_of_it = 0.5 - of_any_size(draw, 1e-6, 0.2);
     let steps = draw.one_of(&[0.0, 0.0, (vector[axis] / ulp).round()]);
-    let wanted = ((steps + short_of_it * draw.one_of(&[1.0, -1.0])) * ulp).clamp(-1.0, 1.0);
+    with_component(vector, axis, (steps + short_of_it * draw.one_of(&[1.0, -1.0])) * ulp)
+}
+
+/// The unit vector with one component as large as another, or nearly so: they may become twins.
+pub(super) fn with_alike_components(vector: DVec3, draw: &mut Draw) -> DVec3 {
+    let (axis, other) = (draw.between(0, 2) as usize, draw.between(0, 2) as usize);
+    let sign = draw.one_of(&[1.0, -1.0]);
+    let apart = draw.one_of(&[0.0, 1.0]) * of_any_size(draw, 1e-6, 1e-2);
+    with_component(vector, axis, sign * vector[other] + apart)
+}
+
+/// The unit vector with this component, and the others in their ratio to one another.
+fn with_component(vector: DVec3, axis: usize, component: f64) -> DVec3 {
+    let component = component.clamp(-1.0, 1.0);
     let mut others = vector;
     others[axis] = 0.0;
-    let across = others.try_normalize().unwrap_or_else(|| {
-        let mut next = DVec3::ZERO;
-        next[(axis + 1) % 3] = 1.0;
-        next
-    });
-    let mut result = across * (1.0 - wanted * wanted).sqrt();
-    result[axis] = wanted;
+    let across = others.try_normalize().unwrap_or(DVec3::AXES[(axis + 1) % 3]);
+    let mut result = across * (1.0 - component * component).sqrt();
+    result[axis] = component;
     result
 }
