@@ -58,12 +58,34 @@ impl Format {
         raw as f64 * self.ulp()
     }
 
+    /// The value that a raw number stands for, every digit of it, which may be more than an f64 has.
+    pub fn in_digits(self, raw: i64) -> String {
+        let sign = if raw < 0 { "-" } else { "" };
+        let magnitude = u128::from(raw.unsigned_abs());
+        let ones = 1u128 << self.fraction_bits;
+        let (whole, mut rest) = (magnitude / ones, magnitude % ones);
+        let mut digits = format!("{sign}{whole}");
+        if rest > 0 {
+            digits.push('.');
+        }
+        // Ten times what is left ends after as many digits as there are fraction bits, which are fewer than 64.
+        while rest > 0 {
+            rest *= 10;
+            digits.push(char::from(b'0' + (rest / ones) as u8));
+            rest %= ones;
+        }
+        digits
+    }
+
     /// Nearest raw value, ties up, saturated to the format's range; the host's way into the core.
     /// NaN becomes 0, so that no set-up can put a NaN into a core.
     pub fn quantise(self, value: f64) -> i64 {
-        let scaled = (value * power_of_two(self.fraction_bits.into()) + 0.5).floor();
+        let scaled = value * power_of_two(self.fraction_bits.into());
+        // Adding 1/2 first would round once more in f64: up from just below 1/2, and from odd numbers beyond 2^52.
+        let whole = scaled.floor();
+        let nearest = if scaled - whole >= 0.5 { whole + 1.0 } else { whole };
         // `as` saturates at i64's ends and maps NaN to 0.
-        (scaled as i64).clamp(self.min_raw(), self.max_raw())
+        (nearest as i64).clamp(self.min_raw(), self.max_raw())
     }
 
     /// [`Format::quantise`] for each component.
@@ -164,10 +186,28 @@ mod tests {
     }
 
     #[test]
+    fn digits_are_those_of_the_number_also_where_an_f64_has_fewer() {
+        let in_digits = |fraction_bits, raw| Format::signed(1, fraction_bits).in_digits(raw);
+        assert_eq!(in_digits(4, 0), "0");
+        assert_eq!(in_digits(4, -24), "-1.5");
+        assert_eq!(in_digits(0, 17), "17");
+        assert_eq!(in_digits(4, 1), "0.0625");
+        assert_eq!(in_digits(56, (1 << 56) + 7), "1.00000000000000009714451465470119728706777095794677734375");
+        assert_eq!(in_digits(63, i64::MIN), "-1");
+        for raw in -300..300 {
+            assert_eq!(in_digits(6, raw).parse(), Ok(raw as f64 / 64.0));
+        }
+    }
+
+    #[test]
     fn quantising_rounds_to_nearest_and_saturates() {
         let s = Format::signed(0, 2);
         assert_eq!([0.124, 0.125, -0.125, 0.9, -7.0].map(|x| s.quantise(x)), [0, 1, 0, 3, -4]);
         assert_eq!(s.quantise(f64::NAN), 0);
         assert_eq!([f64::INFINITY, f64::NEG_INFINITY].map(|x| s.quantise(x)), [3, -4]);
+        // Neither is changed by an addition of 1/2 in f64.
+        assert_eq!(Format::unsigned(1, 0).quantise(0.5_f64.next_down()), 0);
+        let odd = (1i64 << 52) + 1;
+        assert_eq!(Format::unsigned(0, 56).quantise(odd as f64 * power_of_two(-56)), odd);
     }
 }

@@ -51,6 +51,23 @@ impl<'a> Lanes<'a> {
         (0..self.clocks()).map(move |row| self.get(row))
     }
 
+    /// Smallest and largest value; none of no rows.
+    pub fn extremes(self) -> Option<(i64, i64)> {
+        // Folds without a branch, which compilers make wide.
+        match self {
+            Lanes::Narrow(lanes) => {
+                let ends = |(low, high): (i32, i32), &value: &i32| (low.min(value), high.max(value));
+                let (low, high) = lanes.iter().fold((i32::MAX, i32::MIN), ends);
+                (!lanes.is_empty()).then(|| (low.into(), high.into()))
+            }
+            Lanes::Wide(lanes) => {
+                let ends = |(low, high): (i64, i64), &value: &i64| (low.min(value), high.max(value));
+                (!lanes.is_empty()).then(|| lanes.iter().fold((i64::MAX, i64::MIN), ends))
+            }
+            Lanes::Constant(value, clocks) => (clocks > 0).then_some((value, value)),
+        }
+    }
+
     /// The first row whose value lies outside `low..=high`.
     pub fn first_outside(self, low: i64, high: i64) -> Option<usize> {
         match self {

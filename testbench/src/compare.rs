@@ -2,9 +2,9 @@
 use rayon::prelude::*;
 use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_golden::fixed::Model;
-use specula_scene::{CoreSpec, Frame, Span};
+use specula_scene::{CoreSpec, Frame, Span, SpanPacket};
+use specula_sim::SpanSource;
 
-use crate::spans::FrameSpans;
 use crate::statistics::{Errors, Sums};
 use crate::{BenchError, Image};
 
@@ -40,6 +40,29 @@ pub struct WorstPixel {
     pub error_lsb: f64,
 }
 
+/// The channel of a pixel that is furthest from its method in exact arithmetic.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorstQuantisation {
+    /// Column.
+    pub x: u32,
+    /// Row.
+    pub y: u32,
+    /// Number of the span.
+    pub span: usize,
+    /// Number of the pixel in its span.
+    pub pixel: u32,
+    /// 0 for red, 1 for green, 2 for blue.
+    pub channel: usize,
+    /// The code that the core gave.
+    pub simulated: u8,
+    /// The code that the bit-true model gives.
+    pub expected: u8,
+    /// What the method gives in exact arithmetic, in LSBs.
+    pub method: f64,
+    /// By how much the code is off from that, in LSBs.
+    pub error_lsb: f64,
+}
+
 /// The comparison of a whole frame.
 #[derive(Clone, Debug)]
 pub struct Comparison {
@@ -53,6 +76,10 @@ pub struct Comparison {
     pub largest_code_difference: u8,
     /// The pixel with the largest total error; none in a frame without pixels.
     pub worst_pixel: Option<WorstPixel>,
+    /// The largest quantisation error; none in a frame without pixels.
+    pub worst_quantisation: Option<WorstQuantisation>,
+    /// Pixels with a quantisation error above what is proven of it.
+    pub beyond_bound: u64,
     /// The bit-true model's picture.
     pub expected: Image,
     /// Exact shading, rounded.
@@ -70,18 +97,26 @@ struct SpanResult {
     mismatches: u64,
     first_mismatch: Option<Mismatch>,
     worst: Option<WorstPixel>,
+    worst_quantisation: Option<WorstQuantisation>,
+    beyond_bound: u64,
     largest_code_difference: u8,
     sums: [Sums; 3],
 }
 
-/// Compares `codes`, one for each pixel in span order, with every model.
+/// Compares `codes`, one for each pixel in span order, with every model. `spans` are what the core was given of the frame's spans, and no error is to
+/// exceed `bound` LSBs.
 ///
 /// Spans are worked on in parallel; what they give is put together in their order, so the result does not depend on threads.
 ///
 /// # Errors
 /// [`BenchError::Packet`] if the model refuses a span.
-pub(crate) fn compare(spec: &CoreSpec, frame: &Frame, codes: &[[u8; 3]]) -> Result<Comparison, BenchError> {
-    let (model, spans) = (Model::new(spec), FrameSpans::new(frame, spec));
+pub(crate) fn compare(
+    (spec, frame): (&CoreSpec, &Frame),
+    spans: &dyn SpanSource,
+    codes: &[[u8; 3]],
+    bound: f64,
+) -> Result<Comparison, BenchError> {
+    let model = Model::new(spec);
     let begins = begins(frame);
     let mut whole = Whole::new(frame);
     // A block of spans at a time, so that memory does not grow with the frame.
@@ -89,7 +124,7 @@ pub(crate) fn compare(spec: &CoreSpec, frame: &Frame, codes: &[[u8; 3]]) -> Resu
         let one = |&index: &usize| {
             let length = frame.spans[index].length as usize;
             let given = codes.get(begins[index]..begins[index] + length).unwrap_or(&[]);
-            compare_span(spec, frame, (&model, &spans), index, given)
+            compare_span((spec, frame), (&model, spans), index, given, bound)
         };
         let results: Vec<Result<SpanResult, BenchError>> = block.par_iter().map(one).collect();
         for (&index, result) in block.iter().zip(results) {
@@ -111,24 +146,30 @@ fn begins(frame: &Frame) -> Vec<usize> {
 }
 
 fn compare_span(
-    spec: &CoreSpec,
-    frame: &Frame,
-    (model, spans): (&Model, &FrameSpans),
+    (spec, frame): (&CoreSpec, &Frame),
+    (model, spans): (&Model, &dyn SpanSource),
     index: usize,
     given: &[[u8; 3]],
+    bound: f64,
 ) -> Result<SpanResult, BenchError> {
     let span = &frame.spans[index];
     let mut result = SpanResult::default();
-    model.shade(&spans.packet(index), &mut result.expected)?;
+    model.shade(&packet(spans, index), &mut result.expected)?;
     let (method, phong) = (MethodSpan::new(spec, frame, span), PhongSpan::new(frame, span));
     for pixel in 0..span.length {
         let expected = result.expected[pixel as usize];
         // A pixel that never left the core counts as a mismatch.
         let simulated = given.get(pixel as usize).copied();
         let (method, exact) = (method.pixel(pixel), phong.pixel(pixel));
-        result.add(Pixel { index, pixel, span, simulated, expected, method, exact });
+        result.add(Pixel { index, pixel, span, simulated, expected, method, exact }, bound);
     }
     Ok(result)
+}
+
+fn packet(spans: &dyn SpanSource, index: usize) -> SpanPacket {
+    let mut inputs = Vec::new();
+    spans.append_inputs(index, &mut inputs);
+    SpanPacket { length: spans.length(index), inputs }
 }
 
 struct Pixel<'a> {
@@ -141,13 +182,31 @@ struct Pixel<'a> {
     exact: [f64; 3],
 }
 
+impl Pixel<'_> {
+    /// The error of a channel that was given as `simulated`.
+    fn quantisation(&self, channel: usize, simulated: u8) -> WorstQuantisation {
+        let method = self.method[channel];
+        WorstQuantisation {
+            x: self.span.x + self.pixel,
+            y: self.span.y,
+            span: self.index,
+            pixel: self.pixel,
+            channel,
+            simulated,
+            expected: self.expected[channel],
+            method,
+            error_lsb: (f64::from(simulated) - method).abs(),
+        }
+    }
+}
+
 fn code(value: f64) -> u8 {
     // Shading is clamped to 0..=255.
     (value + 0.5).floor() as u8
 }
 
 impl SpanResult {
-    fn add(&mut self, p: Pixel) {
+    fn add(&mut self, p: Pixel, bound: f64) {
         let simulated = p.simulated.unwrap_or([0; 3]);
         let (x, y) = (p.span.x + p.pixel, p.span.y);
         if p.simulated != Some(p.expected) {
@@ -156,14 +215,21 @@ impl SpanResult {
             self.first_mismatch.get_or_insert(Mismatch { x, y, span, pixel, simulated, expected });
         }
         let mut largest: f64 = 0.0;
+        let mut is_beyond = false;
         for (c, &given) in simulated.iter().enumerate() {
             let total = f64::from(given) - p.exact[c];
             largest = largest.max(total.abs());
             self.sums[0].add(total);
             self.sums[1].add(p.method[c] - p.exact[c]);
-            self.sums[2].add(f64::from(given) - p.method[c]);
+            let quantisation = f64::from(given) - p.method[c];
+            self.sums[2].add(quantisation);
+            is_beyond |= quantisation.abs() > bound;
+            if self.worst_quantisation.is_none_or(|worst| quantisation.abs() > worst.error_lsb) {
+                self.worst_quantisation = Some(p.quantisation(c, given));
+            }
             self.largest_code_difference = self.largest_code_difference.max(given.abs_diff(code(p.method[c])));
         }
+        self.beyond_bound += u64::from(is_beyond);
         if self.worst.is_none_or(|w| largest > w.error_lsb) {
             self.worst = Some(WorstPixel { x, y, span: p.index, pixel: p.pixel, error_lsb: largest });
         }
@@ -188,6 +254,8 @@ impl Whole {
             errors: Errors { total: none.clone(), method: none.clone(), quantisation: none },
             largest_code_difference: 0,
             worst_pixel: None,
+            worst_quantisation: None,
+            beyond_bound: 0,
             expected: blank.clone(),
             error_map: vec![-1.0; blank.pixels.len()],
             exact: blank,
@@ -207,6 +275,11 @@ impl Whole {
         if let Some(worst) = result.worst.filter(|w| c.worst_pixel.is_none_or(|old| w.error_lsb > old.error_lsb)) {
             c.worst_pixel = Some(worst);
         }
+        let is_worse = |w: &WorstQuantisation| c.worst_quantisation.is_none_or(|old| w.error_lsb > old.error_lsb);
+        if let Some(worst) = result.worst_quantisation.filter(is_worse) {
+            c.worst_quantisation = Some(worst);
+        }
+        c.beyond_bound += result.beyond_bound;
         self.sums.iter_mut().zip(&result.sums).for_each(|(mine, theirs)| mine.merge(theirs));
     }
 

@@ -22,7 +22,7 @@ pub mod trace;
 pub mod tradeoff;
 
 pub use assumptions::Violation;
-pub use compare::{Comparison, Mismatch, WorstPixel};
+pub use compare::{Comparison, Mismatch, WorstPixel, WorstQuantisation};
 pub use error::BenchError;
 pub use image::Image;
 pub use pareto::pareto_front;

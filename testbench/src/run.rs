@@ -3,14 +3,14 @@ use std::ops::Range;
 use std::time::Instant;
 
 use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_hdl::design::{self, NodeId};
 use specula_scene::{CoreSpec, Frame};
 use specula_sim::fast::Settings;
-use specula_sim::{Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, Stimulus, Verilator};
+use specula_sim::{Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, SpanSource, Stimulus, Verilator};
 
 use crate::arrival::Arrivals;
-use crate::assumptions::{self, Violation};
-use crate::compare::{self, Comparison};
+use crate::assumptions::{self, Facts, Violation};
+use crate::compare::{self, Comparison, WorstQuantisation};
 use crate::spans::FrameSpans;
 use crate::trace::{self, Choice};
 use crate::{BenchError, Image};
@@ -88,8 +88,12 @@ pub struct Outcome {
     pub comparison: Comparison,
     /// Clocks in which a pixel left though none was due, or was due and did not leave.
     pub wrong_clocks: Vec<u64>,
+    /// For each stated fact of the design the smallest and the largest raw value that its signal had wherever a pixel was.
+    pub facts_seen: Vec<Option<design::Range>>,
     /// The first fact that did not hold.
     pub violation: Option<Violation>,
+    /// What the quantisation error is proven to stay within, in LSBs.
+    pub bound_lsb: f64,
     /// Clock in which the worst pixel left the core.
     pub worst_cycle: Option<u64>,
     /// Seconds that the simulation took.
@@ -97,9 +101,18 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether every pixel agrees, each in its clock, and every stated fact held.
+    /// Whether every pixel agrees, each in its clock, every stated fact held, and no quantisation error is above its bound.
+    ///
+    /// Core and bit-true model are given the same packets, so they agree whatever those hold; the method in f64 is given none. That a core stays
+    /// within its bound says that the set-up is right, and that the bound is.
     pub fn agrees(&self) -> bool {
-        self.comparison.mismatches == 0 && self.wrong_clocks.is_empty() && self.violation.is_none()
+        let as_the_model = self.comparison.mismatches == 0 && self.wrong_clocks.is_empty() && self.violation.is_none();
+        as_the_model && self.beyond_bound().is_none()
+    }
+
+    /// The largest quantisation error, if it is above its bound.
+    pub fn beyond_bound(&self) -> Option<&WorstQuantisation> {
+        self.comparison.worst_quantisation.as_ref().filter(|worst| worst.error_lsb > self.bound_lsb)
     }
 }
 
@@ -122,21 +135,29 @@ impl<'a> Bench<'a> {
     /// # Errors
     /// [`BenchError`] if the engine fails.
     pub fn run(&self, engine: EngineKind, progress: Progress) -> Result<Outcome, BenchError> {
-        let spans = FrameSpans::new(self.frame, self.spec);
-        let stimulus = Stimulus::whole(&spans, &self.design);
+        self.run_given(&FrameSpans::new(self.frame, self.spec), engine, progress)
+    }
+
+    /// As [`Bench::run`], with packets of the frame's spans that another host has set up.
+    ///
+    /// # Errors
+    /// [`BenchError`] if the engine fails, or if a packet is none that the core takes.
+    pub fn run_given(&self, spans: &dyn SpanSource, engine: EngineKind, progress: Progress) -> Result<Outcome, BenchError> {
+        let stimulus = Stimulus::whole(spans, &self.design);
         let mut arrivals = Arrivals::new(&self.design, &stimulus);
-        let mut violation = None;
+        let mut facts = Facts::of(&self.design);
         let mut engine = engine.engine(&self.design)?;
         let begin = Instant::now();
         engine.run(&stimulus, &self.watched(), &mut |columns| {
             arrivals.take(columns);
-            violation = violation.take().or_else(|| assumptions::first_violation(&self.design, &stimulus, columns));
+            facts.take(&stimulus, columns);
             progress(columns.span().end, stimulus.clocks().end);
             Flow::Continue
         })?;
         let simulation_seconds = begin.elapsed().as_secs_f64();
         let Arrivals { codes, wrong_clocks, .. } = arrivals;
-        let comparison = compare::compare(self.spec, self.frame, &codes)?;
+        let bound_lsb = self.design.error_bound();
+        let comparison = compare::compare((self.spec, self.frame), spans, &codes, bound_lsb)?;
         let latency = self.design.latency();
         let worst_cycle =
             comparison.worst_pixel.as_ref().map(|worst| trace::leaving_clock(&stimulus, latency, worst.span, worst.pixel));
@@ -146,7 +167,9 @@ impl<'a> Bench<'a> {
             simulated: self.picture(&codes),
             comparison,
             wrong_clocks,
-            violation,
+            facts_seen: facts.seen,
+            violation: facts.violation,
+            bound_lsb,
             worst_cycle,
             simulation_seconds,
         })

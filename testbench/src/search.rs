@@ -96,7 +96,7 @@ impl<Cost: Ord> Goal<'_, Cost> {
 }
 
 /// Largest |code - method in f64| over every pixel and channel, in LSBs.
-fn largest_error(spec: &CoreSpec, frame: &Frame) -> Result<f64, BenchError> {
+pub(crate) fn largest_error(spec: &CoreSpec, frame: &Frame) -> Result<f64, BenchError> {
     let (model, spans) = (Model::new(spec), FrameSpans::new(frame, spec));
     let of_span = |index: usize| {
         let mut codes = vec![];

@@ -9,7 +9,6 @@ mod each_method;
 use draw::Draw;
 use specula_golden::exact::MethodSpan;
 use specula_hdl::Design;
-use specula_hdl::design::NodeId;
 use specula_scene::spec::LightPipelines;
 use specula_scene::{CoreSpec, Frame, Method};
 use specula_testbench::{Bench, BenchError, EngineKind, Image};
@@ -19,7 +18,8 @@ fn agrees(seed: u64, method: Method) {
     let longest = draw.one_of(&[1, 2, 3, 20, 150]);
     let frame = draw::frame(&mut draw, longest);
     let light_pipelines = draw.one_of(&LightPipelines::ALL);
-    let spec = CoreSpec { light_pipelines, ..draw::spec(&mut draw, &frame, method) };
+    let general = CoreSpec { light_pipelines, ..draw::spec(&mut draw, &frame, method) };
+    let spec = if draw.one_of(&[true, false]) { general.specialised(&frame) } else { general };
     println!("{spec:?}");
     let bench = match Bench::new(&frame, &spec, "core") {
         Ok(bench) => bench,
@@ -34,8 +34,7 @@ fn agrees(seed: u64, method: Method) {
 
 /// Each output against the method in f64, before its rounding to 8 bits.
 fn errors_stay_within_bounds(design: &Design, spec: &CoreSpec, frame: &Frame, simulated: &Image) {
-    let bound = |&output: &NodeId| design.node(output).error;
-    let bounds: Vec<f64> = design.outputs.iter().map(bound).collect();
+    let bounds = &design.output_errors;
     for span in &frame.spans {
         let method = MethodSpan::new(spec, frame, span);
         for pixel in 0..span.length {

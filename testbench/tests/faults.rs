@@ -154,7 +154,7 @@ fn untrue_facts_are_reported() {
         let order = frame.spans.iter().flat_map(|s| (0..s.length).map(|i| (s.y * frame.width + i) as usize));
         let first = order.clone().position(|at| outcome.simulated.pixels[at][1] > 100).expect("some green is bright");
         let value = order.map(|at| outcome.simulated.pixels[at][1]).nth(first).unwrap();
-        assert_eq!((violation.clock, violation.value), (first as u64 + u64::from(bench.design.latency()), value.into()));
+        assert_eq!((violation.clock, violation.value()), (first as u64 + u64::from(bench.design.latency()), value.into()));
     }
 }
 

@@ -32,8 +32,8 @@ own loops in software. Writes DIR/report.md, report.html, report.json, cores.csv
 plots of error against run time and size as SVG and PNG, and results.jsonl: a sweep that was
 interrupted goes on where it stopped.
 
-Exit status: 0 if every pixel of every core agrees with the bit-true model, 1 if not, 2 if the
-comparison could not be made.
+Exit status: 0 if every pixel of every core agrees with the bit-true model and no quantisation error
+is above its proven bound, 1 if not, 2 if the comparison could not be made.
 
 Example: specula compare teapot --methods lyon,phong,gouraud --formats -4,-2,default --clock 150";
 

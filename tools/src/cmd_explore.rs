@@ -1,5 +1,5 @@
 //! `specula explore`: the smallest core that shades a scene well enough.
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -82,7 +82,23 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
         format!("{}\n{}\n", described(&exploration, arguments.clock.clock()), paths.join("\n"))
     };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
-    Ok(Verdict::Done)
+    Ok(verdict(&exploration))
+}
+
+/// The verdict; a core with an error above its bound is said to whoever watches.
+fn verdict(exploration: &Exploration) -> Verdict {
+    let mut verdict = Verdict::Done;
+    let mut stderr = io::stderr().lock();
+    for (core, [error, bound]) in exploration.front.iter().filter_map(|core| Some((core, core.beyond_bound()?))) {
+        verdict = Verdict::Disagrees;
+        let name = &core.core;
+        // The exit status tells the same.
+        let _ = writeln!(
+            stderr,
+            "disagreement: {name}: a quantisation error of {error:.3} LSB, above the proven bound of {bound:.3}: the set-up or the bound is wrong"
+        );
+    }
+    verdict
 }
 
 /// Why there is no best core.

@@ -33,7 +33,8 @@ stay.
 `specula run figure9` shades Lyon's figure 9, a core for each of its twelve rows, and writes
 figure9.png, formulas.png (the same in f64), the cores, report.md and report.json.
 
-Exit status: 0 if every pixel agrees, 1 if not, 2 if the run could not be made.
+Exit status: 0 if every pixel agrees and no quantisation error is above its proven bound, 1 if not,
+2 if the run could not be made.
 
 Example: specula run teapot --size 320x240 --method hybrid --trace span=100";
 
@@ -58,7 +59,7 @@ pub struct Arguments {
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
     /// Clocks in the waveform: worst (200 around the largest error), none, span=N, cycles=A..B or all.
-    /// If the core disagrees with its models, worst and none give 200 around the first disagreement
+    /// If the core disagrees with its models or an error is above its bound, worst and none give 200 around that
     #[arg(long, value_name = "CLOCKS", default_value = "worst", value_parser = parse_choice)]
     trace: Choice,
     /// The waveform's file

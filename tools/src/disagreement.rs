@@ -1,5 +1,5 @@
 //! What of a run is not as it must be.
-use specula_testbench::{Bench, Mismatch, Outcome, Violation};
+use specula_testbench::{Bench, Mismatch, Outcome, Violation, WorstQuantisation};
 
 /// Everything that disagrees, first occurrences in full.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +14,21 @@ pub struct Disagreement {
     pub first_wrong_clock: Option<u64>,
     /// The first stated fact that did not hold.
     pub violation: Option<Violation>,
+    /// The largest quantisation error that is above its bound.
+    pub beyond_bound: Option<BeyondBound>,
+}
+
+/// A quantisation error above what is proven of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeyondBound {
+    /// The largest one.
+    pub worst: WorstQuantisation,
+    /// The clock in which its pixel leaves the core.
+    pub clock: u64,
+    /// The bound, in LSBs.
+    pub bound_lsb: f64,
+    /// Pixels with such an error.
+    pub pixels: u64,
 }
 
 impl Disagreement {
@@ -26,6 +41,12 @@ impl Disagreement {
             wrong_clocks: outcome.wrong_clocks.len(),
             first_wrong_clock: outcome.wrong_clocks.first().copied(),
             violation: outcome.violation.clone(),
+            beyond_bound: outcome.beyond_bound().map(|&worst| BeyondBound {
+                worst,
+                clock: bench.leaving_clock(worst.span, worst.pixel),
+                bound_lsb: outcome.bound_lsb,
+                pixels: outcome.comparison.beyond_bound,
+            }),
         };
         (!outcome.agrees()).then_some(disagreement)
     }
@@ -34,8 +55,10 @@ impl Disagreement {
     pub fn first_clock(&self) -> u64 {
         let mismatch = self.first_mismatch.as_ref().map(|(_, clock)| *clock);
         let violation = self.violation.as_ref().map(|violation| violation.clock);
-        // A pixel that disagrees, a clock that is wrong or a fact that is violated: there is one of them.
-        [mismatch, self.first_wrong_clock, violation].into_iter().flatten().min().unwrap_or(0)
+        let beyond = self.beyond_bound.map(|beyond| beyond.clock);
+        // What is above its bound comes out of a core that does as it is told: it is to be seen there only if there is nothing else.
+        let first = [mismatch, self.first_wrong_clock, violation].into_iter().flatten().min();
+        first.or(beyond).unwrap_or(0)
     }
 
     /// In words, a line for each kind.
@@ -53,13 +76,36 @@ impl Disagreement {
                 self.wrong_clocks
             )
         });
-        let fact = self
-            .violation
-            .as_ref()
-            .map(|v| format!("`{}` does not hold: signal {} is {} in cycle {}", v.fact, v.signal, v.value, v.clock));
-        [pixel, clocks, fact].into_iter().flatten().collect()
+        let fact = self.violation.as_ref().map(Violation::in_words);
+        let beyond = self.beyond_bound.as_ref().map(BeyondBound::in_words);
+        [pixel, clocks, fact, beyond].into_iter().flatten().collect()
+    }
+
+    /// Whether core and bit-true model agree, each pixel in its clock and with every fact, and an error is above its bound all the same.
+    pub fn is_of_bound_alone(&self) -> bool {
+        self.mismatches == 0 && self.wrong_clocks == 0 && self.violation.is_none()
     }
 }
+
+impl BeyondBound {
+    /// In words, with what it means.
+    fn in_words(&self) -> String {
+        let BeyondBound { worst: w, clock, bound_lsb, pixels } = self;
+        let several = if *pixels == 1 { "1 pixel has".to_owned() } else { format!("{pixels} pixels have") };
+        let meaning = match w.simulated == w.expected {
+            true => "the bit-true model has the same code from the same inputs, so the set-up of spans or the bound is wrong".to_owned(),
+            false => format!("the bit-true model has {}", w.expected),
+        };
+        format!(
+            "{several} a quantisation error above the proven bound of {bound_lsb:.3} LSB, the largest {:.3} LSB: {} of ({}, {}) is {} in cycle {clock}, and \
+             {:.3} by the method in exact arithmetic (span {}, pixel {}); {meaning}",
+            w.error_lsb, CHANNELS[w.channel], w.x, w.y, w.simulated, w.method, w.span, w.pixel
+        )
+    }
+}
+
+/// What channels are called.
+pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 fn codes([r, g, b]: [u8; 3]) -> String {
     format!("({r}, {g}, {b})")

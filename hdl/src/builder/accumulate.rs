@@ -1,7 +1,7 @@
 //! The usual feedback: a value that grows by a step with each pixel of a span.
 use super::state::Facts;
 use super::{Builder, Sig};
-use crate::design::{ErrorForm, Node, NodeId, Op, Range, Register};
+use crate::design::{Node, NodeId, Op, Range, Register};
 
 impl Sig {
     /// `start` at the first pixel of a span (where `first` is 1), and from then on `step` more with each pixel.
@@ -12,13 +12,13 @@ impl Sig {
     pub fn accumulated(first: &Sig, start: &Sig, step: &Sig, (low, high): (f64, f64), steps: u32, fact: &str) -> Sig {
         let fraction_bits = start.fraction_bits().max(step.fraction_bits());
         let (start, step) = (start.with_fraction_bits(fraction_bits), step.with_fraction_bits(fraction_bits));
+        let error = start.error() + f64::from(steps) * step.error();
         if step.range() == Range::single(0) {
-            return start.never_growing();
+            return start.never_growing(error);
         }
         let builder = first.builder.clone();
         let stage = [first, &start, &step].map(Sig::stage).into_iter().max().unwrap_or(0);
         let (first, start, step) = (first.aligned(stage), start.aligned(stage), step.aligned(stage));
-        let error = start.error() + f64::from(steps) * step.error();
 
         let raw = |value: f64| value / start.ulp();
         let assumed = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64).hull(start.range());
@@ -60,11 +60,11 @@ impl Sig {
         builder.emit(Op::Copy(sum.id()), Register::Data, facts(sum.range(), "summed"))
     }
 
-    /// What starts here and grows by nothing: inputs are held while their span goes in, so no register need keep it.
-    fn never_growing(&self) -> Sig {
+    /// What starts here and never changes: inputs are held while their span goes in, so no register need keep it. A step of 0 may be one that the
+    /// host rounded to 0, so `error` is that of any accumulated value.
+    fn never_growing(&self, error: f64) -> Sig {
         self.builder.leave_out(&format!("accumulator {} bits", self.range().width()), "its step is always 0");
-        let facts =
-            Facts { range: self.range().into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "accumulated" };
+        let facts = Facts { range: self.range().into(), fraction_bits: self.fraction_bits(), error, kind: "accumulated" };
         self.builder.emit(Op::Copy(self.id()), Register::Data, facts)
     }
 }
@@ -85,7 +85,7 @@ impl Builder {
         let mut state = self.state.borrow_mut();
         let (scope, own) = (state.scope, NodeId(state.design.nodes.len() as u32));
         let name = state.unique(scope, "state");
-        let (op, register, error, error_form) = (Op::Copy(own), Register::Data, 0.0, ErrorForm::Bounded);
-        state.push(Node { op, register, range, fraction_bits, error, error_form, stage, scope, name, named: true })
+        let (op, register) = (Op::Copy(own), Register::Data);
+        state.push(Node { op, register, range, fraction_bits, stage, scope, name, named: true })
     }
 }

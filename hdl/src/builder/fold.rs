@@ -1,4 +1,7 @@
 //! Leaves out operators whose result is known or is one of their operands.
+//!
+//! This is about raw values alone. A constant 0 may stand for a real value that the host rounded to 0, and what adds or multiplies it is off by what
+//! that makes of it: [`Sig`](super::Sig) keeps the operator's own error, whichever signal its values come from.
 use super::state::{Facts, State};
 use crate::design::{NodeId, Op, Register};
 
@@ -6,9 +9,7 @@ use crate::design::{NodeId, Op, Register};
 pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId> {
     if let Some(value) = known_value(state, op, facts) {
         note(state, op, &format!("its result is always {value}"));
-        let id = state.constant(value, facts.fraction_bits);
-        state.design.nodes[id.0 as usize].error = facts.error;
-        return Some(id);
+        return Some(state.constant(value, facts.fraction_bits));
     }
     if let Some((factor, bits)) = power_of_two_times(state, op) {
         note(state, op, &format!("it multiplies by 2^{bits}, which wires do"));

@@ -1,7 +1,7 @@
 //! Tables, and registers that hold their value.
 use super::Sig;
 use super::state::Facts;
-use crate::design::{ErrorForm, Node, NodeId, Op, Range, Register, Table, TableId};
+use crate::design::{Node, NodeId, Op, Range, Register, Table, TableId};
 
 impl Sig {
     /// The entry of a table at this address, an unsigned integer; `entries` are raw values with `fraction_bits`, each off by no more
@@ -24,7 +24,7 @@ impl Sig {
         let (value, enable) = (self.aligned(stage), enable.aligned(stage));
         let range = value.range().hull(Range::single(0));
         self.builder
-            .own_register(range, self.fraction_bits(), self.error(), stage + 1, |own| Op::Select(enable.id(), value.id(), own))
+            .own_register(range, (self.fraction_bits(), self.error()), stage + 1, |own| Op::Select(enable.id(), value.id(), own))
     }
 
     /// A register that takes over `loaded` while `load` is 1, else this value while `enable` is 1, and else holds what it has. It
@@ -38,7 +38,7 @@ impl Sig {
         let error = value.error().max(loaded.error());
         let builder = &self.builder;
         // The register is placed before the multiplexer that reads it, and its operand is set when that is there.
-        let state = builder.own_register(range, fraction_bits, error, stage + 1, Op::Copy);
+        let state = builder.own_register(range, (fraction_bits, error), stage + 1, Op::Copy);
         let facts = Facts { range: range.into(), fraction_bits, error, kind: "kept" };
         let kept = builder.emit(Op::Select(enable.id(), value.id(), state.id()), Register::None, facts);
         builder.state.borrow_mut().design.nodes[state.id().0 as usize].op = Op::Select(load.id(), loaded.id(), kept.id());
@@ -54,7 +54,7 @@ impl super::Builder {
     }
 
     /// A register whose operand may be itself.
-    fn own_register(&self, range: Range, fraction_bits: u32, error: f64, stage: u32, op: impl Fn(NodeId) -> Op) -> Sig {
+    fn own_register(&self, range: Range, (fraction_bits, error): (u32, f64), stage: u32, op: impl Fn(NodeId) -> Op) -> Sig {
         let id = {
             let mut state = self.state.borrow_mut();
             let (scope, own) = (state.scope, NodeId(state.design.nodes.len() as u32));
@@ -64,8 +64,6 @@ impl super::Builder {
                 register: Register::Data,
                 range,
                 fraction_bits,
-                error,
-                error_form: ErrorForm::Bounded,
                 stage,
                 scope,
                 name,
@@ -74,6 +72,6 @@ impl super::Builder {
             state.nameable(id);
             id
         };
-        self.sig(id)
+        self.sig(id, error)
     }
 }

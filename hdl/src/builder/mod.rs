@@ -2,6 +2,9 @@
 //!
 //! A value is a [`Sig`]. Operators derive the result's format, proven range, error bound and stage from the operands'; operands of
 //! different stages are aligned by delay registers that are put in and shared here. No unit counts its own registers.
+//!
+//! A [`Sig`] is a signal *and* the real value that it stands for. Signals whose raw values are the same are one signal in the hardware, whatever they
+//! stand for; so all that is known of errors belongs to the [`Sig`], and folding, merging and leaving out hardware cannot lose it.
 mod accumulate;
 mod arithmetic;
 mod fold;
@@ -9,6 +12,7 @@ mod logic;
 mod memory;
 mod narrow;
 mod ports;
+mod real;
 mod recurrence;
 mod sig;
 mod state;
@@ -76,15 +80,17 @@ impl Builder {
     /// Opens the control inputs.
     pub fn control(&self) -> Control {
         let mut state = self.state.borrow_mut();
-        let [valid, start] = ["valid", "start"].map(|name| state.open_input(name, Range::new(0, 1), 0, 0.0));
+        let [valid, start] = ["valid", "start"].map(|name| state.open_input(name, Range::new(0, 1), 0));
         (state.design.valid, state.design.start) = (valid, start);
         drop(state);
-        Control { valid: self.sig(valid), start: self.sig(start) }
+        Control { valid: self.sig(valid, 0.0), start: self.sig(start, 0.0) }
     }
 
-    /// Opens a data input. Its host rounded it to nearest, so it is off by half a unit in the last place at most.
-    /// A port that is given one value only becomes a constant, and one that is given what an earlier one is becomes that.
+    /// Opens a data input. Its host rounded it to nearest, so it is off by half a unit in the last place at most; integers are exact.
+    /// A port that is given one value only becomes a constant, which is off like any other input, and one that is given what an earlier one is
+    /// becomes that.
     pub fn input(&self, port: &InputPort) -> Sig {
+        let error = if port.format.fraction_bits == 0 { 0.0 } else { 0.5 };
         if let Some(twin) = port.same_as.as_deref().and_then(|twin| self.opened(twin)) {
             let mut state = self.state.borrow_mut();
             let name = &state.design.node(twin).name;
@@ -92,27 +98,25 @@ impl Builder {
             state.leave_out(&format!("input `{}`", port.name), &why);
             state.design.inputs.push(None);
             drop(state);
-            return self.sig(twin);
+            return self.sig(twin, error);
         }
         let range = Range::new(port.range.0, port.range.1);
-        let error = if port.format.fraction_bits == 0 { 0.0 } else { 0.5 };
         let id = match range.only() {
             Some(value) => {
                 let mut state = self.state.borrow_mut();
                 state.leave_out(&format!("input `{}`", port.name), &format!("it is always {}", port.format.value(value)));
                 let id = state.constant(value, port.format.fraction_bits);
-                state.design.nodes[id.0 as usize].error = error;
                 state.design.inputs.push(None);
                 id
             }
             None => {
                 let mut state = self.state.borrow_mut();
-                let id = state.open_input(&port.name, range, port.format.fraction_bits, error);
+                let id = state.open_input(&port.name, range, port.format.fraction_bits);
                 state.design.inputs.push(Some(id));
                 id
             }
         };
-        self.sig(id)
+        self.sig(id, error)
     }
 
     /// The data input of that name.
@@ -123,8 +127,7 @@ impl Builder {
 
     /// The integer `value`, exactly.
     pub fn integer(&self, value: i64) -> Sig {
-        let id = self.state.borrow_mut().constant(value, 0);
-        self.sig(id)
+        self.constant(value, 0, 0.0)
     }
 
     /// Closes the design: `outputs` leave it together, and with them a bit that says whether a pixel leaves: `valid` of the first stage, as
@@ -142,6 +145,7 @@ impl Builder {
         for (name, sig) in outputs {
             let id = state.output(sig.id(), last, name);
             state.design.outputs.push(id);
+            state.design.output_errors.push(sig.error_value());
         }
         state.close(last)
     }
@@ -151,14 +155,22 @@ impl Builder {
         self.state.borrow_mut().leave_out(what, why);
     }
 
-    fn sig(&self, id: NodeId) -> Sig {
+    /// A value that is the signal `id`, off by `error` units of the last place at most.
+    fn sig(&self, id: NodeId, error: f64) -> Sig {
         let fraction_bits = self.state.borrow().design.node(id).fraction_bits;
-        Sig::new(self.clone(), id, fraction_bits)
+        Sig::new(self.clone(), (id, fraction_bits), error)
+    }
+
+    /// The same raw value at every clock, for a real one that is `error` units of the last place from it at most.
+    fn constant(&self, value: i64, fraction_bits: u32, error: f64) -> Sig {
+        let id = self.state.borrow_mut().constant(value, fraction_bits);
+        self.sig(id, error)
     }
 
     /// Adds an operator whose operands are aligned already.
     fn emit(&self, op: Op, register: Register, facts: state::Facts) -> Sig {
+        let error = facts.error;
         let id = self.state.borrow_mut().emit(op, register, facts);
-        self.sig(id)
+        self.sig(id, error)
     }
 }

@@ -2,6 +2,7 @@
 use specula_scene::format::power_of_two;
 
 use super::Sig;
+use super::real::Real;
 use super::state::Facts;
 use crate::design::{Assumption, ErrorForm, Op, Range, Register, Share};
 
@@ -13,7 +14,8 @@ impl Sig {
             // floor((x + 2^(d-1)) / 2^d) = floor((floor(x / 2^(d-1)) + 1) / 2): the adder need not see the bits that go.
             dropped => {
                 let error = self.error() * power_of_two(-i64::from(dropped)) + 0.5;
-                self.shortened(fraction_bits + 1, "kept").plus_one_ulp().shortened(fraction_bits, "rounded").with_error(error)
+                let rounded = self.shortened(fraction_bits + 1, "kept").plus_one_ulp().shortened(fraction_bits, "rounded");
+                rounded.with_error(error).with_real(self.real().scaled(power_of_two(-i64::from(dropped))))
             }
         }
     }
@@ -26,8 +28,7 @@ impl Sig {
     /// The last `bits` bits, read as an unsigned number: what is left of it modulo 2^`bits` units of the last place.
     pub fn low_bits(&self, bits: u32) -> Sig {
         if bits == 0 {
-            let id = self.builder.state.borrow_mut().constant(0, self.fraction_bits());
-            return self.builder.sig(id);
+            return self.builder.constant(0, self.fraction_bits(), self.error());
         }
         let range = Range::whole(bits, false);
         if self.range().hull(range) == range {
@@ -58,8 +59,7 @@ impl Sig {
         let range = self.range().shifted_right(dropped);
         let error = self.error() * power_of_two(-i64::from(dropped)) + 1.0;
         if let Some(value) = constant {
-            let id = self.builder.state.borrow_mut().constant(value >> dropped, fraction_bits);
-            return self.builder.sig(id).with_error(error);
+            return self.builder.constant(value >> dropped, fraction_bits, error);
         }
         let facts = Facts { range: range.into(), fraction_bits, error, kind };
         self.builder.emit(Op::ShiftRight(self.id(), dropped), Register::None, facts)
@@ -73,23 +73,25 @@ impl Sig {
     /// The value, or the integer `low` where it is smaller. Clamping brings fixed and real no further apart.
     pub fn clamped_below(&self, low: i64) -> Sig {
         let limit = self.limit(low);
+        let real = self.real().clamped_below(limit as f64);
         if limit <= self.range().low {
-            return self.clone();
+            return self.clone().known_real(real);
         }
         let low = self.builder.integer(low);
         let range = Range::new(limit, self.range().high.max(limit));
-        self.less_than(&low).choose(&low, self).known_within(range, self.error())
+        self.less_than(&low).choose(&low, self).known_within(range, self.error()).known_real(real)
     }
 
     /// The value, or the integer `high` where it is larger. Clamping brings fixed and real no further apart.
     pub fn clamped_above(&self, high: i64) -> Sig {
         let limit = self.limit(high);
+        let real = self.real().clamped_above(limit as f64);
         if self.range().high <= limit {
-            return self.clone();
+            return self.clone().known_real(real);
         }
         let high = self.builder.integer(high);
         let range = Range::new(self.range().low.min(limit), limit);
-        high.less_than(self).choose(&high, self).known_within(range, self.error())
+        high.less_than(self).choose(&high, self).known_within(range, self.error()).known_real(real)
     }
 
     /// The value without its sign. Fixed and real come no further apart.
@@ -109,17 +111,22 @@ impl Sig {
 
     /// After a clamp: the range that the clamp leaves, which the hull of its branches does not show.
     fn known_within(self, range: Range, error: f64) -> Sig {
-        let facts =
-            Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: error.min(range.extent()), kind: "clamped" };
+        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error, kind: "clamped" };
         match self.range() == range {
-            true => self.with_error(error.min(range.extent())),
+            true => self.with_error(error),
             false => self.builder.emit(Op::Wrap(self.id()), Register::None, facts),
         }
     }
 
+    /// After a clamp of fixed and real value alike: where the real one lies, and so how far both are apart at most.
+    fn known_real(self, real: Real) -> Sig {
+        let error = self.error().min(real.furthest_from(self.range()));
+        self.with_error(error).with_real(real)
+    }
+
     /// States a fact that intervals cannot see: the value lies from `low` to `high`. The testbench checks it on every clock.
     ///
-    /// The bits that the fact makes superfluous are dropped.
+    /// The bits that the fact makes superfluous are dropped. The fact is about the fixed value, so it says nothing of the error.
     pub fn assumed(&self, low: f64, high: f64, fact: &str) -> Sig {
         let raw = |value: f64| value / self.ulp();
         let stated = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64);
@@ -131,10 +138,10 @@ impl Sig {
         let facts = Facts {
             range: range.into(),
             fraction_bits: self.fraction_bits(),
-            error: self.error().min(range.extent()),
+            error: self.error(),
             kind: "assumed",
         };
-        self.builder.emit(Op::Wrap(self.id()), Register::None, facts)
+        self.builder.emit(Op::Wrap(self.id()), Register::None, facts).with_real(self.real())
     }
 
     /// States a bound on |fixed - real| that propagation cannot see, in units of the last place. The unit gives the proof above it.
@@ -153,7 +160,7 @@ impl Sig {
     /// may come out otherwise than the real one. The unit gives the proof above it.
     pub fn stated_error_value(self, error: f64) -> Sig {
         let in_ulps = error / self.ulp();
-        self.with_error(in_ulps)
+        self.with_error(in_ulps).with_real(Real::ANY)
     }
 
     /// States that in cases which everything known so far leaves out, such as a choice that comes out otherwise than the real one, it is off by
@@ -180,14 +187,4 @@ impl Sig {
         self.proven_error_value(angle + rest).of_error_form(ErrorForm::OfCosine { angle, rest })
     }
 
-    /// States what is known of its error beside the bound. The unit gives the proof above it.
-    pub fn of_error_form(self, form: ErrorForm) -> Sig {
-        self.builder.state.borrow_mut().design.nodes[self.id().0 as usize].error_form = form;
-        self
-    }
-
-    pub(super) fn with_error(self, error: f64) -> Sig {
-        self.builder.state.borrow_mut().design.nodes[self.id().0 as usize].error = error;
-        self
-    }
 }

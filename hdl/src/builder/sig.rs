@@ -3,6 +3,7 @@ use specula_scene::Format;
 use specula_scene::format::power_of_two;
 
 use super::Builder;
+use super::real::Real;
 use super::state::Facts;
 use crate::design::{ErrorForm, NodeId, Op, Range, Register, WideRange};
 
@@ -13,11 +14,23 @@ pub struct Sig {
     id: NodeId,
     /// Where this reader sees the binary point; doubling and halving move it and cost nothing.
     fraction_bits: u32,
+    /// Bound on |fixed - real|, in units of the last place.
+    error: f64,
+    /// What is known of the error beside that, about values.
+    error_form: ErrorForm,
+    /// What is known of the real value beside that it is near the fixed one.
+    real: Real,
 }
 
 impl Sig {
-    pub(super) fn new(builder: Builder, id: NodeId, fraction_bits: u32) -> Sig {
-        Sig { builder, id, fraction_bits }
+    /// The signal `id` with the binary point where it counts `fraction_bits`, off by `error` units of the last place at most.
+    pub(super) fn new(builder: Builder, (id, fraction_bits): (NodeId, u32), error: f64) -> Sig {
+        Sig { builder, id, fraction_bits, error, error_form: ErrorForm::Bounded, real: Real::ANY }
+    }
+
+    /// The same value as another signal has it: later, or in another unit.
+    pub(super) fn at(&self, id: NodeId) -> Sig {
+        Sig { id, ..self.clone() }
     }
 
     /// The signal in the design.
@@ -53,7 +66,7 @@ impl Sig {
 
     /// Bound on |fixed - real|, in units of the last place.
     pub fn error(&self) -> f64 {
-        self.builder.state.borrow().design.node(self.id).error
+        self.error
     }
 
     /// Bound on |fixed - real|, as a value.
@@ -63,10 +76,36 @@ impl Sig {
 
     /// What is known of its error beside the bound.
     pub fn error_form(&self) -> ErrorForm {
-        let state = self.builder.state.borrow();
-        let node = state.design.node(self.id);
-        // It is about values, which a moved binary point changes.
-        if node.fraction_bits == self.fraction_bits { node.error_form } else { ErrorForm::Bounded }
+        self.error_form
+    }
+
+    /// Where the real value lies, in units of the last place.
+    pub(super) fn real(&self) -> Real {
+        self.real.and(Real::near(self.range(), self.error))
+    }
+
+    /// The same value, off by `error` units of the last place at most; what else is known stays.
+    pub(super) fn with_error(self, error: f64) -> Sig {
+        Sig { error, ..self }
+    }
+
+    /// States what is known of its error beside the bound. The unit gives the proof above it.
+    pub fn of_error_form(self, error_form: ErrorForm) -> Sig {
+        Sig { error_form, ..self }
+    }
+
+    /// The same value, the real one of which lies in an interval.
+    pub(super) fn with_real(self, real: Real) -> Sig {
+        Sig { real, ..self }
+    }
+
+    /// The same signal where it stands for the real value of any of `others` as well, which have its raw values.
+    pub(super) fn off_as_any_of(self, others: &[Sig]) -> Sig {
+        let error = others.iter().map(Sig::error).fold(self.error, f64::max);
+        let real = others.iter().fold(self.real, |real, other| real.or(other.real));
+        let alike = others.iter().all(|other| other.error_form == self.error_form);
+        let error_form = if alike { self.error_form } else { ErrorForm::Bounded };
+        Sig { error, error_form, real, ..self }
     }
 
     /// Whether it always has the other's value: it is the same signal, or the same constant.
@@ -94,9 +133,14 @@ impl Sig {
 
     /// The value times 2^`exponent`: the binary point moves, and wires are added only where it would leave the bits on the right.
     pub fn times_power_of_two(&self, exponent: i32) -> Sig {
+        if exponent == 0 {
+            return self.clone();
+        }
         let fraction_bits = self.fraction_bits as i32 - exponent;
         if fraction_bits >= 0 {
-            return Sig { fraction_bits: fraction_bits as u32, ..self.clone() };
+            // Errors and ranges count in units of the last place, but their form is about values.
+            let moved = self.clone().of_error_form(ErrorForm::Bounded);
+            return Sig { fraction_bits: fraction_bits as u32, ..moved };
         }
         let whole = Sig { fraction_bits: 0, ..self.clone() };
         let raised = whole.raised_by(fraction_bits.unsigned_abs());
@@ -121,19 +165,17 @@ impl Sig {
         };
         let op = Op::ShiftLeft(self.id, bits);
         let constant = self.builder.state.borrow().is_constant(self.id);
-        match constant {
-            Some(value) => {
-                let id = self.builder.state.borrow_mut().constant(value << bits, facts.fraction_bits);
-                self.builder.sig(id).with_error(facts.error)
-            }
+        let raised = match constant {
+            Some(value) => self.builder.constant(value << bits, facts.fraction_bits, facts.error),
             None => self.builder.emit(op, Register::None, facts),
-        }
+        };
+        raised.with_real(self.real.scaled(power_of_two(bits.into())))
     }
 
     /// The signal at a later stage.
     pub(super) fn aligned(&self, stage: u32) -> Sig {
         let id = self.builder.state.borrow_mut().aligned(self.id, stage);
-        Sig { id, ..self.clone() }
+        self.at(id)
     }
 
     /// An operator on these operands, aligned with each other, with the registers that the target wants.

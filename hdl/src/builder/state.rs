@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use super::TooWide;
 use super::fold;
-use crate::design::{Design, ErrorForm, LeftOut, Node, NodeId, Op, Range, Register, Scope, ScopeId, WideRange};
+use crate::design::{Design, LeftOut, Node, NodeId, Op, Range, Register, Scope, ScopeId, WideRange};
 use crate::target::Target;
 use crate::verilog::{CONTROL, is_reserved};
 
@@ -13,6 +13,7 @@ use crate::verilog::{CONTROL, is_reserved};
 pub(super) struct Facts {
     pub range: WideRange,
     pub fraction_bits: u32,
+    /// Bound on |fixed - real|, in units of the last place.
     pub error: f64,
     /// What to call it until somebody gives it a name.
     pub kind: &'static str,
@@ -49,6 +50,7 @@ impl State {
             interval: 1,
             valid_out: none,
             outputs: vec![],
+            output_errors: vec![],
             assumptions: vec![],
             left_out: vec![],
         };
@@ -83,8 +85,6 @@ impl State {
             register: Register::None,
             range: Range::single(value),
             fraction_bits,
-            error: 0.0,
-            error_form: ErrorForm::Bounded,
             stage: 0,
             scope: self.scope,
             name: String::new(),
@@ -93,13 +93,14 @@ impl State {
         self.push(node)
     }
 
-    pub fn open_input(&mut self, name: &str, range: Range, fraction_bits: u32, error: f64) -> NodeId {
+    pub fn open_input(&mut self, name: &str, range: Range, fraction_bits: u32) -> NodeId {
         let name = self.unique(self.scope, name);
-        let (op, register, scope, error_form) = (Op::Input, Register::None, self.scope, ErrorForm::Bounded);
-        self.push(Node { op, register, range, fraction_bits, error, error_form, stage: 0, scope, name, named: true })
+        let (op, register, scope) = (Op::Input, Register::None, self.scope);
+        self.push(Node { op, register, range, fraction_bits, stage: 0, scope, name, named: true })
     }
 
-    /// Adds an operator, or what it folds to. Operands are in this unit and of one stage.
+    /// Adds an operator, or gives the signal whose raw values are the same anyway: what it folds to, or its twin. That signal may stand for
+    /// another real value, so errors belong to the [`Sig`](super::Sig) that refers to it. Operands are in this unit and of one stage.
     pub fn emit(&mut self, op: Op, register: Register, facts: Facts) -> NodeId {
         if let Some(id) = fold::folded(self, op, &facts) {
             return id;
@@ -117,8 +118,6 @@ impl State {
             register,
             range,
             fraction_bits: facts.fraction_bits,
-            error: facts.error,
-            error_form: ErrorForm::Bounded,
             stage: stage + clocks,
             scope,
             name,

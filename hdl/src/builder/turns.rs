@@ -65,7 +65,7 @@ impl Turns {
     pub fn select(&self, values: &[Sig]) -> Sig {
         let (last, others) = values.split_last().expect("there is a turn");
         if others.iter().all(|value| value.is(last)) {
-            return last.clone();
+            return last.clone().off_as_any_of(others);
         }
         let builder = &self.turn.builder;
         builder.in_one_clock(|| {

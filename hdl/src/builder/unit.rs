@@ -104,7 +104,7 @@ impl Builder {
         let (op, register, fraction_bits) = (Op::Copy(aligned), Register::None, sig.fraction_bits());
         let id = state.push(Node { op, register, fraction_bits, scope: inside, name, ..node });
         drop(state);
-        self.sig(id)
+        sig.at(id)
     }
 
     fn leave<O: Bundle>(&self, results: &O, outside: ScopeId, inside: ScopeId, entry: u32) -> O {
@@ -127,7 +127,7 @@ impl Builder {
         let mut crossed: HashMap<NodeId, NodeId> = HashMap::new();
         outputs.map(&mut |sig, _| {
             let outer = *crossed.entry(sig.id()).or_insert_with(|| self.outer_copy(sig, inside));
-            Sig::new(self.clone(), outer, sig.fraction_bits())
+            sig.at(outer)
         })
     }
 
@@ -148,7 +148,7 @@ impl Builder {
         let name = state.unique(node.scope, &format!("{}_out", node.name));
         let id = state.push(Node { op: Op::Copy(sig.id()), name, ..node });
         drop(state);
-        Sig::new(self.clone(), id, sig.fraction_bits())
+        sig.at(id)
     }
 
     fn outer_copy(&self, sig: &Sig, inside: ScopeId) -> NodeId {

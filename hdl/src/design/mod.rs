@@ -49,10 +49,6 @@ pub struct Node {
     pub range: Range,
     /// Bits right of the binary point.
     pub fraction_bits: u32,
-    /// Bound on |fixed - real|, in units of the last place.
-    pub error: f64,
-    /// What is known of the error beside that.
-    pub error_form: ErrorForm,
     /// Clocks after a pixel's entry at which the value belongs to that pixel.
     pub stage: u32,
     /// The unit it belongs to.
@@ -155,6 +151,8 @@ pub struct Design {
     pub valid_out: NodeId,
     /// The pixel that leaves.
     pub outputs: Vec<NodeId>,
+    /// Bound on |fixed - real| of each output, as a value.
+    pub output_errors: Vec<f64>,
     /// Facts to be checked.
     pub assumptions: Vec<Assumption>,
     /// What was left out.
@@ -194,8 +192,7 @@ impl Design {
 
     /// Bound on the error of an output, in LSBs: rounding and quantised inputs against the same method in exact arithmetic.
     pub fn error_bound(&self) -> f64 {
-        let in_lsb = |&id: &NodeId| self.node(id).error * self.node(id).format().ulp();
-        self.outputs.iter().map(in_lsb).fold(0.0, f64::max)
+        self.output_errors.iter().copied().fold(0.0, f64::max)
     }
 
     /// Names of the units from the core down to `scope`.

@@ -5,7 +5,7 @@ use specula_scene::spec::direct::DirectFormats;
 
 use super::HOST_ERROR;
 use super::divider::{QuotientFormat, quotient};
-use super::interpolate::{chord, overshoot};
+use super::interpolate::{chord, overshoot, slack};
 use super::newton_root::NewtonRoot;
 use super::unit_vectors::half_unit_where_narrowed;
 use crate::builder::{Builder, Sig};
@@ -14,8 +14,8 @@ use crate::design::ErrorForm;
 /// t = i/S of at most `steps` + 1 pixels, 0 to 1 and what rounding of the step leads past it.
 pub fn parameter(b: &Builder, first: &Sig, step: &Sig, formats: &DirectFormats, steps: u32) -> Sig {
     b.unit("parameter", "t(i) = i/S", (("start", first), ("weight_step", step)), |b, (first, step)| {
-        let slack = f64::from(steps) * formats.weight_accumulator.ulp();
-        let t = Sig::accumulated(&first, &b.integer(0), &step, (0.0, 1.0 + slack), steps, "0 <= t <= 1");
+        let most = 1.0 + slack(formats.weight_accumulator, steps);
+        let t = Sig::accumulated(&first, &b.integer(0), &step, (0.0, most), steps, "0 <= t <= 1");
         let most = 1.0 + overshoot(formats.weight_accumulator, formats.weight, steps);
         t.rounded(formats.weight.fraction_bits).assumed(0.0, most, "0 <= t <= 1").named("t")
     })
@@ -126,11 +126,17 @@ impl UnitNormal {
 /// p = N·X for X = L and V alike, linear in t. [lecture, eq. 4.3]
 ///
 /// Both ends are rounded and t ≤ 1 + o, so N·X is no larger than 1 + 2o.
+///
+/// # Error
+/// The host sends B·X - A·X of rounded scalars, so with those off by e and t' for what t comes out as N·X is off by |1 - t'| e + t' e, and by what t' is
+/// off times the real difference, which is that of the rounded scalars but for 2e.
 pub fn direct_scalar(b: &Builder, t: &Sig, [start, delta]: [&Sig; 2], formats: &DirectFormats) -> Sig {
     let inputs = (("t", t), ("at_start", start), ("delta", delta));
     b.unit("scalar", "p = N.X = A.X + t (B.X - A.X) [lecture, eq. 4.3]", inputs, |_, (t, start, delta)| {
         let past = (t.format().value(t.range().high) - 1.0).max(0.0);
-        let linear = (start + t * delta).assumed(-1.0 - 2.0 * past, 1.0 + 2.0 * past, "|N.X| <= 1");
+        let (half_unit, apart) = (start.error_value(), delta.range().magnitude() * delta.ulp());
+        let error = (1.0 + 2.0 * past) * half_unit + (apart + 2.0 * half_unit) * t.error_value();
+        let linear = (&start + t * delta).stated_error_value(error).assumed(-1.0 - 2.0 * past, 1.0 + 2.0 * past, "|N.X| <= 1");
         linear.rounded(formats.cosine.fraction_bits).named("linear")
     })
 }

@@ -15,10 +15,11 @@ const MOST_EIGHTHS: i64 = 15;
 ///
 /// # Error
 /// Its slope in cos α is 4n (α/sin α) exp(-2n α²). α/sin α ≤ exp(2α²) but in the last 1e-8 radians before π, where the result is 0, so the
-/// slope is 4n at most.
+/// slope is 4n at most. What [`kept_versine`] has left out adds 2^-20.
 pub fn gaussian(b: &Builder, versine: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
     b.unit("gaussian", "f = exp(-2n a^2), d = 1 - cos a", (("d", versine), ("n", n)), |b, (d, n)| {
-        let bound = 4.0 * n.range().magnitude() * d.error_value() + power_of_two(-i64::from(fraction_bits));
+        let roundings = power_of_two(-i64::from(fraction_bits)) + power_of_two(-20);
+        let bound = 4.0 * n.range().magnitude() * d.error_value() + roundings;
         let g = squared_angle(b, &d, fraction_bits + 4);
         // From 4 on the power vanishes whatever g is: 8g > 23.
         let t = (n * d).clamped_above(4).named("t");

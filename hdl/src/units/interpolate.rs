@@ -59,8 +59,8 @@ pub fn along(b: &Builder, start: &Vector, delta: &Vector, a: &Sig, to: Interpola
 }
 
 fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
-    let slack = f64::from(to.steps) * to.accumulator.ulp();
-    let a = Sig::accumulated(first, &b.integer(0), step, (0.0, 1.0 + slack), to.steps, "0 <= a <= 1");
+    let most = 1.0 + slack(to.accumulator, to.steps);
+    let a = Sig::accumulated(first, &b.integer(0), step, (0.0, most), to.steps, "0 <= a <= 1");
     a.rounded(to.weight.fraction_bits)
         .assumed(0.0, 1.0 + overshoot(to.accumulator, to.weight, to.steps), "0 <= a <= 1")
         .named("weight")
@@ -75,6 +75,8 @@ fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig 
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
     let reach = 1.0 + 2.0 * overshoot(to.accumulator, to.weight, to.steps);
     let off = start.off().length * reach + a.error_value() * to.apart.min(delta.longest() + 2.0 * delta.off().length);
+    // Both ends are rounded, so their difference is off by a whole unit, not by half as what is rounded once.
+    let delta = delta.map(|component| component.clone().stated_error_value(component.ulp()));
     let vector = (start + &delta.scaled(a)).no_longer_than((to.longest + to.vector.ulp()) * reach);
     let vector = vector.components_assumed_within(to.longest * reach, fact);
     vector.proven_off_by(off).rounded(to.vector.fraction_bits)
@@ -85,12 +87,25 @@ pub fn chord(shortest: f64) -> f64 {
     2.0 * (1.0 - shortest * shortest).max(0.0).sqrt()
 }
 
+/// By how much a weight that is accumulated from 0 on is off after `steps` steps of 1/S, each rounded to half a unit of the last place.
+///
+/// The host works out 1/S in f64, off by 2^-53 of itself, and so by 2^-53 after S steps. Where the accumulator is no finer than an f64 near 1, that is
+/// half a unit at most and never reaches its next number.
+fn accumulated_off(accumulator: Format, steps: u32) -> f64 {
+    let of_host = if accumulator.fraction_bits >= f64::MANTISSA_DIGITS { f64::EPSILON / 2.0 } else { 0.0 };
+    0.5 * f64::from(steps) * accumulator.ulp() + of_host
+}
+
+/// How far past 1 the accumulated weight is allowed to come: a unit for each step, or more where the host is off by more.
+pub(super) fn slack(accumulator: Format, steps: u32) -> f64 {
+    (f64::from(steps) * accumulator.ulp()).max(accumulated_off(accumulator, steps))
+}
+
 /// How far past 1 the weight can come out.
 ///
-/// The accumulator is off by S/2 units of its last place at most. By default its extra bits keep that below half a unit of a's, so
-/// that a ≤ 1 after rounding; a spec may ask for fewer.
+/// By default the accumulator's extra bits keep what it is off by below half a unit of a's, so that a ≤ 1 after rounding; a spec may ask for fewer.
 pub(super) fn overshoot(accumulator: Format, weight: Format, steps: u32) -> f64 {
-    let accumulated = 0.5 * f64::from(steps) * accumulator.ulp();
+    let accumulated = accumulated_off(accumulator, steps);
     let half = 0.5 * weight.ulp();
     if accumulated < half { 0.0 } else { accumulated + half }
 }

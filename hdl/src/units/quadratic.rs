@@ -29,11 +29,11 @@ pub fn quadratic(b: &Builder, first: &Sig, of: Differences, limits: (f64, f64), 
     b.unit("quadratic", "x(i+1) = x(i) + d(i), d(i+1) = d(i) + d2 [Hast et al., eq. 17-26]", inputs, |_, (first, x0, d0, d2)| {
         let s = f64::from(steps);
         let ulp = x0.ulp();
-        let error = 0.5 * (1.0 + s + s * (s - 1.0).max(0.0) / 2.0) + HOST_ERROR / ulp;
-        let slack = (error + 1.0) * ulp;
+        let error = 0.5 * (1.0 + s + s * (s - 1.0).max(0.0) / 2.0) * ulp + HOST_ERROR;
+        let slack = error + ulp;
         let difference = Sig::accumulated(&first, &d0, &d2, (-6.5, 6.5), steps, "|d| <= 6");
         let limits = (limits.0 - slack, limits.1 + slack);
         let value = Sig::accumulated(&first, &x0, &difference, limits, steps, "x within its limits");
-        value.proven_error(error).named("value")
+        value.stated_error_value(error).named("value")
     })
 }

@@ -16,6 +16,7 @@ mod power;
 mod quotient;
 mod reciprocal_square_root;
 mod rotation;
+mod rounded_inputs;
 mod shape;
 mod square_root;
 mod turns;

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
-use crate::search::Goal;
+use crate::search::{Goal, largest_error};
 use crate::tradeoff::FrameCycles;
 use crate::{BenchError, pareto_front};
 pub use device::{Cost, Device};
@@ -43,6 +43,10 @@ pub struct Explored {
     pub core: String,
     /// Largest total error over every pixel, in LSBs.
     pub error: f64,
+    /// Largest quantisation error over every pixel, in LSBs, of cores on the front.
+    pub quantisation: Option<f64>,
+    /// What that is proven to stay within, in LSBs; none if no finite bound can be proven.
+    pub bound: Option<f64>,
     /// What it takes.
     pub cost: Cost,
     /// Clocks that it takes for the frame.
@@ -93,7 +97,17 @@ fn front(tried: Vec<Explored>) -> Vec<Explored> {
 fn measured(cores: Vec<Explored>, frame: &Frame) -> Result<Vec<Explored>, BenchError> {
     let whole = ExactPicture::new(frame.clone());
     let measured = cores.into_iter().map(|core| Ok(Explored { error: whole.largest_error(&core.spec)?, ..core }));
-    Ok(front(measured.collect::<Result<_, BenchError>>()?))
+    let front = front(measured.collect::<Result<_, BenchError>>()?);
+    let checked = front.into_iter().map(|core| Ok(Explored { quantisation: Some(largest_error(&core.spec, frame)?), ..core }));
+    checked.collect()
+}
+
+impl Explored {
+    /// The quantisation error and its bound, if that is exceeded: then the set-up of spans or the bound is wrong.
+    pub fn beyond_bound(&self) -> Option<[f64; 2]> {
+        let (quantisation, bound) = self.quantisation.zip(self.bound)?;
+        (quantisation > bound).then_some([quantisation, bound])
+    }
 }
 
 /// The search of one method's cores.
@@ -211,7 +225,9 @@ impl Tries<'_> {
         let Ok(design) = specula_hdl::elaborate(&spec, "core") else { return Ok(Tried { error: f64::INFINITY, cells: u64::MAX }) };
         let cost = Cost::of(&design, wanted.device.as_ref());
         let error = sample.largest_error(&spec)?;
-        let core = Explored { core: options.describe(), error, cost, cycles: FrameCycles::new(&design, frame), spec };
+        let (cycles, bound) = (FrameCycles::new(&design, frame), design.error_bound());
+        let bound = bound.is_finite().then_some(bound);
+        let core = Explored { core: options.describe(), error, quantisation: None, bound, cost, cycles, spec };
         let tried = Tried::of(&core);
         self.tried.borrow_mut().push(core);
         progress();

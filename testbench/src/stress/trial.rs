@@ -154,10 +154,7 @@ fn disagreement(bench: &Bench, outcome: &Outcome) -> Option<Fault> {
     if let Some(clock) = outcome.wrong_clocks.first() {
         return Some(at(&format!("a pixel that comes or fails to come in clock {clock}"))(pixel_of(bench, *clock)));
     }
-    outcome.violation.as_ref().map(|broken| {
-        let what = format!("{}, but {} is {}", broken.fact, broken.signal, broken.value);
-        at(&what)(pixel_of(bench, broken.clock))
-    })
+    outcome.violation.as_ref().map(|broken| at(&broken.in_words())(pixel_of(bench, broken.clock)))
 }
 
 /// The pixel that leaves in a clock, or the last before.

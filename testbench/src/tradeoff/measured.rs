@@ -10,7 +10,7 @@ use crate::{Bench, BenchError, EngineKind, ErrorFigures, Errors};
 /// What a simulation of all pixels, and the design, say of a core.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
-    /// Whether every pixel is the bit-true model's, each in its clock, and every stated fact held.
+    /// Whether every pixel is the bit-true model's, each in its clock, every stated fact held, and no quantisation error is above its bound.
     pub agrees: bool,
     /// Against exact shading: of all, of the method, and of quantisation.
     pub errors: Errors,
@@ -41,6 +41,17 @@ impl Measured {
             cycles: FrameCycles::new(&bench.design, &scene.frame),
             size: bench.design.size(),
         })
+    }
+
+    /// What is wrong where not all of that is so.
+    pub fn disagreement(&self) -> Option<String> {
+        if self.agrees {
+            return None;
+        }
+        let largest = self.errors.quantisation.max_lsb;
+        let beyond = self.bound_lsb.filter(|&bound| largest > bound);
+        let of_bound = |bound| format!("a quantisation error of {largest:.3} LSB, above the proven bound of {bound:.3}: the set-up or the bound is wrong");
+        Some(beyond.map_or_else(|| "pixels that are not the bit-true model's, or a stated fact that did not hold".to_owned(), of_bound))
     }
 
     /// Full adders that its arithmetic is made of: one for each bit of an adder, and w1·w2 for a product of w1 and w2 bits, as an array

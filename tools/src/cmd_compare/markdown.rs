@@ -32,10 +32,10 @@ pub fn markdown(compared: &Compared) -> String {
 
 fn head(compared: &Compared) -> String {
     let verdict = if compared.agrees() {
-        "Every pixel of every core is the bit-true model's.\n".to_owned()
+        "Every pixel of every core is the bit-true model's, and no quantisation error is above its bound.\n".to_owned()
     } else {
-        let wrong = compared.cores.iter().filter(|core| !core.measured().agrees).map(|core| format!("- {}\n", core.configuration));
-        format!("**These cores do not agree with their bit-true models:**\n\n{}", wrong.collect::<String>())
+        let wrong = |core: &super::result::Core| Some(format!("- {}: {}\n", core.configuration, core.measured().disagreement()?));
+        format!("**These cores are not as they must be:**\n\n{}", compared.cores.iter().filter_map(wrong).collect::<String>())
     };
     let refusals: String = compared.refusals.iter().map(|refusal| format!("- not built: {refusal}\n")).collect();
     format!(

@@ -26,8 +26,7 @@ pub fn text(compared: &Compared, folder: &Path) -> String {
         compared
             .cores
             .iter()
-            .filter(|core| !core.measured().agrees)
-            .map(|core| format!("DISAGREES with the bit-true model: {}\n", core.configuration)),
+            .filter_map(|core| Some(format!("DISAGREES: {}: {}\n", core.configuration, core.measured().disagreement()?))),
     );
     text += &format!("\n{}", markdown::SET_UP);
     if known > 0 {

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use clap::Parser;
 use serde_json::Value;
+use specula_hdl::design::Range;
+use specula_scene::Format;
 use specula_testbench::{Mismatch, Violation};
 use tempfile::TempDir;
 
@@ -87,12 +89,77 @@ fn wrong_clocks_and_facts_count_too() {
     let (clock, verdict) = spoilt_run(&[], &folder, |outcome| {
         outcome.wrong_clocks = vec![300, 301];
         let (fact, signal) = ("|N| <= 1".to_owned(), "core.n".to_owned());
-        outcome.violation = Some(Violation { fact, signal, clock: 250, value: 1.5 });
+        let (format, raw) = (Format::signed(1, 56), (1 << 56) + 7);
+        outcome.violation = Some(Violation { fact, signal, clock: 250, raw, limits: Range::new(0, 1 << 56), format });
         250
     });
     assert_eq!(verdict, Verdict::Disagrees);
     let report = report(&folder);
     assert_eq!(report["wrong_clocks"], 2);
     assert_eq!(report["violation"]["cycle"], clock);
+    let said = "`|N| <= 1` does not hold: signal core.n is 1.00000000000000009714451465470119728706777095794677734375 in cycle 250, \
+                and must lie from 0 to 1";
+    assert_eq!(report["violation"]["in_words"], said);
+    let text = fs::read_to_string(folder.join(MARKDOWN)).expect("there is a report");
+    assert!(text.contains(said), "{text}");
     assert_eq!(report["trace"], serde_json::json!([150, 350]));
+}
+
+/// An error above its bound ends a run as a differing pixel does, with the pixel, both numbers and what they mean, and the waveform around it.
+#[test]
+fn an_error_above_its_bound_is_named_and_shown() {
+    let place = TempDir::new().expect("there is room");
+    let folder = place.path().join("run");
+    let mut lines = String::new();
+    let (_, verdict) = spoilt_run(&["--trace", "none"], &folder, |outcome| {
+        outcome.bound_lsb = 0.25;
+        outcome.comparison.beyond_bound = 9;
+        let worst = outcome.beyond_bound().expect("rounding alone is half an LSB");
+        lines = format!(
+            "9 pixels have a quantisation error above the proven bound of 0.250 LSB, the largest {:.3} LSB: {} of ({}, {}) is {} in cycle",
+            worst.error_lsb,
+            ["red", "green", "blue"][worst.channel],
+            worst.x,
+            worst.y,
+            worst.simulated
+        );
+        0
+    });
+    assert_eq!(verdict, Verdict::Disagrees);
+    let report = report(&folder);
+    assert_eq!((&report["agrees"], &report["mismatches"]), (&false.into(), &0.into()));
+    let broken = &report["beyond_bound"];
+    assert_eq!((&broken["pixels"], &broken["bound_lsb"]), (&9.into(), &0.25.into()));
+    assert!(broken["error_lsb"].as_f64() > Some(0.25) && broken["simulated"] == broken["expected"]);
+    let cycle = broken["cycle"].as_u64().expect("it leaves in a clock");
+    let window = [report["trace"][0].as_u64(), report["trace"][1].as_u64()].map(|clock| clock.expect("a waveform is left"));
+    assert!(window[0] <= cycle && cycle < window[1]);
+    let text = fs::read_to_string(folder.join(MARKDOWN)).expect("there is a report");
+    let page = fs::read_to_string(folder.join(html::FILE)).expect("there is a page");
+    for text in [&text, &page] {
+        assert!(text.contains("The quantisation error is above its proven bound."), "{text}");
+        assert!(text.contains(&lines), "{lines} is not in {text}");
+        assert!(text.contains("the set-up of spans or the bound is wrong"));
+    }
+}
+
+/// Facts are shown with their limits and with what was seen, which lies within them and is not the same.
+#[test]
+fn facts_have_limits_and_what_was_seen() {
+    let place = TempDir::new().expect("there is room");
+    let folder = place.path().join("run");
+    spoilt_run(&["--method", "lyon"], &folder, |_| 0);
+    let facts = report(&folder)["facts"].as_array().expect("lyon rests on facts").clone();
+    let ends = |range: &Value| [&range[0], &range[1]].map(|end| end.as_f64().expect("it is a number"));
+    let mut narrower = 0;
+    for fact in &facts {
+        let (limits, seen) = (ends(&fact["limits"]), ends(&fact["seen"]));
+        assert!(limits[0] <= seen[0] && seen[0] <= seen[1] && seen[1] <= limits[1], "{fact}");
+        narrower += usize::from(seen != limits);
+    }
+    assert!(narrower > 0, "{facts:?}");
+    let weight = facts.iter().find(|fact| fact["fact"] == "0 <= a <= 1").expect("weights are interpolated");
+    assert_eq!(weight["seen"][0], 0.0);
+    let text = fs::read_to_string(folder.join(MARKDOWN)).expect("there is a report");
+    assert!(text.contains("| fact | signal | must lie in | seen |"), "{text}");
 }

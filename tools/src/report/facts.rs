@@ -1,31 +1,71 @@
-//! The facts that a core rests on, for people.
+//! The facts that a core rests on: where its signals must lie, and where they were seen.
+use serde::Serialize;
 use specula_hdl::Design;
-use specula_hdl::design::Assumption;
+use specula_hdl::design::{Assumption, Range};
+use specula_scene::Format;
+use specula_testbench::Outcome;
 
-/// Rows of fact, signals and range. The same fact in units of the same kind shares a row.
-pub fn rows(design: &Design) -> Vec<[String; 3]> {
-    let mut kinds: Vec<(&Assumption, usize)> = vec![];
-    for assumption in &design.assumptions {
-        match kinds.iter_mut().find(|(first, _)| is_same(design, first, assumption)) {
-            Some((_, number)) => *number += 1,
-            None => kinds.push((assumption, 1)),
+/// A fact in units of one kind.
+#[derive(Serialize)]
+pub struct Fact {
+    /// The fact, as the units state it.
+    fact: String,
+    /// Full name of the first signal.
+    signal: String,
+    /// Signals of which it was checked.
+    signals: usize,
+    /// Where they must lie.
+    limits: [f64; 2],
+    /// The smallest and the largest value that any of them had; none where no pixel came.
+    seen: Option<[f64; 2]>,
+}
+
+/// The same fact, in units of the same kind, on signals that may be several.
+struct Kind<'a> {
+    first: &'a Assumption,
+    signals: usize,
+    seen: Option<Range>,
+}
+
+/// Every fact, the same ones in units of the same kind together.
+pub fn facts(design: &Design, outcome: &Outcome) -> Vec<Fact> {
+    let mut kinds: Vec<Kind> = vec![];
+    for (assumption, &seen) in design.assumptions.iter().zip(&outcome.facts_seen) {
+        match kinds.iter_mut().find(|kind| is_same(design, kind.first, assumption)) {
+            Some(kind) => {
+                kind.signals += 1;
+                kind.seen = [kind.seen, seen].into_iter().flatten().reduce(Range::hull);
+            }
+            None => kinds.push(Kind { first: assumption, signals: 1, seen }),
         }
     }
-    kinds.into_iter().map(|(first, number)| row(design, first, number)).collect()
+    kinds.into_iter().map(|kind| fact(design, &kind)).collect()
 }
 
 fn is_same(design: &Design, one: &Assumption, other: &Assumption) -> bool {
     let unit = |assumption: &Assumption| &design.scope(design.node(assumption.node).scope).unit;
-    one.fact == other.fact && one.range == other.range && unit(one) == unit(other)
+    let format = |assumption: &Assumption| design.node(assumption.node).fraction_bits;
+    one.fact == other.fact && one.range == other.range && unit(one) == unit(other) && format(one) == format(other)
 }
 
-fn row(design: &Design, first: &Assumption, number: usize) -> [String; 3] {
-    let format = design.node(first.node).format();
-    let others = if number == 1 { String::new() } else { format!(" and {} more", number - 1) };
-    let bound = |raw: i64| format.value(raw);
-    [
-        first.fact.clone(),
-        format!("`{}`{others}", design.full_name(first.node)),
-        format!("{:.6} to {:.6}", bound(first.range.low), bound(first.range.high)),
-    ]
+fn fact(design: &Design, kind: &Kind) -> Fact {
+    let values = |range: Range, format: Format| [range.low, range.high].map(|raw| format.value(raw));
+    let format = design.node(kind.first.node).format();
+    Fact {
+        fact: kind.first.fact.clone(),
+        signal: design.full_name(kind.first.node),
+        signals: kind.signals,
+        limits: values(kind.first.range, format),
+        seen: kind.seen.map(|seen| values(seen, format)),
+    }
+}
+
+impl Fact {
+    /// For people: the fact, its signals, their limits, and what was seen of them.
+    pub fn row(&self) -> [String; 4] {
+        let others = if self.signals == 1 { String::new() } else { format!(" and {} more", self.signals - 1) };
+        let between = |[low, high]: [f64; 2]| format!("{low:.6} to {high:.6}");
+        let seen = self.seen.map_or("no pixel".to_owned(), between);
+        [self.fact.clone(), format!("`{}`{others}", self.signal), between(self.limits), seen]
+    }
 }

@@ -2,10 +2,11 @@
 use serde::Serialize;
 use specula_hdl::design::Size;
 use specula_scene::CoreSpec;
-use specula_testbench::{Errors, Savings, Share, Violation};
+use specula_testbench::{Errors, Savings, Share, Violation, WorstQuantisation};
 
 use crate::device::Fitted;
-use crate::disagreement::Disagreement;
+use crate::disagreement::{BeyondBound, CHANNELS, Disagreement};
+use crate::report::facts::{self, Fact};
 use crate::run::{Run, Written};
 
 /// `report.json`. Errors are in LSBs of the 8-bit output.
@@ -30,6 +31,8 @@ struct Report<'a> {
     /// The first fact that did not hold.
     violation: Option<ViolatedFact<'a>>,
     first_mismatch: Option<FirstMismatch>,
+    /// The largest quantisation error that is above its bound.
+    beyond_bound: Option<BrokenBound>,
     cycles: u64,
     latency: u32,
     cycles_per_pixel: f64,
@@ -53,6 +56,8 @@ struct Report<'a> {
     /// By how much it would be smaller if a place rounded far finer, the largest first.
     bound_shares: &'a [Share],
     worst_pixel: Option<WorstPixel>,
+    /// Facts that the core rests on: where signals must lie, and where they did.
+    facts: Vec<Fact>,
     /// The clocks in the waveform, from the first to the one behind the last.
     trace: Option<[u64; 2]>,
     size: Size,
@@ -68,6 +73,8 @@ struct ViolatedFact<'a> {
     signal: &'a str,
     cycle: u64,
     value: f64,
+    /// Every digit of the value and of its limits.
+    in_words: String,
 }
 
 #[derive(Serialize)]
@@ -77,6 +84,22 @@ struct FirstMismatch {
     cycle: u64,
     simulated: [u8; 3],
     expected: [u8; 3],
+}
+
+#[derive(Serialize)]
+struct BrokenBound {
+    /// Pixels with an error above the bound.
+    pixels: u64,
+    x: u32,
+    y: u32,
+    cycle: u64,
+    channel: &'static str,
+    simulated: u8,
+    expected: u8,
+    /// In exact arithmetic.
+    method: f64,
+    error_lsb: f64,
+    bound_lsb: f64,
 }
 
 #[derive(Serialize)]
@@ -114,6 +137,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         wrong_clocks: outcome.wrong_clocks.len(),
         violation: outcome.violation.as_ref().map(violated_fact),
         first_mismatch: run.disagreement.as_ref().and_then(first_mismatch),
+        beyond_bound: run.disagreement.as_ref().and_then(|disagreement| disagreement.beyond_bound).map(broken_bound),
         cycles: outcome.cycles,
         latency: bench.design.latency(),
         cycles_per_pixel: run.cycles_per_pixel(),
@@ -133,6 +157,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
             cycle: outcome.worst_cycle,
             error_lsb: worst.error_lsb,
         }),
+        facts: facts::facts(&bench.design, outcome),
         trace: written.window.as_ref().map(|window| [window.start, window.end]),
         size: bench.design.size(),
         savings: run.savings.as_ref(),
@@ -142,8 +167,13 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
 }
 
 fn violated_fact(violation: &Violation) -> ViolatedFact<'_> {
-    let Violation { fact, signal, clock, value } = violation;
-    ViolatedFact { fact, signal, cycle: *clock, value: *value }
+    let Violation { fact, signal, clock, .. } = violation;
+    ViolatedFact { fact, signal, cycle: *clock, value: violation.value(), in_words: violation.in_words() }
+}
+
+fn broken_bound(BeyondBound { worst, clock, bound_lsb, pixels }: BeyondBound) -> BrokenBound {
+    let WorstQuantisation { x, y, channel, simulated, expected, method, error_lsb, .. } = worst;
+    BrokenBound { pixels, x, y, cycle: clock, channel: CHANNELS[channel], simulated, expected, method, error_lsb, bound_lsb }
 }
 
 fn first_mismatch(disagreement: &Disagreement) -> Option<FirstMismatch> {

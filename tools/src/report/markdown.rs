@@ -1,7 +1,8 @@
 //! The report for people: what was built, how well it does, and how to go on with it.
 use specula_testbench::{ErrorFigures, Share};
 
-use super::{facts, ports, units};
+use super::facts::{self, Fact};
+use super::{ports, units};
 use crate::header::bound;
 use crate::run::{Run, Written};
 use crate::table::markdown as table;
@@ -58,10 +59,15 @@ fn pace(interval: u32) -> String {
 fn result(run: &Run) -> String {
     let (outcome, frame) = (run.outcome, run.bench.frame);
     let verdict = match &run.disagreement {
-        None => "Every pixel agrees with the bit-true model, each in its clock, and every stated fact held.\n".to_owned(),
+        None => "Every pixel agrees with the bit-true model, each in its clock, every stated fact held, and no quantisation error is above its bound.\n"
+            .to_owned(),
         Some(disagreement) => {
             let lines: Vec<String> = disagreement.lines().iter().map(|line| format!("- {line}\n")).collect();
-            format!("**The core does not agree with its models.**\n\n{}", lines.concat())
+            let verdict = match disagreement.is_of_bound_alone() {
+                true => "The quantisation error is above its proven bound.",
+                false => "The core does not agree with its models.",
+            };
+            format!("**{verdict}**\n\n{}", lines.concat())
         }
     };
     let rows = [
@@ -211,13 +217,14 @@ fn left_out(run: &Run) -> String {
 }
 
 fn facts(run: &Run) -> String {
-    let rows = facts::rows(&run.bench.design);
+    let rows: Vec<[String; 4]> = facts::facts(&run.bench.design, run.outcome).iter().map(Fact::row).collect();
     if rows.is_empty() {
         return "## Facts that were checked\n\nNone had to be assumed: intervals prove every width.\n".to_owned();
     }
     format!(
-        "## Facts that were checked\n\nWhat intervals cannot see is stated by the units that rely on it, and was checked in every clock.\n\n{}",
-        table(["fact", "signal", "lies in"], &rows)
+        "## Facts that were checked\n\nWhat intervals cannot see is stated by the units that rely on it, and was checked in every clock with a pixel. Seen are the\n\
+         smallest and the largest value of all these signals in this run.\n\n{}",
+        table(["fact", "signal", "must lie in", "seen"], &rows)
     )
 }
 
@@ -241,7 +248,11 @@ fn way(run: &Run, written: &Written) -> String {
     if !written.files.iter().any(|file| file == worst::PICTURE) {
         return String::new();
     }
-    let pixel = if run.disagreement.is_some() { "the first disagreement" } else { "the pixel with the largest error" };
+    let pixel = match &run.disagreement {
+        None => "the pixel with the largest error",
+        Some(disagreement) if disagreement.is_of_bound_alone() => "the pixel whose error is furthest above its bound",
+        Some(_) => "the first disagreement",
+    };
     format!(
         "\nThe way of {pixel} through the core, its value of each signal marked:\n\n[![way]({file})]({file})\n",
         file = worst::PICTURE

@@ -1,6 +1,6 @@
 //! A netlist that grows.
 use specula_hdl::Design;
-use specula_hdl::design::{ErrorForm, Node, NodeId, Op, Range, Register, Scope, ScopeId};
+use specula_hdl::design::{Node, NodeId, Op, Range, Register, Scope, ScopeId};
 
 use super::ranges;
 use crate::common::random::Random;
@@ -35,6 +35,7 @@ pub fn empty() -> Design {
         interval: 1,
         valid_out: valid,
         outputs: vec![],
+        output_errors: vec![],
         assumptions: vec![],
         left_out: vec![],
     };
@@ -44,8 +45,7 @@ pub fn empty() -> Design {
 
 /// A signal, named after its number.
 pub fn node(number: usize, op: Op, register: Register, range: Range, scope: ScopeId) -> Node {
-    let (error, error_form) = (0.0, ErrorForm::Bounded);
-    Node { op, register, range, fraction_bits: 0, error, error_form, stage: 0, scope, name: format!("n{number}"), named: true }
+    Node { op, register, range, fraction_bits: 0, stage: 0, scope, name: format!("n{number}"), named: true }
 }
 
 impl<'r> Net<'r> {
