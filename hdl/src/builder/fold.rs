@@ -3,7 +3,7 @@
 //! This is about raw values alone. A constant 0 may stand for a real value that the host rounded to 0, and what adds or multiplies it is off by what
 //! that makes of it: [`Sig`](super::Sig) keeps the operator's own error, whichever signal its values come from.
 use super::state::{Facts, State};
-use crate::design::{NodeId, Op, Register};
+use crate::design::{NodeId, Op, Register, wrapped};
 
 /// The signal that an operator's result is already, if it is one; what is saved is noted.
 pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId> {
@@ -52,7 +52,9 @@ fn known_value(state: &State, op: Op, facts: &Facts) -> Option<i64> {
     }
     let all_constant = op.operands().all(|o| state.is_constant(o).is_some());
     let value_of = |id: NodeId| state.is_constant(id).unwrap_or(0);
-    (all_constant && op.operands().next().is_some()).then(|| op.evaluate(&state.design.tables, value_of))
+    // As in the hardware: the last bits that the result's width has room for.
+    let value = || wrapped(op.evaluate(&state.design.tables, value_of), range.width(), range.signed());
+    (all_constant && op.operands().next().is_some()).then(value)
 }
 
 fn note(state: &mut State, op: Op, why: &str) {

@@ -5,7 +5,8 @@ use specula_scene::Format;
 
 use super::{Bench, outputs, property_tests};
 
-/// The greatest r with (2r - 1)² 2^F ≤ 4 · 2^2f x, or 0: r - 1/2 ≤ 2^f √x, x a raw number with F fraction bits.
+/// The greatest r with (2r - 1)² 2^F ≤ 4 · 2^2f x, or 0: r - 1/2 ≤ 2^f √x, x a raw number with F
+/// fraction bits.
 fn wanted(x: i64, operand_bits: u32, fraction_bits: u32) -> i64 {
     let not_above = |r: i128| (2 * r - 1).pow(2) << operand_bits <= i128::from(x) << (2 * fraction_bits + 2);
     let (mut low, mut high) = (0i128, 1i128 << 40);
@@ -35,6 +36,23 @@ fn every_root_is_the_nearest() {
             for format in [Format::signed(integer_bits, operand_bits), Format::unsigned(integer_bits, operand_bits)] {
                 check(format, fraction_bits, format.min_raw()..=format.max_raw());
             }
+        }
+    }
+}
+
+/// What is worked out beforehand, since the operand is always the same, is what the hardware would
+/// give.
+#[test]
+fn roots_of_constants_are_the_nearest() {
+    for format in [Format::unsigned(2, 5), Format::signed(1, 4), Format::unsigned(0, 7)] {
+        for (fraction_bits, raw) in
+            [0, 3, 6].into_iter().flat_map(|bits| (format.min_raw()..=format.max_raw()).map(move |x| (bits, x)))
+        {
+            let bench = Bench::new();
+            let x = bench.input("x", format, (raw, raw));
+            let root = units::square_root(&bench.b, &x, fraction_bits).range();
+            let wanted = wanted(raw, format.fraction_bits, fraction_bits);
+            assert_eq!((root.low, root.high), (wanted, wanted), "{raw} in {format} to {fraction_bits}");
         }
     }
 }
