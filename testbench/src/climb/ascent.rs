@@ -18,9 +18,15 @@ const RISE: f64 = 1e-4;
 /// What the rounding to 8 bits alone is off by at most, in LSBs.
 const OF_ROUNDING: f64 = 0.5;
 /// What is added to bounds, in LSBs, one of these in an ascent: with little, errors of fine formats
-/// count as much as those of coarse ones, and roundings of colours to 2^-7 LSB lead to a ratio of
-/// 1; with much, only large errors count.
+/// count as much as those of coarse ones, and roundings of colours to 2^-7 LSB lead to a ratio of 1;
+/// with much, only large errors count.
 const SLACKS: [f64; 3] = [0.002, 0.03, 0.3];
+/// Bounds above which an ascent does not go, one of these in LSBs: where formats are so coarse that
+/// the bound is all that a code can be off, it is reached easily.
+const MOST_BOUNDS: [f64; 3] = [2.0, 16.0, NO_BOUND];
+/// The highest that the error of a sum counts, of what is proven of it: where the bound rests on
+/// what codes there can be, it may be above 1.
+const HIGHEST: f64 = 1.5;
 /// Ambient lights that are tried to make an error show in codes.
 const AMBIENTS: u64 = 24;
 
@@ -77,8 +83,8 @@ impl Climber<'_> {
 
     /// From the best of some random scenes on, until nothing gets better.
     fn climb(&mut self) {
-        let slack = self.draw.one_of(&SLACKS);
-        let height = |measure: &Measure| height(measure, slack);
+        let taste = Taste { slack: self.draw.one_of(&SLACKS), most_bound: self.draw.one_of(&MOST_BOUNDS) };
+        let height = |measure: &Measure| taste.height(measure);
         let Some((mut genome, mut measure)) = self.beginning(&height) else { return };
         let mutation = Mutation::new(self.draw);
         let mut idle = 0;
@@ -162,13 +168,30 @@ impl Climber<'_> {
     }
 }
 
-/// How high a scene stands: the error of a sum before it is rounded to a code, by what is proven of
-/// that. The codes' own ratio is near 1 wherever the rounding to 8 bits is most of it, and does not
-/// move with small changes.
-fn height(measure: &Measure, slack: f64) -> f64 {
-    if measure.bound >= NO_BOUND {
-        return 0.0;
+/// What an ascent is after.
+#[derive(Clone, Copy, Debug)]
+struct Taste {
+    /// What is added to bounds, in LSBs.
+    slack: f64,
+    /// Bounds from here on count for nothing, in LSBs.
+    most_bound: f64,
+}
+
+impl Taste {
+    /// How high a scene stands: the error of a sum before it is rounded to a code, by what is proven
+    /// of that. The codes' own ratio is near 1 wherever the rounding to 8 bits is most of it, and
+    /// does not move with small changes; it counts where a bound is broken, or where codes are
+    /// always the same, whose bound may be below what rounding takes.
+    fn height(self, measure: &Measure) -> f64 {
+        let ratio = measure.ratio();
+        if measure.bound >= self.most_bound {
+            0.0
+        } else if ratio > 1.0 {
+            HIGHEST + ratio
+        } else if measure.bound <= OF_ROUNDING {
+            ratio / 2.0
+        } else {
+            (measure.unrounded / (measure.bound - OF_ROUNDING + self.slack)).min(HIGHEST)
+        }
     }
-    let unrounded = measure.unrounded / ((measure.bound - OF_ROUNDING).max(0.0) + slack);
-    if measure.ratio() > 1.0 { unrounded.max(measure.ratio()) } else { unrounded }
 }
