@@ -1,7 +1,8 @@
 //! The search for broken bounds, small: some hundred scenes by each method.
 use rayon::ThreadPoolBuilder;
-use specula_scene::{Method, parse};
+use specula_scene::{Method, load, parse};
 use specula_testbench::climb::{MethodReport, Peak, Search, climb};
+use specula_testbench::{Bench, EngineKind};
 
 /// Scenes that are tried by each method.
 const SCENES: u64 = 300;
@@ -29,6 +30,21 @@ fn no_bound_is_broken() {
         assert!(largest.ratio > 0.9 && largest.ratio <= 1.0, "{}: {}", report.method, largest.ratio);
         let loaded = parse("highest.toml", largest.scene.clone()).expect("it is a scene file");
         assert_eq!(loaded.core_spec(None).expect("it has its core").method(), method);
+    }
+}
+
+/// Scenes that the search found to be wrong once.
+#[test]
+fn what_was_found_is_mended() {
+    for scene in ["root-of-a-constant", "short-of-the-reach"] {
+        let file = format!("{}/tests/climbed/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
+        let loaded = load(&file, None).unwrap();
+        let spec = loaded.core_spec(None).unwrap();
+        let bench = Bench::new(&loaded.frame, &spec, "core").unwrap();
+        let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+        let (error, bound) = (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
+        assert!(outcome.agrees(), "{scene}: {:?}", outcome.comparison.first_mismatch);
+        assert!(error <= bound, "{scene}: off by {error} LSB, bound {bound}");
     }
 }
 

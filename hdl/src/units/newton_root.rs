@@ -52,7 +52,12 @@ impl NewtonRoot {
     /// (1 - (1 + e_q)/l²)/2 to 1/2. So a step multiplies e by λ = max(1, (1 + e_q)/l² - 1)/2 at most, and adds ρ: e_q/(2l), a quarter of a unit of the
     /// quotient and half of one of d. A second step begins at √q or above, so it halves e, and adds ρ again. Where all of it shrinks, e stays below
     /// what is added over what it shrinks by: spans of up to 103 degrees with one step, 123 with two.
+    ///
+    /// That q counts as 4^-m at least brings it no further from the real one as long as s ≥ 2^-m.
     pub fn bound(self, q: &Sig, formats: &DirectFormats) -> Option<f64> {
+        if self.shortest < power_of_two(-i64::from(formats.reciprocal.integer_bits)) {
+            return None;
+        }
         let e_q = q.error_value();
         let lowest = 0.9375 * self.shortest;
         let once = 0.5 * ((1.0 + e_q) / (lowest * lowest) - 1.0).max(1.0);
