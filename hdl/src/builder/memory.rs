@@ -59,16 +59,8 @@ impl super::Builder {
             let mut state = self.state.borrow_mut();
             let (scope, own) = (state.scope, NodeId(state.design.nodes.len() as u32));
             let name = state.unique(scope, "held");
-            let id = state.push(Node {
-                op: op(own),
-                register: Register::Data,
-                range,
-                fraction_bits,
-                stage,
-                scope,
-                name,
-                named: true,
-            });
+            let id =
+                state.push(Node { op: op(own), register: Register::Data, range, fraction_bits, stage, scope, name, named: true });
             state.nameable(id);
             id
         };

@@ -135,12 +135,7 @@ impl Sig {
             return self.clone();
         }
         self.builder.state.borrow_mut().design.assumptions.push(Assumption { fact: fact.into(), node: self.id(), range });
-        let facts = Facts {
-            range: range.into(),
-            fraction_bits: self.fraction_bits(),
-            error: self.error(),
-            kind: "assumed",
-        };
+        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "assumed" };
         self.builder.emit(Op::Wrap(self.id()), Register::None, facts).with_real(self.real())
     }
 
@@ -186,5 +181,4 @@ impl Sig {
         }
         self.proven_error_value(angle + rest).of_error_form(ErrorForm::OfCosine { angle, rest })
     }
-
 }

@@ -113,16 +113,8 @@ impl State {
         let (name, scope) = (self.numbered(facts.kind), self.scope);
         let range = self.fitted(facts.range, &name);
         let clocks = u32::from(register != Register::None);
-        let node = Node {
-            op,
-            register,
-            range,
-            fraction_bits: facts.fraction_bits,
-            stage: stage + clocks,
-            scope,
-            name,
-            named: true,
-        };
+        let node =
+            Node { op, register, range, fraction_bits: facts.fraction_bits, stage: stage + clocks, scope, name, named: true };
         let id = self.push(node);
         self.unnamed.insert(id);
         self.computed.insert(key, id);

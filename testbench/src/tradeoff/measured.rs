@@ -50,8 +50,17 @@ impl Measured {
         }
         let largest = self.errors.quantisation.max_lsb;
         let beyond = self.bound_lsb.filter(|&bound| largest > bound);
-        let of_bound = |bound| format!("a quantisation error of {largest:.3} LSB, above the proven bound of {bound:.3}: the set-up or the bound is wrong");
-        Some(beyond.map_or_else(|| "pixels that are not the bit-true model's, or a stated fact that did not hold".to_owned(), of_bound))
+        let of_bound = |bound| {
+            format!(
+                "a quantisation error of {largest:.3} LSB, above the proven bound of {bound:.3}: the set-up or the bound is wrong"
+            )
+        };
+        Some(
+            beyond.map_or_else(
+                || "pixels that are not the bit-true model's, or a stated fact that did not hold".to_owned(),
+                of_bound,
+            ),
+        )
     }
 
     /// Full adders that its arithmetic is made of: one for each bit of an adder, and w1·w2 for a product of w1 and w2 bits, as an array

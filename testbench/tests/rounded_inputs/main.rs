@@ -103,7 +103,13 @@ fn bounds_hold_where_most_of_a_core_is_constant() {
             let Some(spec) = coarser(&frame, method, &mut noise) else { continue };
             let Ok(outcome) = outcome(&frame, &spec) else { continue };
             let ratio = outcome.comparison.errors.quantisation.max_lsb / outcome.bound_lsb;
-            assert!(outcome.agrees(), "round {round}, {}: {:?} of {} LSB", method.name(), outcome.beyond_bound(), outcome.bound_lsb);
+            assert!(
+                outcome.agrees(),
+                "round {round}, {}: {:?} of {} LSB",
+                method.name(),
+                outcome.beyond_bound(),
+                outcome.bound_lsb
+            );
             if ratio > closest.0 {
                 closest = (ratio, format!("round {round}, {}", method.name()));
             }
@@ -122,8 +128,7 @@ fn weights_finer_than_an_f64_are_no_untrue_fact() {
             let look = || material(0.1, 0.5, 0.4, 16);
             let rows = [length, length - 1].map(|length| Row { normals, length, material: look() });
             let frame = frame_of(&rows, &[DVec3::new(0.0, 0.6, 0.8)]);
-            let table: CoreOptions =
-                format!("[{}.formats]\nweight_accumulator = \"U1.{bits}\"", method.name()).parse().unwrap();
+            let table: CoreOptions = format!("[{}.formats]\nweight_accumulator = \"U1.{bits}\"", method.name()).parse().unwrap();
             let spec = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(method)).unwrap();
             for spec in [spec.specialised(&frame), spec] {
                 let outcome = outcome(&frame, &spec).unwrap();
