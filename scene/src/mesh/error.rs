@@ -171,7 +171,28 @@ impl From<MeshProblem> for Located {
     }
 }
 
+/// Something of a file that stands on a line of its own where the file is text; counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Item {
+    /// A vertex.
+    Vertex(usize),
+    /// A normal.
+    Normal(usize),
+    /// A face, of those with three corners or more.
+    Face(usize),
+}
+
 impl MeshProblem {
+    /// What it is that is wrong.
+    pub(crate) fn item(&self) -> Option<Item> {
+        match self {
+            MeshProblem::Coordinate { what: "vertex", index, .. } => Some(Item::Vertex(*index)),
+            MeshProblem::Coordinate { index, .. } => Some(Item::Normal(*index)),
+            MeshProblem::Index { face, .. } | MeshProblem::Corners { face, .. } => Some(Item::Face(*face)),
+            _ => None,
+        }
+    }
+
     /// Says the line, counted from 1.
     pub(crate) fn at_line(self, line: usize) -> Located {
         Located { line: Some(line), problem: self }

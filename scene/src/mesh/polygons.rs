@@ -1,9 +1,10 @@
 //! Faces as mesh files state them, before they are checked and split into triangles.
 use glam::DVec3;
 
-use super::error::MeshProblem;
+use super::error::{Item, Located, MeshProblem};
 use super::normals::{direction, newell, vertex_normals};
 use super::triangulate::triangulate;
+use super::warning::Notices;
 use super::weld::weld;
 use super::{FARTHEST, MOST_TRIANGLES, Mesh};
 
@@ -65,10 +66,17 @@ impl Polygons {
 
     /// Checks everything, splits faces into triangles and fills in missing normals (METHODS.md A1, A2).
     ///
+    /// `line` tells the line of something in the file, counted from 1, where it has one.
+    ///
     /// # Errors
     /// Numbers that are not finite or absurdly large, indices out of range, too many triangles, or none with an area.
-    pub fn into_mesh(self) -> Result<Mesh, MeshProblem> {
+    pub(super) fn into_mesh(self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Mesh, Located> {
+        self.made(notices, line).map_err(|problem| Located { line: problem.item().and_then(line), problem })
+    }
+
+    fn made(self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Mesh, MeshProblem> {
         self.check()?;
+        self.note_normals(notices, line);
         let (faces, flat) = self.split()?;
         if faces.is_empty() {
             return Err(MeshProblem::Empty);
@@ -91,6 +99,18 @@ impl Polygons {
             }
         }
         Ok(())
+    }
+
+    /// Notes the normals that corners name and that have no direction: there the vertex's shared normal is taken.
+    fn note_normals(&self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) {
+        for corner in &self.corners {
+            let Some(index) = corner.normal.map(|normal| normal as usize) else { continue };
+            if direction_of_any_length(self.normals[index]).is_none() {
+                notices.add("normal without direction", line(Item::Normal(index)), || {
+                    "a normal has no direction; it is made from the faces around its vertex instead".into()
+                });
+            }
+        }
     }
 
     /// Triangles with the index of the flat face each lies in, and the flat faces.
