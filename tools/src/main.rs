@@ -25,6 +25,7 @@ mod plot;
 mod progress;
 mod report;
 mod run;
+mod scene;
 mod summary;
 mod table;
 mod task;
