@@ -6,6 +6,7 @@ use super::normals::{direction, newell, vertex_normals};
 use super::triangulate::triangulate;
 use super::weld::weld;
 use super::{FARTHEST, MOST_TRIANGLES, Mesh};
+use crate::Facet;
 
 /// A corner of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,7 +125,9 @@ impl Polygons {
         };
         let normals = pieces.iter().map(|p| p.corners.map(|c| normal_at(c, flats[p.flat].normal))).collect();
         let triangles = pieces.iter().map(|p| p.corners.map(|c| c.vertex)).collect();
-        Mesh { positions: self.positions, triangles, normals }
+        let facets: Vec<Facet> = flats.iter().map(|flat| flat.facet(&self.positions)).collect();
+        let facets = pieces.iter().map(|p| facets[p.flat]).collect();
+        Mesh { positions: self.positions, triangles, normals, facets }
     }
 }
 
@@ -132,6 +135,13 @@ impl Polygons {
 struct Flat {
     corners: Vec<u32>,
     normal: DVec3,
+}
+
+impl Flat {
+    fn facet(&self, positions: &[DVec3]) -> Facet {
+        let corners = self.corners.iter().map(|&vertex| positions[vertex as usize]);
+        Facet { normal: self.normal, middle: corners.sum::<DVec3>() / self.corners.len() as f64 }
+    }
 }
 
 /// A triangle of a flat face.
