@@ -14,7 +14,8 @@ fn uniform(frame: &Frame) -> CoreSpec {
     core
 }
 
-/// Rows 37 and 52: one code from end to end, of the mean of the vertex normals (20, 40 and 20 degrees), and no step to divide for.
+/// Rows 37 and 52: one code from end to end, of the mean of the vertex normals (20, 40 and 20 degrees), which
+/// stands in for a polygon that is not known, and no step to divide for.
 #[test]
 fn uniform_spans_have_one_code() {
     let mean = (2.0 * tilted(20.0) + tilted(40.0)).normalize();
