@@ -20,6 +20,8 @@ pub use error::{MeshError, MeshProblem};
 use warning::Notices;
 pub use warning::Warning;
 
+use crate::Facet;
+
 /// The longest file that is read, in bytes.
 pub const LONGEST_FILE: u64 = 1 << 30;
 
@@ -38,6 +40,9 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// Unit normals at each triangle's corners.
     pub normals: Vec<[DVec3; 3]>,
+    /// The polygon that each triangle is part of, its normal on the side from which the triangle's
+    /// corners go counter-clockwise; triangles of one polygon have the same.
+    pub facets: Vec<Facet>,
 }
 
 impl Mesh {

@@ -7,6 +7,7 @@ use super::triangulate::{Triangulation, triangulate};
 use super::warning::Notices;
 use super::weld::weld;
 use super::{FARTHEST, MOST_TRIANGLES, Mesh};
+use crate::Facet;
 
 /// A corner of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,8 +148,10 @@ impl Polygons {
         };
         let normals = pieces.iter().map(|p| p.corners.map(|c| normal_at(c, flats[p.flat].normal))).collect();
         let triangles = pieces.iter().map(|p| p.corners.map(|c| c.vertex)).collect();
+        let facets: Vec<Facet> = flats.iter().map(|flat| flat.facet(&self.positions)).collect();
+        let facets = pieces.iter().map(|p| facets[p.flat]).collect();
         self.positions.extend(crossings);
-        Mesh { positions: self.positions, triangles, normals }
+        Mesh { positions: self.positions, triangles, normals, facets }
     }
 }
 
@@ -165,6 +168,13 @@ struct Flat {
     /// Its vertices, each once.
     vertices: Vec<u32>,
     normal: DVec3,
+}
+
+impl Flat {
+    fn facet(&self, positions: &[DVec3]) -> Facet {
+        let places = self.vertices.iter().map(|&vertex| positions[vertex as usize]);
+        Facet { normal: self.normal, middle: places.sum::<DVec3>() / self.vertices.len() as f64 }
+    }
 }
 
 /// A triangle of a flat face.
