@@ -77,7 +77,16 @@ struct Line {
     measured: Measured,
 }
 
+/// How every line begins.
+const LINE: &[u8] = b"{\"key\":{\"version\":";
+
 impl Journal {
+    /// Whether a file's bytes are a journal's: of one that was just begun none, of others those in which a line is a result or a part of one.
+    pub fn has_written(bytes: &[u8]) -> bool {
+        let is_result = |line: &[u8]| !line.is_empty() && line.iter().zip(LINE).all(|(a, b)| a == b);
+        bytes.is_empty() || bytes.split(|&byte| byte == b'\n').any(is_result)
+    }
+
     /// Opens the file, or begins it. Damaged lines are taken out of it, and told: what they held is measured again.
     ///
     /// # Errors
@@ -241,6 +250,19 @@ mod tests {
             for spec in specs {
                 assert_eq!(journal.find(spec).unwrap(), Some(Measured::new(scene, spec).unwrap()));
             }
+        });
+    }
+
+    #[test]
+    fn a_journal_is_told_from_another_file() {
+        with_results(|_, path, _| {
+            let whole = fs::read(path).unwrap();
+            let cut_in_its_first_line = &whole[..10];
+            let damaged = [b"no result\n", &whole[..]].concat();
+            for ours in [&b""[..], &whole, cut_in_its_first_line, &damaged] {
+                assert!(Journal::has_written(ours));
+            }
+            assert!(!Journal::has_written(b"{\"accuracy\":1}\n{\"accuracy\":2}\n"));
         });
     }
 
