@@ -18,6 +18,7 @@ pub mod needs;
 mod parallel;
 pub mod picture;
 pub mod primitive;
+pub mod regular;
 pub mod spec;
 mod spec_file;
 mod surface;

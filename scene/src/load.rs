@@ -25,7 +25,7 @@ pub struct LoadedScene {
 }
 
 /// The longest name that is made of a file's, in characters.
-const LONGEST_NAME: usize = 48;
+pub(crate) const LONGEST_NAME: usize = 48;
 
 /// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh (`.obj`, `.ply`, `.stl`,
 /// `.glb`). `size` in pixels goes before the scene's own.

@@ -14,7 +14,7 @@ use specula_testbench::stress::{CATALOGUE, Cell, Extent, RAW, RAW_INPUT, RAW_WAN
 use crate::arguments::method_parser;
 use crate::cli::Verdict;
 use crate::error::ToolError;
-use crate::output::Destination;
+use crate::output::{Destination, Interrupts};
 use crate::progress;
 
 const EXAMPLE: &str = "\
@@ -70,9 +70,9 @@ impl RowResult {
 }
 
 /// Tries the catalogue, writes everything, and prints the table or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let methods: Vec<Method> = arguments.method.map_or(Method::ALL.into(), |method| vec![method]);
-    let destination = Destination::check(&arguments.output, &files::possible_names(&methods))?;
+    let destination = Destination::check(&arguments.output, &files::possible_names(&methods), interrupts)?;
     let extent = Extent { spans: arguments.spans as usize, ..Extent::WHOLE };
     let bar = progress::steps();
     let cells = sweep(arguments.seed, &methods, extent, &|done, all| {

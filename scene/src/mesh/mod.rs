@@ -10,7 +10,6 @@ mod triangulate;
 mod warning;
 mod weld;
 
-use std::fs;
 use std::path::Path;
 
 use glam::DVec3;
@@ -21,6 +20,8 @@ use warning::Notices;
 pub use warning::Warning;
 
 use crate::Facet;
+
+use crate::regular::{NotRead, read_regular};
 
 /// The longest file that is read, in bytes.
 pub const LONGEST_FILE: u64 = 1 << 30;
@@ -98,15 +99,11 @@ fn parse(extension: &str, bytes: &[u8], notices: &mut Notices) -> Result<Mesh, L
 /// # Errors
 /// A path that is no regular file, a file that is too long or that the system does not give.
 pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, MeshProblem> {
-    let unreadable = |error: std::io::Error| MeshProblem::Unreadable(reason(&error));
-    let about = fs::metadata(path).map_err(unreadable)?;
-    if !about.is_file() {
-        return Err(MeshProblem::NotAFile);
-    }
-    if about.len() > LONGEST_FILE {
-        return Err(MeshProblem::TooLong(about.len()));
-    }
-    fs::read(path).map_err(unreadable)
+    read_regular(path, LONGEST_FILE).map_err(|problem| match problem {
+        NotRead::NotRegular => MeshProblem::NotAFile,
+        NotRead::TooLong { bytes, .. } => MeshProblem::TooLong(bytes),
+        NotRead::System(error) => MeshProblem::Unreadable(reason(&error)),
+    })
 }
 
 /// The reason without the system's error number, which differs between systems.
