@@ -59,8 +59,8 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
     } else {
         let table = [vec![TITLES.map(str::to_owned)], rows(&savings)].concat();
-        let cells = if arguments.synthesis { format!("\n{}", table::lines(&cells(&savings))) } else { String::new() };
-        format!("{}\n{}{cells}", table::lines(&facts(&report)), table::lines(&table))
+        let cells = if arguments.synthesis { format!("\n{}", table::shown(&cells(&savings))) } else { String::new() };
+        format!("{}\n{}{cells}", table::shown(&facts(&report)), table::shown(&table))
     };
     write!(stdout, "{text}").map_err(ToolError::Print)?;
     Ok(Verdict::Done)

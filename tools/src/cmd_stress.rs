@@ -16,7 +16,7 @@ use specula_testbench::stress::{CATALOGUE, Cell, Extent, RAW, RAW_INPUT, RAW_WAN
 use crate::arguments::method_parser;
 use crate::cli::Verdict;
 use crate::error::ToolError;
-use crate::output::Destination;
+use crate::output::{Destination, Interrupts};
 use crate::progress;
 
 const EXAMPLE: &str = "\
@@ -92,27 +92,48 @@ impl Arguments {
         self.method.map_or(Method::ALL.into(), |method| vec![method])
     }
 
-    fn destination(&self, by_default: &str, files: &[String]) -> Result<Destination, ToolError> {
+    fn destination(
+        &self,
+        by_default: &str,
+        files: &[String],
+        interrupts: &Interrupts,
+    ) -> Result<Destination, ToolError> {
         let folder = self.output.as_deref().unwrap_or(Path::new(by_default));
-        Ok(Destination::check(folder, files)?)
+        Ok(Destination::check(folder, files, interrupts)?)
     }
 }
 
 /// Tries the catalogue or searches, writes everything, and prints the table or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    if arguments.climb { search(arguments, stdout) } else { try_catalogue(arguments, stdout) }
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
+    if arguments.climb {
+        search(arguments, stdout, interrupts)
+    } else {
+        try_catalogue(arguments, stdout, interrupts)
+    }
 }
 
-fn search(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+fn search(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let methods = arguments.methods();
-    let destination = arguments.destination("out/climb", &climb::possible_names(&methods))?;
+    let destination = arguments.destination("out/climb", &climb::possible_names(&methods), interrupts)?;
     let search = Search { seed: arguments.seed, scenes: arguments.scenes, methods };
     climb::execute(&search, &destination, arguments.json, stdout)
 }
 
-fn try_catalogue(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+fn try_catalogue(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let methods = arguments.methods();
-    let destination = arguments.destination("out/stress", &files::possible_names(&methods))?;
+    let destination = arguments.destination("out/stress", &files::possible_names(&methods), interrupts)?;
     let extent = Extent { spans: arguments.spans as usize, ..Extent::WHOLE };
     let bar = progress::steps();
     let cells = sweep(arguments.seed, &methods, extent, &|done, all| {

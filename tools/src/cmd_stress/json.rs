@@ -4,10 +4,12 @@ use specula_testbench::stress::Cell;
 
 use super::files::scene_of;
 use super::{RowResult, Stress};
+use crate::output::PROGRAM;
 
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Of Specula.
+    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    program: &'static str,
     version: &'static str,
     seed: u64,
     /// Random ones of each row.
@@ -39,7 +41,7 @@ pub fn text(stress: &Stress, files: &[String]) -> serde_json::Result<String> {
     let rows: Vec<Row> = stress.rows.iter().map(row).collect();
     let holds = rows.iter().all(|row| row.holds);
     let (version, seed, spans) = (env!("CARGO_PKG_VERSION"), stress.seed, stress.spans);
-    let mut text = serde_json::to_string_pretty(&Report { version, seed, spans, holds, rows, files })?;
+    let mut text = serde_json::to_string_pretty(&Report { program: PROGRAM, version, seed, spans, holds, rows, files })?;
     text.push('\n');
     Ok(text)
 }

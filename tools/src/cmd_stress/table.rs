@@ -21,7 +21,7 @@ pub fn text(stress: &Stress, folder: &Path) -> String {
         0 => "What is wanted happens in every row.".to_owned(),
         _ => format!("What is wanted does not happen in {failed} rows."),
     };
-    format!("{}\n{faults}{end}\nseed {}; scenes, plots and report in {}\n", table::lines(&rows), stress.seed, folder.display())
+    format!("{}\n{faults}{end}\nseed {}; scenes, plots and report in {}\n", table::shown(&rows), stress.seed, folder.display())
 }
 
 fn line(row: &RowResult) -> [String; 6] {
