@@ -58,7 +58,8 @@ impl Format {
         raw as f64 * self.ulp()
     }
 
-    /// The value that a raw number stands for, every digit of it, which may be more than an f64 has.
+    /// The value that a raw number stands for, every digit of it, which may be more than an f64
+    /// has.
     pub fn in_digits(self, raw: i64) -> String {
         let sign = if raw < 0 { "-" } else { "" };
         let magnitude = u128::from(raw.unsigned_abs());
@@ -68,7 +69,8 @@ impl Format {
         if rest > 0 {
             digits.push('.');
         }
-        // Ten times what is left ends after as many digits as there are fraction bits, which are fewer than 64.
+        // Ten times what is left ends after as many digits as there are fraction bits, which are
+        // fewer than 64.
         while rest > 0 {
             rest *= 10;
             digits.push(char::from(b'0' + (rest / ones) as u8));
@@ -81,7 +83,8 @@ impl Format {
     /// NaN becomes 0, so that no set-up can put a NaN into a core.
     pub fn quantise(self, value: f64) -> i64 {
         let scaled = value * power_of_two(self.fraction_bits.into());
-        // Adding 1/2 first would round once more in f64: up from just below 1/2, and from odd numbers beyond 2^52.
+        // Adding 1/2 first would round once more in f64: up from just below 1/2, and from odd
+        // numbers beyond 2^52.
         let whole = scaled.floor();
         let nearest = if scaled - whole >= 0.5 { whole + 1.0 } else { whole };
         // `as` saturates at i64's ends and maps NaN to 0.

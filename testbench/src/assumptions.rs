@@ -27,7 +27,8 @@ impl Violation {
         self.format.value(self.raw)
     }
 
-    /// In words, every digit of the numbers: a value may be past its limit by less than an f64 shows.
+    /// In words, every digit of the numbers: a value may be past its limit by less than an f64
+    /// shows.
     pub fn in_words(&self) -> String {
         let [value, low, high] = [self.raw, self.limits.low, self.limits.high].map(|raw| self.format.in_digits(raw));
         format!(
@@ -45,7 +46,8 @@ pub(crate) fn watched(design: &Design) -> impl Iterator<Item = NodeId> + '_ {
 /// What is seen of facts while a simulation goes on.
 pub(crate) struct Facts<'a> {
     design: &'a Design,
-    /// Smallest and largest raw value of each fact's signal, wherever a pixel is; none where no pixel has come.
+    /// Smallest and largest raw value of each fact's signal, wherever a pixel is; none where no
+    /// pixel has come.
     pub seen: Vec<Option<Range>>,
     /// The first fact that did not hold.
     pub violation: Option<Violation>,
@@ -86,7 +88,8 @@ fn violation(design: &Design, assumption: &Assumption, (clock, lanes): (u64, Lan
     })
 }
 
-/// The first of these clocks' rows in which a signal belongs to a pixel, and the values in all such rows, which are consecutive.
+/// The first of these clocks' rows in which a signal belongs to a pixel, and the values in all such
+/// rows, which are consecutive.
 fn of_pixels<'b>(design: &Design, stimulus: &Stimulus, batch: &Batch<'b>, node: NodeId) -> Option<(usize, Lanes<'b>)> {
     let lanes = batch.of(node)?;
     let stage = u64::from(design.node(node).stage);

@@ -103,8 +103,8 @@ struct SpanResult {
     sums: [Sums; 3],
 }
 
-/// Compares `codes`, one for each pixel in span order, with every model. `spans` are what the core was given of the frame's spans, and no error is to
-/// exceed `bound` LSBs.
+/// Compares `codes`, one for each pixel in span order, with every model. `spans` are what the core
+/// was given of the frame's spans, and no error is to exceed `bound` LSBs.
 ///
 /// Spans are worked on in parallel; what they give is put together in their order, so the result does not depend on threads.
 ///

@@ -88,7 +88,8 @@ pub struct Outcome {
     pub comparison: Comparison,
     /// Clocks in which a pixel left though none was due, or was due and did not leave.
     pub wrong_clocks: Vec<u64>,
-    /// For each stated fact of the design the smallest and the largest raw value that its signal had wherever a pixel was.
+    /// For each stated fact of the design the smallest and the largest raw value that its signal
+    /// had wherever a pixel was.
     pub facts_seen: Vec<Option<design::Range>>,
     /// The first fact that did not hold.
     pub violation: Option<Violation>,
@@ -101,10 +102,12 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether every pixel agrees, each in its clock, every stated fact held, and no quantisation error is above its bound.
+    /// Whether every pixel agrees, each in its clock, every stated fact held, and no quantisation
+    /// error is above its bound.
     ///
-    /// Core and bit-true model are given the same packets, so they agree whatever those hold; the method in f64 is given none. That a core stays
-    /// within its bound says that the set-up is right, and that the bound is.
+    /// Core and bit-true model are given the same packets, so they agree whatever those hold; the
+    /// method in f64 is given none. That a core stays within its bound says that the set-up is
+    /// right, and that the bound is.
     pub fn agrees(&self) -> bool {
         let as_the_model = self.comparison.mismatches == 0 && self.wrong_clocks.is_empty() && self.violation.is_none();
         as_the_model && self.beyond_bound().is_none()

@@ -1,6 +1,6 @@
 //! The search for a small core near exact shading.
 use specula_scene::{Method, load};
-use specula_testbench::explore::{Device, Exploration, Wanted, explore};
+use specula_testbench::explore::{Device, Exploration, Explored, Wanted, explore};
 use specula_testbench::{Bench, EngineKind};
 
 const METHODS: [Method; 4] = [Method::Lyon, Method::Gouraud, Method::Phong, Method::Direct];
@@ -25,6 +25,11 @@ fn every_core_of_the_front_is_as_good_as_is_said() {
         let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
         assert!(outcome.agrees());
         assert_eq!(outcome.comparison.errors.total.max_lsb, core.error, "{}", core.core);
+        let quantisation = outcome.comparison.errors.quantisation.max_lsb;
+        assert_eq!((core.quantisation, core.bound), (Some(quantisation), Some(outcome.bound_lsb)));
+        assert_eq!(core.beyond_bound(), None);
+        let broken = Explored { bound: Some(0.25), ..core.clone() };
+        assert_eq!(broken.beyond_bound(), Some([quantisation, 0.25]));
         assert!(next.is_none_or(|next| next.cost.cells() > core.cost.cells() && next.error < core.error));
     }
 }

@@ -1,4 +1,5 @@
-//! Faults of the set-up, which core and bit-true model share: they agree, and the error that goes beyond its bound tells.
+//! Faults of the set-up, which core and bit-true model share: they agree, and the error that goes
+//! beyond its bound tells.
 mod common;
 
 use common::{Row, frame_of, material, spec, tilted};
@@ -77,7 +78,8 @@ fn steps_over_a_pixel_too_many_are_told() {
     }
 }
 
-/// Of the denominator, which falls a little too far then, so that nothing outgrows what the model allows for.
+/// Of the denominator, which falls a little too far then, so that nothing outgrows what the model
+/// allows for.
 #[test]
 fn a_first_difference_that_is_too_large_is_told() {
     for method in [Method::Hybrid, Method::Reflection] {

@@ -60,8 +60,9 @@ pub struct Arguments {
     /// What simulates the core
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
-    /// Clocks in the waveform: worst (200 around the largest error), none, span=N, cycles=A..B or all.
-    /// If the core disagrees with its models or an error is above its bound, worst and none give 200 around that
+    /// Clocks in the waveform: worst (200 around the largest error), none, span=N, cycles=A..B or
+    /// all. If the core disagrees with its models or an error is above its bound, worst and none
+    /// give 200 around that
     #[arg(long, value_name = "CLOCKS", default_value = "worst", value_parser = parse_choice)]
     trace: Choice,
     /// The waveform's file

@@ -56,7 +56,8 @@ impl Disagreement {
         let mismatch = self.first_mismatch.as_ref().map(|(_, clock)| *clock);
         let violation = self.violation.as_ref().map(|violation| violation.clock);
         let beyond = self.beyond_bound.map(|beyond| beyond.clock);
-        // What is above its bound comes out of a core that does as it is told: it is to be seen there only if there is nothing else.
+        // What is above its bound comes out of a core that does as it is told: it is to be seen
+        // there only if there is nothing else.
         let first = [mismatch, self.first_wrong_clock, violation].into_iter().flatten().min();
         first.or(beyond).unwrap_or(0)
     }
@@ -81,7 +82,8 @@ impl Disagreement {
         [pixel, clocks, fact, beyond].into_iter().flatten().collect()
     }
 
-    /// Whether core and bit-true model agree, each pixel in its clock and with every fact, and an error is above its bound all the same.
+    /// Whether core and bit-true model agree, each pixel in its clock and with every fact, and an
+    /// error is above its bound all the same.
     pub fn is_of_bound_alone(&self) -> bool {
         self.mismatches == 0 && self.wrong_clocks == 0 && self.violation.is_none()
     }

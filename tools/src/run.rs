@@ -43,7 +43,8 @@ impl Run<'_> {
         &self.task.scene.name
     }
 
-    /// The clock that a reader wants to see: that of the first disagreement, of an error above its bound, or that in which the worst pixel leaves.
+    /// The clock that a reader wants to see: that of the first disagreement, of an error above its
+    /// bound, or that in which the worst pixel leaves.
     pub fn clock_to_look_at(&self) -> Option<u64> {
         self.disagreement.as_ref().map(Disagreement::first_clock).or(self.outcome.worst_cycle)
     }

@@ -1,4 +1,5 @@
-//! The picture of a pixel's way through the core: the worst one's, the first one's that disagrees, or that of an error above its bound.
+//! The picture of a pixel's way through the core: the worst one's, the first one's that disagrees,
+//! or that of an error above its bound.
 use std::fs;
 use std::ops::Range;
 

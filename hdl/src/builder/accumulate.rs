@@ -60,8 +60,9 @@ impl Sig {
         builder.emit(Op::Copy(sum.id()), Register::Data, facts(sum.range(), "summed"))
     }
 
-    /// What starts here and never changes: inputs are held while their span goes in, so no register need keep it. A step of 0 may be one that the
-    /// host rounded to 0, so `error` is that of any accumulated value.
+    /// What starts here and never changes: inputs are held while their span goes in, so no register
+    /// need keep it. A step of 0 may be one that the host rounded to 0, so `error` is that of any
+    /// accumulated value.
     fn never_growing(&self, error: f64) -> Sig {
         self.builder.leave_out(&format!("accumulator {} bits", self.range().width()), "its step is always 0");
         let facts = Facts { range: self.range().into(), fraction_bits: self.fraction_bits(), error, kind: "accumulated" };

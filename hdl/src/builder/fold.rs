@@ -1,7 +1,8 @@
 //! Leaves out operators whose result is known or is one of their operands.
 //!
-//! This is about raw values alone. A constant 0 may stand for a real value that the host rounded to 0, and what adds or multiplies it is off by what
-//! that makes of it: [`Sig`](super::Sig) keeps the operator's own error, whichever signal its values come from.
+//! This is about raw values alone. A constant 0 may stand for a real value that the host rounded to
+//! 0, and what adds or multiplies it is off by what that makes of it: [`Sig`](super::Sig) keeps the
+//! operator's own error, whichever signal its values come from.
 use super::state::{Facts, State};
 use crate::design::{NodeId, Op, Register, wrapped};
 

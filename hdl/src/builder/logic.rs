@@ -49,8 +49,9 @@ impl Sig {
 
     /// `yes` where this bit is 1, else `no`.
     ///
-    /// The bound is the larger of the two, also where this bit is always the same: it holds where the real value takes the same branch, or the
-    /// branches meet. What is known of an error beside that is still true where the other branch is 0 exactly.
+    /// The bound is the larger of the two, also where this bit is always the same: it holds where
+    /// the real value takes the same branch, or the branches meet. What is known of an error beside
+    /// that is still true where the other branch is 0 exactly.
     pub fn choose(&self, yes: &Sig, no: &Sig) -> Sig {
         let fraction_bits = yes.fraction_bits().max(no.fraction_bits());
         let (a, b) = (yes.with_fraction_bits(fraction_bits), no.with_fraction_bits(fraction_bits));

@@ -3,8 +3,9 @@
 //! A value is a [`Sig`]. Operators derive the result's format, proven range, error bound and stage from the operands'; operands of
 //! different stages are aligned by delay registers that are put in and shared here. No unit counts its own registers.
 //!
-//! A [`Sig`] is a signal *and* the real value that it stands for. Signals whose raw values are the same are one signal in the hardware, whatever they
-//! stand for; so all that is known of errors belongs to the [`Sig`], and folding, merging and leaving out hardware cannot lose it.
+//! A [`Sig`] is a signal *and* the real value that it stands for. Signals whose raw values are the
+//! same are one signal in the hardware, whatever they stand for; so all that is known of errors
+//! belongs to the [`Sig`], and folding, merging and leaving out hardware cannot lose it.
 mod accumulate;
 mod arithmetic;
 mod fold;
@@ -86,9 +87,10 @@ impl Builder {
         Control { valid: self.sig(valid, 0.0), start: self.sig(start, 0.0) }
     }
 
-    /// Opens a data input. Its host rounded it to nearest, so it is off by half a unit in the last place at most; integers are exact.
-    /// A port that is given one value only becomes a constant, which is off like any other input, and one that is given what an earlier one is
-    /// becomes that.
+    /// Opens a data input. Its host rounded it to nearest, so it is off by half a unit in the last
+    /// place at most; integers are exact. A port that is given one value only becomes a constant,
+    /// which is off like any other input, and one that is given what an earlier one is becomes
+    /// that.
     pub fn input(&self, port: &InputPort) -> Sig {
         let error = if port.format.fraction_bits == 0 { 0.0 } else { 0.5 };
         if let Some(twin) = port.same_as.as_deref().and_then(|twin| self.opened(twin)) {
@@ -161,7 +163,8 @@ impl Builder {
         Sig::new(self.clone(), (id, fraction_bits), error)
     }
 
-    /// The same raw value at every clock, for a real one that is `error` units of the last place from it at most.
+    /// The same raw value at every clock, for a real one that is `error` units of the last place
+    /// from it at most.
     fn constant(&self, value: i64, fraction_bits: u32, error: f64) -> Sig {
         let id = self.state.borrow_mut().constant(value, fraction_bits);
         self.sig(id, error)

@@ -118,7 +118,8 @@ impl Sig {
         }
     }
 
-    /// After a clamp of fixed and real value alike: where the real one lies, and so how far both are apart at most.
+    /// After a clamp of fixed and real value alike: where the real one lies, and so how far both
+    /// are apart at most.
     fn known_real(self, real: Real) -> Sig {
         let error = self.error().min(real.furthest_from(self.range()));
         self.with_error(error).with_real(real)
@@ -126,7 +127,8 @@ impl Sig {
 
     /// States a fact that intervals cannot see: the value lies from `low` to `high`. The testbench checks it on every clock.
     ///
-    /// The bits that the fact makes superfluous are dropped. The fact is about the fixed value, so it says nothing of the error.
+    /// The bits that the fact makes superfluous are dropped. The fact is about the fixed value, so
+    /// it says nothing of the error.
     pub fn assumed(&self, low: f64, high: f64, fact: &str) -> Sig {
         let raw = |value: f64| value / self.ulp();
         let stated = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64);

@@ -3,7 +3,8 @@ use crate::design::Range;
 
 /// An interval that holds the real value, in units of the signal's last place.
 ///
-/// The range of a signal says nothing of it: that holds what the host and the core *rounded*, and what they rounded may lie beyond.
+/// The range of a signal says nothing of it: that holds what the host and the core *rounded*, and
+/// what they rounded may lie beyond.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Real {
     /// Smallest value.

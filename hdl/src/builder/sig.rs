@@ -23,7 +23,8 @@ pub struct Sig {
 }
 
 impl Sig {
-    /// The signal `id` with the binary point where it counts `fraction_bits`, off by `error` units of the last place at most.
+    /// The signal `id` with the binary point where it counts `fraction_bits`, off by `error` units
+    /// of the last place at most.
     pub(super) fn new(builder: Builder, (id, fraction_bits): (NodeId, u32), error: f64) -> Sig {
         Sig { builder, id, fraction_bits, error, error_form: ErrorForm::Bounded, real: Real::ANY }
     }
@@ -99,7 +100,8 @@ impl Sig {
         Sig { real, ..self }
     }
 
-    /// The same signal where it stands for the real value of any of `others` as well, which have its raw values.
+    /// The same signal where it stands for the real value of any of `others` as well, which have
+    /// its raw values.
     pub(super) fn off_as_any_of(self, others: &[Sig]) -> Sig {
         let error = others.iter().map(Sig::error).fold(self.error, f64::max);
         let real = others.iter().fold(self.real, |real, other| real.or(other.real));

@@ -101,8 +101,9 @@ impl State {
         self.push(Node { op, register, range, fraction_bits, stage: 0, scope, name, named: true })
     }
 
-    /// Adds an operator, or gives the signal whose raw values are the same anyway: what it folds to, or its twin. That signal may stand for
-    /// another real value, so errors belong to the [`Sig`](super::Sig) that refers to it. Operands are in this unit and of one stage.
+    /// Adds an operator, or gives the signal whose raw values are the same anyway: what it folds
+    /// to, or its twin. That signal may stand for another real value, so errors belong to the
+    /// [`Sig`](super::Sig) that refers to it. Operands are in this unit and of one stage.
     pub fn emit(&mut self, op: Op, register: Register, facts: Facts) -> NodeId {
         if let Some(id) = fold::folded(self, op, &facts) {
             return id;

@@ -128,8 +128,9 @@ impl UnitNormal {
 /// Both ends are rounded and t ≤ 1 + o, so N·X is no larger than 1 + 2o.
 ///
 /// # Error
-/// The host sends B·X - A·X of rounded scalars, so with those off by e and t' for what t comes out as N·X is off by |1 - t'| e + t' e, and by what t' is
-/// off times the real difference, which is that of the rounded scalars but for 2e.
+/// The host sends B·X - A·X of rounded scalars, so with those off by e and t' for what t comes out
+/// as N·X is off by |1 - t'| e + t' e, and by what t' is off times the real difference, which is
+/// that of the rounded scalars but for 2e.
 pub fn direct_scalar(b: &Builder, t: &Sig, [start, delta]: [&Sig; 2], formats: &DirectFormats) -> Sig {
     let inputs = (("t", t), ("at_start", start), ("delta", delta));
     b.unit("scalar", "p = N.X = A.X + t (B.X - A.X) [lecture, eq. 4.3]", inputs, |_, (t, start, delta)| {

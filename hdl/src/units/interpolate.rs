@@ -75,7 +75,8 @@ fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig 
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
     let reach = 1.0 + 2.0 * overshoot(to.accumulator, to.weight, to.steps);
     let off = start.off().length * reach + a.error_value() * to.apart.min(delta.longest() + 2.0 * delta.off().length);
-    // Both ends are rounded, so their difference is off by a whole unit, not by half as what is rounded once.
+    // Both ends are rounded, so their difference is off by a whole unit, not by half as what is
+    // rounded once.
     let delta = delta.map(|component| component.clone().stated_error_value(component.ulp()));
     let vector = (start + &delta.scaled(a)).no_longer_than((to.longest + to.vector.ulp()) * reach);
     let vector = vector.components_assumed_within(to.longest * reach, fact);
@@ -87,23 +88,27 @@ pub fn chord(shortest: f64) -> f64 {
     2.0 * (1.0 - shortest * shortest).max(0.0).sqrt()
 }
 
-/// By how much a weight that is accumulated from 0 on is off after `steps` steps of 1/S, each rounded to half a unit of the last place.
+/// By how much a weight that is accumulated from 0 on is off after `steps` steps of 1/S, each
+/// rounded to half a unit of the last place.
 ///
-/// The host works out 1/S in f64, off by 2^-53 of itself, and so by 2^-53 after S steps. Where the accumulator is no finer than an f64 near 1, that is
-/// half a unit at most and never reaches its next number.
+/// The host works out 1/S in f64, off by 2^-53 of itself, and so by 2^-53 after S steps. Where the
+/// accumulator is no finer than an f64 near 1, that is half a unit at most and never reaches its
+/// next number.
 fn accumulated_off(accumulator: Format, steps: u32) -> f64 {
     let of_host = if accumulator.fraction_bits >= f64::MANTISSA_DIGITS { f64::EPSILON / 2.0 } else { 0.0 };
     0.5 * f64::from(steps) * accumulator.ulp() + of_host
 }
 
-/// How far past 1 the accumulated weight is allowed to come: a unit for each step, or more where the host is off by more.
+/// How far past 1 the accumulated weight is allowed to come: a unit for each step, or more where
+/// the host is off by more.
 pub(super) fn slack(accumulator: Format, steps: u32) -> f64 {
     (f64::from(steps) * accumulator.ulp()).max(accumulated_off(accumulator, steps))
 }
 
 /// How far past 1 the weight can come out.
 ///
-/// By default the accumulator's extra bits keep what it is off by below half a unit of a's, so that a ≤ 1 after rounding; a spec may ask for fewer.
+/// By default the accumulator's extra bits keep what it is off by below half a unit of a's, so that
+/// a ≤ 1 after rounding; a spec may ask for fewer.
 pub(super) fn overshoot(accumulator: Format, weight: Format, steps: u32) -> f64 {
     let accumulated = accumulated_off(accumulator, steps);
     let half = 0.5 * weight.ulp();

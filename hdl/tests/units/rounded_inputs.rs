@@ -1,4 +1,5 @@
-//! Inputs that are always the same are off by what the host rounded, like any other, whatever hardware they leave out.
+//! Inputs that are always the same are off by what the host rounded, like any other, whatever
+//! hardware they leave out.
 use specula_hdl::Design;
 use specula_hdl::builder::Sig;
 use specula_hdl::units::{self, Differences, Steps};
@@ -18,8 +19,8 @@ impl Bench {
     }
 }
 
-/// The largest |fixed - real| of an operator on real operands up to half a unit from raw ones within these ranges: at corners, since it is linear or a
-/// product.
+/// The largest |fixed - real| of an operator on real operands up to half a unit from raw ones
+/// within these ranges: at corners, since it is linear or a product.
 fn worst(ranges: [(i64, i64); 2], of: impl Fn(f64, f64) -> f64) -> f64 {
     let corners = |(low, high): (i64, i64)| [low as f64, high as f64];
     let mut worst: f64 = 0.0;
@@ -31,7 +32,8 @@ fn worst(ranges: [(i64, i64); 2], of: impl Fn(f64, f64) -> f64) -> f64 {
     worst
 }
 
-/// Sums, differences and products with inputs that are always 0, 1, -3 or 16, which fold in different ways, are off as those with any others.
+/// Sums, differences and products with inputs that are always 0, 1, -3 or 16, which fold in
+/// different ways, are off as those with any others.
 #[test]
 fn operators_on_constant_inputs_have_the_error_of_what_was_rounded() {
     for raw in [0, 1, -3, 16] {
@@ -62,7 +64,8 @@ fn constants_of_a_formula_have_no_error() {
     assert_eq!((&integer(3) * &integer(0)).error(), 0.0);
 }
 
-/// The step that the host rounded to 0 is off by up to half a unit at every pixel: S of them for what is linear, and S²/4 for second differences.
+/// The step that the host rounded to 0 is off by up to half a unit at every pixel: S of them for
+/// what is linear, and S²/4 for second differences.
 #[test]
 fn what_grows_by_a_step_that_was_rounded_to_0_is_off_by_every_step() {
     let steps = 228;
@@ -80,8 +83,8 @@ fn what_grows_by_a_step_that_was_rounded_to_0_is_off_by_every_step() {
     }
 }
 
-/// Two values that are one signal, because both have the same operands, may stand for different real ones. Neither loses its error to the other,
-/// whichever comes first.
+/// Two values that are one signal, because both have the same operands, may stand for different
+/// real ones. Neither loses its error to the other, whichever comes first.
 #[test]
 fn twins_keep_their_own_errors() {
     for coarse_first in [false, true] {
@@ -120,7 +123,8 @@ fn choices_that_are_always_the_same_keep_the_larger_error() {
     }
 }
 
-/// Clamping keeps the error, also where all rounded values lie on one side, or are the same: the real one need not.
+/// Clamping keeps the error, also where all rounded values lie on one side, or are the same: the
+/// real one need not.
 #[test]
 fn clamps_know_nothing_of_the_real_value_but_what_they_leave_of_it() {
     let clamped = |low, high| {
@@ -140,7 +144,8 @@ fn clamps_know_nothing_of_the_real_value_but_what_they_leave_of_it() {
     assert_eq!(clamped(-9, 0).error(), 0.5);
 }
 
-/// A value whose error is larger than the range is off by what the clamps leave, counted from where it is.
+/// A value whose error is larger than the range is off by what the clamps leave, counted from where
+/// it is.
 #[test]
 fn between_two_clamps_a_value_is_off_by_their_distance_at_most() {
     for ((low, high), wanted) in [((-32, 32), 1.0), ((0, 0), 1.0), ((4, 4), 0.75), ((16, 16), 1.0), ((40, 50), 1.0)] {
@@ -173,7 +178,8 @@ fn turns_that_are_all_the_same_have_the_largest_error() {
     }
 }
 
-/// Inputs of half a unit, multiplied and rounded again: nothing that an output leaves out is lost on the way through units.
+/// Inputs of half a unit, multiplied and rounded again: nothing that an output leaves out is lost
+/// on the way through units.
 #[test]
 fn errors_cross_the_borders_of_units() {
     let bench = Bench::new();

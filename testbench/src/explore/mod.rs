@@ -103,7 +103,8 @@ fn measured(cores: Vec<Explored>, frame: &Frame) -> Result<Vec<Explored>, BenchE
 }
 
 impl Explored {
-    /// The quantisation error and its bound, if that is exceeded: then the set-up of spans or the bound is wrong.
+    /// The quantisation error and its bound, if that is exceeded: then the set-up of spans or the
+    /// bound is wrong.
     pub fn beyond_bound(&self) -> Option<[f64; 2]> {
         let (quantisation, bound) = self.quantisation.zip(self.bound)?;
         (quantisation > bound).then_some([quantisation, bound])

@@ -1,4 +1,5 @@
-//! Bounds of cores made for one scene, in which inputs that the host rounded are constants, steps are 0 and products fold away.
+//! Bounds of cores made for one scene, in which inputs that the host rounded are constants, steps
+//! are 0 and products fold away.
 #[path = "../common/mod.rs"]
 mod common;
 
@@ -67,7 +68,8 @@ impl Noise {
     }
 }
 
-/// Rows whose normals hardly change, under lights near the axes, of which components and steps round to 0 and to the same number.
+/// Rows whose normals hardly change, under lights near the axes, of which components and steps
+/// round to 0 and to the same number.
 fn nearly_constant(noise: &mut Noise) -> Frame {
     let steady = 10f64.powi(-(noise.below(4) as i32) - 1);
     let tilt = [0.02, 0.2, 1.0][noise.below(3) as usize];
@@ -119,7 +121,8 @@ fn bounds_hold_where_most_of_a_core_is_constant() {
     assert!(closest.0 > 0.9, "nothing comes near its bound: {closest:?}");
 }
 
-/// The finest weights and the shortest spans, of which 1/S in f64 is off by more than the weight's own last place.
+/// The finest weights and the shortest spans, of which 1/S in f64 is off by more than the weight's
+/// own last place.
 #[test]
 fn weights_finer_than_an_f64_are_no_untrue_fact() {
     for method in [Method::Lyon, Method::Phong, Method::Direct, Method::Consistent] {

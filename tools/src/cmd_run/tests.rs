@@ -30,7 +30,8 @@ fn spoilt_run(words: &[&str], folder: &Path, spoil: impl FnOnce(&mut Outcome) ->
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
     let run = run_of(&arguments, &task, &bench, None, &outcome);
-    let destination = Destination::check(folder, &file_names(&run.module), &Interrupts::default()).expect("the folder can be written");
+    let destination =
+        Destination::check(folder, &file_names(&run.module), &Interrupts::default()).expect("the folder can be written");
     write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))
 }
@@ -105,7 +106,8 @@ fn wrong_clocks_and_facts_count_too() {
     assert_eq!(report["trace"], serde_json::json!([150, 350]));
 }
 
-/// An error above its bound ends a run as a differing pixel does, with the pixel, both numbers and what they mean, and the waveform around it.
+/// An error above its bound ends a run as a differing pixel does, with the pixel, both numbers and
+/// what they mean, and the waveform around it.
 #[test]
 fn an_error_above_its_bound_is_named_and_shown() {
     let place = TempDir::new().expect("there is room");
@@ -143,7 +145,8 @@ fn an_error_above_its_bound_is_named_and_shown() {
     }
 }
 
-/// Facts are shown with their limits and with what was seen, which lies within them and is not the same.
+/// Facts are shown with their limits and with what was seen, which lies within them and is not the
+/// same.
 #[test]
 fn facts_have_limits_and_what_was_seen() {
     let place = TempDir::new().expect("there is room");
