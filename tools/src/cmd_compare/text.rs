@@ -1,9 +1,9 @@
 //! What `compare` prints.
 use std::path::Path;
 
+use super::markdown;
 use super::result::Compared;
 use super::tables::{self, SOFTWARE_TITLES, SUMMARY_TITLES};
-use super::markdown;
 use crate::output::JOURNAL;
 use crate::table;
 

@@ -200,7 +200,8 @@ fn a_kill_while_the_temporary_folder_goes_leaves_what_is_understood() {
     let room = tempfile::tempdir().unwrap();
     let leftover = room.path().join(".specula-1");
     let record = Record { step: Step::Exchange, old: ["a".into()].into(), new: ["b".into()].into() };
-    for (has_folder, has_record, has_lock) in [(true, true, true), (false, true, true), (false, false, true), (false, false, false)] {
+    for (has_folder, has_record, has_lock) in [(true, true, true), (false, true, true), (false, false, true), (false, false, false)]
+    {
         fs::create_dir(&leftover).unwrap();
         if has_folder {
             fs::create_dir_all(leftover.join("folder/out")).unwrap();
