@@ -18,9 +18,9 @@ use crate::output::{Destination, Interrupts};
 use crate::progress;
 
 const EXAMPLE: &str = "\
-Puts each row of the catalogue of extremes, and random spans between its ends, through exact
-shading, the bit-true model and the simulated core of every method with each of its options.
-Writes DIR/report.md, report.json, plots of how recurrences drift with the length of a span, and
+Puts each row of the catalogue of extremes, and random spans between its ends, through exact \
+shading, the bit-true model and the simulated core of every method with each of its options. \
+Writes DIR/report.md, report.json, plots of how recurrences drift with the length of a span, and \
 for each row and method the scene file of the worst span, which `run` takes.
 
 Exit status: 0 if what is wanted happens in every row, 1 if not, 2 if it could not be tried.
