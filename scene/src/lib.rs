@@ -27,7 +27,7 @@ pub use builtin::builtin_names;
 pub use error::SceneError;
 pub use file::CoreTable;
 pub use format::Format;
-pub use frame::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone};
+pub use frame::{Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone};
 pub use illumination::Illumination;
 pub use load::{LoadedScene, load, parse};
 pub use needs::Needs;

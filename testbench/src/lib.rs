@@ -2,6 +2,7 @@
 mod arrival;
 mod assumptions;
 pub mod bench;
+pub mod climb;
 mod compare;
 mod error;
 pub mod explore;

@@ -20,7 +20,7 @@ fn flat_triangles_need_no_normalisation_by_the_method_that_can_do_without() {
     let mut flat = scene("icosahedron");
     let smooth = of(&flat, Method::Lyon);
     for triangle in &mut flat.frame.triangles {
-        triangle.normals = [triangle.normals[0]; 3];
+        triangle.normals = [triangle.facet.normal; 3];
     }
     let flat_of = |method| of(&flat, method);
     let saves = line(&flat_of(Method::Lyon), "flat normals").unwrap().saves;

@@ -63,7 +63,7 @@ pub struct SceneArguments {
 impl SceneArguments {
     /// Reads it.
     pub fn load(&self) -> Result<LoadedScene, ToolError> {
-        Ok(specula_scene::load(&self.scene, self.picture.size)?)
+        Ok(crate::scene::load(&self.scene, self.picture.size)?)
     }
 }
 

@@ -26,6 +26,7 @@ mod plot;
 mod progress;
 mod report;
 mod run;
+mod scene;
 mod summary;
 mod table;
 mod task;
