@@ -123,6 +123,25 @@ fn a_file_of_the_users_in_the_folder_of_a_run_is_not_taken_for_one_of_the_runs()
 }
 
 #[test]
+fn every_command_knows_the_folder_that_it_wrote() {
+    let place = Place::new();
+    for arguments in [
+        &["run", "icosahedron", "--size", "16x12"][..],
+        &["run", "figure9", "--size", "28x76"],
+        &["compare", "icosahedron", "--size", "16x12", "--methods", "gouraud", "--formats", "default"],
+        &["stress", "--method", "gouraud", "--spans", "1"],
+        &["stress", "--method", "gouraud", "--climb", "--scenes", "20"],
+    ] {
+        let arguments = [arguments, &["-o", "folder"]].concat();
+        for _ in 0..2 {
+            let ended = place.specula(&arguments);
+            assert_eq!(ended.status, Some(0), "{arguments:?}: {}", ended.stderr);
+        }
+        fs::remove_dir_all(place.path("folder")).unwrap();
+    }
+}
+
+#[test]
 fn a_core_that_was_generated_is_replaced_by_another() {
     let place = Place::new();
     place.succeeds(&["generate", "teapot", "-o", "core"]);
