@@ -7,6 +7,7 @@ mod each_method;
 use std::path::Path;
 use std::process::Command;
 
+use specula_hdl::design::ScopeId;
 use specula_hdl::verilog::{self, Header};
 use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation, Normals, ShapeDatapath};
 use specula_scene::{CoreSpec, Method};
@@ -110,6 +111,28 @@ fn icarus_is_silent(method: Method) {
 fn yosys_is_silent(method: Method) {
     let script = |name: &str| format!("read_verilog {name}.v; hierarchy -check -top {name}; proc; check -assert");
     silent(method, "yosys", |name| ["-q".into(), "-p".into(), script(name)].to_vec());
+}
+
+/// A scene may be called as something in its core.
+#[test]
+fn verilator_is_silent_whatever_the_scene_is_called() {
+    if !tools::program("verilator") {
+        return;
+    }
+    let spec = frames::spec(&frames::frame(5, 1, 6), Method::Hybrid);
+    let inside = frames::design(&spec);
+    let in_top = inside.nodes.iter().filter(|node| node.scope == ScopeId::TOP).map(|node| node.name.as_str());
+    let instances = inside.scopes.iter().filter(|scope| scope.parent == Some(ScopeId::TOP)).map(|scope| scope.instance.as_str());
+    let directory = tempfile::tempdir().unwrap();
+    let ports = ["red", "valid", "valid_out", "start", "clock", "reset"];
+    for scene in in_top.chain(instances).step_by(7).chain(ports).chain(["entity", "always_ff", "always"]) {
+        let name = verilog::module_name(scene, &spec);
+        let design = specula_hdl::elaborate(&spec, &name).unwrap();
+        let text = verilog::print(&design.to_block(), &Header { lines: vec!["A core.".into()] });
+        std::fs::write(directory.path().join(format!("{name}.v")), text).unwrap();
+        let arguments = words(format!("--lint-only -Wall --top-module {name} {name}.v"));
+        assert_silent(&mut command("verilator", directory.path(), &arguments), &spec);
+    }
 }
 
 each_method!(verilator_is_silent);

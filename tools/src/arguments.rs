@@ -3,9 +3,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_hdl::verilog::module_name;
 use specula_scene::picture::limits;
 use specula_scene::spec::Specialise;
-use specula_hdl::verilog::module_name;
 use specula_scene::{CoreSpec, Frame, LoadedScene, Method, SpecFile};
 use specula_testbench::trace::Choice;
 use specula_testbench::{EngineKind, search};

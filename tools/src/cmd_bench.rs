@@ -16,12 +16,12 @@ use crate::error::ToolError;
 use crate::progress;
 
 const EXAMPLE: &str = "\
-Shades the scene's spans, over and over, in each simulator that is installed: this program's own,
-rust-hdl's, Verilator, and Icarus Verilog. Modes say what is kept of every clock: the outputs, every
-signal, or a waveform of every signal, in a file (vcd, fst) or thrown away (vcd-null). Rounds are
+Shades the scene's spans, over and over, in each simulator that is installed: this program's own, \
+rust-hdl's, Verilator, and Icarus Verilog. Modes say what is kept of every clock: the outputs, every \
+signal, or a waveform of every signal, in a file (vcd, fst) or thrown away (vcd-null). Rounds are \
 interleaved, figures are medians over them, and the pixels of every run are checked.
 
-With five rounds it takes one to two minutes, half of them for Verilator's builds. Close other
+With five rounds it takes one to two minutes, half of them for Verilator's builds. Close other \
 programs first.
 
 Example: specula bench torus --method hybrid --json";

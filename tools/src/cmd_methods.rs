@@ -11,8 +11,8 @@ use crate::error::ToolError;
 use crate::table;
 
 const EXAMPLE: &str = "\
-With --json each method has its source, what it needs of a scene, its options, and the formats, the
-latency in clocks, the operations per pixel (also with each value of each option) and the size of
+With --json each method has its source, what it needs of a scene, its options, and the formats, the \
+latency in clocks, the operations per pixel (also with each value of each option) and the size of \
 its core for the built-in teapot.
 
 Example: specula methods --json";

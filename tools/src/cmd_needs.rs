@@ -14,9 +14,9 @@ use crate::error::ToolError;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\
-Each line is measured: the core is elaborated with and without that one need known. Savings
-overlap, so they do not add up to what all save together, against a core that knows nothing of the
-scene. A negative number is what products with constants cost in adders in place of multipliers.
+Each line is measured: the core is elaborated with and without that one need known. Savings \
+overlap, so they do not add up to what all save together, against a core that knows nothing of the \
+scene. A negative number is what products with constants cost in adders in place of multipliers. \
 Inputs that are left out change no pixel; options and formats are those that are exact enough.
 
 Example: specula needs teapot --method phong";

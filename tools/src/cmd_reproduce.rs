@@ -23,8 +23,8 @@ use section::Section;
 use subject::Subject;
 
 const EXAMPLE: &str = "\
-Computes what the papers claim with this program's own exact shading and with its cores, compares
-it with the project's independent measurements, and says of each claim whether it holds; draws the
+Computes what the papers claim with this program's own exact shading and with its cores, compares \
+it with the project's independent measurements, and says of each claim whether it holds; draws the \
 papers' figures and pictures. Writes DIR/reproduction.md and DIR/images/.
 
 Exit status: 0 if every number is as measured before, 1 if not.

@@ -24,13 +24,13 @@ use crate::trace_file::TraceFormat;
 use crate::{html, picture, progress, report, summary, verilog, waveform, worst};
 
 const EXAMPLE: &str = "\
-Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst,
-trace.gtkw, worst.svg (the worst pixel's way through the core), spec.toml (the core itself, for
-`--core` and `generate --spec`), report.md, report.json and report.html (one file with everything in
-it). DIR is replaced as a whole when everything is there; files in it that Specula did not write
+Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst, \
+trace.gtkw, worst.svg (the worst pixel's way through the core), spec.toml (the core itself, for \
+`--core` and `generate --spec`), report.md, report.json and report.html (one file with everything in \
+it). DIR is replaced as a whole when everything is there; files in it that Specula did not write \
 stay.
 
-`specula run figure9` shades Lyon's figure 9, a core for each of its twelve rows, and writes
+`specula run figure9` shades Lyon's figure 9, a core for each of its twelve rows, and writes \
 figure9.png, formulas.png (the same in f64), the cores, report.md and report.json.
 
 Exit status: 0 if every pixel agrees and no quantisation error is above its proven bound, 1 if not,

@@ -20,17 +20,17 @@ use crate::output::{Destination, Interrupts};
 use crate::progress;
 
 const EXAMPLE: &str = "\
-Puts each row of the catalogue of extremes, and random spans between its ends, through exact
-shading, the bit-true model and the simulated core of every method with each of its options.
-Writes DIR/report.md, report.json, plots of how recurrences drift with the length of a span, and
+Puts each row of the catalogue of extremes, and random spans between its ends, through exact \
+shading, the bit-true model and the simulated core of every method with each of its options. \
+Writes DIR/report.md, report.json, plots of how recurrences drift with the length of a span, and \
 for each row and method the scene file of the worst span, which `run` takes.
 
-With --climb it searches for broken bounds instead: scenes of spans with cores of any options and
-formats, changed little by little towards the largest ratio of the measured quantisation error to
-the proven bound. Writes DIR/report.json, for each method the scene file with the largest ratio,
+With --climb it searches for broken bounds instead: scenes of spans with cores of any options and \
+formats, changed little by little towards the largest ratio of the measured quantisation error to \
+the proven bound. Writes DIR/report.json, for each method the scene file with the largest ratio, \
 and those that break a bound, made small, which `run` takes. A bound of 255 LSB or more is none.
 
-Exit status: 0 if what is wanted happens in every row and no bound is broken, 1 if not, 2 if it
+Exit status: 0 if what is wanted happens in every row and no bound is broken, 1 if not, 2 if it \
 could not be tried.
 
 Example: specula stress --method slerp --seed 7
@@ -92,46 +92,25 @@ impl Arguments {
         self.method.map_or(Method::ALL.into(), |method| vec![method])
     }
 
-    fn destination(
-        &self,
-        by_default: &str,
-        files: &[String],
-        interrupts: &Interrupts,
-    ) -> Result<Destination, ToolError> {
+    fn destination(&self, by_default: &str, files: &[String], interrupts: &Interrupts) -> Result<Destination, ToolError> {
         let folder = self.output.as_deref().unwrap_or(Path::new(by_default));
         Ok(Destination::check(folder, files, interrupts)?)
     }
 }
 
 /// Tries the catalogue or searches, writes everything, and prints the table or the report.
-pub fn execute(
-    arguments: &Arguments,
-    stdout: &mut dyn Write,
-    interrupts: &Interrupts,
-) -> Result<Verdict, ToolError> {
-    if arguments.climb {
-        search(arguments, stdout, interrupts)
-    } else {
-        try_catalogue(arguments, stdout, interrupts)
-    }
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+    if arguments.climb { search(arguments, stdout, interrupts) } else { try_catalogue(arguments, stdout, interrupts) }
 }
 
-fn search(
-    arguments: &Arguments,
-    stdout: &mut dyn Write,
-    interrupts: &Interrupts,
-) -> Result<Verdict, ToolError> {
+fn search(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let methods = arguments.methods();
     let destination = arguments.destination("out/climb", &climb::possible_names(&methods), interrupts)?;
     let search = Search { seed: arguments.seed, scenes: arguments.scenes, methods };
     climb::execute(&search, &destination, arguments.json, stdout)
 }
 
-fn try_catalogue(
-    arguments: &Arguments,
-    stdout: &mut dyn Write,
-    interrupts: &Interrupts,
-) -> Result<Verdict, ToolError> {
+fn try_catalogue(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let methods = arguments.methods();
     let destination = arguments.destination("out/stress", &files::possible_names(&methods), interrupts)?;
     let extent = Extent { spans: arguments.spans as usize, ..Extent::WHOLE };

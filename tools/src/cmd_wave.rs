@@ -12,11 +12,11 @@ use crate::picture;
 use crate::wave::{self, Asked, Figure, Selection, View, WaveError};
 
 const NOTES: &str = "\
-Numbers are fixed-point where the format is known: from GTKWave's save file beside FILE, of the
-same name and ending in .gtkw, as `specula run` writes it. Others are hexadecimal. Without --signals
+Numbers are fixed-point where the format is known: from GTKWave's save file beside FILE, of the \
+same name and ending in .gtkw, as `specula run` writes it. Others are hexadecimal. Without --signals \
 and --unit, the signals that the save file shows are drawn, or without one the outermost unit's.
 
-Time is counted in clocks if a signal named `clock` or `clk` rises at a constant pace: each clock
+Time is counted in clocks if a signal named `clock` or `clk` rises at a constant pace: each clock \
 begins with a rising edge. Otherwise it is counted in the file's units of time.
 
 Example: specula wave out/teapot/trace.vcd --unit normalise -o normalise.svg";

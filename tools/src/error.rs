@@ -151,10 +151,7 @@ pub enum OutputError {
     },
     /// A file of somebody else's has the name of one that would be written.
     #[error("output folder `{}` holds `{name}`, which Specula did not write and would replace", folder.display())]
-    #[diagnostic(
-        code(specula::output::in_the_way),
-        help("move or rename `{name}`, or name another folder with `-o`")
-    )]
+    #[diagnostic(code(specula::output::in_the_way), help("move or rename `{name}`, or name another folder with `-o`"))]
     InTheWay {
         /// The folder asked for.
         folder: PathBuf,
@@ -189,10 +186,7 @@ pub enum OutputError {
     },
     /// Not everything that belongs into the output folder is in it yet.
     #[error("`{}` could not be moved into the output folder: {reason}", path.display())]
-    #[diagnostic(
-        code(specula::output::kept),
-        help("it is safe there: the next run tries again, or move it by hand")
-    )]
+    #[diagnostic(code(specula::output::kept), help("it is safe there: the next run tries again, or move it by hand"))]
     Kept {
         /// Where it is.
         path: PathBuf,

@@ -41,9 +41,8 @@ fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String;
         let options = Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
         options.word_splitter(WordSplitter::NoHyphenation)
     };
-    let cells: [Vec<String>; N] = std::array::from_fn(|c| {
-        textwrap::wrap(&row[c], options(widths[c])).into_iter().map(|line| line.into_owned()).collect()
-    });
+    let cells: [Vec<String>; N] =
+        std::array::from_fn(|c| textwrap::wrap(&row[c], options(widths[c])).into_iter().map(|line| line.into_owned()).collect());
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
     (0..height).map(|line| std::array::from_fn(|c| cells[c].get(line).cloned().unwrap_or_default())).collect()
 }
@@ -125,7 +124,11 @@ lights-and-eye  3 of 4
         for room in 13..45 {
             let text = folded(&rows, room);
             assert!(text.lines().all(|line| line.len() <= room), "{room}:\n{text}");
-            let words = |text: &str| { let mut words: Vec<_> = text.split_whitespace().map(str::to_owned).collect(); words.sort(); words };
+            let words = |text: &str| {
+                let mut words: Vec<_> = text.split_whitespace().map(str::to_owned).collect();
+                words.sort();
+                words
+            };
             assert_eq!(words(&text), words(&lines(&rows)));
         }
     }

@@ -9,13 +9,14 @@ use specula_testbench::climb::{MOST_TOLD, MethodReport, Search, climb};
 
 use crate::cli::Verdict;
 use crate::error::ToolError;
-use crate::output::{Destination, REPORT, Staging};
+use crate::output::{Destination, PROGRAM, REPORT, Staging};
 use crate::progress;
 use crate::table;
 
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Of Specula.
+    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    program: &'static str,
     version: &'static str,
     seed: u64,
     /// That were tried.
@@ -93,6 +94,7 @@ fn unwritten(staging: &Staging, error: serde_json::Error) -> ToolError {
 fn json(seed: u64, methods: &[MethodReport], files: &[String]) -> serde_json::Result<String> {
     let of_method = |report| OfMethod { report, scene_files: scenes(report).into_iter().map(|(name, _)| name).collect() };
     let report = Report {
+        program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
         seed,
         scenes: methods.iter().map(|method| method.scenes).sum(),

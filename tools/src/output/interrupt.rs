@@ -107,8 +107,7 @@ fn remove_while_written(folder: &Path) {
 
 /// Signals that end a program and leave it time.
 #[cfg(unix)]
-const ENDING: [i32; 3] =
-    [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM, signal_hook::consts::SIGHUP];
+const ENDING: [i32; 3] = [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM, signal_hook::consts::SIGHUP];
 
 /// The signals that this process ignores, a bit each from signal 1 on; none where Linux does not tell.
 #[cfg(unix)]

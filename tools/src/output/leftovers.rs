@@ -4,6 +4,7 @@ use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::REPORT;
 use super::disk::Disk;
 use super::publish::finish;
 use super::record::{Record, Step};
@@ -83,7 +84,12 @@ fn finished(leftover: &Path, place: &Path, record: &Record, disk: &mut dyn Disk)
     let held = leftover.join(FOLDER);
     let failed = |reason| (held.clone(), reason);
     let mut settled = Settled::Removed(leftover.to_owned());
-    for entry in fs::read_dir(&held).map_err(failed)? {
+    let entries = match fs::read_dir(&held) {
+        // It was being removed.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(settled),
+        entries => entries.map_err(failed)?,
+    };
+    for entry in entries {
         let entry = entry.map_err(failed)?;
         let (from, to) = (entry.path(), place.join(entry.file_name()));
         if !needs_finishing(&from, record).map_err(failed)? {
@@ -102,5 +108,9 @@ fn finished(leftover: &Path, place: &Path, record: &Record, disk: &mut dyn Disk)
 fn needs_finishing(from: &Path, record: &Record) -> io::Result<bool> {
     let names = fs::read_dir(from)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
     let names: Vec<String> = names.collect::<io::Result<_>>()?;
-    Ok(record.step == Step::FileByFile || names.iter().any(|name| !record.has(name)))
+    Ok(match record.step {
+        Step::Exchange => names.iter().any(|name| !record.has(name)),
+        // The report goes last.
+        Step::FileByFile => names.iter().any(|name| name == REPORT),
+    })
 }

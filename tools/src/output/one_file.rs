@@ -13,11 +13,7 @@ use crate::error::OutputError;
 ///
 /// # Errors
 /// [`OutputError`] if the system refuses.
-pub fn write_file(
-    path: &Path,
-    interrupts: &Interrupts,
-    write: impl FnOnce(&Path) -> io::Result<()>,
-) -> Result<(), OutputError> {
+pub fn write_file(path: &Path, interrupts: &Interrupts, write: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), OutputError> {
     let beside = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if let Some(at) = beside.ancestors().find(|path| path.symlink_metadata().is_ok()).filter(|path| !path.is_dir()) {
         return Err(OutputError::NotAFolder { folder: beside.to_owned(), at: at.to_owned() });

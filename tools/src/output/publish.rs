@@ -170,24 +170,22 @@ fn bring_back(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -
     Ok(())
 }
 
-/// Puts new files in the places of old ones, the report last, and removes old ones that have no successor.
+/// Puts new files in the places of old ones, and removes old ones that have no successor. The report goes last: with it everything is done.
 fn file_by_file(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
-    let mut put = |name: &str| {
-        let path = from.join(name);
-        if !path.exists() {
-            return Ok(());
-        }
-        disk.rename(&path, &place.join(name)).map_err(|reason| (path, reason))
-    };
-    record.new.iter().filter(|name| *name != REPORT).try_for_each(|name| put(name))?;
-    put(REPORT)?;
-    for name in record.old.difference(&record.new) {
-        let path = place.join(name);
+    for name in record.new.iter().filter(|name| *name != REPORT && from.join(name).exists()) {
+        put(name, from, place, disk)?;
+    }
+    for path in record.old.difference(&record.new).map(|name| place.join(name)) {
         if path.symlink_metadata().is_ok_and(|about| about.is_file()) {
             disk.remove_file(&path).map_err(|reason| (path, reason))?;
         }
     }
-    Ok(())
+    put(REPORT, from, place, disk)
+}
+
+fn put(name: &str, from: &Path, place: &Path, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
+    let path = from.join(name);
+    disk.rename(&path, &place.join(name)).map_err(|reason| (path, reason))
 }
 
 #[cfg(unix)]

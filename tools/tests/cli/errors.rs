@@ -94,6 +94,30 @@ fn wrong_cores() {
 }
 
 #[test]
+fn paths_in_messages_are_whole() {
+    let place = Place::new();
+    let file = "robot-arm-left-upper-link-collision-mesh-v2-final-and-longer.obj";
+    place.write(file, b"# caf\xe9\nno mesh at all\n");
+    let path = place.path(file).display().to_string();
+    for arguments in [["run", path.as_str()], ["generate", path.as_str()]] {
+        let said = refusal(&place, &arguments);
+        assert!(said.lines().skip(1).any(|line| line.contains(&path)), "{said}");
+    }
+}
+
+#[test]
+fn names_that_no_module_can_have() {
+    let place = Place::new();
+    let name = |name: &str| refusal(&place, &["generate", "teapot", "--size", "16x12", "--name", name]);
+    let long = "a".repeat(49);
+    let said: String =
+        ["red", "normal_start_x", "reg", "entity", "Shader", "a b", "../a", "1st", "a__b", "", &long].map(name).concat();
+    insta::assert_snapshot!(said);
+    let row = refusal(&place, &["run", "figure9", "--name", "shader"]);
+    assert!(row.contains("--name is for one core"), "{row}");
+}
+
+#[test]
 fn wrong_windows() {
     let place = Place::new();
     let small = |trace: &str| refusal(&place, &["run", "icosahedron", "--size", "16x12", "--trace", trace]);

@@ -34,6 +34,46 @@ fn names_that_verilog_keeps_are_avoided() {
 }
 
 #[test]
+fn the_verilog_may_go_to_standard_output() {
+    let place = Place::new();
+    let printed = place.succeeds(&["generate", "teapot", "--size", "64x48", "-o", "-"]);
+    assert!(place.names(".").is_empty(), "{:?}", place.names("."));
+    place.succeeds(&["generate", "teapot", "--size", "64x48", "-o", "rtl"]);
+    assert!(printed == fs::read_to_string(place.path("rtl/teapot.v")).unwrap());
+    let again = place.succeeds(&["generate", "--spec", "rtl/spec.toml", "-o", "-"]);
+    assert!(again.contains("\nmodule teapot (\n"), "{again}");
+}
+
+#[test]
+fn a_core_may_be_called_otherwise() {
+    let place = Place::new();
+    let size = ["--size", "64x48", "--name", "shader_2"];
+    let said = place.succeeds(&[&["generate", "teapot"], &size[..]].concat());
+    assert_eq!(said, "out/shader_2/shader_2.v\nout/shader_2/spec.toml\n");
+    let text = fs::read_to_string(place.path("out/shader_2/shader_2.v")).unwrap();
+    assert!(text.contains("\nmodule shader_2 (\n") && text.contains("\nmodule shader_2_normalise (\n"), "{text}");
+    assert!(text.contains("//   specula generate teapot --size 64x48 --method lyon --name shader_2\n"), "{text}");
+    place.succeeds(&[&["run", "teapot", "-o", "run"], &size[..]].concat());
+    let report = place.report("run");
+    assert_eq!((&report["scene"], &report["module"]), (&"teapot".into(), &"shader_2".into()));
+    assert!(text == fs::read_to_string(place.path("run/shader_2.v")).unwrap());
+    // A core that is there is given another name, and its spec has it.
+    let said = place.succeeds(&["generate", "--spec", "run", "--name", "shader_3", "-o", "again"]);
+    assert_eq!(said, "again/shader_3.v\nagain/spec.toml\n");
+    assert!(fs::read_to_string(place.path("again/spec.toml")).unwrap().contains("name = \"shader_3\"\n"));
+}
+
+#[test]
+fn modules_are_not_called_as_their_ports() {
+    let place = Place::new();
+    for name in ["red", "green", "blue", "valid", "valid_out", "start", "clock", "normal_start_x", "entity"] {
+        place.write(&format!("{name}.toml"), "size = [32, 24]\n[[object]]\nprimitive = \"torus\"\n");
+        let said = place.succeeds(&["generate", &format!("{name}.toml"), "-o", name]);
+        assert_eq!(said, format!("{name}/{name}_core.v\n{name}/spec.toml\n"));
+    }
+}
+
+#[test]
 fn other_files_stay() {
     let place = Place::new();
     fs::create_dir(place.path("rtl")).unwrap();

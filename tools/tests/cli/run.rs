@@ -129,6 +129,39 @@ fn the_window_is_the_one_asked_for() {
 }
 
 #[test]
+fn the_worst_pixels_way_is_drawn_however_long_the_waveform_is() {
+    let place = Place::new();
+    // Its core has so many signals that the usual window takes 12 MB.
+    place.succeeds(&["run", "lamps", "--size", "160x120"]);
+    assert!(fs::metadata(place.path("out/lamps/trace.vcd")).unwrap().len() > 8 << 20);
+    let drawn = fs::read_to_string(place.path("out/lamps/worst.svg")).unwrap();
+    let cycle = place.report("out/lamps")["worst_pixel"]["cycle"].to_string();
+    assert!(drawn.contains(&format!(">{cycle}<")), "{drawn}");
+    // A waveform of other clocks does not show it, and the same picture is there.
+    let usual = |trace: &str| {
+        place.succeeds(&small(&["--trace", trace]));
+        fs::read(place.path("out/teapot/worst.svg")).unwrap()
+    };
+    let worst = usual("worst");
+    assert!(worst == usual("cycles=5..9") && worst == usual("all"));
+}
+
+#[test]
+fn the_time_counts_pictures() {
+    let place = Place::new();
+    let begin = std::time::Instant::now();
+    let said = place.succeeds(&["run", "icosahedron", "--size", "1600x1200", "--trace", "none"]);
+    let whole = begin.elapsed().as_secs_f64();
+    let line = said.lines().find(|line| line.starts_with("time ")).expect("it is said");
+    let told: f64 = line.split_whitespace().nth(1).and_then(|seconds| seconds.parse().ok()).expect("it is a number");
+    // What is left is the program's start and end.
+    assert!(told <= whole && told > 0.8 * whole, "{line}; {whole} s");
+    let report = place.report("out/icosahedron");
+    let [wall, simulation] = ["wall_seconds", "simulation_seconds"].map(|key| report[key].as_f64().expect("it is a number"));
+    assert!(simulation < wall && wall <= told + 0.001 && wall > 0.5 * whole, "{simulation} {wall} {told} {whole}");
+}
+
+#[test]
 fn a_waveform_may_be_compressed() {
     let place = Place::new();
     place.succeeds(&SMALL);
