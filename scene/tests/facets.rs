@@ -4,12 +4,8 @@ use specula_scene::mesh::normals::newell;
 use specula_scene::{Facet, Frame, load};
 
 /// Corners of a warped quadrilateral, all of whose vertex normals point along z.
-const WARPED: [DVec3; 4] = [
-    DVec3::new(0.0, 0.0, 0.0),
-    DVec3::new(2.0, 0.0, 0.4),
-    DVec3::new(2.0, 1.0, -0.2),
-    DVec3::new(0.0, 1.5, 0.3),
-];
+const WARPED: [DVec3; 4] =
+    [DVec3::new(0.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.4), DVec3::new(2.0, 1.0, -0.2), DVec3::new(0.0, 1.5, 0.3)];
 
 /// The face of an `.obj` file with these corners, once as it is and once the other way round.
 fn objects(corners: &[DVec3]) -> [String; 2] {
@@ -89,8 +85,7 @@ fn polygons_of_other_files_have_their_normal() {
          property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
          {corners}4 0 1 2 3\n"
     );
-    let Facet { normal, middle } = Facet::of_polygon(&WARPED.map(|p| p.as_vec3().as_dvec3()))
-        .expect("it has an area");
+    let Facet { normal, middle } = Facet::of_polygon(&WARPED.map(|p| p.as_vec3().as_dvec3())).expect("it has an area");
     let frame = frame(&ply, "ply", "");
     assert_eq!(frame.triangles.len(), 2);
     for Facet { normal: n, middle: m } in frame.triangles.iter().map(|triangle| triangle.facet) {

@@ -43,12 +43,9 @@ pub(super) fn mesh(level: u32) -> Mesh {
     for _ in 0..level {
         triangles = split(&triangles, &mut positions);
     }
-    let normals: Vec<[DVec3; 3]> =
-        triangles.iter().map(|t| t.map(|k| positions[k as usize])).collect();
+    let normals: Vec<[DVec3; 3]> = triangles.iter().map(|t| t.map(|k| positions[k as usize])).collect();
     // On the unit sphere, so that a vertex is its own normal; no triangle is without area.
-    let facet = |places: &[DVec3; 3]| {
-        Facet::of_polygon(places).unwrap_or(Facet::of_vertices(places, places))
-    };
+    let facet = |places: &[DVec3; 3]| Facet::of_polygon(places).unwrap_or(Facet::of_vertices(places, places));
     let facets = normals.iter().map(facet).collect();
     Mesh { positions, triangles, normals, facets }
 }

@@ -92,9 +92,7 @@ impl Bisector {
         let faces_both = |n: &DVec3| ends.iter().all(|end| end.dot(*n) > SHORTEST_SUM);
         match self {
             Bisector::Span => of_ends(),
-            Bisector::Triangle => {
-                Some(frame.facet_normal(span)).filter(faces_both).or_else(of_ends)
-            }
+            Bisector::Triangle => Some(frame.facet_normal(span)).filter(faces_both).or_else(of_ends),
         }
     }
 }
