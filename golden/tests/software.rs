@@ -175,6 +175,9 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
+/// Intensities of vertices and polygons are worked out before the loop, wherever the lights are.
+const OF_VERTICES: [(&str, &str); 2] = [("gouraud", "interpolation = \"linear\""), ("uniform", "interpolation = \"uniform\"")];
+
 /// Loops of lights and an eye at places, which have a test of their own.
 const PLACED: [(&str, Places); 2] = [("phong-places", Places::Exact), ("phong-wrapped-places", Places::Wrapped)];
 
@@ -204,7 +207,7 @@ fn loops_in_f32_are_off_by_their_roundings() {
     let frame = span();
     let off = |row: &Row| {
         let mut out = [[0.0; 3]; STEPS as usize + 1];
-        (by_name(row.name).unwrap().set_up)(&frame, &frame.spans[0]).shade(&mut out);
+        by_name(row.name).unwrap().shade(&frame, &frame.spans[0], &mut out);
         let shaded = out.map(|pixel| f64::from(pixel[0]));
         let (error, most) =
             (largest_difference(&shaded, &(row.exact)(&frame)), row.growth.lsb(f64::from(f32::EPSILON / 2.0), row.exponent));
@@ -222,7 +225,7 @@ fn nothing_is_undefined() {
         let frame = frame(ends, length, &[DVec3::Z, -DVec3::Z, DVec3::X], material(0.1, 0.5, 0.5, 16));
         for method in METHODS {
             let mut out = vec![[0.0; 3]; length as usize];
-            (method.set_up)(&frame, &frame.spans[0]).shade(&mut out);
+            method.shade(&frame, &frame.spans[0], &mut out);
             assert!(out.iter().flatten().all(|c| (0.0..=255.0).contains(c)), "{}: {out:?}", method.name);
         }
     }
@@ -241,10 +244,39 @@ fn places_are_those_of_the_methods() {
                 phong.places = places;
             }
             let mut out = [[0.0; 3]; 65];
-            (by_name(name).unwrap().set_up)(&frame, span).shade(&mut out);
+            by_name(name).unwrap().shade(&frame, span, &mut out);
             for (i, pixel) in (0..).zip(out) {
                 let error = (f64::from(pixel[0]) - MethodSpan::new(&core, &frame, span).pixel(i)[0]).abs();
                 assert!(error < 0.05, "{name} at {distance}, pixel {i}: {error}");
+            }
+        }
+    }
+}
+
+/// Lights and eye as above, from the vertices and the polygon's middle: several spans of one polygon, set up one after another and all
+/// together, in memory of those before.
+#[test]
+fn vertices_and_polygons_see_places() {
+    for distance in [1.5, 100.0] {
+        let mut frame = lit_from_places(distance);
+        let mut short = frame.spans[0].clone();
+        (short.length, short.start, short.end) = (9, [0.25, 0.25, 0.5], [0.5, 0.0, 0.5]);
+        frame.spans.push(short);
+        frame.triangles[0].facet.normal = tilted(7.0);
+        frame.triangles[0].facet.middle = DVec3::new(0.1, 0.2, -0.3);
+        for (name, options) in OF_VERTICES {
+            let table = format!("[gouraud]\n{options}").parse().unwrap();
+            let core = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(Method::Gouraud)).unwrap();
+            let mut software = (by_name(name).unwrap().of_frame)(&frame);
+            software.set_up(&frame.spans[1..]);
+            software.set_up(&frame.spans);
+            for (number, span) in frame.spans.iter().enumerate().rev() {
+                let mut out = vec![[0.0; 3]; span.length as usize];
+                software.shade(number, &mut out);
+                for (i, pixel) in (0..).zip(out) {
+                    let error = (f64::from(pixel[0]) - MethodSpan::new(&core, &frame, span).pixel(i)[0]).abs();
+                    assert!(error < 0.005, "{name} at {distance}, span {number}, pixel {i}: {error}");
+                }
             }
         }
     }

@@ -70,27 +70,44 @@ impl Row {
     }
 }
 
-/// A row's pixels in f64, up to full scale.
-pub struct Formula {
-    /// Rounded to 8 bits.
-    pub picture: Image,
-    /// What a picture is off by, over all pixels of balls.
-    pub error: ErrorFigures,
+/// How far a row's codes are off its formula in f64, full scale at most, over all pixels of balls.
+pub fn errors(row: &Row, balls: Balls, simulated: &Image) -> ErrorFigures {
+    let mut sums = Sums::default();
+    for (x, y, normal, ball) in pixels(balls) {
+        let exact = figure9::colour(row.formulation, normal, ball).min(FULL_SCALE);
+        let codes = simulated.pixels[(y * simulated.width + x) as usize];
+        codes.iter().for_each(|&code| sums.add(f64::from(code) - exact));
+    }
+    sums.figures()
 }
 
-impl Formula {
-    /// What a row should be, and how far `simulated` is off.
-    pub fn of(row: &Row, balls: Balls, simulated: &Image) -> Formula {
-        let mut picture = background(balls);
-        let mut sums = Sums::default();
+/// The figure in f64: LSBs from the top left, above full scale too, [`Balls::width`] times
+/// [`Balls::height_of_all`].
+pub fn exact(balls: Balls) -> Vec<f64> {
+    let row = |row: &Row| {
+        let mut values = vec![BACKGROUND; balls.width() as usize * balls.height() as usize];
         for (x, y, normal, ball) in pixels(balls) {
-            let exact = figure9::colour(row.formulation, normal, ball).min(FULL_SCALE);
-            let place = (y * picture.width + x) as usize;
-            picture.pixels[place] = [exact.round() as u8; 3];
-            simulated.pixels[place].iter().for_each(|&code| sums.add(f64::from(code) - exact));
+            let value = figure9::colour(row.formulation, normal, ball);
+            values[(y * balls.width() + x) as usize] = value;
         }
-        Formula { picture, error: sums.figures() }
-    }
+        values
+    };
+    stacked(balls, BACKGROUND, &ROWS.each_ref().map(row))
+}
+
+/// The figure of the rows' simulated pictures.
+pub fn simulated(balls: Balls, rows: &[Image]) -> Image {
+    let rows: Vec<Vec<[u8; 3]>> = rows.iter().map(|row| row.pixels.clone()).collect();
+    image(balls, stacked(balls, [BACKGROUND as u8; 3], &rows))
+}
+
+/// Values in LSBs, rounded to 8 bits; full scale at most.
+pub fn rounded(balls: Balls, values: &[f64]) -> Image {
+    image(balls, values.iter().map(|value| [value.min(FULL_SCALE).round() as u8; 3]).collect())
+}
+
+fn image(balls: Balls, pixels: Vec<[u8; 3]>) -> Image {
+    Image { width: balls.width(), height: balls.height_of_all(), pixels }
 }
 
 /// The balls as a frame: every pixel is a span of its own, with the ball's normal there.
@@ -122,10 +139,6 @@ fn material(ball: usize) -> Material {
     Material { ambient: [0.0; 3], diffuse: grey(DIFFUSE), specular: grey(figure9::specular(ball)), shininess: EXPONENTS[ball] }
 }
 
-fn background(balls: Balls) -> Image {
-    Image::filled(balls.width(), balls.height(), [BACKGROUND as u8; 3])
-}
-
 /// Column and row from the top, normal and ball of each pixel, from top to bottom and left to right.
 fn pixels(balls: Balls) -> impl Iterator<Item = (u32, u32, DVec3, usize)> {
     let row = move |y: u32| (0..balls.width()).map(move |x| (x, y));
@@ -133,15 +146,56 @@ fn pixels(balls: Balls) -> impl Iterator<Item = (u32, u32, DVec3, usize)> {
     (0..balls.height()).flat_map(row).filter_map(shown)
 }
 
-/// Pictures of the rows laid over each other as the figure has them, the first at the bottom.
-pub fn stacked(balls: Balls, rows: &[Image]) -> Image {
-    let height = balls.height_of_all();
-    let mut figure = Image::filled(balls.width(), height, [BACKGROUND as u8; 3]);
-    for (number, row) in (0..).zip(rows) {
-        let top = height - balls.height() - number * balls.apart();
+/// Rows laid over each other, the first at the bottom and uppermost.
+///
+/// The appendix's program goes through the pixels of a ball from below and writes each into all
+/// rows, `pic(ii,jj+dj) = totals`, so that of two rows the one wins whose ball is higher there: the
+/// upper part of a row lies over the lower part of the next.
+fn stacked<T: Copy>(balls: Balls, background: T, rows: &[Vec<T>]) -> Vec<T> {
+    let (width, height) = (balls.width(), balls.height_of_all());
+    let mut figure = vec![background; width as usize * height as usize];
+    for (number, row) in rows.iter().enumerate().rev() {
+        // There are twelve rows.
+        let top = height - balls.height() - number as u32 * balls.apart();
         for (x, y, ..) in pixels(balls) {
-            figure.pixels[((top + y) * figure.width + x) as usize] = row.pixels[(y * row.width + x) as usize];
+            figure[((top + y) * width + x) as usize] = row[(y * width + x) as usize];
         }
     }
     figure
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The sums that the appendix's program comes to, its pictures not clamped (METHODS B).
+    #[test]
+    fn the_figure_adds_up_to_what_the_program_does() {
+        for (radius, sum) in [(16, 1_853_799.137856), (64, 28_579_116.464381)] {
+            let got: f64 = exact(Balls { radius }).iter().sum();
+            assert!((got - sum).abs() < 1e-5, "radius {radius}: {got} instead of {sum}");
+        }
+    }
+
+    /// Columns, and rows from below, where two rows of balls lie over each other.
+    #[test]
+    fn the_upper_part_of_a_row_lies_over_the_next() {
+        let balls = Balls { radius: 16 };
+        let (values, height) = (exact(balls), balls.height_of_all());
+        for (x, y, wanted) in [(36, 100, 105.17), (70, 150, 24.16), (25, 25, 122.14)] {
+            let got = values[((height - 1 - y) * balls.width() + x) as usize];
+            assert!((got - wanted).abs() < 0.005, "column {x}, row {y}: {got}");
+        }
+    }
+
+    /// What is simulated is laid as the formulas are: each row has a colour of its own.
+    #[test]
+    fn simulated_rows_are_laid_in_the_same_order() {
+        let balls = Balls { radius: 16 };
+        let row = |number: u8| Image::filled(balls.width(), balls.height(), [number; 3]);
+        let figure = simulated(balls, &(0..ROWS.len() as u8).map(row).collect::<Vec<_>>());
+        let at = |x: u32, y: u32| figure.pixels[((figure.height - 1 - y) * figure.width + x) as usize][0];
+        // Rows are 24 pixels apart and 33 high: row 25 is in rows 0 and 1 of balls, 100 in 3 and 4.
+        assert_eq!([at(25, 25), at(36, 100), at(25, 40), at(0, 0)], [0, 3, 1, 255]);
+    }
 }

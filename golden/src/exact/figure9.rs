@@ -56,7 +56,7 @@ impl Balls {
         2 * self.radius + 1
     }
 
-    /// Pixels by which rows of the figure are apart, one and a half radii: each lies over the upper part of that before it.
+    /// Pixels by which rows of the figure are apart, one and a half radii: the upper part of each lies over the lower part of the next.
     pub fn apart(self) -> u32 {
         2 * self.radius - self.radius / 2
     }

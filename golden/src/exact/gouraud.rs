@@ -23,7 +23,7 @@ pub struct GouraudSpan<'a> {
 impl<'a> GouraudSpan<'a> {
     /// Sets up a span of a frame.
     pub fn new(spec: &GouraudSpec, frame: &Frame, span: &'a Span) -> Self {
-        let triangle = &frame.triangles[span.triangle];
+        let (triangle, shininess) = (&frame.triangles[span.triangle], frame.material(span).shininess);
         let vertex = |v: usize| (triangle.normals[v], triangle.positions[v]);
         let (points, ends) = match spec.interpolation {
             Interpolation::Linear => ([0, 1, 2].map(vertex).to_vec(), [span.start, span.end].map(Vec::from)),
@@ -32,7 +32,8 @@ impl<'a> GouraudSpan<'a> {
                 (vec![(normal, middle)], [1.0; 2].map(|weight| vec![weight]))
             }
         };
-        let at_points: Vec<Vec<Amounts>> = points.into_iter().map(|(n, place)| amounts(frame, span, n, place)).collect();
+        let at_points: Vec<Vec<Amounts>> =
+            points.into_iter().map(|(n, place)| amounts(frame, shininess, n, place).collect()).collect();
         let lights = (0..frame.light_colours().count()).map(|light| at_points.iter().map(|point| point[light]).collect());
         GouraudSpan { span, lights: lights.collect(), ends, coefficients: Coefficients::new(frame, span) }
     }
@@ -55,17 +56,16 @@ impl ShadePixel for GouraudSpan<'_> {
 }
 
 /// What each light gives at a place with the normal `normal`.
-fn amounts(frame: &Frame, span: &Span, normal: DVec3, place: DVec3) -> Vec<Amounts> {
-    let shininess = frame.material(span).shininess;
+pub(crate) fn amounts(frame: &Frame, shininess: u32, normal: DVec3, place: DVec3) -> impl Iterator<Item = Amounts> {
     let view = illumination::view_from(frame, place);
-    let of = |light: Option<Illumination>| match light {
+    let of = move |light: Option<Illumination>| match light {
         Some(Illumination { direction, share }) => Amounts {
             diffuse: share * lambert(normal, direction),
             specular: share * view.map_or(0.0, |view| highlight(normal, direction, view, shininess)),
         },
         None => Amounts::default(),
     };
-    illumination::lights_from(frame, place).map(of).collect()
+    illumination::lights_from(frame, place).map(of)
 }
 
 /// max(R·L, 0)^n; none where there is no normal.

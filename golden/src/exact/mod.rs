@@ -1,7 +1,7 @@
 //! Shading in f64, in LSBs of the 8-bit output, clamped to 0..=255 and not rounded.
 //!
 //! Directions are unit vectors in view space, and V = (0, 0, 1) ([`EYE`](specula_scene::frame::EYE)).
-mod coefficients;
+pub(crate) mod coefficients;
 pub mod consistent;
 pub mod consistent_span;
 pub mod differences;

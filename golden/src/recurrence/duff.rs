@@ -3,8 +3,8 @@ use glam::DVec3;
 use specula_scene::frame::EYE;
 
 use super::gouraud::between;
-use super::{Line, Linear, Number, Pair, Scheme, Second};
-use crate::exact::diffuse::gouraud;
+use super::{Corners, Line, Linear, Number, Pair, Scheme, Second};
+use crate::exact::diffuse::lambert;
 use crate::exact::direct;
 use crate::exact::normalisation::unit;
 use crate::exact::quadratic::Quadratic;
@@ -67,9 +67,16 @@ pub struct Hybrid<T> {
     base: Base<T>,
 }
 
+impl<T: Number> Hybrid<T> {
+    /// A span of a polygon that has these diffuse intensities.
+    pub fn along(diffuse: &Corners, line: &Line, light: DVec3) -> Self {
+        Hybrid { diffuse: diffuse.along(line.weights, line.per_step()), base: Base::new(line, light) }
+    }
+}
+
 impl<T: Number> Scheme<T> for Hybrid<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        Hybrid { diffuse: between(line.weights.map(|w| gouraud(&line.vertices, w, light)), line), base: Base::new(line, light) }
+        Hybrid::along(&Corners::new(line.vertices.map(|n| lambert(n, light))), line, light)
     }
 
     #[inline(always)]

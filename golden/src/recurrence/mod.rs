@@ -24,7 +24,7 @@ pub use counted::{Counted, count};
 pub use differences::{Linear, Second, Vector, Walk, dot, vector};
 pub use distributions::{Blinn, TorranceSparrow, TrowbridgeReitz};
 pub use duff::{Direct, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, Hybrid};
-pub use gouraud::{Gouraud, Uniform};
+pub use gouraud::{AtVertices, Corners, Gouraud, Uniform};
 pub use line::Line;
 pub use lyon::{Half, HalfG2, LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Sum, Unit};
 pub use number::Number;

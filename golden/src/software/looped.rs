@@ -1,75 +1,85 @@
 //! The loop round every scheme.
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{Colour, Frame, Span};
+use specula_scene::{Frame, Span};
 
 use super::Software;
-use crate::recurrence::{Line, Scheme};
+use super::set_up::SetUp;
+use super::surface::{Reflected, Surface, clamped, power};
+use crate::recurrence::{Phong, Scheme};
 
-/// A span's schemes, one for each light, with what material and light make of their amounts.
-pub struct Loop<S> {
-    ambient: [f32; 3],
-    exponent: u32,
-    lights: Vec<Lit<S>>,
+/// A frame whose spans are shaded one light after another.
+pub struct Loop<'a, U: SetUp<'a>> {
+    frame: &'a Frame,
+    set_up: U,
+    surfaces: Vec<Surface>,
+    /// The material of each span that is set up.
+    materials: Vec<usize>,
+    /// Each light along the first span, along the second, and so on.
+    lights: Vec<U::Light>,
 }
 
-struct Lit<S> {
-    scheme: S,
-    diffuse: [f32; 3],
-    specular: [f32; 3],
+/// A light along a span.
+pub trait AlongSpan: Copy {
+    /// Adds what it gives to every pixel.
+    fn add(self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]);
 }
 
-impl<S: Scheme<f32>> Loop<S> {
-    /// Sets up a span of a frame.
-    pub fn new(frame: &Frame, span: &Span) -> Self {
-        let (line, material) = (Line::new(frame, span), frame.material(span));
-        let lit = |light: &specula_scene::DirectionalLight| Lit {
-            scheme: S::new(&line, light.direction),
-            diffuse: product(material.diffuse, light.colour),
-            specular: product(material.specular, light.colour),
-        };
-        Loop {
-            ambient: product(material.ambient, frame.ambient),
-            exponent: S::exponent(material.shininess),
-            lights: frame.lights.iter().map(lit).collect(),
-        }
+impl<'a, U: SetUp<'a>> Loop<'a, U> {
+    /// Works out what belongs to a frame.
+    pub fn new(frame: &'a Frame) -> Self {
+        Loop { frame, set_up: U::new(frame), surfaces: Surface::all_of(frame), materials: Vec::new(), lights: Vec::new() }
     }
 }
 
-impl<S: Scheme<f32>> Software for Loop<S> {
-    fn shade(&self, out: &mut [[f32; 3]]) {
-        out.fill(self.ambient);
-        for lit in &self.lights {
-            // A copy: the span can be shaded again.
-            let mut scheme = lit.scheme;
-            for pixel in out.iter_mut() {
-                let amounts = scheme.pixel();
-                let diffuse = amounts.diffuse.clamp(0.0, 1.0);
-                let specular = power(amounts.base.clamp(0.0, 1.0), self.exponent);
-                for (c, channel) in pixel.iter_mut().enumerate() {
-                    *channel += lit.diffuse[c] * diffuse + lit.specular[c] * specular;
-                }
-            }
+impl<'a, U: SetUp<'a>> Software for Loop<'a, U> {
+    fn set_up(&mut self, spans: &[Span]) {
+        self.materials.clear();
+        self.lights.clear();
+        for span in spans {
+            self.materials.push(self.frame.triangles[span.triangle].material);
+            self.set_up.span(span, &mut self.lights);
+        }
+    }
+
+    fn shade(&mut self, number: usize, out: &mut [[f32; 3]]) {
+        let surface = &self.surfaces[self.materials[number]];
+        out.fill(surface.ambient);
+        let of_span = self.lights.len() / self.materials.len();
+        let lights = &self.lights[number * of_span..][..of_span];
+        for (reflected, light) in surface.lights.iter().zip(lights) {
+            light.add(surface.shininess, reflected, out);
         }
         for pixel in out {
-            *pixel = pixel.map(|channel| channel.min(FULL_SCALE as f32));
+            *pixel = clamped(*pixel);
         }
     }
 }
 
-/// x^n by squaring; 1 for n = 0.
-#[inline(always)]
-pub(super) fn power(mut x: f32, mut n: u32) -> f32 {
-    let mut result = 1.0;
-    while n > 0 {
-        if n & 1 == 1 {
-            result *= x;
+impl<S: Scheme<f32>> AlongSpan for S {
+    #[inline]
+    fn add(mut self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]) {
+        let exponent = S::exponent(shininess);
+        for pixel in out {
+            let amounts = self.pixel();
+            let specular = power(amounts.base.clamp(0.0, 1.0), exponent);
+            reflected.add(amounts.diffuse.clamp(0.0, 1.0), specular, pixel);
         }
-        x *= x;
-        n >>= 1;
     }
-    result
 }
 
-pub(super) fn product(reflectance: Colour, light: Colour) -> [f32; 3] {
-    std::array::from_fn(|c| (FULL_SCALE * reflectance[c] * light[c]) as f32)
+/// A scheme, or Phong's where it does not serve the span.
+#[derive(Clone, Copy, Debug)]
+pub enum OrPhong<S> {
+    /// The scheme.
+    Scheme(S),
+    /// Phong's.
+    Phong(Phong<f32>),
+}
+
+impl<S: Scheme<f32>> AlongSpan for OrPhong<S> {
+    fn add(self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]) {
+        match self {
+            OrPhong::Scheme(scheme) => scheme.add(shininess, reflected, out),
+            OrPhong::Phong(phong) => phong.add(shininess, reflected, out),
+        }
+    }
 }

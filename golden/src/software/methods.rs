@@ -1,13 +1,15 @@
 //! The methods by name.
 use specula_scene::{Frame, Span};
 
-use super::{Loop, PlacedLoop, SetUp, Software};
-use crate::exact::{slerp, wrap};
+use super::OfFrame;
+use super::looped::Loop;
+use super::placed::PlacedLoop;
+use super::set_up::{Arcs, DiffuseVertices, Each, Polygons, Vertices, Where, Wraps};
 use crate::recurrence::{
     Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong,
-    Frame as SlerpFrame, Gouraud, Half, HalfG2, Hybrid, Line, LyonCross, LyonLightReflection, LyonNormal, LyonProjection,
-    LyonReflection, Normalised, Phong, Place, Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum,
-    TorranceSparrow, Trigonometric, TrowbridgeReitz, Uniform, Unit, Wrapped,
+    Frame as SlerpFrame, Half, HalfG2, LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Normalised,
+    Phong, Place, Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum, TorranceSparrow, Trigonometric,
+    TrowbridgeReitz, Unit, Wrapped,
 };
 
 /// A method of METHODS.md in software.
@@ -15,25 +17,56 @@ use crate::recurrence::{
 pub struct Method {
     /// Its name.
     pub name: &'static str,
-    /// Sets a span up.
-    pub set_up: SetUp,
+    /// Where its lights and its eye are.
+    pub places: Places,
+    /// Works out what belongs to a frame.
+    pub of_frame: OfFrame,
+}
+
+/// Where a loop has lights and eye.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Places {
+    /// At infinity.
+    Infinity,
+    /// At places, worked out at each pixel: where there are none it is another loop.
+    Local,
+    /// Anywhere: they are asked for at vertices or polygons, before the loop.
+    Any,
+}
+
+impl Method {
+    /// Whether it does what a frame asks for, and is not another loop there.
+    pub fn serves(&self, frame: &Frame) -> bool {
+        match self.places {
+            Places::Infinity => frame.directions_are_constant(),
+            Places::Local => !frame.directions_are_constant(),
+            Places::Any => true,
+        }
+    }
+
+    /// One span of a frame by itself.
+    pub fn shade(&self, frame: &Frame, span: &Span, out: &mut [[f32; 3]]) {
+        let mut software = (self.of_frame)(frame);
+        software.set_up(std::slice::from_ref(span));
+        software.shade(0, out);
+    }
 }
 
 /// Every method.
 pub const METHODS: [Method; 38] = [
-    method::<Uniform<f32>>("uniform"),
-    method::<Gouraud<f32>>("gouraud"),
+    anywhere("uniform", |frame| Box::new(Loop::<Polygons>::new(frame))),
+    anywhere("gouraud", |frame| Box::new(Loop::<Vertices>::new(frame))),
     method::<Phong<f32>>("phong"),
     method::<Blinn<f32>>("phong-blinn"),
     method::<TorranceSparrow<f32>>("phong-torrance-sparrow"),
     method::<TrowbridgeReitz<f32>>("phong-trowbridge-reitz"),
-    Method { name: "phong-places", set_up: placed::<Normalised<f32>> },
-    Method { name: "phong-wrapped-places", set_up: placed::<Wrapped<f32>> },
+    placed::<Normalised<f32>>("phong-places"),
+    placed::<Wrapped<f32>>("phong-wrapped-places"),
     method::<FastPhong<f32, 1>>("fast-phong"),
     method::<FastPhong<f32, 2>>("fast-phong-2"),
-    Method { name: "slerp", set_up: arc::<Slerp<f32>> },
-    Method { name: "slerp-frame", set_up: arc::<SlerpFrame<f32>> },
-    Method { name: "chebyshev", set_up: arc::<Chebyshev<f32>> },
+    arc::<Slerp<f32>>("slerp"),
+    arc::<SlerpFrame<f32>>("slerp-frame"),
+    arc::<Chebyshev<f32>>("chebyshev"),
     method::<LyonCross<f32>>("lyon"),
     method::<LyonReflection<f32, 2>>("lyon-reflection"),
     method::<LyonReflection<f32, 1>>("lyon-reflection-1"),
@@ -51,10 +84,10 @@ pub const METHODS: [Method; 38] = [
     method::<DuffHybrid<f32>>("duff-hybrid"),
     method::<DuffQuotient<f32>>("duff-quotient"),
     method::<Direct<f32>>("direct"),
-    method::<Hybrid<f32>>("hybrid"),
-    Method { name: "reflection", set_up: wrapped::<ReflectionRoot<f32>> },
-    Method { name: "reflection-blinn", set_up: wrapped::<ReflectionBlinn<f32>> },
-    Method { name: "reflection-hybrid", set_up: wrapped::<ReflectionHybrid<f32>> },
+    infinite("hybrid", |frame| Box::new(Loop::<DiffuseVertices>::new(frame))),
+    wrapped::<ReflectionRoot<f32>>("reflection"),
+    wrapped::<ReflectionBlinn<f32>>("reflection-blinn"),
+    wrapped::<ReflectionHybrid<f32>>("reflection-hybrid"),
     method::<Chained<f32>>("reflection-chained"),
     method::<Consistent<f32, Rational>>("consistent"),
     method::<Consistent<f32, Trigonometric>>("consistent-trigonometric"),
@@ -66,27 +99,28 @@ pub fn by_name(name: &str) -> Option<Method> {
     METHODS.into_iter().find(|method| method.name == name)
 }
 
+const fn infinite(name: &'static str, of_frame: OfFrame) -> Method {
+    Method { name, places: Places::Infinity, of_frame }
+}
+
+const fn anywhere(name: &'static str, of_frame: OfFrame) -> Method {
+    Method { name, places: Places::Any, of_frame }
+}
+
 const fn method<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
-    Method { name, set_up: looped::<S> }
+    infinite(name, |frame| Box::new(Loop::<Each<S>>::new(frame)))
 }
 
-fn looped<S: Scheme<f32> + 'static>(frame: &Frame, span: &Span) -> Box<dyn Software> {
-    Box::new(Loop::<S>::new(frame, span))
+const fn placed<P: Place<f32> + 'static>(name: &'static str) -> Method {
+    Method { name, places: Places::Local, of_frame: |frame| Box::new(PlacedLoop::<P>::new(frame)) }
 }
 
-fn placed<P: Place<f32> + 'static>(frame: &Frame, span: &Span) -> Box<dyn Software> {
-    Box::new(PlacedLoop::<P>::new(frame, span))
+/// An arc where slerp serves the span's end normals, Phong's chord elsewhere.
+const fn arc<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
+    infinite(name, |frame| Box::new(Loop::<Where<S, Arcs>>::new(frame)))
 }
 
-/// An arc where slerp serves the span's end normals, Phong's chord elsewhere (EXTREMES rows 13 to 15).
-fn arc<S: Scheme<f32> + 'static>(frame: &Frame, span: &Span) -> Box<dyn Software> {
-    let serves = slerp::angle(Line::new(frame, span).unit_ends()).is_some();
-    if serves { looped::<S>(frame, span) } else { looped::<Phong<f32>>(frame, span) }
-}
-
-/// A wrap where the face's normal serves the span's triangle, Phong elsewhere (EXTREMES row 8).
-fn wrapped<S: Scheme<f32> + 'static>(frame: &Frame, span: &Span) -> Box<dyn Software> {
-    let line = Line::new(frame, span);
-    let serves = wrap::serves(line.face, &line.vertices);
-    if serves { looped::<S>(frame, span) } else { looped::<Phong<f32>>(frame, span) }
+/// A wrap where the polygon's normal serves the span's triangle, Phong elsewhere.
+const fn wrapped<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
+    infinite(name, |frame| Box::new(Loop::<Where<S, Wraps>>::new(frame)))
 }

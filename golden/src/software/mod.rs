@@ -1,21 +1,28 @@
-//! Each paper's loop in f32, for its run time: a [`Scheme`] per light, set up once for a span.
+//! Each paper's loop in f32, for its run time.
 //!
-//! `new` and `shade` are apart so that their times can be measured apart.
+//! What belongs to the frame (intensities of vertices, products of materials and lights) is worked
+//! out once for it, set-up once for a span, and the loop runs from pixel to pixel; they are apart so
+//! that their times can be measured apart. Nothing is allocated for a span.
 mod looped;
 mod methods;
 mod placed;
+mod set_up;
+mod surface;
 
 use specula_scene::{Frame, Span};
 
-pub use looped::Loop;
-pub use methods::{METHODS, Method, by_name};
-pub use placed::PlacedLoop;
+pub use methods::{METHODS, Method, Places, by_name};
 
-/// A span that was set up. The call is virtual, once a span; its pixels are not.
+/// A frame that is shaded by one loop, one block of spans after another. Calls are virtual, one for
+/// a block or a span; pixels are not.
 pub trait Software {
-    /// Shades pixels 0, 1, … in turn, up to `out`'s length: 0..=255 LSB a channel, not rounded.
-    fn shade(&self, out: &mut [[f32; 3]]);
+    /// Sets spans of the frame up, in place of those before, whose memory they take over.
+    fn set_up(&mut self, spans: &[Span]);
+
+    /// Shades pixels 0, 1, … of span `number` of those that are set up, up to `out`'s length:
+    /// 0..=255 LSB a channel, not rounded. A span is shaded once.
+    fn shade(&mut self, number: usize, out: &mut [[f32; 3]]);
 }
 
-/// Sets up a span of a frame.
-pub type SetUp = fn(&Frame, &Span) -> Box<dyn Software>;
+/// Works out what belongs to a frame.
+pub type OfFrame = for<'a> fn(&'a Frame) -> Box<dyn Software + 'a>;

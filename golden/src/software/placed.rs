@@ -1,19 +1,27 @@
 //! The loop of `phong` with lights and an eye at places.
 use specula_scene::frame::EYE;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{Colour, Frame, Span};
+use specula_scene::{Frame, Span};
 
 use super::Software;
-use super::looped::{power, product};
+use super::surface::{Surface, clamped, power};
 use crate::recurrence::{Line, Number, Place, Seen, Vector, Walk, dot, vector};
 
-/// A span's normal, eye and lights, each a recurrence.
-pub struct PlacedLoop<P> {
-    ambient: [f32; 3],
-    exponent: u32,
+/// A frame whose spans have a normal, an eye and lights, each a recurrence.
+pub struct PlacedLoop<'a, P> {
+    frame: &'a Frame,
+    surfaces: Vec<Surface>,
+    /// The exponent of each light that is a spot.
+    spots: Vec<Option<u32>>,
+    spans: Vec<Along<P>>,
+    /// Each light along the first span, along the second, and so on.
+    lights: Vec<Towards<P>>,
+}
+
+/// What a span has but for its lights.
+struct Along<P> {
+    material: usize,
     normal: Walk<f32>,
     eye: Towards<P>,
-    lights: Vec<Lit<P>>,
 }
 
 /// A direction that is the same all along the span, or not.
@@ -21,15 +29,6 @@ pub struct PlacedLoop<P> {
 enum Towards<P> {
     Infinity(Vector<f32>),
     Place(P),
-}
-
-#[derive(Clone, Copy)]
-struct Lit<P> {
-    towards: Towards<P>,
-    /// The exponent of a spot.
-    spot: Option<u32>,
-    diffuse: [f32; 3],
-    specular: [f32; 3],
 }
 
 impl<P: Place<f32>> Towards<P> {
@@ -42,59 +41,67 @@ impl<P: Place<f32>> Towards<P> {
     }
 }
 
-impl<P: Place<f32>> PlacedLoop<P> {
-    /// Sets up a span of a frame.
-    pub fn new(frame: &Frame, span: &Span) -> Self {
-        let (line, material) = (Line::new(frame, span), frame.material(span));
-        let lit = |towards, spot, colour: Colour| Lit {
-            towards,
-            spot,
-            diffuse: product(material.diffuse, colour),
-            specular: product(material.specular, colour),
-        };
-        let at_infinity = frame.lights.iter().map(|light| lit(Towards::Infinity(vector(light.direction)), None, light.colour));
-        let at_places = frame.local_lights.iter().map(|light| {
-            let exponent = light.spot.as_ref().map(|spot| spot.exponent);
-            lit(Towards::Place(P::to_light(frame, span, light)), exponent, light.colour)
-        });
+impl<'a, P: Place<f32>> PlacedLoop<'a, P> {
+    /// Works out what belongs to a frame.
+    pub fn new(frame: &'a Frame) -> Self {
+        let local = frame.local_lights.iter();
+        let exponents = local.map(|light| light.spot.as_ref().map(|spot| spot.exponent));
         PlacedLoop {
-            ambient: product(material.ambient, frame.ambient),
-            exponent: material.shininess,
-            normal: Walk::new(line.ends[0], line.step()),
-            eye: match frame.eye {
-                Some(eye) => Towards::Place(P::to_eye(frame, span, eye)),
-                None => Towards::Infinity(vector(EYE)),
-            },
-            lights: at_infinity.chain(at_places).collect(),
+            frame,
+            surfaces: Surface::all_of(frame),
+            spots: frame.lights.iter().map(|_| None).chain(exponents).collect(),
+            spans: Vec::new(),
+            lights: Vec::new(),
         }
     }
 }
 
-impl<P: Place<f32>> Software for PlacedLoop<P> {
-    fn shade(&self, out: &mut [[f32; 3]]) {
-        // Copies: the span can be shaded again.
-        let (mut normal, mut eye, mut lights) = (self.normal, self.eye, self.lights.clone());
+impl<P: Place<f32>> Software for PlacedLoop<'_, P> {
+    fn set_up(&mut self, spans: &[Span]) {
+        let frame = self.frame;
+        self.spans.clear();
+        self.lights.clear();
+        for span in spans {
+            let line = Line::new(frame, span);
+            self.spans.push(Along {
+                material: frame.triangles[span.triangle].material,
+                normal: Walk::new(line.ends[0], line.step()),
+                eye: match frame.eye {
+                    Some(eye) => Towards::Place(P::to_eye(frame, span, eye)),
+                    None => Towards::Infinity(vector(EYE)),
+                },
+            });
+            let infinite = frame.lights.iter();
+            self.lights.extend(infinite.map(|light| Towards::Infinity(vector(light.direction))));
+            let local = frame.local_lights.iter();
+            self.lights.extend(local.map(|light| Towards::Place(P::to_light(frame, span, light))));
+        }
+    }
+
+    fn shade(&mut self, number: usize, out: &mut [[f32; 3]]) {
+        let of_span = self.spots.len();
+        let lights = &mut self.lights[number * of_span..][..of_span];
+        let Along { material, normal, eye } = &mut self.spans[number];
+        let surface = &self.surfaces[*material];
         for pixel in out {
             let n = normal.pixel();
             let per_length = 1.0 / dot(n, n).floored().square_root();
             let (n, v) = (n.map(|c| c * per_length), eye.pixel().direction);
             let n_dot_v = dot(n, v);
-            *pixel = self.ambient;
-            for light in &mut lights {
-                let Seen { direction: l, to_axis, lit } = light.towards.pixel();
-                let share = match light.spot {
-                    Some(exponent) if lit > 0.0 => power(to_axis.clamp(0.0, 1.0), exponent),
+            *pixel = surface.ambient;
+            for ((light, spot), reflected) in lights.iter_mut().zip(&self.spots).zip(&surface.lights) {
+                let Seen { direction: l, to_axis, lit } = light.pixel();
+                let share = match spot {
+                    Some(exponent) if lit > 0.0 => power(to_axis.clamp(0.0, 1.0), *exponent),
                     Some(_) => 0.0,
                     None => 1.0,
                 };
                 let n_dot_l = dot(n, l);
-                let base = 2.0 * n_dot_l * n_dot_v - dot(l, v);
-                let (diffuse, specular) = (share * n_dot_l.clamp(0.0, 1.0), share * power(base.clamp(0.0, 1.0), self.exponent));
-                for (c, channel) in pixel.iter_mut().enumerate() {
-                    *channel += light.diffuse[c] * diffuse + light.specular[c] * specular;
-                }
+                let base = (2.0 * n_dot_l * n_dot_v - dot(l, v)).clamp(0.0, 1.0);
+                let specular = share * power(base, surface.shininess);
+                reflected.add(share * n_dot_l.clamp(0.0, 1.0), specular, pixel);
             }
-            *pixel = pixel.map(|channel| channel.min(FULL_SCALE as f32));
+            *pixel = clamped(*pixel);
         }
     }
 }

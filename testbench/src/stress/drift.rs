@@ -46,7 +46,7 @@ fn software_error(name: &str, frame: &Frame) -> Option<f64> {
     let (span, needs) = (&frame.spans[0], Needs::of(frame));
     let spec = CoreSpec::for_scene(&needs, None, Some(Method::from_name(name).ok()?)).ok()?;
     let mut shades = vec![[0.0; 3]; span.length as usize];
-    (by_name(name)?.set_up)(frame, span).shade(&mut shades);
+    by_name(name)?.shade(frame, span, &mut shades);
     let method = MethodSpan::new(&spec, frame, span);
     let off = |(i, shade): (usize, &[f32; 3])| (f64::from(shade[1]) - method.pixel(i as u32)[1]).abs();
     Some(shades.iter().enumerate().map(off).fold(0.0, f64::max))

@@ -8,12 +8,17 @@ use specula_scene::spec::{ConsistentSpec, DirectSpec, MethodSpec, consistent, di
 pub fn counterpart(spec: &CoreSpec) -> Option<&'static str> {
     match &spec.method {
         MethodSpec::Lyon(lyon) => of_lyon(lyon),
-        MethodSpec::Phong(phong) => Some(match phong.highlight {
+        MethodSpec::Phong(phong) if spec.local_lights.is_empty() && !spec.local_eye => Some(match phong.highlight {
             phong::Highlight::Reflection => "phong",
             phong::Highlight::Blinn => "phong-blinn",
             phong::Highlight::TorranceSparrow => "phong-torrance-sparrow",
             phong::Highlight::TrowbridgeReitz => "phong-trowbridge-reitz",
         }),
+        MethodSpec::Phong(phong) => match (phong.highlight, phong.places) {
+            (phong::Highlight::Reflection, phong::Places::Exact) => Some("phong-places"),
+            (phong::Highlight::Reflection, phong::Places::Wrapped) => Some("phong-wrapped-places"),
+            _ => None,
+        },
         MethodSpec::Hybrid(_) => Some("hybrid"),
         MethodSpec::Duff(duff) => Some(match duff.specular {
             duff::Highlight::Blinn => "duff-blinn",
@@ -78,7 +83,7 @@ fn of_direct(spec: &DirectSpec) -> &'static str {
 #[cfg(test)]
 mod tests {
     use specula_golden::software::by_name;
-    use specula_scene::{Method, Needs, load};
+    use specula_scene::{CoreSpec, Method, Needs, load};
 
     use super::counterpart;
     use crate::stress::variant::Variant;
@@ -91,6 +96,19 @@ mod tests {
             let name = counterpart(&spec);
             assert!(name.is_none_or(|name| by_name(name).is_some()), "{}: {name:?}", variant.describe());
             assert!(!variant.table.is_empty() || name.is_some(), "{} has no loop", variant.describe());
+        }
+    }
+
+    #[test]
+    fn lights_at_places_have_counterparts_that_are_measured() {
+        let frame = load("lamps", Some((32, 24))).unwrap().frame;
+        let needs = Needs::of(&frame);
+        for (places, wanted) in [("exact", "phong-places"), ("wrapped", "phong-wrapped-places")] {
+            let table = format!("[phong]\nplaces = \"{places}\"").parse().unwrap();
+            let spec = CoreSpec::for_scene(&needs, Some(&table), Some(Method::Phong)).unwrap();
+            let name = counterpart(&spec).unwrap();
+            assert_eq!(name, wanted);
+            assert!(by_name(name).unwrap().serves(&frame));
         }
     }
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::io::{self, Write};
 
 use specula_scene::{Frame, SceneError};
-use specula_testbench::figure9::{self, Balls, Formula, ROWS, Row};
+use specula_testbench::figure9::{self, Balls, ROWS, Row};
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, Image};
 
@@ -31,7 +31,6 @@ struct Shaded {
     line: Line,
     verilog: String,
     simulated: Image,
-    formula: Image,
     disagreement: Option<Disagreement>,
 }
 
@@ -78,14 +77,13 @@ fn shaded(arguments: &Arguments, (row, number): (&Row, usize), balls: Balls, fra
     let module = module(number);
     let bench = Bench::new(frame, &spec, &module)?;
     let outcome = simulate(&bench, arguments.engine)?;
-    let formula = Formula::of(row, balls, &outcome.simulated);
+    let error = figure9::errors(row, balls, &outcome.simulated);
     let origin = Origin { scene: format!("{NAME}, row {number}: {}", row.title), command: format!("specula run {NAME}") };
     Ok(Shaded {
-        line: Line::new((row, number), &bench, &outcome, formula.error),
+        line: Line::new((row, number), &bench, &outcome, error),
         verilog: verilog::text(&origin, &spec, &bench.design),
         disagreement: Disagreement::of(&outcome, &bench),
         simulated: outcome.simulated,
-        formula: formula.picture,
     })
 }
 
@@ -102,15 +100,17 @@ fn files() -> Vec<String> {
 /// Writes everything, and gives the JSON report.
 fn write(destination: &Destination, arguments: &Arguments, balls: Balls, rows: &[Shaded]) -> Result<String, ToolError> {
     let staging = destination.stage()?;
-    for (name, of) in [(SIMULATED, (|row| &row.simulated) as fn(&Shaded) -> &Image), (FORMULAS, |row| &row.formula)] {
-        let pictures: Vec<Image> = rows.iter().map(of).cloned().collect();
-        let drawing = picture::labelled(balls, &figure9::stacked(balls, &pictures));
+    let exact = figure9::exact(balls);
+    let simulated: Vec<Image> = rows.iter().map(|row| row.simulated.clone()).collect();
+    let figures = [(SIMULATED, figure9::simulated(balls, &simulated)), (FORMULAS, figure9::rounded(balls, &exact))];
+    for (name, figure) in figures {
+        let drawing = picture::labelled(balls, &figure);
         png::write_line_drawing(&staging.file(name), &drawing).map_err(staging.failed(name))?;
     }
     let json = report::json(rows, balls, arguments.engine, &files());
     let json = json.map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
     let cores = rows.iter().map(|row| (row.line.verilog.as_str(), row.verilog.as_str()));
-    let markdown = report::markdown(rows);
+    let markdown = report::markdown(rows, balls, &exact);
     for (name, text) in cores.chain([(MARKDOWN, markdown.as_str()), (REPORT, json.as_str())]) {
         fs::write(staging.file(name), text).map_err(staging.failed(name))?;
     }

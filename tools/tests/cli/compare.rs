@@ -100,12 +100,18 @@ fn what_cannot_be_built_is_told() {
     assert!(table.contains("not built: slerp default: ") && table.contains("phong default"), "{table}");
 }
 
-/// The papers' loops have lights at infinity alone.
+/// Where lights are at places, the loops that have them are timed, and those that have not left out.
 #[test]
-fn loops_are_left_out_where_they_do_not_serve() {
+fn loops_for_lights_at_places_are_timed_where_there_are_some() {
     let place = Place::new();
     let words = ["compare", "lamps", "--size", "32x24", "--methods", "phong", "--formats", "default", "-o", "c"];
     let table = place.succeeds(&words);
-    assert!(!table.contains("fast-phong"), "{table}");
-    assert!(!place.path("c/error-software.svg").exists() && place.path("c/error-size.svg").exists());
+    let report = fs::read_to_string(place.path("c/report.md")).expect("a report");
+    for text in [&table, &report] {
+        assert!(!text.contains("fast-phong-2"), "{text}");
+    }
+    for name in ["| uniform |", "| gouraud |", "| phong-places |", "| phong-wrapped-places |"] {
+        assert!(report.contains(name), "{name} is not in {report}");
+    }
+    assert!(place.path("c/error-software.svg").exists() && place.path("c/error-size.svg").exists());
 }

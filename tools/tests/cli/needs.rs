@@ -21,11 +21,21 @@ fn every_built_in_scene_is_spared_hardware() {
     }
 }
 
+/// A mesh of two triangles, the second with this normal at its vertices.
+fn two_triangles(normal: &str) -> String {
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nvn 0 0 1\n";
+    format!("{corners}vn {normal}\nf 1//1 2//1 3//1\nf 2//2 4//2 3//2\n")
+}
+
+/// Normals that are the polygons' own are; others are shaded as they are, and so interpolated.
 #[test]
 fn flat_meshes_are_not_interpolated() {
     let place = Place::new();
-    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nvn 0 0 1\nvn 0.4 0 0.9\n";
-    place.write("flat.obj", format!("{corners}f 1//1 2//1 3//1\nf 2//2 4//2 3//2\n"));
+    place.write("tilted.obj", two_triangles("0.4 0 0.9"));
+    let report = place.succeeds(&["needs", "tilted.obj", "--size", "64x48", "--json"]);
+    let report: Value = serde_json::from_str(&report).expect("it prints JSON");
+    assert_eq!(report["needs"]["flat"], Value::Bool(false));
+    place.write("flat.obj", two_triangles("-0.5 -0.5 1"));
     place.succeeds(&["run", "flat.obj", "--size", "64x48"]);
     let report = place.report("out/flat");
     assert_eq!((&report["agrees"], &report["spec"]["method"]["lyon"]["normals"]), (&true.into(), &"flat".into()));

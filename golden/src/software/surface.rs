@@ -1,0 +1,68 @@
+//! What materials make of lights, and powers.
+use specula_scene::spec::FULL_SCALE;
+use specula_scene::{Colour, Frame, Material};
+
+/// A material under a frame's lights.
+pub(super) struct Surface {
+    pub ambient: [f32; 3],
+    pub shininess: u32,
+    /// For each light, those at infinity first.
+    pub lights: Vec<Reflected>,
+}
+
+/// What a material and a light make of the light's amounts.
+#[derive(Clone, Copy)]
+pub(super) struct Reflected {
+    diffuse: [f32; 3],
+    specular: [f32; 3],
+}
+
+impl Surface {
+    /// One for each of a frame's materials.
+    pub fn all_of(frame: &Frame) -> Vec<Surface> {
+        let reflected = |material: &Material, light: Colour| Reflected {
+            diffuse: product(material.diffuse, light),
+            specular: product(material.specular, light),
+        };
+        let surface = |material: &Material| Surface {
+            ambient: product(material.ambient, frame.ambient),
+            shininess: material.shininess,
+            lights: frame.light_colours().map(|light| reflected(material, light)).collect(),
+        };
+        frame.materials.iter().map(surface).collect()
+    }
+}
+
+impl Reflected {
+    /// Adds what a light gives to a pixel.
+    #[inline(always)]
+    pub fn add(&self, diffuse: f32, specular: f32, pixel: &mut [f32; 3]) {
+        for (c, channel) in pixel.iter_mut().enumerate() {
+            *channel += self.diffuse[c] * diffuse + self.specular[c] * specular;
+        }
+    }
+}
+
+fn product(reflectance: Colour, light: Colour) -> [f32; 3] {
+    std::array::from_fn(|c| (FULL_SCALE * reflectance[c] * light[c]) as f32)
+}
+
+/// A pixel, full scale at most.
+#[inline(always)]
+pub(super) fn clamped(pixel: [f32; 3]) -> [f32; 3] {
+    pixel.map(|channel| channel.min(FULL_SCALE as f32))
+}
+
+/// x^n by squaring; 1 for n = 0.
+#[inline(always)]
+pub(super) fn power(mut x: f32, mut n: u32) -> f32 {
+    let mut result = 1.0;
+    while n > 0 {
+        if n & 1 == 1 {
+            result *= x;
+        }
+        x *= x;
+        n >>= 1;
+    }
+    result
+}
