@@ -23,7 +23,8 @@ const MOST_NODES: usize = 1_000_000;
 /// # Errors
 /// A file that is not a valid `.glb`, or that keeps its geometry compressed, sparse or in other files.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
-    let polygons = polygons(bytes)?;
+    let mut polygons = polygons(bytes)?;
+    polygons.drop_missing_normals(notices, &|_| None);
     let all = if polygons.has_all_normals() { polygons } else { polygons.welded() };
     all.into_mesh(notices, &|_| None)
 }

@@ -6,6 +6,7 @@ mod obj;
 mod ply;
 pub mod polygons;
 mod stl;
+mod text;
 mod triangulate;
 mod warning;
 mod weld;
