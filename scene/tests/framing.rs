@@ -34,6 +34,7 @@ fn thin_pictures_show_something() {
 /// Where the user says what the camera looks at, nothing is moved.
 #[test]
 fn a_camera_with_a_target_looks_there() {
-    let error = frame(&RING.replace("[camera]", "[camera]\ntarget = [0, 0, 0]"), (1, 1)).expect_err("the hole of the ring is at the middle of the pixel");
+    let error = frame(&RING.replace("[camera]", "[camera]\ntarget = [0, 0, 0]"), (1, 1))
+        .expect_err("the hole of the ring is at the middle of the pixel");
     assert!(error.to_string().contains("nothing of the scene is visible"), "{error}");
 }

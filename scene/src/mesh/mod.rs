@@ -1,7 +1,9 @@
 //! Triangle meshes and the files they come from.
 pub mod error;
 mod glb;
+mod lines;
 pub mod normals;
+mod number;
 mod obj;
 mod ply;
 pub mod polygons;

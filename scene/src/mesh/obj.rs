@@ -9,14 +9,33 @@ use glam::DVec3;
 
 use super::Mesh;
 use super::error::{Item, Located, MeshProblem};
+use super::lines::{Lines, is_blank, words};
+use super::number::number;
 use super::polygons::{Corner, Polygons};
-use super::text::{is_blank, lines, number, unmarked, words};
+use super::text::unmarked;
 use super::warning::{Notices, quoted};
 
 /// Keywords of what is skipped without a word.
 const SKIPPED: [&[u8]; 19] = [
-    b"vt", b"g", b"o", b"s", b"mg", b"usemtl", b"mtllib", b"usemap", b"maplib", b"bevel", b"c_interp", b"d_interp", b"lod",
-    b"shadow_obj", b"trace_obj", b"vp", b"cstype", b"deg", b"end",
+    b"vt",
+    b"g",
+    b"o",
+    b"s",
+    b"mg",
+    b"usemtl",
+    b"mtllib",
+    b"usemap",
+    b"maplib",
+    b"bevel",
+    b"c_interp",
+    b"d_interp",
+    b"lod",
+    b"shadow_obj",
+    b"trace_obj",
+    b"vp",
+    b"cstype",
+    b"deg",
+    b"end",
 ];
 
 /// Those of them whose words are names, in which a backslash is a backslash.
@@ -28,18 +47,18 @@ const NAMES: [&[u8]; 8] = [b"g", b"o", b"usemtl", b"mtllib", b"usemap", b"maplib
 /// Lines that are not as the format has them, and all that [`Polygons::into_mesh`] finds.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let text = unmarked(bytes);
-    let mut reader = Reader { notices, polygons: Polygons::default(), lines: Lines::default() };
+    let mut reader = Reader { notices, polygons: Polygons::default(), places: Places::default() };
     for (number, line) in joined_lines(&text) {
         reader.line(number, &line).map_err(|problem| problem.at_line(number))?;
     }
-    let Reader { polygons, lines, notices } = reader;
-    let mesh = polygons.into_mesh(notices, &|item| lines.of(item));
+    let Reader { polygons, places, notices } = reader;
+    let mesh = polygons.into_mesh(notices, &|item| places.of(item));
     mesh.map_err(|at| Located { problem: as_counted_here(at.problem), ..at })
 }
 
 /// Lines without their comments, each with its number from 1; a line that ends in a backslash goes on in the next.
 fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
-    let mut numbered = lines(text).map(without_comment).enumerate().peekable();
+    let mut numbered = Lines::new(text).map(without_comment).enumerate().peekable();
     std::iter::from_fn(move || {
         let (index, line) = numbered.next()?;
         let Some(first) = continued(line) else { return Some((index + 1, Cow::Borrowed(line))) };
@@ -65,7 +84,7 @@ fn without_comment(line: &[u8]) -> &[u8] {
 
 /// A line without the backslash at its end, if it has one.
 fn continued(line: &[u8]) -> Option<&[u8]> {
-    let end = line.iter().rposition(|&b| !is_blank(b))?;
+    let end = line.iter().rposition(|b| !is_blank(b))?;
     (line[end] == b'\\').then_some(&line[..end])
 }
 
@@ -76,13 +95,13 @@ fn has_keyword(line: &[u8]) -> bool {
 
 /// The lines that vertices, normals and faces stand on.
 #[derive(Default)]
-struct Lines {
+struct Places {
     vertices: Vec<usize>,
     normals: Vec<usize>,
     faces: Vec<usize>,
 }
 
-impl Lines {
+impl Places {
     fn of(&self, item: Item) -> Option<usize> {
         let line = match item {
             Item::Vertex(index) => self.vertices.get(index),
@@ -106,7 +125,7 @@ fn as_counted_here(problem: MeshProblem) -> MeshProblem {
 struct Reader<'n> {
     notices: &'n mut Notices,
     polygons: Polygons,
-    lines: Lines,
+    places: Places,
 }
 
 impl Reader<'_> {
@@ -115,11 +134,11 @@ impl Reader<'_> {
         match words.next() {
             Some(b"v") => {
                 self.polygons.positions.push(position(words)?);
-                self.lines.vertices.push(number);
+                self.places.vertices.push(number);
             }
             Some(b"vn") => {
                 self.polygons.normals.push(normal(words));
-                self.lines.normals.push(number);
+                self.places.normals.push(number);
             }
             Some(b"f") => self.face(number, words)?,
             Some(keyword) if !SKIPPED.contains(&keyword) => self.pass_over(number, keyword),
@@ -137,7 +156,7 @@ impl Reader<'_> {
             return Ok(());
         }
         self.polygons.push(corners);
-        self.lines.faces.push(number);
+        self.places.faces.push(number);
         Ok(())
     }
 

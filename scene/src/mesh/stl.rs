@@ -2,12 +2,14 @@
 //!
 //! Its triangles share no vertices, so those at the same place are joined. The normals it states are left aside: they are those
 //! of the faces, and many programs write zeros. Read here and not by the `stl_io` crate, which reads one `solid` of a text,
-//! written in small letters (docs/decisions/0013-stl-files-are-read-by-our-own-code.md).
+//! written in small letters (docs/decisions/0015-stl-files-are-read-by-our-own-code.md).
 use glam::DVec3;
 
 use super::error::{Located, MeshProblem};
+use super::lines::{Lines, is_blank, words};
+use super::number::number;
 use super::polygons::{Corner, Polygons};
-use super::text::{is_blank, lines, number, unmarked, words};
+use super::text::unmarked;
 use super::warning::{Notices, quoted};
 use super::{FARTHEST, Mesh};
 
@@ -26,11 +28,8 @@ const BEGINNING: usize = 1024;
 /// A file that is neither kind of `.stl`, ends early, or has a wrong line.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let text = unmarked(bytes);
-    let polygons = if !is_whole_binary(bytes) && is_text(&text) {
-        Text::new(&text, notices).read()?
-    } else {
-        parse_binary(bytes, notices)?
-    };
+    let polygons =
+        if !is_whole_binary(bytes) && is_text(&text) { Text::new(&text, notices).read()? } else { parse_binary(bytes, notices)? };
     polygons.welded().into_mesh(notices, &|_| None)
 }
 
@@ -44,7 +43,7 @@ fn is_text(text: &[u8]) -> bool {
     let beginning = &text[..text.len().min(BEGINNING)];
     let plain = |b: &u8| !b.is_ascii_control() || b.is_ascii_whitespace() || matches!(b, 0x0b | 0x1a);
     let opens = |line: &[u8]| words(line).next().is_some_and(|word| is(word, "solid") || is(word, "facet"));
-    beginning.iter().all(plain) && lines(beginning).any(opens)
+    beginning.iter().all(plain) && Lines::new(beginning).any(opens)
 }
 
 fn binary_length(triangles: usize) -> Option<usize> {
@@ -191,12 +190,12 @@ impl<'a> Text<'a> {
 
     /// The next word; at the end, what is left is left as it is, and `line` stays that of the last word.
     fn word(&mut self) -> Option<&'a [u8]> {
-        let start = self.rest.iter().position(|&b| !is_blank(b))?;
+        let start = self.rest.iter().position(|b| !is_blank(b))?;
         let (blanks, rest) = self.rest.split_at(start);
         // A CR before an LF ends no line: the LF does.
         let ends = |k: &usize| blanks[*k] == b'\n' || blanks[*k] == b'\r' && blanks.get(k + 1) != Some(&b'\n');
         self.line += (0..start).filter(ends).count();
-        let length = rest.iter().position(|&b| is_blank(b)).unwrap_or(rest.len());
+        let length = rest.iter().position(is_blank).unwrap_or(rest.len());
         let (word, behind) = rest.split_at(length);
         self.rest = behind;
         Some(word)
@@ -204,24 +203,23 @@ impl<'a> Text<'a> {
 
     /// Skips a solid's name, which may be anything, to the line's end or to where the line opens a facet.
     fn skip_name(&mut self) {
-        let line = lines(self.rest).next().unwrap_or_default();
+        let line = Lines::new(self.rest).next().unwrap_or_default();
         let opens_facet = |at: &usize| {
             let mut words = words(&line[*at..]);
             words.next().is_some_and(|word| is(word, "facet")) && words.next().is_some_and(|word| is(word, "normal"))
         };
-        let ends = (0..line.len()).filter(|&at| is_blank(line[at])).find(opens_facet);
+        let ends = (0..line.len()).filter(|&at| is_blank(&line[at])).find(opens_facet);
         self.rest = &self.rest[ends.unwrap_or(line.len())..];
     }
 
     fn skip_line(&mut self) {
-        let line = lines(self.rest).next().unwrap_or_default();
+        let line = Lines::new(self.rest).next().unwrap_or_default();
         self.rest = &self.rest[line.len()..];
     }
 }
 
 /// The words that a text is made of.
-const KEYWORDS: [&str; 9] =
-    ["solid", "facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "endsolid"];
+const KEYWORDS: [&str; 9] = ["solid", "facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "endsolid"];
 
 /// Which of [`KEYWORDS`] a word is, in small letters or capitals.
 fn keyword(word: &[u8]) -> Option<&'static str> {

@@ -91,7 +91,8 @@ const NUMBERS: &[(&str, Change)] = &[
     }),
     ("bare-points", |obj| {
         for vertex in &mut obj.vertices {
-            let bare = |word: &str| if word.contains('.') { word.replace("0.", ".") } else { format!("+{word}.").replace("+-", "-") };
+            let bare =
+                |word: &str| if word.contains('.') { word.replace("0.", ".") } else { format!("+{word}.").replace("+-", "-") };
             let numbers = vertex.split_whitespace().skip(1).map(bare);
             *vertex = format!("v {}", numbers.collect::<Vec<_>>().join(" "));
         }

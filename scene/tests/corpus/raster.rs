@@ -38,13 +38,15 @@ impl View {
 }
 
 fn covers(faces: &[Vec<[f64; 2]>], middle: [f64; 2]) -> Option<bool> {
-    let edges = |face: &[[f64; 2]]| face.iter().copied().zip(face.iter().copied().cycle().skip(1)).take(face.len()).collect::<Vec<_>>();
+    let edges =
+        |face: &[[f64; 2]]| face.iter().copied().zip(face.iter().copied().cycle().skip(1)).take(face.len()).collect::<Vec<_>>();
     let all: Vec<Vec<([f64; 2], [f64; 2])>> = faces.iter().map(|face| edges(face)).collect();
     if all.iter().flatten().any(|&(a, b)| distance(middle, a, b) < NEAR) {
         return None;
     }
     let [x, y] = middle;
-    let crosses = |&&(a, b): &&([f64; 2], [f64; 2])| (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+    let crosses =
+        |&&(a, b): &&([f64; 2], [f64; 2])| (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
     Some(all.iter().any(|edges| edges.iter().filter(crosses).count() % 2 == 1))
 }
 

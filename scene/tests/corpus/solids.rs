@@ -41,25 +41,13 @@ pub fn all() -> Vec<Solid> {
 /// A square with a square hole, which a bridge from corner 0 to corner 4 opens.
 const WINDOW: [[i16; 2]; 8] = [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [1, 3], [3, 3], [3, 1]];
 
-const AROUND_WINDOW: [[u32; 3]; 8] =
-    [[0, 1, 7], [0, 7, 4], [1, 2, 6], [1, 6, 7], [2, 3, 5], [2, 5, 6], [3, 0, 4], [3, 4, 5]];
+const AROUND_WINDOW: [[u32; 3]; 8] = [[0, 1, 7], [0, 7, 4], [1, 2, 6], [1, 6, 7], [2, 3, 5], [2, 5, 6], [3, 0, 4], [3, 4, 5]];
 
 /// Three teeth upwards.
-const COMB: [[i16; 2]; 12] =
-    [[0, 0], [5, 0], [5, 4], [4, 4], [4, 1], [3, 1], [3, 4], [2, 4], [2, 1], [1, 1], [1, 4], [0, 4]];
+const COMB: [[i16; 2]; 12] = [[0, 0], [5, 0], [5, 4], [4, 4], [4, 1], [3, 1], [3, 4], [2, 4], [2, 1], [1, 1], [1, 4], [0, 4]];
 
-const COMB_TRIANGLES: [[u32; 3]; 10] = [
-    [0, 1, 4],
-    [0, 4, 5],
-    [0, 5, 8],
-    [0, 8, 9],
-    [0, 9, 10],
-    [0, 10, 11],
-    [5, 6, 7],
-    [5, 7, 8],
-    [1, 2, 3],
-    [1, 3, 4],
-];
+const COMB_TRIANGLES: [[u32; 3]; 10] =
+    [[0, 1, 4], [0, 4, 5], [0, 5, 8], [0, 8, 9], [0, 9, 10], [0, 10, 11], [5, 6, 7], [5, 7, 8], [1, 2, 3], [1, 3, 4]];
 
 /// A body between two copies of an outline, which goes around `corners` of some places and is covered by `triangles` of them. An
 /// edge that is gone along both ways is a bridge, and has no side.

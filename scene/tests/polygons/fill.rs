@@ -17,9 +17,8 @@ pub fn probes(random: &mut Random, polygon: &[Place], count: usize) -> Vec<Place
 
 /// Whether an odd number of a polygon's edges cross the ray from a point to the right.
 pub fn is_inside(polygon: &[Place], [x, y]: Place) -> bool {
-    let crossed = edges(polygon).filter(|&[a, b]| {
-        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
-    });
+    let crossed =
+        edges(polygon).filter(|&[a, b]| (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
     crossed.count() % 2 == 1
 }
 

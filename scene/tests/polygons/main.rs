@@ -78,8 +78,7 @@ fn read(text: &str, plane: &Plane) -> (Vec<[Place; 3]>, Vec<Warning>) {
 
 /// Compares what a polygon's triangles cover with the even-odd fill, from every first corner and both ways round.
 fn check(name: &str, polygon: &[Place], plane: &Plane, random: &mut Random) {
-    let probes: Vec<(Place, bool)> =
-        probes(random, polygon, PROBES).into_iter().map(|p| (p, is_inside(polygon, p))).collect();
+    let probes: Vec<(Place, bool)> = probes(random, polygon, PROBES).into_iter().map(|p| (p, is_inside(polygon, p))).collect();
     let mut turned = polygon.to_vec();
     let mut areas = Vec::new();
     for round in 0..2 * polygon.len() {
@@ -173,7 +172,8 @@ fn polygons_that_cross_themselves_are_filled_by_the_even_odd_rule() {
     let (triangles, warnings) = read(&obj(&bow_tie, &Plane::flat(), true), &Plane::flat());
     assert_eq!(area(&triangles), 2.0);
     let told: Vec<String> = warnings.iter().map(Warning::to_string).collect();
-    let right = "a.obj, line 5: a polygon of 4 corners crosses or covers itself; what an odd number of its edges surrounds is drawn";
+    let right =
+        "a.obj, line 5: a polygon of 4 corners crosses or covers itself; what an odd number of its edges surrounds is drawn";
     assert_eq!(told, [right]);
 }
 

@@ -1,0 +1,49 @@
+//! Extensions of glTF: those that change geometry are read or refused, all others left out.
+use super::json::Document;
+use crate::mesh::error::MeshProblem;
+use crate::mesh::warning::{Notices, quoted};
+
+/// Extensions that are read.
+const READ: [&str; 3] = ["EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_node_visibility"];
+
+/// Extensions without which a file has no geometry, or another.
+const REFUSED: [&str; 5] = [
+    "EXT_mesh_primitive_restart",
+    "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",
+    "KHR_meshopt_compression",
+    "WEB3D_quantized_attributes",
+];
+
+/// Names that a warning tells at most.
+const MOST_TOLD: usize = 5;
+
+/// Notes the extensions that are left out, once.
+///
+/// # Errors
+/// The file cannot do without an extension that changes geometry and is not read.
+pub fn check(document: &Document, notices: &mut Notices) -> Result<(), MeshProblem> {
+    let (used, required) = (&document.extensions_used.0, &document.extensions_required.0);
+    if let Some(name) = REFUSED.into_iter().find(|name| required.contains(*name)) {
+        return Err(unread(name));
+    }
+    let left_out: Vec<&str> = used.union(required).map(String::as_str).filter(|name| !READ.contains(name)).collect();
+    if !left_out.is_empty() {
+        notices.add("extensions", None, || format!("extensions are left out: {}", told(&left_out)));
+    }
+    Ok(())
+}
+
+/// Geometry that is there only by an extension which is not read.
+pub fn unread(name: &str) -> MeshProblem {
+    MeshProblem::Unsupported(format!("the extension `{name}`"))
+}
+
+fn told(names: &[&str]) -> String {
+    let (told, more) = names.split_at(names.len().min(MOST_TOLD));
+    let mut words: Vec<String> = told.iter().map(|name| quoted(name.as_bytes())).collect();
+    if !more.is_empty() {
+        words.push(format!("{} more", more.len()));
+    }
+    words.join(", ")
+}
