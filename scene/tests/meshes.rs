@@ -113,6 +113,93 @@ fn a_sheet_with_two_sides_keeps_its_face_normals() {
     assert_eq!(mesh.normals, [[DVec3::Z; 3], [DVec3::NEG_Z; 3]]);
 }
 
+/// A vertex that a face states twice, at the ends of a bridge, has the face's normal once in its own.
+#[test]
+fn a_face_counts_once_for_a_vertex_it_states_twice() {
+    let vertices = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nv 0 0 -4\n";
+    let (mesh, _) = read("a.obj", format!("{vertices}f 1 2 3 4 1 5 6 7 8 5\nf 1 4 9\n").as_bytes());
+    let corner = mesh.triangles.iter().zip(&mesh.normals).find_map(|(t, n)| Some(n[t.iter().position(|&k| k == 0)?]));
+    let half = 0.5_f64.sqrt();
+    assert!((corner.unwrap_or_default() - DVec3::new(-half, 0.0, half)).length() < 1e-12, "{corner:?}");
+}
+
+/// A roof whose vertices have the normals that its faces make.
+const ROOF: &str = "v 0 0 0\nv 2 0 0\nv 2 2 1\nv 0 2 1\nv 2 4 0\nv 0 4 0\n";
+
+/// A normal without direction, or none at all, is the one that the faces around the vertex make, whatever the other corners have.
+#[test]
+fn normals_without_direction_are_made_from_the_faces() {
+    let (expected, warnings) = read("a.obj", format!("{ROOF}f 1 2 3 4\nf 4 3 5 6\n").as_bytes());
+    assert_eq!(warnings, [""; 0]);
+    assert!((expected.normals[0][2] - DVec3::Z).length() < 1e-12, "the ridge is smooth");
+    for normal in ["0 0 0", "nan nan nan", "0 inf 0", "-nan(ind) 0 1", "1.#QNAN 0 0", "0 1", ""] {
+        let faces = "f 1//1 2//1 3//1 4//1\nf 4//1 3//1 5//1 6//1\n";
+        let (mesh, warnings) = read("a.obj", format!("{ROOF}vn {normal}\n{faces}").as_bytes());
+        assert_eq!(mesh.normals, expected.normals, "{normal}");
+        assert!(warnings.len() == 1 && warnings[0].starts_with("a.obj, line 7: a normal is "), "{warnings:?}");
+        // One corner of good ones.
+        let faces = "f 1//2 2//2 3//1 4//2\nf 4//2 3//2 5//2 6//2\n";
+        let (mesh, warnings) = read("a.obj", format!("{ROOF}vn {normal}\nvn 1 0 0\n{faces}").as_bytes());
+        assert_eq!(mesh.normals[0], [DVec3::X, DVec3::X, expected.normals[0][2]], "{normal}");
+        assert_eq!(warnings.len(), 1, "{warnings:?}");
+    }
+}
+
+#[test]
+fn normals_that_are_not_there_are_made_from_the_faces() {
+    let (expected, _) = read("a.obj", format!("{ROOF}f 1 2 3 4\nf 4 3 5 6\n").as_bytes());
+    for missing in ["2", "0", "-2", "99999999999", "-99999999999"] {
+        let faces = format!("f 1//1 2//1 3//{missing} 4//1\nf 4//1 3//1 5//1 6//{missing}\n");
+        let (mesh, warnings) = read("a.obj", format!("{ROOF}vn 1 0 0\n{faces}").as_bytes());
+        assert_eq!(mesh.normals[0], [DVec3::X, DVec3::X, expected.normals[0][2]], "{missing}");
+        let right = "a.obj, line 8: a face names a normal that is not among the 1 of the file; corners that name it get the normal \
+                     that the faces around their vertex make (and 1 more line)";
+        assert_eq!(warnings, [right], "{missing}");
+    }
+}
+
+/// What is passed over is told once a kind, and where it stands first.
+#[test]
+fn what_an_obj_file_has_beside_its_faces_is_told() {
+    let text = "# caf\u{e9}\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nl 1 2\nf 3\ncurv 0 1 1 2\nf 1 2 3\nl 2 3\nl 3 1\nhello\x1b[31m\n";
+    let bytes: Vec<u8> = text.chars().map(|c| c as u8).collect();
+    let (_, warnings) = read("a.obj", &bytes);
+    let right = [
+        "a.obj, line 5: a face has fewer than three corners: 2; it is left out (and 1 more line)",
+        "a.obj, line 6: lines `l` are passed over; only `v`, `vn` and `f` are drawn (and 2 more lines)",
+        "a.obj, line 8: lines `curv` are passed over; only `v`, `vn` and `f` are drawn",
+        "a.obj, line 12: lines `hello` are passed over; only `v`, `vn` and `f` are drawn",
+    ];
+    assert_eq!(warnings, right);
+}
+
+#[test]
+fn what_an_stl_file_has_beside_its_facets_is_told() {
+    let facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0 7\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    let short = "facet\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n";
+    let (mesh, warnings) = read("a.stl", format!("solid\n{facet}colour 1\n{short}endsolid\n").as_bytes());
+    assert_eq!(mesh.triangles.len(), 1);
+    let right = [
+        "a.stl, line 4: numbers behind a vertex's third are passed over",
+        "a.stl, line 9: `colour` is none of the words of a text .stl; its line is passed over",
+        "a.stl, line 10: a facet has 1 vertices, fewer than three; it is left out",
+    ];
+    assert_eq!(warnings, right);
+}
+
+/// A binary file is not taken for text by its comment, nor text for a binary file, cut off or not.
+#[test]
+fn binary_stl_files_are_told_from_text() {
+    let (binary, text) = (fs::read("tests/meshes/tetra_binary.stl"), fs::read("tests/meshes/tetra_ascii.stl"));
+    let (mut binary, text) = (binary.expect("it is there"), text.expect("it is there"));
+    binary[..6].copy_from_slice(b"solid ");
+    let said = |bytes: &[u8]| Mesh::from_bytes(Path::new("a.stl"), bytes).expect_err("it is cut off").to_string();
+    assert_eq!(read("a.stl", &binary).0.triangles.len(), 4);
+    assert_eq!(said(&binary[..120]), "mesh `a.stl`: it ends early: its header states 4 triangles, 284 bytes; the file has 120");
+    let said = said(&text[..120]);
+    assert!(said.contains("line ") && said.contains("expected here"), "{said}");
+}
+
 /// Files cut off at every length: an error or a mesh, never a panic.
 #[test]
 fn files_cut_off_anywhere_do_not_panic() {

@@ -21,9 +21,6 @@ pub enum MeshProblem {
     /// The file's extension is not that of a mesh.
     #[error("its extension is not that of a mesh")]
     Extension,
-    /// A text file is not UTF-8; holds the offset of the first wrong byte.
-    #[error("it is not UTF-8 text: byte {0} is wrong")]
-    NotText(usize),
     /// The file does not follow its format.
     #[error("{0}")]
     Syntax(String),
@@ -79,7 +76,6 @@ impl MeshProblem {
             MeshProblem::NotAFile => "name a file that ends in .obj, .ply, .stl or .glb".into(),
             MeshProblem::TooLong(_) | MeshProblem::TooManyTriangles(_) => "simplify the mesh with a mesh tool first".into(),
             MeshProblem::Extension => format!("readable are {}; convert the mesh to one of them", listed(&EXTENSIONS)),
-            MeshProblem::NotText(_) => "the file is binary or in another encoding; .obj files are text in UTF-8".into(),
             MeshProblem::Syntax(_) => "the file is damaged, or of another format than its extension says".into(),
             MeshProblem::Truncated(_) => "the file was cut off, or its header is damaged; fetch or export it again".into(),
             MeshProblem::Unsupported(_) => "export the mesh as plain triangles, uncompressed, in one file".into(),

@@ -1,11 +1,14 @@
 //! Triangle meshes and the files they come from.
 pub mod error;
 mod glb;
+mod lines;
 pub mod normals;
+mod number;
 mod obj;
 mod ply;
 pub mod polygons;
 mod stl;
+mod text;
 mod triangulate;
 mod warning;
 mod weld;

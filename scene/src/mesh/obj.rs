@@ -1,46 +1,107 @@
-//! Wavefront `.obj`: the lines `v`, `vn` and `f`; everything else (texture, groups, materials, lines, points) is skipped.
+//! Wavefront `.obj`: the lines `v`, `vn` and `f`; what else says how faces look or belong together (texture, groups, materials) is
+//! skipped, and geometry that is no face (lines, points, curves) is passed over with a warning.
 //!
 //! Read here and not by the `tobj` crate, whose errors do not know their line, which takes polylines (`l`) for faces,
 //! gives a corner without normal its neighbour's, and overflows on texture indices far below zero.
-use std::str::SplitWhitespace;
+use std::borrow::Cow;
 
 use glam::DVec3;
 
 use super::Mesh;
 use super::error::{Item, Located, MeshProblem};
+use super::lines::{Lines, is_blank, words};
+use super::number::number;
 use super::polygons::{Corner, Polygons};
+use super::text::unmarked;
 use super::warning::{Notices, quoted};
+
+/// Keywords of what is skipped without a word.
+const SKIPPED: [&[u8]; 19] = [
+    b"vt",
+    b"g",
+    b"o",
+    b"s",
+    b"mg",
+    b"usemtl",
+    b"mtllib",
+    b"usemap",
+    b"maplib",
+    b"bevel",
+    b"c_interp",
+    b"d_interp",
+    b"lod",
+    b"shadow_obj",
+    b"trace_obj",
+    b"vp",
+    b"cstype",
+    b"deg",
+    b"end",
+];
+
+/// Those of them whose words are names, in which a backslash is a backslash.
+const NAMES: [&[u8]; 8] = [b"g", b"o", b"usemtl", b"mtllib", b"usemap", b"maplib", b"shadow_obj", b"trace_obj"];
 
 /// Reads an `.obj` file.
 ///
 /// # Errors
-/// Text that is not UTF-8, lines that are not as the format has them, and all that [`Polygons::into_mesh`] finds.
+/// Lines that are not as the format has them, and all that [`Polygons::into_mesh`] finds.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
-    let text = std::str::from_utf8(bytes).map_err(|error| not_text(bytes, error.valid_up_to()))?;
-    let mut reader = Reader { notices, polygons: Polygons::default(), lines: Lines::default() };
-    for (index, line) in text.lines().enumerate() {
-        reader.line(index + 1, line).map_err(|problem| problem.at_line(index + 1))?;
+    let text = unmarked(bytes);
+    let mut reader = Reader { notices, polygons: Polygons::default(), places: Places::default() };
+    for (number, line) in joined_lines(&text) {
+        reader.line(number, &line).map_err(|problem| problem.at_line(number))?;
     }
-    let Reader { polygons, lines, notices } = reader;
-    let mesh = polygons.into_mesh(notices, &|item| lines.of(item));
+    let Reader { polygons, places, notices } = reader;
+    let mesh = polygons.into_mesh(notices, &|item| places.of(item));
     mesh.map_err(|at| Located { problem: as_counted_here(at.problem), ..at })
 }
 
-/// Says which line the first byte that is no UTF-8 is on.
-fn not_text(bytes: &[u8], at: usize) -> Located {
-    let lines_before = bytes[..at].iter().filter(|byte| **byte == b'\n').count();
-    MeshProblem::NotText(at).at_line(lines_before + 1)
+/// Lines without their comments, each with its number from 1; a line that ends in a backslash goes on in the next.
+fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
+    let mut numbered = Lines::new(text).map(without_comment).enumerate().peekable();
+    std::iter::from_fn(move || {
+        let (index, line) = numbered.next()?;
+        let Some(first) = continued(line) else { return Some((index + 1, Cow::Borrowed(line))) };
+        let is_name = words(line).next().is_some_and(|keyword| NAMES.contains(&keyword));
+        let mut joined = first.to_vec();
+        // A name may end in a backslash of its own, and then a line of its own follows.
+        while let Some((_, next)) = numbered.next_if(|(_, next)| !(is_name && has_keyword(next))) {
+            joined.push(b' ');
+            let goes_on = continued(next);
+            joined.extend_from_slice(goes_on.unwrap_or(next));
+            if goes_on.is_none() {
+                break;
+            }
+        }
+        Some((index + 1, Cow::Owned(joined)))
+    })
+}
+
+/// A `#` starts a comment anywhere.
+fn without_comment(line: &[u8]) -> &[u8] {
+    line.split(|&b| b == b'#').next().unwrap_or_default()
+}
+
+/// A line without the backslash at its end, if it has one.
+fn continued(line: &[u8]) -> Option<&[u8]> {
+    let end = line.iter().rposition(|b| !is_blank(b))?;
+    (line[end] == b'\\').then_some(&line[..end])
+}
+
+/// Whether a line starts with a word that says what it is.
+fn has_keyword(line: &[u8]) -> bool {
+    words(line).next().is_none_or(|word| matches!(word, b"v" | b"vn" | b"f") || SKIPPED.contains(&word))
 }
 
 /// The lines that vertices, normals and faces stand on.
 #[derive(Default)]
-struct Lines {
+struct Places {
     vertices: Vec<usize>,
     normals: Vec<usize>,
     faces: Vec<usize>,
 }
 
-impl Lines {
+impl Places {
     fn of(&self, item: Item) -> Option<usize> {
         let line = match item {
             Item::Vertex(index) => self.vertices.get(index),
@@ -64,30 +125,29 @@ fn as_counted_here(problem: MeshProblem) -> MeshProblem {
 struct Reader<'n> {
     notices: &'n mut Notices,
     polygons: Polygons,
-    lines: Lines,
+    places: Places,
 }
 
 impl Reader<'_> {
-    fn line(&mut self, number: usize, line: &str) -> Result<(), MeshProblem> {
-        // A `#` starts a comment anywhere.
-        let content = line.split('#').next().unwrap_or_default();
-        let mut words = content.split_whitespace();
+    fn line(&mut self, number: usize, line: &[u8]) -> Result<(), MeshProblem> {
+        let mut words = words(line);
         match words.next() {
-            Some("v") => {
-                self.polygons.positions.push(vector(words)?);
-                self.lines.vertices.push(number);
+            Some(b"v") => {
+                self.polygons.positions.push(position(words)?);
+                self.places.vertices.push(number);
             }
-            Some("vn") => {
-                self.polygons.normals.push(vector(words)?);
-                self.lines.normals.push(number);
+            Some(b"vn") => {
+                self.polygons.normals.push(normal(words));
+                self.places.normals.push(number);
             }
-            Some("f") => self.face(number, words)?,
+            Some(b"f") => self.face(number, words)?,
+            Some(keyword) if !SKIPPED.contains(&keyword) => self.pass_over(number, keyword),
             _ => {}
         }
         Ok(())
     }
 
-    fn face(&mut self, number: usize, words: SplitWhitespace<'_>) -> Result<(), MeshProblem> {
+    fn face<'w>(&mut self, number: usize, words: impl Iterator<Item = &'w [u8]>) -> Result<(), MeshProblem> {
         let counts = (self.polygons.positions.len(), self.polygons.normals.len());
         let corners = words.map(|word| corner(word, counts)).collect::<Result<Vec<Corner>, _>>()?;
         if corners.len() < 3 {
@@ -96,8 +156,13 @@ impl Reader<'_> {
             return Ok(());
         }
         self.polygons.push(corners);
-        self.lines.faces.push(number);
+        self.places.faces.push(number);
         Ok(())
+    }
+
+    fn pass_over(&mut self, number: usize, keyword: &[u8]) {
+        let what = quoted(keyword);
+        self.notices.add(&what, Some(number), || format!("lines {what} are passed over; only `v`, `vn` and `f` are drawn"));
     }
 }
 
@@ -106,34 +171,53 @@ fn syntax(text: String) -> MeshProblem {
 }
 
 /// The first three numbers of a line; a weight or colours after them are skipped.
-fn vector(mut words: SplitWhitespace<'_>) -> Result<DVec3, MeshProblem> {
+fn position<'w>(mut words: impl Iterator<Item = &'w [u8]>) -> Result<DVec3, MeshProblem> {
     let mut component = || {
         let word = words.next().ok_or_else(|| syntax("three numbers are needed here, the line ends early".into()))?;
-        word.parse::<f64>().map_err(|_| syntax(format!("{} is not a number", quoted(word.as_bytes()))))
+        number(word).ok_or_else(|| syntax(format!("{} is not a number", quoted(word))))
     };
     Ok(DVec3::new(component()?, component()?, component()?))
 }
 
+/// A normal; what is no number makes one that has no direction, which does no harm where no corner names it.
+fn normal<'w>(mut words: impl Iterator<Item = &'w [u8]>) -> DVec3 {
+    let mut component = || words.next().and_then(number).unwrap_or(f64::NAN);
+    DVec3::new(component(), component(), component())
+}
+
 /// A corner, `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`; texture indices are not looked at.
-fn corner(word: &str, (vertices, normals): (usize, usize)) -> Result<Corner, MeshProblem> {
-    let mut parts = word.split('/');
+fn corner(word: &[u8], (vertices, normals): (usize, usize)) -> Result<Corner, MeshProblem> {
+    let mut parts = word.split(|&b| b == b'/');
     let (vertex, _texture, normal) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
     if parts.next().is_some() {
-        return Err(syntax(format!("{} is not a corner: at most vertex/texture/normal", quoted(word.as_bytes()))));
+        return Err(syntax(format!("{} is not a corner: at most vertex/texture/normal", quoted(word))));
     }
-    let normal = normal.filter(|text| !text.is_empty()).map(|text| index(text, normals)).transpose()?;
-    Ok(Corner { vertex: index(vertex, vertices)?, normal })
+    let normal = normal.filter(|text| !text.is_empty()).map(|text| normal_index(text, normals)).transpose()?;
+    Ok(Corner { vertex: vertex_index(vertex, vertices)?, normal })
 }
 
 /// An index counted from 0, from one counted from 1, or counted back from the last with a minus sign.
-fn index(text: &str, count: usize) -> Result<u32, MeshProblem> {
-    let wrong = |why: &str| syntax(format!("{} is not an index: {why}", quoted(text.as_bytes())));
-    let number: i64 = text.parse().map_err(|_| wrong("it is not a whole number"))?;
-    let from_zero = match number {
-        0 => return Err(wrong("indices count from 1")),
-        1.. => number - 1,
-        // Counts are lengths of vectors, far below i64's end.
-        _ => (count as i64).saturating_add(number),
-    };
-    u32::try_from(from_zero).map_err(|_| wrong("nothing is there"))
+fn vertex_index(text: &[u8], count: usize) -> Result<u32, MeshProblem> {
+    let wrong = |why: &str| syntax(format!("{} is not an index: {why}", quoted(text)));
+    let index = index(text).ok_or_else(|| wrong("it is not a whole number"))?;
+    if index == 0 {
+        return Err(wrong("indices count from 1"));
+    }
+    from_zero(index, count).ok_or_else(|| wrong("nothing is there"))
+}
+
+/// As [`vertex_index`], but for one that leads nowhere there is an index that no normal has.
+fn normal_index(text: &[u8], count: usize) -> Result<u32, MeshProblem> {
+    let index = index(text).ok_or_else(|| syntax(format!("{} is not an index of a normal", quoted(text))))?;
+    Ok(from_zero(index, count).unwrap_or(u32::MAX))
+}
+
+fn index(text: &[u8]) -> Option<i64> {
+    std::str::from_utf8(text).ok()?.parse().ok()
+}
+
+fn from_zero(index: i64, count: usize) -> Option<u32> {
+    // Counts are lengths of vectors, far below i64's end.
+    let from_zero = if index > 0 { index - 1 } else { (count as i64).saturating_add(index) };
+    u32::try_from(from_zero).ok().filter(|_| index != 0)
 }

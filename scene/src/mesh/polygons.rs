@@ -9,6 +9,9 @@ use super::weld::weld;
 use super::{FARTHEST, MOST_TRIANGLES, Mesh};
 use crate::Facet;
 
+/// What becomes of a corner without a normal that can be used.
+const INSTEAD: &str = "corners that name it get the normal that the faces around their vertex make";
+
 /// A corner of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
@@ -75,9 +78,9 @@ impl Polygons {
         self.made(notices, line).map_err(|problem| Located { line: problem.item().and_then(line), problem })
     }
 
-    fn made(self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Mesh, MeshProblem> {
+    fn made(mut self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Mesh, MeshProblem> {
         self.check()?;
-        self.note_normals(notices, line);
+        self.drop_missing_normals(notices, line);
         let split = self.split(notices, line)?;
         if split.pieces.is_empty() {
             return Err(MeshProblem::Empty);
@@ -88,30 +91,36 @@ impl Polygons {
         Ok(self.with_normals(split))
     }
 
+    /// Leaves out the normals that corners name and that are not there or have no direction, so that those corners get the normal
+    /// that the faces around their vertex make.
+    pub(super) fn drop_missing_normals(&mut self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) {
+        let count = self.normals.len();
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        for (face, (start, &end)) in starts.zip(&self.ends).enumerate() {
+            for corner in &mut self.corners[start..end] {
+                let Some(index) = corner.normal.map(|normal| normal as usize) else { continue };
+                match self.normals.get(index) {
+                    Some(&normal) if direction_of_any_length(normal).is_some() => continue,
+                    Some(normal) => notices.add("normal without direction", line(Item::Normal(index)), || {
+                        format!("a normal is {normal}, which is no direction; {INSTEAD}")
+                    }),
+                    None => notices.add("no such normal", line(Item::Face(face)), || {
+                        format!("a face names a normal that is not among the {count} of the file; {INSTEAD}")
+                    }),
+                }
+                corner.normal = None;
+            }
+        }
+    }
+
+    /// Checks what faces name; vertices that none names may be anything.
     fn check(&self) -> Result<(), MeshProblem> {
-        check_vectors("vertex", &self.positions)?;
-        check_vectors("normal", &self.normals)?;
         for (face, corners) in self.faces().enumerate() {
             for corner in corners {
-                check_index(face, "vertex", corner.vertex, self.positions.len())?;
-                if let Some(normal) = corner.normal {
-                    check_index(face, "normal", normal, self.normals.len())?;
-                }
+                check_vertex(face, corner.vertex, &self.positions)?;
             }
         }
         Ok(())
-    }
-
-    /// Notes the normals that corners name and that have no direction: there the vertex's shared normal is taken.
-    fn note_normals(&self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) {
-        for corner in &self.corners {
-            let Some(index) = corner.normal.map(|normal| normal as usize) else { continue };
-            if direction_of_any_length(self.normals[index]).is_none() {
-                notices.add("normal without direction", line(Item::Normal(index)), || {
-                    "a normal has no direction; it is made from the faces around its vertex instead".into()
-                });
-            }
-        }
     }
 
     /// All faces split into triangles.
@@ -221,16 +230,12 @@ fn direction_of_any_length(normal: DVec3) -> Option<DVec3> {
     if largest > 0.0 { direction(normal / largest) } else { None }
 }
 
-fn check_vectors(what: &'static str, vectors: &[DVec3]) -> Result<(), MeshProblem> {
+fn check_vertex(face: usize, index: u32, positions: &[DVec3]) -> Result<(), MeshProblem> {
+    let missing = || MeshProblem::Index { face, what: "vertex", index, count: positions.len() };
+    let position = positions.get(index as usize).ok_or_else(missing)?;
     let wrong = |x: &f64| x.is_nan() || x.abs() > FARTHEST;
-    for (index, vector) in vectors.iter().enumerate() {
-        if let Some(&value) = vector.to_array().iter().find(|x| wrong(x)) {
-            return Err(MeshProblem::Coordinate { what, index, value });
-        }
+    match position.to_array().into_iter().find(wrong) {
+        Some(value) => Err(MeshProblem::Coordinate { what: "vertex", index: index as usize, value }),
+        None => Ok(()),
     }
-    Ok(())
-}
-
-fn check_index(face: usize, what: &'static str, index: u32, count: usize) -> Result<(), MeshProblem> {
-    if (index as usize) < count { Ok(()) } else { Err(MeshProblem::Index { face, what, index, count }) }
 }

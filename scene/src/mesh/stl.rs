@@ -1,37 +1,49 @@
-//! `.stl`, binary and text, through the `stl_io` crate.
+//! `.stl`, binary and text.
 //!
-//! Its triangles share no vertices, so the caller joins them. The normals it states are left aside: they are those of the
-//! faces, and many programs write zeros.
-use std::io::{Cursor, Read, Seek, SeekFrom};
-
+//! Its triangles share no vertices, so those at the same place are joined. The normals it states are left aside: they are those
+//! of the faces, and many programs write zeros. Read here and not by the `stl_io` crate, which reads one `solid` of a text,
+//! written in small letters (docs/decisions/0015-stl-files-are-read-by-our-own-code.md).
 use glam::DVec3;
-use stl_io::{Triangle, create_stl_reader};
 
-use super::Mesh;
 use super::error::{Located, MeshProblem};
+use super::lines::{Lines, is_blank, words};
+use super::number::number;
 use super::polygons::{Corner, Polygons};
-use super::warning::Notices;
+use super::text::unmarked;
+use super::warning::{Notices, quoted};
+use super::{FARTHEST, Mesh};
 
 /// Bytes before the first triangle of a binary file: a comment of 80 bytes and the number of triangles.
 const HEADER: usize = 84;
 
-/// Bytes a triangle takes in a binary file.
+/// Bytes a triangle takes in a binary file: normal and three vertices of three floats each, and two bytes for anything.
 const TRIANGLE: usize = 50;
+
+/// Bytes at the start of a file that tell text from binary.
+const BEGINNING: usize = 1024;
 
 /// Reads an `.stl` file.
 ///
 /// # Errors
 /// A file that is neither kind of `.stl`, ends early, or has a wrong line.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
-    let polygons = if is_text(bytes) { parse_text(bytes)? } else { parse_binary(bytes)? };
+    let text = unmarked(bytes);
+    let polygons =
+        if !is_whole_binary(bytes) && is_text(&text) { Text::new(&text, notices).read()? } else { parse_binary(bytes, notices)? };
     polygons.welded().into_mesh(notices, &|_| None)
 }
 
-/// Whether a file is of the text kind: it starts with `solid` and its length is not what a binary header says, since some
-/// programs start binary files with `solid` too.
-fn is_text(bytes: &[u8]) -> bool {
-    let binary_length = stated_triangles(bytes).and_then(binary_length);
-    bytes.starts_with(b"solid") && binary_length != Some(bytes.len())
+/// Whether the triangles that a binary header states fit into the file. In a text up to the longest that is read, they never do.
+fn is_whole_binary(bytes: &[u8]) -> bool {
+    stated_triangles(bytes).and_then(binary_length).is_some_and(|length| length <= bytes.len())
+}
+
+/// Whether a file looks like text: no control characters at its beginning but blanks, and a line that opens a solid or a facet.
+fn is_text(text: &[u8]) -> bool {
+    let beginning = &text[..text.len().min(BEGINNING)];
+    let plain = |b: &u8| !b.is_ascii_control() || b.is_ascii_whitespace() || matches!(b, 0x0b | 0x1a);
+    let opens = |line: &[u8]| words(line).next().is_some_and(|word| is(word, "solid") || is(word, "facet"));
+    beginning.iter().all(plain) && Lines::new(beginning).any(opens)
 }
 
 fn binary_length(triangles: usize) -> Option<usize> {
@@ -44,111 +56,176 @@ fn stated_triangles(bytes: &[u8]) -> Option<usize> {
     Some(u32::from_le_bytes(count) as usize)
 }
 
-fn parse_binary(bytes: &[u8]) -> Result<Polygons, MeshProblem> {
+fn parse_binary(bytes: &[u8], notices: &mut Notices) -> Result<Polygons, MeshProblem> {
     let short = || MeshProblem::Truncated(format!("a binary .stl has {HEADER} bytes before its first triangle"));
     let triangles = stated_triangles(bytes).ok_or_else(short)?;
     let needed = binary_length(triangles).unwrap_or(usize::MAX);
-    if needed > bytes.len() {
+    let Some(content) = bytes.get(HEADER..needed) else {
         let text = format!("its header states {triangles} triangles, {needed} bytes; the file has {}", bytes.len());
         return Err(MeshProblem::Truncated(text));
-    }
-    // The comment is blanked so that the crate does not take `solid` in it for the text kind.
-    let mut blanked = Cursor::new([0; HEADER - 4]).chain(&bytes[HEADER - 4..]);
-    let mut whole = Vec::with_capacity(bytes.len());
-    blanked.read_to_end(&mut whole).map_err(|e| MeshProblem::Unreadable(e.to_string()))?;
-    collect(&mut Cursor::new(whole))
-}
-
-fn parse_text(bytes: &[u8]) -> Result<Polygons, Located> {
-    let mut lines = LineByLine::new(bytes);
-    collect(&mut lines).map_err(|problem| {
-        let number = lines.line.max(1);
-        quoting(problem, bytes, number).at_line(number)
-    })
-}
-
-/// Adds the line to what is wrong with it, which the crate does not always do.
-fn quoting(problem: MeshProblem, bytes: &[u8], number: usize) -> MeshProblem {
-    let line = bytes.split(|b| *b == b'\n').nth(number - 1).unwrap_or_default();
-    match problem {
-        MeshProblem::Syntax(text) => {
-            let start: String = String::from_utf8_lossy(line).trim().chars().take(60).collect();
-            MeshProblem::Syntax(format!("{text}, in `{start}`"))
-        }
-        other => other,
-    }
-}
-
-fn collect<R: Read + Seek>(source: &mut R) -> Result<Polygons, MeshProblem> {
-    let problem = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::UnexpectedEof => MeshProblem::Truncated(error.to_string()),
-        _ => MeshProblem::Syntax(error.to_string()),
     };
+    if bytes.len() > needed {
+        let text = || format!("{} bytes behind the last triangle are passed over", bytes.len() - needed);
+        notices.add("bytes behind the end", None, text);
+    }
     let mut polygons = Polygons::default();
-    for triangle in create_stl_reader(source).map_err(problem)? {
-        push(&mut polygons, &triangle.map_err(problem)?);
+    for triangle in content.as_chunks::<TRIANGLE>().0 {
+        // The first of four vectors is the normal.
+        let vectors = triangle.as_chunks::<4>().0.as_chunks::<3>().0;
+        let vertices = vectors[1..4].iter().map(|v| DVec3::from_array(v.map(|x| f64::from(f32::from_le_bytes(x)))));
+        push(&mut polygons, vertices);
     }
     Ok(polygons)
 }
 
-fn push(polygons: &mut Polygons, triangle: &Triangle) {
-    // At most 2^30 bytes are read, at 50 bytes a triangle: indices fit.
+/// Adds a face with vertices of its own.
+fn push(polygons: &mut Polygons, vertices: impl IntoIterator<Item = DVec3>) {
+    // At most 2^30 bytes are read, and a vertex takes 12 of them or more: indices fit.
     let first = polygons.positions.len() as u32;
-    polygons.positions.extend(triangle.vertices.iter().map(|v| DVec3::from_array(v.0.map(f64::from))));
-    polygons.push((first..first + 3).map(|vertex| Corner { vertex, normal: None }));
+    polygons.positions.extend(vertices);
+    let end = polygons.positions.len() as u32;
+    polygons.push((first..end).map(|vertex| Corner { vertex, normal: None }));
 }
 
-/// Hands out one line at a time, so that the line a parser is at is known although the parser does not tell.
-///
-/// A name is put after a bare `solid`, which the crate asks for and the format does not.
-struct LineByLine<'a> {
-    bytes: &'a [u8],
-    position: usize,
-    /// The line handed out last, counted from 1.
+/// A text that is being read, word by word: `solid`, `facet normal x y z`, `outer loop`, `vertex x y z` three times, `endloop`,
+/// `endfacet`, and so on to `endsolid`, in small letters or capitals, and all that as often as there are solids.
+struct Text<'a> {
+    rest: &'a [u8],
+    /// The line that `rest` starts in, counted from 1.
     line: usize,
-    /// What is still to come of the name put in.
-    inserted: &'static [u8],
+    notices: &'a mut Notices,
+    polygons: Polygons,
 }
 
-impl<'a> LineByLine<'a> {
-    fn new(bytes: &'a [u8]) -> LineByLine<'a> {
-        LineByLine { bytes, position: 0, line: 0, inserted: b"" }
+impl<'a> Text<'a> {
+    fn new(text: &'a [u8], notices: &'a mut Notices) -> Text<'a> {
+        Text { rest: text, line: 1, notices, polygons: Polygons::default() }
     }
 
-    /// Bytes to the end of the current line, or of the word `solid` if a name has to follow it.
-    fn rest_of_line(&self) -> &'a [u8] {
-        let rest = &self.bytes[self.position..];
-        if self.position == 0 && rest.get("solid".len()).is_none_or(|b| *b != b' ') {
-            return &rest[.."solid".len().min(rest.len())];
+    fn read(mut self) -> Result<Polygons, Located> {
+        let mut is_open = false;
+        while let Some(word) = self.word() {
+            match keyword(word) {
+                Some(word @ ("solid" | "endsolid")) => {
+                    is_open = word == "solid";
+                    self.skip_name();
+                }
+                Some("facet") => self.facet()?,
+                Some(_) => return Err(self.unexpected("`facet` or `endsolid`", Some(word))),
+                None => {
+                    let text = || format!("{} is none of the words of a text .stl; its line is passed over", quoted(word));
+                    self.notices.add("unknown word", Some(self.line), text);
+                    self.skip_line();
+                }
+            }
         }
-        let end = rest.iter().position(|b| *b == b'\n').map_or(rest.len(), |at| at + 1);
-        &rest[..end]
+        if is_open { Err(self.unexpected("`facet` or `endsolid`", None)) } else { Ok(self.polygons) }
+    }
+
+    /// What follows the word `facet`, to its end.
+    fn facet(&mut self) -> Result<(), Located> {
+        let line = self.line;
+        self.skip_normal();
+        self.expect("outer")?;
+        self.expect("loop")?;
+        let mut vertices = Vec::with_capacity(3);
+        loop {
+            let word = self.word();
+            match word.and_then(keyword) {
+                Some("vertex") => vertices.push(self.vertex()?),
+                Some("endloop") => break,
+                None if !vertices.is_empty() && word.and_then(number).is_some() => {
+                    let text = || "numbers behind a vertex's third are passed over".into();
+                    self.notices.add("fourth number", Some(self.line), text);
+                }
+                _ if vertices.len() < 3 => return Err(self.unexpected("`vertex`", word)),
+                _ => return Err(self.unexpected("`endloop`", word)),
+            }
+        }
+        self.expect("endfacet")?;
+        if vertices.len() < 3 {
+            let text = || format!("a facet has {} vertices, fewer than three; it is left out", vertices.len());
+            self.notices.add("short facet", Some(line), text);
+        }
+        push(&mut self.polygons, vertices);
+        Ok(())
+    }
+
+    /// Skips `normal` and the words for its numbers, whatever they are.
+    fn skip_normal(&mut self) {
+        let mut ahead = (self.rest, self.line);
+        for _ in 0..4 {
+            match self.word().and_then(keyword) {
+                Some("normal") | None => ahead = (self.rest, self.line),
+                Some(_) => break,
+            }
+        }
+        (self.rest, self.line) = ahead;
+    }
+
+    fn vertex(&mut self) -> Result<DVec3, Located> {
+        let mut coordinate = || {
+            let word = self.word();
+            let value = word.and_then(number).filter(|x| x.abs() <= FARTHEST);
+            value.ok_or_else(|| self.unexpected("a finite number", word))
+        };
+        Ok(DVec3::new(coordinate()?, coordinate()?, coordinate()?))
+    }
+
+    fn expect(&mut self, wanted: &str) -> Result<(), Located> {
+        let word = self.word();
+        if word.is_some_and(|word| is(word, wanted)) {
+            return Ok(());
+        }
+        Err(self.unexpected(&format!("`{wanted}`"), word))
+    }
+
+    fn unexpected(&self, wanted: &str, word: Option<&[u8]>) -> Located {
+        let problem = match word {
+            Some(word) => MeshProblem::Syntax(format!("{wanted} is expected here, not {}", quoted(word))),
+            None => MeshProblem::Truncated(format!("{wanted} is expected here")),
+        };
+        problem.at_line(self.line)
+    }
+
+    /// The next word; at the end, what is left is left as it is, and `line` stays that of the last word.
+    fn word(&mut self) -> Option<&'a [u8]> {
+        let start = self.rest.iter().position(|b| !is_blank(b))?;
+        let (blanks, rest) = self.rest.split_at(start);
+        // A CR before an LF ends no line: the LF does.
+        let ends = |k: &usize| blanks[*k] == b'\n' || blanks[*k] == b'\r' && blanks.get(k + 1) != Some(&b'\n');
+        self.line += (0..start).filter(ends).count();
+        let length = rest.iter().position(is_blank).unwrap_or(rest.len());
+        let (word, behind) = rest.split_at(length);
+        self.rest = behind;
+        Some(word)
+    }
+
+    /// Skips a solid's name, which may be anything, to the line's end or to where the line opens a facet.
+    fn skip_name(&mut self) {
+        let line = Lines::new(self.rest).next().unwrap_or_default();
+        let opens_facet = |at: &usize| {
+            let mut words = words(&line[*at..]);
+            words.next().is_some_and(|word| is(word, "facet")) && words.next().is_some_and(|word| is(word, "normal"))
+        };
+        let ends = (0..line.len()).filter(|&at| is_blank(&line[at])).find(opens_facet);
+        self.rest = &self.rest[ends.unwrap_or(line.len())..];
+    }
+
+    fn skip_line(&mut self) {
+        let line = Lines::new(self.rest).next().unwrap_or_default();
+        self.rest = &self.rest[line.len()..];
     }
 }
 
-impl Read for LineByLine<'_> {
-    fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
-        if !self.inserted.is_empty() {
-            return self.inserted.read(out);
-        }
-        let line = self.rest_of_line();
-        let starts = self.position == 0 || self.bytes[self.position - 1] == b'\n';
-        self.line += usize::from(starts && !line.is_empty());
-        let read = (&mut &*line).read(out)?;
-        self.position += read;
-        if line == b"solid" {
-            self.inserted = b" ";
-        }
-        Ok(read)
-    }
+/// The words that a text is made of.
+const KEYWORDS: [&str; 9] = ["solid", "facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "endsolid"];
+
+/// Which of [`KEYWORDS`] a word is, in small letters or capitals.
+fn keyword(word: &[u8]) -> Option<&'static str> {
+    KEYWORDS.into_iter().find(|known| is(word, known))
 }
 
-impl Seek for LineByLine<'_> {
-    fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
-        match to {
-            SeekFrom::Start(0) => *self = LineByLine::new(self.bytes),
-            _ => return Err(std::io::Error::other("only the start can be gone back to")),
-        }
-        Ok(0)
-    }
+fn is(word: &[u8], known: &str) -> bool {
+    word.eq_ignore_ascii_case(known.as_bytes())
 }

@@ -1,4 +1,6 @@
 //! Splitting polygons into triangles, by the `i_triangle` crate (docs/decisions/0012-polygons-are-split-by-a-sweep.md).
+use std::collections::BTreeMap;
+
 use glam::DVec3;
 use i_triangle::i_overlay::core::fill_rule::FillRule;
 use i_triangle::i_overlay::i_float::int::point::IntPoint;
@@ -163,19 +165,17 @@ impl Ring {
         let validation = Validation::with_fill_rule(FillRule::EvenOdd);
         let found: IntTriangulation<i64, u32> = self.places.custom_triangulate(validation).into_triangulation();
         let named = Named::new(self);
-        let mut crossings = Vec::new();
-        let mut crossing_of = vec![None; found.points.len()];
+        // The sweep states a crossing once for each of the parts that meet there.
+        let (mut crossings, mut known) = (Vec::new(), BTreeMap::new());
         let mut area = 0;
         let mut triangles = Vec::with_capacity(found.indices.len() / 3);
         for &[a, b, c] in found.indices.as_chunks::<3>().0 {
             let twice_area = turn(found.points[a as usize], found.points[b as usize], found.points[c as usize]);
             area += twice_area.abs();
-            let triangle = if twice_area < 0 { [a, c, b] } else { [a, b, c] }.map(|k| k as usize);
-            let places = triangle.map(|k| found.points[k]);
-            triangles.push(triangle.map(|k| {
-                let place = found.points[k];
+            let places = if twice_area < 0 { [a, c, b] } else { [a, b, c] }.map(|k| found.points[k as usize]);
+            triangles.push(places.map(|place| {
                 named.corner(place, places).unwrap_or_else(|| {
-                    *crossing_of[k].get_or_insert_with(|| {
+                    *known.entry((place.x, place.y)).or_insert_with(|| {
                         crossings.push(plane.point(place));
                         corners + crossings.len() - 1
                     })

@@ -30,6 +30,11 @@ impl Default for Camera {
 }
 
 impl Camera {
+    /// Whether it takes place and scale of the picture from the objects.
+    pub fn frames_objects(&self) -> bool {
+        self.target.is_none() && self.height.is_none()
+    }
+
     /// The rotation from world to view space; `None` if `up` points along `direction` or either has no direction.
     pub fn rotation(&self) -> Option<DMat3> {
         let backward = unit(self.direction)?;
@@ -75,6 +80,15 @@ impl Window {
         let needed = (half.y / height).max(half.x / width) * 2.0 / FILLED;
         let pixel = camera.height.map_or(needed, |units| units / height);
         (pixel > 0.0 && pixel.is_finite()).then_some(Window { centre, pixel })
+    }
+
+    /// The window moved by half a pixel at most in either direction, so that a point of view space is at the middle of a pixel.
+    pub fn with_on_a_pixel(self, point: DVec3, size: (u32, u32)) -> Window {
+        let [x, y] = self.place(point, size);
+        let middle = |at: f64, pixels: u32| (at.floor() + 0.5).clamp(0.5, f64::from(pixels) - 0.5);
+        let right = (x - middle(x, size.0)) * self.pixel;
+        let up = (middle(y, size.1) - y) * self.pixel;
+        Window { centre: self.centre + DVec3::new(right, up, 0.0), ..self }
     }
 
     /// Where a point of view space is in a picture of `size`, in pixels from its top left corner.

@@ -143,12 +143,7 @@ impl Scene {
         let seen: Vec<Seen<'_>> = self.objects.iter().map(|object| Seen::new(object, rotation)).collect();
         let bounds = bounds(&seen).ok_or(PictureError::NothingVisible)?;
         let window = Window::new(&self.camera, rotation, bounds, self.size).ok_or(PictureError::NoExtent)?;
-        let (names, projected) = self.project(&seen, &window)?;
-        let spans = visible_spans(&projected, self.size.0, self.size.1);
-        if spans.is_empty() {
-            return Err(PictureError::NothingVisible);
-        }
-        let (kept, spans) = keep_visible(spans, &names);
+        let (window, (kept, spans)) = self.visible(&seen, window)?;
         let fans: Vec<Fans> = seen.iter().enumerate().map(|(object, seen)| seen.fans(object, &kept)).collect();
         let triangles = kept.iter().map(|&name| seen[name.object].triangle(name, &fans[name.object])).collect();
         let view = View { rotation, centre: window.centre };
@@ -164,6 +159,27 @@ impl Scene {
             triangles,
             spans,
         })
+    }
+
+    /// The triangles that can be seen and their spans, with the window that shows them.
+    ///
+    /// Where a camera that frames the objects itself shows none, since they lie between the middles of pixels as in pictures a
+    /// pixel or two wide, the window is moved until the largest triangle is on one.
+    fn visible(&self, seen: &[Seen<'_>], window: Window) -> Result<(Window, Visible), PictureError> {
+        if let Some(visible) = self.visible_in(seen, &window)? {
+            return Ok((window, visible));
+        }
+        let largest = self.camera.frames_objects().then(|| middle_of_largest(seen)).flatten();
+        let moved = window.with_on_a_pixel(largest.ok_or(PictureError::NothingVisible)?, self.size);
+        let visible = self.visible_in(seen, &moved)?.ok_or(PictureError::NothingVisible)?;
+        Ok((moved, visible))
+    }
+
+    /// What a window shows, if anything.
+    fn visible_in(&self, seen: &[Seen<'_>], window: &Window) -> Result<Option<Visible>, PictureError> {
+        let (names, projected) = self.project(seen, window)?;
+        let spans = visible_spans(&projected, self.size.0, self.size.1);
+        Ok((!spans.is_empty()).then(|| keep_visible(spans, &names)))
     }
 
     /// The surfaces that objects stand for, where known: one for each material of the [`Frame`]. None if the camera cannot see.
@@ -264,6 +280,9 @@ struct Name {
     triangle: usize,
 }
 
+/// The triangles that can be seen, and the spans that name them.
+type Visible = (Vec<Name>, Vec<Span>);
+
 /// An object in view space.
 struct Seen<'a> {
     object: &'a Object,
@@ -359,6 +378,15 @@ pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
 fn direction_of(normal: DVec3) -> Option<DVec3> {
     let largest = normal.abs().max_element();
     if largest > 0.0 { direction(normal / largest) } else { None }
+}
+
+/// The middle of the triangle that the camera sees largest.
+fn middle_of_largest(seen: &[Seen<'_>]) -> Option<DVec3> {
+    let corners = |seen: &Seen<'_>, triangle: &[u32; 3]| triangle.map(|k| seen.positions[k as usize]);
+    let all = seen.iter().flat_map(|seen| seen.object.mesh.triangles.iter().map(move |t| corners(seen, t)));
+    let area = |&[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a).z.abs();
+    let largest = all.max_by(|a, b| area(a).total_cmp(&area(b)))?;
+    Some(largest.iter().sum::<DVec3>() / 3.0)
 }
 
 /// The smallest and largest coordinates of all corners, if there are any.

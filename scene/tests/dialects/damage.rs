@@ -8,11 +8,16 @@ use serde_json::{Value, json};
 use specula_scene::mesh::Mesh;
 
 use crate::glb_files::{self, Glb};
-use crate::ply_files;
 use crate::shape::wedge;
+use crate::{obj_files, ply_files, stl_files};
 
 fn seeds() -> Vec<(String, Vec<u8>)> {
-    [glb_files::dialects(&wedge()), ply_files::dialects(&wedge())].concat()
+    [glb_files::dialects(&wedge()), texts()].concat()
+}
+
+/// Seeds of formats that are, or may be, text.
+fn texts() -> Vec<(String, Vec<u8>)> {
+    [obj_files::dialects(&wedge()), ply_files::dialects(&wedge()), stl_files::dialects(&wedge())].concat()
 }
 
 fn try_to_read(name: &str, bytes: &[u8]) {
@@ -100,8 +105,13 @@ fn wrong_words_in_text_do_not_panic() {
         "double",
         "vertex_indices",
         "end_header\n",
+        "\\\n",
+        "endloop",
+        "solid",
+        "v",
+        "1//0",
     ];
-    for (name, bytes) in ply_files::dialects(&wedge()) {
+    for (name, bytes) in texts() {
         let is_blank = |k: &usize| bytes[*k].is_ascii_whitespace();
         let ends: Vec<usize> = (0..bytes.len()).filter(is_blank).collect();
         for word in ends.windows(2) {

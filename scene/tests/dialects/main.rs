@@ -1,15 +1,21 @@
-//! `.glb` and `.ply` files in the dialects of many programs: each gives the mesh and the picture of
+//! Mesh files in the dialects of many programs: each gives the mesh and the picture of
 //! the plain file, and none that is damaged brings anything down.
 #[path = "../common/glb_files.rs"]
 mod glb_files;
+#[path = "../common/obj_files.rs"]
+mod obj_files;
 #[path = "../common/ply_files.rs"]
 mod ply_files;
 #[path = "../common/shape.rs"]
 mod shape;
+#[path = "../common/stl_files.rs"]
+mod stl_files;
 
 mod damage;
 mod glb;
+mod obj;
 mod ply;
+mod stl;
 
 use std::fs;
 use std::path::Path;

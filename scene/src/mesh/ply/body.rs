@@ -1,8 +1,8 @@
 //! What follows the header, element by element, in text or binary.
 use super::header::{Element, Encoding, Property, Scalar};
-use super::lines::{Lines, Words, words};
-use super::number::{number, single, whole};
 use crate::mesh::error::{Located, MeshProblem};
+use crate::mesh::lines::{Lines, Words, words};
+use crate::mesh::number::{number, single, whole};
 use crate::mesh::warning::{Notices, quoted};
 
 /// Hands out the numbers of elements in the order in which they are written.

@@ -1,6 +1,6 @@
 //! The header of a `.ply` file: which elements follow, and what each is made of.
-use super::lines::{LineEnd, Lines, Words, words};
 use crate::mesh::error::{Located, MeshProblem};
+use crate::mesh::lines::{LineEnd, Lines, Words, words};
 use crate::mesh::warning::quoted;
 
 /// How the elements behind the header are written.

@@ -2,8 +2,6 @@
 mod body;
 mod content;
 mod header;
-mod lines;
-mod number;
 
 use body::{Binary, Body, Text};
 use content::Content;

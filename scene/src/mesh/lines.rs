@@ -87,8 +87,9 @@ pub fn words(line: &[u8]) -> Words<'_> {
     Words { rest: line }
 }
 
-fn is_blank(byte: &u8) -> bool {
-    matches!(byte, b' ' | b'\t' | b'\n' | b'\r' | 0x0b | 0x0c)
+/// Whether a byte stands between words: a blank, or a control character such as the one that ends texts of DOS.
+pub fn is_blank(byte: &u8) -> bool {
+    *byte <= b' '
 }
 
 impl<'a> Iterator for Words<'a> {
