@@ -1,0 +1,287 @@
+//! How far a core may be from exact shading: the rounding of its formats, and what its method is documented to be off by.
+//!
+//! Each law is the paper's, or NUMERICS.md's, of a pixel of a span: geometry alone, and not the method's own arithmetic. `docs/extremes.md` has
+//! them in words ([`Reason::text`]).
+mod lobe;
+mod normal;
+mod place;
+mod reason;
+
+use glam::DVec3;
+use specula_scene::spec::consistent::{Diffuse, LARGEST_GAIN_BITS};
+use specula_scene::spec::direct::Root;
+use specula_scene::spec::gouraud::Interpolation;
+use specula_scene::spec::lyon::Difference;
+use specula_scene::spec::phong::Places;
+use specula_scene::spec::{FULL_SCALE, LyonSpec, Viewpoint, consistent, duff, phong, reflection};
+use specula_scene::{CoreSpec, Frame, MethodSpec, Span};
+
+use lobe::{chord, power_moved, power_turned, shape_moved, shape_off};
+use normal::{Normal, Pixel};
+use place::{Direction, Directions};
+pub use reason::Reason;
+
+/// Errors up to this many LSBs need no reason: half of one is the rounding to 8 bits.
+pub const EXACT: f64 = 1.0;
+
+/// A normal shorter than this has no direction.
+const NO_LENGTH: f64 = 1e-6;
+/// Of normals shorter than this nothing is promised where nothing is proven: those of spans of more than 120 degrees.
+const SHORT: f64 = 0.5;
+
+/// What one pixel may be off by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// In LSBs, for each channel.
+    pub lsb: [f64; 3],
+    /// Why it is more than [`EXACT`].
+    pub reasons: Vec<Reason>,
+}
+
+/// What the formats of a core may be off by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rounding {
+    /// The proven bound in LSBs; 255 and more is none.
+    pub bound: f64,
+    /// What the row says of a core without one.
+    pub figure: Option<f64>,
+}
+
+/// Limits along a span.
+pub struct Limits<'a> {
+    spec: &'a CoreSpec,
+    frame: &'a Frame,
+    span: &'a Span,
+    rounding: Rounding,
+    /// Largest difference of f_k from the power, if there is one.
+    shape: f64,
+    /// What has come of the pixels before, where the method goes by them: [`normal::lags`] of chained normals, [`normal::roots`] of Newton's.
+    walked: Vec<f64>,
+}
+
+/// What of a light's share may be off, each 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Off {
+    diffuse: f64,
+    specular: f64,
+}
+
+const ALL: Off = Off { diffuse: 1.0, specular: 1.0 };
+
+impl<'a> Limits<'a> {
+    /// Sets up a span.
+    pub fn new(spec: &'a CoreSpec, frame: &'a Frame, span: &'a Span, rounding: Rounding) -> Limits<'a> {
+        let n = frame.material(span).shininess;
+        let (shape, walked) = match &spec.method {
+            MethodSpec::Lyon(lyon) => (shape_off(n, lyon.squarings), normal::lags(frame, span, lyon)),
+            MethodSpec::Direct(direct) if direct.root == Root::Newton => (0.0, normal::roots(frame, span, direct.newton_steps)),
+            _ => (0.0, Vec::new()),
+        };
+        Limits { spec, frame, span, rounding, shape, walked }
+    }
+
+    /// Of pixel `i`.
+    pub fn at(&self, i: u32) -> Limit {
+        let normal = self.frame.normal_at(self.span, self.span.weights(i));
+        let lights = self.frame.light_colours().count();
+        let mut reasons = Vec::new();
+        let offs = match normal.try_normalize().filter(|_| normal.length() > NO_LENGTH) {
+            Some(truth) => self.offs(i, truth, &mut reasons),
+            None => {
+                reasons.push(Reason::NoNormal);
+                vec![ALL; lights]
+            }
+        };
+        let rounding = self.rounding(i, &mut reasons);
+        let material = self.frame.material(self.span);
+        let of_light = |off: &Off, colour: f64, c: usize| {
+            colour * (material.diffuse[c] * off.diffuse.min(1.0) + material.specular[c] * off.specular.min(1.0))
+        };
+        let of_channel = |c: usize| {
+            let off: f64 = offs.iter().zip(self.frame.light_colours()).map(|(off, colour)| of_light(off, colour[c], c)).sum();
+            (rounding + FULL_SCALE * off).min(FULL_SCALE)
+        };
+        reasons.sort_unstable();
+        reasons.dedup();
+        Limit { lsb: std::array::from_fn(of_channel), reasons }
+    }
+
+    /// What the formats may be off by at pixel `i`, in LSBs.
+    fn rounding(&self, i: u32, reasons: &mut Vec<Reason>) -> f64 {
+        let Rounding { bound, figure } = self.rounding;
+        if bound < FULL_SCALE {
+            reasons.extend((bound > EXACT).then_some(Reason::Rounding));
+            return bound.max(EXACT);
+        }
+        if let Some(figure) = figure {
+            reasons.push(Reason::ShortFormats);
+            return figure;
+        }
+        let pixel = self.pixel(i, DVec3::ZERO);
+        if pixel.chord().length().min(pixel.interpolated().length()) < SHORT {
+            reasons.push(Reason::ShortNormal);
+            return FULL_SCALE;
+        }
+        EXACT
+    }
+
+    fn pixel(&self, i: u32, truth: DVec3) -> Pixel<'_> {
+        Pixel { frame: self.frame, span: self.span, i, truth, walked: &self.walked }
+    }
+
+    /// What may be off of each light at a pixel with a normal.
+    fn offs(&self, i: u32, truth: DVec3, reasons: &mut Vec<Reason>) -> Vec<Off> {
+        let pixel = self.pixel(i, truth);
+        let directions = self.directions(i, reasons);
+        let specular_alike = self.has_phongs_lobe(&pixel, reasons);
+        let one = |(light, direction): (usize, &Direction)| {
+            let Direction::Off { turn, share } = *direction else { return ALL };
+            let Direction::Off { turn: turn_of_view, .. } = directions.view else { return ALL };
+            let here = self.off(&pixel, light, reasons);
+            let n = self.n();
+            Off {
+                diffuse: here.diffuse + chord(turn) + share,
+                specular: if specular_alike { here.specular + power_turned(turn + turn_of_view, n) + share } else { 1.0 },
+            }
+        };
+        directions.lights.iter().enumerate().map(one).collect()
+    }
+
+    fn n(&self) -> u32 {
+        self.frame.material(self.span).shininess
+    }
+
+    /// Directions to lights and eye, as the method has them.
+    fn directions(&self, i: u32, reasons: &mut Vec<Reason>) -> Directions {
+        if self.frame.directions_are_constant() {
+            return Directions::exact(self.frame);
+        }
+        match (&self.spec.method, self.spec.places_seen_from()) {
+            (MethodSpec::Phong(phong), _) if phong.places == Places::Wrapped => {
+                reasons.push(Reason::WrappedPlaces);
+                Directions::wrapped(self.frame, self.span, i)
+            }
+            (_, Viewpoint::Span) => {
+                reasons.push(Reason::Middle);
+                Directions::of_the_middle(self.frame, self.span, i)
+            }
+            // What Gouraud's vertices see is among his own limits.
+            (_, Viewpoint::Pixel | Viewpoint::Vertex) => Directions::exact(self.frame),
+        }
+    }
+
+    /// Whether the highlight is meant to be max(R·L, 0)^n of some normal.
+    fn has_phongs_lobe(&self, pixel: &Pixel, reasons: &mut Vec<Reason>) -> bool {
+        let (is_phongs, reason) = match &self.spec.method {
+            MethodSpec::Lyon(lyon) => {
+                (matches!(lyon.difference, Difference::ReflectionMinusLight | Difference::LightReflection), Reason::Lobe)
+            }
+            MethodSpec::Phong(phong) => (phong.highlight == phong::Highlight::Reflection, Reason::Lobe),
+            MethodSpec::Duff(duff) => (duff.specular != duff::Highlight::Blinn, Reason::Lobe),
+            MethodSpec::Reflection(spec) => (spec.specular != reflection::Highlight::Blinn, Reason::Lobe),
+            MethodSpec::Consistent(spec) if spec.highlight == consistent::Highlight::Blinn => (false, Reason::Lobe),
+            MethodSpec::Consistent(_) => (self.is_flat_around(pixel), Reason::Consistent),
+            MethodSpec::Gouraud(_) => (false, Reason::Vertices),
+            MethodSpec::Hybrid(_) | MethodSpec::Slerp(_) | MethodSpec::Direct(_) => (true, Reason::Lobe),
+        };
+        reasons.extend((!is_phongs).then_some(reason));
+        is_phongs
+    }
+
+    /// Whether consistent normals are the plain ones: no face around the triangle's vertices has another normal than they.
+    fn is_flat_around(&self, pixel: &Pixel) -> bool {
+        self.frame.triangles[pixel.span.triangle].cones.iter().all(|cone| cone.cosine >= 1.0)
+    }
+
+    /// What a method's normals, or what it takes instead, leave off of light number `light`.
+    fn off(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> Off {
+        match &self.spec.method {
+            MethodSpec::Lyon(lyon) => self.of_lyon(lyon, &pixel.of_lyon(lyon), reasons),
+            MethodSpec::Phong(_) | MethodSpec::Duff(_) => Off::default(),
+            MethodSpec::Hybrid(_) => Off { diffuse: self.gouraud(pixel, light, reasons), specular: 0.0 },
+            MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => {
+                Off { diffuse: self.gouraud(pixel, light, reasons), specular: 1.0 }
+            }
+            MethodSpec::Gouraud(_) => {
+                reasons.push(Reason::Facet);
+                ALL
+            }
+            MethodSpec::Reflection(spec) => {
+                let off = self.of_normal(&pixel.of_reflection(spec), reasons);
+                // The hybrid's highlight is of the interpolated normal.
+                Off { specular: if spec.specular == reflection::Highlight::Hybrid { 0.0 } else { off.specular }, ..off }
+            }
+            MethodSpec::Consistent(spec) => {
+                let off = self.of_normal(&self.of_consistent(pixel), reasons);
+                let is_lambert = spec.diffuse == Diffuse::Lambert || self.is_flat_around(pixel);
+                reasons.extend((!is_lambert).then_some(Reason::Consistent));
+                Off { diffuse: if is_lambert { off.diffuse } else { 1.0 }, ..off }
+            }
+            MethodSpec::Slerp(slerp) => self.of_normal(&pixel.of_slerp(slerp), reasons),
+            MethodSpec::Direct(direct) => {
+                let off = self.of_normal(&pixel.between_unit_ends(), reasons);
+                let too_long = if direct.root == Root::Newton { pixel.walked() } else { 0.0 };
+                reasons.extend((too_long > NO_LENGTH).then_some(Reason::Newton));
+                Off { diffuse: off.diffuse + too_long / (1.0 + too_long), ..off }
+            }
+        }
+    }
+
+    fn of_consistent(&self, pixel: &Pixel) -> Normal {
+        let shortest = 0.5_f64.powi(LARGEST_GAIN_BITS.cast_signed());
+        if pixel.interpolated().length() < shortest { Normal::unknown(Reason::Consistent) } else { pixel.between_axes() }
+    }
+
+    /// A normal that is turned, or too short, by which p/q and the power are off.
+    fn of_normal(&self, normal: &Normal, reasons: &mut Vec<Reason>) -> Off {
+        let short = 1.0 - normal.length;
+        let Some(turn) = normal.turn else {
+            reasons.extend(&normal.reasons);
+            return ALL;
+        };
+        if turn > NO_LENGTH || short > 0.0 {
+            reasons.extend(&normal.reasons);
+        }
+        let base = 2.0 * (1.0 - normal.length * normal.length);
+        Off { diffuse: chord(turn) + short, specular: power_turned(2.0 * turn, self.n()) + power_moved(base, self.n()) }
+    }
+
+    /// The same, of Lyon's shape.
+    fn of_lyon(&self, lyon: &LyonSpec, normal: &Normal, reasons: &mut Vec<Reason>) -> Off {
+        let (off, squared) = (self.of_normal(&Normal { length: 1.0, ..normal.clone() }, reasons), normal.length * normal.length);
+        if (normal.length - 1.0).abs() > NO_LENGTH {
+            reasons.extend(&normal.reasons);
+        }
+        if self.shape > NO_LENGTH && matches!(lyon.difference, Difference::ReflectionMinusLight | Difference::LightReflection) {
+            reasons.push(Reason::Shape);
+        }
+        Off {
+            diffuse: off.diffuse + (1.0 - normal.length).abs(),
+            specular: off.specular + self.shape + shape_moved(2.0 * (1.0 - squared).abs(), self.n()),
+        }
+    }
+
+    /// Lambert's cosine of the vertices, interpolated, against that of the normal.
+    fn gouraud(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> f64 {
+        let Some(light) = self.light(light) else {
+            reasons.push(Reason::Vertices);
+            return 1.0;
+        };
+        let (normals, weights) = (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
+        let interpolated: DVec3 = normals.iter().zip(weights).map(|(normal, weight)| weight * *normal).sum();
+        let dark: f64 = normals.iter().zip(weights).map(|(normal, weight)| weight.abs() * (-normal.dot(light)).max(0.0)).sum();
+        reasons.push(Reason::GouraudDiffuse);
+        (1.0 - interpolated.length()).max(0.0) + dark
+    }
+
+    /// The direction to a light that Gouraud's vertices see: that of the span's middle for those at places by `hybrid`; none that is common to all
+    /// vertices by `gouraud`.
+    fn light(&self, light: usize) -> Option<DVec3> {
+        if let Some(light) = self.frame.lights.get(light) {
+            return Some(light.direction);
+        }
+        let position = self.frame.position_at(self.span, place::middle(self.span));
+        let of_the_middle = self.spec.places_seen_from() == Viewpoint::Span;
+        self.frame.lights_from(position).nth(light).flatten().filter(|_| of_the_middle).map(|light| light.direction)
+    }
+}
