@@ -164,7 +164,7 @@ fn span() -> Frame {
     let material = material(REFLECTANCES[0], REFLECTANCES[1], REFLECTANCES[2], SHININESS);
     let mut frame = frame([tilted(-15.0), tilted(15.0)], STEPS + 1, &[tilted(20.0)], material);
     let triangle = &mut frame.triangles[0];
-    let face = specula_golden::recurrence::face(&triangle.normals);
+    let face = triangle.facet.normal;
     for (cone, normal) in triangle.cones.iter_mut().zip(triangle.normals) {
         cone.cosine = normal.dot(face);
     }

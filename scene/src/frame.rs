@@ -3,6 +3,8 @@
 //! View space is right-handed, x to the right, y up, the eye at infinity in the direction +z: V = (0, 0, 1).
 use glam::DVec3;
 
+use crate::mesh::normals::newell;
+
 /// The direction to the eye, in view space.
 pub const EYE: DVec3 = DVec3::Z;
 
@@ -73,11 +75,39 @@ impl VertexCone {
     }
 }
 
+/// The polygon that a triangle is part of, or that it is, as flat shading sees it
+/// [lecture, eq. 1.1 and 2.1].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// Its unit normal; 0 where it has none.
+    pub normal: DVec3,
+    /// The mean of its corners.
+    pub middle: DVec3,
+}
+
+impl Facet {
+    /// The facet of a polygon, by Newell's method, on the side from which its corners go
+    /// counter-clockwise; `None` for a polygon without area.
+    pub fn of_polygon(corners: &[DVec3]) -> Option<Facet> {
+        let normal = newell(corners)?;
+        Some(Facet { normal, middle: corners.iter().sum::<DVec3>() / corners.len() as f64 })
+    }
+
+    /// What stands in for the polygon of a triangle of which the vertices alone are known: the
+    /// mean direction of their normals, 0 where these add up to nothing.
+    pub fn of_vertices(normals: &[DVec3; 3], positions: &[DVec3; 3]) -> Facet {
+        let normal = normals.iter().sum::<DVec3>().normalize_or_zero();
+        Facet { normal, middle: positions.iter().sum::<DVec3>() / 3.0 }
+    }
+}
+
 /// A triangle that can be seen, with what shading needs of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
     /// Unit normals at the three vertices, in view space.
     pub normals: [DVec3; 3],
+    /// The polygon that it is part of, in view space, its normal on the side that is seen.
+    pub facet: Facet,
     /// The three vertices, in view space.
     pub positions: [DVec3; 3],
     /// Cones about them, turned to the side that is seen as the normals are.
@@ -212,9 +242,10 @@ impl Frame {
         [or(start, end), or(end, start)]
     }
 
-    /// The unit vector in the direction of the mean of a triangle's vertex normals; 0 where they add up to nothing.
-    pub fn mean_normal(&self, span: &Span) -> DVec3 {
-        self.triangles[span.triangle].normals.iter().sum::<DVec3>().normalize_or_zero()
+    /// The unit normal of the polygon that a span shows, on the side that is seen; 0 where it has
+    /// none.
+    pub fn facet_normal(&self, span: &Span) -> DVec3 {
+        self.triangles[span.triangle].facet.normal
     }
 
     /// As [`Frame::end_normals`], of the axes of the vertices' cones.

@@ -3,7 +3,7 @@ use std::path::Path;
 
 use crate::file::{CoreTable, SceneFile, SourceFile};
 use crate::mesh::error::{EXTENSIONS, listed};
-use crate::mesh::{self, Mesh};
+use crate::mesh::{self, Mesh, Warning};
 use crate::picture::camera::Camera;
 use crate::picture::{Object, Scene};
 use crate::{Frame, SceneError, Surface, builtin, defaults};
@@ -20,10 +20,12 @@ pub struct LoadedScene {
     pub surfaces: Vec<Option<Surface>>,
     /// The `[core]` table of the scene file, if it has one.
     pub core: Option<CoreTable>,
+    /// What was passed over in the scene's meshes, one of each kind for each file.
+    pub warnings: Vec<Warning>,
 }
 
 /// The longest name that is made of a file's, in characters.
-const LONGEST_NAME: usize = 48;
+pub(crate) const LONGEST_NAME: usize = 48;
 
 /// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh (`.obj`, `.ply`, `.stl`,
 /// `.glb`). `size` in pixels goes before the scene's own.
@@ -40,7 +42,8 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
     }
     let name = name_of(path);
     if mesh::extension(path).is_some() {
-        return finish(scene, &name, SceneFile::without_text(around(Mesh::read(path)?)), size);
+        let (mesh, warnings) = Mesh::read(path)?;
+        return finish(scene, &name, SceneFile::without_text(around(mesh), warnings), size);
     }
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         let source = read_text("scene file", path)?;
@@ -65,7 +68,8 @@ pub fn parse(name: &str, text: String) -> Result<LoadedScene, SceneError> {
 
 fn finish(scene: &str, name: &str, mut file: SceneFile, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
     let frame = file.frame(scene, size)?;
-    Ok(LoadedScene { name: name.to_owned(), frame, surfaces: file.surfaces(), core: file.core })
+    let surfaces = file.surfaces();
+    Ok(LoadedScene { name: name.to_owned(), frame, surfaces, core: file.core, warnings: file.warnings })
 }
 
 /// The scene that shows a mesh by itself.

@@ -28,7 +28,7 @@ pub struct Needs {
     pub brightest_coefficient: f64,
     /// What kinds of light are sent back at all, and how strongly.
     pub contributions: Contributions,
-    /// Whether every triangle has one normal all over.
+    /// Whether every triangle has one normal all over, which is its polygon's.
     pub flat: bool,
     /// Whether consistent normal interpolation would reflect anything otherwise: at some vertex the normal is not that of every face
     /// around it.
@@ -132,7 +132,7 @@ impl Needs {
             uneven_shininess: shininess().find(|n| !n.is_power_of_two()),
             brightest_coefficient: brightest_coefficient(frame),
             contributions: Contributions::of(frame),
-            flat: seen(frame).all(|triangle| triangle.normals.iter().all(|normal| *normal == triangle.normals[0])),
+            flat: seen(frame).all(is_flat),
             consistent_normals_differ: seen(frame).flat_map(|triangle| triangle.cones).any(|cone| cone.cosine < 1.0 - ROUNDING),
             widest_angle: frame.spans.iter().flat_map(|s| ends(frame, s)).map(angle).fold(0.0, f64::max),
             shortest_normal: frame.spans.iter().flat_map(|s| ends(frame, s)).map(shortest).fold(1.0, f64::min),
@@ -153,9 +153,21 @@ impl Needs {
 /// By how much cosines of the same unit vector may fall short of 1.
 const ROUNDING: f64 = 1e-12;
 
+/// By how much components of unit normals may differ that count as one: 255 LSB of it are .0003.
+const FLAT: f64 = 1.0 / (1 << 20) as f64;
+
 /// The triangles that spans show, one after the other.
 fn seen(frame: &Frame) -> impl Iterator<Item = &Triangle> {
     frame.spans.iter().map(|span| &frame.triangles[span.triangle])
+}
+
+/// Whether a triangle's vertices have one normal, and its polygon the same.
+///
+/// Files give normals to some digits, so that the polygon's own may be off by their rounding.
+fn is_flat(triangle: &Triangle) -> bool {
+    let [first, second, third] = triangle.normals;
+    let of_polygon = (triangle.facet.normal - first).abs().max_element() <= FLAT;
+    first == second && first == third && of_polygon
 }
 
 /// What methods interpolate along a span: its normals, and the axes of its cones.

@@ -3,7 +3,7 @@
 //! "A parallel light vector, which means that we can use the same vector over the polygon" [Hast, Barrera and Bengtsson, §5], over a span here.
 use glam::{DQuat, DVec3};
 
-use crate::frame::{DirectionalLight, EYE, Frame, Span, Triangle, VertexCone};
+use crate::frame::{DirectionalLight, EYE, Facet, Frame, Span, Triangle, VertexCone};
 
 /// A span by itself, under lights and an eye at infinity.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +53,7 @@ fn turned(triangle: &Triangle, turn: DQuat) -> Triangle {
     let vector = |v: DVec3| if turn == DQuat::IDENTITY { v } else { turn * v };
     Triangle {
         normals: triangle.normals.map(vector),
+        facet: Facet { normal: vector(triangle.facet.normal), middle: vector(triangle.facet.middle) },
         positions: triangle.positions.map(vector),
         cones: triangle.cones.map(|cone| VertexCone { axis: vector(cone.axis), ..cone }),
         material: 0,

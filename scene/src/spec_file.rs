@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use crate::file::SourceFile;
-use crate::load::{name_of, read_text};
+use crate::load::{LONGEST_NAME, name_of, read_text};
 use crate::{CoreSpec, SceneError};
 
 /// A named core.
@@ -19,11 +19,6 @@ pub struct SpecFile {
 
 /// What keys mean. Another version may have other keys.
 const VERSION: u32 = 1;
-
-const ABOUT: &str = "\
-# A core of Specula's. `specula generate --spec FILE` writes its Verilog, and
-# `specula run SCENE --core FILE` shades a scene with it, if it has what the scene needs.
-";
 
 const HELP: &str = "docs/spec-file.md lists every key; `specula generate` and `specula run` write whole files";
 
@@ -46,11 +41,20 @@ impl SpecFile {
     /// The name of the file in a run's folder.
     pub const NAME: &str = "spec.toml";
 
+    /// The longest name of a core, in characters.
+    pub const LONGEST_NAME: usize = LONGEST_NAME;
+
+    /// How every such file begins that is written here.
+    pub const ABOUT: &str = "\
+# A core of Specula's. `specula generate --spec FILE` writes its Verilog, and
+# `specula run SCENE --core FILE` shades a scene with it, if it has what the scene needs.
+";
+
     /// The file's text; [`SpecFile::parse`] makes the same core of it.
     pub fn text(&self) -> String {
         let contents = Contents { version: VERSION, name: &self.name, spec: &self.spec };
         let toml = toml::to_string(&contents).expect("a spec is numbers, words and tables of them, all of which TOML has");
-        format!("{ABOUT}{toml}")
+        format!("{}{toml}", SpecFile::ABOUT)
     }
 
     /// Reads a file, or [`SpecFile::NAME`] in a folder.

@@ -1,8 +1,10 @@
 //! What every frame keeps to: spans in order, no pixel twice, weights and normals as [`Span`] and [`Triangle`] say.
 use std::fs;
 
+use glam::DVec3;
 use proptest::prelude::*;
-use specula_scene::{Frame, SceneError, Span, builtin_names, load};
+use specula_scene::mesh::normals::newell;
+use specula_scene::{Facet, Frame, SceneError, Span, Triangle, builtin_names, load};
 
 fn check(frame: &Frame) {
     assert!(!frame.spans.is_empty());
@@ -17,10 +19,21 @@ fn check(frame: &Frame) {
     for triangle in &frame.triangles {
         assert!(triangle.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-12), "{triangle:?}");
         assert!(triangle.material < frame.materials.len());
+        check_facet(triangle);
     }
     for light in &frame.lights {
         assert!((light.direction.length() - 1.0).abs() < 1e-12);
     }
+}
+
+/// All objects here are of triangles, each a polygon of its own: its plane's normal, towards the eye.
+fn check_facet(Triangle { facet, positions, .. }: &Triangle) {
+    let Facet { normal, middle } = *facet;
+    assert!((normal.length() - 1.0).abs() < 1e-12 && normal.z >= 0.0, "{facet:?}");
+    let of_plane = newell(positions).expect("what is seen has an area");
+    assert!(normal.cross(of_plane).length() < 1e-9, "{normal} for {of_plane}");
+    let mean = positions.iter().sum::<DVec3>() / 3.0;
+    assert!((middle - mean).length() < 1e-12 * (1.0 + mean.length()), "{middle} for {mean}");
 }
 
 fn check_span(frame: &Frame, span: &Span) {

@@ -4,14 +4,27 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use proptest::prelude::*;
-use specula_scene::mesh::Mesh;
 use specula_scene::mesh::normals::newell;
+use specula_scene::mesh::{Mesh, Warning};
 
 fn files() -> Vec<PathBuf> {
     let entries = fs::read_dir("tests/meshes").expect("tests run in the crate's folder");
     let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("the folder can be listed").path()).collect();
     files.sort();
     files
+}
+
+/// The mesh of a file that has nothing to be passed over.
+fn mesh(path: &Path) -> Mesh {
+    let (mesh, warnings) = Mesh::read(path).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(warnings, []);
+    mesh
+}
+
+/// The mesh of a file's text, and what is passed over in it.
+fn read(name: &str, text: &[u8]) -> (Mesh, Vec<String>) {
+    let (mesh, warnings) = Mesh::from_bytes(Path::new(name), text).unwrap_or_else(|error| panic!("{error}"));
+    (mesh, warnings.iter().map(Warning::to_string).collect())
 }
 
 /// Triangles as their corners' places, each turned so that it starts with the smallest, and sorted.
@@ -29,12 +42,12 @@ fn triangles(mesh: &Mesh) -> Vec<[[i64; 3]; 3]> {
 
 #[test]
 fn every_format_gives_the_same_tetrahedron() {
-    let expected = Mesh::read(Path::new("tests/meshes/tetra.obj")).expect("the file is right");
+    let expected = mesh(Path::new("tests/meshes/tetra.obj"));
     for path in files() {
         if path.ends_with("tetra_mirrored.glb") {
             continue;
         }
-        let mesh = Mesh::read(&path).unwrap_or_else(|error| panic!("{error}"));
+        let mesh = mesh(&path);
         assert_eq!(triangles(&mesh), triangles(&expected), "{}", path.display());
         assert_eq!(mesh.positions.len(), 4, "{}", path.display());
         check_corner_normals(&mesh, DVec3::ZERO);
@@ -43,7 +56,7 @@ fn every_format_gives_the_same_tetrahedron() {
 
 #[test]
 fn nodes_of_a_glb_move_and_mirror_its_meshes() {
-    let mesh = Mesh::read(Path::new("tests/meshes/tetra_mirrored.glb")).expect("the file is right");
+    let mesh = mesh(Path::new("tests/meshes/tetra_mirrored.glb"));
     // Moved by -1 and then mirrored: x from -2..0 to 0..2.
     assert!(mesh.positions.iter().all(|p| (0.0..=2.0).contains(&p.x)));
     check_corner_normals(&mesh, DVec3::X);
@@ -66,7 +79,7 @@ fn check_corner_normals(mesh: &Mesh, middle: DVec3) {
 fn a_cube_of_quads_has_the_normals_of_its_corners() {
     let vertices = (0..8).map(|k| format!("v {} {} {}\n", k & 1, k >> 1 & 1, k >> 2)).collect::<String>();
     let faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
-    let mesh = Mesh::from_bytes(Path::new("cube.obj"), format!("{vertices}{faces}").as_bytes()).expect("the cube is right");
+    let (mesh, _) = read("cube.obj", format!("{vertices}{faces}").as_bytes());
     assert_eq!(mesh.triangles.len(), 12);
     for (triangle, normals) in mesh.triangles.iter().zip(&mesh.normals) {
         for (&k, normal) in triangle.iter().zip(normals) {
@@ -79,7 +92,7 @@ fn a_cube_of_quads_has_the_normals_of_its_corners() {
 #[test]
 fn obj_files_may_have_comments_missing_normals_and_lines() {
     let text = "v 0 0 0 # first\nv 1 0 0 1.0\nv 0 1 0 0.5 0.5 0.5\nvn 0 0 7\nvt 0 0\nl 1 2 3\nf -3//1 2/1/1 3 # last\n";
-    let mesh = Mesh::from_bytes(Path::new("a.obj"), text.as_bytes()).expect("the file is right");
+    let (mesh, _) = read("a.obj", text.as_bytes());
     assert_eq!(mesh.triangles, [[0, 1, 2]]);
     assert_eq!(mesh.normals, [[DVec3::Z; 3]]);
 }
@@ -88,7 +101,7 @@ fn obj_files_may_have_comments_missing_normals_and_lines() {
 #[test]
 fn degenerate_faces_are_skipped() {
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 4\nf 1 1 2\nf 1 2 3\n";
-    let mesh = Mesh::from_bytes(Path::new("a.obj"), text.as_bytes()).expect("one face is right");
+    let (mesh, _) = read("a.obj", text.as_bytes());
     assert_eq!((mesh.triangles.len(), mesh.normals[0]), (1, [DVec3::Z; 3]));
 }
 
@@ -96,7 +109,7 @@ fn degenerate_faces_are_skipped() {
 #[test]
 fn a_sheet_with_two_sides_keeps_its_face_normals() {
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n";
-    let mesh = Mesh::from_bytes(Path::new("a.obj"), text.as_bytes()).expect("the file is right");
+    let (mesh, _) = read("a.obj", text.as_bytes());
     assert_eq!(mesh.normals, [[DVec3::Z; 3], [DVec3::NEG_Z; 3]]);
 }
 

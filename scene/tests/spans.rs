@@ -19,6 +19,7 @@ normals = [[0, 0, 1], [0.6, 0, 0.8]]
 [[span]]
 length = 1
 normals = [[0, 0, 1], [1, 0, 0], [0, 0, 0]]
+face = [0, 0.6, -0.8]
 positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
 cone_cosines = [1, 0.5, -1]
 start = [0.25, 0.25, 0.5]
@@ -40,6 +41,10 @@ fn spans_are_taken_to_the_last_bit() {
     assert_eq!((second.0.y, second.0.length, second.2.shininess), (1, 1, 7));
     assert_eq!(second.1.normals, [DVec3::Z, DVec3::X, DVec3::ZERO]);
     assert_eq!((second.0.start, second.0.end), ([0.25, 0.25, 0.5], [0.0, 0.0, 1.0]));
+    let mean = (2.0 * DVec3::Z + turned).normalize();
+    assert!((first.1.facet.normal - mean).length() < 1e-15, "{:?}", first.1.facet);
+    assert_eq!(second.1.facet.normal, DVec3::new(0.0, 0.6, -0.8));
+    assert_eq!(second.1.facet.middle, DVec3::new(1.0, 1.0, 0.0) / 3.0);
     assert_eq!(second.1.cones.map(|cone| cone.cosine), [1.0, 0.5, -1.0]);
     assert_eq!(Needs::of(&frame).longest_span, 5);
 }

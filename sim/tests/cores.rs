@@ -233,6 +233,8 @@ fn cores_for_one_frame_agree() {
 #[test]
 fn cores_whose_pixels_are_all_the_same_agree() {
     let mut frame = frames::frame(1993, 1, 1);
-    frame.triangles[0].normals = [frame.triangles[0].normals[0]; 3];
+    let triangle = &mut frame.triangles[0];
+    triangle.normals = [triangle.normals[0]; 3];
+    triangle.facet.normal = triangle.normals[0];
     specialised_outputs_agree(&frame, Method::Lyon);
 }

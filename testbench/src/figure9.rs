@@ -3,7 +3,7 @@ use glam::DVec3;
 use specula_golden::exact::distributions::Formulation;
 use specula_golden::exact::figure9::{self, BACKGROUND, DIFFUSE};
 use specula_scene::spec::{CoreOptions, FULL_SCALE, SpecError};
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, Triangle, VertexCone};
+use specula_scene::{CoreSpec, DirectionalLight, Facet, Frame, Material, Method, Needs, Span, Triangle, VertexCone};
 
 use crate::statistics::Sums;
 use crate::{ErrorFigures, Image};
@@ -100,7 +100,8 @@ pub fn frame(balls: Balls) -> Frame {
         let normals = [normal; 3];
         let cones = normals.map(VertexCone::flat);
         spans.push(Span { x, y, length: 1, triangle: triangles.len(), start: [1.0, 0.0, 0.0], end: [1.0, 0.0, 0.0] });
-        triangles.push(Triangle { normals, positions: [DVec3::ZERO; 3], cones, material: ball });
+        let (positions, facet) = ([DVec3::ZERO; 3], Facet { normal, middle: DVec3::ZERO });
+        triangles.push(Triangle { normals, facet, positions, cones, material: ball });
     }
     Frame {
         width: balls.width(),

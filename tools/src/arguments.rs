@@ -5,7 +5,8 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_scene::picture::limits;
 use specula_scene::spec::Specialise;
-use specula_scene::{CoreSpec, Frame, LoadedScene, Method};
+use specula_hdl::verilog::module_name;
+use specula_scene::{CoreSpec, Frame, LoadedScene, Method, SpecFile};
 use specula_testbench::trace::Choice;
 use specula_testbench::{EngineKind, search};
 
@@ -26,6 +27,30 @@ impl OutputArguments {
     }
 }
 
+/// What the core is called.
+#[derive(Clone, Debug, Default, Args)]
+pub struct NameArguments {
+    /// Name of the core's module and of its file, such as shader_2 [default: the scene's]
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+}
+
+impl NameArguments {
+    /// Gives the core that name, if one was asked for.
+    ///
+    /// # Errors
+    /// [`ToolError::Name`] if its module cannot be called so.
+    pub fn rename(&self, file: &mut SpecFile) -> Result<(), ToolError> {
+        let Some(name) = &self.name else { return Ok(()) };
+        let possible: String = module_name(name, &file.spec).chars().take(SpecFile::LONGEST_NAME).collect();
+        if possible != *name {
+            return Err(ToolError::Name { name: name.clone(), possible });
+        }
+        file.name.clone_from(name);
+        Ok(())
+    }
+}
+
 /// The scene and its picture.
 #[derive(Clone, Debug, Args)]
 pub struct SceneArguments {
@@ -38,7 +63,7 @@ pub struct SceneArguments {
 impl SceneArguments {
     /// Reads it.
     pub fn load(&self) -> Result<LoadedScene, ToolError> {
-        Ok(specula_scene::load(&self.scene, self.picture.size)?)
+        Ok(crate::scene::load(&self.scene, self.picture.size)?)
     }
 }
 

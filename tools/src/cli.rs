@@ -4,6 +4,7 @@ use std::io::Write;
 use clap::{Parser, Subcommand};
 
 use crate::error::ToolError;
+use crate::output::Interrupts;
 use crate::{
     cmd_bench, cmd_compare, cmd_explore, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce, cmd_run, cmd_scenes, cmd_stress,
     cmd_wave,
@@ -63,18 +64,18 @@ pub enum Verdict {
 }
 
 impl Command {
-    /// Does what was asked for; what it has to say goes to `stdout`.
-    pub fn execute(&self, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    /// Does what was asked for; what it has to say goes to `stdout`. What it writes elsewhere is undone by `interrupts` while it is half done.
+    pub fn execute(&self, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
         match self {
-            Command::Run(arguments) => cmd_run::execute(arguments, stdout),
-            Command::Generate(arguments) => cmd_generate::execute(arguments, stdout),
-            Command::Wave(arguments) => cmd_wave::execute(arguments, stdout),
+            Command::Run(arguments) => cmd_run::execute(arguments, stdout, interrupts),
+            Command::Generate(arguments) => cmd_generate::execute(arguments, stdout, interrupts),
+            Command::Wave(arguments) => cmd_wave::execute(arguments, stdout, interrupts),
             Command::Bench(arguments) => cmd_bench::execute(arguments, stdout),
-            Command::Compare(arguments) => cmd_compare::execute(arguments, stdout),
+            Command::Compare(arguments) => cmd_compare::execute(arguments, stdout, interrupts),
             Command::Needs(arguments) => cmd_needs::execute(arguments, stdout),
-            Command::Explore(arguments) => cmd_explore::execute(arguments, stdout),
-            Command::Stress(arguments) => cmd_stress::execute(arguments, stdout),
-            Command::Reproduce(arguments) => cmd_reproduce::execute(arguments, stdout),
+            Command::Explore(arguments) => cmd_explore::execute(arguments, stdout, interrupts),
+            Command::Stress(arguments) => cmd_stress::execute(arguments, stdout, interrupts),
+            Command::Reproduce(arguments) => cmd_reproduce::execute(arguments, stdout, interrupts),
             Command::Scenes => cmd_scenes::execute(stdout),
             Command::Methods(arguments) => cmd_methods::execute(arguments, stdout),
         }

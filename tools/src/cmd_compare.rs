@@ -22,7 +22,7 @@ use crate::arguments::{SceneArguments, asked, method_parser};
 use crate::cli::Verdict;
 use crate::clock::ClockArguments;
 use crate::error::{OutputError, ToolError};
-use crate::output::Destination;
+use crate::output::{Destination, Interrupts, JOURNAL};
 use crate::progress;
 use result::{Compared, sorted};
 
@@ -73,10 +73,10 @@ pub struct Arguments {
 const DEFAULT_FORMATS: &str = "-8,-6,-4,-2,default,+2";
 
 /// Compares, writes everything, and prints the tables or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("out/compare").join(&scene.name));
-    let destination = Destination::check(&folder, &files::names())?;
+    let destination = Destination::check(&folder, &files::names(), interrupts)?;
     let planned = plan(&scene, configurations(arguments));
     refuse_nothing(&planned)?;
     let journal = open_journal(arguments, &destination, &scene)?;
@@ -90,7 +90,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
 /// Results that are known already; says which lines are damaged.
 fn open_journal(arguments: &Arguments, destination: &Destination, scene: &LoadedScene) -> Result<Journal, ToolError> {
     fs::create_dir_all(&destination.shown).map_err(OutputError::system(&destination.shown))?;
-    let path = destination.shown.join(files::JOURNAL);
+    let path = destination.shown.join(JOURNAL);
     if arguments.fresh && path.exists() {
         fs::remove_file(&path).map_err(OutputError::system(&path))?;
     }

@@ -12,7 +12,7 @@ use crate::cli::Verdict;
 use crate::clock::{Clock, ClockArguments};
 use crate::device::DeviceArguments;
 use crate::error::ToolError;
-use crate::output::write_core;
+use crate::output::{Interrupts, write_core};
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\
@@ -60,7 +60,7 @@ struct Report<'a> {
 }
 
 /// Searches, writes the best core, and prints the front.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
     let methods = asked(&arguments.methods);
     let wanted = Wanted { most: arguments.max_error, methods: &methods, device: arguments.device.device };
@@ -72,7 +72,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let file = SpecFile { name: scene.name.clone(), spec: best.spec.clone() };
     // Not `run`'s folder, in which no other core's spec may be put.
     let folder = arguments.output.clone().unwrap_or_else(|| Path::new("out").join(format!("{}-explored", scene.name)));
-    let written = write_core(&folder, &[(SpecFile::NAME.to_owned(), file.text())])?;
+    let written = write_core(&folder, &[(SpecFile::NAME.to_owned(), file.text())], interrupts)?;
     let text = if arguments.json {
         let (scene, max_error, device) = (scene.name.as_str(), arguments.max_error, arguments.device.device);
         let report = Report { scene, max_error, device, exploration: &exploration };
@@ -134,7 +134,7 @@ fn described(exploration: &Exploration, clock: Clock) -> String {
     let refused: String = exploration.refused.iter().map(|reason| format!("left out: {reason}\n")).collect();
     format!(
         "{}\n{} cores were tried, of which these {} are neither beaten in size nor in error; frames/s, set-up counted, at {}\n{refused}",
-        table::lines(&table),
+        table::shown(&table),
         exploration.tried,
         exploration.front.len(),
         clock.in_words()

@@ -6,20 +6,21 @@ use clap::Args;
 use specula_scene::SpecFile;
 use specula_testbench::BenchError;
 
-use crate::arguments::{OutputArguments, PictureArguments, SceneArguments, Wishes};
+use crate::arguments::{NameArguments, OutputArguments, PictureArguments, SceneArguments, Wishes};
 use crate::cli::Verdict;
 use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::header::Origin;
-use crate::output::write_core;
+use crate::output::{Interrupts, write_core};
 use crate::task::Task;
 use crate::verilog;
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, Verilog-2001 with one module per unit, and DIR/spec.toml, from which the same
-core can be made again. Other files in DIR stay.
+core can be made again. Other files in DIR stay. `-o -` writes the Verilog to standard output, and
+nothing else.
 
-Example: specula generate teapot --method hybrid -o rtl";
+Example: specula generate teapot --method hybrid --name shader -o rtl";
 
 /// Arguments of `generate`.
 #[derive(Clone, Debug, Args)]
@@ -30,6 +31,8 @@ pub struct Arguments {
     scene: Option<String>,
     #[command(flatten)]
     output: OutputArguments,
+    #[command(flatten)]
+    name: NameArguments,
     /// The core in this spec.toml, in place of one for a scene
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error"])]
     spec: Option<PathBuf>,
@@ -41,19 +44,26 @@ pub struct Arguments {
     device: DeviceArguments,
 }
 
+/// What stands in the place of a folder for standard output.
+const STANDARD_OUTPUT: &str = "-";
+
 /// Writes the core and says where.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let (file, origin) = arguments.core()?;
-    let module = specula_hdl::verilog::module_name(&file.name);
+    let module = specula_hdl::verilog::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     arguments.device.fitted(&design)?;
     let text = verilog::text(&origin, &file.spec, &design);
     let folder = arguments.output.folder(&file.name);
+    if folder == Path::new(STANDARD_OUTPUT) {
+        write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
+        return Ok(Verdict::Done);
+    }
     let mut texts = vec![(verilog::file_name(&module), text)];
     if !arguments.is_spec_of(&folder) {
         texts.push((SpecFile::NAME.to_owned(), file.text()));
     }
-    for path in write_core(&folder, &texts)? {
+    for path in write_core(&folder, &texts, interrupts)? {
         writeln!(stdout, "{}", path.display()).map_err(ToolError::Print)?;
     }
     Ok(Verdict::Done)
@@ -70,14 +80,15 @@ impl Arguments {
     fn core(&self) -> Result<(SpecFile, Origin), ToolError> {
         match (&self.spec, &self.scene) {
             (Some(path), _) => {
-                let file = SpecFile::read(path)?;
-                let origin = Origin::of_file(path, &file);
+                let mut file = SpecFile::read(path)?;
+                let origin = Origin::of_file(path, &file).called(&self.name);
+                self.name.rename(&mut file)?;
                 Ok((file, origin))
             }
             // The command line asks for one of both.
             (None, scene) => {
                 let scene = SceneArguments { scene: scene.clone().unwrap_or_default(), picture: self.picture.clone() };
-                let Task { file, origin, .. } = Task::of_scene(&scene, &self.wishes)?;
+                let Task { file, origin, .. } = Task::of_scene(&scene, &self.wishes, &self.name)?;
                 Ok((file, origin))
             }
         }

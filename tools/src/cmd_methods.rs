@@ -34,5 +34,5 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
 }
 
 fn lines() -> String {
-    table::lines(&Method::ALL.map(|method| [method.name().to_owned(), method.summary().to_owned()]))
+    table::shown(&Method::ALL.map(|method| [method.name().to_owned(), method.summary().to_owned()]))
 }

@@ -9,15 +9,16 @@ mod section;
 mod subject;
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_scene::regular::read_regular;
 use specula_testbench::reproduce::Paper;
 
 use crate::cli::Verdict;
-use crate::error::ToolError;
-use crate::output::write_file;
+use crate::error::{OutputError, ToolError};
+use crate::output::{Interrupts, write_file};
 use section::Section;
 use subject::Subject;
 
@@ -51,20 +52,44 @@ fn paper_parser() -> impl TypedValueParser<Value = Paper> {
 }
 
 /// Computes, writes and prints.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let subject = Subject::load(arguments.mesh.as_deref())?;
     let papers: Vec<Paper> = arguments.paper.map_or(Paper::ALL.into(), |paper| vec![paper]);
     let sections: Vec<Section> = papers.into_iter().map(|paper| section(paper, &subject)).collect::<Result<_, _>>()?;
     let text = document::text(&sections);
     if let Some(folder) = &arguments.output {
-        // The text last: it shows no picture that is not there.
-        for file in sections.iter().flat_map(|section| &section.files) {
-            write_file(&folder.join(section::IMAGES).join(&file.name), |path| file.write(path))?;
-        }
-        write_file(&folder.join("reproduction.md"), |path| std::fs::write(path, &text))?;
+        write_files(folder, &sections, &text, interrupts)?;
     }
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(if sections.iter().all(|section| section.as_expected) { Verdict::Done } else { Verdict::Disagrees })
+}
+
+/// The text's file.
+const TEXT: &str = "reproduction.md";
+/// The longest text that is taken for one of ours, in bytes.
+const LONGEST_TEXT: u64 = 16 << 20;
+
+fn write_files(folder: &Path, sections: &[Section], text: &str, interrupts: &Interrupts) -> Result<(), ToolError> {
+    let pictures = || sections.iter().flat_map(|section| &section.files);
+    let place = |file: &section::File| Path::new(section::IMAGES).join(&file.name);
+    refuse_foreign(folder, pictures().map(place).chain([PathBuf::from(TEXT)]))?;
+    // The text last: it shows no picture that is not there.
+    for file in pictures() {
+        write_file(&folder.join(place(file)), interrupts, |path| file.write(path))?;
+    }
+    Ok(write_file(&folder.join(TEXT), interrupts, |path| std::fs::write(path, text))?)
+}
+
+/// Files of these names are only replaced beside a text that this command wrote.
+fn refuse_foreign(folder: &Path, mut names: impl Iterator<Item = PathBuf>) -> Result<(), OutputError> {
+    let earlier = read_regular(&folder.join(TEXT), LONGEST_TEXT);
+    if earlier.is_ok_and(|text| text.starts_with(document::HEAD.as_bytes())) {
+        return Ok(());
+    }
+    match names.find(|name| folder.join(name).symlink_metadata().is_ok()) {
+        Some(name) => Err(OutputError::InTheWay { folder: folder.to_owned(), name: name.display().to_string() }),
+        None => Ok(()),
+    }
 }
 
 fn section(paper: Paper, subject: &Subject) -> Result<Section, ToolError> {

@@ -11,13 +11,13 @@ use specula_scene::SpecFile;
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome, savings, shares};
 
-use crate::arguments::{OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice};
+use crate::arguments::{NameArguments, OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice};
 use crate::cli::Verdict;
 use crate::clock::ClockArguments;
 use crate::device::{DeviceArguments, Fitted};
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
-use crate::output::{Destination, REPORT, Staging};
+use crate::output::{Destination, Interrupts, REPORT, Staging};
 use crate::run::{Run, Written};
 use crate::task::Task;
 use crate::trace_file::TraceFormat;
@@ -45,6 +45,8 @@ pub struct Arguments {
     scene: SceneArguments,
     #[command(flatten)]
     output: OutputArguments,
+    #[command(flatten)]
+    name: NameArguments,
     /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if it lacks what the scene needs
     #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error"])]
     core: Option<PathBuf>,
@@ -85,13 +87,14 @@ const PICTURES: [[&str; 3]; 3] = [
 ];
 
 /// Runs the scene, writes everything, and prints the summary or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     if arguments.scene.scene == figure9::NAME {
-        return figure9::execute(arguments, stdout);
+        return figure9::execute(arguments, stdout, interrupts);
     }
     let begin = Instant::now();
     let task = arguments.task()?;
-    let destination = Destination::check(&arguments.output.folder(&task.scene.name), &file_names(&task.module()))?;
+    let folder = arguments.output.folder(arguments.name.name.as_ref().unwrap_or(&task.scene.name));
+    let destination = Destination::check(&folder, &file_names(&task.module()), interrupts)?;
     let bench = Bench::new(&task.scene.frame, task.spec(), &task.module())?;
     let fitted = arguments.device.fitted(&bench.design)?;
     waveform::check(&arguments.trace, &bench)?;
@@ -107,8 +110,8 @@ impl Arguments {
     /// The scene, and the core that shades it.
     fn task(&self) -> Result<Task, ToolError> {
         match &self.core {
-            None => Task::of_scene(&self.scene, &self.wishes),
-            Some(core) => Task::with_core(&self.scene, core),
+            None => Task::of_scene(&self.scene, &self.wishes, &self.name),
+            Some(core) => Task::with_core(&self.scene, core, &self.name),
         }
     }
 }
@@ -142,9 +145,12 @@ fn write(arguments: &Arguments, begin: Instant, destination: &Destination, run: 
     let staging = destination.stage()?;
     let window = waveform::write(&staging, run, &waveform::choice(&arguments.trace, run.disagreement.as_ref()))?;
     worst::write(&staging, run, window.as_ref())?;
+    write_pictures(&staging, run)?;
     let written = Written { files: files(&run.module, &staging), window, wall: begin.elapsed() };
-    let json = write_files(&staging, run, &written)?;
+    let json = write_reports(&staging, run, &written)?;
     staging.publish()?;
+    // Reports cannot say how long it takes to write them.
+    let written = Written { wall: begin.elapsed(), ..written };
     Ok(if arguments.json { json } else { summary::summary(run, &written, &destination.shown) })
 }
 
@@ -174,15 +180,18 @@ fn files(module: &str, staging: &Staging) -> Vec<String> {
     file_names(module).into_iter().filter(|name| !is_optional(name) || staging.file(name).exists()).collect()
 }
 
-/// Writes all but the waveform, and gives the JSON report.
-fn write_files(staging: &Staging, run: &Run, written: &Written) -> Result<String, ToolError> {
+fn write_pictures(staging: &Staging, run: &Run) -> Result<(), ToolError> {
     let comparison = &run.outcome.comparison;
     let pictures = [(SIMULATED, &run.outcome.simulated), (EXPECTED, &comparison.expected), (EXACT, &comparison.exact)];
     for (name, picture) in pictures {
         picture::write_image(&staging.file(name), picture).map_err(staging.failed(name))?;
     }
     let map = picture::heat_map(comparison);
-    picture::write_drawing(&staging.file(ERROR), &map).map_err(staging.failed(ERROR))?;
+    Ok(picture::write_drawing(&staging.file(ERROR), &map).map_err(staging.failed(ERROR))?)
+}
+
+/// Writes Verilog, spec and reports, and gives the JSON report.
+fn write_reports(staging: &Staging, run: &Run, written: &Written) -> Result<String, ToolError> {
     let page = report::html(run, written, staging, &PICTURES).map_err(staging.failed(html::FILE))?;
     let source = verilog::text(&run.task.origin, run.bench.spec, &run.bench.design);
     let json = report::json(run, written).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;

@@ -9,7 +9,7 @@ use crate::table;
 pub fn execute(stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let names = specula_scene::builtin_names().iter().copied().chain(["figure9"]);
     let rows: Vec<[String; 2]> = names.map(|name| [name.to_owned(), about(name).to_owned()]).collect();
-    write!(stdout, "{}", table::lines(&rows)).map_err(ToolError::Print)?;
+    write!(stdout, "{}", table::shown(&rows)).map_err(ToolError::Print)?;
     Ok(Verdict::Done)
 }
 

@@ -1,20 +1,22 @@
-//! `specula stress`: the catalogue of extremes.
+//! `specula stress`: the catalogue of extremes, and the search for broken bounds.
+mod climb;
 mod files;
 mod json;
 mod plots;
 mod table;
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use specula_scene::Method;
+use specula_testbench::climb::Search;
 use specula_testbench::stress::{CATALOGUE, Cell, Extent, RAW, RAW_INPUT, Verdict as StressVerdict, sweep};
 
 use crate::arguments::method_parser;
 use crate::cli::Verdict;
 use crate::error::ToolError;
-use crate::output::Destination;
+use crate::output::{Destination, Interrupts};
 use crate::progress;
 
 const EXAMPLE: &str = "\
@@ -25,9 +27,18 @@ the method (with the figure), or is at fault. Writes DIR/report.md, report.json,
 recurrences drift with the length of a span, and for each row and method the scene file of the
 worst span, which `run` takes.
 
-Exit status: 0 if nothing is at fault, 1 if anything is, 2 if it could not be tried.
+With --climb it searches for broken bounds instead: scenes of spans with cores of any options and
+formats, changed little by little towards the largest ratio of the measured quantisation error to
+the proven bound. Writes DIR/report.json, for each method the scene file with the largest ratio,
+and those that break a bound, made small, which `run` takes. A bound of 255 LSB or more is none.
 
-Example: specula stress --method slerp --seed 7";
+Exit status: 0 if nothing is at fault and no bound is broken, 1 if not, 2 if it could not be tried.
+
+Example: specula stress --method slerp --seed 7
+Example: specula stress --climb --scenes 100000 --seed 7";
+
+/// Scenes that a search tries.
+const SCENES: u64 = 20_000;
 
 /// Arguments of `stress`.
 #[derive(Clone, Debug, Args)]
@@ -40,14 +51,20 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// Random spans of each row
-    #[arg(long, value_name = "N", default_value_t = Extent::WHOLE.spans as u32, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    #[arg(long, value_name = "N", default_value_t = Extent::WHOLE.spans as u32, value_parser = clap::value_parser!(u32).range(1..=4096), conflicts_with = "climb")]
     spans: u32,
+    /// Search for broken bounds instead of trying the catalogue
+    #[arg(long)]
+    climb: bool,
+    /// Scenes that the search tries, shared out among the methods
+    #[arg(long, value_name = "N", default_value_t = SCENES, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000), requires = "climb")]
+    scenes: u64,
     /// Print report.json instead of the table
     #[arg(long)]
     json: bool,
-    /// Folder to write
-    #[arg(short, long, value_name = "DIR", default_value = "out/stress")]
-    output: PathBuf,
+    /// Folder to write [default: out/stress, or out/climb with --climb]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
 }
 
 /// The catalogue, tried.
@@ -75,10 +92,53 @@ impl RowResult {
     }
 }
 
-/// Tries the catalogue, writes everything, and prints the table or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let methods: Vec<Method> = arguments.method.map_or(Method::ALL.into(), |method| vec![method]);
-    let destination = Destination::check(&arguments.output, &files::possible_names(&methods))?;
+impl Arguments {
+    fn methods(&self) -> Vec<Method> {
+        self.method.map_or(Method::ALL.into(), |method| vec![method])
+    }
+
+    fn destination(
+        &self,
+        by_default: &str,
+        files: &[String],
+        interrupts: &Interrupts,
+    ) -> Result<Destination, ToolError> {
+        let folder = self.output.as_deref().unwrap_or(Path::new(by_default));
+        Ok(Destination::check(folder, files, interrupts)?)
+    }
+}
+
+/// Tries the catalogue or searches, writes everything, and prints the table or the report.
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
+    if arguments.climb {
+        search(arguments, stdout, interrupts)
+    } else {
+        try_catalogue(arguments, stdout, interrupts)
+    }
+}
+
+fn search(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
+    let methods = arguments.methods();
+    let destination = arguments.destination("out/climb", &climb::possible_names(&methods), interrupts)?;
+    let search = Search { seed: arguments.seed, scenes: arguments.scenes, methods };
+    climb::execute(&search, &destination, arguments.json, stdout)
+}
+
+fn try_catalogue(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
+    let methods = arguments.methods();
+    let destination = arguments.destination("out/stress", &files::possible_names(&methods), interrupts)?;
     let extent = Extent { spans: arguments.spans as usize, ..Extent::WHOLE };
     let bar = progress::steps();
     let cells = sweep(arguments.seed, &methods, extent, &|done, all| {

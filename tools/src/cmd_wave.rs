@@ -7,7 +7,7 @@ use clap::Args;
 
 use crate::cli::Verdict;
 use crate::error::ToolError;
-use crate::output::write_file;
+use crate::output::{Interrupts, write_file};
 use crate::picture;
 use crate::wave::{self, Asked, Figure, Selection, View, WaveError};
 
@@ -71,18 +71,18 @@ impl Arguments {
 }
 
 /// Draws the waveform; of a picture says where it is.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let target = arguments.target()?;
     let figure = figure(arguments, &target)?;
     let said = match target {
         Target::Text { width } => wave::text(&figure, width),
         Target::Svg(path) => {
-            write_file(path, |path| fs::write(path, wave::svg(&figure)))?;
+            write_file(path, interrupts, |path| fs::write(path, wave::svg(&figure)))?;
             said(path, &figure)
         }
         Target::Png(path) => {
             let drawing = wave::png(&figure)?;
-            write_file(path, |path| picture::write_line_drawing(path, &drawing))?;
+            write_file(path, interrupts, |path| picture::write_line_drawing(path, &drawing))?;
             said(path, &figure)
         }
     };

@@ -77,6 +77,20 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Wave(#[from] WaveError),
+    /// `--name` asks for what cannot be a module's name.
+    #[error("the core cannot be called `{}`", name.escape_debug())]
+    #[diagnostic(
+        code(specula::name),
+        help(
+            "write small letters, digits and single underscores between them, 48 at most, no digit first, and neither a port of the core's nor a word that Verilog or VHDL keeps, such as `--name {possible}`"
+        )
+    )]
+    Name {
+        /// What was asked for.
+        name: String,
+        /// A name that is like it and possible.
+        possible: String,
+    },
     /// `run figure9` is asked for what it does not do.
     #[error("figure9 is twelve cores in one picture: {wrong}")]
     #[diagnostic(code(specula::figure9), help("it takes `--engine`, `--output`, `--json` and a `--size` from 7x3 on"))]
@@ -135,6 +149,18 @@ pub enum OutputError {
         /// A file in it.
         foreign: String,
     },
+    /// A file of somebody else's has the name of one that would be written.
+    #[error("output folder `{}` holds `{name}`, which Specula did not write and would replace", folder.display())]
+    #[diagnostic(
+        code(specula::output::in_the_way),
+        help("move or rename `{name}`, or name another folder with `-o`")
+    )]
+    InTheWay {
+        /// The folder asked for.
+        folder: PathBuf,
+        /// The name of the file in it.
+        name: String,
+    },
     /// The folder holds a run's results, and the Verilog in it belongs to them.
     #[error("output folder `{}` holds the results of a run with another core", folder.display())]
     #[diagnostic(code(specula::output::core), help("name another folder with `-o`, or let `specula run` replace it"))]
@@ -161,9 +187,12 @@ pub enum OutputError {
         /// Why not.
         reason: io::Error,
     },
-    /// The new folder is in place, but files of the user's that were in the old one are not yet in it.
-    #[error("`{}` could not be moved back into the output folder: {reason}", path.display())]
-    #[diagnostic(code(specula::output::kept), help("it is safe there: move it by hand"))]
+    /// Not everything that belongs into the output folder is in it yet.
+    #[error("`{}` could not be moved into the output folder: {reason}", path.display())]
+    #[diagnostic(
+        code(specula::output::kept),
+        help("it is safe there: the next run tries again, or move it by hand")
+    )]
     Kept {
         /// Where it is.
         path: PathBuf,

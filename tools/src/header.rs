@@ -5,7 +5,7 @@ use specula_hdl::Design;
 use specula_hdl::verilog::Header;
 use specula_scene::{CoreSpec, SpecFile, builtin_names};
 
-use crate::arguments::{SceneArguments, Wishes};
+use crate::arguments::{NameArguments, SceneArguments, Wishes};
 use crate::table;
 
 /// The scene and the command, as files name them.
@@ -33,6 +33,16 @@ impl Origin {
     pub fn of_file(path: &Path, file: &SpecFile) -> Origin {
         let path = path.file_name().filter(|_| !path.is_dir()).map_or(SpecFile::NAME.into(), |name| name.to_string_lossy());
         Origin { scene: file.name.clone(), command: format!("specula generate --spec {}", quoted(&printable(&path))) }
+    }
+}
+
+impl Origin {
+    /// The origin of a core that was given a name.
+    pub fn called(mut self, name: &NameArguments) -> Origin {
+        if let Some(name) = &name.name {
+            self.command += &format!(" --name {}", quoted(name));
+        }
+        self
     }
 }
 

@@ -19,12 +19,14 @@ mod drawing;
 mod error;
 mod header;
 mod html;
+mod messages;
 mod output;
 mod picture;
 mod plot;
 mod progress;
 mod report;
 mod run;
+mod scene;
 mod summary;
 mod table;
 mod task;
@@ -41,6 +43,7 @@ use clap::Parser;
 
 use cli::{Cli, Verdict};
 use error::ToolError;
+use output::Interrupts;
 
 /// Exit status of a run in which a pixel, a clock or a fact was not as it must be.
 const DISAGREES: u8 = 1;
@@ -48,8 +51,14 @@ const DISAGREES: u8 = 1;
 const REFUSED: u8 = 2;
 
 fn main() -> ExitCode {
+    messages::install();
     let cli = Cli::parse();
-    match cli.command.execute(&mut io::stdout().lock()) {
+    // Where no handler can be had, the next run removes what a signal leaves.
+    let interrupts = Interrupts::watch().unwrap_or_default();
+    let ended = cli.command.execute(&mut io::stdout().lock(), &interrupts);
+    // What a signal takes away is no error to be told of: the program ends with the signal's status.
+    let _held = interrupts.hold();
+    match ended {
         Ok(Verdict::Done) => ExitCode::SUCCESS,
         Ok(Verdict::Disagrees) => ExitCode::from(DISAGREES),
         // Who reads the output may have seen enough of it, as `head` has.

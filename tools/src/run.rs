@@ -74,7 +74,7 @@ impl Run<'_> {
 pub struct Written {
     /// The clocks in the waveform; none without one.
     pub window: Option<Range<u64>>,
-    /// What the run took from the beginning on.
+    /// What the run took from the beginning on, pictures and waveform included.
     pub wall: Duration,
     /// Every file, in the order in which people want to see them.
     pub files: Vec<String>,

@@ -10,9 +10,9 @@ use crate::table;
 
 /// The summary of a run whose files are in `folder`.
 pub fn summary(run: &Run, written: &Written, folder: &Path) -> String {
-    let mut text = table::lines(&facts(run, written));
+    let mut text = table::shown(&facts(run, written));
     // Writing to a String cannot fail.
-    let _ = write!(text, "\n{}\nfiles in {}\n", table::lines(&errors(run)), folder.display());
+    let _ = write!(text, "\n{}\nfiles in {}\n", table::shown(&errors(run)), folder.display());
     written.files.iter().for_each(|file| text.push_str(&format!("  {file}\n")));
     text
 }

@@ -1,12 +1,67 @@
 //! Rows of text in columns.
 use std::fmt::Write;
+use std::io;
+
+use textwrap::{Options, WordSeparator, WordSplitter};
+
+/// Blanks between columns.
+const GAP: &str = "  ";
+
+/// Rows as standard output shows them: on a terminal as wide as that, cells folded at blanks if need be; elsewhere a line each.
+pub fn shown<const N: usize>(rows: &[[String; N]]) -> String {
+    match terminal_size::terminal_size_of(io::stdout()) {
+        Some((columns, _)) => folded(rows, columns.0.into()),
+        None => lines(rows),
+    }
+}
+
+/// Rows that take `room` columns, or as few more as their longest words need.
+fn folded<const N: usize>(rows: &[[String; N]], room: usize) -> String {
+    let widths = narrowed(rows, room.saturating_sub(GAP.len() * N.saturating_sub(1)));
+    let pieces: Vec<[String; N]> = rows.iter().flat_map(|row| pieces(row, widths)).collect();
+    lines(&pieces)
+}
+
+/// Widths of columns that take `room` together, the widest ones made narrower, but none narrower than its longest word.
+fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
+    let longest = |c: usize| rows.iter().flat_map(|row| row[c].split(' ')).map(width).max().unwrap_or(0);
+    let least: [usize; N] = std::array::from_fn(longest);
+    let mut widths = widths(rows);
+    while widths.iter().sum::<usize>() > room {
+        let widest = (0..N).filter(|&c| widths[c] > least[c]).max_by_key(|&c| (widths[c], c));
+        let Some(widest) = widest else { break };
+        widths[widest] -= 1;
+    }
+    widths
+}
+
+/// A row as several, in which each cell has the width of its column.
+fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String; N]> {
+    let options = |width| {
+        let options = Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
+        options.word_splitter(WordSplitter::NoHyphenation)
+    };
+    let cells: [Vec<String>; N] = std::array::from_fn(|c| {
+        textwrap::wrap(&row[c], options(widths[c])).into_iter().map(|line| line.into_owned()).collect()
+    });
+    let height = cells.iter().map(Vec::len).max().unwrap_or(0);
+    (0..height).map(|line| std::array::from_fn(|c| cells[c].get(line).cloned().unwrap_or_default())).collect()
+}
+
+fn widths<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
+    std::array::from_fn(|c| rows.iter().map(|row| width(&row[c])).max().unwrap_or(0))
+}
+
+fn width(text: &str) -> usize {
+    text.chars().count()
+}
 
 /// Rows with their columns lined up by blanks, a line each.
 pub fn lines<const N: usize>(rows: &[[String; N]]) -> String {
-    let widths: [usize; N] = std::array::from_fn(|c| rows.iter().map(|row| row[c].chars().count()).max().unwrap_or(0));
+    let widths = widths(rows);
     let line = |row: &[String; N]| {
         let cells: Vec<String> = row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}")).collect();
-        format!("{}\n", cells.join("  ").trim_end())
+        format!("{}\n", cells.join(GAP).trim_end())
     };
     rows.iter().map(line).collect()
 }
@@ -47,5 +102,31 @@ mod tests {
     #[test]
     fn bars_in_cells_do_not_split_them() {
         assert_eq!(markdown(["fact", "n"], &[row("|N| <= 1", "2")]), "| fact | n |\n|---|---:|\n| \\|N\\| <= 1 | 2 |\n");
+    }
+
+    #[test]
+    fn wide_tables_are_folded_at_blanks() {
+        let rows = [row("need", "what is left out or narrowed"), row("lights-and-eye", "3 of 4 pipelines, widths/../of-all")];
+        let expected = "\
+need            what is left out
+                or narrowed
+lights-and-eye  3 of 4
+                pipelines,
+                widths/../of-all
+";
+        assert_eq!(folded(&rows, 32), expected);
+        assert_eq!(folded(&rows, 0), folded(&rows, 32));
+        assert_eq!(folded(&rows, 1000), lines(&rows));
+    }
+
+    #[test]
+    fn no_line_is_longer_than_the_room_and_no_word_is_broken() {
+        let rows = [row("one two three", "four five six seven eight"), row("  nine", "ten"), row("", "")];
+        for room in 13..45 {
+            let text = folded(&rows, room);
+            assert!(text.lines().all(|line| line.len() <= room), "{room}:\n{text}");
+            let words = |text: &str| { let mut words: Vec<_> = text.split_whitespace().map(str::to_owned).collect(); words.sort(); words };
+            assert_eq!(words(&text), words(&lines(&rows)));
+        }
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use specula_scene::spec::{Served, SpecError};
 use specula_scene::{CoreSpec, LoadedScene, SpecFile};
 
-use crate::arguments::{SceneArguments, Wishes};
+use crate::arguments::{NameArguments, SceneArguments, Wishes};
 use crate::error::ToolError;
 use crate::header::Origin;
 
@@ -20,23 +20,26 @@ pub struct Task {
 
 impl Task {
     /// The core for a scene.
-    pub fn of_scene(scene: &SceneArguments, wishes: &Wishes) -> Result<Task, ToolError> {
+    pub fn of_scene(scene: &SceneArguments, wishes: &Wishes, name: &NameArguments) -> Result<Task, ToolError> {
         let loaded = scene.load()?;
         let spec = wishes.core(&loaded)?;
-        let origin = Origin::of_scene(scene, wishes, &spec);
-        Ok(Task { file: SpecFile { name: loaded.name.clone(), spec }, scene: loaded, origin })
+        let origin = Origin::of_scene(scene, wishes, &spec).called(name);
+        let mut file = SpecFile { name: loaded.name.clone(), spec };
+        name.rename(&mut file)?;
+        Ok(Task { file, scene: loaded, origin })
     }
 
     /// A scene and a core that was made before.
-    pub fn with_core(scene: &SceneArguments, core: &Path) -> Result<Task, ToolError> {
-        let file = SpecFile::read(core)?;
+    pub fn with_core(scene: &SceneArguments, core: &Path, name: &NameArguments) -> Result<Task, ToolError> {
+        let mut file = SpecFile::read(core)?;
         let loaded = scene.load()?;
         let served = file.spec.serving(&loaded.frame).map_err(|error| {
             let (core, scene) = (core.to_owned(), loaded.name.clone());
             ToolError::Refused(Refused { core, scene, error })
         });
         let Served { frame, spec } = served?;
-        let origin = Origin::of_file(core, &file);
+        let origin = Origin::of_file(core, &file).called(name);
+        name.rename(&mut file)?;
         Ok(Task { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })
     }
 
@@ -47,7 +50,7 @@ impl Task {
 
     /// The name of its Verilog module.
     pub fn module(&self) -> String {
-        specula_hdl::verilog::module_name(&self.file.name)
+        specula_hdl::verilog::module_name(&self.file.name, self.spec())
     }
 }
 

@@ -2,6 +2,7 @@
 use std::fs::{self, File};
 use std::io;
 use std::ops::Range;
+use std::path::Path;
 
 use specula_sim::Flow;
 use specula_sim::gtkw::{self, View};
@@ -45,11 +46,25 @@ pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
 }
 
 /// Writes dump and save file of the clocks of `choice`, and says which those are.
-///
-/// The clocks go from the engine to the file a batch at a time, so that a long run does not have to fit into memory.
 pub fn write(staging: &Staging, run: &Run, choice: &Choice) -> Result<Option<Range<u64>>, ToolError> {
     let name = run.trace_format.file_name();
-    let file = File::create(staging.file(name)).map_err(staging.failed(name))?;
+    let window = dump(&staging.file(name), run, choice)?.map_err(staging.failed(name))?;
+    match &window {
+        Some(window) => write_save_file(staging, run, window).map_err(staging.failed(SAVE_FILE))?,
+        None => fs::remove_file(staging.file(name)).map_err(staging.failed(name))?,
+    }
+    Ok(window)
+}
+
+/// Writes a dump of the clocks of `choice` and says which those are: one error if they cannot be simulated, the other if the file cannot
+/// be written.
+///
+/// The clocks go from the engine to the file a batch at a time, so that a long run does not have to fit into memory.
+pub fn dump(path: &Path, run: &Run, choice: &Choice) -> Result<io::Result<Option<Range<u64>>>, ToolError> {
+    let file = match File::create(path) {
+        Ok(file) => file,
+        Err(error) => return Ok(Err(error)),
+    };
     let about = format!(
         "Specula {}, scene {}, method {}",
         env!("CARGO_PKG_VERSION"),
@@ -66,12 +81,7 @@ pub fn write(staging: &Staging, run: &Run, choice: &Choice) -> Result<Option<Ran
     });
     bar.finish_and_clear();
     let window = window?;
-    written.and_then(|()| dump.end()).map_err(staging.failed(name))?;
-    match &window {
-        Some(window) => write_save_file(staging, run, window).map_err(staging.failed(SAVE_FILE))?,
-        None => fs::remove_file(staging.file(name)).map_err(staging.failed(name))?,
-    }
-    Ok(window)
+    Ok(written.and_then(|()| dump.end()).map(|()| window))
 }
 
 fn write_save_file(staging: &Staging, run: &Run, window: &Range<u64>) -> io::Result<()> {

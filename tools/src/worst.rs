@@ -5,39 +5,35 @@ use std::ops::Range;
 use specula_hdl::Design;
 use specula_hdl::design::{NodeId, Op, ScopeId};
 use specula_sim::gtkw;
+use specula_testbench::trace::Choice;
 
 use crate::error::ToolError;
 use crate::output::Staging;
 use crate::run::Run;
 use crate::wave::{self, Asked, View};
+use crate::waveform;
 
 /// The picture.
 pub const PICTURE: &str = "worst.svg";
 
-/// Bytes of a waveform that is read again for a picture, at most. A larger one was asked for by its clocks, and takes a while to read.
-const LARGEST_DUMP: u64 = 8 << 20;
 /// Rows of units, at most; where there are more, values on a unit's way to its result are left out.
 const MOST_ROWS: usize = 26;
 /// Clocks shown before the pixel enters and after it leaves.
 const AROUND: u64 = 2;
 
-/// Draws the pixel's way from the waveform that has just been written; nothing if that does not hold it or is very large.
+/// Draws the pixel's way through the core, if the run has a waveform and a pixel at all. The clocks of that way are read from a waveform
+/// of their own, since that of the run may hold other ones, or be very long.
 pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Result<(), ToolError> {
-    let Some(leaves) = run.clock_to_look_at().filter(|clock| window.is_some_and(|window| window.contains(clock))) else {
-        return Ok(());
-    };
-    let name = run.trace_format.file_name();
-    let dump = staging.file(name);
-    if fs::metadata(&dump).map_err(staging.failed(name))?.len() > LARGEST_DUMP {
-        return Ok(());
-    }
+    let Some(leaves) = run.clock_to_look_at().filter(|_| window.is_some()) else { return Ok(()) };
     let design = &run.bench.design;
     // Of lights that take turns the last.
     let enters = leaves.saturating_sub(design.depth().into());
+    let (first, last) = (enters.saturating_sub(AROUND), leaves + AROUND);
+    let dump = staging.scratch(run.trace_format.file_name());
+    waveform::dump(&dump, run, &Choice::Cycles(first..last + 1))?.map_err(staging.failed(PICTURE))?;
     let mut view = View::open(&dump)?;
     let choice = view.named(&way(design, enters));
-    let asked = Asked { from: Some(enters.saturating_sub(AROUND)), to: Some(leaves + AROUND), usual: 0 };
-    let mut figure = view.figure(&choice, &asked)?;
+    let mut figure = view.figure(&choice, &Asked { from: Some(first), to: Some(last), usual: 0 })?;
     figure.notes =
         vec!["A pixel's way through the core: marked values belong to the pixel that leaves in the marked clock.".to_owned()];
     fs::write(staging.file(PICTURE), wave::svg(&figure)).map_err(staging.failed(PICTURE))?;

@@ -2,13 +2,12 @@
 use glam::DVec3;
 use specula_scene::spec::GouraudSpec;
 use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::{Frame, Span};
+use specula_scene::{Facet, Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
 use super::illumination::{self, Illumination};
 use super::method::ShadePixel;
-use super::normalisation::unit;
 use super::shape::power;
 
 /// One span, shaded by `gouraud`.
@@ -21,21 +20,19 @@ pub struct GouraudSpan<'a> {
     coefficients: Coefficients,
 }
 
-/// The middle of a triangle.
-const MIDDLE: [f64; 3] = [1.0 / 3.0; 3];
-
 impl<'a> GouraudSpan<'a> {
     /// Sets up a span of a frame.
     pub fn new(spec: &GouraudSpec, frame: &Frame, span: &'a Span) -> Self {
-        let normals = &frame.triangles[span.triangle].normals;
-        let vertex = |v: usize| (normals[v], std::array::from_fn(|k| if k == v { 1.0 } else { 0.0 }));
+        let triangle = &frame.triangles[span.triangle];
+        let vertex = |v: usize| (triangle.normals[v], triangle.positions[v]);
         let (points, ends) = match spec.interpolation {
             Interpolation::Linear => ([0, 1, 2].map(vertex).to_vec(), [span.start, span.end].map(Vec::from)),
             Interpolation::Uniform => {
-                (vec![(unit(normals.iter().sum()).unwrap_or(DVec3::ZERO), MIDDLE)], [1.0; 2].map(|weight| vec![weight]))
+                let Facet { normal, middle } = triangle.facet;
+                (vec![(normal, middle)], [1.0; 2].map(|weight| vec![weight]))
             }
         };
-        let at_points: Vec<Vec<Amounts>> = points.into_iter().map(|(n, weights)| amounts(frame, span, n, weights)).collect();
+        let at_points: Vec<Vec<Amounts>> = points.into_iter().map(|(n, place)| amounts(frame, span, n, place)).collect();
         let lights = (0..frame.light_colours().count()).map(|light| at_points.iter().map(|point| point[light]).collect());
         GouraudSpan { span, lights: lights.collect(), ends, coefficients: Coefficients::new(frame, span) }
     }
@@ -57,10 +54,10 @@ impl ShadePixel for GouraudSpan<'_> {
     }
 }
 
-/// What each light gives at a point with the normal `normal`.
-fn amounts(frame: &Frame, span: &Span, normal: DVec3, weights: [f64; 3]) -> Vec<Amounts> {
+/// What each light gives at a place with the normal `normal`.
+fn amounts(frame: &Frame, span: &Span, normal: DVec3, place: DVec3) -> Vec<Amounts> {
     let shininess = frame.material(span).shininess;
-    let view = illumination::view(frame, span, weights);
+    let view = illumination::view_from(frame, place);
     let of = |light: Option<Illumination>| match light {
         Some(Illumination { direction, share }) => Amounts {
             diffuse: share * lambert(normal, direction),
@@ -68,7 +65,7 @@ fn amounts(frame: &Frame, span: &Span, normal: DVec3, weights: [f64; 3]) -> Vec<
         },
         None => Amounts::default(),
     };
-    illumination::lights(frame, span, weights).map(of).collect()
+    illumination::lights_from(frame, place).map(of).collect()
 }
 
 /// max(R·L, 0)^n; none where there is no normal.

@@ -16,15 +16,24 @@ pub struct Illumination {
 
 /// Towards the eye from a pixel of a span, a unit vector; none for an eye at the very point [METHODS.md C18].
 pub fn view(frame: &Frame, span: &Span, weights: [f64; 3]) -> Option<DVec3> {
+    view_from(frame, frame.position_at(span, weights))
+}
+
+/// As [`view`], from a `position` in view space.
+pub fn view_from(frame: &Frame, position: DVec3) -> Option<DVec3> {
     match frame.eye {
-        Some(eye) => unit(eye - frame.position_at(span, weights)),
+        Some(eye) => unit(eye - position),
         None => Some(EYE),
     }
 }
 
 /// Every light as it is seen from a pixel of a span, those at infinity first; none for a light at the very point (EXTREMES row 39).
 pub fn lights(frame: &Frame, span: &Span, weights: [f64; 3]) -> impl Iterator<Item = Option<Illumination>> {
-    let position = frame.position_at(span, weights);
+    lights_from(frame, frame.position_at(span, weights))
+}
+
+/// As [`lights`], from a `position` in view space.
+pub fn lights_from(frame: &Frame, position: DVec3) -> impl Iterator<Item = Option<Illumination>> {
     (0..frame.lights.len() + frame.local_lights.len()).map(move |index| light(frame, index, position))
 }
 

@@ -27,7 +27,7 @@ enum Path {
 impl Path {
     fn new(spec: &LyonSpec, frame: &Frame, span: &Span) -> Path {
         match spec.normals {
-            Normals::Flat => Path::Flat(frame.mean_normal(span)),
+            Normals::Flat => Path::Flat(frame.facet_normal(span)),
             Normals::Linear => {
                 let [start, end] = frame.end_normals(span);
                 Path::Linear { start, delta: end - start }

@@ -25,6 +25,7 @@ impl Colour {
 
     /// min(255, floor(c + 1/2)).
     pub fn code(self, format: Format, observer: &mut impl Observer) -> [u8; 3] {
+        observer.see_sums(&self.0);
         std::array::from_fn(|c| {
             observer.see(format_args!("colour_{}", CHANNELS[c]), self.0[c], format);
             // Saturation works at the upper end alone: no coefficient and no amount is negative.

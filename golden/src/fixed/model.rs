@@ -10,7 +10,7 @@ use super::gouraud::Gouraud;
 use super::hybrid::Hybrid;
 use super::lyon::Lyon;
 use super::method::{Method, Values};
-use super::observer::{Nobody, Notebook, Observation};
+use super::observer::{Nobody, Notebook, Observation, Sums};
 use super::packet::{self, PacketError};
 use super::phong::Phong;
 use super::reflection::Reflection;
@@ -48,6 +48,16 @@ impl Model {
     pub fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
         let course = packet::check(packet, &self.ports, self.longest_span)?;
         self.method.shade(packet, course, out)
+    }
+
+    /// The sums of ambient, diffuse and specular light that [`Model::shade`] rounds to codes: of each pixel red, green and blue, in
+    /// LSBs, 0 or more and not yet cut off at 255.
+    ///
+    /// # Errors
+    /// [`PacketError`] if the packet is not one for this core.
+    pub fn sums(&self, packet: &SpanPacket) -> Result<Vec<[f64; 3]>, PacketError> {
+        let course = packet::check(packet, &self.ports, self.longest_span)?;
+        self.method.sums(packet, course)
     }
 
     /// Every named value of pixel `i`, in the order of the data. `<l>` counts lights, `<s>` steps, both from 0.
@@ -103,6 +113,8 @@ impl Model {
 trait ShadeSpan: Send + Sync {
     fn shade(&self, packet: &SpanPacket, course: Course, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError>;
 
+    fn sums(&self, packet: &SpanPacket, course: Course) -> Result<Vec<[f64; 3]>, PacketError>;
+
     fn trace(&self, packet: &SpanPacket, course: Course, i: u32) -> Result<Vec<Observation>, PacketError>;
 }
 
@@ -111,6 +123,16 @@ impl<M: Method + Send + Sync> ShadeSpan for M {
         let inputs = read(self, packet, course)?;
         out.extend((0..packet.length).map(|i| self.pixel(&inputs, i, &mut Nobody)));
         Ok(())
+    }
+
+    fn sums(&self, packet: &SpanPacket, course: Course) -> Result<Vec<[f64; 3]>, PacketError> {
+        let inputs = read(self, packet, course)?;
+        let sums_of = |i| {
+            let mut sums = Sums::default();
+            self.pixel(&inputs, i, &mut sums);
+            sums.0
+        };
+        Ok((0..packet.length).map(sums_of).collect())
     }
 
     fn trace(&self, packet: &SpanPacket, course: Course, i: u32) -> Result<Vec<Observation>, PacketError> {

@@ -24,9 +24,11 @@ impl Observation {
     }
 }
 
-/// Is shown each value; one implementation keeps them, the other costs nothing.
+/// Is shown each value, and the sums of light before they become codes; an implementation that keeps none costs nothing.
 pub(super) trait Observer {
     fn see(&mut self, name: fmt::Arguments<'_>, value: Wide, format: Format);
+
+    fn see_sums(&mut self, _sums: &[Wide; 3]) {}
 }
 
 /// Looks away.
@@ -35,6 +37,19 @@ pub(super) struct Nobody;
 impl Observer for Nobody {
     #[inline(always)]
     fn see(&mut self, _: fmt::Arguments<'_>, _: Wide, _: Format) {}
+}
+
+/// Keeps the sums of light of one pixel, in LSBs.
+#[derive(Default)]
+pub(super) struct Sums(pub [f64; 3]);
+
+impl Observer for Sums {
+    #[inline(always)]
+    fn see(&mut self, _: fmt::Arguments<'_>, _: Wide, _: Format) {}
+
+    fn see_sums(&mut self, sums: &[Wide; 3]) {
+        self.0 = sums.map(|sum| sum.to_num());
+    }
 }
 
 /// Keeps everything.

@@ -57,7 +57,7 @@ struct Surface<T, C> {
 
 impl<T: Number, C: Curve> Surface<T, C> {
     fn new(line: &Line) -> Self {
-        let face = line.face();
+        let face = line.face;
         let angles = line.vertices.map(|n| vertex_angle(n.dot(face), C::SCALING));
         let complement = |weights: [f64; 3]| 1.0 - weights.iter().zip(angles).map(|(w, a)| w * a).sum::<f64>() * 2.0 / PI;
         Surface {

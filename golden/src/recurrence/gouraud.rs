@@ -12,7 +12,7 @@ pub struct Uniform<T>(Pair<T>);
 
 impl<T: Number> Scheme<T> for Uniform<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        let normal = line.face();
+        let normal = line.face;
         Uniform(Pair { diffuse: T::of(lambert(normal, light)), base: T::of(textbook(normal, light)) })
     }
 

@@ -14,6 +14,8 @@ pub struct Line {
     pub steps: u32,
     /// Unit normals at the triangle's vertices.
     pub vertices: [DVec3; 3],
+    /// The unit normal of the polygon; V's direction for one that has none.
+    pub face: DVec3,
     /// Barycentric weights at the first and last pixel.
     pub weights: [[f64; 3]; 2],
     /// Phong's exponent n.
@@ -23,10 +25,12 @@ pub struct Line {
 impl Line {
     /// A span of a frame.
     pub fn new(frame: &Frame, span: &Span) -> Line {
+        let triangle = &frame.triangles[span.triangle];
         Line {
             ends: frame.end_normals(span),
             steps: span.steps(),
-            vertices: frame.triangles[span.triangle].normals,
+            vertices: triangle.normals,
+            face: unit(triangle.facet.normal).unwrap_or(EYE),
             weights: [span.start, span.end],
             shininess: frame.material(span).shininess,
         }
@@ -46,14 +50,4 @@ impl Line {
     pub fn unit_ends(&self) -> [DVec3; 2] {
         self.ends.map(|end| unit(end).unwrap_or(EYE))
     }
-
-    /// The face's normal.
-    pub fn face(&self) -> DVec3 {
-        face(&self.vertices)
-    }
-}
-
-/// The mean direction of a triangle's vertex normals, which stands in for its face's: a [`Frame`] keeps no places. V's where they cancel.
-pub fn face(vertices: &[DVec3; 3]) -> DVec3 {
-    unit(vertices.iter().sum()).unwrap_or(EYE)
 }

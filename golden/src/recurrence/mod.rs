@@ -25,7 +25,7 @@ pub use differences::{Linear, Second, Vector, Walk, dot, vector};
 pub use distributions::{Blinn, TorranceSparrow, TrowbridgeReitz};
 pub use duff::{Direct, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, Hybrid};
 pub use gouraud::{Gouraud, Uniform};
-pub use line::{Line, face};
+pub use line::Line;
 pub use lyon::{Half, HalfG2, LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Sum, Unit};
 pub use number::Number;
 pub use phong::{FastPhong, Phong};

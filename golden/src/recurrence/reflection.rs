@@ -11,7 +11,7 @@ use crate::exact::quadratic::Quadratic;
 
 /// [2(H·a)(H·n) - (n·a)(H·H)] for N'·a [eq. 29 to 32].
 fn numerator<T: Number>(line: &Line, along: DVec3) -> Second<T> {
-    let (face, k) = (line.face(), line.step());
+    let (face, k) = (line.face, line.step());
     let m = line.ends[0] + face;
     let p = Quadratic::product(m, k, 2.0 * face, along).plus(-face.dot(along), Quadratic::square(m, k));
     Second::new(p)
@@ -26,7 +26,7 @@ pub struct Reflection<T> {
 
 impl<T: Number> Scheme<T> for Reflection<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        let q = Quadratic::square(line.ends[0] + line.face(), line.step());
+        let q = Quadratic::square(line.ends[0] + line.face, line.step());
         Reflection { p: numerator(line, light), q: Second::new(q) }
     }
 

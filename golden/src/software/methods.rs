@@ -87,6 +87,6 @@ fn arc<S: Scheme<f32> + 'static>(frame: &Frame, span: &Span) -> Box<dyn Software
 /// A wrap where the face's normal serves the span's triangle, Phong elsewhere (EXTREMES row 8).
 fn wrapped<S: Scheme<f32> + 'static>(frame: &Frame, span: &Span) -> Box<dyn Software> {
     let line = Line::new(frame, span);
-    let serves = wrap::serves(line.face(), &line.vertices);
+    let serves = wrap::serves(line.face, &line.vertices);
     if serves { looped::<S>(frame, span) } else { looped::<Phong<f32>>(frame, span) }
 }

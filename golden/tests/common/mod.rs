@@ -6,7 +6,7 @@ pub mod draw;
 use glam::DVec3;
 use specula_golden::fixed::Observation;
 use specula_scene::spec::SpecError;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, Needs, Span, SpanPacket, Triangle, VertexCone};
+use specula_scene::{CoreSpec, DirectionalLight, Facet, Frame, Material, Method, Needs, Span, SpanPacket, Triangle, VertexCone};
 
 pub const WHITE: [f64; 3] = [1.0; 3];
 
@@ -30,7 +30,9 @@ pub fn frame(normals: [DVec3; 2], length: u32, lights: &[DVec3], material: Mater
 
 /// A triangle whose vertices stand among faces that have its normals.
 fn triangle(normals: [DVec3; 3]) -> Triangle {
-    Triangle { normals, positions: [DVec3::ZERO; 3], cones: normals.map(VertexCone::flat), material: 0 }
+    let positions = [DVec3::ZERO; 3];
+    let facet = Facet::of_vertices(&normals, &positions);
+    Triangle { normals, facet, positions, cones: normals.map(VertexCone::flat), material: 0 }
 }
 
 /// Grey reflectances.

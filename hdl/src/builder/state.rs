@@ -52,7 +52,9 @@ impl State {
             assumptions: vec![],
             left_out: vec![],
         };
-        let names = CONTROL.map(|n| (ScopeId::TOP, n.to_owned())).into();
+        // A signal of the module's own name would hide the module.
+        let taken = CONTROL.into_iter().chain([name]);
+        let names = taken.map(|taken| (ScopeId::TOP, taken.to_owned())).collect();
         let scope = ScopeId::TOP;
         let computed = HashMap::new();
         State {

@@ -1,6 +1,8 @@
 //! Specs and frames drawn at random, the same ones for the same seed.
 use glam::DVec3;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, LocalLight, Material, Method, Needs, Span, Spot, Triangle, VertexCone};
+use specula_scene::{
+    CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, Needs, Span, Spot, Triangle, VertexCone,
+};
 
 #[path = "../../../scene/tests/common/any_spec.rs"]
 mod any_spec;
@@ -115,7 +117,14 @@ fn triangle(draw: &mut Draw, material: usize) -> Triangle {
         _ => std::array::from_fn(|_| 1.2 * draw.unit() - 0.2),
     };
     let cone = |v: usize| VertexCone { axis: normals[v], cosine: cosine[v] };
-    Triangle { normals, positions: [place(draw), place(draw), place(draw)], cones: std::array::from_fn(cone), material }
+    let positions = [place(draw), place(draw), place(draw)];
+    let of_vertices = Facet::of_vertices(&normals, &positions);
+    // A polygon's normal may be anywhere among those of its vertices, or nowhere near them.
+    let facet = match draw.between(0, 1) {
+        0 => of_vertices,
+        _ => Facet { normal: draw.direction(), ..of_vertices },
+    };
+    Triangle { normals, facet, positions, cones: std::array::from_fn(cone), material }
 }
 
 /// Normals of a vertex each: near each other, anywhere, or opposite.

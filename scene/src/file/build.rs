@@ -6,6 +6,7 @@ use toml::Spanned;
 
 use super::values::{Integer, Number, Triple};
 use super::{Shown, SourceFile, check, light, object, raw, span};
+use crate::mesh::Warning;
 use crate::picture::camera::Camera;
 use crate::picture::{Light, Rows, Scene, limits};
 use crate::{Colour, SceneError, defaults};
@@ -13,22 +14,27 @@ use crate::{Colour, SceneError, defaults};
 /// The most lights a core takes.
 const MOST_LIGHTS: usize = 4;
 
-/// Checks every value and reads the meshes, which are looked for in `folder`.
-pub(super) fn shown(file: raw::File, source: &SourceFile, folder: Option<&Path>) -> Result<Shown, SceneError> {
+/// Checks every value and reads the meshes, which are looked for in `folder`; what is passed over in them goes to `warnings`.
+pub(super) fn shown(
+    file: raw::File,
+    source: &SourceFile,
+    folder: Option<&Path>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Shown, SceneError> {
     if file.span.is_empty() {
-        return scene(file, source, folder).map(Shown::Objects);
+        return scene(file, source, folder, warnings).map(Shown::Objects);
     }
     rows(file, source).map(Shown::Rows)
 }
 
-fn scene(file: raw::File, source: &SourceFile, folder: Option<&Path>) -> Result<Scene, SceneError> {
+fn scene(file: raw::File, source: &SourceFile, folder: Option<&Path>, warnings: &mut Vec<Warning>) -> Result<Scene, SceneError> {
     Ok(Scene {
         size: size(source, file.size.as_ref())?,
         background: background(source, file.background.as_ref())?,
         camera: camera(source, file.camera.as_ref())?,
         ambient: ambient(source, file.ambient.as_ref())?,
         lights: lights(source, &file.light)?,
-        objects: object::objects(source, &file.object, folder)?,
+        objects: object::objects(source, &file.object, folder, warnings)?,
     })
 }
 

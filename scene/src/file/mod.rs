@@ -15,6 +15,7 @@ use std::path::Path;
 pub use self::core::CoreTable;
 pub(crate) use self::source::SourceFile;
 
+use crate::mesh::Warning;
 use crate::picture::project::PictureError;
 use crate::picture::{Rows, Scene};
 use crate::{Frame, SceneError, Surface};
@@ -34,6 +35,8 @@ pub(crate) enum Shown {
 pub(crate) struct SceneFile {
     shown: Shown,
     pub core: Option<CoreTable>,
+    /// What was passed over in the meshes.
+    pub warnings: Vec<Warning>,
     /// Where the camera is, if the file has one.
     camera: Option<(SourceFile, Range<usize>)>,
 }
@@ -47,12 +50,13 @@ impl SceneFile {
         let raw: raw::File = source.parse(KEYS)?;
         let core = raw.core.as_ref().map(|table| CoreTable::new(source.clone(), table.span()));
         let camera = raw.camera.as_ref().map(|camera| (source.clone(), camera.span()));
-        Ok(SceneFile { shown: build::shown(raw, source, folder)?, core, camera })
+        let mut warnings = Vec::new();
+        Ok(SceneFile { shown: build::shown(raw, source, folder, &mut warnings)?, core, warnings, camera })
     }
 
-    /// A scene that no file was read for.
-    pub fn without_text(scene: Scene) -> SceneFile {
-        SceneFile { shown: Shown::Objects(scene), core: None, camera: None }
+    /// A scene that no scene file was read for, with what was passed over in its mesh.
+    pub fn without_text(scene: Scene, warnings: Vec<Warning>) -> SceneFile {
+        SceneFile { shown: Shown::Objects(scene), core: None, warnings, camera: None }
     }
 
     /// Makes the picture, `size` pixels large if given; `name` is the scene's in errors.

@@ -8,7 +8,7 @@ use super::values::Number;
 use super::{SourceFile, check, raw};
 use crate::angle::cos_sin;
 use crate::mesh::error::listed;
-use crate::mesh::{MOST_TRIANGLES, Mesh};
+use crate::mesh::{MOST_TRIANGLES, Mesh, Warning};
 use crate::picture::Object;
 use crate::primitive::{self, Primitive};
 use crate::{Material, SceneError, defaults};
@@ -16,11 +16,13 @@ use crate::{Material, SceneError, defaults};
 /// The largest component of a material's specular colour; Lyon's figure 9 uses 400/255.
 const BRIGHTEST_SPECULAR: f64 = 4.0;
 
-/// All objects; at least one, and together no more triangles than a single mesh may have.
+/// All objects; at least one, and together no more triangles than a single mesh may have. What was passed over in their
+/// meshes goes to `warnings`.
 pub(super) fn objects(
     source: &SourceFile,
     given: &[Spanned<raw::Object>],
     folder: Option<&Path>,
+    warnings: &mut Vec<Warning>,
 ) -> Result<Vec<Object>, SceneError> {
     if given.is_empty() {
         let help = "add a table `[[object]]` with a `mesh` or a `primitive`";
@@ -29,7 +31,7 @@ pub(super) fn objects(
     let mut objects = Vec::with_capacity(given.len());
     let mut triangles = 0;
     for raw in given {
-        let object = object(source, raw, folder)?;
+        let object = object(source, raw, folder, warnings)?;
         triangles += object.mesh.triangles.len();
         if triangles > MOST_TRIANGLES {
             let problem = format!("with this object the scene has {triangles} triangles");
@@ -41,10 +43,15 @@ pub(super) fn objects(
     Ok(objects)
 }
 
-fn object(source: &SourceFile, raw: &Spanned<raw::Object>, folder: Option<&Path>) -> Result<Object, SceneError> {
+fn object(
+    source: &SourceFile,
+    raw: &Spanned<raw::Object>,
+    folder: Option<&Path>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Object, SceneError> {
     // Cheap checks first, then what reads files.
     let (place, material) = (place(source, raw.get_ref())?, material(source, &raw.get_ref().material)?);
-    let (mesh, primitive) = shape(source, raw, folder)?;
+    let (mesh, primitive) = shape(source, raw, folder, warnings)?;
     Ok(Object { mesh, primitive, place, material })
 }
 
@@ -53,6 +60,7 @@ fn shape(
     source: &SourceFile,
     object: &Spanned<raw::Object>,
     folder: Option<&Path>,
+    warnings: &mut Vec<Warning>,
 ) -> Result<(Mesh, Option<Primitive>), SceneError> {
     let raw = object.get_ref();
     match (&raw.mesh, &raw.primitive) {
@@ -63,7 +71,11 @@ fn shape(
                 }
             }
             let path = folder.unwrap_or(Path::new("")).join(file.get_ref());
-            let mesh = Mesh::read(&path).map_err(|error| source.error(file.span(), error.to_string(), error.help()))?;
+            let read = Mesh::read(&path);
+            let (mesh, mut passed_over) = read.map_err(|error| source.error(file.span(), error.to_string(), error.help()))?;
+            // A mesh that several objects show is warned of once.
+            passed_over.retain(|warning| !warnings.contains(warning));
+            warnings.append(&mut passed_over);
             Ok((mesh, None))
         }
         (None, Some(name)) => primitive(source, raw, name).map(|primitive| (primitive.mesh(), Some(primitive))),

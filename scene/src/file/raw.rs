@@ -63,6 +63,7 @@ pub(super) struct Object {
 pub(super) struct Span {
     pub length: Spanned<Integer>,
     pub normals: Spanned<Vec<Vector>>,
+    pub face: Option<Spanned<Vector>>,
     pub positions: Option<Spanned<Vec<Vector>>>,
     pub cone_cosines: Option<Spanned<Vector>>,
     pub start: Option<Spanned<Vector>>,

@@ -6,7 +6,7 @@ use super::values::Vector;
 use super::{SourceFile, check, object, raw};
 use crate::picture::{Row, limits};
 use crate::spec::LONGEST_SPAN;
-use crate::{SceneError, Span, Triangle, VertexCone};
+use crate::{Facet, SceneError, Span, Triangle, VertexCone};
 
 /// How far from 1 the weights of a span's end may add up.
 const WEIGHT_SLACK: f64 = 1e-9;
@@ -32,8 +32,13 @@ fn span(source: &SourceFile, number: usize, given: &Spanned<raw::Span>) -> Resul
     let cosines = raw.cone_cosines.as_ref().map_or(Ok(DVec3::ONE), |given| cosines(source, given))?;
     let cone = |v: usize| VertexCone { axis: normals[v], cosine: cosines[v] };
     let positions = raw.positions.as_ref().map_or(Ok([DVec3::ZERO; 3]), |given| positions(source, given))?;
+    let of_vertices = Facet::of_vertices(&normals, &positions);
+    let facet = match &raw.face {
+        Some(given) => Facet { normal: face(source, given)?, ..of_vertices },
+        None => of_vertices,
+    };
     Ok(Row {
-        triangle: Triangle { normals, positions, cones: [0, 1, 2].map(cone), material: number },
+        triangle: Triangle { normals, facet, positions, cones: [0, 1, 2].map(cone), material: number },
         span: Span {
             x: 0,
             // No more rows than limits allow are kept.
@@ -56,11 +61,27 @@ fn normals(source: &SourceFile, given: &Spanned<Vec<Vector>>) -> Result<[DVec3; 
         [a, b, c] => [a, b, c],
         _ => return Err(source.error(given.span(), format!("`normals` has {} vectors", vectors.len()), help)),
     };
-    let lengths = 1.0 - LENGTH_SLACK..=1.0 + LENGTH_SLACK;
-    match normals.iter().find(|n| **n != DVec3::ZERO && !lengths.contains(&n.length())) {
+    match normals.iter().find(|normal| !is_normal(**normal)) {
         Some(normal) => Err(source.error(given.span(), format!("the normal {normal} has length {}", normal.length()), help)),
         None => Ok(normals),
     }
+}
+
+/// The normal of the polygon that the span is cut from.
+fn face(source: &SourceFile, given: &Spanned<Vector>) -> Result<DVec3, SceneError> {
+    let normal = DVec3::from_array(given.get_ref().0);
+    if is_normal(normal) {
+        return Ok(normal);
+    }
+    let help = "`face` is the unit normal of the polygon, on the side that is seen; 0 is none";
+    let problem = format!("the normal {normal} has length {}", normal.length());
+    Err(source.error(given.span(), problem, help))
+}
+
+/// Whether a vector has length 1, or 0.
+fn is_normal(normal: DVec3) -> bool {
+    let lengths = 1.0 - LENGTH_SLACK..=1.0 + LENGTH_SLACK;
+    normal == DVec3::ZERO || lengths.contains(&normal.length())
 }
 
 fn positions(source: &SourceFile, given: &Spanned<Vec<Vector>>) -> Result<[DVec3; 3], SceneError> {

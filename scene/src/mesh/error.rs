@@ -55,9 +55,9 @@ pub enum MeshProblem {
         /// How many there are.
         count: usize,
     },
-    /// A polygon with too many corners to be split into triangles.
-    #[error("face {face} (counted from 0) is a concave polygon of {corners} corners")]
-    Corners {
+    /// A polygon with too many crossings to be split into triangles.
+    #[error("face {face} (counted from 0) is a polygon of {corners} corners that crosses itself more than a million times")]
+    Tangled {
         /// The face, counted from 0.
         face: usize,
         /// Its number of corners.
@@ -87,9 +87,7 @@ impl MeshProblem {
                 format!("coordinates are finite numbers from -{0:e} to {0:e}", super::FARTHEST)
             }
             MeshProblem::Index { .. } => "every face may name only what the file defines; export the mesh again".into(),
-            MeshProblem::Corners { .. } => {
-                format!("triangulate the mesh first; concave polygons may have {} corners", super::triangulate::MOST_CORNERS)
-            }
+            MeshProblem::Tangled { .. } => "faces go around their outline once; export the mesh again, as triangles".into(),
             MeshProblem::Empty => {
                 "a mesh needs at least one triangle whose corners are not on one line; points and lines are not drawn".into()
             }
@@ -171,7 +169,28 @@ impl From<MeshProblem> for Located {
     }
 }
 
+/// Something of a file that stands on a line of its own where the file is text; counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Item {
+    /// A vertex.
+    Vertex(usize),
+    /// A normal.
+    Normal(usize),
+    /// A face, of those with three corners or more.
+    Face(usize),
+}
+
 impl MeshProblem {
+    /// What it is that is wrong.
+    pub(crate) fn item(&self) -> Option<Item> {
+        match self {
+            MeshProblem::Coordinate { what: "vertex", index, .. } => Some(Item::Vertex(*index)),
+            MeshProblem::Coordinate { index, .. } => Some(Item::Normal(*index)),
+            MeshProblem::Index { face, .. } | MeshProblem::Tangled { face, .. } => Some(Item::Face(*face)),
+            _ => None,
+        }
+    }
+
     /// Says the line, counted from 1.
     pub(crate) fn at_line(self, line: usize) -> Located {
         Located { line: Some(line), problem: self }

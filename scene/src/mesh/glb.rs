@@ -4,9 +4,11 @@ use gltf::accessor::{DataType, Dimensions};
 use gltf::mesh::Mode;
 use gltf::{Accessor, Document, Gltf, Node, Primitive, Semantic};
 
-use super::error::MeshProblem;
+use super::Mesh;
+use super::error::{Located, MeshProblem};
 use super::normals::normal_matrix;
 use super::polygons::{Corner, Polygons};
+use super::warning::Notices;
 
 /// Bytes of a `.glb` file's header.
 const HEADER: usize = 12;
@@ -20,7 +22,13 @@ const MOST_NODES: usize = 1_000_000;
 ///
 /// # Errors
 /// A file that is not a valid `.glb`, or that keeps its geometry compressed, sparse or in other files.
-pub(super) fn parse(bytes: &[u8]) -> Result<Polygons, MeshProblem> {
+pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
+    let polygons = polygons(bytes)?;
+    let all = if polygons.has_all_normals() { polygons } else { polygons.welded() };
+    all.into_mesh(notices, &|_| None)
+}
+
+fn polygons(bytes: &[u8]) -> Result<Polygons, MeshProblem> {
     check_header(bytes)?;
     let syntax = |error: gltf::Error| MeshProblem::Syntax(error.to_string().trim_end_matches([';', ' ']).to_owned());
     let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(syntax)?;
@@ -33,7 +41,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Polygons, MeshProblem> {
             add(&mut polygons, &primitive, place, blob)?;
         }
     }
-    Ok(if polygons.has_all_normals() { polygons } else { polygons.welded() })
+    Ok(polygons)
 }
 
 /// Checks what the crate subtracts from without looking: the total length has to hold the header.

@@ -7,16 +7,21 @@ mod ply;
 pub mod polygons;
 mod stl;
 mod triangulate;
+mod warning;
 mod weld;
 
-use std::fs;
 use std::path::Path;
 
 use glam::DVec3;
 
 use error::{EXTENSIONS, Located};
 pub use error::{MeshError, MeshProblem};
-use polygons::Polygons;
+use warning::Notices;
+pub use warning::Warning;
+
+use crate::Facet;
+
+use crate::regular::{NotRead, read_regular};
 
 /// The longest file that is read, in bytes.
 pub const LONGEST_FILE: u64 = 1 << 30;
@@ -36,28 +41,32 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// Unit normals at each triangle's corners.
     pub normals: Vec<[DVec3; 3]>,
+    /// The polygon that each triangle is part of, its normal on the side from which the triangle's
+    /// corners go counter-clockwise; triangles of one polygon have the same.
+    pub facets: Vec<Facet>,
 }
 
 impl Mesh {
     /// Reads a mesh by its file name extension: `.obj`, `.ply`, `.stl` or `.glb`.
     ///
-    /// Where the file has no normals, they are made from the faces (METHODS.md A1, A2).
+    /// Where the file has no normals, they are made from the faces (METHODS.md A1, A2). What stands in the file beside what is
+    /// needed is passed over with a warning for each kind.
     ///
     /// # Errors
     /// A [`MeshError`] for a file that cannot be read, is damaged, or holds no triangle with an area.
-    pub fn read(path: &Path) -> Result<Mesh, MeshError> {
+    pub fn read(path: &Path) -> Result<(Mesh, Vec<Warning>), MeshError> {
         let extension = extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
         let bytes = read_file(path).map_err(|problem| MeshError::new(path, None, problem))?;
-        parse(extension, &bytes).map_err(|at| MeshError::new(path, at.line, at.problem))
+        warned(path, extension, &bytes)
     }
 
     /// Reads a mesh from bytes, as if they were those of the file `path`, which is not opened.
     ///
     /// # Errors
     /// As [`Mesh::read`].
-    pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<Warning>), MeshError> {
         let extension = extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
-        parse(extension, bytes).map_err(|at| MeshError::new(path, at.line, at.problem))
+        warned(path, extension, bytes)
     }
 }
 
@@ -67,16 +76,22 @@ pub fn extension(path: &Path) -> Option<&'static str> {
     EXTENSIONS.into_iter().find(|known| *known == extension)
 }
 
+/// Reads a mesh from the bytes of the file `path`, with what was passed over.
+fn warned(path: &Path, extension: &str, bytes: &[u8]) -> Result<(Mesh, Vec<Warning>), MeshError> {
+    let mut notices = Notices::default();
+    let mesh = parse(extension, bytes, &mut notices).map_err(|at| MeshError::new(path, at.line, at.problem))?;
+    Ok((mesh, notices.into_warnings(path)))
+}
+
 /// Reads a mesh from the bytes of a file with `extension`.
-fn parse(extension: &str, bytes: &[u8]) -> Result<Mesh, Located> {
-    let polygons: Polygons = match extension {
-        "obj" => return obj::parse(bytes),
-        "ply" => return ply::parse(bytes),
-        "stl" => stl::parse(bytes)?.welded(),
-        "glb" => glb::parse(bytes)?,
-        _ => return Err(MeshProblem::Extension.into()),
-    };
-    Ok(polygons.into_mesh()?)
+fn parse(extension: &str, bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
+    match extension {
+        "obj" => obj::parse(bytes, notices),
+        "ply" => ply::parse(bytes, notices),
+        "stl" => stl::parse(bytes, notices),
+        "glb" => glb::parse(bytes, notices),
+        _ => Err(MeshProblem::Extension.into()),
+    }
 }
 
 /// Reads a whole regular file, up to [`LONGEST_FILE`] bytes.
@@ -84,15 +99,11 @@ fn parse(extension: &str, bytes: &[u8]) -> Result<Mesh, Located> {
 /// # Errors
 /// A path that is no regular file, a file that is too long or that the system does not give.
 pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, MeshProblem> {
-    let unreadable = |error: std::io::Error| MeshProblem::Unreadable(reason(&error));
-    let about = fs::metadata(path).map_err(unreadable)?;
-    if !about.is_file() {
-        return Err(MeshProblem::NotAFile);
-    }
-    if about.len() > LONGEST_FILE {
-        return Err(MeshProblem::TooLong(about.len()));
-    }
-    fs::read(path).map_err(unreadable)
+    read_regular(path, LONGEST_FILE).map_err(|problem| match problem {
+        NotRead::NotRegular => MeshProblem::NotAFile,
+        NotRead::TooLong { bytes, .. } => MeshProblem::TooLong(bytes),
+        NotRead::System(error) => MeshProblem::Unreadable(reason(&error)),
+    })
 }
 
 /// The reason without the system's error number, which differs between systems.

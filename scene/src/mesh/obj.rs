@@ -7,21 +7,23 @@ use std::str::SplitWhitespace;
 use glam::DVec3;
 
 use super::Mesh;
-use super::error::{Located, MeshProblem};
+use super::error::{Item, Located, MeshProblem};
 use super::polygons::{Corner, Polygons};
+use super::warning::{Notices, quoted};
 
 /// Reads an `.obj` file.
 ///
 /// # Errors
 /// Text that is not UTF-8, lines that are not as the format has them, and all that [`Polygons::into_mesh`] finds.
-pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Located> {
+pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let text = std::str::from_utf8(bytes).map_err(|error| not_text(bytes, error.valid_up_to()))?;
-    let mut reader = Reader::default();
+    let mut reader = Reader { notices, polygons: Polygons::default(), lines: Lines::default() };
     for (index, line) in text.lines().enumerate() {
         reader.line(index + 1, line).map_err(|problem| problem.at_line(index + 1))?;
     }
-    let Reader { polygons, lines } = reader;
-    polygons.into_mesh().map_err(|problem| lines.locate(problem))
+    let Reader { polygons, lines, notices } = reader;
+    let mesh = polygons.into_mesh(notices, &|item| lines.of(item));
+    mesh.map_err(|at| Located { problem: as_counted_here(at.problem), ..at })
 }
 
 /// Says which line the first byte that is no UTF-8 is on.
@@ -39,14 +41,13 @@ struct Lines {
 }
 
 impl Lines {
-    fn locate(&self, problem: MeshProblem) -> Located {
-        let line = match &problem {
-            MeshProblem::Coordinate { what: "vertex", index, .. } => self.vertices.get(*index),
-            MeshProblem::Coordinate { index, .. } => self.normals.get(*index),
-            MeshProblem::Index { face, .. } | MeshProblem::Corners { face, .. } => self.faces.get(*face),
-            _ => None,
+    fn of(&self, item: Item) -> Option<usize> {
+        let line = match item {
+            Item::Vertex(index) => self.vertices.get(index),
+            Item::Normal(index) => self.normals.get(index),
+            Item::Face(index) => self.faces.get(index),
         };
-        Located { line: line.copied(), problem: as_counted_here(problem) }
+        line.copied()
     }
 }
 
@@ -60,13 +61,13 @@ fn as_counted_here(problem: MeshProblem) -> MeshProblem {
     }
 }
 
-#[derive(Default)]
-struct Reader {
+struct Reader<'n> {
+    notices: &'n mut Notices,
     polygons: Polygons,
     lines: Lines,
 }
 
-impl Reader {
+impl Reader<'_> {
     fn line(&mut self, number: usize, line: &str) -> Result<(), MeshProblem> {
         // A `#` starts a comment anywhere.
         let content = line.split('#').next().unwrap_or_default();
@@ -90,7 +91,9 @@ impl Reader {
         let counts = (self.polygons.positions.len(), self.polygons.normals.len());
         let corners = words.map(|word| corner(word, counts)).collect::<Result<Vec<Corner>, _>>()?;
         if corners.len() < 3 {
-            return Err(syntax(format!("a face needs at least 3 corners, this one has {}", corners.len())));
+            let text = || format!("a face has fewer than three corners: {}; it is left out", corners.len());
+            self.notices.add("short face", Some(number), text);
+            return Ok(());
         }
         self.polygons.push(corners);
         self.lines.faces.push(number);
@@ -106,7 +109,7 @@ fn syntax(text: String) -> MeshProblem {
 fn vector(mut words: SplitWhitespace<'_>) -> Result<DVec3, MeshProblem> {
     let mut component = || {
         let word = words.next().ok_or_else(|| syntax("three numbers are needed here, the line ends early".into()))?;
-        word.parse::<f64>().map_err(|_| syntax(format!("`{}` is not a number", shortened(word))))
+        word.parse::<f64>().map_err(|_| syntax(format!("{} is not a number", quoted(word.as_bytes()))))
     };
     Ok(DVec3::new(component()?, component()?, component()?))
 }
@@ -116,7 +119,7 @@ fn corner(word: &str, (vertices, normals): (usize, usize)) -> Result<Corner, Mes
     let mut parts = word.split('/');
     let (vertex, _texture, normal) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
     if parts.next().is_some() {
-        return Err(syntax(format!("`{}` is not a corner: at most vertex/texture/normal", shortened(word))));
+        return Err(syntax(format!("{} is not a corner: at most vertex/texture/normal", quoted(word.as_bytes()))));
     }
     let normal = normal.filter(|text| !text.is_empty()).map(|text| index(text, normals)).transpose()?;
     Ok(Corner { vertex: index(vertex, vertices)?, normal })
@@ -124,7 +127,7 @@ fn corner(word: &str, (vertices, normals): (usize, usize)) -> Result<Corner, Mes
 
 /// An index counted from 0, from one counted from 1, or counted back from the last with a minus sign.
 fn index(text: &str, count: usize) -> Result<u32, MeshProblem> {
-    let wrong = |why: &str| syntax(format!("`{}` is not an index: {why}", shortened(text)));
+    let wrong = |why: &str| syntax(format!("{} is not an index: {why}", quoted(text.as_bytes())));
     let number: i64 = text.parse().map_err(|_| wrong("it is not a whole number"))?;
     let from_zero = match number {
         0 => return Err(wrong("indices count from 1")),
@@ -133,9 +136,4 @@ fn index(text: &str, count: usize) -> Result<u32, MeshProblem> {
         _ => (count as i64).saturating_add(number),
     };
     u32::try_from(from_zero).map_err(|_| wrong("nothing is there"))
-}
-
-/// The start of a word, so that a line of garbage does not become the message.
-fn shortened(word: &str) -> String {
-    word.chars().take(40).collect()
 }

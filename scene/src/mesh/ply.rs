@@ -6,15 +6,16 @@ use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Encoding, Header, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType};
 
 use super::Mesh;
-use super::error::{Located, MeshProblem};
+use super::error::{Item, Located, MeshProblem};
 use super::polygons::{Corner, Polygons};
+use super::warning::Notices;
 
 /// Reads a `.ply` file: element `vertex` with `x`, `y`, `z` and perhaps `nx`, `ny`, `nz`; element `face` with the list
 /// `vertex_indices` (or `vertex_index`). Other elements and properties are skipped.
 ///
 /// # Errors
 /// A wrong header, counts that the file is too short for, wrong types, and all that [`Polygons::into_mesh`] finds.
-pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Located> {
+pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let mut reader = Reader::new(Cursor::new(bytes));
     let header = Parser::<Skipped>::new().read_header(&mut reader).map_err(located)?;
     check_header(&header, bytes.len())?;
@@ -33,7 +34,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Located> {
         }
     }
     let has_normals = header.elements.get("vertex").is_some_and(has_normals);
-    content.into_mesh(&header, has_normals)
+    content.into_mesh(&header, has_normals, notices)
 }
 
 /// What the file holds, and the lines its vertices and faces start at.
@@ -46,7 +47,7 @@ struct Content {
 }
 
 impl Content {
-    fn into_mesh(self, header: &Header, has_normals: bool) -> Result<Mesh, Located> {
+    fn into_mesh(self, header: &Header, has_normals: bool, notices: &mut Notices) -> Result<Mesh, Located> {
         let mut polygons = Polygons::default();
         polygons.positions.extend(self.vertices.iter().map(|v| v.position));
         if has_normals {
@@ -61,16 +62,11 @@ impl Content {
                 drawn.push(number);
             }
         }
-        polygons.into_mesh().map_err(|problem| {
-            let line = match &problem {
-                MeshProblem::Coordinate { index, .. } => Some(self.vertices_start + index),
-                MeshProblem::Index { face, .. } | MeshProblem::Corners { face, .. } => {
-                    drawn.get(*face).map(|number| self.faces_start + number)
-                }
-                _ => None,
-            };
-            Located { line: line.filter(|_| header.encoding == Encoding::Ascii), problem }
-        })
+        let line = |item| match item {
+            Item::Vertex(index) | Item::Normal(index) => Some(self.vertices_start + index),
+            Item::Face(index) => drawn.get(index).map(|number| self.faces_start + number),
+        };
+        polygons.into_mesh(notices, &|item| line(item).filter(|_| header.encoding == Encoding::Ascii))
     }
 }
 

@@ -1,11 +1,13 @@
 //! Faces as mesh files state them, before they are checked and split into triangles.
 use glam::DVec3;
 
-use super::error::MeshProblem;
+use super::error::{Item, Located, MeshProblem};
 use super::normals::{direction, newell, vertex_normals};
-use super::triangulate::triangulate;
+use super::triangulate::{Triangulation, triangulate};
+use super::warning::Notices;
 use super::weld::weld;
 use super::{FARTHEST, MOST_TRIANGLES, Mesh};
+use crate::Facet;
 
 /// A corner of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,18 +67,25 @@ impl Polygons {
 
     /// Checks everything, splits faces into triangles and fills in missing normals (METHODS.md A1, A2).
     ///
+    /// `line` tells the line of something in the file, counted from 1, where it has one.
+    ///
     /// # Errors
     /// Numbers that are not finite or absurdly large, indices out of range, too many triangles, or none with an area.
-    pub fn into_mesh(self) -> Result<Mesh, MeshProblem> {
+    pub(super) fn into_mesh(self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Mesh, Located> {
+        self.made(notices, line).map_err(|problem| Located { line: problem.item().and_then(line), problem })
+    }
+
+    fn made(self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Mesh, MeshProblem> {
         self.check()?;
-        let (faces, flat) = self.split()?;
-        if faces.is_empty() {
+        self.note_normals(notices, line);
+        let split = self.split(notices, line)?;
+        if split.pieces.is_empty() {
             return Err(MeshProblem::Empty);
         }
-        if faces.len() > MOST_TRIANGLES {
-            return Err(MeshProblem::TooManyTriangles(faces.len()));
+        if split.pieces.len() > MOST_TRIANGLES {
+            return Err(MeshProblem::TooManyTriangles(split.pieces.len()));
         }
-        Ok(self.with_normals(&faces, &flat))
+        Ok(self.with_normals(split))
     }
 
     fn check(&self) -> Result<(), MeshProblem> {
@@ -93,45 +102,79 @@ impl Polygons {
         Ok(())
     }
 
-    /// Triangles with the index of the flat face each lies in, and the flat faces.
-    fn split(&self) -> Result<(Vec<Piece>, Vec<Flat>), MeshProblem> {
-        let (mut pieces, mut flats) = (Vec::with_capacity(self.ends.len()), Vec::with_capacity(self.ends.len()));
-        for (face, corners) in self.faces().enumerate() {
-            let places: Vec<DVec3> = corners.iter().map(|c| self.positions[c.vertex as usize]).collect();
-            match newell(&places) {
-                Some(normal) => {
-                    let too_many = MeshProblem::Corners { face, corners: corners.len() };
-                    let triangles = triangulate(&places, normal).ok_or(too_many)?;
-                    let flat = flats.len();
-                    flats.push(Flat { corners: corners.iter().map(|c| c.vertex).collect(), normal });
-                    pieces.extend(triangles.into_iter().map(|t| Piece { corners: t.map(|k| corners[k]), flat }));
-                }
-                None => split_by_triangles(corners, &places, &mut pieces, &mut flats),
+    /// Notes the normals that corners name and that have no direction: there the vertex's shared normal is taken.
+    fn note_normals(&self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) {
+        for corner in &self.corners {
+            let Some(index) = corner.normal.map(|normal| normal as usize) else { continue };
+            if direction_of_any_length(self.normals[index]).is_none() {
+                notices.add("normal without direction", line(Item::Normal(index)), || {
+                    "a normal has no direction; it is made from the faces around its vertex instead".into()
+                });
             }
         }
-        Ok((pieces, flats))
     }
 
-    fn with_normals(self, pieces: &[Piece], flats: &[Flat]) -> Mesh {
+    /// All faces split into triangles.
+    fn split(&self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Split, MeshProblem> {
+        let mut split = Split::with_capacity(self.ends.len());
+        for (face, corners) in self.faces().enumerate() {
+            let places: Vec<DVec3> = corners.iter().map(|c| self.positions[c.vertex as usize]).collect();
+            let Some(normal) = newell(&places).or_else(|| normal_of_a_part(&places)) else { continue };
+            let tangled = MeshProblem::Tangled { face, corners: corners.len() };
+            let triangulation = triangulate(&places, normal).ok_or(tangled)?;
+            if triangulation.overlaps {
+                notices.add("polygon that covers itself", line(Item::Face(face)), || {
+                    format!(
+                        "a polygon of {} corners crosses or covers itself; what an odd number of its edges surrounds is drawn",
+                        corners.len()
+                    )
+                });
+            }
+            split.push(corners, normal, triangulation, self.positions.len());
+        }
+        Ok(split)
+    }
+
+    fn with_normals(mut self, split: Split) -> Mesh {
+        let Split { pieces, flats, crossings } = split;
         let shared = if self.has_all_normals() {
             vec![None; self.positions.len()]
         } else {
-            vertex_normals(self.positions.len(), flats.iter().map(|f| (f.corners.as_slice(), Some(f.normal))))
+            vertex_normals(self.positions.len(), flats.iter().map(|f| (f.vertices.as_slice(), Some(f.normal))))
         };
         let normal_at = |corner: Corner, face: DVec3| {
             let given = corner.normal.and_then(|n| direction_of_any_length(self.normals[n as usize]));
-            given.or(shared[corner.vertex as usize]).unwrap_or(face)
+            given.or_else(|| *shared.get(corner.vertex as usize)?).unwrap_or(face)
         };
         let normals = pieces.iter().map(|p| p.corners.map(|c| normal_at(c, flats[p.flat].normal))).collect();
         let triangles = pieces.iter().map(|p| p.corners.map(|c| c.vertex)).collect();
-        Mesh { positions: self.positions, triangles, normals }
+        let facets: Vec<Facet> = flats.iter().map(|flat| flat.facet(&self.positions)).collect();
+        let facets = pieces.iter().map(|p| facets[p.flat]).collect();
+        self.positions.extend(crossings);
+        Mesh { positions: self.positions, triangles, normals, facets }
     }
 }
 
-/// A face with a normal of its own.
+/// All faces in triangles.
+struct Split {
+    pieces: Vec<Piece>,
+    flats: Vec<Flat>,
+    /// Vertices where a face crosses itself, which come after those of the file.
+    crossings: Vec<DVec3>,
+}
+
+/// A face, as it counts for the normals of its vertices.
 struct Flat {
-    corners: Vec<u32>,
+    /// Its vertices, each once.
+    vertices: Vec<u32>,
     normal: DVec3,
+}
+
+impl Flat {
+    fn facet(&self, positions: &[DVec3]) -> Facet {
+        let places = self.vertices.iter().map(|&vertex| positions[vertex as usize]);
+        Facet { normal: self.normal, middle: places.sum::<DVec3>() / self.vertices.len() as f64 }
+    }
 }
 
 /// A triangle of a flat face.
@@ -140,15 +183,36 @@ struct Piece {
     flat: usize,
 }
 
-/// Splits a face without a normal of its own (a bow tie, or nothing at all) into triangles that are faces themselves;
-/// those without area are left out.
-fn split_by_triangles(corners: &[Corner], places: &[DVec3], pieces: &mut Vec<Piece>, flats: &mut Vec<Flat>) {
-    for k in 1..corners.len() - 1 {
-        let Some(normal) = newell(&[places[0], places[k], places[k + 1]]) else { continue };
-        let triangle = [corners[0], corners[k], corners[k + 1]];
-        pieces.push(Piece { corners: triangle, flat: flats.len() });
-        flats.push(Flat { corners: triangle.iter().map(|c| c.vertex).collect(), normal });
+impl Split {
+    fn with_capacity(faces: usize) -> Split {
+        Split { pieces: Vec::with_capacity(faces), flats: Vec::with_capacity(faces), crossings: Vec::new() }
     }
+
+    /// Adds a face; `vertices` is how many the file has.
+    fn push(&mut self, corners: &[Corner], normal: DVec3, triangulation: Triangulation, vertices: usize) {
+        let (flat, first_crossing) = (self.flats.len(), vertices + self.crossings.len());
+        self.crossings.extend(triangulation.crossings);
+        let corner = |k: usize| match corners.get(k) {
+            Some(&corner) => corner,
+            // Far fewer than 2^32: a file of 2^30 bytes has at most 2^29 corners, and 10^6 crossings a face.
+            None => Corner { vertex: (first_crossing + k - corners.len()) as u32, normal: None },
+        };
+        self.pieces.extend(triangulation.triangles.iter().map(|t| Piece { corners: t.map(corner), flat }));
+        let mut vertices: Vec<u32> = corners.iter().map(|c| c.vertex).collect();
+        if vertices.len() > 3 {
+            vertices.sort_unstable();
+            vertices.dedup();
+        }
+        self.flats.push(Flat { vertices, normal });
+    }
+}
+
+/// The normal of the largest triangle between the first corner and an edge: the plane of a polygon whose parts cancel, such as a
+/// bow tie's.
+fn normal_of_a_part(places: &[DVec3]) -> Option<DVec3> {
+    let area = |edge: &&[DVec3]| (edge[0] - places[0]).cross(edge[1] - places[0]).length();
+    let largest = places.get(1..)?.windows(2).max_by(|a, b| area(a).total_cmp(&area(b)))?;
+    newell(&[places[0], largest[0], largest[1]])
 }
 
 /// A unit vector along a file's normal, which may have any length but 0.

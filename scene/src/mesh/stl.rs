@@ -7,8 +7,10 @@ use std::io::{Cursor, Read, Seek, SeekFrom};
 use glam::DVec3;
 use stl_io::{Triangle, create_stl_reader};
 
+use super::Mesh;
 use super::error::{Located, MeshProblem};
 use super::polygons::{Corner, Polygons};
+use super::warning::Notices;
 
 /// Bytes before the first triangle of a binary file: a comment of 80 bytes and the number of triangles.
 const HEADER: usize = 84;
@@ -20,8 +22,9 @@ const TRIANGLE: usize = 50;
 ///
 /// # Errors
 /// A file that is neither kind of `.stl`, ends early, or has a wrong line.
-pub(super) fn parse(bytes: &[u8]) -> Result<Polygons, Located> {
-    if is_text(bytes) { parse_text(bytes) } else { Ok(parse_binary(bytes)?) }
+pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
+    let polygons = if is_text(bytes) { parse_text(bytes)? } else { parse_binary(bytes)? };
+    polygons.welded().into_mesh(notices, &|_| None)
 }
 
 /// Whether a file is of the text kind: it starts with `solid` and its length is not what a binary header says, since some

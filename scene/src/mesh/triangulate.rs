@@ -1,98 +1,309 @@
-//! Splitting polygons into triangles.
+//! Splitting polygons into triangles, by the `i_triangle` crate (docs/decisions/0012-polygons-are-split-by-a-sweep.md).
 use glam::DVec3;
+use i_triangle::i_overlay::core::fill_rule::FillRule;
+use i_triangle::i_overlay::i_float::int::point::IntPoint;
+use i_triangle::int::custom::IntCustomTriangulatable;
+use i_triangle::int::triangulation::IntTriangulation;
+use i_triangle::int::validation::Validation;
 
-/// Concave polygons with more corners than this are refused: clipping ears takes a time that grows with the cube.
-pub const MOST_CORNERS: usize = 1000;
+/// Steps of the grid that corners are rounded to for finding out which of them make triangles, in a polygon's extent. It is
+/// finer than what [`super::normals::newell`] calls rounding. Coordinates stay below 2^45 in magnitude (√3 extents), twice a
+/// triangle's area below 2^93, and sums of it over any polygon that a file can hold (2^29 corners) within 127 bits.
+const GRID: f64 = (1_u64 << 44) as f64;
 
-/// Splits a polygon into triangles, each three indices into `polygon`, all turning the way of `normal`.
+/// Corners that are tried as the first of a fan, before the sweep.
+const FANS_TRIED: usize = 8;
+
+/// Times a polygon may cross itself, by an estimate.
+const MOST_CROSSINGS: usize = 1_000_000;
+
+/// Pairs of edges that the estimate is made from.
+const PAIRS_TRIED: usize = 4096;
+
+/// Areas that differ by less than this share of them differ by rounding.
+const LEAST_DIFFERENCE: i128 = 1_000_000;
+
+/// A polygon in triangles.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Triangulation {
+    /// Triangles that turn the way of the polygon's normal. Each is three indices: of the polygon's corners and, from their number
+    /// on, of `crossings`.
+    pub triangles: Vec<[usize; 3]>,
+    /// Where edges cross each other.
+    pub crossings: Vec<DVec3>,
+    /// Whether the area of the triangles is not that of the polygon, since it crosses or covers itself.
+    pub overlaps: bool,
+}
+
+/// Splits a polygon into triangles that cover what an odd number of its edges surrounds, as seen along `normal`, a unit vector.
 ///
-/// Convex polygons become a fan from corner 0; concave ones are clipped ear by ear. A polygon that is neither (one that
-/// crosses itself) ends as a fan of what is left. `None` for a concave polygon with more than [`MOST_CORNERS`] corners.
-pub fn triangulate(polygon: &[DVec3], normal: DVec3) -> Option<Vec<[usize; 3]>> {
-    let all: Vec<usize> = (0..polygon.len()).collect();
-    if polygon.len() <= 3 || (0..polygon.len()).all(|i| !is_reflex(polygon, &all, i, normal)) {
-        return Some(fan(&all));
+/// A polygon with a bridge to a hole, whose corners are stated twice, keeps the hole. Of corners at the same place, a triangle has
+/// the one whose angle it lies in. Polygons of which one of the first corners sees all others become a fan from it. Takes a time
+/// of n log n for n corners and crossings; `None` for a polygon that crosses itself more often than 1000000 times, by an estimate.
+pub fn triangulate(polygon: &[DVec3], normal: DVec3) -> Option<Triangulation> {
+    if polygon.len() == 3 {
+        return Some(Triangulation { triangles: vec![[0, 1, 2]], ..Triangulation::default() });
     }
-    (polygon.len() <= MOST_CORNERS).then(|| clip_ears(polygon, normal, all))
-}
-
-/// Triangles from the first corner to each edge that does not touch it.
-fn fan(corners: &[usize]) -> Vec<[usize; 3]> {
-    let Some((&first, rest)) = corners.split_first() else { return Vec::new() };
-    rest.windows(2).map(|edge| [first, edge[0], edge[1]]).collect()
-}
-
-/// Clips ears until three corners are left, or none can be clipped any more.
-fn clip_ears(polygon: &[DVec3], normal: DVec3, mut corners: Vec<usize>) -> Vec<[usize; 3]> {
-    let mut triangles = Vec::with_capacity(polygon.len());
-    while corners.len() > 3 {
-        let Some(ear) = (0..corners.len()).find(|&i| is_ear(polygon, &corners, i, normal)) else { break };
-        triangles.push(around(&corners, ear));
-        corners.remove(ear);
+    let Some(plane) = Plane::of(polygon, normal) else { return Some(Triangulation::default()) };
+    let ring = Ring::new(polygon, &plane);
+    match ring.fan() {
+        Some(triangles) => Some(Triangulation { triangles, ..Triangulation::default() }),
+        None => (ring.crossings_expected() <= MOST_CROSSINGS).then(|| ring.swept(polygon.len(), &plane)),
     }
-    triangles.extend(fan(&corners));
-    triangles
 }
 
-/// Corner `i` with the one before and the one after it.
-fn around(corners: &[usize], i: usize) -> [usize; 3] {
-    let n = corners.len();
-    [corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]]
+/// A polygon's plane with a grid on it.
+struct Plane {
+    origin: DVec3,
+    across: DVec3,
+    up: DVec3,
+    normal: DVec3,
+    /// The largest coordinate of a corner, from `origin`.
+    extent: f64,
+    /// The corners' mean distance from `origin` along `normal`, in extents.
+    height: f64,
 }
 
-/// Twice the signed area of a triangle, seen along `normal`.
-fn turn(a: DVec3, b: DVec3, c: DVec3, normal: DVec3) -> f64 {
-    (b - a).cross(c - a).dot(normal)
+impl Plane {
+    /// `None` if all corners are at one place.
+    fn of(polygon: &[DVec3], normal: DVec3) -> Option<Plane> {
+        let origin = *polygon.first()?;
+        let extent = polygon.iter().fold(0.0_f64, |e, &p| e.max((p - origin).abs().max_element()));
+        if !(extent > 0.0 && extent.is_finite()) {
+            return None;
+        }
+        let (across, up) = normal.any_orthonormal_pair();
+        let height = polygon.iter().map(|&p| ((p - origin) / extent).dot(normal)).sum::<f64>() / polygon.len() as f64;
+        Some(Plane { origin, across, up, normal, extent, height })
+    }
+
+    fn grid(&self, point: DVec3) -> Place {
+        let relative = (point - self.origin) / self.extent;
+        let step = |axis: DVec3| (relative.dot(axis) * GRID).round() as i64;
+        Place::new(step(self.across), step(self.up))
+    }
+
+    fn point(&self, place: Place) -> DVec3 {
+        let [x, y] = [place.x, place.y].map(|steps| steps as f64 / GRID);
+        self.origin + (self.across * x + self.up * y + self.normal * self.height) * self.extent
+    }
 }
 
-fn is_reflex(polygon: &[DVec3], corners: &[usize], i: usize, normal: DVec3) -> bool {
-    let [a, b, c] = around(corners, i).map(|k| polygon[k]);
-    turn(a, b, c, normal) < 0.0
+type Place = IntPoint<i64>;
+
+/// A polygon in its plane, without corners at the place of the one before.
+struct Ring {
+    /// Indices of corners.
+    corners: Vec<usize>,
+    /// Where they are.
+    places: Vec<Place>,
 }
 
-/// Whether the triangle at corner `i` holds no other corner and can be cut off.
-fn is_ear(polygon: &[DVec3], corners: &[usize], i: usize, normal: DVec3) -> bool {
-    let ear = around(corners, i);
-    let [a, b, c] = ear.map(|k| polygon[k]);
-    let inside = |p: DVec3| turn(a, b, p, normal) >= 0.0 && turn(b, c, p, normal) >= 0.0 && turn(c, a, p, normal) >= 0.0;
-    turn(a, b, c, normal) > 0.0 && corners.iter().all(|k| ear.contains(k) || !inside(polygon[*k]))
+impl Ring {
+    fn new(polygon: &[DVec3], plane: &Plane) -> Ring {
+        let (mut corners, mut places) = (Vec::with_capacity(polygon.len()), Vec::with_capacity(polygon.len()));
+        for (corner, &point) in polygon.iter().enumerate() {
+            let place = plane.grid(point);
+            if places.last() != Some(&place) {
+                corners.push(corner);
+                places.push(place);
+            }
+        }
+        while places.len() > 1 && places.last() == places.first() {
+            corners.pop();
+            places.pop();
+        }
+        Ring { corners, places }
+    }
+
+    fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Triangles from one corner to all edges that do not touch it, where one of the first corners sees all others.
+    fn fan(&self) -> Option<Vec<[usize; 3]>> {
+        let n = self.len();
+        if n < 3 {
+            return None;
+        }
+        let first = (0..n.min(FANS_TRIED)).find(|&first| self.sees_all(first))?;
+        let corner = |k: usize| self.corners[(first + k) % n];
+        Some((1..n - 1).map(|k| [corner(0), corner(k), corner(k + 1)]).collect())
+    }
+
+    /// Whether the edges around a corner, taken in turn, stand one beside the other within the angle at it, which is below 180
+    /// degrees: then the triangles from it to them do not cover each other.
+    fn sees_all(&self, first: usize) -> bool {
+        let (n, last) = (self.len(), self.len() - 1);
+        let at = |k: usize| self.places[(first + k) % n];
+        let left = |a: usize, b: usize| turn(at(0), at(a), at(b)) > 0;
+        (1..last).all(|k| left(k, k + 1) && left(k, last) && (k == 1 || left(1, k)))
+    }
+
+    /// About how often edges cross, from some pairs of them that are the same every time; 0 for polygons of few corners.
+    fn crossings_expected(&self) -> usize {
+        let n = self.len();
+        let pairs = n * n / 2;
+        if pairs <= MOST_CROSSINGS {
+            return 0;
+        }
+        let mut state = 1_u64;
+        let mut edge = || {
+            // Knuth's MMIX generator; its upper bits are the random ones.
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let from = (state >> 33) as usize % n;
+            [self.places[from], self.places[(from + 1) % n]]
+        };
+        let crossing = (0..PAIRS_TRIED).filter(|_| cross(edge(), edge())).count();
+        crossing * (pairs / PAIRS_TRIED)
+    }
+
+    /// Triangles by a sweep over the plane.
+    fn swept(&self, corners: usize, plane: &Plane) -> Triangulation {
+        let validation = Validation::with_fill_rule(FillRule::EvenOdd);
+        let found: IntTriangulation<i64, u32> = self.places.custom_triangulate(validation).into_triangulation();
+        let named = Named::new(self);
+        let mut crossings = Vec::new();
+        let mut crossing_of = vec![None; found.points.len()];
+        let mut area = 0;
+        let mut triangles = Vec::with_capacity(found.indices.len() / 3);
+        for &[a, b, c] in found.indices.as_chunks::<3>().0 {
+            let twice_area = turn(found.points[a as usize], found.points[b as usize], found.points[c as usize]);
+            area += twice_area.abs();
+            let triangle = if twice_area < 0 { [a, c, b] } else { [a, b, c] }.map(|k| k as usize);
+            let places = triangle.map(|k| found.points[k]);
+            triangles.push(triangle.map(|k| {
+                let place = found.points[k];
+                named.corner(place, places).unwrap_or_else(|| {
+                    *crossing_of[k].get_or_insert_with(|| {
+                        crossings.push(plane.point(place));
+                        corners + crossings.len() - 1
+                    })
+                })
+            }));
+        }
+        let difference = (area - self.twice_area().abs()).abs();
+        Triangulation { triangles, crossings, overlaps: difference > area.max(self.twice_area().abs()) / LEAST_DIFFERENCE }
+    }
+
+    /// Twice the area that the ring turns around to the left, less what it turns around to the right.
+    fn twice_area(&self) -> i128 {
+        let edges = self.places.iter().zip(self.places.iter().cycle().skip(1));
+        edges.map(|(&a, &b)| turn(Place::new(0, 0), a, b)).sum()
+    }
+
+    /// Whether a triangle that has a corner of the ring lies in the angle there, to the left of the ring.
+    fn has_in_angle(&self, position: usize, triangle: [Place; 3]) -> bool {
+        let n = self.len();
+        let [before, here, after] = [position + n - 1, position, position + 1].map(|k| self.places[k % n]);
+        // Three times the triangle's centre, from three times `here`: the same direction.
+        let centre = triangle.iter().fold((0, 0), |(x, y), p| (x + p.x - here.x, y + p.y - here.y));
+        let inside = Place::new(here.x + centre.0, here.y + centre.1);
+        let (after_left, before_right) = (turn(here, after, inside) >= 0, turn(here, inside, before) >= 0);
+        if turn(here, after, before) > 0 { after_left && before_right } else { after_left || before_right }
+    }
+}
+
+/// The corners of a ring by their places.
+struct Named<'a> {
+    ring: &'a Ring,
+    /// Positions in the ring, sorted by place.
+    order: Vec<usize>,
+}
+
+impl Named<'_> {
+    fn new(ring: &Ring) -> Named<'_> {
+        let mut order: Vec<usize> = (0..ring.len()).collect();
+        order.sort_unstable_by_key(|&k| (ring.places[k].x, ring.places[k].y, k));
+        Named { ring, order }
+    }
+
+    /// The corner at a place of a triangle; of several, the first whose angle the triangle lies in.
+    fn corner(&self, place: Place, triangle: [Place; 3]) -> Option<usize> {
+        let key = |&k: &usize| (self.ring.places[k].x, self.ring.places[k].y);
+        let first = self.order.partition_point(|k| key(k) < (place.x, place.y));
+        let here = self.order[first..].iter().take_while(|k| key(k) == (place.x, place.y));
+        let mut here = here.copied().peekable();
+        let any = *here.peek()?;
+        let fitting = here.find(|&position| self.ring.has_in_angle(position, triangle));
+        Some(self.ring.corners[fitting.unwrap_or(any)])
+    }
+}
+
+/// Twice the area of a triangle that turns to the left; negative for one that turns to the right.
+fn turn(a: Place, b: Place, c: Place) -> i128 {
+    let [bx, by, cx, cy] = [b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y].map(i128::from);
+    bx * cy - by * cx
+}
+
+/// Whether two edges cross; not whether they touch.
+fn cross([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
+    let sides = |a, b, c, d| turn(a, b, c).signum() * turn(a, b, d).signum() < 0;
+    sides(a, b, c, d) && sides(c, d, a, b)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn area(polygon: &[DVec3], triangles: &[[usize; 3]]) -> Vec<f64> {
-        triangles.iter().map(|t| turn(polygon[t[0]], polygon[t[1]], polygon[t[2]], DVec3::Z) / 2.0).collect()
-    }
-
     fn flat(points: &[(f64, f64)]) -> Vec<DVec3> {
         points.iter().map(|&(x, y)| DVec3::new(x, y, 7.0)).collect()
+    }
+
+    fn split(polygon: &[DVec3]) -> Triangulation {
+        triangulate(polygon, DVec3::Z).expect("it does not cross itself often")
     }
 
     #[test]
     fn a_convex_polygon_becomes_a_fan() {
         let square = flat(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]);
-        assert_eq!(triangulate(&square, DVec3::Z), Some(vec![[0, 1, 2], [0, 2, 3]]));
+        assert_eq!(split(&square).triangles, [[0, 1, 2], [0, 2, 3]]);
     }
 
+    /// Each of the two corners at either end of a bridge has the triangles on its own side of it.
     #[test]
-    fn a_concave_polygon_is_covered_once() {
-        // An arrow head whose fan from corner 0 would stick out, and an L.
-        let arrow = flat(&[(0.0, 0.0), (4.0, 2.0), (0.0, 4.0), (1.0, 2.0)]);
-        let l = flat(&[(3.0, 1.0), (1.0, 1.0), (1.0, 3.0), (0.0, 3.0), (0.0, 0.0), (3.0, 0.0)]);
-        for (polygon, expected) in [(arrow, 6.0), (l, 5.0)] {
-            let triangles = triangulate(&polygon, DVec3::Z).unwrap_or_default();
-            let areas = area(&polygon, &triangles);
-            assert_eq!(triangles.len(), polygon.len() - 2);
-            assert!(areas.iter().all(|&a| a >= 0.0), "{areas:?}");
-            assert_eq!(areas.iter().sum::<f64>(), expected);
+    fn corners_at_one_place_keep_their_triangles_apart() {
+        let rim = [(0.0, 0.0), (6.0, 0.0), (6.0, 6.0), (0.0, 6.0)];
+        let bridge = [(0.0, 0.0), (2.0, 2.0), (2.0, 4.0), (4.0, 4.0), (4.0, 2.0), (2.0, 2.0)];
+        let polygon = flat(&[&rim[..], &bridge].concat());
+        let Triangulation { triangles, crossings, overlaps } = split(&polygon);
+        assert!(crossings.is_empty() && !overlaps);
+        // The bridge lies on the diagonal: the first corner and the last are the rim's below it, the others those above it.
+        let centre_below = |t: &[usize; 3]| t.iter().map(|&k| polygon[k].x - polygon[k].y).sum::<f64>() > 0.0;
+        for triangle in &triangles {
+            let above = [4, 5].iter().any(|k| triangle.contains(k));
+            let below = [0, 9].iter().any(|k| triangle.contains(k));
+            assert!(!(above && below), "{triangle:?}");
+            assert!(above || below || triangle.iter().all(|&k| !matches!(k, 0 | 4 | 5 | 9)));
+            assert!(!above || !centre_below(triangle), "{triangle:?}");
+            assert!(!below || centre_below(triangle), "{triangle:?}");
         }
     }
 
     #[test]
-    fn a_polygon_that_crosses_itself_still_ends() {
+    fn a_bow_tie_is_two_triangles_that_meet_where_it_crosses() {
         let bow_tie = flat(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 1.0)]);
-        assert_eq!(triangulate(&bow_tie, DVec3::Z).map(|t| t.len()), Some(2));
+        let Triangulation { triangles, crossings, overlaps } = split(&bow_tie);
+        assert_eq!((triangles.len(), crossings.len(), overlaps), (2, 1, true));
+        let crossing = DVec3::new(2.0 / 3.0, 2.0 / 3.0, 7.0);
+        assert!((crossings[0] - crossing).length() < 1e-12, "{crossings:?}");
+    }
+
+    #[test]
+    fn what_is_gone_around_twice_is_not_covered() {
+        let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)];
+        let twice = split(&flat(&[square, square].concat()));
+        assert_eq!((twice.triangles.len(), twice.overlaps), (0, true));
+    }
+
+    #[test]
+    fn a_polygon_that_crosses_itself_everywhere_is_refused() {
+        // A star whose every edge crosses about half of the others.
+        let star = |corners: u32| {
+            let corner = |k: u32| f64::from(k * (corners / 2)) * std::f64::consts::TAU / f64::from(corners);
+            (0..corners).map(|k| DVec3::new(corner(k).cos(), corner(k).sin(), 0.0)).collect::<Vec<_>>()
+        };
+        assert!(triangulate(&star(501), DVec3::Z).is_some());
+        assert_eq!(triangulate(&star(20_001), DVec3::Z), None);
     }
 }

@@ -11,7 +11,7 @@ use crate::mesh::Mesh;
 use crate::mesh::normals::{direction, newell, normal_matrix};
 use crate::primitive::Primitive;
 use crate::surface::Surface;
-use crate::{Colour, DirectionalLight, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone, defaults};
+use crate::{Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone, defaults};
 
 /// A mesh put somewhere in the world.
 #[derive(Clone, Debug, PartialEq)]
@@ -267,6 +267,7 @@ struct Name {
 /// An object in view space.
 struct Seen<'a> {
     object: &'a Object,
+    place: DAffine3,
     positions: Vec<DVec3>,
     to_normals: DMat3,
 }
@@ -275,7 +276,7 @@ impl<'a> Seen<'a> {
     fn new(object: &'a Object, rotation: DMat3) -> Seen<'a> {
         let place = DAffine3::from_mat3(rotation) * object.place;
         let positions = object.mesh.positions.iter().map(|&p| place.transform_point3(p)).collect();
-        Seen { object, positions, to_normals: normal_matrix(place.matrix3) }
+        Seen { object, place, positions, to_normals: normal_matrix(place.matrix3) }
     }
 
     /// The corners that triangles use; meshes may have vertices that none does.
@@ -307,7 +308,26 @@ impl<'a> Seen<'a> {
         let outward = face.outward.unwrap_or_else(|| face.normals.iter().sum());
         let turn = if outward.z < 0.0 { -1.0 } else { 1.0 };
         let cones = fans.cones(&face).map(|cone| VertexCone { axis: cone.axis * turn, ..cone });
-        Triangle { normals: face.normals.map(|n| n * turn), positions: face.places, cones, material: name.object }
+        Triangle {
+            normals: face.normals.map(|n| n * turn),
+            facet: self.facet(name.triangle, &face),
+            positions: face.places,
+            cones,
+            material: name.object,
+        }
+    }
+
+    /// The polygon of a triangle, its normal on the side from which the triangle is seen.
+    ///
+    /// Corners that go counter-clockwise go clockwise in a mirror. `to_normals` keeps a normal
+    /// outside all the same, so that the side is asked of the triangle turned back.
+    fn facet(&self, triangle: usize, face: &Face) -> Facet {
+        let facet = self.object.mesh.facets[triangle];
+        let side = if self.place.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
+        let of_triangle = newell(&face.places).map(|normal| normal * side);
+        let normal = direction_of(self.to_normals * facet.normal).or(of_triangle).unwrap_or(DVec3::Z);
+        let turn = if of_triangle.unwrap_or(normal).z < 0.0 { -1.0 } else { 1.0 };
+        Facet { normal: normal * turn, middle: self.place.transform_point3(facet.middle) }
     }
 }
 

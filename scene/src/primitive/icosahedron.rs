@@ -3,6 +3,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
+use crate::Facet;
 use crate::mesh::Mesh;
 
 /// The 12 vertices: (0, ±1, ±φ) and its cyclic permutations, brought to length 1; φ is the golden ratio.
@@ -42,8 +43,11 @@ pub(super) fn mesh(level: u32) -> Mesh {
     for _ in 0..level {
         triangles = split(&triangles, &mut positions);
     }
-    let normals = triangles.iter().map(|t| t.map(|k| positions[k as usize])).collect();
-    Mesh { positions, triangles, normals }
+    let normals: Vec<[DVec3; 3]> = triangles.iter().map(|t| t.map(|k| positions[k as usize])).collect();
+    // On the unit sphere, so that a vertex is its own normal; no triangle is without area.
+    let facet = |places: &[DVec3; 3]| Facet::of_polygon(places).unwrap_or(Facet::of_vertices(places, places));
+    let facets = normals.iter().map(facet).collect();
+    Mesh { positions, triangles, normals, facets }
 }
 
 /// Each triangle's four quarters; midpoints are shared between neighbours.

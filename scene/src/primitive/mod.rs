@@ -6,6 +6,7 @@ mod torus;
 
 use glam::DVec3;
 
+use crate::Facet;
 use crate::mesh::Mesh;
 
 /// A built-in shape, y up, with its parameters.
@@ -102,7 +103,8 @@ impl Grid {
                 let [a, b] = [i * across + j, i * across + j + 1];
                 let [c, d] = [a + across, b + across];
                 for triangle in [[a, b, d], [a, d, c]] {
-                    if let Some(outward) = self.outward(triangle) {
+                    if let Some((outward, facet)) = self.outward(triangle) {
+                        mesh.facets.push(facet);
                         mesh.triangles.push(outward.map(|k| first + k));
                         mesh.normals.push(outward.map(|k| self.normals[k as usize]));
                     }
@@ -112,16 +114,19 @@ impl Grid {
         mesh.positions.extend(self.positions);
     }
 
-    /// The triangle turned so that its face normal agrees with its vertex normals, if it has an area.
-    fn outward(&self, triangle: [u32; 3]) -> Option<[u32; 3]> {
-        let [a, b, c] = triangle.map(|k| self.positions[k as usize]);
-        let face = crate::mesh::normals::newell(&[a, b, c])?;
+    /// The triangle turned so that its own normal agrees with its vertex normals, if it has an area.
+    fn outward(&self, triangle: [u32; 3]) -> Option<([u32; 3], Facet)> {
+        let facet = Facet::of_polygon(&triangle.map(|k| self.positions[k as usize]))?;
         let normals: DVec3 = triangle.iter().map(|&k| self.normals[k as usize]).sum();
-        Some(if face.dot(normals) >= 0.0 { triangle } else { [triangle[0], triangle[2], triangle[1]] })
+        Some(if facet.normal.dot(normals) >= 0.0 {
+            (triangle, facet)
+        } else {
+            ([triangle[0], triangle[2], triangle[1]], Facet { normal: -facet.normal, ..facet })
+        })
     }
 }
 
 /// A mesh without anything yet.
 fn empty() -> Mesh {
-    Mesh { positions: Vec::new(), triangles: Vec::new(), normals: Vec::new() }
+    Mesh { positions: Vec::new(), triangles: Vec::new(), normals: Vec::new(), facets: Vec::new() }
 }

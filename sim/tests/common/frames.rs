@@ -3,7 +3,7 @@ use glam::DVec3;
 use specula_hdl::{Design, SpanPacket};
 use specula_scene::spec::lyon::LyonSpec;
 use specula_scene::{
-    CoreSpec, DirectionalLight, Frame, LocalLight, Material, Method, MethodSpec, Needs, Span, Spot, Triangle, VertexCone,
+    CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, MethodSpec, Needs, Span, Spot, Triangle, VertexCone,
 };
 
 use super::random::Random;
@@ -29,9 +29,11 @@ pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
     for index in 0..spans {
         let normal = direction(&mut random);
         let normals = [0.0, 0.3, -0.2].map(|tilt| (normal + tilt * direction(&mut random)).normalize());
+        let positions = [DVec3::ZERO; 3];
         frame.triangles.push(Triangle {
             normals,
-            positions: [DVec3::ZERO; 3],
+            facet: Facet::of_vertices(&normals, &positions),
+            positions,
             cones: normals.map(VertexCone::flat),
             material: index % 2,
         });

@@ -2,9 +2,12 @@
 use std::fmt::Write;
 
 use glam::DVec3;
-use specula_scene::Material;
+use specula_scene::{Colour, Material};
 
-/// A light; all are white.
+/// White, at full scale.
+const WHITE: Colour = [1.0; 3];
+
+/// A light.
 #[derive(Clone, Copy, Debug)]
 pub enum Light {
     /// At infinity, in this direction.
@@ -23,7 +26,7 @@ pub enum Light {
 }
 
 /// A span, with what `docs/scene-format.md` says of it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RawSpan {
     /// Pixels.
     pub length: u32,
@@ -76,21 +79,33 @@ pub fn lit(shininess: u32) -> Material {
     material(0.1, 0.4, 0.45, shininess)
 }
 
-/// Spans under common lights. Ambient light is white.
-#[derive(Clone, Debug, Default)]
+/// Spans under common lights.
+#[derive(Clone, Debug)]
 pub struct SpanScene {
+    /// Colour of the ambient light, 0 to 1.
+    pub ambient: Colour,
     /// One to four.
     pub lights: Vec<Light>,
+    /// Colours of the lights, 0 to 1, in their order; those beyond are white.
+    pub colours: Vec<Colour>,
     /// Where the eye is that sees highlights, if it is at a place.
     pub eye: Option<DVec3>,
     /// One to a row.
     pub spans: Vec<RawSpan>,
 }
 
+impl Default for SpanScene {
+    /// Nothing in white ambient light.
+    fn default() -> SpanScene {
+        SpanScene { ambient: WHITE, lights: Vec::new(), colours: Vec::new(), eye: None, spans: Vec::new() }
+    }
+}
+
 impl SpanScene {
-    /// Spans under lights at infinity.
+    /// Spans under lights at infinity, all light white.
     pub fn new(lights: &[DVec3], spans: Vec<RawSpan>) -> SpanScene {
-        SpanScene { lights: lights.iter().map(|&light| Light::Towards(light)).collect(), eye: None, spans }
+        let lights = lights.iter().map(|&light| Light::Towards(light)).collect();
+        SpanScene { lights, spans, ..SpanScene::default() }
     }
 
     /// The scene with one of its spans alone.
@@ -100,14 +115,17 @@ impl SpanScene {
 
     /// The scene file, with `core` for its last tables. Numbers are written so that they are read to the last bit.
     pub fn text(&self, core: &str) -> String {
-        let mut text = String::from("ambient = 1\n");
+        let mut text = format!("ambient = {:?}\n", self.ambient);
         // Writing to a String cannot fail.
         if let Some(eye) = self.eye {
             // Neither at the eye nor above or below it.
             let target = eye - DVec3::new(1.0, 0.0, 1.0);
             let _ = writeln!(text, "\n[camera]\nviewer = \"local\"\neye = {}\ntarget = {}", vector(eye), vector(target));
         }
-        self.lights.iter().for_each(|light| text.push_str(&light.text()));
+        let colours = self.colours.iter().chain(std::iter::repeat(&WHITE));
+        for (light, colour) in self.lights.iter().zip(colours) {
+            let _ = writeln!(text, "{}colour = {colour:?}", light.text());
+        }
         self.spans.iter().for_each(|span| text.push_str(&span.text()));
         format!("{text}\n{core}")
     }

@@ -1,7 +1,7 @@
 //! Results of a sweep, written down as they come: a line of JSON each, found again by spec.
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
-use std::fs::{self, File, OpenOptions};
+use std::fs::{File, OpenOptions};
 use std::hash::{DefaultHasher, Hasher};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -9,10 +9,14 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::Diagnostic;
 use serde::{Deserialize, Serialize};
+use specula_scene::regular::read_regular;
 use specula_scene::{CoreSpec, LoadedScene};
 use thiserror::Error;
 
 use super::Measured;
+
+/// The longest file of results that is read, in bytes; a result takes some thousand.
+pub const LONGEST_FILE: u64 = 64 << 20;
 
 /// Results that are known, and the file that holds them.
 #[derive(Debug)]
@@ -73,7 +77,16 @@ struct Line {
     measured: Measured,
 }
 
+/// How every line begins.
+const LINE: &[u8] = b"{\"key\":{\"version\":";
+
 impl Journal {
+    /// Whether a file's bytes are a journal's: of one that was just begun none, of others those in which a line is a result or a part of one.
+    pub fn has_written(bytes: &[u8]) -> bool {
+        let is_result = |line: &[u8]| !line.is_empty() && line.iter().zip(LINE).all(|(a, b)| a == b);
+        bytes.is_empty() || bytes.split(|&byte| byte == b'\n').any(is_result)
+    }
+
     /// Opens the file, or begins it. Damaged lines are taken out of it, and told: what they held is measured again.
     ///
     /// # Errors
@@ -162,8 +175,8 @@ impl fmt::Write for Hash {
 
 /// The results in a file, none if it is not there, and lines that are none.
 fn read(path: &Path) -> io::Result<(BTreeMap<String, Measured>, Vec<Damaged>)> {
-    let bytes = match fs::read(path) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Default::default()),
+    let bytes = match read_regular(path, LONGEST_FILE) {
+        Err(reason) if reason.is_missing() => return Ok(Default::default()),
         read => read?,
     };
     let (mut results, mut damaged) = (BTreeMap::new(), Vec::new());
@@ -213,6 +226,7 @@ mod tests {
     use super::super::Configuration;
     use super::*;
     use specula_scene::Method;
+    use std::fs;
 
     fn with_results(test: impl Fn(&LoadedScene, &Path, &[CoreSpec])) {
         let folder = tempfile::tempdir().unwrap();
@@ -240,6 +254,19 @@ mod tests {
     }
 
     #[test]
+    fn a_journal_is_told_from_another_file() {
+        with_results(|_, path, _| {
+            let whole = fs::read(path).unwrap();
+            let cut_in_its_first_line = &whole[..10];
+            let damaged = [b"no result\n", &whole[..]].concat();
+            for ours in [&b""[..], &whole, cut_in_its_first_line, &damaged] {
+                assert!(Journal::has_written(ours));
+            }
+            assert!(!Journal::has_written(b"{\"accuracy\":1}\n{\"accuracy\":2}\n"));
+        });
+    }
+
+    #[test]
     fn another_scene_has_results_of_its_own() {
         with_results(|_, path, specs| {
             let other = specula_scene::load("icosahedron", Some((18, 12))).unwrap();
@@ -261,5 +288,16 @@ mod tests {
             let (again, damaged) = Journal::open(path, scene).unwrap();
             assert_eq!((damaged, again.find(&specs[1]).unwrap().is_some()), (vec![], true));
         });
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn results_are_kept_in_a_regular_file_and_in_no_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = specula_scene::load("icosahedron", Some((16, 12))).unwrap();
+        let path = folder.path().join("results.jsonl");
+        std::os::unix::fs::symlink("/dev/zero", &path).unwrap();
+        let error = Journal::open(&path, &scene).unwrap_err().to_string();
+        assert_eq!(error, format!("results cannot be kept in `{}`: it is not a regular file", path.display()));
     }
 }

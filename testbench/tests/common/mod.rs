@@ -5,7 +5,7 @@ use glam::DVec3;
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, LyonSpec};
 use specula_scene::spec::reflection;
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Material, Method, MethodSpec, Needs, Span, Triangle, VertexCone};
+use specula_scene::{CoreSpec, DirectionalLight, Facet, Frame, Material, Method, MethodSpec, Needs, Span, Triangle, VertexCone};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 /// A span to be put on a row of its own.
@@ -21,7 +21,9 @@ pub fn frame_of(rows: &[Row], lights: &[DVec3]) -> Frame {
     let triangle = |(material, row): (usize, &Row)| {
         let [first, last] = row.normals;
         let normals = [first, last, first];
-        Triangle { normals, positions: [DVec3::ZERO; 3], cones: normals.map(VertexCone::flat), material }
+        let positions = [DVec3::ZERO; 3];
+        let facet = Facet::of_vertices(&normals, &positions);
+        Triangle { normals, facet, positions, cones: normals.map(VertexCone::flat), material }
     };
     let span = |(number, row): (usize, &Row)| {
         let (start, end) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);

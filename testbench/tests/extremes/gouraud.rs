@@ -1,7 +1,7 @@
 //! Intensities that are uniform over a polygon.
 use glam::DVec3;
 use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Spot};
+use specula_scene::{CoreSpec, Facet, Frame, LocalLight, Method, MethodSpec, Spot};
 
 use crate::common::{codes, frame, material, shade, spec, tilted};
 
@@ -14,7 +14,8 @@ fn uniform(frame: &Frame) -> CoreSpec {
     core
 }
 
-/// Rows 37 and 52: one code from end to end, of the mean of the vertex normals (20, 40 and 20 degrees), and no step to divide for.
+/// Rows 37 and 52: one code from end to end, of the mean of the vertex normals (20, 40 and 20 degrees), which
+/// stands in for a polygon that is not known, and no step to divide for.
 #[test]
 fn uniform_spans_have_one_code() {
     let mean = (2.0 * tilted(20.0) + tilted(40.0)).normalize();
@@ -32,14 +33,18 @@ fn uniform_spans_have_one_code() {
 #[test]
 fn normals_that_cancel_get_ambient_light() {
     let mut frame = frame([DVec3::X, -DVec3::X], 5, &[-DVec3::Z], material(0.2, 0.4, 0.4, 2));
-    frame.triangles[0].normals = [DVec3::X, -DVec3::X, DVec3::ZERO];
+    let triangle = &mut frame.triangles[0];
+    triangle.normals = [DVec3::X, -DVec3::X, DVec3::ZERO];
+    triangle.facet = Facet::of_vertices(&triangle.normals, &triangle.positions);
     assert_eq!(codes(&uniform(&frame), &frame), [51; 5]);
 }
 
 /// A square of two units with a corner at each place given, under a spot straight above the first of them.
 fn floor(exponent: u32, height: f64, eye: Option<DVec3>) -> Frame {
     let mut frame = frame([DVec3::Z, DVec3::Z], 3, &[], material(0.0, 0.5, 0.5, 2));
-    frame.triangles[0].positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let triangle = &mut frame.triangles[0];
+    triangle.positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    triangle.facet = Facet::of_vertices(&triangle.normals, &triangle.positions);
     let spot = Some(Spot { axis: -DVec3::Z, exponent });
     frame.local_lights = vec![LocalLight { position: DVec3::new(0.0, 0.0, height), spot, colour: [1.0; 3] }];
     frame.eye = eye;

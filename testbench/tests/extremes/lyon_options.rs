@@ -181,7 +181,7 @@ fn opposite_normals_without_direction() {
 fn flat_normals_are_flat() {
     let frame = frame([tilted(-30.0), tilted(30.0)], 30, &[tilted(-10.0)], material(0.1, 0.5, 0.4, 16));
     let codes = codes(&lyon(&frame, |lyon| lyon.normals = Normals::Flat), &frame);
-    // The triangle's third vertex has the first normal: the mean of (-30, 30, -30) degrees.
+    // No polygon is known, and the third vertex has the first normal: the mean of (-30, 30, -30) degrees.
     let mean = (2.0 * tilted(-30.0) + tilted(30.0)).normalize();
     let cosine = mean.dot(tilted(-10.0));
     let reflected = 2.0 * mean.z * mean - DVec3::Z;

@@ -7,6 +7,7 @@
 mod common;
 mod degenerate;
 mod direct;
+mod facets;
 mod gouraud;
 mod highlights;
 mod lyon_options;

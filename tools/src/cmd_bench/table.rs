@@ -10,7 +10,7 @@ pub fn text(measured: &Measured) -> String {
     let rows = measured.measurement.rows.iter().map(|row| cells(measured, row));
     let rows: Vec<[String; 8]> = [titles].into_iter().chain(rows).collect();
     let skipped: String = measured.measurement.skipped.iter().map(skipped).collect();
-    format!("{}\n{}{skipped}", table::lines(&facts(measured)), table::lines(&rows))
+    format!("{}\n{}{skipped}", table::shown(&facts(measured)), table::shown(&rows))
 }
 
 fn facts(measured: &Measured) -> Vec<[String; 2]> {

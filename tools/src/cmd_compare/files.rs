@@ -7,11 +7,9 @@ use specula_testbench::tradeoff::Journal;
 use super::result::Compared;
 use super::{csv, json, markdown, plots};
 use crate::error::ToolError;
-use crate::output::{Destination, REPORT, Staging};
+use crate::output::{Destination, JOURNAL, REPORT, Staging};
 use crate::{html, picture};
 
-/// Results by spec, as they come.
-pub const JOURNAL: &str = "results.jsonl";
 const MARKDOWN: &str = "report.md";
 const CORES: &str = "cores.csv";
 const SOFTWARE: &str = "software.csv";

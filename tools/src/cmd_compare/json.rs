@@ -6,11 +6,13 @@ use specula_testbench::tradeoff::software::Software;
 use specula_testbench::tradeoff::{Measured, WORD_BITS};
 
 use super::result::{Compared, Core, size};
+use crate::output::PROGRAM;
 
 /// `report.json`. Errors are in LSBs of the 8-bit output.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Of Specula.
+    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    program: &'static str,
     version: &'static str,
     scene: &'a str,
     width: u32,
@@ -56,6 +58,7 @@ struct OfCore<'a> {
 pub fn text(compared: &Compared, files: &[String]) -> serde_json::Result<String> {
     let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
     let report = Report {
+        program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
         scene: &compared.scene,
         width: compared.size.0,

@@ -3,7 +3,8 @@ use std::path::Path;
 
 use super::result::Compared;
 use super::tables::{self, SOFTWARE_TITLES, SUMMARY_TITLES};
-use super::{files, markdown};
+use super::markdown;
+use crate::output::JOURNAL;
 use crate::table;
 
 /// The tables, and where the rest is.
@@ -31,12 +32,12 @@ pub fn text(compared: &Compared, folder: &Path) -> String {
     );
     text += &format!("\n{}", markdown::SET_UP);
     if known > 0 {
-        text += &format!("{known} of {all} cores were known from {}; --fresh measures them again\n", files::JOURNAL);
+        text += &format!("{known} of {all} cores were known from {}; --fresh measures them again\n", JOURNAL);
     }
     text + &format!("tables and plots in {}\n", folder.display())
 }
 
 fn with_titles<const N: usize>(titles: [&str; N], rows: Vec<[String; N]>) -> String {
     let rows: Vec<[String; N]> = [titles.map(str::to_owned)].into_iter().chain(rows).collect();
-    table::lines(&rows)
+    table::shown(&rows)
 }

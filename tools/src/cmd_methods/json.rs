@@ -78,7 +78,7 @@ pub fn text() -> Result<String, ToolError> {
 
 fn facts(method: Method, scene: &LoadedScene) -> Result<MethodFacts, ToolError> {
     let spec = scene.core_spec(Some(method))?.general();
-    let design = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(SCENE))?.design;
+    let design = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(SCENE, &spec))?.design;
     let size = design.size();
     Ok(MethodFacts {
         name: method.name(),

@@ -1,7 +1,7 @@
 //! The whole text.
 use super::section::Section;
 
-const HEAD: &str = "\
+pub const HEAD: &str = "\
 # What the papers claim and show
 
 Written by `specula reproduce`. *On* says what was measured: `f64` is exact shading, `core` is hardware, by the bit-true model that the

@@ -15,7 +15,7 @@ use crate::cli::Verdict;
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::header::Origin;
-use crate::output::{Destination, REPORT};
+use crate::output::{Destination, Interrupts, REPORT};
 use crate::{picture as png, verilog};
 use report::Line;
 
@@ -36,10 +36,10 @@ struct Shaded {
 }
 
 /// Shades every row, writes everything, and prints the table or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
     let balls = balls(arguments)?;
     let folder = arguments.output.folder(NAME);
-    let destination = Destination::check(&folder, &files())?;
+    let destination = Destination::check(&folder, &files(), interrupts)?;
     let frame = figure9::frame(balls);
     let numbered = ROWS.iter().zip(1..);
     let rows: Vec<Shaded> =
@@ -52,8 +52,9 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
 
 /// As large as asked for, if nothing is asked for that a set of cores does not have.
 fn balls(arguments: &Arguments) -> Result<Balls, ToolError> {
-    let Arguments { scene, core, wishes, device, clock, trace, .. } = arguments;
+    let Arguments { scene, name, core, wishes, device, clock, trace, .. } = arguments;
     let asked = [
+        ("--name", name.name.is_some()),
         ("--core", core.is_some()),
         ("--method", wishes.method.is_some()),
         ("--specialise", wishes.specialise.is_some()),

@@ -28,7 +28,7 @@ fn spoilt_run(words: &[&str], folder: &Path, spoil: impl FnOnce(&mut Outcome) ->
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
     let run = run_of(&arguments, &task, &bench, None, &outcome);
-    let destination = Destination::check(folder, &file_names(&run.module)).expect("the folder can be written");
+    let destination = Destination::check(folder, &file_names(&run.module), &Interrupts::default()).expect("the folder can be written");
     write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))
 }

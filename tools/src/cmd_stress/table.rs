@@ -17,7 +17,7 @@ pub fn text(stress: &Stress, folder: &Path) -> String {
     format!(
         "{}\n{faults}{}\nWhat is asked of each method, and why it may be off, is in report.md.\n\
          seed {}; scenes, plots and report in {}\n",
-        table::lines(&rows),
+        table::shown(&rows),
         summary(stress),
         stress.seed,
         folder.display()

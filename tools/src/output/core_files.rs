@@ -2,35 +2,55 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use specula_scene::regular::read_regular;
+
+use super::folder::settle_leftovers;
+use super::interrupt::Interrupts;
 use super::made::MadeFolders;
-use super::{REPORT, TEMPORARY};
+use super::own::Contents;
+use super::temporary::Temporary;
 use crate::error::OutputError;
 
 /// Writes files, by name and text, into `folder`, which is made if it is not there; every other file in it stays. Returns their paths.
 ///
 /// # Errors
-/// [`OutputError`] if the system refuses, or the folder is a run's and its core is another one.
-pub fn write_core(folder: &Path, files: &[(String, String)]) -> Result<Vec<PathBuf>, OutputError> {
+/// [`OutputError`] if the system refuses, somebody else's file has one of the names, or the folder is a run's and its core is another one.
+pub fn write_core(folder: &Path, files: &[(String, String)], interrupts: &Interrupts) -> Result<Vec<PathBuf>, OutputError> {
     if let Some(at) = folder.ancestors().find(|path| path.symlink_metadata().is_ok()).filter(|path| !path.is_dir()) {
         return Err(OutputError::NotAFolder { folder: folder.to_owned(), at: at.to_owned() });
     }
-    let differs = |(name, text): &(String, String)| fs::read(folder.join(name)).ok().as_deref() != Some(text.as_bytes());
-    if folder.join(REPORT).exists() && files.iter().any(differs) {
-        return Err(OutputError::OtherCore { folder: folder.to_owned() });
-    }
+    settle_leftovers([folder]);
+    refuse(folder, files)?;
     let write = || {
-        let made = MadeFolders::make(folder)?;
-        let temporary = tempfile::Builder::new().prefix(TEMPORARY).tempdir_in(folder)?;
+        let made = MadeFolders::make(folder, interrupts)?;
+        let temporary = Temporary::new_in(folder, interrupts)?;
         for (name, text) in files {
             fs::write(temporary.path().join(name), text)?;
         }
+        let held = interrupts.hold();
         for (name, _) in files {
             fs::rename(temporary.path().join(name), folder.join(name))?;
         }
+        drop(held);
         drop(temporary);
         made.keep();
         Ok(())
     };
     write().map_err(OutputError::system(folder))?;
     Ok(files.iter().map(|(name, _)| folder.join(name)).collect())
+}
+
+fn refuse(folder: &Path, files: &[(String, String)]) -> Result<(), OutputError> {
+    let contents = Contents::of(folder).map_err(OutputError::system(folder))?;
+    if let Some(name) = contents.clash(files.iter().map(|(name, _)| name)) {
+        return Err(OutputError::InTheWay { folder: folder.to_owned(), name: name.clone() });
+    }
+    let differs = |(name, text): &(String, String)| {
+        let there = read_regular(&folder.join(name), text.len() as u64);
+        there.ok().as_deref() != Some(text.as_bytes())
+    };
+    if contents.has_report && files.iter().any(differs) {
+        return Err(OutputError::OtherCore { folder: folder.to_owned() });
+    }
+    Ok(())
 }

@@ -1,13 +1,13 @@
 //! The folder that a run writes, checked before the run.
-use std::collections::HashSet;
 use std::env;
-use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
-
-use super::{REPORT, TEMPORARY};
+use super::disk::System;
+use super::interrupt::Interrupts;
+use super::leftovers::settle;
+use super::own::Contents;
+use super::temporary::Temporary;
 use crate::error::OutputError;
 
 /// A folder that can be written or replaced.
@@ -17,24 +17,38 @@ pub struct Destination {
     pub shown: PathBuf,
     /// Where it is, symbolic links followed.
     pub(super) place: PathBuf,
-    /// Files that may be taken away when it is replaced.
-    pub(super) own: HashSet<String>,
+    interrupts: Interrupts,
 }
 
 impl Destination {
-    /// Checks that `folder` can be written; `files` are the names that will stand in it.
+    /// Checks that `folder` can be written; `files` are the names that may stand in it. What killed programs have left there or beside
+    /// it is settled first, and said.
     ///
     /// # Errors
     /// [`OutputError`] if something is in the way that Specula did not write, or the system does not let us write there.
-    pub fn check(folder: &Path, files: &[String]) -> Result<Destination, OutputError> {
+    pub fn check(folder: &Path, files: &[String], interrupts: &Interrupts) -> Result<Destination, OutputError> {
         let place = place_of(folder)?;
-        let mut own: HashSet<String> = files.iter().cloned().collect();
+        settle_leftovers(place.parent().into_iter().chain([place.as_path()]));
         if place.exists() {
-            own.extend(own_files(folder, &place, &own)?);
+            refuse_foreign(folder, &place, files)?;
             refuse_current(folder, &place)?;
         }
-        probe(folder)?;
-        Ok(Destination { shown: folder.to_owned(), place, own })
+        probe(folder, interrupts)?;
+        Ok(Destination { shown: folder.to_owned(), place, interrupts: interrupts.clone() })
+    }
+
+    /// What is undone when the program is interrupted.
+    pub fn interrupts(&self) -> &Interrupts {
+        &self.interrupts
+    }
+}
+
+/// Settles what was left in folders that are written into.
+pub fn settle_leftovers<'a>(folders: impl IntoIterator<Item = &'a Path>) {
+    let mut stderr = io::stderr().lock();
+    for settled in folders.into_iter().flat_map(|folder| settle(folder, &mut System)) {
+        // Whoever does not listen finds the files in their places all the same.
+        let _ = writeln!(stderr, "{settled}");
     }
 }
 
@@ -53,25 +67,17 @@ fn place_of(folder: &Path) -> Result<PathBuf, OutputError> {
     Ok(absolute)
 }
 
-/// What of an earlier run's report is read again.
-#[derive(Deserialize)]
-struct Earlier {
-    files: Vec<String>,
-}
-
-/// The files of the run that wrote the folder; none if there is no report but nothing of anybody else's either.
-fn own_files(folder: &Path, place: &Path, expected: &HashSet<String>) -> Result<Vec<String>, OutputError> {
-    let report = fs::read(place.join(REPORT)).ok().and_then(|text| serde_json::from_slice::<Earlier>(&text).ok());
-    if let Some(earlier) = report {
-        return Ok(earlier.files);
-    }
-    let names: io::Result<Vec<String>> = fs::read_dir(place)
-        .and_then(|entries| entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect());
-    let names = names.map_err(OutputError::system(folder))?;
+/// Without a report of Specula's nothing may be there but what Specula wrote; with one, nothing of the names that may be written.
+fn refuse_foreign(folder: &Path, place: &Path, files: &[String]) -> Result<(), OutputError> {
+    let contents = Contents::of(place).map_err(OutputError::system(folder))?;
+    let folder = folder.to_owned();
     // The first of them by name, so that the same folder gives the same message.
-    match names.into_iter().filter(|name| name == REPORT || !expected.contains(name)).min() {
-        Some(foreign) => Err(OutputError::Foreign { folder: folder.to_owned(), foreign }),
-        None => Ok(vec![]),
+    match contents.foreign.first() {
+        Some(foreign) if !contents.has_report => Err(OutputError::Foreign { folder, foreign: foreign.clone() }),
+        _ => match contents.clash(files) {
+            Some(name) => Err(OutputError::InTheWay { folder, name: name.clone() }),
+            None => Ok(()),
+        },
     }
 }
 
@@ -82,10 +88,10 @@ fn refuse_current(folder: &Path, place: &Path) -> Result<(), OutputError> {
 }
 
 /// Tries to write where the folder's nearest existing ancestor is, so that a long run does not end in a refusal.
-fn probe(folder: &Path) -> Result<(), OutputError> {
+fn probe(folder: &Path, interrupts: &Interrupts) -> Result<(), OutputError> {
     let above = folder.parent().unwrap_or(folder);
     let there = above.ancestors().find(|path| path.exists()).unwrap_or(Path::new("."));
     let there = if there.as_os_str().is_empty() { Path::new(".") } else { there };
-    let probe = tempfile::Builder::new().prefix(TEMPORARY).tempdir_in(there);
+    let probe = Temporary::new_in(there, interrupts);
     probe.map(drop).map_err(|reason| OutputError::System { path: folder.to_owned(), reason })
 }

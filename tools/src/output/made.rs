@@ -3,23 +3,34 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::interrupt::{Interrupts, Undo};
+
 /// Folders that were made, outermost first. Unless they are kept, those that are still empty go again.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct MadeFolders {
     made: Vec<PathBuf>,
+    interrupts: Interrupts,
 }
 
 impl MadeFolders {
     /// Makes `folder` and every missing one above it.
-    pub fn make(folder: &Path) -> io::Result<MadeFolders> {
-        let mut folders = MadeFolders::default();
+    pub fn make(folder: &Path, interrupts: &Interrupts) -> io::Result<MadeFolders> {
+        let mut folders = MadeFolders { made: vec![], interrupts: interrupts.clone() };
         let missing: Vec<&Path> = folder.ancestors().take_while(|f| !f.as_os_str().is_empty() && !f.exists()).collect();
         for folder in missing.into_iter().rev() {
+            let mut held = interrupts.hold();
             match fs::create_dir(folder) {
-                Ok(()) => folders.made.push(folder.to_owned()),
+                Ok(()) => {
+                    folders.made.push(folder.to_owned());
+                    held.add(Undo::Made(folder.to_owned()));
+                }
                 // Somebody else was quicker, and it is theirs to take away.
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                Err(error) => return Err(error),
+                Err(error) => {
+                    // Dropping what was made waits for the list.
+                    drop(held);
+                    return Err(error);
+                }
             }
         }
         Ok(folders)
@@ -27,7 +38,13 @@ impl MadeFolders {
 
     /// Leaves them there.
     pub fn keep(mut self) {
+        self.forget();
         self.made.clear();
+    }
+
+    fn forget(&self) {
+        let mut held = self.interrupts.hold();
+        self.made.iter().for_each(|folder| held.forget(&Undo::Made(folder.clone())));
     }
 }
 
@@ -37,5 +54,6 @@ impl Drop for MadeFolders {
             // One that holds something, or is gone already, is nothing to complain of.
             let _ = fs::remove_dir(folder);
         }
+        self.forget();
     }
 }

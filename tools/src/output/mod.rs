@@ -1,18 +1,27 @@
 //! Where results go: whole, or not at all.
 //!
-//! Everything is written into a temporary folder beside its place and moved there once it is complete.
+//! Everything is written into a temporary folder beside its place and moved there once it is complete. Whenever the program ends, by a
+//! signal, a kill or a power cut, the user's own files are in their place, or the next program that writes there brings them back.
 mod core_files;
+mod disk;
 mod folder;
+mod interrupt;
+mod leftovers;
 mod made;
 mod one_file;
+mod own;
 mod publish;
+mod record;
+mod temporary;
 
 pub use core_files::write_core;
 pub use folder::Destination;
+pub use interrupt::Interrupts;
 pub use one_file::write_file;
+pub use own::PROGRAM;
 pub use publish::Staging;
 
 /// The report that marks a folder as a run's.
 pub const REPORT: &str = "report.json";
-/// Beginning of the names of temporary folders; what is left of one after a power cut can be deleted.
-const TEMPORARY: &str = ".specula-";
+/// Results of a sweep, as they come.
+pub const JOURNAL: &str = "results.jsonl";

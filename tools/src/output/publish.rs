@@ -1,13 +1,17 @@
 //! From a complete temporary folder to its place.
-use std::collections::HashSet;
+use std::collections::BTreeSet;
+use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use tempfile::TempDir;
-
+use super::disk::{Disk, System};
+use super::interrupt::Interrupts;
 use super::made::MadeFolders;
-use super::{Destination, TEMPORARY};
+use super::own::Contents;
+use super::record::{Record, Step};
+use super::temporary::{FOLDER, Temporary};
+use super::{Destination, REPORT};
 use crate::error::OutputError;
 use crate::html::Beside;
 
@@ -15,10 +19,10 @@ use crate::html::Beside;
 #[derive(Debug)]
 pub struct Staging {
     destination: Destination,
-    /// A folder inside the temporary one, since that is private to the user and the result need not be.
+    /// A folder inside the temporary one, since that is private to the user and the result need not be. It has its final name.
     new: PathBuf,
     // Dropped in this order: first what is in the folders that were made.
-    temporary: TempDir,
+    temporary: Temporary,
     made: MadeFolders,
 }
 
@@ -27,10 +31,10 @@ impl Destination {
     pub fn stage(&self) -> Result<Staging, OutputError> {
         let refused = OutputError::system(&self.shown);
         let begin = || {
-            let made = MadeFolders::make(self.parent())?;
-            let temporary = self.temporary()?;
-            let new = temporary.path().join("new");
-            fs::create_dir(&new)?;
+            let made = MadeFolders::make(self.parent(), self.interrupts())?;
+            let temporary = Temporary::new_in(self.parent(), self.interrupts())?;
+            let new = temporary.path().join(FOLDER).join(self.place.file_name().unwrap_or_default());
+            fs::create_dir_all(&new)?;
             Ok(Staging { destination: self.clone(), new, temporary, made })
         };
         begin().map_err(refused)
@@ -40,16 +44,17 @@ impl Destination {
         // The place is absolute and has a name.
         self.place.parent().unwrap_or(&self.place)
     }
-
-    fn temporary(&self) -> io::Result<TempDir> {
-        tempfile::Builder::new().prefix(TEMPORARY).tempdir_in(self.parent())
-    }
 }
 
 impl Staging {
     /// The path of the file `name` while it is being written.
     pub fn file(&self, name: &str) -> PathBuf {
         self.new.join(name)
+    }
+
+    /// The path of a file that is needed on the way and not published.
+    pub fn scratch(&self, name: &str) -> PathBuf {
+        self.temporary.path().join(name)
     }
 
     /// The error of having failed to write the file `name`, by the path it would have had.
@@ -60,15 +65,29 @@ impl Staging {
 
     /// Puts the folder in its place. Files of an earlier run go; any others that were there stay.
     pub fn publish(self) -> Result<(), OutputError> {
+        self.publish_by(&mut System)
+    }
+
+    pub(super) fn publish_by(self, disk: &mut dyn Disk) -> Result<(), OutputError> {
         let Staging { destination, new, temporary, made } = self;
-        if destination.place.exists() {
-            destination.replace(&new)?;
-        } else {
-            fs::rename(&new, &destination.place).map_err(OutputError::system(&destination.shown))?;
+        let interrupts: Interrupts = destination.interrupts().clone();
+        let held = interrupts.hold();
+        let published = match destination.place.exists() {
+            true => replace(&destination, &new, temporary.path(), disk),
+            false => disk.rename(&new, &destination.place).map_err(OutputError::system(&destination.shown)),
+        };
+        match published {
+            // It must not be deleted with the temporary folder.
+            Err(OutputError::Kept { .. }) => temporary.keep(held),
+            _ => {
+                drop(held);
+                drop(temporary);
+            }
         }
-        drop(temporary);
-        made.keep();
-        Ok(())
+        if published.is_ok() {
+            made.keep();
+        }
+        published
     }
 }
 
@@ -80,35 +99,109 @@ impl Beside for Staging {
     }
 }
 
-impl Destination {
-    fn replace(&self, new: &Path) -> Result<(), OutputError> {
-        let refused = || OutputError::system(&self.shown);
-        let retired = self.temporary().map_err(refused())?;
-        let old = retired.path().join("old");
-        fs::rename(&self.place, &old).map_err(refused())?;
-        if let Err(reason) = fs::rename(new, &self.place) {
-            if fs::rename(&old, &self.place).is_err() {
-                // It must not be deleted with the temporary folder.
-                let _ = retired.keep();
-            }
-            return Err(refused()(reason));
+fn replace(destination: &Destination, new: &Path, temporary: &Path, disk: &mut dyn Disk) -> Result<(), OutputError> {
+    let (shown, place) = (&destination.shown, &destination.place);
+    let refused = || OutputError::system(shown);
+    let contents = Contents::of(place).map_err(refused())?;
+    let record = Record { step: Step::Exchange, old: contents.own.clone(), new: names_in(new).map_err(refused())? };
+    // Somebody may have put it there while the results were computed.
+    if let Some(name) = contents.clash(&record.new) {
+        return Err(OutputError::InTheWay { folder: shown.clone(), name: name.clone() });
+    }
+    record.write(temporary, disk).map_err(refused())?;
+    let linked = link_others(place, new, &record, disk).map_err(refused())?;
+    match disk.exchange(new, place) {
+        Ok(()) => finish(new, place, &record, disk).map_err(|(path, reason)| OutputError::Kept { path, reason }),
+        Err(error) if error.kind() == io::ErrorKind::Unsupported => {
+            linked.iter().try_for_each(|name| disk.remove_file(&new.join(name))).map_err(refused())?;
+            let record = Record { step: Step::FileByFile, ..record };
+            record.write(temporary, disk).map_err(refused())?;
+            finish(new, place, &record, disk).map_err(|(path, reason)| OutputError::Kept { path, reason })
         }
-        move_others(&old, &self.place, &self.own).map_err(|(path, reason)| {
-            let _ = retired.keep();
-            OutputError::Kept { path, reason }
-        })
+        Err(reason) => Err(refused()(reason)),
     }
 }
 
-/// Moves everything but `own` from one folder to the other.
-fn move_others(from: &Path, to: &Path, own: &HashSet<String>) -> Result<(), (PathBuf, io::Error)> {
+fn names_in(folder: &Path) -> io::Result<BTreeSet<String>> {
+    fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect()
+}
+
+/// Gives what is somebody else's a second name in the new folder, so that it is never away. What cannot have one, such as a folder, comes
+/// after the exchange.
+fn link_others(place: &Path, new: &Path, record: &Record, disk: &mut dyn Disk) -> io::Result<Vec<OsString>> {
+    let mut linked = vec![];
+    for entry in fs::read_dir(place)? {
+        let (entry_type, name) = entry.map(|entry| (entry.file_type(), entry.file_name()))?;
+        let is_others = !record.has(&name.to_string_lossy());
+        if is_others && entry_type?.is_file() && disk.link(&place.join(&name), &new.join(&name)).is_ok() {
+            linked.push(name);
+        }
+    }
+    Ok(linked)
+}
+
+/// Does what is left to do of replacing `place`: after the exchange `from` holds what was there before, and file by file it holds what is
+/// new. However often it is done, and whatever was done of it, the result is the same.
+///
+/// # Errors
+/// A path that could not be moved, and why. It is where it was.
+pub fn finish(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
+    match record.step {
+        Step::Exchange => bring_back(from, place, record, disk),
+        Step::FileByFile => file_by_file(from, place, record, disk),
+    }
+}
+
+/// Moves what is somebody else's.
+fn bring_back(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
     let unlisted = |reason| (from.to_owned(), reason);
     for entry in fs::read_dir(from).map_err(unlisted)? {
         let name = entry.map_err(unlisted)?.file_name();
-        if !own.contains(name.to_string_lossy().as_ref()) {
-            let path = from.join(&name);
-            fs::rename(&path, to.join(&name)).map_err(|reason| (path, reason))?;
+        if record.has(&name.to_string_lossy()) {
+            continue;
+        }
+        let (path, to) = (from.join(&name), place.join(&name));
+        if to.symlink_metadata().is_err() {
+            disk.rename(&path, &to).map_err(|reason| (path, reason))?;
+        } else if !is_same_file(&path, &to) {
+            return Err((path, io::Error::new(io::ErrorKind::AlreadyExists, "another of its name is there")));
         }
     }
     Ok(())
 }
+
+/// Puts new files in the places of old ones, the report last, and removes old ones that have no successor.
+fn file_by_file(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
+    let mut put = |name: &str| {
+        let path = from.join(name);
+        if !path.exists() {
+            return Ok(());
+        }
+        disk.rename(&path, &place.join(name)).map_err(|reason| (path, reason))
+    };
+    record.new.iter().filter(|name| *name != REPORT).try_for_each(|name| put(name))?;
+    put(REPORT)?;
+    for name in record.old.difference(&record.new) {
+        let path = place.join(name);
+        if path.symlink_metadata().is_ok_and(|about| about.is_file()) {
+            disk.remove_file(&path).map_err(|reason| (path, reason))?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(unix)]
+fn is_same_file(one: &Path, other: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |path: &Path| path.symlink_metadata().map(|about| (about.dev(), about.ino())).ok();
+    identity(one).is_some() && identity(one) == identity(other)
+}
+
+/// Folders do not change places here, so no file has two names.
+#[cfg(not(unix))]
+fn is_same_file(_: &Path, _: &Path) -> bool {
+    false
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,13 +1,17 @@
 //! A drawing of rectangles and words.
-use font8x8::legacy::BASIC_LEGACY;
 use image::{Rgb, RgbImage};
 
-/// Width and height of a character, in dots.
+use super::typeface::Typeface;
+
+/// Height of a line's capitals, in dots; words stand in multiples of it.
 pub const CHARACTER: u32 = 8;
+/// From one character to the next, in dots.
+const ADVANCE: u32 = 7;
 
 /// A drawing with words in it.
 pub struct Canvas {
     image: RgbImage,
+    typeface: Typeface,
     /// Pixels for each dot of a character.
     dot: u32,
 }
@@ -15,17 +19,17 @@ pub struct Canvas {
 impl Canvas {
     /// A drawing of one colour, with `dot` pixels for each dot of a character.
     pub fn new(width: u32, height: u32, colour: Rgb<u8>, dot: u32) -> Canvas {
-        Canvas { image: RgbImage::from_pixel(width, height, colour), dot }
+        Canvas::over(RgbImage::from_pixel(width, height, colour), dot)
     }
 
     /// A drawing that goes on over an image.
     pub fn over(image: RgbImage, dot: u32) -> Canvas {
-        Canvas { image, dot }
+        Canvas { image, typeface: Typeface::new(ADVANCE * dot), dot }
     }
 
     /// Width of a text in pixels.
     pub fn text_width(text: &str, dot: u32) -> u32 {
-        text.chars().count() as u32 * CHARACTER * dot
+        text.chars().count() as u32 * ADVANCE * dot
     }
 
     /// Colours a pixel; one outside the drawing is left out.
@@ -44,26 +48,18 @@ impl Canvas {
         }
     }
 
-    /// Writes ASCII text with its upper left corner at (x, y).
+    /// Writes text with the upper left corner of its capitals at (x, y).
     pub fn write(&mut self, (x, y): (u32, u32), text: &str, colour: Rgb<u8>) {
-        for (number, character) in text.chars().enumerate() {
-            let left = x + number as u32 * CHARACTER * self.dot;
-            for (row, column) in dots(character) {
-                let corner = (left + column * self.dot, y + row * self.dot);
-                self.fill(corner, (self.dot, self.dot), colour);
-            }
-        }
+        let (left, base) = (i64::from(x), i64::from(y) + i64::from(CHARACTER * self.dot));
+        let image = &mut self.image;
+        self.typeface.ink(text, |along, down, share| blend(image, (left + along, base + down), colour, share));
     }
 
-    /// Writes ASCII text that runs upwards, with its lower left corner at (x, y).
+    /// Writes text that runs upwards, with the lower left corner of its capitals at (x, y).
     pub fn write_upwards(&mut self, (x, y): (u32, u32), text: &str, colour: Rgb<u8>) {
-        for (number, character) in text.chars().enumerate() {
-            let bottom = y.saturating_sub(number as u32 * CHARACTER * self.dot);
-            for (row, column) in dots(character) {
-                let corner = (x + row * self.dot, bottom.saturating_sub((column + 1) * self.dot));
-                self.fill(corner, (self.dot, self.dot), colour);
-            }
-        }
+        let (base, bottom) = (i64::from(x) + i64::from(CHARACTER * self.dot), i64::from(y));
+        let image = &mut self.image;
+        self.typeface.ink(text, |along, down, share| blend(image, (base + down, bottom - 1 - along), colour, share));
     }
 
     /// The drawing.
@@ -72,10 +68,43 @@ impl Canvas {
     }
 }
 
-/// Rows and columns of a character's dots; of one that is not ASCII none.
-fn dots(character: char) -> impl Iterator<Item = (u32, u32)> {
-    let rows = BASIC_LEGACY.get(character as usize).copied().unwrap_or([0; CHARACTER as usize]);
-    // The leftmost dot is the lowest bit.
-    let set = move |row: u32, column: u32| rows[row as usize] >> column & 1 == 1;
-    (0..CHARACTER).flat_map(move |row| (0..CHARACTER).filter(move |&column| set(row, column)).map(move |column| (row, column)))
+/// Covers a share of a pixel; one outside the drawing is left out.
+fn blend(image: &mut RgbImage, (x, y): (i64, i64), colour: Rgb<u8>, share: f32) {
+    let place = u32::try_from(x).ok().zip(u32::try_from(y).ok());
+    let Some(pixel) = place.and_then(|(x, y)| image.get_pixel_mut_checked(x, y)) else { return };
+    for (below, above) in pixel.0.iter_mut().zip(colour.0) {
+        let (from, to) = (f32::from(*below), f32::from(above));
+        *below = (from + (to - from) * share).round() as u8;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WHITE: Rgb<u8> = Rgb([255; 3]);
+    const BLACK: Rgb<u8> = Rgb([0; 3]);
+
+    fn inked(canvas: Canvas) -> Vec<(u32, u32)> {
+        let image = canvas.finish();
+        image.enumerate_pixels().filter(|(_, _, pixel)| **pixel != WHITE).map(|(x, y, _)| (x, y)).collect()
+    }
+
+    #[test]
+    fn words_run_upwards_as_they_run_along() {
+        let (mut along, mut up) = (Canvas::new(40, 40, WHITE, 1), Canvas::new(40, 40, WHITE, 1));
+        along.write((10, 10), "R 4", BLACK);
+        up.write_upwards((10, 40 - 10), "R 4", BLACK);
+        let mut turned: Vec<(u32, u32)> = inked(along).into_iter().map(|(x, y)| (y, 39 - x)).collect();
+        turned.sort_by_key(|&(x, y)| (y, x));
+        assert_eq!(turned, inked(up));
+    }
+
+    #[test]
+    fn words_over_the_edge_are_cut_off() {
+        let mut canvas = Canvas::new(8, 8, WHITE, 2);
+        canvas.write((4, 0), "W\u{c4}W", BLACK);
+        canvas.write_upwards((0, 3), "W\u{c4}W", BLACK);
+        assert!(inked(canvas).len() < 64);
+    }
 }

@@ -17,7 +17,7 @@ const KEY: &str = "  nothing shaded. Colours: square root";
 /// Pixels of a picture's shorter side for each dot of its words.
 const PIXELS_PER_DOT: u32 = 240;
 /// Lines of text that a legend beside the smallest pictures needs.
-const FEWEST_LINES: u32 = 14;
+const FEWEST_LINES: u32 = 17;
 
 /// Where things stand, in pixels.
 struct Layout {

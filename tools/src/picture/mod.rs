@@ -3,6 +3,7 @@ mod canvas;
 mod heat_map;
 mod panels;
 mod scale;
+mod typeface;
 
 pub use canvas::{CHARACTER, Canvas};
 pub use heat_map::{error_map, heat_map, heat_picture};

@@ -4,7 +4,7 @@ use specula_testbench::Image;
 
 use super::canvas::{CHARACTER, Canvas};
 
-/// A picture with its title, in ASCII.
+/// A picture with its title.
 pub struct Panel {
     title: String,
     picture: RgbImage,
@@ -60,6 +60,6 @@ mod tests {
             side_by_side(&[Panel::new("a long title", &Image::filled(4, 3, red)), Panel::new("", &Image::filled(20, 5, blue))]);
         let count = |colour: [u8; 3]| sheet.pixels().filter(|pixel| pixel.0 == colour).count();
         assert_eq!((count(red), count(blue)), (12, 100));
-        assert_eq!(sheet.dimensions(), (8 + 96 + 8 + 20 + 8, 24 + 5 + 8));
+        assert_eq!(sheet.dimensions(), (8 + 7 * 12 + 8 + 20 + 8, 24 + 5 + 8));
     }
 }

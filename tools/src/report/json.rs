@@ -6,12 +6,14 @@ use specula_testbench::{Errors, Savings, Share, Violation};
 
 use crate::device::Fitted;
 use crate::disagreement::Disagreement;
+use crate::output::PROGRAM;
 use crate::run::{Run, Written};
 
 /// `report.json`. Errors are in LSBs of the 8-bit output.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Of Specula.
+    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    program: &'static str,
     version: &'static str,
     scene: &'a str,
     /// Of the Verilog.
@@ -40,7 +42,7 @@ struct Report<'a> {
     /// What the core takes of the device, if one was named.
     #[serde(flatten)]
     fitted: Option<Fitted>,
-    /// Of the whole run.
+    /// From the beginning on until everything but the reports was written.
     wall_seconds: f64,
     simulation_seconds: f64,
     error: &'a Errors,
@@ -99,6 +101,7 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
     let comparison = &outcome.comparison;
     let bound = bench.design.error_bound();
     Report {
+        program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
         scene: run.name(),
         module: &run.module,

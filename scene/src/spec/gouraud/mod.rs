@@ -16,7 +16,7 @@ pub use inputs::{GouraudInputs, GouraudLight, Intensity};
 pub enum Interpolation {
     /// At the vertices, and linear between them (A4).
     Linear,
-    /// Once for each polygon, from the mean of its vertex normals (A3); no accumulator is built.
+    /// Once for each polygon, from the polygon's own normal (A3, lecture eq. 2.1); no accumulator is built.
     Uniform,
 }
 

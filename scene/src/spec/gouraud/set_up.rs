@@ -1,8 +1,6 @@
 //! Set-up of a span for `gouraud`.
-use glam::DVec3;
-
 use super::{GouraudInputs, GouraudLight, GouraudSpec, Intensity, Interpolation};
-use crate::frame::{Frame, Span};
+use crate::frame::{Facet, Frame, Span};
 use crate::illumination::LitPoint;
 use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
 
@@ -40,8 +38,8 @@ impl GouraudSetUp<'_> {
         match self.gouraud.interpolation {
             Interpolation::Linear => Points::Vertices([0, 1, 2].map(vertex)),
             Interpolation::Uniform => {
-                let middle = triangle.positions.iter().sum::<DVec3>() / 3.0;
-                Points::Middle(LitPoint::new(self.frame, self.frame.mean_normal(span), middle))
+                let Facet { normal, middle } = triangle.facet;
+                Points::Middle(LitPoint::new(self.frame, normal, middle))
             }
         }
     }

@@ -184,12 +184,12 @@ impl LyonSpec {
     fn normals_in_words(&self) -> String {
         match (self.normals, self.axis) {
             (Normals::Linear, _) => "interpolated linearly",
-            (Normals::Flat, _) => "the face's mean normal",
+            (Normals::Flat, _) => "the polygon's own normal",
             (Normals::Wrapped, WrapAxis::Bisector) => "wrapped around the bisector of the end normals",
             (Normals::Wrapped, WrapAxis::Previous) => {
                 "wrapped around the one of the pixel before; around the bisector in wide spans of few steps"
             }
-            (Normals::Wrapped, WrapAxis::Face) => "wrapped around the face's mean normal, or the bisector 90 degrees from it",
+            (Normals::Wrapped, WrapAxis::Face) => "wrapped around the polygon's own normal, or the bisector 90 degrees from it",
         }
         .to_owned()
     }

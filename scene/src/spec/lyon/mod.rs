@@ -16,7 +16,7 @@ pub use wrap::NormalWrap;
 pub enum Normals {
     /// N' = N0 + a (N1 - N0), which is then brought near unit length (B12).
     Linear,
-    /// The face's mean normal, the same at every pixel: neither interpolated nor normalised (lecture 21, eq. 2.1).
+    /// The polygon's own normal, the same at every pixel: neither interpolated nor normalised (lecture 21, eq. 2.1).
     Flat,
     /// n = 2v H - w with H = (N0 + w) + a (N1 - N0) and v = H·w / H·H: of unit length, whatever H is
     /// [Hast, Barrera and Bengtsson, eq. 27 and 28; C4, C5].
@@ -29,7 +29,7 @@ pub enum Normals {
 pub enum WrapAxis {
     /// The bisector of the end normals.
     Bisector,
-    /// The face's mean normal; the bisector where an end normal is 90 degrees or more from it (EXTREMES row 8).
+    /// The polygon's own normal; the bisector where an end normal is 90 degrees or more from it (EXTREMES row 8).
     Face,
     /// The wrapped normal of the pixel before, and N0 at the first; the bisector in spans of more than 30 degrees that take fewer than 16 steps,
     /// and in those of more than 120 degrees (EXTREMES row 11).

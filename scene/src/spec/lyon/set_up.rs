@@ -77,7 +77,7 @@ impl LyonSetUp<'_> {
                 NormalInputs { start, delta: between(start, end), axis: None, follows: None }
             }
             Normals::Flat => {
-                let start = f.vector.quantise_vector(self.frame.mean_normal(span));
+                let start = f.vector.quantise_vector(self.frame.facet_normal(span));
                 NormalInputs { start, delta: None, axis: None, follows: None }
             }
             Normals::Wrapped => {

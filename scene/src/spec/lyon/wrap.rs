@@ -27,7 +27,7 @@ impl LyonSpec {
     /// The wrap of a span's normals.
     pub fn wrap(&self, frame: &Frame, span: &Span) -> NormalWrap {
         let preferred = match self.axis {
-            WrapAxis::Face => Some(frame.mean_normal(span)),
+            WrapAxis::Face => Some(frame.facet_normal(span)),
             WrapAxis::Bisector | WrapAxis::Previous => None,
         };
         let wrap = Wrap::around(preferred, frame.end_normals(span));

@@ -25,8 +25,8 @@ const SHORTEST_SUM: f64 = 1.0 / (1 << 20) as f64;
 pub enum Bisector {
     /// Half-way between the normals at the span's ends.
     Span,
-    /// The sum of the triangle's vertex normals, for all of its spans; half-way between the ends where it is 90 degrees or more from
-    /// one of them (EXTREMES row 8).
+    /// The polygon's own normal (§4), for all of its spans; half-way between the ends where it is 90
+    /// degrees or more from one of them (EXTREMES row 8).
     Triangle,
 }
 
@@ -92,10 +92,7 @@ impl Bisector {
         let faces_both = |n: &DVec3| ends.iter().all(|end| end.dot(*n) > SHORTEST_SUM);
         match self {
             Bisector::Span => of_ends(),
-            Bisector::Triangle => {
-                let sum: DVec3 = frame.triangles[span.triangle].normals.iter().sum();
-                sum.try_normalize().filter(faces_both).or_else(of_ends)
-            }
+            Bisector::Triangle => Some(frame.facet_normal(span)).filter(faces_both).or_else(of_ends),
         }
     }
 }

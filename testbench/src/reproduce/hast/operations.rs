@@ -59,7 +59,8 @@ pub fn schemes(frame: &Frame) -> Result<Vec<Scheme>, BenchError> {
 fn counted(row: &Row) -> Operations {
     let ends = [DVec3::Z, DVec3::new(0.6, 0.0, 0.8)];
     let weights = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    let line = Line { ends, steps: 8, vertices: [ends[0], ends[1], DVec3::Z], weights, shininess: 16 };
+    let vertices = [ends[0], ends[1], DVec3::Z];
+    let line = Line { ends, steps: 8, vertices, face: DVec3::Z, weights, shininess: 16 };
     (row.counted)(&line, DVec3::new(0.0, 0.6, 0.8))
 }
 

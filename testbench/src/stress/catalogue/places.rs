@@ -12,7 +12,7 @@ use super::{Case, Draw, RawSpan, Row, SpanScene, lit, material, scenes};
 fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {
     let mut span = RawSpan::between([DVec3::Z; 2], 5, material(0.0, 0.5, 0.5, 20));
     span.positions = [DVec3::new(-2.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0), DVec3::new(-2.0, 1.0, 0.0)];
-    SpanScene { lights, eye, spans: vec![span] }
+    SpanScene { lights, eye, spans: vec![span], ..SpanScene::default() }
 }
 
 /// Whether this is Phong's own highlight with true directions, which exact shading has.
@@ -76,5 +76,6 @@ fn anywhere(draw: &mut Draw, longest: u32) -> SpanScene {
         lights: vec![Light::Towards(draw.direction()), Light::At(place(draw)), spot],
         eye: draw.one_of(&[true, false]).then(|| place(draw)),
         spans: (0..8).map(|_| span(draw)).collect(),
+        ..SpanScene::default()
     }
 }

@@ -8,6 +8,7 @@ use specula_testbench::{Bench, EngineKind, ErrorFigures, Outcome};
 
 use super::{FORMULAS, NAME, SIMULATED, Shaded, module};
 use crate::header::bound;
+use crate::output::PROGRAM;
 use crate::{table, verilog};
 
 /// A row of the report. Errors are in LSBs of the 8-bit output.
@@ -36,7 +37,8 @@ pub struct Line {
 /// `report.json`.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Of Specula.
+    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    program: &'static str,
     version: &'static str,
     figure: &'static str,
     engine: &'static str,
@@ -94,7 +96,7 @@ fn lines(rows: &[Shaded]) -> Vec<[String; 9]> {
 /// What is printed.
 pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
     let table: Vec<[String; 9]> = [COLUMNS.map(str::to_owned)].into_iter().chain(lines(rows)).collect();
-    let mut text = table::lines(&table);
+    let mut text = table::shown(&table);
     // Writing to a String cannot fail.
     let _ = writeln!(text, "\nfiles in {}", folder.display());
     files.iter().for_each(|file| text.push_str(&format!("  {file}\n")));
@@ -118,6 +120,7 @@ pub fn markdown(rows: &[Shaded]) -> String {
 /// `report.json`.
 pub fn json(rows: &[Shaded], balls: Balls, engine: EngineKind, files: &[String]) -> serde_json::Result<String> {
     let report = Report {
+        program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
         figure: NAME,
         engine: engine.name(),

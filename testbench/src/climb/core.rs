@@ -1,0 +1,106 @@
+//! The `[core]` table of a genome.
+use std::fmt::Write;
+
+use specula_scene::spec::{CoreOptions, LightPipelines, NarrowingPoint, SpecError, Specialise};
+use specula_scene::{CoreSpec, Format, Method, Needs};
+
+/// How often formats that depend on one another are brought into line before a core is given up.
+const MOST_REPAIRS: usize = 60;
+
+/// A method, options and formats that differ from its defaults, and what else a `[core]` table says.
+#[derive(Clone, Debug)]
+pub struct CoreChoice {
+    /// The method.
+    pub method: Method,
+    /// Options that are not left to their defaults, by their keys; values as TOML writes them.
+    pub options: Vec<(&'static str, &'static str)>,
+    /// Formats that are not left to their defaults, by their narrowing points.
+    pub formats: Vec<(&'static str, Format)>,
+    /// Whether lights share a pipeline.
+    pub light_pipelines: LightPipelines,
+    /// What the core is made for.
+    pub specialise: Specialise,
+    /// The narrowing points that the core had when it was last brought into line.
+    pub points: Vec<NarrowingPoint>,
+}
+
+impl CoreChoice {
+    /// A method as it is by default.
+    pub fn default_of(method: Method) -> CoreChoice {
+        CoreChoice {
+            method,
+            options: Vec::new(),
+            formats: Vec::new(),
+            light_pipelines: LightPipelines::Each,
+            specialise: Specialise::Scene,
+            points: Vec::new(),
+        }
+    }
+
+    /// Sets an option.
+    pub fn set_option(&mut self, key: &'static str, value: &'static str) {
+        self.options.retain(|(other, _)| *other != key);
+        self.options.push((key, value));
+    }
+
+    /// Sets a format.
+    pub fn set_format(&mut self, name: &'static str, format: Format) {
+        self.formats.retain(|(other, _)| *other != name);
+        self.formats.push((name, format));
+    }
+
+    /// The tables of a scene file.
+    pub fn text(&self) -> String {
+        format!("[core]\n{}", self.tables("core."))
+    }
+
+    /// The contents of the `[core]` table, in which names of tables follow `prefix`.
+    fn tables(&self, prefix: &str) -> String {
+        let name = self.method.name();
+        let (pipelines, specialise) = (self.light_pipelines.name(), self.specialise.name());
+        let mut text = format!("method = \"{name}\"\nlight_pipelines = \"{pipelines}\"\nspecialise = \"{specialise}\"\n");
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "\n[{prefix}{name}]");
+        self.options.iter().for_each(|(key, value)| _ = writeln!(text, "{key} = {value}"));
+        let _ = writeln!(text, "\n[{prefix}{name}.formats]");
+        self.formats.iter().for_each(|(name, format)| _ = writeln!(text, "{name} = \"{format}\""));
+        text
+    }
+
+    /// Brings options and formats into line with what the scene needs and with one another, and notes the narrowing points; none where
+    /// there is no such core.
+    pub fn settled(mut self, needs: &Needs) -> Option<CoreChoice> {
+        for _ in 0..MOST_REPAIRS {
+            let options: CoreOptions = self.tables("").parse().ok()?;
+            match CoreSpec::for_scene(needs, Some(&options), None) {
+                Ok(spec) => {
+                    self.points = spec.narrowing_points();
+                    let is_used = |name: &str| self.points.iter().any(|point| point.name == name);
+                    self.formats.retain(|(name, _)| is_used(name));
+                    return Some(self);
+                }
+                Err(error) => self.repair(&error)?,
+            }
+        }
+        None
+    }
+
+    fn repair(&mut self, error: &SpecError) -> Option<()> {
+        match error {
+            SpecError::WrongFormat { name, given, wanted, fewest_fraction_bits, most_fraction_bits } => {
+                // The format is followed by the reason, if there is one.
+                let shape: Format = wanted.split(',').next()?.parse().ok()?;
+                let most = *most_fraction_bits.max(fewest_fraction_bits);
+                let fraction_bits = given.fraction_bits.clamp(*fewest_fraction_bits, most);
+                self.set_format(name, Format { fraction_bits, ..shape });
+                Some(())
+            }
+            SpecError::UnevenShininess { .. } => {
+                let before = self.options.len();
+                self.options.retain(|(key, _)| *key != "power");
+                (self.options.len() < before).then_some(())
+            }
+            _ => None,
+        }
+    }
+}

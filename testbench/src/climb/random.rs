@@ -1,0 +1,169 @@
+//! Scenes and cores drawn at random.
+use glam::DVec3;
+use specula_scene::spec::{LightPipelines, NarrowingPoint, Specialise};
+use specula_scene::{Colour, Format, Material, Method};
+
+use super::core::CoreChoice;
+use super::genome::Genome;
+use crate::stress::draw::Draw;
+use crate::stress::scene::{Light, RawSpan, SpanScene};
+
+/// Pixels of the longest span.
+pub(super) const LONGEST: u32 = 400;
+/// The most spans of a scene.
+pub(super) const MOST_SPANS: usize = 4;
+/// The most lights of a scene.
+pub(super) const MOST_LIGHTS: usize = specula_scene::spec::MOST_LIGHTS;
+
+/// How much finer than the coarsest formats coarse ones are, in bits.
+const COARSE: i64 = 4;
+
+/// Whether something happens that does so with this probability.
+pub(super) fn happens(draw: &mut Draw, probability: f64) -> bool {
+    draw.unit() < probability
+}
+
+/// A number from `low` to `high`, both above 0, as many small ones as large ones.
+pub(super) fn of_any_size(draw: &mut Draw, low: f64, high: f64) -> f64 {
+    libm::exp2(draw.within(low.log2(), high.log2()))
+}
+
+/// A scene and a core for it by this method; none where no such core can be built.
+pub fn genome(draw: &mut Draw, method: Method) -> Option<Genome> {
+    let scene = scene(draw);
+    let mut core = CoreChoice::default_of(method);
+    core.light_pipelines = if happens(draw, 0.2) { LightPipelines::Shared } else { LightPipelines::Each };
+    core.specialise = if happens(draw, 0.1) { Specialise::General } else { Specialise::Scene };
+    for choice in method.choices() {
+        if happens(draw, 0.4) {
+            core.set_option(choice.key, draw.one_of(choice.values));
+        }
+    }
+    let mut genome = Genome { scene, core }.settled()?;
+    formats(draw, &mut genome.core);
+    genome.settled()
+}
+
+/// All formats by default, coarse, or any; else some of either.
+fn formats(draw: &mut Draw, core: &mut CoreChoice) {
+    let share = draw.one_of(&[0.0, 0.3, 1.0]);
+    let is_coarse = happens(draw, 0.5);
+    for point in core.points.clone() {
+        if happens(draw, share) {
+            let format = if is_coarse { coarse_format(draw, &point) } else { any_format(draw, &point) };
+            core.set_format(point.name, format);
+        }
+    }
+}
+
+/// A format that the narrowing point may have.
+pub(super) fn any_format(draw: &mut Draw, point: &NarrowingPoint) -> Format {
+    let (fewest, most) = (point.fewest_fraction_bits, point.most_fraction_bits.max(point.fewest_fraction_bits));
+    Format { fraction_bits: draw.between(fewest.into(), most.into()) as u32, ..point.format }
+}
+
+fn coarse_format(draw: &mut Draw, point: &NarrowingPoint) -> Format {
+    let fraction_bits = point.fewest_fraction_bits + draw.between(0, COARSE) as u32;
+    Format { fraction_bits: fraction_bits.min(point.most_fraction_bits.max(point.fewest_fraction_bits)), ..point.format }
+}
+
+fn scene(draw: &mut Draw) -> SpanScene {
+    let lights: Vec<Light> = (0..draw.one_of(&[1, 1, 1, 2, 2, 3, 4])).map(|_| light(draw)).collect();
+    SpanScene {
+        ambient: colour(draw),
+        colours: lights.iter().map(|_| colour(draw)).collect(),
+        lights,
+        eye: happens(draw, 0.15).then(|| place(draw)),
+        spans: (0..draw.one_of(&[1, 1, 2, 2, 3])).map(|_| span(draw)).collect(),
+    }
+}
+
+/// Any light, most often one at infinity.
+pub(super) fn light(draw: &mut Draw) -> Light {
+    match draw.one_of(&[0, 0, 0, 0, 0, 1, 2]) {
+        1 => Light::At(place(draw)),
+        2 => {
+            let position = place(draw);
+            let target = position + draw.direction();
+            Light::Spot { position, target, exponent: exponent(draw) }
+        }
+        _ => Light::Towards(draw.direction()),
+    }
+}
+
+/// A point not far from the picture's middle.
+pub(super) fn place(draw: &mut Draw) -> DVec3 {
+    of_any_size(draw, 0.05, 20.0) * draw.direction()
+}
+
+/// White or grey or anything, at times nothing.
+pub(super) fn colour(draw: &mut Draw) -> Colour {
+    match draw.between(0, 5) {
+        0 => [1.0; 3],
+        1 => [0.0; 3],
+        2 => [0, 1, 2].map(|_| draw.unit()),
+        3 => [draw.one_of(&[0.1, 0.3, 0.5, 0.9]); 3],
+        _ => [draw.unit(); 3],
+    }
+}
+
+/// An exponent n, a power of two more often than not.
+pub(super) fn exponent(draw: &mut Draw) -> u32 {
+    if happens(draw, 0.6) { draw.even_shininess() } else { draw.length(specula_scene::spec::LARGEST_SHININESS) }
+}
+
+/// Any material.
+pub(super) fn material(draw: &mut Draw) -> Material {
+    let strength = draw.one_of(&[1.0, 1.0, 1.0, 2.5, 4.0]);
+    Material {
+        ambient: colour(draw),
+        diffuse: colour(draw),
+        specular: colour(draw).map(|component| strength * component),
+        shininess: exponent(draw),
+    }
+}
+
+/// Unit vectors: those of an edge near each other or not, and a third.
+pub(super) fn normals(draw: &mut Draw) -> [DVec3; 3] {
+    let degrees = of_any_size(draw, 0.01, 170.0);
+    let [first, last] = draw.ends(degrees, 90.0);
+    match draw.between(0, 3) {
+        0 => [first; 3],
+        1 => [first, last, draw.direction()],
+        _ => [first, last, first],
+    }
+}
+
+/// Weights of three vertices: one of them, or any.
+pub(super) fn weights(draw: &mut Draw) -> [f64; 3] {
+    let corner = draw.between(0, 5) as usize;
+    if corner < 3 {
+        return std::array::from_fn(|v| f64::from(u8::from(v == corner)));
+    }
+    let (a, b) = (draw.unit(), draw.unit());
+    [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)]
+}
+
+/// Cosines between vertex normals and faces: all faces flat or not.
+pub(super) fn cone_cosines(draw: &mut Draw) -> [f64; 3] {
+    match draw.between(0, 2) {
+        0 => [1.0; 3],
+        1 => [draw.within(-0.2, 1.0); 3],
+        _ => [0, 1, 2].map(|_| draw.within(-0.2, 1.0)),
+    }
+}
+
+/// Any span.
+pub(super) fn span(draw: &mut Draw) -> RawSpan {
+    let normals = normals(draw);
+    let is_edge = happens(draw, 0.7);
+    let whole = RawSpan::between([normals[0], normals[1]], draw.length(LONGEST), material(draw));
+    RawSpan {
+        normals,
+        positions: [0, 1, 2].map(|_| place(draw)),
+        cone_cosines: cone_cosines(draw),
+        start: if is_edge { whole.start } else { weights(draw) },
+        end: if is_edge { whole.end } else { weights(draw) },
+        ..whole
+    }
+}

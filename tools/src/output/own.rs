@@ -1,0 +1,128 @@
+//! What of a folder Specula wrote: what its report lists or, where it has none, what begins as Specula's files do.
+use std::collections::BTreeSet;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use serde::Deserialize;
+use specula_scene::SpecFile;
+use specula_scene::regular::read_regular;
+use specula_testbench::tradeoff::Journal;
+
+use super::{JOURNAL, REPORT};
+
+/// What reports say in the place of their program.
+pub const PROGRAM: &str = "Specula";
+
+/// The longest report that is read, in bytes.
+const LONGEST_REPORT: u64 = 64 << 20;
+/// The longest file whose beginning is looked at, in bytes.
+const LONGEST_FILE: u64 = 256 << 20;
+
+/// The files in a folder, by whose they are.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Contents {
+    /// Whether a report of Specula's is there.
+    pub has_report: bool,
+    /// Names of what Specula wrote.
+    pub own: BTreeSet<String>,
+    /// Names of everything else; odd characters of a name are replaced.
+    pub foreign: BTreeSet<String>,
+}
+
+impl Contents {
+    /// Looks at a folder; one that is not there is empty.
+    ///
+    /// # Errors
+    /// What the system says if it does not list the folder.
+    pub fn of(folder: &Path) -> io::Result<Contents> {
+        let listed = listed_files(&folder.join(REPORT));
+        let mut contents = Contents { has_report: listed.is_some(), ..Contents::default() };
+        let entries = match fs::read_dir(folder) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(contents),
+            entries => entries?,
+        };
+        for entry in entries {
+            let entry = entry?;
+            let name = entry.file_name().to_string_lossy().into_owned();
+            // Links and folders are never ours.
+            let is_own = entry.file_type()?.is_file()
+                && match &listed {
+                    Some(names) => names.contains(&name),
+                    None => begins_as_ours(&name, &entry.path()),
+                };
+            if is_own { &mut contents.own } else { &mut contents.foreign }.insert(name);
+        }
+        Ok(contents)
+    }
+
+    /// The first of `names` that somebody else's file has.
+    pub fn clash<'a>(&self, names: impl IntoIterator<Item = &'a String>) -> Option<&'a String> {
+        names.into_iter().find(|name| self.foreign.contains(*name))
+    }
+}
+
+/// What of a report is read again.
+#[derive(Deserialize)]
+struct Report {
+    program: String,
+    files: BTreeSet<String>,
+}
+
+/// The files that a report of Specula's lists; none if it is somebody else's, or no report at all.
+fn listed_files(report: &Path) -> Option<BTreeSet<String>> {
+    let is_file = report.symlink_metadata().is_ok_and(|about| about.is_file());
+    let bytes = is_file.then(|| read_regular(report, LONGEST_REPORT).ok()).flatten()?;
+    let report: Report = serde_json::from_slice(&bytes).ok()?;
+    (report.program == PROGRAM).then_some(report.files)
+}
+
+/// Whether a file begins as one does that Specula writes without a report.
+fn begins_as_ours(name: &str, path: &Path) -> bool {
+    let read = || read_regular(path, LONGEST_FILE);
+    let begins = |with: &str| read().is_ok_and(|bytes| bytes.starts_with(with.as_bytes()));
+    match name {
+        SpecFile::NAME => begins(SpecFile::ABOUT),
+        JOURNAL => read().is_ok_and(|bytes| Journal::has_written(&bytes)),
+        _ if name.ends_with(".v") => begins("// Specula "),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_report_counts_if_it_is_speculas() {
+        let place = tempfile::tempdir().unwrap();
+        let contents = |report: &str| {
+            fs::write(place.path().join(REPORT), report).unwrap();
+            fs::write(place.path().join("thesis.tex"), "mine").unwrap();
+            Contents::of(place.path()).unwrap()
+        };
+        let foreign = contents("{\"version\":\"1\",\"files\":[\"thesis.tex\",\"report.json\"]}");
+        assert!(!foreign.has_report && foreign.own.is_empty() && foreign.foreign.len() == 2);
+        let ours = contents("{\"program\":\"Specula\",\"files\":[\"report.json\"]}");
+        assert!(ours.has_report && ours.own.contains(REPORT) && ours.foreign.contains("thesis.tex"));
+        for damaged in ["", "{", "[]", "{\"program\":\"Specula\"}", "{\"program\":1,\"files\":[]}"] {
+            assert!(!contents(damaged).has_report, "{damaged}");
+        }
+    }
+
+    #[test]
+    fn without_a_report_files_tell_by_how_they_begin() {
+        let place = tempfile::tempdir().unwrap();
+        let is_own = |name: &str, text: &str| {
+            fs::write(place.path().join(name), text).unwrap();
+            Contents::of(place.path()).unwrap().own.contains(name)
+        };
+        assert!(is_own("spec.toml", &format!("{}version = 1\n", SpecFile::ABOUT)));
+        assert!(!is_own("spec.toml", "[package]\nname = \"mine\"\n"));
+        assert!(is_own("teapot.v", "// Specula 0.1.0: the shading core for the scene teapot.\n"));
+        assert!(!is_own("teapot.v", "module teapot;\nendmodule\n"));
+        assert!(is_own("results.jsonl", "") && is_own("results.jsonl", "damaged\n{\"key\":{\"version\":\"0"));
+        assert!(!is_own("results.jsonl", "{\"accuracy\":1}\n"));
+        assert!(!is_own("report.md", "# teapot\n"));
+    }
+}

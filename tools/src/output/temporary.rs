@@ -1,0 +1,115 @@
+//! Hidden folders in which results are made before they are put in their places.
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::interrupt::{Held, Interrupts, Undo};
+
+/// Beginning of the names of temporary folders. The next program that writes beside one looks after what is left of it.
+pub const PREFIX: &str = ".specula-";
+/// In a temporary folder: locked as long as its program runs.
+pub const LOCK: &str = "lock";
+/// In a temporary folder: what the folder that is replaced holds, once it is being replaced.
+pub const RECORD: &str = "record.json";
+/// In a temporary folder: the folder of results, under the name that it has or will have beside the temporary one.
+pub const FOLDER: &str = "folder";
+
+/// A temporary folder of this program. Nothing of it remains once it is dropped.
+#[derive(Debug)]
+pub struct Temporary {
+    path: PathBuf,
+    /// None where the file system has no locks: then nobody ever removes what a kill leaves.
+    #[expect(dead_code, reason = "it is locked until it is closed")]
+    lock: Option<File>,
+    interrupts: Interrupts,
+    kept: bool,
+}
+
+impl Temporary {
+    /// Makes one in a folder that is there.
+    pub fn new_in(place: &Path, interrupts: &Interrupts) -> io::Result<Temporary> {
+        loop {
+            let path = hidden_folder(place, interrupts)?;
+            let lock = locked(&path);
+            let temporary = |lock| Temporary { path: path.clone(), lock, interrupts: interrupts.clone(), kept: false };
+            match lock {
+                Ok(Locked::Ours(lock)) => return Ok(temporary(Some(lock))),
+                Ok(Locked::Impossible) => return Ok(temporary(None)),
+                // Another program took it for a leftover before it was locked.
+                Ok(Locked::Taken) => interrupts.forget(&Undo::Temporary(path)),
+                Err(reason) => {
+                    drop(temporary(None));
+                    return Err(reason);
+                }
+            }
+        }
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Leaves it where it is.
+    pub fn keep(mut self, mut held: Held) {
+        held.forget(&Undo::Temporary(self.path.clone()));
+        self.kept = true;
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        if !self.kept {
+            // What cannot be removed now is removed by the next program that writes here.
+            let _ = remove(&self.path);
+            self.interrupts.forget(&Undo::Temporary(self.path.clone()));
+        }
+    }
+}
+
+enum Locked {
+    Ours(File),
+    Taken,
+    Impossible,
+}
+
+/// Makes a folder that a signal takes away again.
+fn hidden_folder(place: &Path, interrupts: &Interrupts) -> io::Result<PathBuf> {
+    let mut held = interrupts.hold();
+    let path = tempfile::Builder::new().prefix(PREFIX).tempdir_in(place)?.keep();
+    held.add(Undo::Temporary(path.clone()));
+    Ok(path)
+}
+
+fn locked(folder: &Path) -> io::Result<Locked> {
+    let path = folder.join(LOCK);
+    let lock = match File::create_new(&path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Locked::Taken),
+        lock => lock?,
+    };
+    Ok(match lock.try_lock() {
+        Ok(()) if path.exists() => Locked::Ours(lock),
+        Ok(()) | Err(TryLockError::WouldBlock) => Locked::Taken,
+        Err(TryLockError::Error(_)) => Locked::Impossible,
+    })
+}
+
+/// Removes a temporary folder. What tells what it is goes last: a kill leaves what the next program understands.
+pub fn remove(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let path = entry.path();
+        match entry.file_name() {
+            name if name == LOCK || name == RECORD => {}
+            _ if entry.file_type()?.is_dir() => fs::remove_dir_all(path)?,
+            _ => fs::remove_file(path)?,
+        }
+    }
+    for name in [RECORD, LOCK] {
+        match fs::remove_file(folder.join(name)) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+            _ => {}
+        }
+    }
+    fs::remove_dir(folder)
+}
