@@ -1,7 +1,7 @@
 //! General cores that a scene's is measured against.
 use serde::Serialize;
 use specula_hdl::Design;
-use specula_scene::{CoreSpec, Frame, Needs};
+use specula_scene::{Frame, Needs};
 
 use super::needs::{EYE_AT_INFINITY, Fact, LIGHTS, LIGHTS_AT_INFINITY};
 
@@ -50,7 +50,8 @@ impl Baseline {
 /// A general core.
 pub(super) struct General {
     pub baseline: Baseline,
-    pub core: CoreSpec,
+    /// What it was asked to be built for.
+    pub needs: Needs,
     pub design: Design,
     /// What it knows of the scene all the same.
     pub known: Vec<&'static str>,
@@ -59,7 +60,7 @@ pub(super) struct General {
 impl General {
     /// In the words of a table.
     pub fn built_for(&self) -> String {
-        let CoreSpec { lights, longest_span, largest_shininess, .. } = &self.core;
+        let Needs { lights, longest_span, largest_shininess, .. } = &self.needs;
         let plural = if *lights == 1 { "" } else { "s" };
         let known: Vec<String> = self.known.iter().map(|need| format!("; it knows the {need}")).collect();
         format!(

@@ -83,9 +83,9 @@ pub fn savings(scene: &LoadedScene, spec: &CoreSpec, synthesis: Option<Synthesis
     let against = |(general, built): (&General, &Built)| AgainstGeneral {
         baseline: general.baseline,
         built_for: general.built_for(),
-        lights: general.core.lights,
-        longest_span: general.core.longest_span,
-        largest_shininess: general.core.largest_shininess,
+        lights: general.needs.lights,
+        longest_span: general.needs.longest_span,
+        largest_shininess: general.needs.largest_shininess,
         known: general.known.clone(),
         saves: Spared::between(built, special),
     };

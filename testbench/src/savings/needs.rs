@@ -154,7 +154,8 @@ impl Chosen<'_> {
                 }
             }
         }
-        Ok(General { baseline, core, design, known })
+        let needs = baseline.forget(&self.needs, &self.scene.frame, &forgotten);
+        Ok(General { baseline, needs, design, known })
     }
 
     /// The general core for scenes of which these facts are not known; none where it cannot be described.

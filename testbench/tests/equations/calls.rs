@@ -26,11 +26,14 @@ impl Calls {
         let files: Vec<(PathBuf, syn::File)> = SOURCES.iter().flat_map(|folder| parsed(&root.join(folder))).collect();
         let is_exact = |path: &Path| path.starts_with(root.join(EXACT));
         let exact = || files.iter().filter(|(path, _)| is_exact(path));
-        let functions: BTreeSet<Function> = exact().flat_map(|(path, file)| free_functions(&module(path), file)).collect();
+        let of = |is_wanted: fn(&syn::ItemFn) -> bool| -> BTreeSet<Function> {
+            exact().flat_map(|(path, file)| free_functions(&module(path), file, is_wanted)).collect()
+        };
+        let (functions, all) = (of(is_public), of(|_| true));
         let mut callers: BTreeMap<Function, BTreeSet<Caller>> = BTreeMap::new();
         for (path, file) in &files {
             let own = is_exact(path).then(|| module(path));
-            let mut scan = Scan::new(&functions, own, file);
+            let mut scan = Scan::new(&all, own, file);
             scan.visit_file(file);
             scan.calls.into_iter().for_each(|(called, caller)| {
                 callers.entry(called).or_default().insert(caller);
@@ -65,8 +68,13 @@ fn reached(callers: &BTreeMap<Function, BTreeSet<Caller>>) -> BTreeSet<Function>
     }
 }
 
+/// The name of a file's module: `mod.rs` is its folder's.
 fn module(path: &Path) -> String {
-    path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
+    let name = |path: &Path| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    match name(path) {
+        stem if stem == "mod" => path.parent().map(name).unwrap_or_default(),
+        stem => stem,
+    }
 }
 
 fn parsed(folder: &Path) -> Vec<(PathBuf, syn::File)> {
@@ -83,14 +91,16 @@ fn parsed(folder: &Path) -> Vec<(PathBuf, syn::File)> {
     files
 }
 
-fn free_functions(module: &str, file: &syn::File) -> Vec<Function> {
-    let public = |item: &syn::Item| match item {
-        syn::Item::Fn(function) if !matches!(function.vis, syn::Visibility::Inherited) => {
-            Some((module.to_owned(), function.sig.ident.to_string()))
-        }
+fn free_functions(module: &str, file: &syn::File, is_wanted: fn(&syn::ItemFn) -> bool) -> Vec<Function> {
+    let free = |item: &syn::Item| match item {
+        syn::Item::Fn(function) if is_wanted(function) => Some((module.to_owned(), function.sig.ident.to_string())),
         _ => None,
     };
-    file.items.iter().filter_map(public).collect()
+    file.items.iter().filter_map(free).collect()
+}
+
+fn is_public(function: &syn::ItemFn) -> bool {
+    !matches!(function.vis, syn::Visibility::Inherited)
 }
 
 /// Calls in one file.

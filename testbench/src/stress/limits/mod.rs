@@ -2,20 +2,23 @@
 //!
 //! Each law is the paper's, or NUMERICS.md's, of a pixel of a span: geometry alone, and not the method's own arithmetic. `docs/extremes.md` has
 //! them in words ([`Reason::text`]).
+mod highlight;
 mod lobe;
 mod normal;
 mod place;
 mod reason;
 
 use glam::DVec3;
+use specula_scene::frame::EYE;
 use specula_scene::spec::consistent::{Diffuse, LARGEST_GAIN_BITS};
 use specula_scene::spec::direct::Root;
 use specula_scene::spec::gouraud::Interpolation;
 use specula_scene::spec::lyon::Difference;
 use specula_scene::spec::phong::Places;
-use specula_scene::spec::{FULL_SCALE, LyonSpec, Viewpoint, consistent, duff, phong, reflection};
+use specula_scene::spec::{FULL_SCALE, LyonSpec, Viewpoint, consistent, duff, reflection};
 use specula_scene::{CoreSpec, Frame, MethodSpec, Span};
 
+use highlight::Lobe;
 use lobe::{chord, power_moved, power_turned, shape_moved, shape_off};
 use normal::{Normal, Pixel};
 use place::{Direction, Directions};
@@ -133,16 +136,16 @@ impl<'a> Limits<'a> {
     fn offs(&self, i: u32, truth: DVec3, reasons: &mut Vec<Reason>) -> Vec<Off> {
         let pixel = self.pixel(i, truth);
         let directions = self.directions(i, reasons);
-        let specular_alike = self.has_phongs_lobe(&pixel, reasons);
+        let lobe = self.lobe(&pixel, reasons);
         let one = |(light, direction): (usize, &Direction)| {
             let Direction::Off { turn, share } = *direction else { return ALL };
             let Direction::Off { turn: turn_of_view, .. } = directions.view else { return ALL };
             let here = self.off(&pixel, light, reasons);
             let n = self.n();
-            Off {
-                diffuse: here.diffuse + chord(turn) + share,
-                specular: if specular_alike { here.specular + power_turned(turn + turn_of_view, n) + share } else { 1.0 },
-            }
+            let towards = self.frame.lights.get(light).map_or(EYE, |light| light.direction);
+            let specular =
+                lobe.off(n, truth, towards).map_or(1.0, |off| off + here.specular + power_turned(turn + turn_of_view, n) + share);
+            Off { diffuse: here.diffuse + chord(turn) + share, specular }
         };
         directions.lights.iter().enumerate().map(one).collect()
     }
@@ -170,22 +173,28 @@ impl<'a> Limits<'a> {
         }
     }
 
-    /// Whether the highlight is meant to be max(R·L, 0)^n of some normal.
-    fn has_phongs_lobe(&self, pixel: &Pixel, reasons: &mut Vec<Reason>) -> bool {
-        let (is_phongs, reason) = match &self.spec.method {
-            MethodSpec::Lyon(lyon) => {
-                (matches!(lyon.difference, Difference::ReflectionMinusLight | Difference::LightReflection), Reason::Lobe)
+    /// The highlight that the method is meant to have, of some normal.
+    fn lobe(&self, pixel: &Pixel, reasons: &mut Vec<Reason>) -> Lobe {
+        let blinn_if = |is_blinns| if is_blinns { Lobe::BLINN } else { Lobe::Phong };
+        let lobe = match &self.spec.method {
+            MethodSpec::Lyon(lyon) => Lobe::of_lyon(lyon),
+            MethodSpec::Phong(phong) => Lobe::of_phong(phong.highlight),
+            MethodSpec::Duff(duff) => blinn_if(duff.specular == duff::Highlight::Blinn),
+            MethodSpec::Reflection(spec) => blinn_if(spec.specular == reflection::Highlight::Blinn),
+            MethodSpec::Consistent(_) if !self.is_flat_around(pixel) => {
+                reasons.push(Reason::Consistent);
+                return Lobe::Unknown;
             }
-            MethodSpec::Phong(phong) => (phong.highlight == phong::Highlight::Reflection, Reason::Lobe),
-            MethodSpec::Duff(duff) => (duff.specular != duff::Highlight::Blinn, Reason::Lobe),
-            MethodSpec::Reflection(spec) => (spec.specular != reflection::Highlight::Blinn, Reason::Lobe),
-            MethodSpec::Consistent(spec) if spec.highlight == consistent::Highlight::Blinn => (false, Reason::Lobe),
-            MethodSpec::Consistent(_) => (self.is_flat_around(pixel), Reason::Consistent),
-            MethodSpec::Gouraud(_) => (false, Reason::Vertices),
-            MethodSpec::Hybrid(_) | MethodSpec::Slerp(_) | MethodSpec::Direct(_) => (true, Reason::Lobe),
+            MethodSpec::Consistent(spec) => blinn_if(spec.highlight == consistent::Highlight::Blinn),
+            MethodSpec::Gouraud(_) => {
+                reasons.push(Reason::Vertices);
+                return Lobe::Unknown;
+            }
+            MethodSpec::Hybrid(_) | MethodSpec::Slerp(_) | MethodSpec::Direct(_) => Lobe::Phong,
         };
-        reasons.extend((!is_phongs).then_some(reason));
-        is_phongs
+        reasons.extend((lobe != Lobe::Phong).then_some(Reason::Lobe));
+        // Of other lobes the law is of directions that are the same everywhere.
+        if lobe == Lobe::Phong || self.frame.directions_are_constant() { lobe } else { Lobe::Unknown }
     }
 
     /// Whether consistent normals are the plain ones: no face around the triangle's vertices has another normal than they.
@@ -246,18 +255,22 @@ impl<'a> Limits<'a> {
         Off { diffuse: chord(turn) + short, specular: power_turned(2.0 * turn, self.n()) + power_moved(base, self.n()) }
     }
 
-    /// The same, of Lyon's shape.
+    /// The same, of Lyon's D, which a turn of the normal moves by twice as much at most.
     fn of_lyon(&self, lyon: &LyonSpec, normal: &Normal, reasons: &mut Vec<Reason>) -> Off {
-        let (off, squared) = (self.of_normal(&Normal { length: 1.0, ..normal.clone() }, reasons), normal.length * normal.length);
-        if (normal.length - 1.0).abs() > NO_LENGTH {
+        let is_reflected = matches!(lyon.difference, Difference::ReflectionMinusLight | Difference::LightReflection);
+        let short = (1.0 - normal.length * normal.length).abs();
+        let Some(turn) = normal.turn else {
+            reasons.extend(&normal.reasons);
+            return ALL;
+        };
+        if turn > NO_LENGTH || short > NO_LENGTH {
             reasons.extend(&normal.reasons);
         }
-        if self.shape > NO_LENGTH && matches!(lyon.difference, Difference::ReflectionMinusLight | Difference::LightReflection) {
-            reasons.push(Reason::Shape);
-        }
+        let shape = if is_reflected { self.shape } else { 0.0 };
+        reasons.extend((shape > NO_LENGTH).then_some(Reason::Shape));
         Off {
-            diffuse: off.diffuse + (1.0 - normal.length).abs(),
-            specular: off.specular + self.shape + shape_moved(2.0 * (1.0 - squared).abs(), self.n()),
+            diffuse: chord(turn) + (1.0 - normal.length).abs(),
+            specular: shape + shape_moved(2.0 * chord(turn) + 2.0 * short, self.n()),
         }
     }
 

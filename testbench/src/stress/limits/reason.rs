@@ -116,7 +116,9 @@ impl Reason {
             }
             Reason::Facet => "no limit but kd + ks: one normal or one intensity for a whole polygon (lecture, eq. 2.1)",
             Reason::Lobe => {
-                "no limit but ks: a highlight that is meant to be another than max(R·L, 0)^n (METHODS B5 to B8, C8, C12)"
+                "ks times what the lobe that is asked for differs from max(R·L, 0)^n at this pixel, by the formulas of Lyon's appendix \
+                 (METHODS B5 to B8, C8, C12); no limit but ks where |L + V| < 1/8 leaves no half-way vector (EXTREMES 12 and 35), or \
+                 lights or eye are at places"
             }
             Reason::Shape => {
                 "ks times the largest |f_k - cos^n|, at most .368, .162, .074 and .036 for large n and k = 0 to 3 (NUMERICS 2a)"
@@ -126,7 +128,7 @@ impl Reason {
                  that this turns it by, s the steepest slope of cos^n, √n (1 - 1/n)^((n-1)/2)"
             }
             Reason::Length => {
-                "kd |1 - l| + ks √(2n) 2|1 - l²|: l is the length that g1, g2 and Newton's steps leave (METHODS B8, B9; NUMERICS 1)"
+                "kd |1 - l| + ks √(2n) 2|1 - l²|, the steepest slope of f_0: l is the length that g1, g2 and Newton's steps leave (METHODS B8, B9; NUMERICS 1)"
             }
             Reason::Wrap => {
                 "as unit ends, with δ = θ - 2 atan(l sin θ/(1 + l cos θ)), θ the angle between the axis and N and l = |N| (NUMERICS 2b)"
