@@ -1,6 +1,5 @@
 //! The stress catalogue, small: every row on every method.
 use specula_scene::Method;
-use specula_testbench::stress::limits::Reason;
 use specula_testbench::stress::{self, CATALOGUE, Cell, Extent, RAW, Verdict, sweep};
 
 fn complaints(cells: &[Cell]) -> Vec<String> {
@@ -41,19 +40,6 @@ fn assert_verdicts_say_what_came(cells: &[Cell]) {
     }
     assert_eq!(of("25", "lyon").verdict(), Some(Verdict::Limit));
     assert_eq!(of("25", "phong").verdict(), Some(Verdict::Holds));
-}
-
-#[test]
-fn places_wrapped_are_at_a_limit_near_a_wall() {
-    let cells = sweep(1, &[Method::Phong], Extent { every_option: true, ..Extent::SMALL }, &|_, _| ());
-    let row = cells.iter().find(|cell| cell.row == "40").unwrap();
-    assert_eq!(row.verdict(), Some(Verdict::Limit));
-    let wrapped = row.asked.iter().filter(|asked| asked.reasons.contains(&Reason::WrappedPlaces));
-    let worst = wrapped.map(|asked| asked.came).fold(0.0, f64::max);
-    assert!((191.0..192.0).contains(&worst), "{worst}");
-    // What the row asks is said of whom it is asked of.
-    let besides: Vec<&str> = row.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str()).collect();
-    assert!(besides.iter().any(|what| what.starts_with("wrapped directions") && what.contains("at both ends")), "{besides:?}");
 }
 
 /// docs/extremes.md says what happens.

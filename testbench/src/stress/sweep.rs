@@ -192,3 +192,25 @@ impl Cell {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::limits::Reason;
+    use super::*;
+
+    /// A light a quarter of a unit from a wall: wrapped directions are 191 LSB off, which is told as a limit, and what the row asks is said of
+    /// whom it is asked of.
+    #[test]
+    fn places_wrapped_are_at_a_limit_near_a_wall() {
+        let row = CATALOGUE.iter().find(|row| row.id == "40").expect("it is in the catalogue");
+        let extent = Extent { every_option: true, ..Extent::SMALL };
+        let cell = tried(row, Some(Method::Phong), &mut Draw::new(1, 0), extent);
+        assert_eq!(cell.verdict(), Some(Verdict::Limit));
+        let wrapped = cell.asked.iter().filter(|asked| asked.reasons.contains(&Reason::WrappedPlaces));
+        let worst = wrapped.map(|asked| asked.came).fold(0.0, f64::max);
+        assert!((191.0..192.0).contains(&worst), "{worst}");
+        let besides = cell.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str());
+        let besides: Vec<&str> = besides.collect();
+        assert!(besides.iter().any(|what| what.starts_with("wrapped directions") && what.contains("at both ends")), "{besides:?}");
+    }
+}

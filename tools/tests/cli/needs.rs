@@ -50,7 +50,7 @@ fn cells_are_counted_if_asked_for() {
     }
     assert_eq!(ended.status, Some(0), "{}", ended.stderr);
     let report: Value = serde_json::from_str(&ended.stdout).expect("it prints JSON");
-    let cells = &report["savings"]["together"]["cells"];
+    let cells = &report["savings"]["together"][0]["saves"]["cells"];
     assert!(cells["luts"].as_i64() > Some(0) && cells["flip_flops"].as_i64() > Some(0), "{}", ended.stdout);
     assert!(place.succeeds(&arguments[..7]).contains("MULT18X18D"));
 }

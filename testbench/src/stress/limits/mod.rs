@@ -9,13 +9,15 @@ mod place;
 mod reason;
 
 use glam::DVec3;
+use specula_golden::exact::reflection::reflect;
+use specula_golden::exact::shape::power;
 use specula_scene::frame::EYE;
 use specula_scene::spec::consistent::{Diffuse, LARGEST_GAIN_BITS};
 use specula_scene::spec::direct::Root;
 use specula_scene::spec::gouraud::Interpolation;
 use specula_scene::spec::lyon::Difference;
 use specula_scene::spec::phong::Places;
-use specula_scene::spec::{FULL_SCALE, LyonSpec, Viewpoint, consistent, duff, reflection};
+use specula_scene::spec::{FULL_SCALE, LyonSpec, Viewpoint, consistent, duff, phong, reflection};
 use specula_scene::{CoreSpec, Frame, MethodSpec, Span};
 
 use highlight::Lobe;
@@ -31,6 +33,12 @@ pub const EXACT: f64 = 1.0;
 const NO_LENGTH: f64 = 1e-6;
 /// Of normals shorter than this nothing is promised where nothing is proven: those of spans of more than 120 degrees.
 const SHORT: f64 = 0.5;
+
+/// What the recommended formats leave where nothing is proven: 1 LSB before the rounding to 8 bits [NUMERICS.md, recommended formats].
+const UNPROVEN: f64 = 1.5;
+/// The same of powers above [`TYPICAL_EXPONENT`], beyond the range that NUMERICS calls typical: the formats end at 22 fraction bits.
+const UNPROVEN_SHARP: f64 = 2.0;
+const TYPICAL_EXPONENT: u32 = 256;
 
 /// What one pixel may be off by.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,7 +133,8 @@ impl<'a> Limits<'a> {
             reasons.push(Reason::ShortNormal);
             return FULL_SCALE;
         }
-        EXACT
+        reasons.push(Reason::NoBound);
+        if self.exponent() > TYPICAL_EXPONENT { UNPROVEN_SHARP } else { UNPROVEN }
     }
 
     fn pixel(&self, i: u32, truth: DVec3) -> Pixel<'_> {
@@ -148,6 +157,20 @@ impl<'a> Limits<'a> {
             Off { diffuse: here.diffuse + chord(turn) + share, specular }
         };
         directions.lights.iter().enumerate().map(one).collect()
+    }
+
+    /// What the base of the highlight is raised to: n, and 4n where it goes by the half-way vector.
+    fn exponent(&self) -> u32 {
+        let is_by_halfway = match &self.spec.method {
+            MethodSpec::Phong(spec) => spec.highlight != phong::Highlight::Reflection,
+            MethodSpec::Duff(spec) => spec.specular == duff::Highlight::Blinn,
+            MethodSpec::Reflection(spec) => spec.specular == reflection::Highlight::Blinn,
+            MethodSpec::Consistent(spec) => spec.highlight == consistent::Highlight::Blinn,
+            MethodSpec::Lyon(_) | MethodSpec::Hybrid(_) | MethodSpec::Gouraud(_) | MethodSpec::Slerp(_) | MethodSpec::Direct(_) => {
+                false
+            }
+        };
+        if is_by_halfway { 4 * self.n() } else { self.n() }
     }
 
     fn n(&self) -> u32 {
@@ -186,11 +209,7 @@ impl<'a> Limits<'a> {
                 return Lobe::Unknown;
             }
             MethodSpec::Consistent(spec) => blinn_if(spec.highlight == consistent::Highlight::Blinn),
-            MethodSpec::Gouraud(_) => {
-                reasons.push(Reason::Vertices);
-                return Lobe::Unknown;
-            }
-            MethodSpec::Hybrid(_) | MethodSpec::Slerp(_) | MethodSpec::Direct(_) => Lobe::Phong,
+            MethodSpec::Gouraud(_) | MethodSpec::Hybrid(_) | MethodSpec::Slerp(_) | MethodSpec::Direct(_) => Lobe::Phong,
         };
         reasons.extend((lobe != Lobe::Phong).then_some(Reason::Lobe));
         // Of other lobes the law is of directions that are the same everywhere.
@@ -208,13 +227,15 @@ impl<'a> Limits<'a> {
             MethodSpec::Lyon(lyon) => self.of_lyon(lyon, &pixel.of_lyon(lyon), reasons),
             MethodSpec::Phong(_) | MethodSpec::Duff(_) => Off::default(),
             MethodSpec::Hybrid(_) => Off { diffuse: self.gouraud(pixel, light, reasons), specular: 0.0 },
-            MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => {
-                Off { diffuse: self.gouraud(pixel, light, reasons), specular: 1.0 }
-            }
-            MethodSpec::Gouraud(_) => {
-                reasons.push(Reason::Facet);
+            // What vertices, or the polygon's middle, see of places has no law here.
+            MethodSpec::Gouraud(_) if !self.frame.directions_are_constant() => {
+                reasons.push(Reason::Vertices);
                 ALL
             }
+            MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => {
+                Off { diffuse: self.gouraud(pixel, light, reasons), specular: self.highlight_of_vertices(pixel, light, reasons) }
+            }
+            MethodSpec::Gouraud(_) => self.of_normal(&pixel.of_facet(), reasons),
             MethodSpec::Reflection(spec) => {
                 let off = self.of_normal(&pixel.of_reflection(spec), reasons);
                 // The hybrid's highlight is of the interpolated normal.
@@ -285,6 +306,19 @@ impl<'a> Limits<'a> {
         let dark: f64 = normals.iter().zip(weights).map(|(normal, weight)| weight.abs() * (-normal.dot(light)).max(0.0)).sum();
         reasons.push(Reason::GouraudDiffuse);
         (1.0 - interpolated.length()).max(0.0) + dark
+    }
+
+    /// The highlights of the vertices, interpolated, against that of the normal: under lights at infinity.
+    fn highlight_of_vertices(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> f64 {
+        let Some(light) = self.light(light) else { return 1.0 };
+        let highlight = |normal: DVec3| match normal {
+            DVec3::ZERO => 0.0,
+            _ => power(reflect(normal).dot(light).min(1.0), self.n()),
+        };
+        let (normals, weights) = (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
+        let of_vertices: f64 = normals.iter().zip(weights).map(|(&normal, weight)| weight * highlight(normal)).sum();
+        reasons.push(Reason::Vertices);
+        (of_vertices.clamp(0.0, 1.0) - highlight(pixel.truth)).abs()
     }
 
     /// The direction to a light that Gouraud's vertices see: that of the span's middle for those at places by `hybrid`; none that is common to all

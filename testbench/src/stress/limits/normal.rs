@@ -82,10 +82,18 @@ impl Pixel<'_> {
         Normal::turned(angle(start.lerp(end, self.t()), self.truth), Reason::Consistent)
     }
 
+    /// Of methods that take the polygon's own normal for all of it.
+    pub fn of_facet(&self) -> Normal {
+        match self.frame.facet_normal(self.span) {
+            DVec3::ZERO => Normal::unknown(Reason::Facet),
+            facet => Normal::turned(angle(facet, self.truth), Reason::Facet),
+        }
+    }
+
     /// Of Lyon's.
     pub fn of_lyon(&self, lyon: &LyonSpec) -> Normal {
         match lyon.normals {
-            Normals::Flat => Normal::unknown(Reason::Facet),
+            Normals::Flat => self.of_facet(),
             Normals::Linear => {
                 let square = self.interpolated().length_squared();
                 Normal { turn: Some(0.0), length: gain(lyon, square) * square.sqrt(), reasons: vec![Reason::Length] }

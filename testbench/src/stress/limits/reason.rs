@@ -9,6 +9,8 @@ pub enum Reason {
     Rounding,
     /// Formats that the row makes short.
     ShortFormats,
+    /// No bound is proven of a core with recommended formats.
+    NoBound,
     /// No bound is proven and the normal is shorter than 1/2.
     ShortNormal,
     /// The interpolated normal vanishes.
@@ -47,9 +49,10 @@ pub enum Reason {
 
 impl Reason {
     /// Every reason.
-    pub const ALL: [Reason; 19] = [
+    pub const ALL: [Reason; 20] = [
         Reason::Rounding,
         Reason::ShortFormats,
+        Reason::NoBound,
         Reason::ShortNormal,
         Reason::NoNormal,
         Reason::Vertices,
@@ -74,6 +77,7 @@ impl Reason {
         match self {
             Reason::Rounding => "rounding",
             Reason::ShortFormats => "short formats",
+            Reason::NoBound => "no bound",
             Reason::ShortNormal => "short normal",
             Reason::NoNormal => "no normal",
             Reason::Vertices => "vertices",
@@ -104,17 +108,24 @@ impl Reason {
             Reason::ShortFormats => {
                 "formats that the row makes shorter than is recommended: the figure is the row's, from NUMERICS 3a to 3d"
             }
+            Reason::NoBound => {
+                "1.5 LSB: nothing is proven of the core (its bound is 255 LSB), and recommended formats leave 1 LSB before the rounding to \
+                 8 bits (NUMERICS, recommended formats); 2 LSB for powers above 256, 4n by half-way vectors, for which formats end at 22 fraction bits: 1.8 was seen"
+            }
             Reason::ShortNormal => {
                 "no limit: nothing is proven of the core (its bound is 255 LSB), and the normal is shorter than 1/2, that is in a span of \
                  more than 120 degrees, where rounding turns it by 1/|N| times as much (NUMERICS 3b and 3c; EXTREMES 3 and 19)"
             }
             Reason::NoNormal => "no limit: the interpolated normal vanishes, and has no direction (EXTREMES 1, 2, 50)",
-            Reason::Vertices => "no limit but ks: a highlight, or a light at a place, is seen at the vertices alone (METHODS A4)",
+            Reason::Vertices => {
+                "ks times what the highlights of the vertices, interpolated, differ from that of the normal (lecture, eq. 2.1 and 3.2 to \
+                 3.6; METHODS A4); no limit but kd + ks where lights or eye are at places, which the vertices see"
+            }
             Reason::GouraudDiffuse => {
                 "kd (1 - |N| + d): intensities of vertices are interpolated, |N| is the length of the interpolated normal and d what \
                  vertices in the dark lack, the sum of w max(-N_v·L, 0) (lecture, eq. 3.2 to 3.6)"
             }
-            Reason::Facet => "no limit but kd + ks: one normal or one intensity for a whole polygon (lecture, eq. 2.1)",
+            Reason::Facet => "as unit ends, with δ the angle between the polygon's normal and N (lecture, eq. 2.1; METHODS A3)",
             Reason::Lobe => {
                 "ks times what the lobe that is asked for differs from max(R·L, 0)^n at this pixel, by the formulas of Lyon's appendix \
                  (METHODS B5 to B8, C8, C12); no limit but ks where |L + V| < 1/8 leaves no half-way vector (EXTREMES 12 and 35), or \
