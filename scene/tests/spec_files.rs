@@ -98,3 +98,38 @@ fn what_a_core_lacks_is_named() {
     let hybrid = CoreSpec { longest_span: 1024, ..core("spheres", Some(Method::Hybrid)).general() };
     assert!(lacking(&hybrid, &uneven).contains("shininess 3"));
 }
+
+/// The backquoted words of a cell of a table.
+fn quoted(cell: &str) -> Vec<&str> {
+    cell.split('`').skip(1).step_by(2).collect()
+}
+
+/// docs/spec-file.md has every key that a file can have: those of the core by their full names, and a row for each method with its
+/// options and its narrowing points, which has no others.
+#[test]
+fn the_page_has_every_key() {
+    let page = include_str!("../../docs/spec-file.md");
+    let rows: Vec<Vec<&str>> =
+        page.lines().filter(|line| line.starts_with('|')).map(|line| line.trim_matches('|').split(" | ").collect()).collect();
+    let of_core: Vec<&str> = rows.iter().filter(|row| row.len() == 2).flat_map(|row| quoted(row[0])).collect();
+    for method in Method::ALL {
+        let file = SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(method)) };
+        let text: toml::Table = file.text().parse().unwrap();
+        let absent: Vec<&String> = text.keys().filter(|key| *key != "spec" && !of_core.contains(&key.as_str())).collect();
+        assert!(absent.is_empty(), "{absent:?}");
+        let spec = text["spec"].as_table().unwrap();
+        let is_named = |key: &str| of_core.contains(&format!("spec.{key}").as_str());
+        let absent: Vec<&String> = spec.keys().filter(|key| *key != "method" && !is_named(key)).collect();
+        assert!(absent.is_empty(), "spec: {absent:?}");
+        let of_method = spec["method"][method.name()].as_table().unwrap();
+        let options: Vec<&str> = of_method.keys().map(String::as_str).filter(|key| *key != "formats").collect();
+        let formats: Vec<&str> = of_method["formats"].as_table().unwrap().keys().map(String::as_str).collect();
+        let row = rows.iter().find(|row| row.len() == 3 && quoted(row[0]) == [method.name()]).unwrap();
+        let sorted = |mut keys: Vec<&str>| {
+            keys.sort_unstable();
+            keys.into_iter().map(str::to_owned).collect::<Vec<String>>()
+        };
+        assert_eq!(sorted(quoted(row[1])), sorted(options), "{}", method.name());
+        assert_eq!(sorted(quoted(row[2])), sorted(formats), "{}", method.name());
+    }
+}

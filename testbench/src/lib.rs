@@ -27,7 +27,7 @@ pub use error::BenchError;
 pub use image::Image;
 pub use pareto::pareto_front;
 pub use run::{Bench, EngineKind, Outcome, Progress};
-pub use savings::{Saving, Savings, Spared, SparedCells, Synthesis, savings};
+pub use savings::{AgainstGeneral, Baseline, Saving, Savings, Spared, SparedCells, Synthesis, savings};
 pub use shares::{Share, shares};
 pub use spans::FrameSpans;
 pub use statistics::{ErrorFigures, Errors};

@@ -1,6 +1,6 @@
 //! What cores for one scene save, need by need.
-use specula_scene::{LoadedScene, Method, load};
-use specula_testbench::{Saving, Savings, savings};
+use specula_scene::{LoadedScene, Method, Needs, load};
+use specula_testbench::{Baseline, Saving, Savings, savings};
 
 fn of(scene: &LoadedScene, method: Method) -> Savings {
     let spec = scene.core_spec(Some(method)).unwrap();
@@ -79,11 +79,31 @@ fn angles_and_exponents_decide_formats() {
 fn all_together_contains_every_need() {
     for (name, method) in [("teapot", Method::Lyon), ("spheres", Method::Phong), ("torus", Method::Reflection)] {
         let savings = of(&scene(name), method);
-        assert_eq!(savings.known, Vec::<&str>::new(), "{name}");
+        let [nothing, _] = &savings.together[..] else { panic!("{savings:?}") };
+        assert_eq!((nothing.baseline, nothing.known.len()), (Baseline::Nothing, 0), "{name}");
         for saving in &savings.needs {
-            let (one, all) = (saving.saves, savings.together);
+            let (one, all) = (saving.saves, nothing.saves);
             assert!(one.multiplier_bits <= all.multiplier_bits && one.register_bits <= all.register_bits, "{name}: {saving:?}");
         }
+    }
+}
+
+/// The general cores say what they are built for: anything, or what a renderer asks for. That saves less, and still something.
+#[test]
+fn general_cores_are_named() {
+    for (name, method, lights) in [("teapot", Method::Lyon, 1), ("spheres", Method::Lyon, 2), ("lamps", Method::Phong, 3)] {
+        let scene = scene(name);
+        let savings = of(&scene, method);
+        let [nothing, renderer] = &savings.together[..] else { panic!("{savings:?}") };
+        assert_eq!((nothing.longest_span, nothing.largest_shininess), (8192, 8191), "{name}");
+        assert!(nothing.built_for.contains("spans of 8192 pixels, n up to 8191"), "{}", nothing.built_for);
+        assert_eq!((renderer.baseline, renderer.lights, renderer.longest_span), (Baseline::Renderer, lights, 64), "{name}");
+        let n = Needs::of(&scene.frame).largest_shininess.max(128);
+        assert_eq!(renderer.largest_shininess, n, "{name}");
+        assert!(renderer.built_for.contains(&format!("spans of 64 pixels, n up to {n}")), "{}", renderer.built_for);
+        let (all, usual) = (nothing.saves, renderer.saves);
+        assert!(usual.register_bits < all.register_bits && usual.register_bits > 0, "{name}: {usual:?} and {all:?}");
+        assert!(usual.multiplier_bits < all.multiplier_bits && usual.multiplier_bits > 0, "{name}: {usual:?} and {all:?}");
     }
 }
 

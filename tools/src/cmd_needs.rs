@@ -15,8 +15,10 @@ use crate::{progress, table};
 
 const EXAMPLE: &str = "\
 Each line is measured: the core is elaborated with and without that one need known. Savings \
-overlap, so they do not add up to what all save together, against a core that knows nothing of the \
-scene. A negative number is what products with constants cost in adders in place of multipliers. \
+overlap, so they do not add up to what all save together. That is said against two general cores: \
+one that knows nothing of the scene (4 lights at once, spans of 8192 pixels, n up to 8191), and one \
+as a renderer would have it (as many lights as the scene, spans as wide as the picture, n up to \
+128). A negative number is what products with constants cost in adders in place of multipliers. \
 Inputs that are left out change no pixel; options and formats are those that are exact enough.
 
 Example: specula needs teapot --method phong";
@@ -121,14 +123,11 @@ pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
     };
     let of = |saving: &Saving| row(saving.need, &saving.left_out, &saving.saves, saving.safe);
     let mut rows: Vec<[String; 9]> = savings.needs.iter().map(of).collect();
-    rows.push(row("all together", &together(savings), &savings.together, "every pixel is compared"));
+    let together = savings.together.iter();
+    rows.extend(
+        together.map(|general| row(general.baseline.name(), &general.built_for, &general.saves, "every pixel is compared")),
+    );
     rows
-}
-
-/// What all savings together are measured against.
-fn together(savings: &Savings) -> String {
-    let known: Vec<String> = savings.known.iter().map(|need| format!(", but the {need}")).collect();
-    format!("against a core that knows nothing of the scene{}", known.concat())
 }
 
 /// A table of what is saved in cells, where they were counted.
@@ -141,6 +140,7 @@ fn cells(savings: &Savings) -> Vec<[String; 4]> {
         Some([need.to_owned(), luts, multipliers, flip_flops])
     };
     let needs = savings.needs.iter().map(|saving| (saving.need, &saving.saves));
-    let rows = needs.chain([("all together", &savings.together)]).filter_map(row);
+    let together = savings.together.iter().map(|general| (general.baseline.name(), &general.saves));
+    let rows = needs.chain(together).filter_map(row);
     [titles].into_iter().chain(rows).collect()
 }

@@ -79,22 +79,3 @@ pub fn pixel_angle(vertex_angles: [f64; 3], weights: [f64; 3]) -> f64 {
     let interpolated: f64 = vertex_angles.iter().zip(weights).map(|(a, w)| a * w).sum();
     interpolated.clamp(0.0, FRAC_PI_2)
 }
-
-/// The most rounds that [`repair`] goes.
-const MOST_REPAIRS: u32 = 200;
-
-/// A vertex normal less than 90 degrees from each of `faces`: while one is not, the worst face's normal n is added as -(1 + ε)(N·n)n with ε = 1.
-///
-/// `None` if 200 rounds do not suffice or N vanishes (EXTREMES row 48).
-pub fn repair(normal: DVec3, faces: &[DVec3]) -> Option<DVec3> {
-    const EPSILON: f64 = 1.0;
-    let mut normal = unit(normal)?;
-    for _ in 0..MOST_REPAIRS {
-        let worst = faces.iter().copied().min_by(|a, b| normal.dot(*a).total_cmp(&normal.dot(*b)))?;
-        if normal.dot(worst) > 0.0 {
-            return Some(normal);
-        }
-        normal = unit(normal - (1.0 + EPSILON) * normal.dot(worst) * worst)?;
-    }
-    None
-}

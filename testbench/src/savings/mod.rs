@@ -2,6 +2,7 @@
 //!
 //! What is known of a scene comes in two kinds: facts from which options and formats are chosen before any input is looked at ([`needs`]), and what inputs
 //! are given over the frame ([`inputs`]).
+mod general;
 mod inputs;
 mod needs;
 mod spared;
@@ -11,8 +12,10 @@ use specula_hdl::Design;
 use specula_scene::{CoreSpec, LoadedScene};
 
 use crate::BenchError;
+use general::General;
 use spared::Built;
 
+pub use general::Baseline;
 pub use spared::{Spared, SparedCells, Synthesis};
 
 /// A need of a scene, and what knowing it saves.
@@ -33,10 +36,28 @@ pub struct Saving {
 pub struct Savings {
     /// Need by need. They overlap, so they do not add up to the whole.
     pub needs: Vec<Saving>,
-    /// Of all of them together: against the core that knows nothing of the scene but what [`Savings::known`] names.
-    pub together: Spared,
-    /// What that core has to know all the same, since none could be built without.
+    /// Of all of them together, against general cores: first the one that knows nothing of the scene, then the one that a renderer
+    /// would be built with.
+    pub together: Vec<AgainstGeneral>,
+}
+
+/// What the core saves against a general one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct AgainstGeneral {
+    /// Which.
+    pub baseline: Baseline,
+    /// What such a core is built for, in the words of a table.
+    pub built_for: String,
+    /// Lights that it has pipelines for.
+    pub lights: usize,
+    /// Pixels of its longest span.
+    pub longest_span: u32,
+    /// Its largest exponent.
+    pub largest_shininess: u32,
+    /// What it knows of the scene all the same, since none could be built without.
     pub known: Vec<&'static str>,
+    /// What is saved.
+    pub saves: Spared,
 }
 
 /// What the core of `spec` saves that is to shade a scene, with cells if `synthesis` makes them. A need that saves nothing has no line.
@@ -46,11 +67,12 @@ pub struct Savings {
 pub fn savings(scene: &LoadedScene, spec: &CoreSpec, synthesis: Option<Synthesis>) -> Result<Savings, BenchError> {
     let special = specula_hdl::elaborate(spec, "core")?;
     let (of_facts, of_inputs) = rayon::join(|| needs::ignorant(scene, spec), || inputs::of_inputs(spec));
-    let (of_facts, nothing) = of_facts?;
+    let (of_facts, generals) = of_facts?;
     let needs: Vec<Ignorant> = of_facts.into_iter().chain(of_inputs?).collect();
-    let designs: Vec<&Design> = [&special, &nothing.design].into_iter().chain(needs.iter().map(|need| &need.design)).collect();
+    let of_generals = generals.iter().map(|general| &general.design);
+    let designs: Vec<&Design> = [&special].into_iter().chain(of_generals).chain(needs.iter().map(|need| &need.design)).collect();
     let built = Built::all(&designs, synthesis)?;
-    let (special, ignorant, of_needs) = (&built[0], &built[1], &built[2..]);
+    let (special, (of_generals, of_needs)) = (&built[0], built[1..].split_at(generals.len()));
     let saving = |(without, core): (&Ignorant, &Built)| Saving {
         need: without.need,
         left_out: without.left_out.clone(),
@@ -58,7 +80,16 @@ pub fn savings(scene: &LoadedScene, spec: &CoreSpec, synthesis: Option<Synthesis
         safe: without.safe,
     };
     let needs = needs.iter().zip(of_needs).map(saving).filter(|saving| !saving.saves.is_nothing()).collect();
-    Ok(Savings { needs, together: Spared::between(ignorant, special), known: nothing.known })
+    let against = |(general, built): (&General, &Built)| AgainstGeneral {
+        baseline: general.baseline,
+        built_for: general.built_for(),
+        lights: general.needs.lights,
+        longest_span: general.needs.longest_span,
+        largest_shininess: general.needs.largest_shininess,
+        known: general.known.clone(),
+        saves: Spared::between(built, special),
+    };
+    Ok(Savings { needs, together: generals.iter().zip(of_generals).map(against).collect() })
 }
 
 /// The core without knowing one need.

@@ -1,34 +1,39 @@
 //! Cores that do not know some of a scene's needs.
 use rayon::prelude::*;
-use specula_hdl::Design;
 use specula_hdl::builder::TooWide;
 use specula_scene::needs::LocalKind;
 use specula_scene::spec::{InputPort, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::{CoreSpec, LoadedScene, Needs, SceneError};
 
 use super::Ignorant;
+use super::general::{Baseline, General};
 
 /// What may be known of a scene before any of its inputs is.
-struct Fact {
-    need: &'static str,
+pub(super) struct Fact {
+    pub need: &'static str,
     safe: &'static str,
     /// The needs of scenes of which it is not known.
-    forget: fn(&mut Needs),
+    pub forget: fn(&mut Needs),
     /// What is known, in the words of a table.
     known: fn(&Needs) -> String,
 }
 
+/// Names of the facts that a renderer's core is built with.
+pub(super) const LIGHTS: &str = "number of lights";
+pub(super) const LIGHTS_AT_INFINITY: &str = "lights at infinity";
+pub(super) const EYE_AT_INFINITY: &str = "eye at infinity";
+
 /// Every fact on which [`LoadedScene::core_for`] rests.
 const FACTS: [Fact; 10] = [
     Fact {
-        need: "number of lights",
+        need: LIGHTS,
         safe: "the scene has no more lights",
         // Lights at places are the last ones, so more lights at infinity would have their names.
         forget: |needs| needs.lights = if needs.local_lights.is_empty() { MOST_LIGHTS } else { needs.lights },
         known: |needs| format!("{} of {MOST_LIGHTS} pipelines for lights", MOST_LIGHTS - needs.lights),
     },
     Fact {
-        need: "lights at infinity",
+        need: LIGHTS_AT_INFINITY,
         safe: "the direction to such a light is the same everywhere",
         forget: |needs| {
             let at_infinity = needs.lights - needs.local_lights.len();
@@ -37,7 +42,7 @@ const FACTS: [Fact; 10] = [
         known: |needs| format!("directions to the places of {} lights", needs.lights - needs.local_lights.len()),
     },
     Fact {
-        need: "eye at infinity",
+        need: EYE_AT_INFINITY,
         safe: "the direction to the eye is the same everywhere",
         forget: |needs| needs.local_eye = true,
         known: |_| "directions to the place of the eye".to_owned(),
@@ -93,22 +98,16 @@ const FACTS: [Fact; 10] = [
 /// An exponent that squaring does not reach.
 const UNEVEN: u32 = 3;
 
-/// The cores for scenes of which one fact is not known, where that makes another core and it can be built; and the core of which nothing is known.
+/// The cores for scenes of which one fact is not known, where that makes another core and it can be built; and the general cores.
 ///
 /// # Errors
 /// [`TooWide`] if not even the scene's own general core can be built.
-pub fn ignorant(scene: &LoadedScene, spec: &CoreSpec) -> Result<(Vec<Ignorant>, Nothing), TooWide> {
+pub fn ignorant(scene: &LoadedScene, spec: &CoreSpec) -> Result<(Vec<Ignorant>, Vec<General>), TooWide> {
     let chosen = Chosen::new(scene, spec);
     let one = || FACTS.par_iter().filter_map(|fact| chosen.ignorant(fact)).collect();
-    let (needs, nothing) = rayon::join(one, || chosen.knowing_nothing());
-    Ok((needs, nothing?))
-}
-
-/// The core of which nothing is known, or as little as one can be built for.
-pub struct Nothing {
-    pub design: Design,
-    /// What it knows all the same.
-    pub known: Vec<&'static str>,
+    let general = || Baseline::ALL.par_iter().map(|&baseline| chosen.general(baseline)).collect::<Result<_, _>>();
+    let (needs, generals) = rayon::join(one, general);
+    Ok((needs, generals?))
 }
 
 /// A core, and how it was chosen.
@@ -135,12 +134,13 @@ impl Chosen<'_> {
         Some(Ignorant { need: fact.need, left_out, safe: fact.safe, design })
     }
 
-    fn knowing_nothing(&self) -> Result<Nothing, TooWide> {
+    /// The general core that forgets every fact as a baseline has it, or as many as one can be built without.
+    fn general(&self, baseline: Baseline) -> Result<General, TooWide> {
         let (mut core, mut forgotten, mut known) = (self.spec.general(), vec![], vec![]);
         let mut design = specula_hdl::elaborate(&core, "core")?;
-        for fact in &FACTS {
+        for fact in FACTS.iter().filter(|fact| !baseline.knows(fact.need)) {
             forgotten.push(fact);
-            let ignorant = self.without(&forgotten);
+            let ignorant = self.for_needs(&baseline.forget(&self.needs, &self.scene.frame, &forgotten));
             // Many facts make no other core, and that is built already.
             if ignorant.as_ref() == Some(&core) {
                 continue;
@@ -154,14 +154,18 @@ impl Chosen<'_> {
                 }
             }
         }
-        Ok(Nothing { design, known })
+        let needs = baseline.forget(&self.needs, &self.scene.frame, &forgotten);
+        Ok(General { baseline, needs, design, known })
     }
 
     /// The general core for scenes of which these facts are not known; none where it cannot be described.
     fn without(&self, facts: &[&Fact]) -> Option<CoreSpec> {
-        let mut unknown = self.needs.clone();
-        facts.iter().for_each(|fact| (fact.forget)(&mut unknown));
-        let to = self.scene.core_for(&unknown, Some(self.spec.method())).ok()?;
+        self.for_needs(&Baseline::Nothing.forget(&self.needs, &self.scene.frame, facts))
+    }
+
+    /// The general core for such needs; none where it cannot be described.
+    fn for_needs(&self, needs: &Needs) -> Option<CoreSpec> {
+        let to = self.scene.core_for(needs, Some(self.spec.method())).ok()?;
         self.spec.changed(self.general.as_ref().ok()?, &to).ok()
     }
 }

@@ -6,11 +6,11 @@ use specula_scene::spec::{InputPort, SpecError};
 use specula_scene::{CoreSpec, Method, Needs, SpanPacket, parse};
 use specula_sim::{Engine, Fast, Flow, Stimulus};
 
+use super::asked::Asked;
 use super::draw::{Draw, tilted};
-use super::row::Extent;
+use super::row::{Extent, Place};
 use super::scene::{RawSpan, SpanScene, lit};
 use super::sweep::Cell;
-use super::trial::Fault;
 use super::variant::Variant;
 use crate::arrival::Arrivals;
 use crate::assumptions;
@@ -19,10 +19,6 @@ use crate::assumptions;
 pub const ID: &str = "raw";
 /// What goes in.
 pub const INPUT: &str = "ports at 0, at all ones, at the ends of their ranges, and at random patterns, without any scene";
-/// What is wanted.
-pub const WANTED: &str = "the model refuses packets that mean nothing; of others core and model agree, or the bench reports a fact that hosts keep and \
-they do not, and no other signal leaves its proven range: nothing wraps around unseen";
-
 /// Runs a method's cores on patterns.
 pub fn cell(method: Method, draw: &mut Draw, extent: Extent) -> Cell {
     let mut cell = Cell::empty(ID, Some(method));
@@ -57,15 +53,14 @@ fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw
     let packets: Vec<SpanPacket> = patterns(spec, draw, extent.spans).into_iter().filter(fits).collect();
     cell.cores += 1;
     cell.pixels += packets.iter().map(|packet| u64::from(packet.length)).sum::<u64>();
-    let fault = match simulated(&design, &packets) {
+    let core = variant.describe();
+    match simulated(&design, &packets) {
         Ok(simulated) => {
             cell.reported += simulated.breaks_a_fact.iter().filter(|&&breaks| breaks).count();
-            simulated.out_of_range(&design).or_else(|| wrong_code(&model, &packets, &simulated))
+            cell.ask(&core, simulated.out_of_range(&design));
+            cell.ask(&core, wrong_codes(&model, &packets, &simulated));
         }
-        Err(what) => Some(Fault { what, span: 0, pixel: 0 }),
-    };
-    if let Some(fault) = fault.filter(|_| cell.fault.is_none()) {
-        (cell.fault, cell.faulty) = (Some(fault), Some(variant.describe()));
+        Err(what) => cell.ask(&core, Asked { detail: Some(what), ..Asked::none_of("runs that break off", 1, None) }),
     }
 }
 
@@ -109,11 +104,13 @@ struct Simulated {
 }
 
 impl Simulated {
-    /// The first signal that left its range with a packet that breaks no fact.
-    fn out_of_range(&self, design: &Design) -> Option<Fault> {
-        let (signal, span) = self.leaves.iter().find(|(_, span)| !self.breaks_a_fact[*span])?;
-        let what = format!("`{}` outside its proven range", design.full_name(*signal));
-        Some(Fault { what, span: *span, pixel: 0 })
+    /// Signals that left their ranges with a packet that breaks no fact.
+    fn out_of_range(&self, design: &Design) -> Asked {
+        let out: Vec<&(NodeId, usize)> = self.leaves.iter().filter(|(_, span)| !self.breaks_a_fact[*span]).collect();
+        let first = out.first();
+        let place = first.map(|(_, span)| Place { span: *span, pixel: 0 });
+        let detail = first.map(|(signal, _)| format!("`{}`", design.full_name(*signal)));
+        Asked { detail, ..Asked::none_of("signals outside their proven ranges", out.len() as u64, place) }
     }
 }
 
@@ -141,22 +138,30 @@ fn simulated(design: &Design, packets: &Vec<SpanPacket>) -> Result<Simulated, St
     }
 }
 
-/// The first code that is not the model's in a packet that breaks no fact.
-fn wrong_code(model: &Model, packets: &[SpanPacket], simulated: &Simulated) -> Option<Fault> {
+/// Packets that break no fact and have another code than the model's.
+fn wrong_codes(model: &Model, packets: &[SpanPacket], simulated: &Simulated) -> Asked {
     let mut rest = &simulated.codes[..];
-    packets.iter().enumerate().find_map(|(span, packet)| {
+    let mut wrong: Vec<(Place, String)> = Vec::new();
+    for (span, packet) in packets.iter().enumerate() {
         let (given, later) = rest.split_at((packet.length as usize).min(rest.len()));
         rest = later;
-        if simulated.breaks_a_fact[span] {
-            return None;
+        if !simulated.breaks_a_fact[span] {
+            wrong.extend(wrong_code(model, packet, given).map(|(pixel, what)| (Place { span, pixel }, what)));
         }
-        let mut expected = Vec::new();
-        if let Err(error) = model.shade(packet, &mut expected) {
-            return Some(Fault { what: error.to_string(), span, pixel: 0 });
-        }
-        let pixel = (0..expected.len()).find(|&i| given.get(i) != Some(&expected[i]))?;
-        let (got, wanted) = (given.get(pixel), expected[pixel]);
-        let what = format!("the code {got:?}, and the model has {wanted:?}; inputs {:?}", packet.inputs);
-        Some(Fault { what, span, pixel: pixel as u32 })
-    })
+    }
+    let first = wrong.first();
+    let number = wrong.len() as u64;
+    let (place, detail) = (first.map(|(place, _)| *place), first.map(|(_, what)| what.clone()));
+    Asked { detail, ..Asked::none_of("packets with codes other than the model's", number, place) }
+}
+
+/// The first code of a packet that is not the model's.
+fn wrong_code(model: &Model, packet: &SpanPacket, given: &[[u8; 3]]) -> Option<(u32, String)> {
+    let mut expected = Vec::new();
+    if let Err(error) = model.shade(packet, &mut expected) {
+        return Some((0, error.to_string()));
+    }
+    let pixel = (0..expected.len()).find(|&i| given.get(i) != Some(&expected[i]))?;
+    let (got, wanted) = (given.get(pixel), expected[pixel]);
+    Some((pixel as u32, format!("the code {got:?}, and the model has {wanted:?}; inputs {:?}", packet.inputs)))
 }

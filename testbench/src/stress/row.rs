@@ -1,5 +1,5 @@
 //! What a row of the catalogue is.
-use specula_golden::exact::{MethodSpan, PhongSpan};
+use specula_golden::exact;
 use specula_scene::spec::FULL_SCALE;
 use specula_scene::{CoreSpec, Frame, Span};
 
@@ -26,15 +26,13 @@ impl Extent {
     pub const WHOLE: Extent = Extent { spans: 64, longest: 8192, every_option: true };
 }
 
-/// An input that something breaks at, and what is wanted there.
+/// An input that something breaks at, and what is asked there.
 pub struct Row {
     /// Its number in EXTREMES.md, or a word.
     pub id: &'static str,
     /// The input.
     pub input: &'static str,
-    /// What is wanted, beside what is wanted everywhere.
-    pub wanted: &'static str,
-    /// What is tried.
+    /// What is tried, and asked.
     pub trial: Trial,
 }
 
@@ -47,8 +45,13 @@ pub enum Trial {
         /// Methods with options that the row is about, beside those that are tried everywhere.
         variants: fn() -> Vec<Variant>,
     },
-    /// What the host does without a core. Says what is wrong.
-    Host(fn() -> Result<(), String>),
+    /// What the host does without a core.
+    Host {
+        /// What is asked of it.
+        what: &'static str,
+        /// Says what is wrong.
+        check: fn() -> Result<(), String>,
+    },
 }
 
 /// Scenes for every method as it is tried everywhere.
@@ -57,7 +60,7 @@ pub const fn scenes(cases: fn(&mut Draw, Extent) -> Vec<Case>) -> Trial {
 }
 
 /// A place in a frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Place {
     /// Number of the span.
     pub span: usize,
@@ -65,32 +68,74 @@ pub struct Place {
     pub pixel: u32,
 }
 
-/// The first place where what is wanted did not happen.
-pub type Want = Box<dyn Fn(&Shaded) -> Option<Place> + Send + Sync>;
+/// Something that a row asks of some cores, beside what is asked everywhere.
+pub struct Ask {
+    /// What, in the words of a table.
+    pub what: &'static str,
+    /// Of which cores.
+    pub of: fn(&CoreSpec) -> bool,
+    /// The first place where it does not happen.
+    pub fails: Fails,
+}
 
-/// A scene and what is wanted of it.
+/// Where what is asked does not happen first.
+pub type Fails = Box<dyn Fn(&Shaded) -> Option<Place> + Send + Sync>;
+
+/// How far cores without a proven bound may be from their method, where a row knows.
+#[derive(Clone, Copy, Debug)]
+pub struct Figure {
+    /// Which cores.
+    pub of: fn(&CoreSpec) -> bool,
+    /// In LSBs.
+    pub lsb: f64,
+}
+
+/// A scene and what is asked of it.
 pub struct Case {
     /// The scene.
     pub scene: SpanScene,
-    /// What is wanted, beside what is wanted everywhere.
-    pub want: Want,
+    /// What is asked, beside what is asked everywhere.
+    pub asks: Vec<Ask>,
+    /// What is known of cores without a bound.
+    pub figure: Option<Figure>,
 }
 
 impl Case {
-    /// A scene of which no more is wanted than everywhere.
+    /// A scene of which no more is asked than everywhere.
     pub fn new(scene: SpanScene) -> Case {
-        Case { scene, want: Box::new(|_| None) }
+        Case { scene, asks: Vec::new(), figure: None }
     }
 
-    /// A scene at every pixel of which `holds` is wanted.
-    pub fn wanting(scene: SpanScene, holds: impl Fn(&Pixel) -> bool + Send + Sync + 'static) -> Case {
-        Case { scene, want: Box::new(move |shaded| shaded.first_that_does_not(&holds)) }
+    /// The same, with `what` asked of some cores at every pixel.
+    pub fn asking(
+        self,
+        what: &'static str,
+        of: fn(&CoreSpec) -> bool,
+        holds: impl Fn(&Pixel) -> bool + Send + Sync + 'static,
+    ) -> Case {
+        self.asking_frame(what, of, move |shaded| shaded.first_that_does_not(&holds))
     }
 
-    /// A scene of which all spans are wanted to have the same code from end to end.
-    pub fn wanting_flat(scene: SpanScene) -> Case {
-        Case::wanting(scene, |pixel| pixel.code() == Pixel { i: 0, ..*pixel }.code())
+    /// The same, with `what` asked of some cores and a whole frame; `fails` says where it does not happen first.
+    pub fn asking_frame(
+        mut self,
+        what: &'static str,
+        of: fn(&CoreSpec) -> bool,
+        fails: impl Fn(&Shaded) -> Option<Place> + Send + Sync + 'static,
+    ) -> Case {
+        self.asks.push(Ask { what, of, fails: Box::new(fails) });
+        self
     }
+
+    /// The same, with what is known of cores without a bound.
+    pub fn with_figure(self, of: fn(&CoreSpec) -> bool, lsb: f64) -> Case {
+        Case { figure: Some(Figure { of, lsb }), ..self }
+    }
+}
+
+/// Every core.
+pub fn all(_: &CoreSpec) -> bool {
+    true
 }
 
 /// A frame that a core has shaded.
@@ -132,12 +177,12 @@ impl Pixel<'_> {
 
     /// The method in f64, in LSBs.
     pub fn method(&self) -> f64 {
-        MethodSpan::new(self.shaded.spec, self.shaded.frame, self.span).pixel(self.i)[1]
+        exact::method(self.shaded.spec, self.shaded.frame, self.span, self.i)[1]
     }
 
     /// Exact shading, in LSBs.
     pub fn exact(&self) -> f64 {
-        PhongSpan::new(self.shaded.frame, self.span).pixel(self.i)[1]
+        exact::phong(self.shaded.frame, self.span, self.i)[1]
     }
 
     /// Whether the core's code is no more than `lsb` from a value.

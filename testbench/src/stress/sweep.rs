@@ -3,13 +3,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use serde::Serialize;
+use specula_scene::spec::FULL_SCALE;
 use specula_scene::{CoreSpec, Method};
 
+use super::asked::{Asked, Verdict};
 use super::catalogue::CATALOGUE;
 use super::draw::Draw;
+use super::measured::Measured;
 use super::raw;
-use super::row::{Case, Extent, Row, Trial};
-use super::trial::{Fault, Prepared, Ran, Tried};
+use super::row::{Case, Extent, Place, Row, Trial};
+use super::trial::{Prepared, Tried};
 use super::variant::Variant;
 
 /// How one method does in one row.
@@ -27,14 +30,10 @@ pub struct Cell {
     pub refused: Vec<String>,
     /// Patterns of bits that break a fact which hosts keep; each was reported by the bench.
     pub reported: usize,
-    /// Largest total error, if any pixel was shaded.
+    /// What is asked, everywhere and in this row, and what came.
+    pub asked: Vec<Asked>,
+    /// Largest total error, if any pixel was shaded that has an exact shade.
     pub worst: Option<Worst>,
-    /// Largest share of its proven bound that a quantisation error takes; at most 1, or it is a fault.
-    pub share_of_bound: f64,
-    /// The first thing that is not as it must be.
-    pub fault: Option<Fault>,
-    /// With which options.
-    pub faulty: Option<String>,
     /// The scene file in which the fault, or the largest error, is to be seen; none without a core that ran.
     #[serde(skip)]
     pub reproducer: Option<String>,
@@ -51,8 +50,8 @@ pub struct Worst {
     pub method: f64,
     /// Largest error of quantisation, in LSBs.
     pub quantisation: f64,
-    /// Its proven bound, in LSBs.
-    pub bound: f64,
+    /// Its proven bound, in LSBs; none where nothing is proven.
+    pub bound: Option<f64>,
 }
 
 /// Tries the catalogue on `methods`, row by row; `progress` is told how many parts of how many are done.
@@ -83,15 +82,19 @@ pub fn sweep(seed: u64, methods: &[Method], extent: Extent, progress: &(dyn Fn(u
 fn parts(row: &Row, methods: &[Method]) -> Vec<Option<Method>> {
     match row.trial {
         Trial::Scenes { .. } => methods.iter().copied().map(Some).collect(),
-        Trial::Host(_) => vec![None],
+        Trial::Host { .. } => vec![None],
     }
 }
 
 fn tried(row: &Row, method: Option<Method>, draw: &mut Draw, extent: Extent) -> Cell {
     let mut cell = Cell::empty(row.id, method);
     match (&row.trial, method) {
-        (Trial::Host(check), _) => {
-            cell.fault = check().err().map(|what| Fault { what, span: 0, pixel: 0 });
+        (Trial::Host { what, check }, _) => {
+            let error = check().err();
+            cell.ask(
+                "host",
+                Asked { detail: error.clone(), of_row: true, ..Asked::none_of(*what, u64::from(error.is_some()), None) },
+            );
         }
         (Trial::Scenes { cases, variants }, Some(method)) => {
             let everywhere = if extent.every_option { Variant::all_of(method) } else { vec![Variant::default_of(method)] };
@@ -116,31 +119,49 @@ impl Cell {
             pixels: 0,
             refused: Vec::new(),
             reported: 0,
+            asked: Vec::new(),
             worst: None,
-            share_of_bound: 0.0,
-            fault: None,
-            faulty: None,
             reproducer: None,
         }
+    }
+
+    /// What it all comes to; nothing where no core could be built.
+    pub fn verdict(&self) -> Option<Verdict> {
+        self.asked.iter().map(Asked::verdict).max()
+    }
+
+    /// The first thing that did not happen.
+    pub fn fault(&self) -> Option<&Asked> {
+        self.asked.iter().find(|asked| asked.verdict() == Verdict::Fault)
+    }
+
+    /// Adds what was asked of a core, and what came.
+    pub(super) fn ask(&mut self, core: &str, asked: Asked) {
+        Asked::add_to(&mut self.asked, Asked { core: core.to_owned(), ..asked });
     }
 
     fn try_case(&mut self, case: &Case, variants: &[Variant]) {
         let prepared = match Prepared::new(case) {
             Ok(prepared) => prepared,
-            Err(error) => {
-                let fault = Fault { what: format!("the scene is refused: {error}"), span: 0, pixel: 0 };
-                self.fault.get_or_insert(fault);
-                return;
-            }
+            Err(error) => return self.breaks("none", format!("the scene is refused: {error}")),
         };
         let mut before: Vec<CoreSpec> = Vec::new();
         for variant in variants {
             match prepared.run(variant, &mut before) {
                 Tried::Again => {}
                 Tried::Refused(reason) => self.refuse(reason),
-                Tried::Ran(ran) => self.add(&prepared, variant, ran),
+                Tried::Ran(Ok(measured)) => self.add(&prepared, variant, &measured),
+                Tried::Ran(Err(what)) => {
+                    self.breaks(&variant.describe(), what);
+                    self.reproducer = Some(prepared.reproducer(variant, Place::default(), true));
+                }
             }
         }
+    }
+
+    /// A core that gave nothing.
+    fn breaks(&mut self, core: &str, detail: String) {
+        self.ask(core, Asked { detail: Some(detail), ..Asked::none_of("runs that break off", 1, None) });
     }
 
     pub(super) fn refuse(&mut self, reason: String) {
@@ -149,21 +170,47 @@ impl Cell {
         }
     }
 
-    fn add(&mut self, prepared: &Prepared, variant: &Variant, ran: Ran) {
-        let [total, method, quantisation] = ran.errors;
+    fn add(&mut self, prepared: &Prepared, variant: &Variant, measured: &Measured) {
+        let (total, core, had_fault) = (measured.total.lsb, variant.describe(), self.fault().is_some());
         let is_worst = self.worst.as_ref().is_none_or(|worst| total > worst.total);
-        let is_first_fault = self.fault.is_none() && ran.fault.is_some();
         self.cores += 1;
-        self.pixels += ran.pixels;
-        self.share_of_bound = self.share_of_bound.max(quantisation / ran.bound.max(f64::MIN_POSITIVE));
-        if is_first_fault || (self.fault.is_none() && is_worst) {
-            self.reproducer = Some(prepared.reproducer(variant, &ran));
+        self.pixels += measured.pixels;
+        for asked in measured.asked() {
+            let is_first_fault = !had_fault && !asked.holds() && self.fault().is_none();
+            if is_first_fault {
+                self.reproducer = Some(prepared.reproducer(variant, asked.place.unwrap_or_default(), true));
+            }
+            self.ask(&core, asked);
+        }
+        if self.fault().is_none() && is_worst {
+            self.reproducer = Some(prepared.reproducer(variant, measured.total.place, false));
         }
         if is_worst {
-            self.worst = Some(Worst { core: variant.describe(), total, method, quantisation, bound: ran.bound });
+            let (method, quantisation) = (measured.method.lsb, measured.quantisation.lsb);
+            let bound = Some(measured.bound).filter(|&bound| bound < FULL_SCALE);
+            self.worst = Some(Worst { core, total, method, quantisation, bound });
         }
-        if is_first_fault {
-            (self.fault, self.faulty) = (ran.fault, Some(variant.describe()));
-        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::limits::Reason;
+    use super::*;
+
+    /// A light a quarter of a unit from a wall: wrapped directions are 191 LSB off, which is told as a limit, and what the row asks is said of
+    /// whom it is asked of.
+    #[test]
+    fn places_wrapped_are_at_a_limit_near_a_wall() {
+        let row = CATALOGUE.iter().find(|row| row.id == "40").expect("it is in the catalogue");
+        let extent = Extent { every_option: true, ..Extent::SMALL };
+        let cell = tried(row, Some(Method::Phong), &mut Draw::new(1, 0), extent);
+        assert_eq!(cell.verdict(), Some(Verdict::Limit));
+        let wrapped = cell.asked.iter().filter(|asked| asked.reasons.contains(&Reason::WrappedPlaces));
+        let worst = wrapped.map(|asked| asked.came).fold(0.0, f64::max);
+        assert!((191.0..192.0).contains(&worst), "{worst}");
+        let besides = cell.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str());
+        let besides: Vec<&str> = besides.collect();
+        assert!(besides.iter().any(|what| what.starts_with("wrapped directions") && what.contains("at both ends")), "{besides:?}");
     }
 }

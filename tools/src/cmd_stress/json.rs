@@ -1,6 +1,7 @@
 //! What came of the catalogue, for programs.
 use serde::Serialize;
-use specula_testbench::stress::Cell;
+use specula_testbench::stress::limits::Reason;
+use specula_testbench::stress::{Cell, Verdict};
 
 use super::files::scene_of;
 use super::{RowResult, Stress};
@@ -14,7 +15,12 @@ struct Report<'a> {
     seed: u64,
     /// Random ones of each row.
     spans: u32,
-    holds: bool,
+    /// How many methods in rows come to what.
+    hold: usize,
+    at_limit: usize,
+    at_fault: usize,
+    /// What the limits are.
+    limits: Vec<Limit>,
     rows: Vec<Row<'a>>,
     files: &'a [String],
 }
@@ -23,13 +29,20 @@ struct Report<'a> {
 struct Row<'a> {
     row: &'a str,
     input: &'a str,
-    wanted: &'a str,
-    holds: bool,
+    verdict: Option<Verdict>,
     methods: Vec<OfMethod<'a>>,
+}
+
+/// A reason for which a method may be off, and by how much.
+#[derive(Serialize)]
+struct Limit {
+    reason: Reason,
+    text: &'static str,
 }
 
 #[derive(Serialize)]
 struct OfMethod<'a> {
+    verdict: Option<Verdict>,
     #[serde(flatten)]
     cell: &'a Cell,
     /// File that `run` takes.
@@ -39,14 +52,17 @@ struct OfMethod<'a> {
 /// The report as text.
 pub fn text(stress: &Stress, files: &[String]) -> serde_json::Result<String> {
     let rows: Vec<Row> = stress.rows.iter().map(row).collect();
-    let holds = rows.iter().all(|row| row.holds);
+    let cells = || stress.rows.iter().flat_map(|row| &row.cells);
+    let number = |verdict: Verdict| cells().filter(|cell| cell.verdict() == Some(verdict)).count();
+    let [hold, at_limit, at_fault] = [Verdict::Holds, Verdict::Limit, Verdict::Fault].map(number);
+    let limits = Reason::ALL.map(|reason| Limit { reason, text: reason.text() }).into();
     let (version, seed, spans) = (env!("CARGO_PKG_VERSION"), stress.seed, stress.spans);
-    let mut text = serde_json::to_string_pretty(&Report { program: PROGRAM, version, seed, spans, holds, rows, files })?;
+    let mut text = serde_json::to_string_pretty(&Report { program: PROGRAM, version, seed, spans, hold, at_limit, at_fault, limits, rows, files })?;
     text.push('\n');
     Ok(text)
 }
 
 fn row(row: &RowResult) -> Row<'_> {
-    let methods = row.cells.iter().map(|cell| OfMethod { cell, scene: scene_of(cell) }).collect();
-    Row { row: row.id, input: row.input, wanted: row.wanted, holds: row.holds(), methods }
+    let methods = row.cells.iter().map(|cell| OfMethod { verdict: cell.verdict(), cell, scene: scene_of(cell) }).collect();
+    Row { row: row.id, input: row.input, verdict: row.verdict(), methods }
 }

@@ -2,102 +2,165 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use specula_testbench::stress::{Cell, Fault};
+use specula_testbench::stress::limits::Reason;
+use specula_testbench::stress::{Asked, Cell, Verdict, Worst, besides};
 
 use super::files::scene_of;
 use super::{RowResult, Stress};
 use crate::table;
 
-/// Errors of a method in exact arithmetic above this are told, in LSBs: it is the wrong method there.
-const BAD: f64 = 1.0;
-
 /// What `stress` prints.
 pub fn text(stress: &Stress, folder: &Path) -> String {
-    let titles = ["row", "", "pixels", "worst LSB", "of bound", "worst core; methods that are bad there"].map(str::to_owned);
-    let rows: Vec<[String; 6]> = [titles].into_iter().chain(stress.rows.iter().map(line)).collect();
+    let titles = ["row", "", "pixels", "of bound", "holds", "limit: LSB that came of the most; worst LSB where there is no limit"];
+    let rows: Vec<[String; 6]> = [titles.map(str::to_owned)].into_iter().chain(stress.rows.iter().map(line)).collect();
     let faults: String = stress.rows.iter().flat_map(faults).collect();
-    let failed = stress.rows.iter().filter(|row| !row.holds()).count();
-    let end = match failed {
-        0 => "What is wanted happens in every row.".to_owned(),
-        _ => format!("What is wanted does not happen in {failed} rows."),
-    };
-    format!("{}\n{faults}{end}\nseed {}; scenes, plots and report in {}\n", table::shown(&rows), stress.seed, folder.display())
+    format!(
+        "{}\n{faults}{}\nWhat is asked of each method, and why it may be off, is in report.md.\n\
+         seed {}; scenes, plots and report in {}\n",
+        table::shown(&rows),
+        summary(stress),
+        stress.seed,
+        folder.display()
+    )
+}
+
+/// How many rows and methods come to what.
+fn summary(stress: &Stress) -> String {
+    let cells = || stress.rows.iter().flat_map(|row| &row.cells);
+    let number = |verdict: Verdict| cells().filter(|cell| cell.verdict() == Some(verdict)).count();
+    let [hold, limit, fault] = [Verdict::Holds, Verdict::Limit, Verdict::Fault].map(number);
+    let faults = if fault == 0 { "none is at fault".to_owned() } else { format!("{fault} ARE AT FAULT") };
+    format!("Of {} methods in rows {hold} hold, {limit} are at a documented limit, {faults}.", cells().count())
 }
 
 fn line(row: &RowResult) -> [String; 6] {
     let pixels: u64 = row.cells.iter().map(|cell| cell.pixels).sum();
-    let worst = worst(row);
-    let share = row.cells.iter().map(|cell| cell.share_of_bound).fold(0.0, f64::max);
+    let share = row.cells.iter().filter_map(share_of_bound).fold(0.0, f64::max);
     [
         row.id.to_owned(),
-        (if row.holds() { "holds" } else { "FAILS" }).to_owned(),
+        row.verdict().map_or("refused", Verdict::name).to_owned(),
         pixels.to_string(),
-        worst.map_or(String::new(), |worst| format!("{:.2}", worst.total)),
         if share > 0.0 { format!("{share:.2}") } else { String::new() },
-        remark(row),
+        holding(row),
+        limits(row),
     ]
 }
 
-fn worst(row: &RowResult) -> Option<&specula_testbench::stress::Worst> {
-    row.cells.iter().filter_map(|cell| cell.worst.as_ref()).max_by(|a, b| a.total.total_cmp(&b.total))
+/// How much of a proven bound the error of quantisation takes.
+fn share_of_bound(cell: &Cell) -> Option<f64> {
+    let shares = cell.asked.iter().filter(|asked| asked.is_of_bound()).filter_map(|asked| Some(asked.came / asked.most?));
+    shares.reduce(f64::max)
 }
 
-/// The core with the largest error, and methods that are bad by themselves.
-fn remark(row: &RowResult) -> String {
-    let bad = |cell: &Cell| {
-        let method = cell.worst.as_ref().filter(|worst| worst.method > BAD)?.method;
-        Some(format!("{} {method:.0}", cell.method?))
+fn holding(row: &RowResult) -> String {
+    let holding = row.cells.iter().filter(|cell| cell.verdict() == Some(Verdict::Holds));
+    let methods: Vec<&str> = holding.map(|cell| cell.method.unwrap_or("host")).collect();
+    if methods.len() == row.cells.len() && methods.len() > 1 { "all".to_owned() } else { methods.join(" ") }
+}
+
+/// Methods at their limits, each with its figures.
+fn limits(row: &RowResult) -> String {
+    let at = |cell: &Cell| {
+        let figures: Vec<String> = of_verdict(cell, Verdict::Limit).map(Asked::figure).collect();
+        (!figures.is_empty()).then(|| format!("{} {}", cell.method.unwrap_or("host"), figures.join(", ")))
     };
-    let bad: Vec<String> = row.cells.iter().filter_map(bad).collect();
-    let core = worst(row).map_or(String::new(), |worst| worst.core.clone());
-    if bad.is_empty() { core } else { format!("{core}; bad: {}", bad.join(", ")) }
+    row.cells.iter().filter_map(at).collect::<Vec<_>>().join("; ")
+}
+
+fn of_verdict(cell: &Cell, verdict: Verdict) -> impl Iterator<Item = &Asked> {
+    cell.asked.iter().filter(move |asked| asked.verdict() == verdict)
 }
 
 fn faults(row: &RowResult) -> impl Iterator<Item = String> + '_ {
-    row.cells.iter().filter_map(|cell| {
-        let fault = cell.fault.as_ref()?;
-        let core = cell.faulty.as_deref().unwrap_or("host");
+    row.cells.iter().flat_map(move |cell| {
         let scene = scene_of(cell).map_or(String::new(), |scene| format!("; see {scene}"));
-        Some(format!("row {}, {core}: {}{scene}\n", row.id, place(fault)))
+        of_verdict(cell, Verdict::Fault).map(move |asked| format!("row {}, {}: {}{scene}\n", row.id, asked.core, fault(asked)))
     })
 }
 
-fn place(fault: &Fault) -> String {
-    format!("{}, span {} pixel {}", fault.what, fault.span, fault.pixel)
+fn fault(asked: &Asked) -> String {
+    let place = asked.place.map_or(String::new(), |place| format!(", span {} pixel {}", place.span, place.pixel));
+    let detail = asked.detail.as_ref().map_or(String::new(), |detail| format!(" ({detail})"));
+    format!("{}: {}{detail}{place}", asked.what, came_of_most(asked))
+}
+
+fn came_of_most(asked: &Asked) -> String {
+    let number = |value: f64| if value.fract() == 0.0 { format!("{value}") } else { format!("{value:.3}") };
+    match asked.most {
+        Some(most) => format!("{} came, {} may", number(asked.came), number(most)),
+        None => format!("{} came, nothing bounds it", number(asked.came)),
+    }
 }
 
 /// The report.
 pub fn markdown(stress: &Stress) -> String {
     let mut text = format!(
-        "# Stress\n\nSeed {}, {} random spans in each row. Everywhere it is wanted that pixels are the bit-true model's, each in its clock, \
-         that stated facts hold, and that no error of quantisation is beyond its proven bound. *Bad* is a method whose error in exact \
-         arithmetic is above {BAD} LSB there, in the core with its largest total error.\n\n![f32](drift_f32.svg)\n\n\
-         ![short formats](drift_fixed.svg)\n\n![chosen formats](drift_chosen.svg)\n\n",
-        stress.seed, stress.spans
+        "# Stress\n\nSeed {}, {} random spans in each row. {}\n\nA method holds in a row if all that is asked of it happens and no \
+         pixel is more than 1 LSB from exact shading; it is at its limit if it is farther off for a reason listed below, by no more \
+         than that allows; anything else is a fault. Each line is of all cores of a method together, and its figures are those of the \
+         core that comes nearest to what may come.\n\n![f32](drift_f32.svg)\n\n![short formats](drift_fixed.svg)\n\n\
+         ![chosen formats](drift_chosen.svg)\n\n",
+        stress.seed,
+        stress.spans,
+        summary(stress)
     );
-    let titles =
-        ["row", "input", "wanted", "happened", "worst LSB", "of bound", "worst core and bad methods", "first bad pixel, scenes"];
-    let rows: Vec<[String; 8]> = stress.rows.iter().map(markdown_line).collect();
+    let titles = ["row", "input", "asked besides what is asked everywhere", "came to", "of bound", "holds", "limit"];
+    let rows: Vec<[String; 7]> = stress.rows.iter().map(overview).collect();
     text.push_str(&table::markdown(titles, &rows));
-    text.push_str("\n## Not built\n\n");
-    for row in &stress.rows {
-        for cell in row.cells.iter().filter(|cell| !cell.refused.is_empty() || cell.reported > 0) {
-            let mut reasons = cell.refused.clone();
-            if cell.reported > 0 {
-                reasons.push(format!("{} patterns break a fact that hosts keep, which the bench reported", cell.reported));
-            }
+    text.push_str("\n## Limits\n\n");
+    let reasons: Vec<[String; 2]> = Reason::ALL.map(|reason| [reason.name(), reason.text()].map(str::to_owned)).into();
+    text.push_str(&table::markdown(["reason", "by how much"], &reasons));
+    stress.rows.iter().for_each(|row| text.push_str(&section(row)));
+    text
+}
+
+fn overview(row: &RowResult) -> [String; 7] {
+    let [id, verdict, _, share, holds, limits] = line(row);
+    let cells: Vec<&Cell> = row.cells.iter().collect();
+    [id, row.input.to_owned(), besides(&cells), verdict, share, holds, limits]
+}
+
+/// What was asked of each method in a row, and what came.
+fn section(row: &RowResult) -> String {
+    let mut text = format!("\n## Row {}\n\n{}\n\n", row.id, row.input);
+    let titles = ["method", "asked", "cores", "may come", "came", "verdict", "why", "core"];
+    let lines: Vec<[String; 8]> =
+        row.cells.iter().flat_map(|cell| cell.asked.iter().map(move |asked| asked_line(cell, asked))).collect();
+    text.push_str(&table::markdown(titles, &lines));
+    for cell in &row.cells {
+        let notes = notes(cell);
+        if !notes.is_empty() {
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "- row {}, {}: {}", row.id, cell.method.unwrap_or("host"), reasons.join("; "));
+            let _ = writeln!(text, "\n- {}: {}", cell.method.unwrap_or("host"), notes.join("; "));
         }
     }
     text
 }
 
-fn markdown_line(row: &RowResult) -> [String; 8] {
-    let [id, happened, _, worst, share, remark] = line(row);
-    let faults: Vec<String> = row.cells.iter().filter_map(|cell| cell.fault.as_ref()).map(place).collect();
-    let scenes: Vec<String> =
-        row.cells.iter().filter_map(|cell| Some(format!("[{}]({})", cell.method?, scene_of(cell)?))).collect();
-    let last = faults.into_iter().chain([scenes.join(" ")]).collect::<Vec<_>>().join("; ");
-    [id, row.input.to_owned(), row.wanted.to_owned(), happened, worst, share, remark, last]
+fn asked_line(cell: &Cell, asked: &Asked) -> [String; 8] {
+    let reasons: Vec<&str> = asked.reasons.iter().map(|reason| reason.name()).collect();
+    let number = |value: f64| if value.fract() == 0.0 { format!("{value}") } else { format!("{value:.3}") };
+    [
+        cell.method.unwrap_or("host").to_owned(),
+        asked.what.clone(),
+        asked.cores.to_string(),
+        asked.most.map_or("no limit".to_owned(), number),
+        number(asked.came),
+        asked.verdict().name().to_owned(),
+        reasons.join(", "),
+        asked.core.clone(),
+    ]
+}
+
+/// The worst core, its scene, and what was not built.
+fn notes(cell: &Cell) -> Vec<String> {
+    let worst = cell.worst.as_ref().map(|Worst { core, total, method, quantisation, bound }| {
+        let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {bound:.2}"));
+        format!("worst {core}, {total:.2} LSB: {method:.2} of the method, {quantisation:.2} of quantisation ({bound})")
+    });
+    let scene = scene_of(cell).map(|scene| format!("[{scene}]({scene})"));
+    let reported =
+        (cell.reported > 0).then(|| format!("{} patterns break a fact that hosts keep, which the bench reported", cell.reported));
+    let refused = cell.refused.iter().map(|reason| format!("not built: {reason}"));
+    worst.into_iter().chain(scene).chain(reported).chain(refused).collect()
 }

@@ -197,8 +197,9 @@ fn needs(run: &Run) -> String {
     format!(
         "## What the scene does not need\n\n\
          Measured by elaborating the core without that one need known; savings overlap, and a negative number is what products\n\
-         with constants cost in adders in place of multipliers. All together are measured against a core that knows nothing of the\n\
-         scene: the most lights, the longest spans, the widest angles, any exponent.\n\n{}",
+         with constants cost in adders in place of multipliers. All together are measured against two general cores, which the table\n\
+         names: one that knows nothing of the scene, and one as a renderer would have it, for as many lights, spans as wide as the\n\
+         picture and exponents up to 128; neither knows of angles, colours or what inputs are given.\n\n{}",
         table(cmd_needs::TITLES, &cmd_needs::rows(savings))
     )
 }

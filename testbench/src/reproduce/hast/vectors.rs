@@ -2,7 +2,7 @@
 use glam::DVec3;
 use specula_golden::exact::duff::{eq33, eq34};
 use specula_golden::exact::hybrid::base;
-use specula_golden::exact::point_light::wrapped_cosine;
+use specula_golden::exact::point_light::{scaled, wrapped_cosine, wrapped_view};
 use specula_golden::exact::reflection::{halfway, reflect};
 use specula_golden::exact::shape::power;
 use specula_golden::exact::wrap;
@@ -67,6 +67,32 @@ fn spot(distance: f64) -> f64 {
     libm::acos(wrapped_cosine(DVec3::Z, distance * tilted(60.0))).to_degrees()
 }
 
+/// The same, F - P divided by its length beforehand.
+fn scaled_spot(distance: f64) -> f64 {
+    let [to_light, _] = scaled([distance * tilted(60.0); 2]);
+    libm::acos(wrapped_cosine(DVec3::Z, to_light)).to_degrees()
+}
+
+/// The largest difference of V' from the direction to an eye up to 89 degrees aside, F - P divided by its length beforehand.
+fn scaled_view() -> f64 {
+    largest(|t| {
+        let [to_eye, _] = scaled([10.0 * tilted(89.0 * t); 2]);
+        (wrapped_view(to_eye) - tilted(89.0 * t)).length()
+    })
+}
+
+/// The largest difference of (29)'s quotient from Lambert's cosine of (27)'s vector, the normal up to 89 degrees from n and of any length.
+fn quotient_from_vector() -> f64 {
+    let mut draw = Draw::new(SEED, 4);
+    let one = |_| {
+        let (n, light) = (direction(&mut draw), direction(&mut draw));
+        let normal = draw.within(0.3, 1.0) * turned(n, draw.within(0.0, 89f64.to_radians()), draw.unit());
+        let wrapped = wrap::wrap(n, normal).map_or(0.0, |wrapped| wrapped.dot(light).clamp(0.0, 1.0));
+        (wrap::diffuse(n, normal, light) - wrapped).abs()
+    };
+    (0..CASES).map(one).fold(0.0, f64::max)
+}
+
 fn equal(off: f64) -> Ruling {
     Ruling::of(off < 1e-12, "they differ")
 }
@@ -102,7 +128,7 @@ const fn narrower(quantity: &'static str, expected: (f64, f64), measure: fn() ->
 }
 
 /// Propositions and remarks.
-pub const CLAIMS: [Claim; 14] = [
+pub const CLAIMS: [Claim; 17] = [
     exact(
         "the hybrid's quotient is the exact R.V, for N of any length",
         "largest difference",
@@ -112,6 +138,7 @@ pub const CLAIMS: [Claim; 14] = [
     ),
     exact("(33) is (17)", "largest difference", (0.0, 1e-13), || over_normals(|n, l| (eq33(n, l) - base(n, l)).abs()), equal),
     exact("(34) is (17)", "largest difference", (0.0, 1e-13), || over_normals(|n, l| (eq34(n, l) - base(n, l)).abs()), equal),
+    exact("(29) is Lambert's cosine of (27)", "largest difference", (0.0, 1e-13), quotient_from_vector, equal),
     // Of 50 000 and 4 000 cases that are left: two standard deviations.
     closer("share of random front-facing cases", (0.081, 3e-3), || farther_halfway(180.0)),
     closer("share of those with R less than 20 degrees from V", (0.285, 1.5e-2), || farther_halfway(20.0)),
@@ -124,4 +151,12 @@ pub const CLAIMS: [Claim; 14] = [
     specular("largest error in LSB, 90 degrees", (214.0, 1.0), || flank_error(90.0)),
     narrower("degrees that 60 come out at, distance 10", (110.6, 5e-2), || spot(10.0)),
     narrower("degrees that 60 come out at, distance 0.5", (38.0, 0.5), || spot(0.5)),
+    exact(
+        "scaled to unit length beforehand, a light comes out where it is (our question, not a claim)",
+        "degrees that 60 come out at, distance 10",
+        (60.0, 1e-9),
+        || scaled_spot(10.0),
+        |degrees| Ruling::of((degrees - 60.0).abs() < 1e-9, "it is elsewhere"),
+    ),
+    exact("and so does an eye, by (38)", "largest difference, distance 10", (0.0, 1e-13), scaled_view, equal),
 ];

@@ -1,7 +1,9 @@
 //! The lecture: arcs against chords, Newton's root, an exercise.
 use glam::DVec3;
+use specula_golden::exact::direct::{kappa, length_squared};
 use specula_golden::exact::newton::lengths;
 use specula_golden::exact::slerp::{slerp, weights};
+use specula_golden::exact::specular::{fast, textbook};
 use specula_scene::spec::FULL_SCALE;
 
 use super::claim::{Claim, Ruling, exact};
@@ -26,6 +28,24 @@ fn newton_error(degrees: f64, spans: u32, steps: u32) -> f64 {
         (normal / length - 1.0).abs()
     };
     FULL_SCALE * lengths(ends, spans, steps).enumerate().map(off).fold(0.0, f64::max)
+}
+
+/// The largest difference of (4.6), of normals of any length, from (4.5) of unit normals.
+fn any_length() -> f64 {
+    largest(|t| {
+        let (normal, light) = (turned(DVec3::Z, 1.5 * t, 7.0 * t), turned(DVec3::Z, 3.0 * t, 0.2));
+        (fast((0.1 + t) * normal, light) - textbook(normal, light)).abs()
+    })
+}
+
+/// The largest difference of 1 - κt(1 - t) from N·N between unit normals that are `degrees` apart.
+fn square(degrees: f64) -> f64 {
+    let ends = [tilted(-degrees / 2.0), tilted(degrees / 2.0)];
+    largest(|t| (length_squared([1.0; 2], kappa(ends), t) - ends[0].lerp(ends[1], t).length_squared()).abs())
+}
+
+const fn same(what: &'static str, quantity: &'static str, measure: fn() -> f64) -> Claim {
+    exact(what, quantity, (0.0, 1e-14), measure, |error| Ruling::of(error < 1e-14, "they differ"))
 }
 
 /// The largest angle in degrees between the normals at a triangle's centre that scan lines in three directions give, its vertex normals
@@ -65,11 +85,13 @@ const ONE: &str = "Newton's root needs few steps: one";
 const TWO: &str = "Newton's root needs few steps: two";
 
 /// By the criterion of half an LSB of diffuse light where nothing else is said.
-pub(super) const CLAIMS: [Claim; 12] = [
+pub(super) const CLAIMS: [Claim; 14] = [
     difference("largest angle between them in degrees, span of 10", (0.0049, 5e-5), || apart(10.0)),
     difference("largest angle between them in degrees, span of 30", (0.134, 5e-4), || apart(30.0)),
     difference("largest angle between them in degrees, span of 60", (1.12, 5e-3), || apart(60.0)),
     difference("largest angle between them in degrees, span of 90", (4.07, 5e-3), || apart(90.0)),
+    same("(4.6) is (4.5) for N of any length", "largest difference", any_length),
+    same("N.N is 1 - kappa t (1 - t) (our extension, not a claim)", "largest difference, 150 degrees", || square(150.0)),
     few(ONE, "largest error in LSB, 90 degrees in 2 steps of a pixel", (14.6, 0.1), || newton_error(90.0, 2, 1)),
     few(ONE, "largest error in LSB, 90 degrees in 16", (0.49, 0.1), || newton_error(90.0, 16, 1)),
     few(TWO, "largest error in LSB, 90 degrees in 2", (0.41, 0.1), || newton_error(90.0, 2, 2)),

@@ -2,14 +2,15 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 
 use glam::DVec3;
-use specula_golden::exact::differences::{d1, d2};
+use specula_golden::exact::differences::{d1, d2, d3};
 use specula_golden::exact::distributions::{Formulation, formulation, torrance_sparrow};
 use specula_golden::exact::reflection::{halfway, reflect, reflection_minus_light};
+use specula_golden::exact::root_shininess;
 use specula_golden::exact::shape::{f_k, power};
 
 use super::super::claim::{Claim, Ruling, exact};
 use super::super::{HALF_LSB, largest};
-use crate::stress::draw::tilted;
+use crate::stress::draw::{tilted, turned};
 
 /// |D| where R and L are `angle` radians apart.
 fn chord(angle: f64) -> f64 {
@@ -49,6 +50,25 @@ fn d1_from_d2(length: f64) -> f64 {
     })
 }
 
+/// The largest difference of D1·D1 from D3·D3 + (V·N - L·N)², the light going round the eye as it goes down.
+fn d1_from_d3() -> f64 {
+    let normal = turned(DVec3::Z, 1.0, 0.3);
+    largest(|t| {
+        let light = turned(DVec3::Z, PI * t, 5.0 * t);
+        let across = normal.dot(DVec3::Z) - normal.dot(light);
+        (d1(normal, light).length_squared() - d3(normal, light).length_squared() - across * across).abs()
+    })
+}
+
+/// The largest difference of f_1 by figure 8's small squares of m D, m = √n, from (1 - x/2)² of x = n/2 D·D.
+fn small_squares(n: u32) -> f64 {
+    let normal = turned(DVec3::Z, 0.2, 0.1);
+    largest(|t| {
+        let d = reflection_minus_light(normal, turned(reflect(normal), 0.2 * t, 3.0 * t));
+        (root_shininess::highlight(f64::from(n).sqrt(), d) - f_k(f64::from(n) / 2.0 * d.length_squared(), 1)).abs()
+    })
+}
+
 /// The largest difference of Blinn's D2 from his D1, cos^4n of the angle to the half-way vector.
 fn gaussian_from_power(n: u32) -> f64 {
     largest(|t| {
@@ -80,7 +100,7 @@ const fn row_10(quantity: &'static str, expected: (f64, f64), measure: fn() -> f
 }
 
 /// In units of full scale unless they say otherwise.
-pub const CLAIMS: [Claim; 22] = [
+pub const CLAIMS: [Claim; 24] = [
     exact("|D| is 2 sin(alpha/2)", "largest difference", (0.0, 5e-15), chord_error, |error| {
         Ruling::of(error < 5e-15, "it differs")
     }),
@@ -180,6 +200,16 @@ pub const CLAIMS: [Claim; 22] = [
                 Ruling::HoldsWithin("what he says: \"ignoring normalization imperfections\"")
             }
         },
+    ),
+    exact("D1.D1 is D3.D3 + (V.N - L.N)^2, so D3 is never longer", "largest difference", (0.0, 5e-15), d1_from_d3, |error| {
+        Ruling::of(error < 5e-15, "it differs")
+    }),
+    exact(
+        "figure 8's squares of m D give the f_1 of n D.D",
+        "largest difference, n = 256",
+        (0.0, 1e-13),
+        || small_squares(256),
+        |error| Ruling::of(error < 1e-13, "they differ"),
     ),
     exact(
         "Blinn's D2 is his D1 for large n",

@@ -2,7 +2,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
-use specula_golden::exact::consistent::{Scaling, cos_gamma, pixel_angle, q, rational_q, reflection, vertex_angle};
+use specula_golden::exact::consistent::{Scaling, cos_gamma, cosine, normal, pixel_angle, q, rational_q, reflection, vertex_angle};
 use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
 
@@ -75,13 +75,23 @@ fn above_least(curve: fn(f64) -> f64) -> f64 {
     largest(|t| along_beta(curve, FRAC_PI_2 * t, 1.0) - libm::sin(FRAC_PI_2 * t))
 }
 
+/// The largest difference of N_c·I from |I + r|/2, I before the interpolated normal.
+fn half_length(curve: fn(f64) -> f64) -> f64 {
+    over(|alpha, t| {
+        let (n, incoming) = (tilted(alpha.to_degrees()), tilted(alpha.to_degrees() - 89.0 * t));
+        let reflected = reflection(n, incoming, curve(alpha));
+        let of_vector = normal(incoming, reflected).map_or(0.0, |n_c| n_c.dot(incoming));
+        (of_vector - cosine(incoming, reflected)).abs()
+    })
+}
+
 const fn goal(what: &'static str, quantity: &'static str, measure: fn() -> f64) -> Claim {
     // NUMERICS: all to 1e-15, of numbers up to 4.
     Claim { what, quantity, on: Ground::Exact, expected: (0.0, 4e-15), measure, judge: |off| Ruling::of(off < 4e-15, "it is more") }
 }
 
 /// The goals; one number for both curves where both reach it.
-pub const CLAIMS: [Claim; 8] = [
+pub const CLAIMS: [Claim; 9] = [
     goal("goal 1: r is continuous across edges", "largest jump between faces of an icosahedron", || {
         let mesh = Primitive::Icosahedron { level: 0 };
         f64::max(jump(mesh, q, Scaling::TRIGONOMETRIC_LINEAR), jump(mesh, rational_q, Scaling::RATIONAL))
@@ -114,4 +124,5 @@ pub const CLAIMS: [Claim; 8] = [
             _ => Ruling::HoldsWithin("0.0212: r stays a little outside the face there"),
         },
     },
+    goal("(8): N_c.I is |I + r|/2", "largest difference", || by_both(half_length)),
 ];

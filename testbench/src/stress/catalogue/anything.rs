@@ -6,7 +6,6 @@ use super::{Case, Draw, Extent, RawSpan, Row, SpanScene, scenes};
 pub const ANYTHING: Row = Row {
     id: "any",
     input: "random normals near each other, anywhere and opposite, random weights and cones, one to four lights anywhere",
-    wanted: "what is wanted everywhere",
     trial: scenes(|draw, extent| {
         let frames = 1 + extent.spans / 16;
         (0..frames).map(|_| Case::new(scene(draw, extent))).collect()

@@ -16,7 +16,7 @@ mod viewpoints;
 mod wrapped;
 
 use super::draw::Draw;
-use super::row::{Case, Extent, Row, Trial, scenes};
+use super::row::{Case, Extent, Pixel, Row, Trial, all, scenes};
 use super::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
 use super::variant::Variant;
 
@@ -85,6 +85,11 @@ pub static CATALOGUE: [&Row; 62] = [
     &breaks::WRAPPED_HIGHLIGHT,
     &anything::ANYTHING,
 ];
+
+/// A scene of which all spans have the same code from end to end.
+fn flat_from_end_to_end(scene: SpanScene) -> Case {
+    Case::new(scene).asking("one code from end to end, bit for bit", all, |pixel| pixel.code() == Pixel { i: 0, ..*pixel }.code())
+}
 
 /// Random spans of a row: angles between their ends from `degrees`, half the time at one of its ends, and every length and exponent.
 fn spans(draw: &mut Draw, extent: Extent, degrees: [f64; 2], material: fn(u32) -> specula_scene::Material) -> Vec<RawSpan> {

@@ -1,10 +1,10 @@
 //! Newton's steps towards a length.
 use specula_scene::spec::lyon::Normals;
-use specula_scene::{Method, MethodSpec};
+use specula_scene::{CoreSpec, Method, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::{Pixel, Place, Shaded};
-use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, spans};
+use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, all, lit, spans};
 
 fn steps() -> Vec<Variant> {
     let lyon = (0..=3).map(|n| Variant { method: Method::Lyon, table: format!("newton_steps = {n}\n") });
@@ -20,37 +20,34 @@ fn roots() -> impl Iterator<Item = Variant> {
 pub const FIRST_PIXEL: Row = Row {
     id: "18",
     input: "90 degrees in 1, 2 and 3 steps; the first pixel of a span",
-    wanted: "the first pixel is right; lyon and direct with two steps or more within 2 codes of exact diffuse light everywhere",
     trial: Trial::Scenes {
         cases: |_, _| {
             let span = |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, super::matt());
             let scene = SpanScene::new(&[tilted(30.0)], [2, 3, 4, 5].map(span).into());
-            vec![Case { scene, want: Box::new(two_steps_suffice) }]
+            let what = "with two steps or more within 2 LSB of exact diffuse light everywhere";
+            let first = |pixel: &Pixel| pixel.i > 0 || pixel.is_within(2.0, pixel.method());
+            vec![
+                Case::new(scene)
+                    .asking("the first pixel is the method's", all, first)
+                    .asking(what, has_two_steps, |pixel| pixel.is_within(2.0, pixel.exact())),
+            ]
         },
         variants: steps,
     },
 };
 
-fn two_steps_suffice(shaded: &Shaded) -> Option<Place> {
-    let suffices = match &shaded.spec.method {
+fn has_two_steps(spec: &CoreSpec) -> bool {
+    match &spec.method {
         MethodSpec::Lyon(lyon) => lyon.normals == Normals::Linear && lyon.newton_steps >= 2,
         MethodSpec::Direct(direct) => direct.newton_steps >= 2,
         _ => false,
-    };
-    shaded.frame.spans.iter().enumerate().filter(|_| suffices).find_map(|(number, span)| {
-        let off = |&i: &u32| {
-            let pixel = Pixel { shaded, span, i };
-            !pixel.is_within(2.0, pixel.exact())
-        };
-        (0..span.length).find(off).map(|pixel| Place { span: number, pixel })
-    })
+    }
 }
 
 /// Row 19.
 pub const ALMOST_OPPOSITE: Row = Row {
     id: "19",
     input: "170 to 179.9 degrees: lengths near 0",
-    wanted: "no division by 0, no loop without end; errors within bounds that say so",
     trial: Trial::Scenes {
         cases: |draw, extent| {
             let span = |degrees: f64| RawSpan::between([tilted(-degrees / 2.0), tilted(degrees / 2.0)], 65, lit(16));
@@ -66,13 +63,16 @@ pub const ALMOST_OPPOSITE: Row = Row {
 pub const NEW_SPAN: Row = Row {
     id: "20",
     input: "a span, then one of quite another length of normals, then the first again",
-    wanted: "the second time as the first: a span leaves nothing behind",
     trial: Trial::Scenes {
         cases: |draw, extent| {
             let mut all = spans(draw, extent, [0.0, 179.0], lit);
             all.truncate(12);
             let scene = aimed(draw, all.iter().chain(&all).cloned().collect());
-            vec![Case { scene, want: Box::new(first_that_differs) }]
+            vec![Case::new(scene).asking_frame(
+                "the second time as the first: a span leaves nothing behind",
+                super::all,
+                first_that_differs,
+            )]
         },
         variants: || roots().collect(),
     },

@@ -1,30 +1,26 @@
 //! Normals that oppose each other along a span.
 use glam::DVec3;
-use specula_scene::Method;
+use specula_scene::{CoreSpec, Method};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;
 use super::{Case, Draw, Extent, RawSpan, Row, SpanScene, aimed, lit, mirror, scenes, spans};
 
 /// Row 1.
-pub const LERP: Row = Row {
-    id: "1",
-    input: "N0 = -N1, t = 1/2 a pixel or not",
-    wanted: "a normal of no length gives ambient light where the method has one (lyon, phong); others something defined",
-    trial: scenes(|draw, extent| opposite(draw, extent, lit(16), is_ambient_in_the_middle)),
-};
+pub const LERP: Row =
+    Row { id: "1", input: "N0 = -N1, t = 1/2 a pixel or not", trial: scenes(|draw, extent| opposite(draw, extent, lit(16))) };
 
 /// Row 2.
 pub const DUFF: Row = Row {
     id: "2",
     input: "N0 = -N1 along an axis: q = 0 at a pixel",
-    wanted: "q never negative; duff gives ambient light there",
     trial: scenes(|_, _| {
         let span = |length| RawSpan::between([DVec3::Z, -DVec3::Z], length, lit(16));
         let scene = SpanScene::new(&[DVec3::Z], [3, 5, 9, 257].map(span).into());
         let longest = SpanScene::new(&[DVec3::Z], vec![RawSpan::between([DVec3::Z, -DVec3::Z], 8191, lit(16))]);
-        let ambient = |pixel: &Pixel| !(is_middle(pixel) && method(pixel) == Method::Duff) || pixel.code() == pixel.ambient();
-        vec![Case::wanting(scene, ambient), Case::new(longest)]
+        let is_duff = |spec: &CoreSpec| spec.method() == Method::Duff;
+        let ambient = |pixel: &Pixel| !is_middle(pixel) || pixel.code() == pixel.ambient();
+        vec![Case::new(scene).asking("ambient light alone where q = 0", is_duff, ambient), Case::new(longest)]
     }),
 };
 
@@ -32,7 +28,6 @@ pub const DUFF: Row = Row {
 pub const WIDE: Row = Row {
     id: "3",
     input: "spans of 150 to 175 degrees",
-    wanted: "errors within bounds that say so",
     trial: scenes(|draw, extent| {
         let fixed = [1, 256, 4096].map(|n| RawSpan::between([tilted(-75.0), tilted(75.0)], 300, mirror(n)));
         let random = spans(draw, extent, [150.0, 175.0], lit);
@@ -44,21 +39,16 @@ pub const WIDE: Row = Row {
 pub const HYBRID: Row = Row {
     id: "4",
     input: "q = 0 in the middle of a span with nothing but highlight",
-    wanted: "no highlight there (hybrid, direct), and that of the ends",
     trial: scenes(|_, _| {
         let span = |length| RawSpan::between([DVec3::Z, -DVec3::Z], length, mirror(16));
-        let holds = |pixel: &Pixel| match method(pixel) {
-            Method::Hybrid | Method::Direct if is_middle(pixel) => pixel.code() == 0,
-            Method::Hybrid | Method::Direct if pixel.is_end() => pixel.code() == 255,
-            _ => true,
-        };
-        vec![Case::wanting(SpanScene::new(&[DVec3::Z], [3, 5, 9, 257].map(span).into()), holds)]
+        let divides = |spec: &CoreSpec| matches!(spec.method(), Method::Hybrid | Method::Direct);
+        let scene = SpanScene::new(&[DVec3::Z], [3, 5, 9, 257].map(span).into());
+        let case = Case::new(scene)
+            .asking("no highlight where q = 0", divides, |pixel| !is_middle(pixel) || pixel.code() == 0)
+            .asking("all of it at the ends", divides, |pixel| !pixel.is_end() || pixel.code() == 255);
+        vec![case]
     }),
 };
-
-fn method(pixel: &Pixel) -> Method {
-    pixel.shaded.spec.method()
-}
 
 fn is_middle(pixel: &Pixel) -> bool {
     pixel.span.length % 2 == 1 && pixel.i == pixel.span.length / 2
@@ -66,17 +56,18 @@ fn is_middle(pixel: &Pixel) -> bool {
 
 /// Exact shading of the middle is ambient light, and so is what these methods give.
 fn is_ambient_in_the_middle(pixel: &Pixel) -> bool {
-    let vanishes = is_middle(pixel) && matches!(method(pixel), Method::Lyon | Method::Phong);
-    // Of a method that has a direction there, such as flat or wrapped normals, it is not wanted.
-    !(vanishes && pixel.method() == f64::from(pixel.ambient())) || pixel.code() == pixel.ambient()
+    // Of options that have a direction there, such as flat or wrapped normals, it is not asked.
+    !(is_middle(pixel) && pixel.method() == f64::from(pixel.ambient())) || pixel.code() == pixel.ambient()
 }
 
-fn opposite(draw: &mut Draw, extent: Extent, of: specula_scene::Material, holds: fn(&Pixel) -> bool) -> Vec<Case> {
+fn opposite(draw: &mut Draw, extent: Extent, of: specula_scene::Material) -> Vec<Case> {
     let directions = [DVec3::X, DVec3::Y, DVec3::Z, tilted(40.0), tilted(20.0)];
     let fixed = directions.iter().flat_map(|&first| [3, 4, 33, 257].map(|length| (first, length)));
     let random: Vec<(DVec3, u32)> = (0..extent.spans).map(|_| (draw.direction(), draw.length(extent.longest))).collect();
     let span = |(first, length): (DVec3, u32)| RawSpan::between([first, -first], length, of.clone());
     let fixed = SpanScene::new(&[tilted(30.0)], fixed.map(span).collect());
     let random = SpanScene::new(&[draw.direction(), draw.direction()], random.into_iter().map(span).collect());
-    vec![Case::wanting(fixed, holds), Case::new(random)]
+    let vanishes = |spec: &CoreSpec| matches!(spec.method(), Method::Lyon | Method::Phong);
+    let what = "ambient light alone where the normal vanishes";
+    vec![Case::new(fixed).asking(what, vanishes, is_ambient_in_the_middle), Case::new(random)]
 }

@@ -1,7 +1,7 @@
 //! Lights and eyes at places.
 use glam::DVec3;
-use specula_scene::MethodSpec;
 use specula_scene::spec::phong::{Highlight, Places};
+use specula_scene::{CoreSpec, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;
@@ -16,9 +16,17 @@ fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {
 }
 
 /// Whether this is Phong's own highlight with true directions, which exact shading has.
-fn is_phongs(pixel: &Pixel) -> bool {
-    match &pixel.shaded.spec.method {
+fn is_phongs(spec: &CoreSpec) -> bool {
+    match &spec.method {
         MethodSpec::Phong(phong) => phong.highlight == Highlight::Reflection && phong.places == Places::Exact,
+        _ => false,
+    }
+}
+
+/// The same with wrapped directions, which are true at the ends of a span alone.
+fn is_wrapped(spec: &CoreSpec) -> bool {
+    match &spec.method {
+        MethodSpec::Phong(phong) => phong.highlight == Highlight::Reflection && phong.places == Places::Wrapped,
         _ => false,
     }
 }
@@ -27,12 +35,14 @@ fn is_phongs(pixel: &Pixel) -> bool {
 pub const IN_THE_SURFACE: Row = Row {
     id: "39",
     input: "a light at the very pixel, F = P; an eye there",
-    wanted: "no NaN: no light from it, and no highlight for the eye",
     trial: scenes(|_, _| {
         // The light grazes the wall from within it.
-        let light = Case::wanting(wall(vec![Light::At(DVec3::ZERO)], None), |pixel| !is_phongs(pixel) || pixel.code() == 0);
-        let diffuse_alone = |pixel: &Pixel| !is_phongs(pixel) || pixel.i != 2 || pixel.code() == 128;
-        vec![light, Case::wanting(wall(vec![Light::At(DVec3::Z)], Some(DVec3::ZERO)), diffuse_alone)]
+        let dark = |pixel: &Pixel| pixel.code() == 0;
+        let light =
+            Case::new(wall(vec![Light::At(DVec3::ZERO)], None)).asking("nothing from a light at the pixel", is_phongs, dark);
+        let eye = Case::new(wall(vec![Light::At(DVec3::Z)], Some(DVec3::ZERO)));
+        let diffuse_alone = |pixel: &Pixel| pixel.i != 2 || pixel.code() == 128;
+        vec![light, eye.asking("no highlight for an eye at the pixel", is_phongs, diffuse_alone)]
     }),
 };
 
@@ -40,12 +50,13 @@ pub const IN_THE_SURFACE: Row = Row {
 pub const FAR: Row = Row {
     id: "40",
     input: "a light 60 degrees aside, a quarter to ten thousand units away; spots and eyes anywhere",
-    wanted: "directions are those of the true vectors: within a code of exact shading",
     trial: scenes(|draw, extent| {
         let at = |distance: f64| {
-            Case::wanting(wall(vec![Light::At(distance * tilted(60.0))], None), |pixel| {
-                !is_phongs(pixel) || pixel.is_within(1.0, pixel.exact())
-            })
+            let near = |pixel: &Pixel| pixel.is_within(1.0, pixel.exact());
+            let ends = |pixel: &Pixel| !pixel.is_end() || pixel.is_within(1.0, pixel.exact());
+            Case::new(wall(vec![Light::At(distance * tilted(60.0))], None))
+                .asking("true directions: within 1 LSB of exact shading", is_phongs, near)
+                .asking("wrapped directions: within 1 LSB of exact shading at both ends", is_wrapped, ends)
         };
         let fixed = [0.25, 1.0, 10.0, 1e4].map(at).into_iter();
         let random: Vec<Case> = (0..1 + extent.spans / 8).map(|_| Case::new(anywhere(draw, extent.longest))).collect();

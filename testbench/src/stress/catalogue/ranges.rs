@@ -2,13 +2,12 @@
 use glam::DVec3;
 
 use super::super::draw::{AXES, tilted};
-use super::{Case, RawSpan, Row, SpanScene, material, matt, mirror, scenes};
+use super::{Case, RawSpan, Row, SpanScene, all, material, matt, mirror, scenes};
 
 /// Row 26.
 pub const LONGER_THAN_ONE: Row = Row {
     id: "26",
     input: "unit normals that come out longer when rounded, every 3 degrees and in random directions",
-    wanted: "z above 1 and y below 0 are counted right",
     trial: scenes(|draw, extent| {
         let flat = |normal| RawSpan::between([normal; 2], 2, mirror(256));
         let fixed = (1..30).map(|k| flat(tilted(3.0 * f64::from(k))));
@@ -22,11 +21,10 @@ pub const LONGER_THAN_ONE: Row = Row {
 pub const ALONG_AXES: Row = Row {
     id: "29",
     input: "normals and lights along every axis, both ways",
-    wanted: "1.0 and -1.0 can be held: 255 where they meet, 0 elsewhere",
     trial: scenes(|_, _| {
         let case = |&light: &DVec3| {
             let scene = SpanScene::new(&[light], AXES.map(|normal| RawSpan::between([normal; 2], 2, matt())).into());
-            Case::wanting(scene, |pixel| f64::from(pixel.code()) == pixel.exact())
+            Case::new(scene).asking("255 where they meet, 0 elsewhere", all, |pixel| f64::from(pixel.code()) == pixel.exact())
         };
         AXES.iter().map(case).collect()
     }),
@@ -36,11 +34,12 @@ pub const ALONG_AXES: Row = Row {
 pub const BRIGHT: Row = Row {
     id: "white",
     input: "four lights at full scale on a surface that sends back all of them, four times as bright in its highlight; and none of it",
-    wanted: "white and black, not wrapped around",
     trial: scenes(|_, _| {
         let white = RawSpan::between([DVec3::Z; 2], 3, material(1.0, 1.0, 4.0, 64));
         let black = RawSpan::between([tilted(-40.0), tilted(40.0)], 20, material(0.0, 0.0, 0.0, 1));
-        let case = |span, code| Case::wanting(SpanScene::new(&[DVec3::Z; 4], vec![span]), move |pixel| pixel.code() == code);
-        vec![case(white, 255), case(black, 0)]
+        let case = |what, span, code| {
+            Case::new(SpanScene::new(&[DVec3::Z; 4], vec![span])).asking(what, all, move |pixel| pixel.code() == code)
+        };
+        vec![case("white where all light comes back", white, 255), case("black where none does", black, 0)]
     }),
 };

@@ -3,12 +3,14 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use specula_scene::spec::{FULL_SCALE, SlerpSpec};
-use specula_scene::{Method, MethodSpec};
+use specula_scene::{CoreSpec, Method, MethodSpec};
 
 use super::super::draw::{AXES, tilted};
 use super::super::row::{Pixel, Place, Shaded};
 use super::super::scene::matt;
-use super::{Case, Draw, Extent, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, material, scenes, spans};
+use super::{
+    Case, Draw, Extent, RawSpan, Row, SpanScene, Trial, Variant, aimed, flat_from_end_to_end, lit, material, scenes, spans,
+};
 
 /// The normal itself, in both frames.
 fn vectors() -> Vec<Variant> {
@@ -25,11 +27,10 @@ const fn of_vectors(cases: fn(&mut Draw, Extent) -> Vec<Case>) -> Trial {
 pub const NO_ANGLE: Row = Row {
     id: "13",
     input: "N0 = N1: sin f = 0",
-    wanted: "one code from end to end, slerp within a code of exact shading",
     trial: of_vectors(|_, _| {
         let span = |length| RawSpan::between([tilted(33.0); 2], length, lit(64));
         let scene = SpanScene::new(&[tilted(50.0)], [2, 17, 1000].map(span).into());
-        vec![Case::wanting_flat(scene.clone()), Case::wanting(scene, slerp_is_exact)]
+        vec![flat_from_end_to_end(scene).asking(SLERP_IS_EXACT, is_slerp, slerp_is_exact)]
     }),
 };
 
@@ -37,11 +38,14 @@ pub const NO_ANGLE: Row = Row {
 pub const HALF_A_TURN: Row = Row {
     id: "14",
     input: "N0 = -N1: an arc in any plane",
-    wanted: "slerp turns in one of the planes through both, at a steady pace",
     trial: of_vectors(|_, _| {
         let case = |first: DVec3| {
             let span = |length| RawSpan::between([first, -first], length, matt());
-            Case::wanting(SpanScene::new(&[first], [2, 3, 65].map(span).into()), turns_steadily)
+            Case::new(SpanScene::new(&[first], [2, 3, 65].map(span).into())).asking(
+                "an arc at a steady pace, in one of the planes through both",
+                is_slerp,
+                turns_steadily,
+            )
         };
         AXES.iter().copied().chain([tilted(40.0), -tilted(70.0)]).map(case).collect()
     }),
@@ -49,23 +53,30 @@ pub const HALF_A_TURN: Row = Row {
 
 fn turns_steadily(pixel: &Pixel) -> bool {
     let angle = PI * f64::from(pixel.i) / f64::from(pixel.span.length - 1);
-    pixel.shaded.spec.method() != Method::Slerp || pixel.is_within(1.0, 255.0 * libm::cos(angle).max(0.0))
+    pixel.is_within(1.0, 255.0 * libm::cos(angle).max(0.0))
+}
+
+fn is_slerp(spec: &CoreSpec) -> bool {
+    spec.method() == Method::Slerp
 }
 
 /// Row 15.
 pub const SMALL_ANGLE: Row = Row {
     id: "15",
     input: "0.01 degrees and less, which an arc cosine of a rounded cosine loses; 0 to 10 degrees",
-    wanted: "slerp within a code of exact shading; within what a chord leaves of a highlight, 2.5 codes at n = 256, where it interpolates linearly",
     trial: of_vectors(|draw, extent| {
         let span = |degrees: f64| RawSpan::between([tilted(10.0), tilted(10.0 + degrees)], 250, lit(256));
         let random = [0.0, 1e-3, 0.1, 3.0].map(|_| draw.within(0.0, 10.0)).map(span);
         let fixed = [0.0, 1e-9, 1e-5, 0.01, 9.9, 10.1].map(span);
         let all = fixed.into_iter().chain(random).collect();
         let many = spans(draw, extent, [0.0, 10.0], lit);
-        vec![Case::wanting(SpanScene::new(&[tilted(21.0)], all), slerp_is_exact), Case::new(aimed(draw, many))]
+        let fixed = Case::new(SpanScene::new(&[tilted(21.0)], all)).asking(SLERP_IS_EXACT, is_slerp, slerp_is_exact);
+        vec![fixed, Case::new(aimed(draw, many))]
     }),
 };
+
+const SLERP_IS_EXACT: &str =
+    "within 1 LSB of exact shading, and what a chord leaves of a highlight where it is one (2.5 LSB at n = 256)";
 
 fn slerp_is_exact(pixel: &Pixel) -> bool {
     match &pixel.shaded.spec.method {
@@ -86,13 +97,14 @@ fn chord(slerp: &SlerpSpec, n: u32) -> f64 {
 pub const FROZEN: Row = Row {
     id: "16",
     input: "1 degree in 16 steps with 8 fraction bits: the sine of a step rounds to 0",
-    wanted: "the frozen normal is off by no more than the angle, and within the bound",
     trial: Trial::Scenes {
         cases: |_, _| {
             let span = RawSpan::between([tilted(44.0), tilted(45.0)], 17, matt());
-            let near =
-                |pixel: &Pixel| pixel.shaded.spec.method() != Method::Slerp || pixel.is_within(255.0 * 0.0175 + 1.0, pixel.exact());
-            vec![Case::wanting(SpanScene::new(&[DVec3::Z], vec![span]), near)]
+            // A frozen normal stays where it is, up to 1 degree away.
+            let frozen = 255.0 * 1f64.to_radians() + 1.0;
+            let near = move |pixel: &Pixel| pixel.is_within(frozen, pixel.exact());
+            let what = "no farther than a degree of exact diffuse light, 5.5 LSB";
+            vec![Case::new(SpanScene::new(&[DVec3::Z], vec![span])).asking(what, is_slerp, near).with_figure(is_slerp, frozen)]
         },
         variants: || {
             let formats = ["turn = \"S1.8\"", "state = \"S1.8\"", "weight = \"S1.8\""].map(|f| format!("formats.{f}\n")).concat();
@@ -106,11 +118,11 @@ pub const FROZEN: Row = Row {
 pub const ORIENTATION: Row = Row {
     id: "17",
     input: "the middle of a triangle of 30, 60 and 90 degrees, scanned along its three medians",
-    wanted: "lerp (phong) has one code there; slerp may have three, which is documented and no error",
     trial: scenes(|_, _| {
         let angles = [30.0, 60.0, 90.0];
         let scene = SpanScene::new(&[tilted(35.0)], angles.iter().flat_map(|&degrees| medians(degrees)).collect());
-        vec![Case { scene, want: Box::new(centres_agree) }]
+        let is_lerp = |spec: &CoreSpec| spec.method() == Method::Phong;
+        vec![Case::new(scene).asking_frame("one code in the middle, whichever way it is scanned", is_lerp, centres_disagree)]
     }),
 };
 
@@ -127,18 +139,16 @@ fn medians(degrees: f64) -> [RawSpan; 3] {
     })
 }
 
-fn centres_agree(shaded: &Shaded) -> Option<Place> {
+fn centres_disagree(shaded: &Shaded) -> Option<Place> {
     let code = |number: usize| Pixel { shaded, span: &shaded.frame.spans[number], i: 1 }.code();
     let differs = |number: &usize| code(*number).abs_diff(code(number / 3 * 3)) > 1;
-    let is_lerp = shaded.spec.method() == Method::Phong;
-    (0..shaded.frame.spans.len()).find(|number| is_lerp && differs(number)).map(|span| Place { span, pixel: 1 })
+    (0..shaded.frame.spans.len()).find(differs).map(|span| Place { span, pixel: 1 })
 }
 
 /// Row 36.
 pub const ARC_COSINE: Row = Row {
     id: "36",
     input: "normals whose dot product rounds to 1 and beyond",
-    wanted: "no arc cosine of more than 1; one code from end to end but for rounding",
     trial: of_vectors(|draw, extent| {
         let one = |direction: DVec3| {
             let other = (direction + 1e-16 * DVec3::new(1.0, -1.0, 0.5)).normalize();
@@ -146,8 +156,10 @@ pub const ARC_COSINE: Row = Row {
         };
         let directions = (0..8 + extent.spans).map(|_| draw.direction());
         let all = directions.map(one).collect();
-        vec![Case::wanting(SpanScene::new(&[tilted(20.0)], all), |pixel| {
-            pixel.code().abs_diff(Pixel { i: 0, ..*pixel }.code()) <= 1
-        })]
+        vec![Case::new(SpanScene::new(&[tilted(20.0)], all)).asking(
+            "one code from end to end, or the next to it",
+            super::all,
+            |pixel| pixel.code().abs_diff(Pixel { i: 0, ..*pixel }.code()) <= 1,
+        )]
     }),
 };

@@ -1,4 +1,6 @@
-//! docs/equations.md against the source: every equation of METHODS.md has a row, and what a row names is there.
+//! docs/equations.md against the source: every equation of METHODS.md has a row, and what a row names is there, and is called.
+mod calls;
+
 use std::path::Path;
 
 use specula_scene::Method;
@@ -136,6 +138,35 @@ fn every_file_and_item_is_there() {
     let rows = rows();
     let absent: Vec<String> = rows.iter().flat_map(|row| &row.cells).flat_map(absent).collect();
     assert!(rows.len() > 60 && absent.is_empty(), "{} rows\n{}", rows.len(), absent.join("\n"));
+}
+
+/// A formula that nothing runs says nothing about what is run: those in f64 are called by a method, a loop, a claim or a command.
+#[test]
+fn every_function_in_f64_is_called() {
+    let calls = calls::Calls::read(Path::new(ROOT));
+    let uncalled: Vec<_> = calls.functions.difference(&calls.reached).collect();
+    assert!(
+        calls.functions.len() > 60 && uncalled.is_empty(),
+        "{} functions, of which tests alone call {uncalled:?}",
+        calls.functions.len()
+    );
+    let rows = rows();
+    let exact = rows.iter().filter_map(|row| row.cells.iter().find(|cell| cell.is("exact")));
+    let named = exact.flat_map(functions_of).filter(|function| calls.functions.contains(function)).count();
+    assert!(named > 40, "docs/equations.md names {named} of them");
+}
+
+/// The functions that a cell of the column of f64 names.
+fn functions_of(cell: &Cell) -> Vec<(String, String)> {
+    let mut module = String::new();
+    let mut functions = Vec::new();
+    for name in quoted(&cell.title).into_iter().chain(quoted(&cell.text)) {
+        match Path::new(name).file_stem().filter(|_| is_file(name)) {
+            Some(stem) => module = stem.to_string_lossy().into_owned(),
+            None => functions.push((module.clone(), name.to_owned())),
+        }
+    }
+    functions
 }
 
 #[test]
