@@ -32,19 +32,22 @@ pub struct Arguments {
     /// A waveform: VCD or FST, of any tool; `-` is standard input
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Draw signals whose full names match, such as 'teapot.normalise.*' (`*` and `?`; can be given more than once)
+    /// Draw signals whose full names match, such as 'teapot.normalise.*' (`*` and `?`; can be given
+    /// more than once)
     #[arg(long, value_name = "GLOB")]
     signals: Vec<String>,
     /// Draw signals of the unit with this name
     #[arg(long, value_name = "NAME")]
     unit: Option<String>,
-    /// First clock to be drawn, or first time [default: around the save file's marker, or the file's begin]
+    /// First clock to be drawn, or first time [default: around the save file's marker, or the
+    /// file's begin]
     #[arg(long, value_name = "A")]
     from: Option<u64>,
     /// Last clock to be drawn, or last time
     #[arg(long, value_name = "B")]
     to: Option<u64>,
-    /// Width: characters in a line of text [default: the terminal's, or 120], or pixels of a picture
+    /// Width: characters in a line of text [default: the terminal's, or 120], or pixels of a
+    /// picture
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(WIDTH_ASKED))]
     width: Option<u32>,
     /// Picture to write, .svg or .png [default: text on standard output]

@@ -91,8 +91,8 @@ impl Dump {
         self.contents.time_unit.clone().unwrap_or_else(|| "unknown units".to_owned())
     }
 
-    /// The values of some variables in `window`, in order; a time before the first value has none, and the
-    /// last one holds until `end`.
+    /// The values of some variables in `window`, in order; a time before the first value has none,
+    /// and the last one holds until `end`.
     ///
     /// # Errors
     /// [`WaveError`] if they cannot be read, or are far too many.

@@ -1,4 +1,5 @@
-//! What is drawn: rows of values over time. Text and pictures are made of this, and of nothing else.
+//! What is drawn: rows of values over time. Text and pictures are made of this, and of nothing
+//! else.
 use std::ops::Range;
 
 use super::segments::Segment;
@@ -100,8 +101,9 @@ impl Figure {
         self.groups.iter().flat_map(|group| &group.rows)
     }
 
-    /// The number of characters that a column needs for the longest value if none may have more than `most`, and
-    /// none that can be rounded more than `rounded`. A value that lasts several columns has the room of all.
+    /// The number of characters that a column needs for the longest value if none may have more
+    /// than `most`, and none that can be rounded more than `rounded`. A value that lasts several
+    /// columns has the room of all.
     pub fn longest_value(&self, rounded: usize, most: usize) -> usize {
         let columns = |segment: &Segment| self.axis.place(segment.time.end) - self.axis.place(segment.time.start);
         let share = |length: usize, columns: f64| ((length as f64 + 1.0) / columns.max(1.0)).ceil() as usize - 1;

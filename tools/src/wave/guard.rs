@@ -1,6 +1,7 @@
 //! Calls into a reader that panics on damaged input.
 //!
-//! fst-reader 0.17 reports wrong headers as errors, but panics where values contradict what was said of them: the tests have dumps that make it.
+//! fst-reader 0.17 reports wrong headers as errors, but panics where values contradict what was
+//! said of them: the tests have dumps that make it.
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Mutex, PoisonError};
 

@@ -1,5 +1,5 @@
-//! Where a dump's bytes come from: a file, or a pipe whose bytes are kept in a temporary file, since
-//! a dump is read more than once. What is compressed as a whole is unpacked.
+//! Where a dump's bytes come from: a file, or a pipe whose bytes are kept in a temporary file,
+//! since a dump is read more than once. What is compressed as a whole is unpacked.
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};

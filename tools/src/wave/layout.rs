@@ -14,7 +14,8 @@ pub const SLANT: f64 = 3.0;
 const COLUMN: RangeInclusive<f64> = 48.0..=72.0;
 /// Width that all columns together should not exceed, if their least width lets them.
 const COLUMNS: f64 = 1320.0;
-/// Characters of a value for which columns are made that wide; in a short window, wider for longer ones.
+/// Characters of a value for which columns are made that wide; in a short window, wider for longer
+/// ones.
 const LONGEST_VALUE: usize = 8;
 
 /// Where things stand.
@@ -36,7 +37,8 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The layout of a figure, in a width in pixels if that is given and no column becomes too narrow.
+    /// The layout of a figure, in a width in pixels if that is given and no column becomes too
+    /// narrow.
     pub fn new(figure: &Figure, width: Option<u32>) -> Layout {
         let columns = figure.axis.numbers.len();
         let label = |row: &Row| row.name.chars().count() + row.format().chars().count() + 2;

@@ -1,6 +1,7 @@
 //! Waveforms as pictures and text: a window of a VCD or FST file, ours or another tool's.
 //!
-//! A [`View`] opens a dump and makes a [`Figure`] of some signals and a window; [`text`], [`svg`] and [`png`] draw figures and know nothing of dumps.
+//! A [`View`] opens a dump and makes a [`Figure`] of some signals and a window; [`text`], [`svg`]
+//! and [`png`] draw figures and know nothing of dumps.
 mod contents;
 mod dump;
 mod error;
@@ -38,7 +39,8 @@ pub fn svg(figure: &Figure, width: Option<u32>) -> String {
     drawing::svg(&sheet::sheet(figure, width))
 }
 
-/// The figure as a picture on light paper, in a width in pixels if that is given; it has twice as many.
+/// The figure as a picture on light paper, in a width in pixels if that is given; it has twice as
+/// many.
 ///
 /// # Errors
 /// [`WaveError::Large`] if it would be too large to be of use.

@@ -7,7 +7,8 @@ use super::variables::{Scopes, Variable};
 /// What time is counted in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Ruler {
-    /// Clocks: number c begins with the rising edge at `phase` + c `period`, and what stands before clock 0 is not shown.
+    /// Clocks: number c begins with the rising edge at `phase` + c `period`, and what stands before
+    /// clock 0 is not shown.
     Clocks {
         /// The time of the edge that begins clock 0.
         phase: u64,
@@ -34,7 +35,8 @@ pub fn clock(variables: &[Variable], scopes: &Scopes) -> Option<usize> {
 }
 
 impl Ruler {
-    /// The ruler of a dump: the outermost signal named `clock` or `clk` gives it, if it rises at a constant pace.
+    /// The ruler of a dump: the outermost signal named `clock` or `clk` gives it, if it rises at a
+    /// constant pace.
     pub fn of(dump: &Dump) -> Ruler {
         let clock = clock(dump.variables(), dump.scopes()).map(|clock| dump.variables()[clock].signal);
         let pace = clock.and_then(|clock| dump.survey().pace(clock));
@@ -74,8 +76,8 @@ impl Ruler {
         }
     }
 
-    /// What the dump covers, the last included: a clock that has begun counts, and one that begins with the
-    /// last instant if something changes at it.
+    /// What the dump covers, the last included: a clock that has begun counts, and one that begins
+    /// with the last instant if something changes at it.
     pub fn extent(&self, dump: &Dump) -> RangeInclusive<u64> {
         let extent = dump.extent();
         match self {

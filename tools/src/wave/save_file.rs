@@ -1,6 +1,7 @@
 //! GTKWave's save file beside a dump: which signals to show, in which formats, and the marker.
 //!
-//! What is read is what Specula writes (see `gtkw.rs` in `sim/`), which GTKWave keeps when it saves. Other lines are passed over.
+//! What is read is what Specula writes (see `gtkw.rs` in `sim/`), which GTKWave keeps when it
+//! saves. Other lines are passed over.
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
@@ -43,8 +44,8 @@ pub struct SavedSignal {
 }
 
 impl SaveFile {
-    /// The save file beside a dump: of the same name, with the ending `.gtkw`. None if there is none, or
-    /// none that can be read, which is a warning.
+    /// The save file beside a dump: of the same name, with the ending `.gtkw`. None if there is
+    /// none, or none that can be read, which is a warning.
     pub fn beside(dump: &Path, warnings: &mut Warnings) -> Option<SaveFile> {
         let path = dump.with_extension("gtkw");
         match read(&path) {

@@ -106,8 +106,8 @@ impl Collector {
         }
     }
 
-    /// Bits of the variable's width: the lowest of more, and fewer extended as IEEE 1364 (18.2.2) says, by
-    /// zeros or by the unknown state that stands highest.
+    /// Bits of the variable's width: the lowest of more, and fewer extended as IEEE 1364 (18.2.2)
+    /// says, by zeros or by the unknown state that stands highest.
     fn fitted(&self, bits: &[u8]) -> String {
         let width = self.width.map_or(bits.len(), |width| width as usize);
         let bits = &bits[bits.len().saturating_sub(width)..];

@@ -44,7 +44,8 @@ const MOST: usize = 40;
 const EXAMPLES: usize = 6;
 
 impl Selection {
-    /// The signals of `dump` that are meant; without patterns and a unit those of the save file, and without one the outermost.
+    /// The signals of `dump` that are meant; without patterns and a unit those of the save file,
+    /// and without one the outermost.
     ///
     /// # Errors
     /// [`WaveError`] if a pattern or the unit does not match anything.
@@ -62,7 +63,8 @@ impl Selection {
     }
 }
 
-/// Signals by their full names, each with the clock, or time, whose value matters most; those that the dump does not hold are left out.
+/// Signals by their full names, each with the clock, or time, whose value matters most; those that
+/// the dump does not hold are left out.
 pub fn named(dump: &Dump, save_file: Option<&SaveFile>, names: &[(String, u64)]) -> Choice {
     let (saved, numbers) = (Saved::of(dump, save_file), numbers(dump));
     let there = names.iter().filter_map(|(name, highlight)| Some((*numbers.get(name)?, *highlight)));
@@ -140,8 +142,8 @@ fn matching(dump: &Dump, patterns: &[String], among: &[usize]) -> Result<Vec<usi
     Ok(among.iter().zip(wanted).filter(|(_, wanted)| *wanted).map(|(&index, _)| index).collect())
 }
 
-/// How a signal may be called: with its range, as files and GTKWave write it, and without the backslash of
-/// an escaped name.
+/// How a signal may be called: with its range, as files and GTKWave write it, and without the
+/// backslash of an escaped name.
 fn spellings(variable: &Variable, name: &str) -> Vec<String> {
     let mut spellings = vec![name.to_owned()];
     if let Some(range) = variable.range.as_ref().filter(|range| !name.ends_with(range.as_str())) {

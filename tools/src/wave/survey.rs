@@ -1,4 +1,5 @@
-//! What is known of a dump after it has been read once: when something happens, and the clock's pace.
+//! What is known of a dump after it has been read once: when something happens, and the clock's
+//! pace.
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::RangeInclusive;
 

@@ -1,4 +1,5 @@
-//! Damaged dumps, thousands of them: each is drawn or refused, none makes the program panic or wait.
+//! Damaged dumps, thousands of them: each is drawn or refused, none makes the program panic or
+//! wait.
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};

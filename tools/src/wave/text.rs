@@ -6,8 +6,8 @@ use super::figure::{Axis, Figure, Row, Shape};
 use super::segments::Segment;
 use super::value::Value;
 
-/// Characters of a value that columns are made wide for where more of them would have to stand below each other:
-/// 64 bits in hexadecimal.
+/// Characters of a value that columns are made wide for where more of them would have to stand
+/// below each other: 64 bits in hexadecimal.
 const LONGEST_VALUE: usize = 16;
 /// The same for numbers that can be rounded.
 const LONGEST_ROUNDED: usize = 9;

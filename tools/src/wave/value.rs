@@ -64,14 +64,15 @@ impl Notation {
         }
     }
 
-    /// The characters that `value` takes, if none may have more than `most`, and such as can be rounded not
-    /// more than `rounded`.
+    /// The characters that `value` takes, if none may have more than `most`, and such as can be
+    /// rounded not more than `rounded`.
     pub fn wish(self, value: &Value, rounded: usize, most: usize) -> usize {
         let most = if can_be_rounded(value, self) { rounded.min(most) } else { most };
         self.written(value, most).map_or(0, |text| text.chars().count())
     }
 
-    /// `value` with as many decimals as it has and `room` characters hold; none if it cannot be written in so few.
+    /// `value` with as many decimals as it has and `room` characters hold; none if it cannot be
+    /// written in so few.
     pub fn written(self, value: &Value, room: usize) -> Option<String> {
         let text = match (value, self) {
             (Value::Text(text), _) => text.clone(),
@@ -96,7 +97,8 @@ fn can_be_rounded(value: &Value, notation: Notation) -> bool {
     }
 }
 
-/// A real number with as many of its digits as fit; two at least, so that it is not taken for an integer.
+/// A real number with as many of its digits as fit; two at least, so that it is not taken for an
+/// integer.
 fn rounded(digits: &str, room: usize) -> Option<String> {
     if digits.len() <= room {
         return Some(digits.to_owned());
@@ -117,7 +119,8 @@ fn raw(bits: &str, signed: bool) -> i128 {
     if signed && bits.starts_with('1') { unsigned - (1 << bits.len()) } else { unsigned }
 }
 
-/// The number `raw` 2^-f, rounded to what fits. At least one decimal stays, so that a fraction is not taken for an integer.
+/// The number `raw` 2^-f, rounded to what fits. At least one decimal stays, so that a fraction is
+/// not taken for an integer.
 fn fixed_point(raw: i128, fraction_bits: u32, room: usize) -> Option<String> {
     if fraction_bits == 0 {
         return Some(raw.to_string()).filter(|text| text.len() <= room);
@@ -130,7 +133,8 @@ fn fixed_point(raw: i128, fraction_bits: u32, room: usize) -> Option<String> {
     Some(without_idle_zeros(format!("{number:.decimals$}"), number))
 }
 
-/// Takes zeros from the end of a number that is exact without them; the zeros of a rounded one say how far it is rounded.
+/// Takes zeros from the end of a number that is exact without them; the zeros of a rounded one say
+/// how far it is rounded.
 fn without_idle_zeros(text: String, number: f64) -> String {
     if text.parse() != Ok(number) {
         return text;

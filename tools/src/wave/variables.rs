@@ -57,6 +57,30 @@ fn significant(bits: &str) -> &str {
     bits.trim_start_matches('0')
 }
 
+/// The enumerations of a file, and the one that the variable which follows has.
+#[derive(Clone, Debug, Default)]
+pub struct Enumerations {
+    tables: HashMap<u64, Rc<ValueNames>>,
+    next: Option<Rc<ValueNames>>,
+}
+
+impl Enumerations {
+    /// An enumeration with its number in the file.
+    pub fn declare(&mut self, number: u64, names: ValueNames) {
+        self.tables.insert(number, Rc::new(names));
+    }
+
+    /// The next variable has that enumeration.
+    pub fn announce(&mut self, number: u64) {
+        self.next = self.tables.get(&number).cloned();
+    }
+
+    /// The enumeration of the variable that has come.
+    pub fn take_next(&mut self) -> Option<Rc<ValueNames>> {
+        self.next.take()
+    }
+}
+
 /// A scope's number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ScopeId(u32);
@@ -77,7 +101,8 @@ struct Scope {
     length: usize,
 }
 
-/// Scopes around a variable, and bytes of their full name, at most: a file says how deep scopes nest.
+/// Scopes around a variable, and bytes of their full name, at most: a file says how deep scopes
+/// nest.
 const DEEPEST: u32 = 256;
 const LONGEST: usize = 4096;
 
@@ -91,7 +116,8 @@ impl Scopes {
         Scopes { scopes: vec![none], numbers: HashMap::new() }
     }
 
-    /// The scope of that name in `parent`, which may be there already. None if scopes nest too deep.
+    /// The scope of that name in `parent`, which may be there already. None if scopes nest too
+    /// deep.
     pub fn inside(&mut self, parent: ScopeId, name: &str) -> Option<ScopeId> {
         let key = (parent, clean(name));
         if let Some(&scope) = self.numbers.get(&key) {
@@ -172,8 +198,8 @@ pub fn arrange(variables: &mut [Variable], scopes: &Scopes) {
     }
 }
 
-/// A name as files state it, and the range of its bits if it ends in one: `m[0] [3:0]` is `m[0]` and
-/// `[3:0]`. A single index belongs to the name, with no blank before it.
+/// A name as files state it, and the range of its bits if it ends in one: `m[0] [3:0]` is `m[0]`
+/// and `[3:0]`. A single index belongs to the name, with no blank before it.
 pub fn split_name(stated: &str) -> (String, Option<String>) {
     let stated = stated.trim();
     let range = stated.strip_suffix(']').and_then(|name| name.rsplit_once('['));

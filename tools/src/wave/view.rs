@@ -72,7 +72,8 @@ impl View {
         selection.choose(&self.dump, self.save_file.as_ref())
     }
 
-    /// Signals by their full names, each with the clock, or time, whose value matters most; those that the dump does not hold are left out.
+    /// Signals by their full names, each with the clock, or time, whose value matters most; those
+    /// that the dump does not hold are left out.
     pub fn named(&self, names: &[(String, u64)]) -> Choice {
         named(&self.dump, self.save_file.as_ref(), names)
     }
@@ -95,7 +96,8 @@ impl View {
         Ok(Figure { title: self.title(&window), notes: self.notes(choice, &window), axis, groups })
     }
 
-    /// Refuses more columns than are of use to anybody. How many values there are shows when they are read.
+    /// Refuses more columns than are of use to anybody. How many values there are shows when they
+    /// are read.
     fn check_length(&self, window: &RangeInclusive<u64>, signals: usize) -> Result<(), WaveError> {
         let clocks = match self.ruler {
             Ruler::Clocks { .. } => (window.end() - window.start()).saturating_add(1),
@@ -105,8 +107,8 @@ impl View {
         if large { Err(WaveError::Large { signals, amount: format!("{clocks} clocks") }) } else { Ok(()) }
     }
 
-    /// Whether the window ends with the file, which ends with a time at which nothing changes any more, and
-    /// that nobody asked for.
+    /// Whether the window ends with the file, which ends with a time at which nothing changes any
+    /// more, and that nobody asked for.
     fn ends_idle(&self, window: &RangeInclusive<u64>, asked: &Asked) -> bool {
         let idle = !self.dump.survey().changes_at_last();
         match self.ruler {

@@ -121,6 +121,23 @@ fn a_clock_that_begins_with_the_last_instant_counts() {
 }
 
 #[test]
+fn values_of_enumerations_have_names() {
+    let place = Place::new();
+    place.write("enums.fst", include_bytes!("../data/wave/enums.fst"));
+    // As `fst2vcd -e` writes the same.
+    let attributes = "$attrbegin misc 07 enums.state_t 3 IDLE RUN DONE 00 01 10 1 $end\n";
+    let variables = "$attrbegin misc 07 \"\" 1 $end\n$var logic 2 ! state [1:0] $end\n$var logic 1 \" a $end\n";
+    let scopes = "$scope module TOP $end\n$scope module enums $end\n";
+    let values = "#0\nb0 !\n0\"\n#5\nb1 !\n1\"\n#10\nb10 !\n#15\nb11 !\n#20\n";
+    place.write("enums.vcd", format!("$timescale 1ps $end\n{attributes}{scopes}{variables}$enddefinitions $end\n{values}"));
+    for name in ["enums.fst", "enums.vcd"] {
+        let text = place.succeeds(&["wave", name]);
+        let names = row(&text, "state").split('\u{2502}').map(str::trim).collect::<Vec<_>>();
+        assert_eq!(names, ["state hex", "IDLE", "RUN", "DONE", "3", ""], "{text}");
+    }
+}
+
+#[test]
 fn events_are_marks_and_text_is_text() {
     let place = Place::new();
     let variables =

@@ -20,7 +20,8 @@ enum Place {
 /// The kind of block whose chain has signed entries.
 const SIGNED: u8 = 8;
 
-/// Checks that some signals' values are where they can be, and unpack to no more than [`MOST`] bytes.
+/// Checks that some signals' values are where they can be, and unpack to no more than [`MOST`]
+/// bytes.
 ///
 /// # Errors
 /// What is wrong, or what the system says.

@@ -1,7 +1,10 @@
-//! Checks the lengths that an FST file states before a reader allocates what they ask for, or goes where they point.
+//! Checks the lengths that an FST file states before a reader allocates what they ask for, or goes
+//! where they point.
 //!
-//! fst-reader 0.17 takes them as they stand: a program that asks for exabytes is ended by the system, with no error and not even a panic, and one
-//! that goes backwards by a length never ends. The layout is that of GTKWave's `fstapi.c`: blocks of a kind, a length that counts itself, and contents.
+//! fst-reader 0.17 takes them as they stand: a program that asks for exabytes is ended by the
+//! system, with no error and not even a panic, and one that goes backwards by a length never ends.
+//! The layout is that of GTKWave's `fstapi.c`: blocks of a kind, a length that counts itself, and
+//! contents.
 use std::io::{self, Read, Seek, SeekFrom};
 
 use super::super::input::BEST_COMPRESSION;
@@ -26,7 +29,8 @@ mod kind {
 
 /// The length of the header's block.
 const HEADER: u64 = 329;
-/// Bytes before a block of values' first length: its own, begin, end, and the memory that its writer used.
+/// Bytes before a block of values' first length: its own, begin, end, and the memory that its
+/// writer used.
 const VALUES_HEADER: u64 = 4 * 8;
 /// Bytes at its end that describe its table of times: length, compressed length, number.
 const TIMES_TRAILER: u64 = 3 * 8;

@@ -1,10 +1,7 @@
 //! Scopes and variables of an FST file.
-use std::collections::HashMap;
-use std::rc::Rc;
-
 use fst_reader::{FstHierarchyEntry, FstVarDirection, FstVarType};
 
-use super::super::variables::{Kind, ScopeId, Scopes, ValueNames, Variable, split_name};
+use super::super::variables::{Enumerations, Kind, ScopeId, Scopes, ValueNames, Variable, split_name};
 use super::super::warnings::Warnings;
 
 /// Scopes and variables while they are read.
@@ -14,32 +11,26 @@ pub struct Hierarchy<'a> {
     /// The variables, in the order of the file.
     pub variables: Vec<Variable>,
     open: Vec<ScopeId>,
-    names: HashMap<u64, Rc<ValueNames>>,
-    /// Names of the values of the variable that follows.
-    next_names: Option<Rc<ValueNames>>,
+    enumerations: Enumerations,
     warnings: &'a mut Warnings,
 }
 
 impl<'a> Hierarchy<'a> {
     /// Nothing yet.
     pub fn new(warnings: &'a mut Warnings) -> Hierarchy<'a> {
-        let (scopes, names) = (Scopes::new(), HashMap::new());
-        Hierarchy { scopes, variables: vec![], open: vec![], names, next_names: None, warnings }
+        let (scopes, enumerations) = (Scopes::new(), Enumerations::default());
+        Hierarchy { scopes, variables: vec![], open: vec![], enumerations, warnings }
     }
 
     /// Takes what comes next.
     pub fn take(&mut self, entry: FstHierarchyEntry) {
         match entry {
             FstHierarchyEntry::Scope { name, .. } => self.scope(&name),
-            FstHierarchyEntry::UpScope => {
-                if self.open.pop().is_none() {
-                    self.warnings.of_file("upscope", || "a scope ends that never began".to_owned());
-                }
-            }
+            FstHierarchyEntry::UpScope => self.upscope(),
             FstHierarchyEntry::EnumTable { handle, mapping, .. } => {
-                self.names.insert(handle, Rc::new(ValueNames::new(mapping)));
+                self.enumerations.declare(handle, ValueNames::new(mapping));
             }
-            FstHierarchyEntry::EnumTableRef { handle } => self.next_names = self.names.get(&handle).cloned(),
+            FstHierarchyEntry::EnumTableRef { handle } => self.enumerations.announce(handle),
             FstHierarchyEntry::Var { tpe, direction, name, length, handle, .. } => {
                 let signal = handle.get_index() as u32;
                 self.variable(&tpe, direction, &name, length, signal);
@@ -57,6 +48,12 @@ impl<'a> Hierarchy<'a> {
         self.open.push(inner.unwrap_or(around));
     }
 
+    fn upscope(&mut self) {
+        if self.open.pop().is_none() {
+            self.warnings.of_file("upscope", || "a scope ends that never began".to_owned());
+        }
+    }
+
     fn variable(&mut self, of: &FstVarType, direction: FstVarDirection, name: &str, length: u32, signal: u32) {
         let (name, range) = split_name(name);
         let kind = match of {
@@ -67,7 +64,7 @@ impl<'a> Hierarchy<'a> {
         };
         let width = Some(length).filter(|&length| kind == Kind::Bits && length > 0);
         let port = matches!(direction, FstVarDirection::Input | FstVarDirection::Output | FstVarDirection::InOut);
-        let (scope, names) = (self.around(), self.next_names.take());
+        let (scope, names) = (self.around(), self.enumerations.take_next());
         self.variables.push(Variable { scope, name, range, kind, width, port, signal, names });
     }
 

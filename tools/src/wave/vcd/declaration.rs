@@ -1,5 +1,5 @@
 //! What the sections of a VCD file's header declare.
-use super::super::variables::{Kind, split_name};
+use super::super::variables::{Kind, ValueNames, split_name};
 use super::super::warnings::{decoded, quoted};
 
 /// Types of variables: IEEE 1364 and 1800, and what GTKWave knows besides.
@@ -86,12 +86,15 @@ pub struct Declaration {
 /// What is wrong with a section, in words, and a name for that kind of fault.
 pub type Fault = (&'static str, String);
 
-/// Reads `$var TYPE SIZE ID NAME [RANGE] $end`, given what stands between. What is odd about a variable
-/// that can be drawn is the second result.
+/// Why a variable is left out, and its identifier if it has one.
+pub type LeftOut = (Fault, Option<Vec<u8>>);
+
+/// Reads `$var TYPE SIZE ID NAME [RANGE] $end`, given what stands between. What is odd about a
+/// variable that can be drawn is the second result.
 ///
 /// # Errors
-/// Why it can not be drawn; the identifier is its second part, if there is one.
-pub fn variable(words: &[Vec<u8>]) -> Result<(Declaration, Option<Fault>), (Fault, Option<Vec<u8>>)> {
+/// Why it cannot be drawn.
+pub fn variable(words: &[Vec<u8>]) -> Result<(Declaration, Option<Fault>), LeftOut> {
     let (kind_of, size, rest) = split_size(words);
     let [id, name @ ..] = rest else {
         return Err((("variable", "a variable without an identifier is left out".to_owned()), None));
@@ -181,6 +184,30 @@ pub fn scope(words: &[Vec<u8>]) -> Result<(String, Option<Fault>), Fault> {
     }
 }
 
+/// What `fst2vcd` and GTKWave write of enumerations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Attribute {
+    /// An enumeration with its number.
+    Enumeration(u64, ValueNames),
+    /// The number of the enumeration that the next variable has.
+    Next(u64),
+}
+
+/// Reads `$attrbegin misc 07 NAME COUNT NAMES.. VALUES.. NUMBER $end`, or with a name of `""`, the
+/// number alone. None for other attributes.
+pub fn attribute(words: &[Vec<u8>]) -> Option<Attribute> {
+    let [misc, kind, name, about @ .., number] = words else { return None };
+    if misc != b"misc" || kind != b"07" {
+        return None;
+    }
+    let number: u64 = decoded(number).parse().ok()?;
+    let Some((count, pairs)) = about.split_first().filter(|_| name != b"\"\"") else { return Some(Attribute::Next(number)) };
+    let count: usize = decoded(count).parse().ok()?;
+    let (names, values) = pairs.split_at_checked(count).filter(|(_, values)| values.len() == count)?;
+    let pairs = values.iter().zip(names).map(|(value, name)| (decoded(value), decoded(name)));
+    Some(Attribute::Enumeration(number, ValueNames::new(pairs)))
+}
+
 /// Reads `$timescale 10 ns $end`: `10 ns`, or `ns` for one of them.
 pub fn time_unit(words: &[Vec<u8>]) -> Option<String> {
     const UNITS: [&str; 8] = ["s", "ms", "us", "ns", "ps", "fs", "as", "zs"];
@@ -229,6 +256,17 @@ mod tests {
         let refused = |text| variable(&words(text)).expect_err("it cannot be drawn").0.0;
         assert_eq!(["", "wire", "wire 1", "wire 1 !"].map(refused), ["variable"; 4]);
         assert_eq!(["wire 4000000000 ! w", "wire 99999999999999999999 ! w"].map(refused), ["too wide"; 2]);
+    }
+
+    #[test]
+    fn enumerations_are_attributes() {
+        let names = [("00", "IDLE"), ("01", "RUN")].map(|(bits, name)| (bits.to_owned(), name.to_owned()));
+        let read = |text| attribute(&words(text));
+        assert_eq!(read("misc 07 st 2 IDLE RUN 00 01 1"), Some(Attribute::Enumeration(1, ValueNames::new(names))));
+        assert_eq!(read("misc 07 \"\" 1"), Some(Attribute::Next(1)));
+        for other in ["misc 02 st 1024", "misc 07 st 3 IDLE RUN 00 01 1", "misc 07 st 18446744073709551615 a 1", "misc", ""] {
+            assert_eq!(read(other), None, "{other}");
+        }
     }
 
     #[test]

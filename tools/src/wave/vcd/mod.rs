@@ -1,9 +1,10 @@
-//! Reading VCD files: once for what they declare and when something happens, and again for the values
-//! of chosen signals, so that a file may be larger than the memory.
+//! Reading VCD files: once for what they declare and when something happens, and again for the
+//! values of chosen signals, so that a file may be larger than the memory.
 mod declaration;
 mod number;
 mod parser;
 mod text;
+mod values;
 mod words;
 
 use std::io::{self, BufReader};
@@ -13,8 +14,9 @@ use super::input::Bytes;
 use super::raw::{Change, Raw, Taker};
 use super::ruler;
 use super::survey::Survey;
-use super::variables::{ScopeId, Scopes, Variable, arrange};
+use super::variables::{Enumerations, ScopeId, Scopes, Variable, arrange};
 use super::warnings::Warnings;
+use declaration::Attribute;
 use parser::{Event, Ids, Parser};
 
 /// Bytes that are read at a time.
@@ -36,7 +38,7 @@ impl Vcd {
     pub fn read(mut bytes: Box<dyn Bytes>, survey: Survey, warnings: &mut Warnings) -> io::Result<(Vcd, Contents)> {
         bytes.rewind()?;
         let mut ids = Ids::default();
-        let mut reader = Reader { survey, scopes: Scopes::new(), open: vec![], variables: vec![], time_unit: None };
+        let mut reader = Reader::new(survey);
         let mut parser = Parser::new(BufReader::with_capacity(PIECE, &mut bytes), &mut ids, warnings)?;
         while let Some(event) = parser.next()? {
             reader.take(event, &mut parser);
@@ -83,10 +85,16 @@ struct Reader {
     /// The scopes around the place.
     open: Vec<ScopeId>,
     variables: Vec<Variable>,
+    enumerations: Enumerations,
     time_unit: Option<String>,
 }
 
 impl Reader {
+    fn new(survey: Survey) -> Reader {
+        let (scopes, enumerations) = (Scopes::new(), Enumerations::default());
+        Reader { survey, scopes, open: vec![], variables: vec![], enumerations, time_unit: None }
+    }
+
     fn take<R: io::BufRead>(&mut self, event: Event, parser: &mut Parser<R>) {
         match event {
             Event::Scope(name) => {
@@ -107,9 +115,12 @@ impl Reader {
                 if width == Some(1) && ruler::is_clock(&declared.name) {
                     self.survey.watch(signal);
                 }
+                let names = self.enumerations.take_next();
                 let (name, range, kind, port) = (declared.name, declared.range, declared.kind, declared.port);
-                self.variables.push(Variable { scope, name, range, kind, width, port, signal, names: None });
+                self.variables.push(Variable { scope, name, range, kind, width, port, signal, names });
             }
+            Event::Attribute(Attribute::Enumeration(number, names)) => self.enumerations.declare(number, names),
+            Event::Attribute(Attribute::Next(number)) => self.enumerations.announce(number),
             Event::TimeUnit(unit) => self.time_unit = Some(unit),
             Event::Time(time) => self.survey.instant(time),
             Event::Change(signal) => {

@@ -1,17 +1,16 @@
 //! The grammar of VCD files, in every dialect that simulators write.
 //!
-//! IEEE 1364, 18.2 and 18.4, says what they should be. What is read besides: sections in any place, also
-//! behind `$enddefinitions` or without it; vectors of any length; text (`sTEXT ID`) of GTKWave and its
-//! kin; the nine states of VHDL. What cannot be understood is passed over with a warning.
+//! IEEE 1364, 18.2 and 18.4, says what they should be. What is read besides: sections in any place,
+//! also behind `$enddefinitions` or without it; vectors of any length; text (`sTEXT ID`) of GTKWave
+//! and its kin; the nine states of VHDL. What cannot be understood is passed over with a warning.
 use std::collections::HashMap;
 use std::io::{self, BufRead};
 
-use super::super::raw::{Raw, STATES};
+use super::super::raw::Raw;
 use super::super::survey::LATEST;
 use super::super::warnings::{Warnings, quoted};
-use super::declaration::{self, Declaration, Fault};
-use super::number::{Time, real};
-use super::text::unescaped;
+use super::declaration::{self, Attribute, Declaration, Fault};
+use super::number::Time;
 use super::words::{Word, Words};
 
 /// Something in a VCD file.
@@ -25,6 +24,8 @@ pub enum Event {
     Variable(Declaration, u32),
     /// The unit of time.
     TimeUnit(String),
+    /// Something about enumerations.
+    Attribute(Attribute),
     /// Time goes on, or stays.
     Time(u64),
     /// The signal of that number has the value [`Parser::value`].
@@ -35,9 +36,9 @@ pub enum Event {
 #[derive(Clone, Debug, Default)]
 pub struct Ids {
     /// The signals' numbers; none for those that are not drawn.
-    numbers: HashMap<Vec<u8>, Option<u32>>,
+    pub(super) numbers: HashMap<Vec<u8>, Option<u32>>,
     /// The widest width of each signal's variables; none if the file does not say.
-    widths: Vec<Option<u32>>,
+    pub(super) widths: Vec<Option<u32>>,
 }
 
 impl Ids {
@@ -61,12 +62,12 @@ impl Ids {
 /// Variables, at most.
 const MOST: usize = 1 << 22;
 /// Words of a section that are kept, and bytes of each.
-const MOST_WORDS: usize = 64;
-const LONGEST_WORD: usize = 4096;
+const MOST_WORDS: usize = 1024;
+pub(super) const LONGEST_WORD: usize = 4096;
 
 /// What the value of a change is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Held {
+pub(super) enum Held {
     Bits,
     Text,
     Real(f64),
@@ -74,15 +75,15 @@ enum Held {
 
 /// Reads a VCD file event by event.
 pub struct Parser<'a, R> {
-    words: Words<R>,
-    ids: &'a mut Ids,
-    warnings: &'a mut Warnings,
+    pub(super) words: Words<R>,
+    pub(super) ids: &'a mut Ids,
+    pub(super) warnings: &'a mut Warnings,
     variables: usize,
     now: Option<u64>,
-    checkpoint: bool,
-    held: Held,
+    pub(super) checkpoint: bool,
+    pub(super) held: Held,
     /// The bits or the text of the last change.
-    bytes: Vec<u8>,
+    pub(super) bytes: Vec<u8>,
     ended: bool,
 }
 
@@ -164,6 +165,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 self.warn("time zero", || "`$timezero` is passed over: times are drawn as they stand".to_owned());
                 self.content(is_section)?;
             }
+            b"$attrbegin" => return Ok(declaration::attribute(&self.content(is_section)?).map(Event::Attribute)),
             b"$timescale" => return self.time_unit(),
             b"$scope" => return self.scope(),
             b"$upscope$end" => return Ok(Some(Event::Upscope)),
@@ -291,173 +293,13 @@ impl<'a, R: BufRead> Parser<'a, R> {
         self.now = Some(now);
         Ok(Some(Event::Time(now)))
     }
-
-    fn scalar(&mut self) -> io::Result<Option<Event>> {
-        let word = &self.words.current().bytes;
-        let state = word[0].to_ascii_lowercase();
-        let known = STATES.contains(&state);
-        if !known && !self.ids.numbers.contains_key(&word[1..]) {
-            let word = quoted(word);
-            self.warn("word", || format!("{word} is not understood, and passed over"));
-            return Ok(None);
-        }
-        self.hold_bits(0..1);
-        let id = if self.words.current().bytes.len() > 1 { Some(1) } else { self.words.advance_in_line()?.then_some(0) };
-        Ok(self.change(id))
-    }
-
-    fn vector(&mut self) -> io::Result<Option<Event>> {
-        let length = self.words.current().bytes.len();
-        self.hold_bits(1..length);
-        if length == 1 && self.words.peek()?.is_some_and(|word| !word.begins_line && is_bits(word)) {
-            // Either bits behind a blank, or no bits and an identifier that looks like some.
-            self.words.advance()?;
-            if self.words.peek()?.is_none_or(|word| word.begins_line) {
-                return Ok(self.vector_of(Some(0)));
-            }
-            let length = self.words.current().bytes.len();
-            self.hold_bits(0..length);
-        }
-        if self.words.current().cut {
-            self.warn("too long", || "a value of more than a million bits is passed over".to_owned());
-            self.advance_to_id()?;
-            return Ok(None);
-        }
-        let id = self.advance_to_id()?;
-        Ok(self.vector_of(id))
-    }
-
-    fn vector_of(&mut self, id: Option<usize>) -> Option<Event> {
-        let event = self.change(id);
-        if let Some(Event::Change(number)) = event {
-            self.check_width(number);
-        }
-        event
-    }
-
-    /// Keeps bits of the current word; what is no state of a bit becomes an x.
-    fn hold_bits(&mut self, range: std::ops::Range<usize>) {
-        self.held = Held::Bits;
-        self.bytes.clear();
-        let word = &self.words.current().bytes;
-        self.bytes.extend(word[range].iter().map(u8::to_ascii_lowercase));
-        let wrong = self.bytes.iter().position(|bit| !STATES.contains(bit));
-        if let Some(wrong) = wrong {
-            let (bit, word) = (quoted(&self.bytes[wrong..=wrong]), quoted(word));
-            self.warn("state", || format!("{bit} in {word} is no state of a bit, and drawn as x"));
-            self.bytes.iter_mut().filter(|bit| !STATES.contains(bit)).for_each(|bit| *bit = b'x');
-        }
-    }
-
-    fn check_width(&mut self, number: u32) {
-        let Some(width) = self.ids.widths[number as usize] else { return };
-        let length = self.bytes.len();
-        if length > width as usize {
-            let said = || format!("a value of {length} bits for a signal of {width}: its lowest are drawn");
-            self.warn("longer", said);
-        }
-        if length == 0 {
-            self.warn("empty", || "a value without bits is drawn as x".to_owned());
-            self.bytes.push(b'x');
-        }
-    }
-
-    fn real(&mut self) -> io::Result<Option<Event>> {
-        let word = &self.words.current().bytes;
-        match real(&word[1..]) {
-            Some(number) => self.held = Held::Real(number),
-            None => {
-                self.hold_text();
-                let word = quoted(&self.bytes);
-                self.warn("number", || format!("{word} is no number, and drawn as text"));
-            }
-        }
-        let id = self.advance_to_id()?;
-        Ok(self.change(id))
-    }
-
-    /// Keeps the current word without its first letter as text.
-    fn hold_text(&mut self) {
-        self.held = Held::Text;
-        self.bytes.clear();
-        self.bytes.extend_from_slice(&self.words.current().bytes[1..]);
-    }
-
-    /// Text may have blanks in it: the identifier is the first declared one of its line.
-    fn text(&mut self) -> io::Result<Option<Event>> {
-        self.hold_text();
-        let mut id = None;
-        while self.words.advance_in_line()? {
-            id = Some(0);
-            let word = &self.words.current().bytes;
-            let declared = self.ids.numbers.contains_key(word.as_slice());
-            if declared || self.words.peek()?.is_none_or(|word| word.begins_line) {
-                break;
-            }
-            if self.bytes.len() < LONGEST_WORD {
-                self.bytes.push(b' ');
-                self.bytes.extend_from_slice(&self.words.current().bytes);
-            }
-        }
-        self.bytes.truncate(LONGEST_WORD);
-        self.bytes = unescaped(&self.bytes);
-        Ok(self.change(id))
-    }
-
-    /// A port of an extended dump (IEEE 1364, 18.4.3): states, two strengths, identifier.
-    fn port(&mut self) -> io::Result<Option<Event>> {
-        let states: Option<Vec<u8>> = self.words.current().bytes[1..].iter().map(|&state| port_state(state)).collect();
-        let Some(states) = states else {
-            let word = quoted(&self.words.current().bytes);
-            self.warn("word", || format!("{word} is not understood, and passed over"));
-            return Ok(None);
-        };
-        self.warn("port", || "of the values of ports neither strengths nor drivers are drawn".to_owned());
-        (self.held, self.bytes) = (Held::Bits, states);
-        let mut id = None;
-        for _ in 0..3 {
-            if self.words.advance_in_line()? {
-                id = Some(0);
-            }
-        }
-        Ok(self.change(id))
-    }
-
-    /// Goes to the identifier of a value, in the same line or, if it is one, in the next. Its place in
-    /// its word is the result.
-    fn advance_to_id(&mut self) -> io::Result<Option<usize>> {
-        if self.words.advance_in_line()? {
-            return Ok(Some(0));
-        }
-        let ids = &self.ids.numbers;
-        let declared = self.words.peek()?.is_some_and(|word| ids.contains_key(word.bytes.as_slice()));
-        Ok((declared && self.words.advance()?).then_some(0))
-    }
-
-    /// The change of the signal whose identifier stands in the current word, from a place on.
-    fn change(&mut self, id: Option<usize>) -> Option<Event> {
-        let Some(from) = id else {
-            let word = quoted(&self.words.current().bytes);
-            self.warn("no identifier", || format!("the value {word} has no identifier, and is passed over"));
-            return None;
-        };
-        let id = &self.words.current().bytes[from..];
-        match self.ids.numbers.get(id) {
-            Some(&number) => number.map(Event::Change),
-            None => {
-                let id = quoted(id);
-                self.warn("undeclared", || format!("no variable has the identifier {id}: its values are passed over"));
-                None
-            }
-        }
-    }
 }
 
 /// Sections whose content are values.
 const CHECKPOINTS: [&[u8]; 8] =
     [b"$dumpvars", b"$dumpall", b"$dumpon", b"$dumpoff", b"$dumpports", b"$dumpportsall", b"$dumpportson", b"$dumpportsoff"];
 /// Sections in which nothing is that is drawn.
-const PASSED_OVER: [&[u8]; 6] = [b"$date", b"$version", b"$attrbegin", b"$attrend", b"$dumpportslimit", b"$dumplimit"];
+const PASSED_OVER: [&[u8]; 5] = [b"$date", b"$version", b"$attrend", b"$dumpportslimit", b"$dumplimit"];
 /// Sections that begin where another one has no end.
 const DECLARATIONS: [&[u8]; 8] =
     [b"$date", b"$version", b"$timescale", b"$scope", b"$upscope", b"$var", b"$comment", b"$enddefinitions"];
@@ -467,21 +309,6 @@ fn is_section(word: &Word) -> bool {
     word.begins_line && known(&word.bytes)
 }
 
-fn is_bits(word: &Word) -> bool {
-    word.bytes.iter().all(|bit| STATES.contains(&bit.to_ascii_lowercase()))
-}
-
 fn is_time(word: &Word) -> bool {
     word.begins_line && word.bytes.strip_prefix(b"#").is_some_and(|time| Time::parse(time).is_some())
-}
-
-/// The state of a bit for that of a port, whoever drives it (IEEE 1364, table 18-11).
-fn port_state(state: u8) -> Option<u8> {
-    match state {
-        b'D' | b'd' | b'L' | b'l' | b'0' => Some(b'0'),
-        b'U' | b'u' | b'H' | b'h' | b'1' => Some(b'1'),
-        b'Z' | b'T' | b'F' => Some(b'z'),
-        b'N' | b'X' | b'?' | b'A' | b'a' | b'B' | b'b' | b'C' | b'c' | b'f' => Some(b'x'),
-        _ => None,
-    }
 }
