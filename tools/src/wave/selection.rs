@@ -200,7 +200,8 @@ struct Saved {
 impl Saved {
     fn of(dump: &Dump, save_file: Option<&SaveFile>) -> Saved {
         let signals = save_file.map_or(&[][..], |save_file| &save_file.signals);
-        let numbers = numbers(dump);
+        // Names of all variables are worth making only where there is something to be found.
+        let numbers = if signals.is_empty() { HashMap::new() } else { numbers(dump) };
         let mut saved = Saved { order: vec![], notations: HashMap::new() };
         for signal in signals {
             let Some(&index) = numbers.get(&signal.name) else { continue };

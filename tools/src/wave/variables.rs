@@ -101,6 +101,10 @@ struct Scope {
     length: usize,
 }
 
+/// Variables of a dump, at most.
+pub const MOST_VARIABLES: usize = 1 << 22;
+/// Scopes of a dump, at most.
+const MOST_SCOPES: usize = 1 << 20;
 /// Scopes around a variable, and bytes of their full name, at most: a file says how deep scopes
 /// nest.
 const DEEPEST: u32 = 256;
@@ -124,8 +128,10 @@ impl Scopes {
             return Some(scope);
         }
         let (depth, length) = (self.depth(parent) + 1, self.scope(parent).length + key.1.len() + 1);
-        let number = u32::try_from(self.scopes.len()).ok().map(ScopeId);
-        let new = number.filter(|_| depth <= DEEPEST && length <= LONGEST)?;
+        if self.scopes.len() >= MOST_SCOPES || depth > DEEPEST || length > LONGEST {
+            return None;
+        }
+        let new = ScopeId(self.scopes.len() as u32);
         self.scopes.push(Scope { name: key.1.clone(), parent, depth, length });
         self.numbers.insert(key, new);
         Some(new)

@@ -13,7 +13,9 @@ use super::integer::{number, variable};
 /// Bytes that anything in a file may unpack to.
 pub const MOST: u64 = 1 << 30;
 /// Instants in a block of values, at most.
-const MOST_INSTANTS: u64 = 1 << 27;
+const MOST_INSTANTS: u64 = 1 << 26;
+/// Signals, at most.
+const MOST_SIGNALS: u64 = 1 << 24;
 
 /// Kinds of blocks.
 mod kind {
@@ -118,7 +120,7 @@ impl<I: Read + Seek> Checker<'_, I> {
 
     fn geometry(&mut self, length: u64) -> io::Result<()> {
         let (unpacked, signals) = (number(self.input)?, number(self.input)?);
-        possible(length >= 24 && unpacks(length - 24, unpacked) && signals <= unpacked)?;
+        possible(length >= 24 && unpacks(length - 24, unpacked) && signals <= unpacked.min(MOST_SIGNALS))?;
         self.signals = Some(signals);
         Ok(())
     }

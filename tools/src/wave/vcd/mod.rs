@@ -101,7 +101,9 @@ impl Reader {
                 let around = self.scope();
                 let inner = self.scopes.inside(around, &name);
                 if inner.is_none() {
-                    parser.warn("deep", || "scopes nest too deep: what is inside is taken for the outer's".to_owned());
+                    parser.warn("deep", || {
+                        "scopes are too many or nest too deep: what is inside is taken for the outer's".to_owned()
+                    });
                 }
                 self.open.push(inner.unwrap_or(around));
             }

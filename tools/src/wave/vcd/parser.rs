@@ -8,6 +8,7 @@ use std::io::{self, BufRead};
 
 use super::super::raw::Raw;
 use super::super::survey::LATEST;
+use super::super::variables::MOST_VARIABLES;
 use super::super::warnings::{Warnings, quoted};
 use super::declaration::{self, Attribute, Declaration, Fault};
 use super::number::Time;
@@ -43,7 +44,7 @@ pub struct Ids {
 
 impl Ids {
     fn declare(&mut self, declaration: &Declaration) -> u32 {
-        // No more than `MOST` come here.
+        // No more than `MOST_VARIABLES` come here.
         let next = self.widths.len() as u32;
         let number = *self.numbers.entry(declaration.id.clone()).or_default().get_or_insert(next);
         if number == next {
@@ -59,8 +60,6 @@ impl Ids {
     }
 }
 
-/// Variables, at most.
-const MOST: usize = 1 << 22;
 /// Words of a section that are kept, and bytes of each.
 const MOST_WORDS: usize = 1024;
 pub(super) const LONGEST_WORD: usize = 4096;
@@ -187,7 +186,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
 
     /// The words of a section up to its `$end`, or to where something else begins.
     fn content(&mut self, begins_another: impl Fn(&Word) -> bool) -> io::Result<Vec<Vec<u8>>> {
-        let (begin, name) = (self.words.current().line, quoted(&self.words.current().bytes));
+        let (begin, name) = (self.words.current().line, self.words.current().bytes.clone());
         let mut content = vec![];
         loop {
             match self.words.peek()? {
@@ -209,7 +208,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 return Ok(content);
             }
         }
-        self.warnings.in_line(begin, "open section", || format!("{name} has no `$end`"));
+        self.warnings.in_line(begin, "open section", || format!("{} has no `$end`", quoted(&name)));
         Ok(content)
     }
 
@@ -240,9 +239,9 @@ impl<'a, R: BufRead> Parser<'a, R> {
         let content = self.content(is_section)?;
         self.variables += 1;
         let declared = match declaration::variable(&content) {
-            Ok((declaration, _)) if self.variables > MOST => {
-                let fault = ("many", format!("there are more than {MOST} variables: the others are left out"));
-                Err((fault, Some(declaration.id)))
+            Ok(_) if self.variables > MOST_VARIABLES => {
+                let fault = ("many", format!("there are more than {MOST_VARIABLES} variables: the others are left out"));
+                Err((fault, None))
             }
             declared => declared,
         };
@@ -254,6 +253,8 @@ impl<'a, R: BufRead> Parser<'a, R> {
             }
             Err((fault, id)) => {
                 self.fault(fault);
+                // Those of too many are undeclared.
+                let id = id.filter(|_| self.variables <= MOST_VARIABLES);
                 id.into_iter().for_each(|id| self.ids.leave_out(id));
                 Ok(None)
             }
