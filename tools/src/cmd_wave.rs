@@ -16,6 +16,10 @@ Numbers are fixed-point where the format is known: from GTKWave's save file besi
 same name and ending in .gtkw, as `specula run` writes it. Others are hexadecimal. Without --signals \
 and --unit, the signals that the save file shows are drawn, or without one the outermost unit's.
 
+Any dialect of VCD is drawn: what cannot be understood is passed over with a warning on standard \
+error that names its line, and a file that is cut off is drawn up to there (docs/wave.md). FILE may \
+be a pipe, and may be compressed with gzip.
+
 Time is counted in clocks if a signal named `clock` or `clk` rises at a constant pace: each clock \
 begins with a rising edge. Otherwise it is counted in the file's units of time.
 
@@ -25,21 +29,27 @@ Example: specula wave out/teapot/trace.vcd --unit normalise -o normalise.svg";
 #[derive(Clone, Debug, Args)]
 #[command(after_help = NOTES)]
 pub struct Arguments {
-    /// A waveform: VCD or FST, of any tool
+    /// A waveform: VCD or FST, of any tool; `-` is standard input
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Draw signals whose full names match, such as 'teapot.normalise.*' (`*` and `?`; can be given more than once)
+    /// Draw signals whose full names match, such as 'teapot.normalise.*' (`*` and `?`; can be given
+    /// more than once)
     #[arg(long, value_name = "GLOB")]
     signals: Vec<String>,
     /// Draw signals of the unit with this name
     #[arg(long, value_name = "NAME")]
     unit: Option<String>,
-    /// First clock to be drawn, or first time [default: around the save file's marker, or the file's begin]
+    /// First clock to be drawn, or first time [default: around the save file's marker, or the
+    /// file's begin]
     #[arg(long, value_name = "A")]
     from: Option<u64>,
     /// Last clock to be drawn, or last time
     #[arg(long, value_name = "B")]
     to: Option<u64>,
+    /// Width: characters in a line of text [default: the terminal's, or 120], or pixels of a
+    /// picture
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(WIDTH_ASKED))]
+    width: Option<u32>,
     /// Picture to write, .svg or .png [default: text on standard output]
     #[arg(short, long, value_name = "PICTURE")]
     output: Option<PathBuf>,
@@ -52,6 +62,9 @@ const WIDTH: usize = 120;
 /// Characters in a line, at least and at most, whatever the terminal says.
 const WIDTHS: std::ops::RangeInclusive<usize> = 60..=400;
 
+/// The same where the user says.
+const WIDTH_ASKED: std::ops::RangeInclusive<i64> = 20..=8000;
+
 /// What is made of the figure.
 enum Target<'a> {
     Text { width: usize },
@@ -61,7 +74,9 @@ enum Target<'a> {
 
 impl Arguments {
     fn target(&self) -> Result<Target<'_>, WaveError> {
-        let Some(path) = &self.output else { return Ok(Target::Text { width: width() }) };
+        let Some(path) = &self.output else {
+            return Ok(Target::Text { width: self.width.map_or_else(width, |width| width as usize) });
+        };
         match path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).as_deref() {
             Some("svg") => Ok(Target::Svg(path)),
             Some("png") => Ok(Target::Png(path)),
@@ -77,11 +92,11 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Inter
     let said = match target {
         Target::Text { width } => wave::text(&figure, width),
         Target::Svg(path) => {
-            write_file(path, interrupts, |path| fs::write(path, wave::svg(&figure)))?;
+            write_file(path, interrupts, |path| fs::write(path, wave::svg(&figure, arguments.width)))?;
             said(path, &figure)
         }
         Target::Png(path) => {
-            let drawing = wave::png(&figure)?;
+            let drawing = wave::png(&figure, arguments.width)?;
             write_file(path, interrupts, |path| picture::write_line_drawing(path, &drawing))?;
             said(path, &figure)
         }
@@ -92,6 +107,10 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Inter
 
 fn figure(arguments: &Arguments, target: &Target) -> Result<Figure, WaveError> {
     let mut view = View::open(&arguments.file)?;
+    for warning in view.warnings() {
+        // Nothing can be said when nobody listens.
+        let _ = writeln!(io::stderr(), "warning: {warning}");
+    }
     let choice = view.choose(&Selection { patterns: arguments.signals.clone(), unit: arguments.unit.clone() })?;
     let mut figure = |usual| view.figure(&choice, &Asked { from: arguments.from, to: arguments.to, usual });
     match *target {

@@ -37,7 +37,7 @@ pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Resul
     let mut figure = view.figure(&choice, &Asked { from: Some(first), to: Some(last), usual: 0 })?;
     figure.notes =
         vec!["A pixel's way through the core: marked values belong to the pixel that leaves in the marked clock.".to_owned()];
-    fs::write(staging.file(PICTURE), wave::svg(&figure)).map_err(staging.failed(PICTURE))?;
+    fs::write(staging.file(PICTURE), wave::svg(&figure, None)).map_err(staging.failed(PICTURE))?;
     Ok(())
 }
 

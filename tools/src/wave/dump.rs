@@ -1,139 +1,153 @@
 //! A dump: the variables of a VCD or FST file, and the values they take.
-use std::ops::Range;
+use std::collections::HashMap;
+use std::io;
+use std::ops::{ControlFlow, Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 
-use wellen::{Signal, SignalRef, SignalValueRef, TimescaleUnit};
-
+use super::contents::Contents;
 use super::error::WaveError;
-use super::guard::guarded;
-use super::reader::{Waves, damaged};
-use super::value::Value;
-use super::variables::{Variable, clean, variables};
+use super::fst::Fst;
+use super::input::{Format, Input, InputError, STANDARD_INPUT};
+use super::raw::Change;
+use super::segments::{Collector, Segment};
+use super::survey::Survey;
+use super::variables::{Scopes, Variable};
+use super::vcd::Vcd;
+use super::warnings::{Warnings, clean};
 
 /// An opened dump.
 pub struct Dump {
     path: PathBuf,
-    waves: Waves,
-    /// Every variable, in the order of the file.
-    pub variables: Vec<Variable>,
+    reader: Reader,
+    contents: Contents,
 }
 
-/// A value, from when to when.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Segment {
-    /// In the file's units of time.
-    pub time: Range<u64>,
-    /// The value.
-    pub value: Value,
+/// What reads its values.
+enum Reader {
+    Vcd(Box<Vcd>),
+    Fst(Box<Fst>),
 }
+
+/// Values in a figure, and bytes that they take, at most: more of them are of no use to anybody.
+pub const MOST_VALUES: usize = 200_000;
+const MOST_BYTES: usize = 256 << 20;
 
 impl Dump {
-    /// Opens the file.
+    /// Opens the file, or standard input for `-`; `marker` is a time to be looked at.
     ///
     /// # Errors
     /// [`WaveError`] if it is not there, not a dump, damaged, or without signals or times.
-    pub fn open(path: &Path) -> Result<Dump, WaveError> {
-        let waves = Waves::read(path)?;
-        let variables = variables(&waves.hierarchy);
-        let empty = |missing| Err(WaveError::Empty { path: path.to_owned(), missing });
-        match (variables.is_empty(), waves.times.is_empty()) {
+    pub fn open(path: &Path, marker: Option<u64>, warnings: &mut Warnings) -> Result<Dump, WaveError> {
+        let input = Input::open(path, warnings).map_err(|error| refused(path, error))?;
+        let survey = Survey::new(marker);
+        let (reader, contents) = match input.format {
+            Format::Vcd => Vcd::read(input.bytes, survey, warnings).map(|(vcd, contents)| (Reader::Vcd(Box::new(vcd)), contents)),
+            Format::Fst => Fst::read(input.bytes, survey, warnings).map(|(fst, contents)| (Reader::Fst(Box::new(fst)), contents)),
+        }
+        .map_err(|reason| unreadable(path, reason))?;
+        let passed_over = || warnings.lines(&file_name(path)).iter().map(|line| format!("\n{line}")).collect();
+        let empty = |missing| Err(WaveError::Empty { path: path.to_owned(), missing, passed_over: passed_over() });
+        match (contents.variables.is_empty(), contents.survey.is_empty()) {
             (true, _) => empty("signals"),
             (_, true) => empty("values"),
-            _ => Ok(Dump { path: path.to_owned(), waves, variables }),
+            _ => Ok(Dump { path: path.to_owned(), reader, contents }),
         }
     }
 
     /// The file's name.
     pub fn file_name(&self) -> String {
-        self.path.file_name().map(|name| clean(&name.to_string_lossy())).unwrap_or_default()
+        file_name(&self.path)
     }
 
-    /// The times at which something happens, increasing; there is at least one.
-    pub fn times(&self) -> &[u64] {
-        &self.waves.times
+    /// Every variable, scope by scope.
+    pub fn variables(&self) -> &[Variable] {
+        &self.contents.variables
     }
 
-    /// From the first time to the last.
-    pub fn extent(&self) -> Range<u64> {
-        let times = self.times();
-        times.first().copied().unwrap_or(0)..times.last().copied().unwrap_or(0)
+    /// The scopes around them.
+    pub fn scopes(&self) -> &Scopes {
+        &self.contents.scopes
+    }
+
+    /// A variable's full name: scopes and all, joined by dots.
+    pub fn full_name(&self, variable: usize) -> String {
+        let variable = &self.variables()[variable];
+        let path = self.scopes().path(variable.scope);
+        if path.is_empty() { variable.name.clone() } else { format!("{path}.{}", variable.name) }
+    }
+
+    /// When something happens.
+    pub fn survey(&self) -> &Survey {
+        &self.contents.survey
+    }
+
+    /// From the first time to the last, which belongs to it.
+    pub fn extent(&self) -> RangeInclusive<u64> {
+        self.survey().extent()
     }
 
     /// The unit of time, such as `ns` or `10 ps`.
     pub fn time_unit(&self) -> String {
-        let timescale = self.waves.hierarchy.timescale();
-        let named = timescale.and_then(|scale| Some((scale.factor, unit_name(scale.unit)?)));
-        named.map_or("unknown units".to_owned(), |(factor, unit)| match factor {
-            1 => unit.to_owned(),
-            factor => format!("{factor} {unit}"),
-        })
+        self.contents.time_unit.clone().unwrap_or_else(|| "unknown units".to_owned())
     }
 
-    /// Reads the values of some variables, so that [`Dump::segments`] has them.
+    /// The values of some variables in `window`, in order; a time before the first value has none,
+    /// and the last one holds until `end`.
     ///
     /// # Errors
-    /// [`WaveError::Damaged`] if they cannot be read.
-    pub fn load(&mut self, variables: &[usize]) -> Result<(), WaveError> {
-        let signals: Vec<SignalRef> = variables.iter().map(|&index| self.variables[index].signal).collect();
-        let Waves { hierarchy, source, .. } = &mut self.waves;
-        let loaded = guarded(|| source.load_signals(&signals, hierarchy, false)).map_err(|said| damaged(&self.path, &said))?;
-        self.waves.signals.extend(loaded.into_iter().map(|signal| (signal.signal_ref(), signal)));
-        Ok(())
-    }
-
-    /// The values of a loaded variable in `window`, in order; a time before the first value has none.
-    ///
-    /// # Errors
-    /// [`WaveError::Damaged`] if they are not what the file's header says.
-    pub fn segments(&self, variable: usize, window: &Range<u64>) -> Result<Vec<Segment>, WaveError> {
-        let Some(signal) = self.waves.signals.get(&self.variables[variable].signal) else { return Ok(vec![]) };
-        guarded(|| self.segments_of(signal, window)).map_err(|said| damaged(&self.path, &said))
-    }
-
-    fn segments_of(&self, signal: &Signal, window: &Range<u64>) -> Vec<Segment> {
-        let times = self.times();
-        let time = |index: u32| times[index as usize];
-        let changes = signal.time_indices();
-        let first = changes.partition_point(|&index| time(index) <= window.start).saturating_sub(1);
-        let shown = signal.iter_changes().skip(first).take_while(|&(index, _)| time(index) < window.end);
-        let mut segments: Vec<Segment> = vec![];
-        for (index, value) in shown {
-            let (begin, value) = (time(index).max(window.start), value_of(value));
-            match segments.last_mut() {
-                // Changes within one instant, and dumps that repeat a value.
-                Some(last) if last.time.start == begin => last.value = value,
-                Some(last) if last.value == value => {}
-                Some(last) => {
-                    last.time.end = begin;
-                    segments.push(Segment { time: begin..begin, value });
-                }
-                None => segments.push(Segment { time: begin..begin, value }),
+    /// [`WaveError`] if they cannot be read, or are far too many.
+    pub fn segments(&mut self, variables: &[usize], window: &Range<u64>, end: u64) -> Result<Vec<Vec<Segment>>, WaveError> {
+        let all = &self.contents.variables;
+        let mut collectors: Vec<Collector> = variables.iter().map(|&index| Collector::new(&all[index], window)).collect();
+        let mut places: HashMap<u32, Vec<usize>> = HashMap::new();
+        for (place, &index) in variables.iter().enumerate() {
+            places.entry(all[index].signal).or_default().push(place);
+        }
+        let (mut values, mut bytes) = (0, 0);
+        let mut take = |change: Change| {
+            for &place in places.get(&change.signal).into_iter().flatten() {
+                let collector = &mut collectors[place];
+                let before = collector.count();
+                bytes += collector.take(&change);
+                values += collector.count() - before;
             }
+            let enough = values > MOST_VALUES || bytes > MOST_BYTES;
+            if enough { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        match &mut self.reader {
+            Reader::Vcd(vcd) => vcd.changes(window.end, &mut take),
+            Reader::Fst(fst) => fst.changes(&places.keys().copied().collect::<Vec<_>>(), window.end, &mut take),
         }
-        if let Some(last) = segments.last_mut() {
-            last.time.end = self.extent().end.clamp(last.time.start, window.end);
+        .map_err(|reason| unreadable(&self.path, reason))?;
+        if values > MOST_VALUES || bytes > MOST_BYTES {
+            return Err(WaveError::Large { signals: variables.len(), amount: format!("more than {values} values") });
         }
-        segments
+        Ok(collectors.into_iter().map(|collector| collector.finish(end)).collect())
     }
 }
 
-fn unit_name(unit: TimescaleUnit) -> Option<&'static str> {
-    match unit {
-        TimescaleUnit::ZeptoSeconds => Some("zs"),
-        TimescaleUnit::AttoSeconds => Some("as"),
-        TimescaleUnit::FemtoSeconds => Some("fs"),
-        TimescaleUnit::PicoSeconds => Some("ps"),
-        TimescaleUnit::NanoSeconds => Some("ns"),
-        TimescaleUnit::MicroSeconds => Some("us"),
-        TimescaleUnit::MilliSeconds => Some("ms"),
-        TimescaleUnit::Seconds => Some("s"),
-        TimescaleUnit::Unknown => None,
+/// The name of a file as it is told.
+pub fn file_name(path: &Path) -> String {
+    if path == Path::new(STANDARD_INPUT) {
+        return "standard input".to_owned();
+    }
+    path.file_name().map(|name| clean(&name.to_string_lossy())).unwrap_or_default()
+}
+
+fn refused(path: &Path, error: InputError) -> WaveError {
+    match error {
+        InputError::Unreadable(reason) => unreadable(path, reason),
+        InputError::Kind => WaveError::Kind { path: path.to_owned() },
+        InputError::Damaged(reason) => WaveError::Damaged { path: path.to_owned(), reason },
     }
 }
 
-fn value_of(value: SignalValueRef) -> Value {
-    match value.to_bit_string() {
-        Some(bits) => Value::Bits(bits),
-        None => Value::Text(clean(&value.to_string())),
+/// The error for what the system says, or for what one of our readers says of the file.
+fn unreadable(path: &Path, reason: io::Error) -> WaveError {
+    let path = path.to_owned();
+    match reason.kind() {
+        io::ErrorKind::InvalidData => WaveError::Damaged { path, reason: reason.to_string() },
+        io::ErrorKind::UnexpectedEof => WaveError::Damaged { path, reason: "it ends too early".to_owned() },
+        _ => WaveError::Unreadable { path, reason },
     }
 }

@@ -40,44 +40,38 @@ pub enum WaveError {
         reason: String,
     },
     /// There is nothing in the file that could be drawn.
-    #[error("`{}` holds no {missing}", path.display())]
+    #[error("`{}` holds no {missing}{passed_over}", path.display())]
     #[diagnostic(code(specula::wave::empty), help("dump at least one signal over some time, in Verilog with `$dumpvars`"))]
     Empty {
         /// The file.
         path: PathBuf,
         /// What it should hold.
         missing: &'static str,
-    },
-    /// The save file beside the dump cannot be used.
-    #[error("the save file `{}` cannot be read: {reason}", path.display())]
-    #[diagnostic(
-        code(specula::wave::save_file),
-        help("formats of values are taken from it; mend it, or move it away to see values as hexadecimal numbers")
-    )]
-    SaveFile {
-        /// The save file.
-        path: PathBuf,
-        /// What the system says.
-        reason: io::Error,
+        /// What it holds instead, a line for each kind of thing.
+        passed_over: String,
     },
     /// No signal has the name.
     #[error("no signal is named `{pattern}`")]
     #[diagnostic(
         code(specula::wave::signals),
-        help("`*` and `?` match in full names, `top.unit.signal`, dots too; there are, for example, {there}")
+        help("{near}`*` and `?` match in full names, `top.unit.signal`, dots too; there are, for example, {there}")
     )]
     Signals {
         /// What was asked for.
         pattern: String,
+        /// The name that was meant, perhaps, as a sentence.
+        near: String,
         /// Some names that there are.
         there: String,
     },
     /// No unit has the name.
     #[error("no unit is named `{unit}`")]
-    #[diagnostic(code(specula::wave::unit), help("there are {there}; a signal's full name is that of `--signals`"))]
+    #[diagnostic(code(specula::wave::unit), help("{near}there are {there}; a signal's full name is that of `--signals`"))]
     Unit {
         /// What was asked for.
         unit: String,
+        /// The name that was meant, perhaps, as a sentence.
+        near: String,
         /// Units that there are.
         there: String,
     },
@@ -91,7 +85,7 @@ pub enum WaveError {
         there: String,
     },
     /// A picture of that would be of no use.
-    #[error("a drawing of {length} instants in {signals} rows is too large")]
+    #[error("a drawing of {amount} in {signals} rows is too large")]
     #[diagnostic(
         code(specula::wave::large),
         help("choose fewer signals with `--signals` or a shorter time with `--from` and `--to`")
@@ -99,8 +93,8 @@ pub enum WaveError {
     Large {
         /// Rows.
         signals: usize,
-        /// Instants at which they may change.
-        length: u64,
+        /// How much there is of what is too much.
+        amount: String,
     },
     /// The picture's file name does not say what to write.
     #[error("`{}` is the name of no picture that can be written", path.display())]

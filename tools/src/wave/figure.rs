@@ -1,7 +1,8 @@
-//! What is drawn: rows of values over time. Text and pictures are made of this, and of nothing else.
+//! What is drawn: rows of values over time. Text and pictures are made of this, and of nothing
+//! else.
 use std::ops::Range;
 
-use super::dump::Segment;
+use super::segments::Segment;
 use super::value::{Notation, Value};
 
 /// A piece of a waveform, ready to be drawn.
@@ -59,6 +60,8 @@ pub struct Row {
 pub enum Shape {
     /// A bit: low or high.
     Levels,
+    /// Marks at the times at which something happens.
+    Events,
     /// Values.
     Cells {
         /// How they are written.
@@ -81,6 +84,11 @@ impl Axis {
         distance / self.step as f64
     }
 
+    /// When the column ends in which a time lies; it has to lie behind the begin.
+    pub fn column_end(&self, time: u64) -> u64 {
+        self.time(time.saturating_sub(self.begin) / self.step + 1)
+    }
+
     /// When a column begins.
     fn time(&self, column: u64) -> u64 {
         self.begin.saturating_add(column.saturating_mul(self.step))
@@ -93,26 +101,37 @@ impl Figure {
         self.groups.iter().flat_map(|group| &group.rows)
     }
 
-    /// The number of characters that the longest value takes if none may have more than `most`.
-    pub fn longest_value(&self, most: usize) -> usize {
-        let texts = self.rows().flat_map(|row| row.segments.iter().filter_map(move |segment| row.written(&segment.value, most)));
-        texts.map(|text| text.chars().count()).max().unwrap_or(0)
+    /// The number of characters that a column needs for the longest value if none may have more
+    /// than `most`, and none that can be rounded more than `rounded`. A value that lasts several
+    /// columns has the room of all.
+    pub fn longest_value(&self, rounded: usize, most: usize) -> usize {
+        let columns = |segment: &Segment| self.axis.place(segment.time.end) - self.axis.place(segment.time.start);
+        let share = |length: usize, columns: f64| ((length as f64 + 1.0) / columns.max(1.0)).ceil() as usize - 1;
+        let wish = |row: &Row, segment: &Segment| share(row.wish(&segment.value, rounded, most), columns(segment));
+        self.rows().flat_map(|row| row.segments.iter().map(move |segment| wish(row, segment))).max().unwrap_or(0)
     }
 }
 
 impl Row {
-    /// A value in `room` characters; none for bits, or if it does not fit.
+    /// A value in `room` characters; none for bits and events, or if it does not fit.
     pub fn written(&self, value: &Value, room: usize) -> Option<String> {
         match &self.shape {
-            Shape::Levels => None,
+            Shape::Levels | Shape::Events => None,
             Shape::Cells { notation, .. } => notation.written(value, room),
+        }
+    }
+
+    fn wish(&self, value: &Value, rounded: usize, most: usize) -> usize {
+        match &self.shape {
+            Shape::Levels | Shape::Events => 0,
+            Shape::Cells { notation, .. } => notation.wish(value, rounded, most),
         }
     }
 
     /// The format of its values; empty for a bit.
     pub fn format(&self) -> &str {
         match &self.shape {
-            Shape::Levels => "",
+            Shape::Levels | Shape::Events => "",
             Shape::Cells { format, .. } => format,
         }
     }

@@ -2,13 +2,13 @@
 use std::ops::RangeInclusive;
 
 use super::dump::Dump;
-use super::error::WaveError;
-use super::value::Value;
+use super::variables::{Scopes, Variable};
 
 /// What time is counted in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Ruler {
-    /// Clocks: number c begins with the rising edge at `phase` + c `period`, and what stands before clock 0 is not shown.
+    /// Clocks: number c begins with the rising edge at `phase` + c `period`, and what stands before
+    /// clock 0 is not shown.
     Clocks {
         /// The time of the edge that begins clock 0.
         phase: u64,
@@ -22,21 +22,25 @@ pub enum Ruler {
 /// Names of a clock.
 const CLOCKS: [&str; 2] = ["clock", "clk"];
 
+/// Whether a signal of one bit with that name may be a clock.
+pub fn is_clock(name: &str) -> bool {
+    CLOCKS.iter().any(|clock| name.eq_ignore_ascii_case(clock))
+}
+
+/// The outermost variable that may be a clock, by its number.
+pub fn clock(variables: &[Variable], scopes: &Scopes) -> Option<usize> {
+    let numbered = variables.iter().enumerate();
+    let clocks = numbered.filter(|(_, variable)| variable.width == Some(1) && is_clock(&variable.name));
+    clocks.min_by_key(|(_, variable)| scopes.depth(variable.scope)).map(|(index, _)| index)
+}
+
 impl Ruler {
-    /// The ruler of a dump: the outermost signal named `clock` or `clk` gives it, if it rises at a constant pace.
-    ///
-    /// # Errors
-    /// [`WaveError::Damaged`] if that signal cannot be read.
-    pub fn of(dump: &mut Dump) -> Result<Ruler, WaveError> {
-        let named = |name: &str| CLOCKS.iter().any(|clock| name.eq_ignore_ascii_case(clock));
-        let variables = dump.variables.iter().enumerate();
-        let clocks = variables.filter(|(_, variable)| variable.width == Some(1) && named(&variable.name));
-        let Some((index, _)) = clocks.min_by_key(|(_, variable)| variable.scopes.len()) else { return Ok(Ruler::Time) };
-        dump.load(&[index])?;
-        let all = 0..u64::MAX;
-        let segments = dump.segments(index, &all)?;
-        let rises = segments.iter().filter(|segment| segment.value == Value::Bits("1".to_owned()));
-        Ok(constant_pace(&rises.map(|segment| segment.time.start).collect::<Vec<_>>()).unwrap_or(Ruler::Time))
+    /// The ruler of a dump: the outermost signal named `clock` or `clk` gives it, if it rises at a
+    /// constant pace.
+    pub fn of(dump: &Dump) -> Ruler {
+        let clock = clock(dump.variables(), dump.scopes()).map(|clock| dump.variables()[clock].signal);
+        let pace = clock.and_then(|clock| dump.survey().pace(clock));
+        pace.map_or(Ruler::Time, |(first, period)| Ruler::Clocks { phase: first % period, period })
     }
 
     /// What it counts.
@@ -72,34 +76,23 @@ impl Ruler {
         }
     }
 
-    /// What the dump covers, the last included: a clock that has begun counts.
+    /// What the dump covers, the last included: a clock that has begun counts, and one that begins
+    /// with the last instant if something changes at it.
     pub fn extent(&self, dump: &Dump) -> RangeInclusive<u64> {
         let extent = dump.extent();
         match self {
-            Ruler::Clocks { .. } => self.at(extent.start)..=self.at(extent.end.saturating_sub(1)),
-            Ruler::Time => extent.start..=extent.end,
+            Ruler::Clocks { .. } => {
+                let behind = u64::from(!dump.survey().changes_at_last());
+                self.at(*extent.start())..=self.at(extent.end().saturating_sub(behind))
+            }
+            Ruler::Time => extent,
         }
     }
-}
-
-/// The ruler of a clock that rises at these times, if they are evenly spaced.
-fn constant_pace(rises: &[u64]) -> Option<Ruler> {
-    let period = rises.get(1)? - rises[0];
-    let constant = rises.windows(2).all(|pair| pair[1] - pair[0] == period);
-    constant.then(|| Ruler::Clocks { phase: rises[0] % period, period })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_clock_needs_a_constant_pace() {
-        assert_eq!(constant_pace(&[25, 35, 45]), Some(Ruler::Clocks { phase: 5, period: 10 }));
-        assert_eq!(constant_pace(&[0, 10, 21]), None);
-        assert_eq!(constant_pace(&[7]), None);
-        assert_eq!(constant_pace(&[]), None);
-    }
 
     #[test]
     fn numbers_and_times_belong_together() {

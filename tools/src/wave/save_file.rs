@@ -1,12 +1,16 @@
 //! GTKWave's save file beside a dump: which signals to show, in which formats, and the marker.
 //!
-//! What is read is what Specula writes (see `gtkw.rs` in `sim/`), which GTKWave keeps when it saves. Other lines are passed over.
-use std::fs;
-use std::io;
+//! What is read is what Specula writes (see `gtkw.rs` in `sim/`), which GTKWave keeps when it
+//! saves. Other lines are passed over.
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::Path;
 
-use super::error::WaveError;
 use super::value::Notation;
+use super::warnings::{Warnings, decoded};
+
+/// Bytes of a save file that are read, at most.
+const MOST: u64 = 64 << 20;
 
 /// Bits of GTKWave's flags (`TraceEntFlagBits` of its `analyzer.h`).
 mod flag {
@@ -40,16 +44,17 @@ pub struct SavedSignal {
 }
 
 impl SaveFile {
-    /// The save file beside a dump: of the same name, with the ending `.gtkw`. None if there is none.
-    ///
-    /// # Errors
-    /// [`WaveError::SaveFile`] if there is one and it cannot be read.
-    pub fn beside(dump: &Path) -> Result<Option<SaveFile>, WaveError> {
+    /// The save file beside a dump: of the same name, with the ending `.gtkw`. None if there is
+    /// none, or none that can be read, which is a warning.
+    pub fn beside(dump: &Path, warnings: &mut Warnings) -> Option<SaveFile> {
         let path = dump.with_extension("gtkw");
-        match fs::read_to_string(&path) {
-            Ok(text) => Ok(Some(SaveFile::parse(&text))),
-            Err(reason) if reason.kind() == io::ErrorKind::NotFound => Ok(None),
-            Err(reason) => Err(WaveError::SaveFile { path, reason }),
+        match read(&path) {
+            Ok(text) => Some(SaveFile::parse(&text)),
+            Err(reason) if reason.kind() == io::ErrorKind::NotFound => None,
+            Err(reason) => {
+                warnings.of_file("save file", || format!("the save file beside it is passed over: {reason}"));
+                None
+            }
         }
     }
 
@@ -59,6 +64,17 @@ impl SaveFile {
         text.lines().for_each(|line| reader.line(line.trim_end()));
         reader.file
     }
+}
+
+/// The text of a regular file: a pipe would be waited for, and a device never ends.
+fn read(path: &Path) -> io::Result<String> {
+    if !fs::metadata(path)?.is_file() {
+        return Err(io::Error::other("it is not a regular file"));
+    }
+    let mut bytes = vec![];
+    File::open(path)?.take(MOST + 1).read_to_end(&mut bytes)?;
+    let long = || io::Error::other(format!("it is longer than {} MiB", MOST >> 20));
+    if bytes.len() as u64 <= MOST { Ok(decoded(&bytes)) } else { Err(long()) }
 }
 
 /// A save file while it is read.

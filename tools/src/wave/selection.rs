@@ -7,7 +7,7 @@ use super::dump::Dump;
 use super::error::WaveError;
 use super::save_file::SaveFile;
 use super::value::Notation;
-use super::variables::Variable;
+use super::variables::{ScopeId, Variable};
 
 /// What somebody wants to see.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -44,7 +44,8 @@ const MOST: usize = 40;
 const EXAMPLES: usize = 6;
 
 impl Selection {
-    /// The signals of `dump` that are meant; without patterns and a unit those of the save file, and without one the outermost.
+    /// The signals of `dump` that are meant; without patterns and a unit those of the save file,
+    /// and without one the outermost.
     ///
     /// # Errors
     /// [`WaveError`] if a pattern or the unit does not match anything.
@@ -54,7 +55,7 @@ impl Selection {
         let (variables, left_out) = match (&self.patterns[..], within) {
             ([], None) => or_first_few(saved.visible(), || outermost(dump)),
             ([], Some(unit)) => or_first_few(saved.among(&unit.all), || unit.direct),
-            (patterns, None) => (matching(dump, patterns, &(0..dump.variables.len()).collect::<Vec<_>>())?, 0),
+            (patterns, None) => (matching(dump, patterns, &(0..dump.variables().len()).collect::<Vec<_>>())?, 0),
             (patterns, Some(unit)) => (matching(dump, patterns, &unit.all)?, 0),
         };
         let signal = |variable| Chosen { variable, notation: saved.notation(dump, variable), highlight: None };
@@ -62,7 +63,8 @@ impl Selection {
     }
 }
 
-/// Signals by their full names, each with the clock, or time, whose value matters most; those that the dump does not hold are left out.
+/// Signals by their full names, each with the clock, or time, whose value matters most; those that
+/// the dump does not hold are left out.
 pub fn named(dump: &Dump, save_file: Option<&SaveFile>, names: &[(String, u64)]) -> Choice {
     let (saved, numbers) = (Saved::of(dump, save_file), numbers(dump));
     let there = names.iter().filter_map(|(name, highlight)| Some((*numbers.get(name)?, *highlight)));
@@ -72,7 +74,7 @@ pub fn named(dump: &Dump, save_file: Option<&SaveFile>, names: &[(String, u64)])
 
 /// The number of each full name.
 fn numbers(dump: &Dump) -> HashMap<String, usize> {
-    dump.variables.iter().enumerate().map(|(index, variable)| (variable.full_name(), index)).collect()
+    (0..dump.variables().len()).map(|index| (dump.full_name(index), index)).collect()
 }
 
 /// `chosen`, or if that is nothing, the first of `others`, and how many more of them there are.
@@ -88,14 +90,16 @@ fn or_first_few(chosen: Vec<usize>, others: impl FnOnce() -> Vec<usize>) -> (Vec
 
 /// The signals of the outermost scope that has any; of its ports alone if the file says which are.
 fn outermost(dump: &Dump) -> Vec<usize> {
-    let depth = dump.variables.iter().map(|variable| variable.scopes.len()).min();
-    let Some(first) = dump.variables.iter().find(|variable| Some(variable.scopes.len()) == depth) else { return vec![] };
-    let here = |wanted: &dyn Fn(&Variable) -> bool| -> Vec<usize> {
-        let numbered = dump.variables.iter().enumerate();
-        numbered.filter(|(_, variable)| variable.scopes == first.scopes && wanted(variable)).map(|(index, _)| index).collect()
-    };
+    let depth = |variable: &Variable| dump.scopes().depth(variable.scope);
+    let Some(first) = dump.variables().iter().min_by_key(|variable| depth(variable)) else { return vec![] };
+    let here = |wanted: &dyn Fn(&Variable) -> bool| numbers_of(dump, &|variable| variable.scope == first.scope && wanted(variable));
     let ports = here(&|variable| variable.port);
     if ports.is_empty() { here(&|_| true) } else { ports }
+}
+
+/// The numbers of the variables that are wanted.
+fn numbers_of(dump: &Dump, wanted: &dyn Fn(&Variable) -> bool) -> Vec<usize> {
+    dump.variables().iter().enumerate().filter(|(_, variable)| wanted(variable)).map(|(index, _)| index).collect()
 }
 
 /// The signals of units with a name.
@@ -106,31 +110,50 @@ struct Inside {
     all: Vec<usize>,
 }
 
+/// The units of that name, or the one of that full name.
 fn inside(dump: &Dump, unit: &str) -> Result<Inside, WaveError> {
-    let numbers = |wanted: &dyn Fn(&Variable) -> bool| -> Vec<usize> {
-        dump.variables.iter().enumerate().filter(|(_, variable)| wanted(variable)).map(|(index, _)| index).collect()
-    };
-    let all = numbers(&|variable| variable.scopes.iter().any(|scope| scope == unit));
+    let scopes = dump.scopes();
+    let meant = |scope: ScopeId| scopes.name(scope) == unit || (unit.contains('.') && scopes.path(scope) == unit);
+    let all = numbers_of(dump, &|variable| scopes.outwards(variable.scope).any(meant));
     if all.is_empty() {
-        let names = distinct(dump.variables.iter().flat_map(|variable| &variable.scopes).cloned());
-        return Err(WaveError::Unit { unit: unit.to_owned(), there: examples(&names) });
+        let names = distinct(scopes.names().map(str::to_owned));
+        let (near, there) = (near(unit, &names), examples(&names));
+        return Err(WaveError::Unit { unit: unit.to_owned(), near, there });
     }
-    Ok(Inside { direct: numbers(&|variable| variable.scopes.last().is_some_and(|scope| scope == unit)), all })
+    let direct = numbers_of(dump, &|variable| scopes.outwards(variable.scope).next().is_some_and(meant));
+    Ok(Inside { direct, all })
 }
 
 /// Those of `among` that match a pattern, in the file's order.
 fn matching(dump: &Dump, patterns: &[String], among: &[usize]) -> Result<Vec<usize>, WaveError> {
-    let names: Vec<String> = among.iter().map(|&index| dump.variables[index].full_name()).collect();
+    let names: Vec<String> = among.iter().map(|&index| dump.full_name(index)).collect();
     let mut wanted = vec![false; names.len()];
     for pattern in patterns {
         let glob = WildMatch::new(pattern);
-        let matches: Vec<bool> = names.iter().map(|name| glob.matches(name)).collect();
+        let spelt =
+            |(&index, name): (&usize, &String)| spellings(&dump.variables()[index], name).iter().any(|name| glob.matches(name));
+        let matches: Vec<bool> = among.iter().zip(&names).map(spelt).collect();
         if !matches.contains(&true) {
-            return Err(WaveError::Signals { pattern: pattern.clone(), there: examples(&names) });
+            let (near, there) = (near(pattern, &names), examples(&names));
+            return Err(WaveError::Signals { pattern: pattern.clone(), near, there });
         }
         wanted.iter_mut().zip(matches).for_each(|(wanted, matches)| *wanted |= matches);
     }
     Ok(among.iter().zip(wanted).filter(|(_, wanted)| *wanted).map(|(&index, _)| index).collect())
+}
+
+/// How a signal may be called: with its range, as files and GTKWave write it, and without the
+/// backslash of an escaped name.
+fn spellings(variable: &Variable, name: &str) -> Vec<String> {
+    let mut spellings = vec![name.to_owned()];
+    if let Some(range) = variable.range.as_ref().filter(|range| !name.ends_with(range.as_str())) {
+        spellings.extend([format!("{name}{range}"), format!("{name} {range}")]);
+    }
+    if name.contains('\\') {
+        let plain: Vec<String> = spellings.iter().map(|name| name.replace('\\', "")).collect();
+        spellings.extend(plain);
+    }
+    spellings
 }
 
 /// The first names of many, in words.
@@ -141,6 +164,26 @@ fn examples(names: &[String]) -> String {
     }
     shown.join(", ")
 }
+
+/// The name that is most like what was asked for, as a question; empty if none is like it.
+fn near(asked: &str, names: &[String]) -> String {
+    let likeness = |name: &String| {
+        let last = name.rsplit('.').next().unwrap_or(name);
+        let whole = strsim::normalized_damerau_levenshtein(&asked.to_lowercase(), &name.to_lowercase());
+        // Who leaves out the scopes means the signal all the same.
+        whole.max(if last.eq_ignore_ascii_case(asked) { 1.0 } else { 0.0 })
+    };
+    let short = names.iter().filter(|name| name.len() <= LONGEST_COMPARED).take(MOST_COMPARED);
+    let likely = short.map(|name| (likeness(name), name)).filter(|(likeness, _)| *likeness >= LIKELY);
+    let best = likely.min_by(|(one, _), (other, _)| other.total_cmp(one));
+    best.map_or(String::new(), |(_, name)| format!("did you mean `{name}`? "))
+}
+
+/// How like a name is to what was asked for if it may be meant, from 0 to 1.
+const LIKELY: f64 = 0.7;
+/// Names that are compared, and characters of each, at most: comparing takes their product.
+const MOST_COMPARED: usize = 100_000;
+const LONGEST_COMPARED: usize = 200;
 
 fn distinct(names: impl Iterator<Item = String>) -> Vec<String> {
     let mut seen = HashSet::new();
@@ -157,7 +200,8 @@ struct Saved {
 impl Saved {
     fn of(dump: &Dump, save_file: Option<&SaveFile>) -> Saved {
         let signals = save_file.map_or(&[][..], |save_file| &save_file.signals);
-        let numbers = numbers(dump);
+        // Names of all variables are worth making only where there is something to be found.
+        let numbers = if signals.is_empty() { HashMap::new() } else { numbers(dump) };
         let mut saved = Saved { order: vec![], notations: HashMap::new() };
         for signal in signals {
             let Some(&index) = numbers.get(&signal.name) else { continue };
@@ -175,11 +219,12 @@ impl Saved {
     }
 
     fn among(&self, variables: &[usize]) -> Vec<usize> {
+        let variables: HashSet<&usize> = variables.iter().collect();
         self.order.iter().map(|&(index, _)| index).filter(|index| variables.contains(index)).collect()
     }
 
     fn notation(&self, dump: &Dump, variable: usize) -> Notation {
         let known = self.notations.get(&variable).copied();
-        known.unwrap_or(if dump.variables[variable].width == Some(1) { Notation::Binary } else { Notation::Hexadecimal })
+        known.unwrap_or(if dump.variables()[variable].width == Some(1) { Notation::Binary } else { Notation::Hexadecimal })
     }
 }

@@ -1,16 +1,16 @@
 //! A figure laid out: shapes and words with their places in pixels.
-use super::dump::Segment;
 use super::figure::{Axis, Figure, Row, Shape};
 use super::layout::{Layout, MARGIN, ROW, SLANT};
+use super::segments::Segment;
 use super::value::Value;
 use crate::drawing::{CAPITAL, CHARACTER, Ink, Mark, Point, Sheet};
 
 /// From low to high.
 const WAVE: f64 = 15.0;
 
-/// Lays a figure out.
-pub fn sheet(figure: &Figure) -> Sheet {
-    let layout = Layout::new(figure);
+/// Lays a figure out, in a width in pixels if that is given.
+pub fn sheet(figure: &Figure, width: Option<u32>) -> Sheet {
+    let layout = Layout::new(figure, width);
     let mut pen = Pen { layout: &layout, marks: vec![] };
     pen.columns(&figure.axis);
     pen.words(Ink::Title, (MARGIN, MARGIN + CAPITAL), &figure.title);
@@ -101,6 +101,7 @@ impl Pen<'_> {
         let highlight = highlight.filter(|place| place.to > place.from);
         match row.shape {
             Shape::Levels => self.levels(&pieces, highlight.as_ref()),
+            Shape::Events => self.events(&pieces),
             Shape::Cells { .. } => self.cells(row, &pieces, highlight.as_ref()),
         }
     }
@@ -128,6 +129,21 @@ impl Pen<'_> {
         self.marks.push(Mark::Areas(Ink::Highlight, highlight.into_iter().map(hexagon).collect()));
         self.marks.push(Mark::Areas(Ink::Unknown, unknown));
         self.marks.push(Mark::Traces(Ink::Level, traces));
+        // An x is told by its colour; VHDL has more states.
+        for (place, segment) in pieces.iter().filter(|(place, _)| place.to - place.from >= CHARACTER + 2.0 * SLANT) {
+            if let Some(letter) = letter(&segment.value) {
+                self.marks.push(Mark::WordsAmid(Ink::Value, middle(place), letter.to_owned()));
+            }
+        }
+    }
+
+    /// Events: an arrow for each.
+    fn events(&mut self, pieces: &[Piece]) {
+        let arrow = |(place, _): &Piece| {
+            let (x, neck) = (place.from, place.high + 2.0 * SLANT);
+            [vec![(x, place.low), (x, place.high)], vec![(x - SLANT, neck), (x, place.high), (x + SLANT, neck)]]
+        };
+        self.marks.push(Mark::Traces(Ink::Level, pieces.iter().flat_map(arrow).collect()));
     }
 
     /// Values, each in a cell with pointed ends, as far as they fit.
@@ -149,17 +165,30 @@ impl Pen<'_> {
     fn value(&mut self, ink: Ink, place: &Extent, row: &Row, segment: &Segment) {
         let room = ((place.to - place.from - 2.0 * SLANT) / CHARACTER).max(0.0) as usize;
         if let Some(text) = row.written(&segment.value, room) {
-            let middle = ((place.from + place.to) / 2.0, (place.high + place.low + CAPITAL) / 2.0);
-            self.marks.push(Mark::WordsAmid(ink, middle, text));
+            self.marks.push(Mark::WordsAmid(ink, middle(place), text));
         }
+    }
+}
+
+/// Where the base line of words in the middle of a value is.
+fn middle(place: &Extent) -> Point {
+    ((place.from + place.to) / 2.0, (place.high + place.low + CAPITAL) / 2.0)
+}
+
+/// The letter of a state that Verilog does not have.
+fn letter(value: &Value) -> Option<&str> {
+    match value {
+        Value::Bits(bits) if matches!(bits.as_str(), "u" | "w" | "l" | "h" | "-") => Some(bits),
+        _ => None,
     }
 }
 
 /// The height of a bit's line; none if it is unknown.
 fn level(place: &Extent, value: &Value) -> Option<f64> {
     match value {
-        Value::Bits(bits) if bits == "0" => Some(place.low),
-        Value::Bits(bits) if bits == "1" => Some(place.high),
+        // Weak states of VHDL are as low and as high as others.
+        Value::Bits(bits) if bits == "0" || bits == "l" => Some(place.low),
+        Value::Bits(bits) if bits == "1" || bits == "h" => Some(place.high),
         Value::Bits(bits) if bits == "z" => Some((place.high + place.low) / 2.0),
         _ => None,
     }

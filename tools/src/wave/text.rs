@@ -2,12 +2,15 @@
 use std::fmt::Write;
 use std::ops::Range;
 
-use super::dump::Segment;
 use super::figure::{Axis, Figure, Row, Shape};
+use super::segments::Segment;
 use super::value::Value;
 
-/// Characters of a value, at most.
-const LONGEST_VALUE: usize = 9;
+/// Characters of a value that columns are made wide for where more of them would have to stand
+/// below each other: 64 bits in hexadecimal.
+const LONGEST_VALUE: usize = 16;
+/// The same for numbers that can be rounded.
+const LONGEST_ROUNDED: usize = 9;
 /// Characters of a column, at least: a bar and room for a short number.
 const NARROWEST: usize = 5;
 /// Blanks before a signal's name: it stands below its unit's.
@@ -22,6 +25,10 @@ const HIGH: char = '\u{2594}';
 const FLOATING: char = '\u{2500}';
 /// Stands for a value that does not fit.
 const CUT: char = '\u{2026}';
+/// Characters in which it is worth while to show the begin of a text.
+const SHORTEST_CUT: usize = 4;
+/// Stands for an event.
+const EVENT: char = '\u{2191}';
 const MARKER: char = '\u{25bc}';
 
 /// Where things stand in a line.
@@ -40,10 +47,14 @@ impl Page {
         let names = figure.rows().map(label).max().unwrap_or(0) + 1;
         let room = width.saturating_sub(names + 1).max(NARROWEST);
         let number = figure.axis.numbers.last().map_or(0, |number| number.to_string().len());
-        let wanted = (figure.longest_value(LONGEST_VALUE).max(number) + 1).max(NARROWEST);
         let all = figure.axis.numbers.len().max(1);
+        // A short window has room for values of any length.
+        let beside = (room / all).saturating_sub(1);
+        let longest = |rounded: usize, most: usize| figure.longest_value(rounded.max(beside), most.max(beside));
+        let wanted = (longest(LONGEST_ROUNDED, LONGEST_VALUE).max(number) + 1).max(NARROWEST);
         // Values shorter by a few decimals are better than a second panel, but not too short.
-        let column = (room / all).clamp(wanted.min(NARROWEST + 2), wanted);
+        let least = (figure.longest_value(NARROWEST + 1, LONGEST_VALUE) + 1).max(NARROWEST + 2).min(wanted);
+        let column = (room / all).clamp(least, wanted).min(room);
         Page { names, column, columns: (room / column).clamp(1, all) }
     }
 }
@@ -77,7 +88,10 @@ fn panel(text: &mut String, figure: &Figure, page: &Page, columns: &Range<usize>
     let heading = format!("{:width$}{}", figure.axis.unit, numbers(&figure.axis, page, columns), width = page.names);
     push_line(text, &heading);
     for group in &figure.groups {
-        push_line(text, &group.unit);
+        // Not every dump has scopes.
+        if !group.unit.is_empty() {
+            push_line(text, &group.unit);
+        }
         for row in &group.rows {
             let space = page.names - INDENT - 1 - row.format().chars().count();
             let name = format!("{:INDENT$}{:space$}{} ", "", row.name, row.format());
@@ -93,11 +107,16 @@ fn push_line(text: &mut String, line: &str) {
 
 /// The columns' numbers, as many as there is room for; the marker stands before its own.
 fn numbers(axis: &Axis, page: &Page, columns: &Range<usize>) -> String {
-    let mut line = Line::new(columns.len() * page.column + 1);
     let widest = axis.numbers.last().map_or(1, |number| number.to_string().len() + 2);
+    let room = (columns.len() * page.column + 1).max(widest);
+    let mut line = Line::new(room);
     let every = widest.div_ceil(page.column).max(1);
     for column in columns.clone().filter(|column| column % every == 0) {
-        line.write((column - columns.start) * page.column + 1, &axis.numbers[column].to_string());
+        let (at, number) = ((column - columns.start) * page.column + 1, axis.numbers[column].to_string());
+        // A piece of a number would be another number.
+        if at + number.len() <= room {
+            line.write(at, &number);
+        }
     }
     if let Some(place) = axis.marker.as_ref().map(|marker| character(axis, page, columns, marker.start)) {
         line.put(place, MARKER);
@@ -123,9 +142,10 @@ fn wave(row: &Row, figure: &Figure, page: &Page, columns: &Range<usize>) -> Stri
         }
         match row.shape {
             Shape::Levels => level(&mut line, from.max(0)..to.min(end), segment),
+            Shape::Events => line.put(from, EVENT),
             Shape::Cells { .. } => cell(&mut line, from.max(0)..to.min(end), row, segment),
         }
-        if last == Some(from) {
+        if last == Some(from) && row.shape != Shape::Events {
             line.put(from, CROWDED);
         }
         last = Some(from);
@@ -141,7 +161,7 @@ fn level(line: &mut Line, place: Range<i64>, segment: &Segment) {
             "z" => FLOATING,
             other => other.chars().next().unwrap_or('x'),
         },
-        Value::Text(_) => 'x',
+        Value::Real(_) | Value::Text(_) => 'x',
     };
     place.for_each(|at| line.put(at, character));
 }
@@ -151,10 +171,19 @@ fn cell(line: &mut Line, place: Range<i64>, row: &Row, segment: &Segment) {
     let room = usize::try_from(place.end - place.start - 1).unwrap_or(0);
     match row.written(&segment.value, room) {
         Some(text) => line.write(place.start as usize + 1, &text),
+        None if room >= SHORTEST_CUT => match &segment.value {
+            Value::Text(text) => line.write(place.start as usize + 1, &cut(text, room)),
+            _ => line.put(place.start + 1, CUT),
+        },
         None if room > 0 => line.put(place.start + 1, CUT),
         None => {}
     }
     line.put(place.end, BAR);
+}
+
+/// The begin of a text that does not fit.
+fn cut(text: &str, room: usize) -> String {
+    text.chars().take(room - 1).chain([CUT]).collect()
 }
 
 /// A line while it is written.

@@ -1,13 +1,34 @@
 //! Values, and how they are written.
-use specula_scene::Format;
 
 /// A value in a dump.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value {
     /// Bits from the highest to the lowest: `0`, `1`, `x`, `z` and VHDL's others.
     Bits(String),
-    /// Anything else, as the dump's reader writes it.
+    /// A real number, in decimal.
+    Real(String),
+    /// Anything else, as the file has it.
     Text(String),
+}
+
+impl Value {
+    /// A real number with as few digits as tell it from all others.
+    pub fn real(number: f64) -> Value {
+        let usual = number == 0.0 || (1e-5..1e16).contains(&number.abs()) || !number.is_finite();
+        Value::Real(if usual { number.to_string() } else { format!("{number:e}") })
+    }
+
+    /// Its length in bytes.
+    pub fn length(&self) -> usize {
+        match self {
+            Value::Bits(text) | Value::Real(text) | Value::Text(text) => text.len(),
+        }
+    }
+
+    /// Whether it is a bit.
+    pub fn is_bit(&self) -> bool {
+        matches!(self, Value::Bits(bits) if bits.len() == 1)
+    }
 }
 
 /// How a signal's values are written.
@@ -37,15 +58,25 @@ impl Notation {
             Notation::Binary => "bin".to_owned(),
             Notation::Decimal { signed, fraction_bits } => {
                 let integer_bits = (width - u32::from(signed).min(width)).saturating_sub(fraction_bits);
-                Format { signed, integer_bits, fraction_bits }.to_string()
+                let sign = if signed { 'S' } else { 'U' };
+                format!("{sign}{integer_bits}.{fraction_bits}")
             }
         }
     }
 
-    /// `value` with as many decimals as it has and `room` characters hold; none if it cannot be written in so few.
+    /// The characters that `value` takes, if none may have more than `most`, and such as can be
+    /// rounded not more than `rounded`.
+    pub fn wish(self, value: &Value, rounded: usize, most: usize) -> usize {
+        let most = if can_be_rounded(value, self) { rounded.min(most) } else { most };
+        self.written(value, most).map_or(0, |text| text.chars().count())
+    }
+
+    /// `value` with as many decimals as it has and `room` characters hold; none if it cannot be
+    /// written in so few.
     pub fn written(self, value: &Value, room: usize) -> Option<String> {
         let text = match (value, self) {
             (Value::Text(text), _) => text.clone(),
+            (Value::Real(digits), _) => return rounded(digits, room),
             (Value::Bits(bits), _) if !bits.bytes().all(|bit| matches!(bit, b'0' | b'1')) => unknown(bits, self),
             (Value::Bits(bits), Notation::Decimal { signed, fraction_bits }) if bits.len() <= WIDEST => {
                 return fixed_point(raw(bits, signed), fraction_bits, room);
@@ -57,13 +88,39 @@ impl Notation {
     }
 }
 
+/// Whether a value takes less room with fewer digits.
+fn can_be_rounded(value: &Value, notation: Notation) -> bool {
+    match (value, notation) {
+        (Value::Real(_), _) => true,
+        (Value::Bits(bits), Notation::Decimal { fraction_bits, .. }) => fraction_bits > 0 && bits.len() <= WIDEST,
+        _ => false,
+    }
+}
+
+/// A real number with as many of its digits as fit; two at least, so that it is not taken for an
+/// integer.
+fn rounded(digits: &str, room: usize) -> Option<String> {
+    if digits.len() <= room {
+        return Some(digits.to_owned());
+    }
+    let number: f64 = digits.parse().ok().filter(|number: &f64| number.is_finite())?;
+    let exponent = number.abs().log10().floor() as i32;
+    (1..=16).rev().find_map(|digits: i32| {
+        let plain = usize::try_from(digits - exponent).ok().filter(|&decimals| decimals > 0);
+        let plain = plain.map(|decimals| format!("{number:.decimals$}"));
+        let fits = |text: &String| text.len() <= room;
+        plain.filter(fits).or_else(|| Some(format!("{number:.*e}", digits as usize)).filter(fits))
+    })
+}
+
 /// The number that the bits stand for.
 fn raw(bits: &str, signed: bool) -> i128 {
     let unsigned = bits.bytes().fold(0, |number, bit| number << 1 | i128::from(bit == b'1'));
     if signed && bits.starts_with('1') { unsigned - (1 << bits.len()) } else { unsigned }
 }
 
-/// The number `raw` 2^-f, rounded to what fits. At least one decimal stays, so that a fraction is not taken for an integer.
+/// The number `raw` 2^-f, rounded to what fits. At least one decimal stays, so that a fraction is
+/// not taken for an integer.
 fn fixed_point(raw: i128, fraction_bits: u32, room: usize) -> Option<String> {
     if fraction_bits == 0 {
         return Some(raw.to_string()).filter(|text| text.len() <= room);
@@ -76,7 +133,8 @@ fn fixed_point(raw: i128, fraction_bits: u32, room: usize) -> Option<String> {
     Some(without_idle_zeros(format!("{number:.decimals$}"), number))
 }
 
-/// Takes zeros from the end of a number that is exact without them; the zeros of a rounded one say how far it is rounded.
+/// Takes zeros from the end of a number that is exact without them; the zeros of a rounded one say
+/// how far it is rounded.
 fn without_idle_zeros(text: String, number: f64) -> String {
     if text.parse() != Ok(number) {
         return text;
@@ -165,6 +223,28 @@ mod tests {
         let bits = "1".repeat(65);
         assert_eq!(written(U8_0, &bits, 99).as_deref(), Some("1ffffffffffffffff"));
         assert_eq!(written(U8_0, &"1".repeat(63), 99).as_deref(), Some("9223372036854775807"));
+    }
+
+    #[test]
+    fn real_numbers_lose_digits_where_there_is_no_room() {
+        let written = |number: f64, room| Notation::Hexadecimal.written(&Value::real(number), room);
+        assert_eq!(written(-1.25, 9).as_deref(), Some("-1.25"));
+        assert_eq!(written(1.0 / 3.0, 40).as_deref(), Some("0.3333333333333333"));
+        assert_eq!(written(1.0 / 3.0, 9).as_deref(), Some("0.3333333"));
+        assert_eq!(written(123_456.789, 8).as_deref(), Some("123456.8"));
+        assert_eq!(written(1.0 / 3e30, 9).as_deref(), Some("3.333e-31"));
+        assert_eq!(written(1.0 / 3.0, 2), None);
+        assert_eq!(written(1e300, 9).as_deref(), Some("1e300"));
+        assert_eq!(written(f64::NAN, 9).as_deref(), Some("NaN"));
+        assert_eq!(written(f64::NEG_INFINITY, 9).as_deref(), Some("-inf"));
+    }
+
+    #[test]
+    fn wide_values_wish_for_room_and_numbers_that_can_be_rounded_for_little() {
+        let bits = Value::Bits("1".repeat(64));
+        assert_eq!(Notation::Hexadecimal.wish(&bits, 9, 40), 16);
+        assert_eq!(Notation::Hexadecimal.wish(&bits, 9, 15), 0);
+        assert_eq!(Notation::Hexadecimal.wish(&Value::real(1.0 / 3.0), 9, 40), 9);
     }
 
     #[test]

@@ -1,69 +1,272 @@
 //! The variables of a dump, and the scopes they are in.
-use wellen::{Hierarchy, ItemRef, ScopeRef, SignalRef, VarDirection, VarRef};
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+use super::warnings::clean;
 
 /// A variable of a dump.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Variable {
-    /// Names of the scopes it is in, from the outside in.
-    pub scopes: Vec<String>,
-    /// Its name in its scope.
+    /// The scope it is in.
+    pub scope: ScopeId,
+    /// Its name in its scope, as the file has it, without the range of its bits.
     pub name: String,
-    /// Width in bits; none for text, real numbers and events.
+    /// The range of its bits, such as `[7:0]`, if the file states one.
+    pub range: Option<String>,
+    /// What its values are.
+    pub kind: Kind,
+    /// Width in bits; none for text, real numbers and events, and where the file does not say.
     pub width: Option<u32>,
     /// Whether the file says that it is a port.
     pub port: bool,
-    /// Its number in the reader.
-    pub signal: SignalRef,
+    /// The number of its values' source: variables with the same number have the same values.
+    pub signal: u32,
+    /// Names of its values.
+    pub names: Option<Rc<ValueNames>>,
 }
 
-impl Variable {
-    /// The scopes' names, joined by dots.
-    pub fn unit(&self) -> String {
-        self.scopes.join(".")
+/// What the values of a variable are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Bits.
+    Bits,
+    /// Text or real numbers.
+    Other,
+    /// Nothing but the times at which something happens.
+    Event,
+}
+
+/// Names of an enumeration's values, by their bits without leading zeros.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ValueNames(BTreeMap<String, String>);
+
+impl ValueNames {
+    /// Pairs of bits and name.
+    pub fn new(pairs: impl IntoIterator<Item = (String, String)>) -> ValueNames {
+        let pair = |(bits, name): (String, String)| (significant(&bits).to_owned(), clean(&name));
+        ValueNames(pairs.into_iter().map(pair).collect())
     }
 
-    /// Full name: scopes and all, joined by dots.
-    pub fn full_name(&self) -> String {
-        self.scopes.iter().chain([&self.name]).map(String::as_str).collect::<Vec<_>>().join(".")
+    /// The name of a value.
+    pub fn name(&self, bits: &str) -> Option<&str> {
+        self.0.get(significant(bits)).map(String::as_str)
     }
 }
 
-/// Every variable, scope by scope, those of a scope before the scopes inside it.
-pub fn variables(hierarchy: &Hierarchy) -> Vec<Variable> {
-    let mut found = vec![];
-    let items: Vec<ItemRef> = hierarchy.items().collect();
-    // Not recursive: files say how deep scopes nest.
-    let mut open: Vec<(ItemRef, Vec<String>)> = items.into_iter().rev().map(|item| (item, vec![])).collect();
-    while let Some((item, scopes)) = open.pop() {
-        match item {
-            ItemRef::Var(variable) => found.push(variable_of(hierarchy, variable, scopes)),
-            ItemRef::Scope(scope) => open.extend(inside(hierarchy, scope, &scopes)),
+fn significant(bits: &str) -> &str {
+    bits.trim_start_matches('0')
+}
+
+/// The enumerations of a file, and the one that the variable which follows has.
+#[derive(Clone, Debug, Default)]
+pub struct Enumerations {
+    tables: HashMap<u64, Rc<ValueNames>>,
+    next: Option<Rc<ValueNames>>,
+}
+
+impl Enumerations {
+    /// An enumeration with its number in the file.
+    pub fn declare(&mut self, number: u64, names: ValueNames) {
+        self.tables.insert(number, Rc::new(names));
+    }
+
+    /// The next variable has that enumeration.
+    pub fn announce(&mut self, number: u64) {
+        self.next = self.tables.get(&number).cloned();
+    }
+
+    /// The enumeration of the variable that has come.
+    pub fn take_next(&mut self) -> Option<Rc<ValueNames>> {
+        self.next.take()
+    }
+}
+
+/// A scope's number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ScopeId(u32);
+
+/// The scopes of a dump, as a tree.
+#[derive(Clone, Debug)]
+pub struct Scopes {
+    scopes: Vec<Scope>,
+    numbers: HashMap<(ScopeId, String), ScopeId>,
+}
+
+#[derive(Clone, Debug)]
+struct Scope {
+    name: String,
+    parent: ScopeId,
+    depth: u32,
+    /// Bytes of its full name.
+    length: usize,
+}
+
+/// Variables of a dump, at most.
+pub const MOST_VARIABLES: usize = 1 << 22;
+/// Scopes of a dump, at most.
+const MOST_SCOPES: usize = 1 << 20;
+/// Scopes around a variable, and bytes of their full name, at most: a file says how deep scopes
+/// nest.
+const DEEPEST: u32 = 256;
+const LONGEST: usize = 4096;
+
+impl Scopes {
+    /// What is in no scope.
+    pub const NONE: ScopeId = ScopeId(0);
+
+    /// No scopes yet.
+    pub fn new() -> Scopes {
+        let none = Scope { name: String::new(), parent: Scopes::NONE, depth: 0, length: 0 };
+        Scopes { scopes: vec![none], numbers: HashMap::new() }
+    }
+
+    /// The scope of that name in `parent`, which may be there already. None if scopes nest too
+    /// deep.
+    pub fn inside(&mut self, parent: ScopeId, name: &str) -> Option<ScopeId> {
+        let key = (parent, clean(name));
+        if let Some(&scope) = self.numbers.get(&key) {
+            return Some(scope);
+        }
+        let (depth, length) = (self.depth(parent) + 1, self.scope(parent).length + key.1.len() + 1);
+        if self.scopes.len() >= MOST_SCOPES || depth > DEEPEST || length > LONGEST {
+            return None;
+        }
+        let new = ScopeId(self.scopes.len() as u32);
+        self.scopes.push(Scope { name: key.1.clone(), parent, depth, length });
+        self.numbers.insert(key, new);
+        Some(new)
+    }
+
+    /// How many scopes there are around what is in this one.
+    pub fn depth(&self, scope: ScopeId) -> u32 {
+        self.scope(scope).depth
+    }
+
+    /// A scope's own name.
+    pub fn name(&self, scope: ScopeId) -> &str {
+        &self.scope(scope).name
+    }
+
+    /// The names of a scope and of those around it, joined by dots.
+    pub fn path(&self, scope: ScopeId) -> String {
+        let mut names: Vec<&str> = self.outwards(scope).map(|scope| self.name(scope)).collect();
+        names.reverse();
+        names.join(".")
+    }
+
+    /// The scope, the one around it, and so on.
+    pub fn outwards(&self, scope: ScopeId) -> impl Iterator<Item = ScopeId> {
+        let known = |scope: ScopeId| Some(scope).filter(|&scope| scope != Scopes::NONE);
+        std::iter::successors(known(scope), move |&inner| known(self.scope(inner).parent))
+    }
+
+    /// Every scope's name, in the order of the file.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.scopes.iter().skip(1).map(|scope| scope.name.as_str())
+    }
+
+    /// The scopes' ranks if each stands before the scopes inside it.
+    fn ranks(&self) -> Vec<usize> {
+        let mut inner: Vec<Vec<u32>> = vec![vec![]; self.scopes.len()];
+        for (number, scope) in self.scopes.iter().enumerate().skip(1) {
+            // `inside` made the number from a u32.
+            inner[scope.parent.0 as usize].push(number as u32);
+        }
+        let (mut ranks, mut open, mut next) = (vec![0; self.scopes.len()], vec![0], 0);
+        while let Some(scope) = open.pop() {
+            ranks[scope as usize] = next;
+            next += 1;
+            open.extend(inner[scope as usize].iter().rev());
+        }
+        ranks
+    }
+
+    fn scope(&self, scope: ScopeId) -> &Scope {
+        &self.scopes[scope.0 as usize]
+    }
+}
+
+/// Puts variables scope by scope, those of a scope before the scopes inside it. Where parts of one
+/// vector stand in a scope under one name, their ranges become part of their names.
+pub fn arrange(variables: &mut [Variable], scopes: &Scopes) {
+    let ranks = scopes.ranks();
+    variables.sort_by_key(|variable| ranks[variable.scope.0 as usize]);
+    let mut ranges: HashMap<(ScopeId, &str), Vec<Option<&str>>> = HashMap::new();
+    for variable in variables.iter() {
+        let ranges = ranges.entry((variable.scope, &variable.name)).or_default();
+        if !ranges.contains(&variable.range.as_deref()) && ranges.len() < 2 {
+            ranges.push(variable.range.as_deref());
         }
     }
-    found
-}
-
-/// What is in a scope, last first: variables, then inner scopes.
-fn inside(hierarchy: &Hierarchy, scope: ScopeRef, outer: &[String]) -> Vec<(ItemRef, Vec<String>)> {
-    let scope = &hierarchy[scope];
-    let path: Vec<String> = outer.iter().cloned().chain([clean(scope.name(hierarchy))]).collect();
-    let (variables, scopes): (Vec<_>, Vec<_>) = scope.items(hierarchy).partition(|item| matches!(item, ItemRef::Var(_)));
-    variables.into_iter().chain(scopes).rev().map(|item| (item, path.clone())).collect()
-}
-
-fn variable_of(hierarchy: &Hierarchy, variable: VarRef, scopes: Vec<String>) -> Variable {
-    let variable = &hierarchy[variable];
-    let vector = variable.is_bit_vector(hierarchy) || variable.is_1bit(hierarchy);
-    Variable {
-        scopes,
-        name: clean(variable.name(hierarchy)),
-        width: variable.length(hierarchy).filter(|&width| vector && width > 0),
-        port: matches!(variable.direction(), VarDirection::Input | VarDirection::Output | VarDirection::InOut),
-        signal: variable.signal_ref(),
+    let parts: Vec<bool> = variables.iter().map(|variable| ranges[&(variable.scope, variable.name.as_str())].len() > 1).collect();
+    for (variable, _) in variables.iter_mut().zip(parts).filter(|(_, part)| *part) {
+        variable.name.push_str(variable.range.as_deref().unwrap_or_default());
     }
 }
 
-/// Without control characters, which a terminal would obey and XML does not allow.
-pub fn clean(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
+/// A name as files state it, and the range of its bits if it ends in one: `m[0] [3:0]` is `m[0]`
+/// and `[3:0]`. A single index belongs to the name, with no blank before it.
+pub fn split_name(stated: &str) -> (String, Option<String>) {
+    let stated = stated.trim();
+    let range = stated.strip_suffix(']').and_then(|name| name.rsplit_once('['));
+    let bounds = range.and_then(|(name, range)| Some((name.trim_end(), range.split_once(':')?)));
+    let is_number = |text: &str| text.trim().parse::<i64>().is_ok();
+    match bounds {
+        Some((name, (high, low))) if !name.is_empty() && is_number(high) && is_number(low) => {
+            (joined(name), Some(format!("[{}:{}]", high.trim(), low.trim())))
+        }
+        _ => (joined(stated), None),
+    }
+}
+
+/// A name without blanks before its indices.
+fn joined(name: &str) -> String {
+    let mut joined = clean(&name.split_whitespace().collect::<Vec<_>>().join(" "));
+    if joined.ends_with(']') {
+        joined = joined.replace(" [", "[");
+    }
+    joined
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_keep_their_indices_and_lose_their_ranges() {
+        let cases = [
+            ("d", "d", None),
+            ("d [7:0]", "d", Some("[7:0]")),
+            ("d\t[7:0]", "d", Some("[7:0]")),
+            ("d[7 : 0]", "d", Some("[7:0]")),
+            ("m[0] [3:0]", "m[0]", Some("[3:0]")),
+            ("m [0][3:0]", "m[0]", Some("[3:0]")),
+            ("d [3]", "d[3]", None),
+            ("\\a.b[1] [2:-1]", "\\a.b[1]", Some("[2:-1]")),
+            ("my signal", "my signal", None),
+            ("[3:0]", "[3:0]", None),
+            ("a[x:y]", "a[x:y]", None),
+            ("]", "]", None),
+        ];
+        for (stated, name, range) in cases {
+            assert_eq!(split_name(stated), (name.to_owned(), range.map(str::to_owned)), "{stated}");
+        }
+    }
+
+    #[test]
+    fn scopes_of_one_name_are_one_and_nest_only_so_deep() {
+        let mut scopes = Scopes::new();
+        let top = scopes.inside(Scopes::NONE, "top").expect("it is the first");
+        let inner = scopes.inside(top, "inner").expect("it is the second");
+        assert_eq!(scopes.inside(Scopes::NONE, "top"), Some(top));
+        assert_eq!((scopes.path(inner), scopes.depth(inner)), ("top.inner".to_owned(), 2));
+        let deepest = (0..1000).try_fold(top, |scope, _| scopes.inside(scope, "s").ok_or(scope));
+        assert_eq!(deepest.map_err(|scope| scopes.depth(scope)), Err(DEEPEST));
+    }
+
+    #[test]
+    fn values_are_named_whatever_their_leading_zeros() {
+        let names = ValueNames::new([("00".to_owned(), "idle".to_owned()), ("01".to_owned(), "run".to_owned())]);
+        assert_eq!((names.name("0"), names.name("0001"), names.name("10")), (Some("idle"), Some("run"), None));
+    }
 }

@@ -2,19 +2,24 @@
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 
-use super::dump::Dump;
+use super::dump::{Dump, MOST_VALUES, file_name};
 use super::error::WaveError;
 use super::figure::{Axis, Figure, Group, Row, Shape};
 use super::ruler::Ruler;
 use super::save_file::SaveFile;
+use super::segments::Segment;
 use super::selection::{Choice, Chosen, Selection, named};
-use super::variables::Variable;
+use super::survey::around_middle;
+use super::value::Value;
+use super::variables::{Kind, Variable};
+use super::warnings::Warnings;
 
 /// A dump, its save file and its ruler.
 pub struct View {
     dump: Dump,
     save_file: Option<SaveFile>,
     ruler: Ruler,
+    warnings: Vec<String>,
 }
 
 /// The window that somebody asks for, in clocks or in the file's units; both ends belong to it.
@@ -37,8 +42,6 @@ impl Asked {
     }
 }
 
-/// Values in a figure, at most: more of them are of no use to anybody.
-const MOST_VALUES: u64 = 200_000;
 /// Columns, where time is in the file's units.
 const COLUMNS: u64 = 12;
 
@@ -46,11 +49,19 @@ impl View {
     /// Opens a dump, and the save file beside it if there is one.
     ///
     /// # Errors
-    /// [`WaveError`] if one of them cannot be used.
+    /// [`WaveError`] if the dump cannot be used.
     pub fn open(path: &Path) -> Result<View, WaveError> {
-        let mut dump = Dump::open(path)?;
-        let ruler = Ruler::of(&mut dump)?;
-        Ok(View { dump, save_file: SaveFile::beside(path)?, ruler })
+        let mut warnings = Warnings::default();
+        let save_file = SaveFile::beside(path, &mut warnings);
+        let marker = save_file.as_ref().and_then(|save_file| save_file.marker);
+        let dump = Dump::open(path, marker, &mut warnings)?;
+        let ruler = Ruler::of(&dump);
+        Ok(View { dump, save_file, ruler, warnings: warnings.lines(&file_name(path)) })
+    }
+
+    /// What was passed over in the file, a line for each kind of thing.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// The signals that are meant.
@@ -61,7 +72,8 @@ impl View {
         selection.choose(&self.dump, self.save_file.as_ref())
     }
 
-    /// Signals by their full names, each with the clock, or time, whose value matters most; those that the dump does not hold are left out.
+    /// Signals by their full names, each with the clock, or time, whose value matters most; those
+    /// that the dump does not hold are left out.
     pub fn named(&self, names: &[(String, u64)]) -> Choice {
         named(&self.dump, self.save_file.as_ref(), names)
     }
@@ -72,33 +84,50 @@ impl View {
     /// [`WaveError`] if the window holds nothing or far too much, or the values are damaged.
     pub fn figure(&mut self, choice: &Choice, asked: &Asked) -> Result<Figure, WaveError> {
         let window = self.window(asked)?;
-        let length = self.length(&window);
-        if length.saturating_mul(choice.signals.len() as u64) > MOST_VALUES {
-            return Err(WaveError::Large { signals: choice.signals.len(), length });
-        }
-        let axis = self.axis(&window);
-        self.dump.load(&choice.signals.iter().map(|signal| signal.variable).collect::<Vec<_>>())?;
-        let groups = self.groups(&choice.signals, &axis)?;
+        self.check_length(&window, choice.signals.len())?;
+        let idle = self.ends_idle(&window, asked);
+        let axis = self.axis(&window, idle);
+        let last = *self.dump.extent().end();
+        // The last instant lasts a column.
+        let until = if idle { last } else { axis.column_end(last) };
+        let variables: Vec<usize> = choice.signals.iter().map(|signal| signal.variable).collect();
+        let segments = self.dump.segments(&variables, &axis.window(), until)?;
+        let groups = self.groups(&choice.signals, segments);
         Ok(Figure { title: self.title(&window), notes: self.notes(choice, &window), axis, groups })
     }
 
-    /// The columns of the window, or the instants at which something happens in it, whichever are more: no row has more values.
-    fn length(&self, window: &RangeInclusive<u64>) -> u64 {
-        let times = self.dump.times();
-        let before = |end: u64| times.partition_point(|&time| time < end) as u64;
-        let instants = before(self.ruler.time(window.end().saturating_add(1))) - before(self.ruler.time(*window.start()));
+    /// Refuses more columns than are of use to anybody. How many values there are shows when they
+    /// are read.
+    fn check_length(&self, window: &RangeInclusive<u64>, signals: usize) -> Result<(), WaveError> {
+        let clocks = match self.ruler {
+            Ruler::Clocks { .. } => (window.end() - window.start()).saturating_add(1),
+            Ruler::Time => 0,
+        };
+        let large = clocks.saturating_mul(signals as u64) > MOST_VALUES as u64;
+        if large { Err(WaveError::Large { signals, amount: format!("{clocks} clocks") }) } else { Ok(()) }
+    }
+
+    /// Whether the window ends with the file, which ends with a time at which nothing changes any
+    /// more, and that nobody asked for.
+    fn ends_idle(&self, window: &RangeInclusive<u64>, asked: &Asked) -> bool {
+        let idle = !self.dump.survey().changes_at_last();
         match self.ruler {
-            Ruler::Clocks { .. } => instants.max((window.end() - window.start()).saturating_add(1)),
-            Ruler::Time => instants,
+            Ruler::Clocks { .. } => idle,
+            Ruler::Time => {
+                let whole = asked.to.is_none() && window.end() == self.dump.extent().end();
+                idle && whole && window.start() < window.end()
+            }
         }
     }
 
     /// The signals, those of a unit together where they follow each other.
-    fn groups(&self, signals: &[Chosen], axis: &Axis) -> Result<Vec<Group>, WaveError> {
-        let unit = |signal: &Chosen| self.dump.variables[signal.variable].unit();
-        let groups = signals.chunk_by(|one, next| unit(one) == unit(next));
-        let rows = |signals: &[Chosen]| signals.iter().map(|signal| self.row(signal, axis)).collect::<Result<_, _>>();
-        groups.map(|signals| Ok(Group { unit: unit(&signals[0]), rows: rows(signals)? })).collect()
+    fn groups(&self, signals: &[Chosen], segments: Vec<Vec<Segment>>) -> Vec<Group> {
+        let scope = |signal: &Chosen| self.dump.variables()[signal.variable].scope;
+        let mut segments = segments.into_iter();
+        let mut row = |signal: &Chosen| self.row(signal, segments.next().unwrap_or_default());
+        let groups = signals.chunk_by(|one, next| scope(one) == scope(next));
+        let unit = |signals: &[Chosen]| self.dump.scopes().path(scope(&signals[0]));
+        groups.map(|signals| Group { unit: unit(signals), rows: signals.iter().map(&mut row).collect() }).collect()
     }
 
     /// What is drawn, in the ruler's numbers.
@@ -122,24 +151,17 @@ impl View {
     fn usual_window(&self, columns: u64) -> RangeInclusive<u64> {
         let extent = self.ruler.extent(&self.dump);
         match self.ruler {
-            Ruler::Clocks { .. } => around(&extent, self.marker().map(|time| self.ruler.at(time)), columns),
-            Ruler::Time => {
-                // As many instants at which something happens as there would be clocks.
-                let times = self.dump.times();
-                let last = times.len() as u64 - 1;
-                let middle = self.marker().map(|marker| times.partition_point(|&time| time < marker) as u64);
-                let shown = around(&(0..=last), middle, columns);
-                times[*shown.start() as usize]..=times[*shown.end() as usize]
-            }
+            Ruler::Clocks { .. } => around_middle(&extent, self.marker().map(|time| self.ruler.at(time)), columns),
+            // As many instants at which something happens as there would be clocks.
+            Ruler::Time => self.dump.survey().usual(columns),
         }
     }
 
     fn marker(&self) -> Option<u64> {
-        let extent = self.dump.extent();
-        self.save_file.as_ref()?.marker.filter(|time| (extent.start..=extent.end).contains(time))
+        self.dump.survey().marker()
     }
 
-    fn axis(&self, window: &RangeInclusive<u64>) -> Axis {
+    fn axis(&self, window: &RangeInclusive<u64>, idle: bool) -> Axis {
         let (first, last) = (*window.start(), *window.end());
         let marker = self.marker();
         let unit = self.ruler.unit(&self.dump);
@@ -154,7 +176,8 @@ impl View {
             Ruler::Time => {
                 let step = round_step((last - first) / COLUMNS);
                 let begin = first - first % step;
-                let numbers = (begin..=last.max(begin + 1) - 1).step_by(usize::try_from(step).unwrap_or(usize::MAX)).collect();
+                let end = if idle { last - 1 } else { last };
+                let numbers = (begin..=end).step_by(usize::try_from(step).unwrap_or(usize::MAX)).collect();
                 Axis { unit, begin, step, numbers, marker: marker.map(|time| time..time) }
             }
         }
@@ -165,14 +188,10 @@ impl View {
         self.ruler.time(number)..self.ruler.time(number.saturating_add(1))
     }
 
-    fn row(&self, signal: &Chosen, axis: &Axis) -> Result<Row, WaveError> {
-        let variable = &self.dump.variables[signal.variable];
-        Ok(Row {
-            name: variable.name.clone(),
-            shape: shape(variable, signal),
-            segments: self.dump.segments(signal.variable, &axis.window())?,
-            highlight: signal.highlight.map(|number| self.clock(number)),
-        })
+    fn row(&self, signal: &Chosen, segments: Vec<Segment>) -> Row {
+        let variable = &self.dump.variables()[signal.variable];
+        let shape = shape(variable, signal, &segments);
+        Row { name: variable.name.clone(), shape, segments, highlight: signal.highlight.map(|number| self.clock(number)) }
     }
 
     fn title(&self, window: &RangeInclusive<u64>) -> String {
@@ -188,21 +207,18 @@ impl View {
     }
 }
 
-fn shape(variable: &Variable, signal: &Chosen) -> Shape {
-    match variable.width {
-        Some(1) => Shape::Levels,
-        width => {
-            Shape::Cells { notation: signal.notation, format: width.map(|width| signal.notation.label(width)).unwrap_or_default() }
+fn shape(variable: &Variable, signal: &Chosen, segments: &[Segment]) -> Shape {
+    match (variable.kind, variable.width) {
+        (Kind::Event, _) => Shape::Events,
+        // Some tools write text where they declare a bit.
+        (_, Some(1)) if segments.iter().all(|segment| segment.value.is_bit()) => Shape::Levels,
+        (_, width) => {
+            // Real numbers and text have no format.
+            let bits = segments.is_empty() || segments.iter().any(|segment| matches!(segment.value, Value::Bits(_)));
+            let format = width.filter(|_| bits).map(|width| signal.notation.label(width)).unwrap_or_default();
+            Shape::Cells { notation: signal.notation, format }
         }
     }
-}
-
-/// `length` numbers around `middle`, or from the begin, that are within `extent`.
-fn around(extent: &RangeInclusive<u64>, middle: Option<u64>, length: u64) -> RangeInclusive<u64> {
-    let (first, last) = (*extent.start(), *extent.end());
-    let latest = last.saturating_sub(length.max(1) - 1).max(first);
-    let begin = middle.map_or(first, |middle| middle.saturating_sub(length / 2)).clamp(first, latest);
-    begin..=begin.saturating_add(length.max(1) - 1).min(last)
 }
 
 /// The next 1, 2 or 5 times a power of ten that is not below `least`.
@@ -215,15 +231,6 @@ fn round_step(least: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_window_lies_around_its_middle_and_within_the_file() {
-        assert_eq!(around(&(0..=99), Some(50), 10), 45..=54);
-        assert_eq!(around(&(0..=99), Some(98), 10), 90..=99);
-        assert_eq!(around(&(0..=99), None, 10), 0..=9);
-        assert_eq!(around(&(40..=45), Some(43), 10), 40..=45);
-        assert_eq!(around(&(40..=45), Some(43), 0), 43..=43);
-    }
 
     #[test]
     fn steps_are_round() {

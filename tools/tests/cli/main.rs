@@ -16,3 +16,6 @@ mod run;
 mod spec;
 mod stress;
 mod wave;
+mod wave_dialects;
+mod wave_input;
+mod wave_values;

@@ -1,6 +1,6 @@
 //! Runs the program in a folder of its own.
 use std::ffi::OsStr;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -18,6 +18,13 @@ pub struct Ended {
     pub status: Option<i32>,
     pub stdout: String,
     pub stderr: String,
+}
+
+impl Ended {
+    fn of(Output { status, stdout, stderr }: Output) -> Ended {
+        let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
+        Ended { status: status.code(), stdout: text(stdout), stderr: text(stderr) }
+    }
 }
 
 impl Place {
@@ -40,13 +47,21 @@ impl Place {
 
     /// Runs the program in a folder inside this one.
     pub fn specula_in<S: AsRef<OsStr>>(&self, folder: &str, arguments: &[S]) -> Ended {
+        Ended::of(self.program(folder).args(arguments).output().expect("the program runs"))
+    }
+
+    /// Runs the program, which reads a file of this folder from its standard input.
+    pub fn specula_reading(&self, file: &str, arguments: &[&str]) -> Ended {
+        let input = File::open(self.path(file)).expect("the file is there");
+        Ended::of(self.program(".").args(arguments).stdin(input).output().expect("the program runs"))
+    }
+
+    fn program(&self, folder: &str) -> Command {
         let mut program = Command::new(env!("CARGO_BIN_EXE_specula"));
         // The same words on every machine.
         program.env("LC_ALL", "C").env("NO_COLOR", "1").env_remove("NO_GRAPHICS").env_remove("CLICOLOR_FORCE");
         program.env_remove("FORCE_COLOR").env_remove("COLUMNS").current_dir(self.path(folder));
-        let Output { status, stdout, stderr } = program.args(arguments).output().expect("the program runs");
-        let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
-        Ended { status: status.code(), stdout: text(stdout), stderr: text(stderr) }
+        program
     }
 
     /// Runs the program, which has to succeed and say nothing but its result.

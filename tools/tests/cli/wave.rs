@@ -101,7 +101,7 @@ fn signals_are_chosen_by_pattern_and_unit() {
 #[test]
 fn long_windows_are_drawn_in_panels() {
     let text = place().succeeds(&["wave", "counter.vcd", "--signals", "bench.dut.*", "--from", "0", "--to", "1000"]);
-    assert!(text.contains("clocks 0 to 14"), "{text}");
+    assert!(text.contains("clocks 0 to 15"), "{text}");
     let place = Place::new();
     place.succeeds(&["run", "icosahedron", "--size", "16x12", "-o", "run"]);
     let text = place.succeeds(&["wave", "run/trace.vcd", "--unit", "normalise", "--from", "10", "--to", "40"]);
@@ -156,11 +156,8 @@ fn what_cannot_be_drawn_is_refused() {
     place.write("still.vcd", &VCD[..VCD.windows(3).position(|three| three == b"#0\n").unwrap()]);
     place.write("bare.vcd", "$timescale 1 ns $end\n$enddefinitions $end\n#0\n#10\n");
     place.write("half.fst", &FST[..FST.len() / 2]);
-    place.write("bits.vcd", String::from_utf8_lossy(VCD).replace("b11010100 !", "b1101q100 !"));
     place.write("wide.vcd", "$var wire 4000000000 ! w $end\n$enddefinitions $end\n#0\nb1 !\n#1\n");
     place.write("long.vcd", "$var wire 1 ! clock $end\n$enddefinitions $end\n#0\n1!\n#1\n0!\n#2\n1!\n#99999999999\n");
-    place.write("latin.vcd", VCD);
-    place.write("latin.gtkw", b"caf\xe9");
     let before = place.names(".");
     let wrong: &[&[&str]] = &[
         &["missing.vcd"],
@@ -172,14 +169,12 @@ fn what_cannot_be_drawn_is_refused() {
         &["still.vcd"],
         &["bare.vcd"],
         &["half.fst"],
-        &["bits.vcd"],
         &["wide.vcd"],
         &["long.vcd", "--from", "0", "--to", "99999999999"],
-        &["latin.vcd"],
         &["counter.vcd", "--signals", "teapot.*"],
         &["counter.vcd", "--unit", "normalise"],
         &["counter.vcd", "--unit", "dut", "--signals", "bench.clock"],
-        &["counter.vcd", "--from", "15"],
+        &["counter.vcd", "--from", "16"],
         &["counter.vcd", "--from", "5", "--to", "4"],
         &["counter.vcd", "--from", "-1"],
         &["counter.vcd", "--from", "18446744073709551615"],

@@ -1,0 +1,27 @@
+//! The times at which something happens, read without keeping them.
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
+
+use flate2::read::ZlibDecoder;
+
+use super::check::{ValueBlock, wrong};
+use super::integer::variable;
+
+/// Gives the times of a block, in order.
+///
+/// # Errors
+/// What is wrong with them, or what the system says.
+pub fn read(input: &mut (impl Read + Seek), block: &ValueBlock, mut take: impl FnMut(u64)) -> io::Result<()> {
+    let (at, packed, unpacked) = block.times;
+    input.seek(SeekFrom::Start(at))?;
+    let input = input.take(packed);
+    // What became no shorter stands as it is.
+    let input: Box<dyn Read + '_> = if packed == unpacked { Box::new(input) } else { Box::new(ZlibDecoder::new(input)) };
+    let mut input = BufReader::new(input);
+    let mut time = 0u64;
+    for _ in 0..block.instants {
+        let delta = variable(&mut input).map_err(|_| wrong("its times cannot be read"))?;
+        time = time.saturating_add(delta);
+        take(time);
+    }
+    Ok(())
+}
