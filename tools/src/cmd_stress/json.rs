@@ -57,7 +57,18 @@ pub fn text(stress: &Stress, files: &[String]) -> serde_json::Result<String> {
     let [hold, at_limit, at_fault] = [Verdict::Holds, Verdict::Limit, Verdict::Fault].map(number);
     let limits = Reason::ALL.map(|reason| Limit { reason, text: reason.text() }).into();
     let (version, seed, spans) = (env!("CARGO_PKG_VERSION"), stress.seed, stress.spans);
-    let mut text = serde_json::to_string_pretty(&Report { program: PROGRAM, version, seed, spans, hold, at_limit, at_fault, limits, rows, files })?;
+    let mut text = serde_json::to_string_pretty(&Report {
+        program: PROGRAM,
+        version,
+        seed,
+        spans,
+        hold,
+        at_limit,
+        at_fault,
+        limits,
+        rows,
+        files,
+    })?;
     text.push('\n');
     Ok(text)
 }
