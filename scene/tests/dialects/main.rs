@@ -11,6 +11,7 @@ mod shape;
 #[path = "../common/stl_files.rs"]
 mod stl_files;
 
+mod corpus;
 mod damage;
 mod glb;
 mod obj;

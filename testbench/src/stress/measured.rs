@@ -235,7 +235,7 @@ mod tests {
         let bench = Bench::new(&frame, &spec, "core").expect("it can be built");
         let mut outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).expect("it runs");
         tamper(&mut outcome);
-        let ask = Ask { what: "no black pixel", of: all, fails: Box::new(|shaded| shaded_black(shaded)) };
+        let ask = Ask { what: "no black pixel", of: all, fails: Box::new(shaded_black) };
         Measured::new(&bench, &outcome, &[ask], None)
     }
 
@@ -282,12 +282,14 @@ mod tests {
         assert!(faults(&black).contains(&"no black pixel".to_owned()));
     }
 
+    type Tamper<'a> = &'a dyn Fn(&mut Measured);
+
     /// Each thing that is asked can fail by itself.
     #[test]
     fn whatever_is_tampered_with_is_a_fault() {
         let honest = measured(Method::Lyon, |_| ());
         let one = || Counted { number: 1, first: Some(Place { span: 0, pixel: 3 }), detail: None };
-        let tamper: [(&str, &dyn Fn(&mut Measured)); 7] = [
+        let tamper: [(&str, Tamper); 7] = [
             ("pixels other than the bit-true model's", &|m| m.mismatches = one()),
             ("clocks without their pixel", &|m| m.wrong_clocks = one()),
             ("stated facts that do not hold", &|m| m.broken_facts = one()),

@@ -91,8 +91,7 @@ pub fn named(cells: &[&Cell], verdict: Verdict) -> String {
 /// Methods at their limits, with the figures.
 pub fn limits(cells: &[&Cell]) -> String {
     let at = |cell: &&Cell| {
-        let figures: Vec<String> =
-            cell.asked.iter().filter(|asked| asked.verdict() == Verdict::Limit).map(|asked| with_reasons(asked)).collect();
+        let figures: Vec<String> = cell.asked.iter().filter(|asked| asked.verdict() == Verdict::Limit).map(with_reasons).collect();
         let method = cell.method.filter(|_| cell.verdict() == Some(Verdict::Limit))?;
         Some(format!("{method} {}", figures.join(", ")))
     };

@@ -18,7 +18,7 @@ pub enum Tried {
     /// There is no such core, for a reason that the user is told.
     Refused(String),
     /// It ran, or broke.
-    Ran(Result<Measured, String>),
+    Ran(Result<Box<Measured>, String>),
 }
 
 /// A case as methods are tried on it.
@@ -55,7 +55,7 @@ impl<'a> Prepared<'a> {
         before.push(spec.clone());
         // A panic is a fault like another, and must not hide those of other rows.
         match catch_unwind(AssertUnwindSafe(|| self.shade(&spec))) {
-            Ok(Ok(measured)) => Tried::Ran(Ok(measured)),
+            Ok(Ok(measured)) => Tried::Ran(Ok(Box::new(measured))),
             Ok(Err(BenchError::TooWide(error))) => Tried::Refused(error.to_string()),
             Ok(Err(error)) => Tried::Ran(Err(error.to_string())),
             Err(_) => Tried::Ran(Err("a panic".to_owned())),

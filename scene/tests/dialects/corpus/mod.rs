@@ -1,17 +1,6 @@
 //! Meshes in every dialect of every format, made here, against the silhouettes that an independent rasteriser finds.
 //!
 //! Adding a dialect is adding a change to one of the tables in `common/*_files.rs`.
-#[path = "../common/glb_files.rs"]
-mod glb_files;
-#[path = "../common/obj_files.rs"]
-mod obj_files;
-#[path = "../common/ply_files.rs"]
-mod ply_files;
-#[path = "../common/shape.rs"]
-mod shape;
-#[path = "../common/stl_files.rs"]
-mod stl_files;
-
 mod raster;
 mod solids;
 
@@ -22,6 +11,8 @@ use specula_scene::load;
 
 use raster::{SIZE, View};
 use solids::{Solid, all};
+
+use crate::{glb_files, obj_files, ply_files, stl_files};
 
 /// The views that each mesh is seen from. Their targets are no round numbers, so that few edges run through middles of pixels.
 const VIEWS: [View; 2] = [
