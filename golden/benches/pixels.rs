@@ -14,7 +14,12 @@ const LENGTH: u32 = 64;
 const ROUNDS: u32 = 5000;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let frame = frame([tilted(-10.0), tilted(15.0)], LENGTH, &[tilted(20.0), tilted(-40.0)], material(0.1, 0.4, 0.5, 64));
+    let frame = frame(
+        [tilted(-10.0), tilted(15.0)],
+        LENGTH,
+        &[tilted(20.0), tilted(-40.0)],
+        material(0.1, 0.4, 0.5, 64),
+    );
     let span = &frame.spans[0];
     time("exact::phong", || {
         let shaded = PhongSpan::new(&frame, span);

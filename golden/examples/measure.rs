@@ -1,4 +1,5 @@
-//! Quantisation errors of 50 000 spans a row, for the documentation: `cargo run -p specula-golden --release --example measure`.
+//! Quantisation errors of 50 000 spans a row, for the documentation:
+//! `cargo run -p specula-golden --release --example measure`.
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
 use specula_scene::spec::MethodSpec;
@@ -41,7 +42,13 @@ impl Errors {
     }
 }
 
-fn row(name: &str, range: Range, method: Method, material: &Material, change: impl Fn(&mut CoreSpec)) {
+fn row(
+    name: &str,
+    range: Range,
+    method: Method,
+    material: &Material,
+    change: impl Fn(&mut CoreSpec),
+) {
     let mut errors = Errors::default();
     for draw in Draws(1).take(50_000) {
         let drawn = draw_frame(range, &draw, material.clone());
@@ -51,7 +58,10 @@ fn row(name: &str, range: Range, method: Method, material: &Material, change: im
     }
     let rms = (errors.squares / f64::from(errors.pixels)).sqrt();
     let (method, n) = (method.name(), material.shininess);
-    println!("{name:34} {method:7} n = {n:4}: largest {:.3}, rms {rms:.3} LSB, {} codes", errors.largest, errors.most_codes);
+    println!(
+        "{name:34} {method:7} n = {n:4}: largest {:.3}, rms {rms:.3} LSB, {} codes",
+        errors.largest, errors.most_codes
+    );
 }
 
 fn main() {
@@ -66,15 +76,39 @@ fn main() {
         let two = Range { lights: 2, ..TYPICAL };
         row("30 degrees, two lights, .1 .4 .5", two, method, &material(0.1, 0.4, 0.5, 256), |_| ());
         let four = Range { lights: 4, ..TYPICAL };
-        row("30 degrees, four lights, 0 .2 .5", four, method, &material(0.0, 0.2, 0.5, 256), |_| ());
-        row("150 degrees, highlight alone", Range { widest: 150.0, ..EXTREME }, method, &mirror(256), |_| ());
+        row(
+            "30 degrees, four lights, 0 .2 .5",
+            four,
+            method,
+            &material(0.0, 0.2, 0.5, 256),
+            |_| (),
+        );
+        row(
+            "150 degrees, highlight alone",
+            Range { widest: 150.0, ..EXTREME },
+            method,
+            &mirror(256),
+            |_| (),
+        );
     }
     row("90 degrees, highlight alone", EXTREME, Method::Lyon, &mirror(8191), |_| ());
     for n in [16, 64, 256] {
-        row("30 degrees, R - L, two steps", TYPICAL, Method::Lyon, &mirror(n), reflection_minus_light);
+        row(
+            "30 degrees, R - L, two steps",
+            TYPICAL,
+            Method::Lyon,
+            &mirror(n),
+            reflection_minus_light,
+        );
     }
     for n in [256, 8191] {
-        row("90 degrees, R - L, two steps", EXTREME, Method::Lyon, &mirror(n), reflection_minus_light);
+        row(
+            "90 degrees, R - L, two steps",
+            EXTREME,
+            Method::Lyon,
+            &mirror(n),
+            reflection_minus_light,
+        );
     }
 }
 

@@ -1,4 +1,5 @@
-//! The papers' tables: operations per pixel and light in the inner loop, the power and the materials' products left out, as they leave them out.
+//! The papers' tables: operations per pixel and light in the inner loop, the power and the
+//! materials' products left out, as they leave them out.
 //!
 //! A test runs each [`Scheme`] on [`Counted`] numbers and compares.
 use std::ops::Add;
@@ -6,11 +7,13 @@ use std::ops::Add;
 use glam::DVec3;
 
 use crate::recurrence::{
-    Chebyshev, Counted, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong, Frame, Gouraud, Hybrid, Line, Phong,
-    Reflection, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Uniform, count,
+    Chebyshev, Counted, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong, Frame,
+    Gouraud, Hybrid, Line, Phong, Reflection, ReflectionBlinn, ReflectionHybrid, ReflectionRoot,
+    Scheme, Slerp, Uniform, count,
 };
 
-/// How often each operation is done. Doublings and halvings are shifts and comparisons are free, as in the papers.
+/// How often each operation is done. Doublings and halvings are shifts and comparisons are free, as
+/// in the papers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions.
@@ -27,7 +30,8 @@ pub struct Operations {
 
 impl Operations {
     /// Nothing to do.
-    pub const NONE: Operations = Operations { adds: 0, subtractions: 0, multiplies: 0, divisions: 0, square_roots: 0 };
+    pub const NONE: Operations =
+        Operations { adds: 0, subtractions: 0, multiplies: 0, divisions: 0, square_roots: 0 };
 }
 
 impl Add for Operations {
@@ -82,7 +86,11 @@ pub const TABLE: [Row; 17] = [
     // 3 additions; normalisation 3 * 2 + / √; J and K 6 * 4 +; 2JK - L·V.
     row::<Phong<Counted>>("phong", "A5, lecture eq. 4.1, 4.2, 4.5", [10, 1, 10, 3, 1]),
     // ΔJ, ΔK, ΔN 5 +; D 3 * 2 +; J/d; (2K)J/D - L·V; a Newton step / and +, as (x + D/x)/2.
-    row::<FastPhong<Counted, 1>>("fast-phong", "A6 and A7, lecture eq. 4.3 to 4.6", [8, 1, 4, 3, 0]),
+    row::<FastPhong<Counted, 1>>(
+        "fast-phong",
+        "A6 and A7, lecture eq. 4.3 to 4.6",
+        [8, 1, 4, 3, 0],
+    ),
     // 8 * and 4 ± for the weights; J and K 4 * 2 +; 2KJ - L·V.
     row::<Slerp<Counted>>("slerp", "A10, lecture eq. 4.9 to 4.12", [4, 3, 13, 0, 0]),
     row::<Frame<Counted>>("slerp-frame", "A11", [3, 2, 9, 0, 0]),
@@ -95,6 +103,10 @@ pub const TABLE: [Row; 17] = [
     row::<DuffQuotient<Counted>>("duff-quotient", "C10, Hast eq. 33", [4, 1, 1, 2, 1]),
     row::<DuffRoot<Counted>>("duff", "C11, Hast eq. 34", [4, 1, 3, 1, 1]),
     row::<ReflectionBlinn<Counted>>("reflection-blinn", "C12, Hast eq. 29", [6, 0, 2, 1, 0]),
-    row::<ReflectionHybrid<Counted>>("reflection-hybrid", "C13, Hast eq. 17 and 29", [8, 0, 0, 2, 0]),
+    row::<ReflectionHybrid<Counted>>(
+        "reflection-hybrid",
+        "C13, Hast eq. 17 and 29",
+        [8, 0, 0, 2, 0],
+    ),
     row::<ReflectionRoot<Counted>>("reflection", "C14, Hast eq. 34", [6, 1, 3, 1, 0]),
 ];

@@ -1,5 +1,5 @@
-//! Lyon's figure 9, five spheres shaded by twelve formulas. Its sum is asked of the picture that is written, in
-//! `testbench/src/figure9.rs`.
+//! Lyon's figure 9, five spheres shaded by twelve formulas. Its sum is asked of the picture that is
+//! written, in `testbench/src/figure9.rs`.
 mod common;
 
 use glam::DVec3;
@@ -10,7 +10,8 @@ use specula_scene::Method;
 use specula_scene::spec::MethodSpec;
 use specula_scene::spec::lyon::{Difference, Halfway, Normalisation};
 
-/// Each of Lyon's rows that `lyon` has is the formula of that row, whatever the normal and the light.
+/// Each of Lyon's rows that `lyon` has is the formula of that row, whatever the normal and the
+/// light.
 #[test]
 fn the_methods_options_are_the_rows() {
     use Difference::{ReflectionMinusLight, UnitHalfwayMinusNormal, UnitHalfwayProjection};
@@ -33,12 +34,16 @@ fn the_methods_options_are_the_rows() {
             for (row, difference, halfway, squarings) in rows {
                 let mut core = common::spec(&frame, Method::Lyon).unwrap();
                 if let MethodSpec::Lyon(lyon) = &mut core.method {
-                    (lyon.difference, lyon.halfway, lyon.squarings) = (difference, halfway, squarings);
+                    (lyon.difference, lyon.halfway, lyon.squarings) =
+                        (difference, halfway, squarings);
                     lyon.normalisation = Normalisation::None;
                 }
                 let shaded = method(&core, &frame, &frame.spans[0], 0)[0] / 255.0;
                 let wanted = formulation(Formulation::ALL[row - 1], n, normal, light).min(1.0);
-                assert!((shaded - wanted).abs() < 1e-12, "row {row}, n = {n}: {shaded} instead of {wanted}");
+                assert!(
+                    (shaded - wanted).abs() < 1e-12,
+                    "row {row}, n = {n}: {shaded} instead of {wanted}"
+                );
             }
         }
     }

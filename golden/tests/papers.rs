@@ -1,4 +1,5 @@
-//! `exact` against figures and identities that do not come from it: the papers', METHODS.md's and NUMERICS.md's.
+//! `exact` against figures and identities that do not come from it: the papers', METHODS.md's and
+//! NUMERICS.md's.
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
@@ -7,7 +8,9 @@ use specula_golden::exact::consistent::{Scaling, pixel_angle, vertex_angle};
 use specula_golden::exact::duff::{eq33, eq34};
 use specula_golden::exact::hybrid::base;
 use specula_golden::exact::normalisation::{g1, g2, newton, unit};
-use specula_golden::exact::reflection::{halfway, halfway_cross_normal, reflect, reflection_minus_light};
+use specula_golden::exact::reflection::{
+    halfway, halfway_cross_normal, reflect, reflection_minus_light,
+};
 use specula_golden::exact::reflection_shading::wrap;
 use specula_golden::exact::shape::{f_k, power};
 use specula_scene::frame::EYE;
@@ -18,7 +21,8 @@ fn f_of_angle(angle: f64, n: u32, k: u32) -> f64 {
     f_k(f64::from(n) / 2.0 * d * d, k)
 }
 
-/// By how much the angles that vertices have to a face of normal z, interpolated as they are, fall short of that of the normal there.
+/// By how much the angles that vertices have to a face of normal z, interpolated as they are, fall
+/// short of that of the normal there.
 fn shortfall(normals: [DVec3; 3], weights: [f64; 3]) -> f64 {
     let unscaled = Scaling { constant: 0.0, exponent: 1 };
     let interpolated = pixel_angle(normals.map(|n| vertex_angle(n.z, unscaled)), weights);
@@ -29,19 +33,25 @@ fn shortfall(normals: [DVec3; 3], weights: [f64; 3]) -> f64 {
 /// The most that it can be [Reshetov et al., eq. 5; NUMERICS.md 1].
 const LARGEST_SHORTFALL: f64 = 0.071115;
 
-/// One normal is the face's, one at a right angle to it with the weight u: the normal there is atan(u/(1 - u)) from the face's, and
-/// uπ/2 is what is interpolated. With u = (1 + √(4/π - 1))/2 the difference is largest.
+/// One normal is the face's, one at a right angle to it with the weight u: the normal there is
+/// atan(u/(1 - u)) from the face's, and uπ/2 is what is interpolated. With u = (1 + √(4/π - 1))/2
+/// the difference is largest.
 #[test]
 fn interpolated_angles_fall_short_by_four_degrees_at_most() {
     let at = |u: f64| shortfall([DVec3::Z, DVec3::X, DVec3::Z], [1.0 - u, u, 0.0]);
     let worst = (1.0 + (4.0 / PI - 1.0).sqrt()) / 2.0;
-    assert!((worst - 0.76136).abs() < 5e-6 && (at(worst) - LARGEST_SHORTFALL).abs() < 5e-7, "{} at {worst}", at(worst));
+    assert!(
+        (worst - 0.76136).abs() < 5e-6 && (at(worst) - LARGEST_SHORTFALL).abs() < 5e-7,
+        "{} at {worst}",
+        at(worst)
+    );
     assert!((0..=1000).all(|k| at(f64::from(k) / 1000.0) <= at(worst)));
 }
 
 fn direction() -> impl Strategy<Value = DVec3> {
     let component = || -1.0..1.0_f64;
-    (component(), component(), component()).prop_filter_map("a zero vector has no direction", |(x, y, z)| unit(DVec3::new(x, y, z)))
+    (component(), component(), component())
+        .prop_filter_map("a zero vector has no direction", |(x, y, z)| unit(DVec3::new(x, y, z)))
 }
 
 proptest! {
@@ -64,7 +74,8 @@ proptest! {
         prop_assert!((d1 - d3.length_squared() - (v_n - l_n).powi(2)).abs() < 1e-14);
     }
 
-    /// Reshetov et al., eq. 4 and 5: wherever in a triangle, and however the vertex normals stand in front of the face.
+    /// Reshetov et al., eq. 4 and 5: wherever in a triangle, and however the vertex normals stand
+    /// in front of the face.
     #[test]
     fn interpolated_angles_fall_short_by_no_more(normals in prop::array::uniform3(direction()), draw in prop::array::uniform2(0.0..1.0_f64)) {
         let normals = normals.map(|n| DVec3::new(n.x, n.y, n.z.abs()));
@@ -87,8 +98,8 @@ proptest! {
         prop_assert!((eq34(length * n, l) - wanted).abs() < 1e-13);
     }
 
-    /// Hast, eq. 27: N' is a unit vector, and N itself where N is one; NUMERICS.md 2b: where N is l long and at an angle θ from n, N' falls
-    /// θ - 2 atan(l sin θ/(1 + l cos θ)) short of it.
+    /// Hast, eq. 27: N' is a unit vector, and N itself where N is one; NUMERICS.md 2b: where N is l
+    /// long and at an angle θ from n, N' falls θ - 2 atan(l sin θ/(1 + l cos θ)) short of it.
     #[test]
     fn wrapped_normals_are_units(normal in direction(), fixed in direction(), length in 0.05..1.0_f64) {
         prop_assume!(normal.dot(fixed) > -0.9);
@@ -119,8 +130,9 @@ fn normalisation_errs_as_lyon_says() {
     assert!((shortness(g2, middle_of_90_degrees) - 2.77).abs() < 0.005);
     let long = (800..=1000).map(|k| shortness(g2, f64::from(k) / 1000.0)).fold(0.0, f64::max);
     assert!((long - 0.416).abs() < 0.0005 && long < 0.42, "{long}");
-    let (overshoot, at) =
-        (1..=1000).map(|k| (-shortness(g2, f64::from(k) / 1000.0), k)).fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
+    let (overshoot, at) = (1..=1000)
+        .map(|k| (-shortness(g2, f64::from(k) / 1000.0), k))
+        .fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
     assert!((overshoot - 0.176).abs() < 0.0005 && at == 894, "{overshoot} at {at}");
     assert_eq!(g2(0.0), 2.0, "EXTREMES row 27");
 }
@@ -128,7 +140,10 @@ fn normalisation_errs_as_lyon_says() {
 #[test]
 fn newton_steps_square_the_error() {
     let z = 0.5_f64;
-    let errors: Vec<f64> = [g2(z), newton(g2(z), z), newton(newton(g2(z), z), z)].iter().map(|g| 1.0 - g * z.sqrt()).collect();
+    let errors: Vec<f64> = [g2(z), newton(g2(z), z), newton(newton(g2(z), z), z)]
+        .iter()
+        .map(|g| 1.0 - g * z.sqrt())
+        .collect();
     // g = (1 - e)/√z becomes (1 - (3e² - e³)/2)/√z.
     for pair in errors.windows(2) {
         let e = pair[0];
@@ -141,21 +156,29 @@ fn newton_steps_square_the_error() {
 fn shape_ends_where_it_should() {
     for k in 0..4 {
         let limit = f64::from(1 << k);
-        assert_eq!([0.0, limit, limit * (1.0 + f64::EPSILON), 1e9].map(|x| f_k(x, k)), [1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(
+            [0.0, limit, limit * (1.0 + f64::EPSILON), 1e9].map(|x| f_k(x, k)),
+            [1.0, 0.0, 0.0, 0.0]
+        );
         assert!(f_k(limit * (1.0 - f64::EPSILON), k) < 1e-15);
     }
-    let at = |degrees: f64| [0, 1, 2, 3].map(|k| (f_of_angle(degrees.to_radians(), 1, k) * 1e4).round() / 1e4);
+    let at = |degrees: f64| {
+        [0, 1, 2, 3].map(|k| (f_of_angle(degrees.to_radians(), 1, k) * 1e4).round() / 1e4)
+    };
     assert_eq!(at(180.0), [0.0, 0.0, 0.0625, 0.1001]);
     assert_eq!(at(90.0), [0.0, 0.25, 0.3164, 0.3436]);
 }
 
 #[test]
 fn powers_are_defined_everywhere() {
-    assert_eq!([(-0.5, 2), (0.0, 1), (1.0, 8191), (0.3, 0), (0.0, 0)].map(|(c, n)| power(c, n)), [0.0, 0.0, 1.0, 1.0, 1.0]);
+    assert_eq!(
+        [(-0.5, 2), (0.0, 1), (1.0, 8191), (0.3, 0), (0.0, 0)].map(|(c, n)| power(c, n)),
+        [0.0, 0.0, 1.0, 1.0, 1.0]
+    );
 }
 
-/// NUMERICS.md 2a: largest and root-mean-square difference of f_k and cos^n over the lobe, to 4/√n and no farther than
-/// 90 degrees.
+/// NUMERICS.md 2a: largest and root-mean-square difference of f_k and cos^n over the lobe, to 4/√n
+/// and no farther than 90 degrees.
 #[test]
 fn shape_differs_from_phong_as_measured() {
     let printed = [
@@ -170,7 +193,10 @@ fn shape_differs_from_phong_as_measured() {
     for (n, row) in printed {
         for (k, (largest, root_mean_square)) in (0..).zip(row) {
             let (max, rms) = difference_from_phong(n, k);
-            assert!((max - largest).abs() <= 6e-4 && (rms - root_mean_square).abs() <= 6e-4, "n = {n}, k = {k}: {max}, {rms}");
+            assert!(
+                (max - largest).abs() <= 6e-4 && (rms - root_mean_square).abs() <= 6e-4,
+                "n = {n}, k = {k}: {max}, {rms}"
+            );
         }
     }
 }
@@ -183,6 +209,7 @@ fn difference_from_phong(n: u32, k: u32) -> (f64, f64) {
         (f_of_angle(angle, n, k) - power(angle.cos(), n)).abs()
     };
     let max = (0..=STEPS).map(difference).fold(0.0, f64::max);
-    let mean_square = (0..=STEPS).map(|s| difference(s).powi(2)).sum::<f64>() / f64::from(STEPS + 1);
+    let mean_square =
+        (0..=STEPS).map(|s| difference(s).powi(2)).sum::<f64>() / f64::from(STEPS + 1);
     (max, mean_square.sqrt())
 }

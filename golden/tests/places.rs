@@ -1,4 +1,5 @@
-//! Wrapped directions to lights and eyes at places, on the built-in scene `lamps`, against NUMERICS.md 2b.
+//! Wrapped directions to lights and eyes at places, on the built-in scene `lamps`, against
+//! NUMERICS.md 2b.
 use glam::DVec3;
 use specula_golden::exact::{MethodSpan, PhongSpan, point_light, wrap};
 use specula_scene::spec::Wrap;
@@ -12,7 +13,9 @@ fn lamps() -> Frame {
 /// The place and the wrap of every light and eye at a place.
 fn wraps(frame: &Frame, span: &Span) -> Vec<(DVec3, Wrap)> {
     let eye = frame.eye.map(|eye| (eye, wrap_to_eye(frame, span, eye)));
-    let light = |light| (specula_scene::LocalLight::clone(light).position, wrap_to_light(frame, span, light));
+    let light = |light| {
+        (specula_scene::LocalLight::clone(light).position, wrap_to_light(frame, span, light))
+    };
     frame.local_lights.iter().map(light).chain(eye).collect()
 }
 
@@ -21,8 +24,8 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// NUMERICS 2b: θ - 2 atan(l sin θ/(1 + l cos θ)), θ the angle from w and l the length of what is wrapped. At the ends of spans l is 1, and
-/// directions are those of the true vectors.
+/// NUMERICS 2b: θ - 2 atan(l sin θ/(1 + l cos θ)), θ the angle from w and l the length of what is
+/// wrapped. At the ends of spans l is 1, and directions are those of the true vectors.
 #[test]
 fn wraps_err_by_what_numerics_says() {
     let frame = lamps();
@@ -37,7 +40,11 @@ fn wraps_err_by_what_numerics_says() {
                 let wrapped = point_light::wrapped(wrap.axis, x);
                 assert!((wrapped.length() - 1.0).abs() < 1e-12);
                 let predicted = wrap::error(angle(wrap.axis, x), x.length());
-                assert!((angle(wrapped, x) - predicted.abs()).abs() < 1e-7, "{} and {predicted}", angle(wrapped, x));
+                assert!(
+                    (angle(wrapped, x) - predicted.abs()).abs() < 1e-7,
+                    "{} and {predicted}",
+                    angle(wrapped, x)
+                );
                 let to_place = place - frame.position_at(span, span.weights(i));
                 let off = angle(wrapped, to_place);
                 assert!(i > 0 && i + 1 < span.length || off < 1e-7, "an end is off by {off}");
@@ -49,7 +56,8 @@ fn wraps_err_by_what_numerics_says() {
     assert!(largest > 0.0 && largest.to_degrees() < 0.1);
 }
 
-/// What that makes of pixels: an angle ε of L turns N·L by ε and R·L by ε, one of V turns R·L by ε, and n multiplies the latter.
+/// What that makes of pixels: an angle ε of L turns N·L by ε and R·L by ε, one of V turns R·L by ε,
+/// and n multiplies the latter.
 #[test]
 fn pixels_of_lamps_err_by_little() {
     let frame = lamps();

@@ -1,4 +1,5 @@
-//! `fixed` stays within one code of the method in f64, at the formats that `CoreSpec::for_scene` chooses.
+//! `fixed` stays within one code of the method in f64, at the formats that `CoreSpec::for_scene`
+//! chooses.
 use proptest::prelude::*;
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
@@ -16,25 +17,43 @@ const EXTREME: Range = Range { widest: 90.0, tilt: 45.0, log2_length: 9.0, light
 
 fn within_one_code(core: &CoreSpec, frame: &Frame) -> Result<(), TestCaseError> {
     let mut codes = Vec::new();
-    Model::new(core).shade(&packet(core, frame), &mut codes).map_err(|e| TestCaseError::fail(e.to_string()))?;
+    Model::new(core)
+        .shade(&packet(core, frame), &mut codes)
+        .map_err(|e| TestCaseError::fail(e.to_string()))?;
     let method = MethodSpan::new(core, frame, &frame.spans[0]);
     for (i, code) in (0..).zip(&codes) {
         let exact = method.pixel(i);
         for channel in 0..3 {
             let difference = f64::from(code[channel]) - exact[channel].round();
-            prop_assert!(difference.abs() <= 1.0, "pixel {} is {:?}, and {:?} in f64", i, code, exact);
+            prop_assert!(
+                difference.abs() <= 1.0,
+                "pixel {} is {:?}, and {:?} in f64",
+                i,
+                code,
+                exact
+            );
         }
     }
     Ok(())
 }
 
-fn defaults_suffice(method: Method, range: Range, draw: &Draw, material: Material) -> Result<(), TestCaseError> {
+fn defaults_suffice(
+    method: Method,
+    range: Range,
+    draw: &Draw,
+    material: Material,
+) -> Result<(), TestCaseError> {
     let Drawn { frame, .. } = draw_frame(range, draw, material);
     let core = spec(&frame, method).expect("defaults serve every frame drawn here");
     within_one_code(&core, &frame)
 }
 
-fn duff_suffices(highlight: Highlight, range: Range, draw: &Draw, material: Material) -> Result<(), TestCaseError> {
+fn duff_suffices(
+    highlight: Highlight,
+    range: Range,
+    draw: &Draw,
+    material: Material,
+) -> Result<(), TestCaseError> {
     let Drawn { frame, .. } = draw_frame(range, draw, material);
     let mut core = spec(&frame, Method::Duff).expect("defaults serve every frame drawn here");
     if let MethodSpec::Duff(duff) = &mut core.method {
@@ -63,7 +82,12 @@ fn reflection_highlights() -> impl Strategy<Value = reflection::Highlight> {
 }
 
 fn highlights() -> impl Strategy<Value = Highlight> {
-    prop_oneof![Just(Highlight::Blinn), Just(Highlight::Quotient), Just(Highlight::Eq33), Just(Highlight::Eq34)]
+    prop_oneof![
+        Just(Highlight::Blinn),
+        Just(Highlight::Quotient),
+        Just(Highlight::Eq33),
+        Just(Highlight::Eq34)
+    ]
 }
 
 fn draws() -> impl Strategy<Value = Draw> {

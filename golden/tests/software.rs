@@ -1,13 +1,16 @@
-//! The loops against f64: each as the method it is, in f64 to its last places, and in f32 to what the paper's recurrence costs there.
+//! The loops against f64: each as the method it is, in f64 to its last places, and in f32 to what
+//! the paper's recurrence costs there.
 //!
-//! A scheme is given neither the number of the pixel nor anything but the operations of [`Number`], so that all of them go from pixel to pixel.
+//! A scheme is given neither the number of the pixel nor anything but the operations of [`Number`],
+//! so that all of them go from pixel to pixel.
 use glam::DVec3;
 use specula_golden::exact::{MethodSpan, wrap};
 use specula_golden::recurrence::{
-    Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong,
-    Frame as SlerpFrame, Gouraud, Half, HalfG2, Hybrid, Line, LyonCross, LyonLightReflection, LyonNormal, LyonProjection,
-    LyonReflection, Pair, Phong, Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum, TorranceSparrow,
-    Trigonometric, TrowbridgeReitz, Uniform, Unit,
+    Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid,
+    DuffQuotient, DuffRoot, FastPhong, Frame as SlerpFrame, Gouraud, Half, HalfG2, Hybrid, Line,
+    LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Pair, Phong,
+    Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum,
+    TorranceSparrow, Trigonometric, TrowbridgeReitz, Uniform, Unit,
 };
 use specula_golden::software::{METHODS, by_name};
 use specula_scene::frame::EYE;
@@ -27,11 +30,13 @@ const REFLECTANCES: [f64; 3] = [0.1, 0.3, 0.5];
 enum Growth {
     /// A pixel is worked out by itself: some dozens of operations on numbers up to 2.
     Pixel,
-    /// What grows by a step is off by S units more, and so are the factors and divisors that are made of it, eight at most: N·N has three
-    /// components twice, and a rotation two products a step, over sin 30°.
+    /// What grows by a step is off by S units more, and so are the factors and divisors that are
+    /// made of it, eight at most: N·N has three components twice, and a rotation two products a
+    /// step, over sin 30°.
     Step,
-    /// Second differences are off by 1 + S + S²/2 units (NUMERICS 3b): p and q of a quotient, and q again where the base takes both. A
-    /// harmonic recurrence passes a rounding on S/φ times over (NUMERICS 2d), φ = 1/2, as does the rounding of its factor 2 cos δ.
+    /// Second differences are off by 1 + S + S²/2 units (NUMERICS 3b): p and q of a quotient, and q
+    /// again where the base takes both. A harmonic recurrence passes a rounding on S/φ times over
+    /// (NUMERICS 2d), φ = 1/2, as does the rounding of its factor 2 cos δ.
     Difference,
 }
 
@@ -46,7 +51,8 @@ impl Growth {
         }
     }
 
-    /// The same of a pixel in LSBs: the power makes n times as much of the base, which rows 5 and C8 raise to 4n.
+    /// The same of a pixel in LSBs: the power makes n times as much of the base, which rows 5 and
+    /// C8 raise to 4n.
     fn lsb(self, unit: f64, exponent: u32) -> f64 {
         let [_, diffuse, specular] = REFLECTANCES;
         FULL_SCALE * self.amount(unit) * (diffuse + specular * f64::from(exponent))
@@ -86,7 +92,10 @@ fn in_f64<S: Scheme<f64>>(frame: &Frame) -> Vec<f64> {
 
 fn shaded(Pair { diffuse, base }: Pair<f64>, exponent: u32) -> f64 {
     let [ambient, k_d, k_s] = REFLECTANCES;
-    FULL_SCALE * (ambient + k_d * diffuse.clamp(0.0, 1.0) + k_s * base.clamp(0.0, 1.0).powi(exponent as i32))
+    FULL_SCALE
+        * (ambient
+            + k_d * diffuse.clamp(0.0, 1.0)
+            + k_s * base.clamp(0.0, 1.0).powi(exponent as i32))
 }
 
 /// C7 with Phong's highlight, which no `--method` has.
@@ -94,7 +103,10 @@ fn chained(frame: &Frame) -> Vec<f64> {
     let (span, light) = (&frame.spans[0], frame.lights[0].direction);
     let [start, end] = frame.end_normals(span);
     let normals = (0..=STEPS).map(|i| start.lerp(end, span.parameter(i)));
-    let pixel = |n: DVec3| Pair { diffuse: n.dot(light), base: 2.0 * n.dot(light) * n.dot(EYE) - light.dot(EYE) };
+    let pixel = |n: DVec3| Pair {
+        diffuse: n.dot(light),
+        base: 2.0 * n.dot(light) * n.dot(EYE) - light.dot(EYE),
+    };
     wrap::chained(start, normals).map(|n| shaded(pixel(n), SHININESS)).collect()
 }
 
@@ -176,14 +188,17 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Intensities of vertices and polygons are worked out before the loop, wherever the lights are.
-const OF_VERTICES: [(&str, &str); 2] = [("gouraud", "interpolation = \"linear\""), ("uniform", "interpolation = \"uniform\"")];
+const OF_VERTICES: [(&str, &str); 2] =
+    [("gouraud", "interpolation = \"linear\""), ("uniform", "interpolation = \"uniform\"")];
 
 /// Loops of lights and an eye at places, which have a test of their own.
-const PLACED: [(&str, Places); 2] = [("phong-places", Places::Exact), ("phong-wrapped-places", Places::Wrapped)];
+const PLACED: [(&str, Places); 2] =
+    [("phong-places", Places::Exact), ("phong-wrapped-places", Places::Wrapped)];
 
 #[test]
 fn every_loop_is_compared() {
-    let mut compared: Vec<&str> = rows().iter().map(|row| row.name).chain(PLACED.map(|(name, _)| name)).collect();
+    let mut compared: Vec<&str> =
+        rows().iter().map(|row| row.name).chain(PLACED.map(|(name, _)| name)).collect();
     let mut all = METHODS.map(|method| method.name);
     compared.sort();
     all.sort();
@@ -194,8 +209,10 @@ fn every_loop_is_compared() {
 fn loops_in_f64_are_their_methods() {
     let frame = span();
     let off = |row: &Row| {
-        let (error, most) =
-            (largest_difference(&(row.in_f64)(&frame), &(row.exact)(&frame)), row.growth.lsb(f64::EPSILON / 2.0, row.exponent));
+        let (error, most) = (
+            largest_difference(&(row.in_f64)(&frame), &(row.exact)(&frame)),
+            row.growth.lsb(f64::EPSILON / 2.0, row.exponent),
+        );
         (error > most).then(|| format!("{}: {error} LSB, and {most} at most", row.name))
     };
     let wrong: Vec<String> = rows().iter().filter_map(off).collect();
@@ -209,8 +226,10 @@ fn loops_in_f32_are_off_by_their_roundings() {
         let mut out = [[0.0; 3]; STEPS as usize + 1];
         by_name(row.name).unwrap().shade(&frame, &frame.spans[0], &mut out);
         let shaded = out.map(|pixel| f64::from(pixel[0]));
-        let (error, most) =
-            (largest_difference(&shaded, &(row.exact)(&frame)), row.growth.lsb(f64::from(f32::EPSILON / 2.0), row.exponent));
+        let (error, most) = (
+            largest_difference(&shaded, &(row.exact)(&frame)),
+            row.growth.lsb(f64::from(f32::EPSILON / 2.0), row.exponent),
+        );
         println!("{}: {error} of {most}", row.name);
         (error > most).then(|| format!("{}: {error} LSB, and {most} at most", row.name))
     };
@@ -221,18 +240,28 @@ fn loops_in_f32_are_off_by_their_roundings() {
 /// EXTREMES rows 1, 2, 4, 7, 12, 13, 14 and 37: everything is a number between 0 and 255.
 #[test]
 fn nothing_is_undefined() {
-    for (ends, length) in [([DVec3::X, -DVec3::X], 3), ([DVec3::Z, -DVec3::Z], 5), ([DVec3::Z; 2], 1), ([-DVec3::Z; 2], 4)] {
-        let frame = frame(ends, length, &[DVec3::Z, -DVec3::Z, DVec3::X], material(0.1, 0.5, 0.5, 16));
+    for (ends, length) in [
+        ([DVec3::X, -DVec3::X], 3),
+        ([DVec3::Z, -DVec3::Z], 5),
+        ([DVec3::Z; 2], 1),
+        ([-DVec3::Z; 2], 4),
+    ] {
+        let frame =
+            frame(ends, length, &[DVec3::Z, -DVec3::Z, DVec3::X], material(0.1, 0.5, 0.5, 16));
         for method in METHODS {
             let mut out = vec![[0.0; 3]; length as usize];
             method.shade(&frame, &frame.spans[0], &mut out);
-            assert!(out.iter().flatten().all(|c| (0.0..=255.0).contains(c)), "{}: {out:?}", method.name);
+            assert!(
+                out.iter().flatten().all(|c| (0.0..=255.0).contains(c)),
+                "{}: {out:?}",
+                method.name
+            );
         }
     }
 }
 
-/// Lights and an eye at places: a lamp, a spot and a light at infinity over a tilted span, close by and far away. f32 adds up S steps, each off by
-/// 2^-24 of the vector; n = 16 multiplies that.
+/// Lights and an eye at places: a lamp, a spot and a light at infinity over a tilted span, close by
+/// and far away. f32 adds up S steps, each off by 2^-24 of the vector; n = 16 multiplies that.
 #[test]
 fn places_are_those_of_the_methods() {
     for distance in [1.5, 100.0] {
@@ -246,15 +275,16 @@ fn places_are_those_of_the_methods() {
             let mut out = [[0.0; 3]; 65];
             by_name(name).unwrap().shade(&frame, span, &mut out);
             for (i, pixel) in (0..).zip(out) {
-                let error = (f64::from(pixel[0]) - MethodSpan::new(&core, &frame, span).pixel(i)[0]).abs();
+                let error =
+                    (f64::from(pixel[0]) - MethodSpan::new(&core, &frame, span).pixel(i)[0]).abs();
                 assert!(error < 0.05, "{name} at {distance}, pixel {i}: {error}");
             }
         }
     }
 }
 
-/// Lights and eye as above, from the vertices and the polygon's middle: several spans of one polygon, set up one after another and all
-/// together, in memory of those before.
+/// Lights and eye as above, from the vertices and the polygon's middle: several spans of one
+/// polygon, set up one after another and all together, in memory of those before.
 #[test]
 fn vertices_and_polygons_see_places() {
     for distance in [1.5, 100.0] {
@@ -266,7 +296,8 @@ fn vertices_and_polygons_see_places() {
         frame.triangles[0].facet.middle = DVec3::new(0.1, 0.2, -0.3);
         for (name, options) in OF_VERTICES {
             let table = format!("[gouraud]\n{options}").parse().unwrap();
-            let core = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(Method::Gouraud)).unwrap();
+            let core = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(Method::Gouraud))
+                .unwrap();
             let mut software = (by_name(name).unwrap().of_frame)(&frame);
             software.set_up(&frame.spans[1..]);
             software.set_up(&frame.spans);
@@ -274,8 +305,13 @@ fn vertices_and_polygons_see_places() {
                 let mut out = vec![[0.0; 3]; span.length as usize];
                 software.shade(number, &mut out);
                 for (i, pixel) in (0..).zip(out) {
-                    let error = (f64::from(pixel[0]) - MethodSpan::new(&core, &frame, span).pixel(i)[0]).abs();
-                    assert!(error < 0.005, "{name} at {distance}, span {number}, pixel {i}: {error}");
+                    let error = (f64::from(pixel[0])
+                        - MethodSpan::new(&core, &frame, span).pixel(i)[0])
+                        .abs();
+                    assert!(
+                        error < 0.005,
+                        "{name} at {distance}, span {number}, pixel {i}: {error}"
+                    );
                 }
             }
         }
@@ -283,9 +319,15 @@ fn vertices_and_polygons_see_places() {
 }
 
 fn lit_from_places(distance: f64) -> Frame {
-    let mut frame = frame([tilted(-15.0), tilted(15.0)], 65, &[tilted(20.0)], material(0.1, 0.3, 0.3, 16));
-    frame.triangles[0].positions = [DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.2, 0.0), DVec3::Y];
-    let lamp = |direction: DVec3, spot| LocalLight { position: distance * direction, spot, colour: [0.5; 3] };
+    let mut frame =
+        frame([tilted(-15.0), tilted(15.0)], 65, &[tilted(20.0)], material(0.1, 0.3, 0.3, 16));
+    frame.triangles[0].positions =
+        [DVec3::new(-1.0, 0.0, 0.0), DVec3::new(1.0, 0.2, 0.0), DVec3::Y];
+    let lamp = |direction: DVec3, spot| LocalLight {
+        position: distance * direction,
+        spot,
+        colour: [0.5; 3],
+    };
     let spot = Spot { axis: -tilted(-30.0), exponent: 20 };
     frame.local_lights = vec![lamp(tilted(40.0), None), lamp(tilted(-35.0), Some(spot))];
     frame.eye = Some(distance * tilted(10.0));

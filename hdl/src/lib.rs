@@ -1,7 +1,7 @@
 //! Shading hardware, described at run time on rust-hdl.
 //!
-//! [`builder`] is what units are written with; [`units`] and [`cores`] are the hardware; [`design`] is what comes out, [`block`]
-//! turns it into rust-hdl blocks, and [`verilog`] prints those.
+//! [`builder`] is what units are written with; [`units`] and [`cores`] are the hardware; [`design`]
+//! is what comes out, [`block`] turns it into rust-hdl blocks, and [`verilog`] prints those.
 pub mod block;
 pub mod builder;
 pub mod cores;

@@ -1,4 +1,5 @@
-//! What an operator costs, asked wherever it matters, so that pipelining for a device can change without touching units or cores.
+//! What an operator costs, asked wherever it matters, so that pipelining for a device can change
+//! without touching units or cores.
 use crate::design::Op;
 
 /// A device, as far as pipelining asks.
@@ -9,8 +10,8 @@ pub trait Target {
     fn registers_after(&self, op: &Op) -> u32;
 }
 
-/// No device in particular: one register after each multiplier, adder and multiplexer. Comparators and gates feed the multiplexer
-/// they belong to within the same clock; shifts and ports are wires.
+/// No device in particular: one register after each multiplier, adder and multiplexer. Comparators
+/// and gates feed the multiplexer they belong to within the same clock; shifts and ports are wires.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Generic;
 

@@ -1,4 +1,5 @@
-//! Both cores with every option through rust-hdl's checks, and what elaboration promises for all of them.
+//! Both cores with every option through rust-hdl's checks, and what elaboration promises for all of
+//! them.
 use specula_hdl::Design;
 use specula_hdl::block::check_all;
 use specula_hdl::design::NodeId;
@@ -34,14 +35,16 @@ fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
 }
 
 fn spec(method: Method, lights: usize, longest_span: u32, largest_shininess: u32) -> CoreSpec {
-    CoreSpec::for_scene(&needs(lights, longest_span, largest_shininess), None, Some(method)).unwrap()
+    CoreSpec::for_scene(&needs(lights, longest_span, largest_shininess), None, Some(method))
+        .unwrap()
 }
 
 /// Every number of lights, short and long spans, small and large exponents.
 fn sizes(method: Method) -> impl Iterator<Item = CoreSpec> {
     let lights = 1..=MOST_LIGHTS;
     lights.flat_map(move |lights| {
-        [(1, 1), (2, 2), (256, 256), (LONGEST_SPAN, 4096)].map(|(span, shininess)| spec(method, lights, span, shininess))
+        [(1, 1), (2, 2), (256, 256), (LONGEST_SPAN, 4096)]
+            .map(|(span, shininess)| spec(method, lights, span, shininess))
     })
 }
 
@@ -49,9 +52,11 @@ fn sizes(method: Method) -> impl Iterator<Item = CoreSpec> {
 fn options() -> impl Iterator<Item = CoreSpec> {
     let first = [Normalisation::G1, Normalisation::G2].into_iter();
     let choices = first.flat_map(|normalisation| {
-        [Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight].map(|difference| (normalisation, difference))
+        [Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight]
+            .map(|difference| (normalisation, difference))
     });
-    let choices = choices.flat_map(|(n, d)| (0..=3).flat_map(move |steps| (0..=3).map(move |k| (n, d, steps, k))));
+    let choices = choices
+        .flat_map(|(n, d)| (0..=3).flat_map(move |steps| (0..=3).map(move |k| (n, d, steps, k))));
     choices.map(|(normalisation, difference, newton_steps, squarings)| {
         let mut core = spec(Method::Lyon, 2, 100, 8191);
         if let MethodSpec::Lyon(lyon) = &mut core.method {
@@ -64,32 +69,37 @@ fn options() -> impl Iterator<Item = CoreSpec> {
 
 /// Every option of `duff`.
 fn duff_options() -> impl Iterator<Item = CoreSpec> {
-    [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].into_iter().map(|specular| {
-        let mut core = spec(Method::Duff, 2, 100, 4096);
-        if let MethodSpec::Duff(duff) = &mut core.method {
-            duff.specular = specular;
-        }
-        core.check().unwrap();
-        core
-    })
+    [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].into_iter().map(
+        |specular| {
+            let mut core = spec(Method::Duff, 2, 100, 4096);
+            if let MethodSpec::Duff(duff) = &mut core.method {
+                duff.specular = specular;
+            }
+            core.check().unwrap();
+            core
+        },
+    )
 }
 
 /// Every option of `reflection`.
 fn reflection_options() -> impl Iterator<Item = CoreSpec> {
-    [reflection::Highlight::Blinn, reflection::Highlight::Hybrid, reflection::Highlight::Eq34].into_iter().map(|specular| {
-        let mut core = spec(Method::Reflection, 2, 100, 4096);
-        if let MethodSpec::Reflection(reflection) = &mut core.method {
-            reflection.specular = specular;
-        }
-        core.check().unwrap();
-        core
-    })
+    [reflection::Highlight::Blinn, reflection::Highlight::Hybrid, reflection::Highlight::Eq34]
+        .into_iter()
+        .map(|specular| {
+            let mut core = spec(Method::Reflection, 2, 100, 4096);
+            if let MethodSpec::Reflection(reflection) = &mut core.method {
+                reflection.specular = specular;
+            }
+            core.check().unwrap();
+            core
+        })
 }
 
 /// Every combination of `consistent`'s options.
 fn curves() -> impl Iterator<Item = CoreSpec> {
     let choices = [Curve::Rational, Curve::Trigonometric].into_iter();
-    let choices = choices.flat_map(|curve| [Diffuse::Lambert, Diffuse::Consistent].map(|diffuse| (curve, diffuse)));
+    let choices = choices
+        .flat_map(|curve| [Diffuse::Lambert, Diffuse::Consistent].map(|diffuse| (curve, diffuse)));
     choices.map(|(curve, diffuse)| {
         let mut core = spec(Method::Consistent, 2, 100, 256);
         if let MethodSpec::Consistent(consistent) = &mut core.method {
@@ -100,7 +110,13 @@ fn curves() -> impl Iterator<Item = CoreSpec> {
 }
 
 fn every_spec() -> impl Iterator<Item = CoreSpec> {
-    Method::ALL.into_iter().flat_map(sizes).chain(options()).chain(duff_options()).chain(reflection_options()).chain(curves())
+    Method::ALL
+        .into_iter()
+        .flat_map(sizes)
+        .chain(options())
+        .chain(duff_options())
+        .chain(reflection_options())
+        .chain(curves())
 }
 
 fn elaborated(spec: &CoreSpec) -> Design {
@@ -110,7 +126,8 @@ fn elaborated(spec: &CoreSpec) -> Design {
 #[test]
 fn cores_pass_rust_hdls_checks() {
     for spec in every_spec() {
-        check_all(&elaborated(&spec).to_block()).unwrap_or_else(|error| panic!("{error:?}: {spec:?}"));
+        check_all(&elaborated(&spec).to_block())
+            .unwrap_or_else(|error| panic!("{error:?}: {spec:?}"));
     }
 }
 
@@ -132,10 +149,18 @@ fn signals_belong_together() {
                 check_operand(&design, id, operand);
             }
         }
-        assert!(design.output_errors.iter().all(|error| error.is_finite()), "{:?}: {spec:?}", design.output_errors);
+        assert!(
+            design.output_errors.iter().all(|error| error.is_finite()),
+            "{:?}: {spec:?}",
+            design.output_errors
+        );
         assert!(design.error_bound() >= 0.5, "rounding to 8 bits alone is half an LSB");
         let last = design.outputs.iter().map(|&output| design.node(output).stage);
-        assert!(last.clone().all(|stage| stage == design.latency()), "{:?}", last.collect::<Vec<_>>());
+        assert!(
+            last.clone().all(|stage| stage == design.latency()),
+            "{:?}",
+            last.collect::<Vec<_>>()
+        );
     }
 }
 
@@ -165,14 +190,19 @@ fn less_is_left_out() {
     assert_eq!(large - small, 12, "a multiplier for each squaring");
 }
 
-/// What is finer for the brightest highlights still fits 63 bits, with the longest spans and the largest exponents.
+/// What is finer for the brightest highlights still fits 63 bits, with the longest spans and the
+/// largest exponents.
 #[test]
 fn cores_for_bright_highlights_can_be_built() {
     for method in Method::ALL {
         for (span, shininess) in [(1, 1), (LONGEST_SPAN, 8191)] {
             let of = |brightest_coefficient| {
-                let needs =
-                    Needs { brightest_coefficient, shortest_normal: 0.05, widest_angle: 170.0, ..needs(4, span, shininess) };
+                let needs = Needs {
+                    brightest_coefficient,
+                    shortest_normal: 0.05,
+                    widest_angle: 170.0,
+                    ..needs(4, span, shininess)
+                };
                 let spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
                 specula_hdl::elaborate(&spec, "core").unwrap().error_bound()
             };

@@ -8,7 +8,8 @@ use specula_scene::{CoreSpec, Method};
 
 /// General cores, and those of the built-in scenes.
 fn specs() -> Vec<CoreSpec> {
-    let scenes = ["icosahedron", "lamps"].map(|scene| specula_scene::load(scene, Some((16, 12))).unwrap());
+    let scenes =
+        ["icosahedron", "lamps"].map(|scene| specula_scene::load(scene, Some((16, 12))).unwrap());
     let of_scene = |scene: &specula_scene::LoadedScene| {
         let specs = Method::ALL.into_iter().filter_map(|method| scene.core_spec(Some(method)).ok());
         specs.flat_map(|spec| [spec.general(), spec]).collect::<Vec<_>>()
@@ -18,14 +19,19 @@ fn specs() -> Vec<CoreSpec> {
 
 /// What is declared in the core's own module.
 fn declared(design: &Design) -> BTreeSet<&str> {
-    let signals = design.nodes.iter().filter(|node| node.scope == ScopeId::TOP).map(|node| node.name.as_str());
+    let signals = design
+        .nodes
+        .iter()
+        .filter(|node| node.scope == ScopeId::TOP)
+        .map(|node| node.name.as_str());
     let instances = design.scopes.iter().filter(|scope| scope.parent == Some(ScopeId::TOP));
     signals.chain(instances.map(|scope| scope.instance.as_str())).chain(CONTROL).collect()
 }
 
 /// Names of what goes in and comes out, in their order.
 fn ports(design: &Design) -> Vec<&str> {
-    let inputs = design.inputs.iter().flatten().chain([&design.valid, &design.start, &design.valid_out]);
+    let inputs =
+        design.inputs.iter().flatten().chain([&design.valid, &design.start, &design.valid_out]);
     inputs.chain(&design.outputs).map(|id| design.node(*id).name.as_str()).collect()
 }
 

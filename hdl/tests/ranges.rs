@@ -1,4 +1,5 @@
-//! Every signal stays in its proven range, and every stated fact holds, whatever spec and scene are.
+//! Every signal stays in its proven range, and every stated fact holds, whatever spec and scene
+//! are.
 mod common;
 #[macro_use]
 #[path = "../../scene/tests/common/each_method.rs"]

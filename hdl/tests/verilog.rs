@@ -34,7 +34,13 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
     match &mut spec.method {
         MethodSpec::Lyon(lyon) => {
             let f = &mut lyon.formats;
-            for format in [&mut f.weight, &mut f.vector, &mut f.length_squared, &mut f.gain, &mut f.difference] {
+            for format in [
+                &mut f.weight,
+                &mut f.vector,
+                &mut f.length_squared,
+                &mut f.gain,
+                &mut f.difference,
+            ] {
                 format.fraction_bits = 8;
             }
             f.weight_accumulator.fraction_bits = 11;
@@ -45,17 +51,23 @@ fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
         MethodSpec::Hybrid(hybrid) => {
             let f = &mut hybrid.formats;
             (f.diffuse_accumulator.fraction_bits, f.diffuse.fraction_bits) = (9, 6);
-            (f.accumulator.fraction_bits, f.operand.fraction_bits, f.base.fraction_bits) = (12, 8, 4);
+            (f.accumulator.fraction_bits, f.operand.fraction_bits, f.base.fraction_bits) =
+                (12, 8, 4);
         }
         MethodSpec::Duff(duff) => {
             let f = &mut duff.formats;
-            (f.linear_accumulator.fraction_bits, f.accumulator.fraction_bits, f.operand.fraction_bits) = (12, 12, 8);
+            (
+                f.linear_accumulator.fraction_bits,
+                f.accumulator.fraction_bits,
+                f.operand.fraction_bits,
+            ) = (12, 12, 8);
             (f.root.fraction_bits, f.quotient.fraction_bits, f.cosine.fraction_bits) = (6, 6, 6);
             (f.diffuse.fraction_bits, f.base.fraction_bits) = (6, 4);
         }
         MethodSpec::Reflection(reflection) => {
             let f = &mut reflection.formats;
-            (f.accumulator.fraction_bits, f.operand.fraction_bits, f.reciprocal.fraction_bits) = (12, 8, 6);
+            (f.accumulator.fraction_bits, f.operand.fraction_bits, f.reciprocal.fraction_bits) =
+                (12, 8, 6);
             (f.cosine.fraction_bits, f.diffuse.fraction_bits, f.base.fraction_bits) = (6, 6, 4);
         }
         _ => (),
@@ -148,7 +160,10 @@ fn verilog_keeps_to_the_rules() {
         let text = text(&design);
         assert!(!text.replace("$signed", "").contains('$'));
         assert!(!text.contains("initial"));
-        assert_eq!(text.matches("verilator lint_off").count(), text.matches("verilator lint_off DECLFILENAME").count());
+        assert_eq!(
+            text.matches("verilator lint_off").count(),
+            text.matches("verilator lint_off DECLFILENAME").count()
+        );
         let opened = text.lines().filter(|line| line.starts_with("module ")).count();
         assert_eq!(opened, text.matches("endmodule").count());
         assert!(text.is_ascii(), "tools of old read ASCII alone");

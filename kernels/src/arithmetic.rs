@@ -1,6 +1,8 @@
 //! Sums, differences and products, computed in one lane width and stored in another.
 use crate::kernel::Binary;
-use crate::post::{Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled};
+use crate::post::{
+    Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled,
+};
 use crate::{Lane, Level, Post, Wrap};
 
 /// An arithmetic operator.
@@ -81,20 +83,36 @@ impl Operator for Max {
 
 /// Operands of lanes `I`, computed in lanes `C`, stored in lanes `O`.
 #[inline(always)]
-fn body<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(out: &mut [O], a: &[I], b: &[I], amounts: &Amounts) {
+fn body<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
+    out: &mut [O],
+    a: &[I],
+    b: &[I],
+    amounts: &Amounts,
+) {
     let n = out.len();
     let (a, b) = (&a[..n], &b[..n]);
     for i in 0..n {
-        out[i] = P::apply(F::apply(C::from_i64(a[i].to_i64()), C::from_i64(b[i].to_i64())), amounts);
+        out[i] =
+            P::apply(F::apply(C::from_i64(a[i].to_i64()), C::from_i64(b[i].to_i64())), amounts);
     }
 }
 
-fn baseline<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(out: &mut [O], a: &[I], b: &[I], amounts: &Amounts) {
+fn baseline<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
+    out: &mut [O],
+    a: &[I],
+    b: &[I],
+    amounts: &Amounts,
+) {
     body::<I, C, O, F, P>(out, a, b, amounts)
 }
 
 #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2"))]
-unsafe fn avx2<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(out: &mut [O], a: &[I], b: &[I], amounts: &Amounts) {
+unsafe fn avx2<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
+    out: &mut [O],
+    a: &[I],
+    b: &[I],
+    amounts: &Amounts,
+) {
     body::<I, C, O, F, P>(out, a, b, amounts)
 }
 
@@ -134,10 +152,16 @@ pub fn extreme(extreme: Extreme, wrap: Wrap, level: Level) -> Binary<i32, i32> {
     }
 }
 
-/// The kernel of `operator` on operands of lanes `I`, computed in lanes `C`, after `post` stored in lanes `O`.
+/// The kernel of `operator` on operands of lanes `I`, computed in lanes `C`, after `post` stored in
+/// lanes `O`.
 ///
-/// The result is right where the raw result, with [`Post::half`] more, fits `C` and the result after `post` fits `O`.
-fn arithmetic<I: Lane, C: Lane, O: Lane>(operator: Arithmetic, post: Post, level: Level) -> Binary<I, O> {
+/// The result is right where the raw result, with [`Post::half`] more, fits `C` and the result
+/// after `post` fits `O`.
+fn arithmetic<I: Lane, C: Lane, O: Lane>(
+    operator: Arithmetic,
+    post: Post,
+    level: Level,
+) -> Binary<I, O> {
     match operator {
         Arithmetic::Copy => with_operator::<I, C, O, First>(post, level),
         Arithmetic::Add => with_operator::<I, C, O, Add>(post, level),
@@ -151,15 +175,29 @@ fn with_operator<I: Lane, C: Lane, O: Lane, F: Operator>(post: Post, level: Leve
         Kind::Plain => with_finish::<I, C, O, F, Plain>(post, level),
         Kind::Shifted(Fill::Zero) => with_finish::<I, C, O, F, Shifted<ZeroFilled>>(post, level),
         Kind::Shifted(Fill::Sign) => with_finish::<I, C, O, F, Shifted<SignFilled>>(post, level),
-        Kind::WrappedAndShifted(Fill::Zero) => with_finish::<I, C, O, F, WrappedAndShifted<ZeroFilled>>(post, level),
-        Kind::WrappedAndShifted(Fill::Sign) => with_finish::<I, C, O, F, WrappedAndShifted<SignFilled>>(post, level),
+        Kind::WrappedAndShifted(Fill::Zero) => {
+            with_finish::<I, C, O, F, WrappedAndShifted<ZeroFilled>>(post, level)
+        }
+        Kind::WrappedAndShifted(Fill::Sign) => {
+            with_finish::<I, C, O, F, WrappedAndShifted<SignFilled>>(post, level)
+        }
     }
 }
 
-fn with_finish<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(post: Post, level: Level) -> Binary<I, O> {
-    if post.wraps() { chosen::<I, C, O, F, Wrapped<P>>(post, level) } else { chosen::<I, C, O, F, P>(post, level) }
+fn with_finish<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
+    post: Post,
+    level: Level,
+) -> Binary<I, O> {
+    if post.wraps() {
+        chosen::<I, C, O, F, Wrapped<P>>(post, level)
+    } else {
+        chosen::<I, C, O, F, P>(post, level)
+    }
 }
 
-fn chosen<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(post: Post, level: Level) -> Binary<I, O> {
+fn chosen<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
+    post: Post,
+    level: Level,
+) -> Binary<I, O> {
     Binary::new(baseline::<I, C, O, F, P>, avx2::<I, C, O, F, P>, level, post.amounts::<C>())
 }

@@ -71,7 +71,10 @@ bitwise!(and_baseline, and_avx2, |a, b| a & b);
 bitwise!(or_baseline, or_avx2, |a, b| a | b);
 
 /// The kernel of a bitwise operator.
-pub fn bits<L: Lane + std::ops::BitAnd<Output = L> + std::ops::BitOr<Output = L>>(operator: Bits, level: Level) -> Binary<L, L> {
+pub fn bits<L: Lane + std::ops::BitAnd<Output = L> + std::ops::BitOr<Output = L>>(
+    operator: Bits,
+    level: Level,
+) -> Binary<L, L> {
     match operator {
         Bits::And => Binary::new(and_baseline::<L>, and_avx2::<L>, level, Amounts::default()),
         Bits::Or => Binary::new(or_baseline::<L>, or_avx2::<L>, level, Amounts::default()),

@@ -24,7 +24,12 @@ impl<I, O> Clone for Binary<I, O> {
 impl<I, O> Copy for Binary<I, O> {}
 
 impl<I, O> Binary<I, O> {
-    pub(crate) fn new(baseline: Loop<I, O>, avx2: FeatureLoop<I, O>, level: Level, amounts: Amounts) -> Self {
+    pub(crate) fn new(
+        baseline: Loop<I, O>,
+        avx2: FeatureLoop<I, O>,
+        level: Level,
+        amounts: Amounts,
+    ) -> Self {
         Binary { baseline, avx2, level, amounts }
     }
 
@@ -35,7 +40,8 @@ impl<I, O> Binary<I, O> {
     #[inline]
     pub fn run(&self, out: &mut [O], a: &[I], b: &[I]) {
         if self.level.avx2 {
-            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the processor has AVX2.
+            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the
+            // processor has AVX2.
             unsafe { (self.avx2)(out, a, b, &self.amounts) }
         } else {
             (self.baseline)(out, a, b, &self.amounts)
@@ -64,7 +70,12 @@ impl<O, const N: usize> Clone for Products<O, N> {
 impl<O, const N: usize> Copy for Products<O, N> {}
 
 impl<O, const N: usize> Products<O, N> {
-    pub(crate) fn new(baseline: SumLoop<O, N>, avx2: FeatureSumLoop<O, N>, level: Level, amounts: Amounts) -> Self {
+    pub(crate) fn new(
+        baseline: SumLoop<O, N>,
+        avx2: FeatureSumLoop<O, N>,
+        level: Level,
+        amounts: Amounts,
+    ) -> Self {
         Products { baseline, avx2, level, amounts }
     }
 
@@ -75,7 +86,8 @@ impl<O, const N: usize> Products<O, N> {
     #[inline]
     pub fn run(&self, out: &mut [O], factors: [[&[i32]; 2]; N]) {
         if self.level.avx2 {
-            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the processor has AVX2.
+            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the
+            // processor has AVX2.
             unsafe { (self.avx2)(out, factors, &self.amounts) }
         } else {
             (self.baseline)(out, factors, &self.amounts)
@@ -114,7 +126,8 @@ impl<L> Ternary<L> {
     #[inline]
     pub fn run(&self, out: &mut [L], condition: &[i32], yes: &[L], no: &[L]) {
         if self.level.avx2 {
-            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the processor has AVX2.
+            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the
+            // processor has AVX2.
             unsafe { (self.avx2)(out, condition, yes, no) }
         } else {
             (self.baseline)(out, condition, yes, no)

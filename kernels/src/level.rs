@@ -1,7 +1,7 @@
 //! Which copy of the kernels runs.
 
-/// An instruction set that kernels are compiled for. A value other than the baseline exists only where the processor has it, since
-/// only [`Level::best`] makes one.
+/// An instruction set that kernels are compiled for. A value other than the baseline exists only
+/// where the processor has it, since only [`Level::best`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Level {
     pub(crate) avx2: bool,

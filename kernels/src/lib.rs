@@ -1,8 +1,9 @@
 //! Column kernels of the cycle engine: each applies one operator to whole columns of raw values.
 //!
-//! A column has lanes of 32 or 64 bits. Every kernel is one loop over slices in safe Rust, compiled for the baseline of the target and
-//! once more with AVX2; which of the two runs is decided once, by [`Level`]. The only `unsafe` is the call of the AVX2 copy
-//! ([`Binary::run`], [`Products::run`], [`Ternary::run`]), and tests hold it against the baseline copy.
+//! A column has lanes of 32 or 64 bits. Every kernel is one loop over slices in safe Rust, compiled
+//! for the baseline of the target and once more with AVX2; which of the two runs is decided once,
+//! by [`Level`]. The only `unsafe` is the call of the AVX2 copy ([`Binary::run`],
+//! [`Products::run`], [`Ternary::run`]), and tests hold it against the baseline copy.
 mod arithmetic;
 mod bits;
 mod kernel;
@@ -12,7 +13,9 @@ mod post;
 mod products;
 mod serial;
 
-pub use arithmetic::{Arithmetic, Extreme, extreme, narrow, narrow_through_wide, narrowing, wide, widening};
+pub use arithmetic::{
+    Arithmetic, Extreme, extreme, narrow, narrow_through_wide, narrowing, wide, widening,
+};
 pub use bits::{Bits, bits, choose, less_than};
 pub use kernel::{Binary, Products, Ternary};
 pub use lane::Lane;

@@ -1,4 +1,5 @@
-//! What happens to a raw result before it is stored: bits dropped on the left, on the right, and on the left again.
+//! What happens to a raw result before it is stored: bits dropped on the left, on the right, and on
+//! the left again.
 use std::marker::PhantomData;
 
 use crate::Lane;
@@ -11,7 +12,8 @@ pub enum Shift {
     None,
     /// ⌊x / 2^k⌋.
     Floor(u32),
-    /// ⌊(⌊x / 2^k⌋ + 1) / 2⌋, with k up to 61: k + 1 bits dropped, rounding to nearest with ties up.
+    /// ⌊(⌊x / 2^k⌋ + 1) / 2⌋, with k up to 61: k + 1 bits dropped, rounding to nearest with ties
+    /// up.
     Round(u32),
 }
 
@@ -41,7 +43,8 @@ pub struct Post {
 }
 
 impl Shift {
-    /// The shift as ⌊(x + half) / 2^bits⌋: `half` is half a unit of the last place that stays, where it rounds.
+    /// The shift as ⌊(x + half) / 2^bits⌋: `half` is half a unit of the last place that stays,
+    /// where it rounds.
     fn parts(self) -> (i64, u32) {
         match self {
             Shift::None => (0, 0),
@@ -53,7 +56,8 @@ impl Shift {
 }
 
 impl Wrap {
-    /// The bits that stay, and the one of them that counts as negative: the wrapped value is `((x & mask) ^ sign) - sign`.
+    /// The bits that stay, and the one of them that counts as negative: the wrapped value is
+    /// `((x & mask) ^ sign) - sign`.
     fn parts(self) -> (i64, i64) {
         let low = |width: u32| (u64::MAX >> (64 - width)) as i64;
         match self {
@@ -65,7 +69,8 @@ impl Wrap {
 }
 
 impl Post {
-    /// What rounding adds to a result before it drops bits: there must be room for it in the lane that computes.
+    /// What rounding adds to a result before it drops bits: there must be room for it in the lane
+    /// that computes.
     pub fn half(self) -> i64 {
         self.shift.parts().0
     }
@@ -76,8 +81,10 @@ impl Post {
         if self.first == Wrap::None && self.shift == Shift::None && self.plus == 0 {
             return Kind::Plain;
         }
-        // A narrower lane may store bits of the quotient alone; then it does not matter what is filled in on the left, and zeros cost less.
-        let fill = if O::BITS < C::BITS && bits <= C::BITS - O::BITS { Fill::Zero } else { Fill::Sign };
+        // A narrower lane may store bits of the quotient alone; then it does not matter what is
+        // filled in on the left, and zeros cost less.
+        let fill =
+            if O::BITS < C::BITS && bits <= C::BITS - O::BITS { Fill::Zero } else { Fill::Sign };
         if self.first == Wrap::None { Kind::Shifted(fill) } else { Kind::WrappedAndShifted(fill) }
     }
 
@@ -86,14 +93,16 @@ impl Post {
     }
 
     pub(crate) fn amounts<C: Lane>(self) -> Amounts {
-        let ((half, bits), (mask, sign), (last_mask, last_sign)) = (self.shift.parts(), self.first.parts(), self.wrap.parts());
+        let ((half, bits), (mask, sign), (last_mask, last_sign)) =
+            (self.shift.parts(), self.first.parts(), self.wrap.parts());
         let plus = if self.first == Wrap::None { 0 } else { self.plus };
         Amounts {
             plus,
             mask,
             sign,
             offset: (self.plus - plus).wrapping_add(half).wrapping_sub(sign),
-            // Shifting all bits out leaves the sign, as shifting all but one does; processors would take the amount modulo the lane.
+            // Shifting all bits out leaves the sign, as shifting all but one does; processors would
+            // take the amount modulo the lane.
             bits: bits.min(C::BITS - 1),
             last_mask,
             last_sign,
@@ -122,14 +131,16 @@ pub(crate) struct Amounts {
     plus: i64,
     mask: i64,
     sign: i64,
-    /// What is added before the shift: the half of rounding, the constant if nothing is wrapped before it, less the sign if something is.
+    /// What is added before the shift: the half of rounding, the constant if nothing is wrapped
+    /// before it, less the sign if something is.
     offset: i64,
     bits: u32,
     last_mask: i64,
     last_sign: i64,
 }
 
-/// A way from a raw result in lanes `C` to what is stored in lanes `O`, as a type, so that each has a loop of its own.
+/// A way from a raw result in lanes `C` to what is stored in lanes `O`, as a type, so that each has
+/// a loop of its own.
 pub(crate) trait Finish {
     fn apply<C: Lane, O: Lane>(raw: C, amounts: &Amounts) -> O;
 }
@@ -178,7 +189,10 @@ impl<S: ShiftKind> Finish for Shifted<S> {
 impl<S: ShiftKind> Finish for WrappedAndShifted<S> {
     #[inline(always)]
     fn apply<C: Lane, O: Lane>(raw: C, amounts: &Amounts) -> O {
-        let low = raw.plus(C::from_i64(amounts.plus)).and(C::from_i64(amounts.mask)).xor(C::from_i64(amounts.sign));
+        let low = raw
+            .plus(C::from_i64(amounts.plus))
+            .and(C::from_i64(amounts.mask))
+            .xor(C::from_i64(amounts.sign));
         O::from_i64(S::apply(low.plus(C::from_i64(amounts.offset)), amounts.bits).to_i64())
     }
 }

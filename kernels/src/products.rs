@@ -1,6 +1,9 @@
-//! Products of 32-bit lanes, and sums of two or three of them, so that no column is made for each product.
+//! Products of 32-bit lanes, and sums of two or three of them, so that no column is made for each
+//! product.
 use crate::kernel::Products;
-use crate::post::{Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled};
+use crate::post::{
+    Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled,
+};
 use crate::{Lane, Level, Post};
 
 /// What becomes of the second of several products; all others are added.
@@ -58,12 +61,14 @@ macro_rules! integer {
 integer!(i32);
 integer!(i64);
 
-/// Whole numbers up to 2^51 as floating point, which is exact. Baseline x86-64 multiplies these four times as fast as 64-bit integers: it
-/// has no instruction for a signed product of 32-bit lanes.
+/// Whole numbers up to 2^51 as floating point, which is exact. Baseline x86-64 multiplies these
+/// four times as fast as 64-bit integers: it has no instruction for a signed product of 32-bit
+/// lanes.
 #[derive(Clone, Copy)]
 struct Exact(f64);
 
-/// 1.5 · 2^52. A double from 2^52 to 2^53 has a last place of 1; so the bits of this and of a whole x more, |x| up to 2^51, differ by x.
+/// 1.5 · 2^52. A double from 2^52 to 2^53 has a last place of 1; so the bits of this and of a whole
+/// x more, |x| up to 2^51, differ by x.
 const MIDDLE: f64 = 6_755_399_441_055_744.0;
 
 impl Number for Exact {
@@ -111,7 +116,11 @@ impl Sign for Subtracted {
 type Factors<'a, const N: usize> = [[&'a [i32]; 2]; N];
 
 #[inline(always)]
-fn body<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(out: &mut [O], factors: Factors<N>, amounts: &Amounts) {
+fn body<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(
+    out: &mut [O],
+    factors: Factors<N>,
+    amounts: &Amounts,
+) {
     let n = out.len();
     let factors = factors.map(|pair| pair.map(|column| &column[..n]));
     for i in 0..n {
@@ -128,40 +137,69 @@ fn body<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(out: &mut [O], f
     }
 }
 
-fn baseline<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(out: &mut [O], factors: Factors<N>, amounts: &Amounts) {
+fn baseline<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(
+    out: &mut [O],
+    factors: Factors<N>,
+    amounts: &Amounts,
+) {
     body::<C, O, F, P, N>(out, factors, amounts)
 }
 
 #[cfg_attr(target_arch = "x86_64", target_feature(enable = "avx2"))]
-unsafe fn avx2<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(out: &mut [O], factors: Factors<N>, amounts: &Amounts) {
+unsafe fn avx2<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(
+    out: &mut [O],
+    factors: Factors<N>,
+    amounts: &Amounts,
+) {
     body::<C, O, F, P, N>(out, factors, amounts)
 }
 
 /// Computed in 32 bits, results of 32. There may be 1 to 3 products.
-pub fn narrow_products<const N: usize>(second: Second, post: Post, level: Level) -> Products<i32, N> {
+pub fn narrow_products<const N: usize>(
+    second: Second,
+    post: Post,
+    level: Level,
+) -> Products<i32, N> {
     products::<i32, i32, i32, N>(second, post, level)
 }
 
 /// Computed in 64 bits, results of 32. There may be 1 to 3 products.
-pub fn products_through_wide<const N: usize>(second: Second, magnitude: Magnitude, post: Post, level: Level) -> Products<i32, N> {
+pub fn products_through_wide<const N: usize>(
+    second: Second,
+    magnitude: Magnitude,
+    post: Post,
+    level: Level,
+) -> Products<i32, N> {
     of_magnitude(second, magnitude, post, level)
 }
 
 /// Computed in 64 bits, results of 64. There may be 1 to 3 products.
-pub fn wide_products<const N: usize>(second: Second, magnitude: Magnitude, post: Post, level: Level) -> Products<i64, N> {
+pub fn wide_products<const N: usize>(
+    second: Second,
+    magnitude: Magnitude,
+    post: Post,
+    level: Level,
+) -> Products<i64, N> {
     of_magnitude(second, magnitude, post, level)
 }
 
-fn of_magnitude<O: Lane, const N: usize>(second: Second, magnitude: Magnitude, post: Post, level: Level) -> Products<O, N> {
+fn of_magnitude<O: Lane, const N: usize>(
+    second: Second,
+    magnitude: Magnitude,
+    post: Post,
+    level: Level,
+) -> Products<O, N> {
     match magnitude {
         Magnitude::Any => products::<i64, i64, O, N>(second, post, level),
         Magnitude::UpTo51Bits => products::<Exact, i64, O, N>(second, post, level),
     }
 }
 
-/// The kernel computed in numbers `B`, or with AVX2 in numbers `C`, after `post` stored in lanes `O`.
+/// The kernel computed in numbers `B`, or with AVX2 in numbers `C`, after `post` stored in lanes
+/// `O`.
 ///
-/// The result is right where the sum, with [`Post::half`] more, fits the lane that it is computed in, and the result after `post` fits `O`.
+/// The result is right where the sum, with [`Post::half`] more, fits the lane that it is computed
+/// in, and the result after `post` fits `O`.
 fn products<B, C, O, const N: usize>(second: Second, post: Post, level: Level) -> Products<O, N>
 where
     B: Number<Raw = C::Raw>,
@@ -186,8 +224,12 @@ where
         Kind::Plain => with_finish::<B, C, O, F, Plain, N>(post, level),
         Kind::Shifted(Fill::Zero) => with_finish::<B, C, O, F, Shifted<ZeroFilled>, N>(post, level),
         Kind::Shifted(Fill::Sign) => with_finish::<B, C, O, F, Shifted<SignFilled>, N>(post, level),
-        Kind::WrappedAndShifted(Fill::Zero) => with_finish::<B, C, O, F, WrappedAndShifted<ZeroFilled>, N>(post, level),
-        Kind::WrappedAndShifted(Fill::Sign) => with_finish::<B, C, O, F, WrappedAndShifted<SignFilled>, N>(post, level),
+        Kind::WrappedAndShifted(Fill::Zero) => {
+            with_finish::<B, C, O, F, WrappedAndShifted<ZeroFilled>, N>(post, level)
+        }
+        Kind::WrappedAndShifted(Fill::Sign) => {
+            with_finish::<B, C, O, F, WrappedAndShifted<SignFilled>, N>(post, level)
+        }
     }
 }
 
@@ -199,7 +241,11 @@ where
     F: Sign,
     P: Finish,
 {
-    if post.wraps() { chosen::<B, C, O, F, Wrapped<P>, N>(post, level) } else { chosen::<B, C, O, F, P, N>(post, level) }
+    if post.wraps() {
+        chosen::<B, C, O, F, Wrapped<P>, N>(post, level)
+    } else {
+        chosen::<B, C, O, F, P, N>(post, level)
+    }
 }
 
 fn chosen<B, C, O, F, P, const N: usize>(post: Post, level: Level) -> Products<O, N>

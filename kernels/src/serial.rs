@@ -1,7 +1,8 @@
 //! Feedback: kernels whose lanes depend on the lanes before.
 use crate::Lane;
 
-/// value = first ? start : state, then state ← `wrap` of value + step. `state` goes in and comes out.
+/// value = first ? start : state, then state ← `wrap` of value + step. `state` goes in and comes
+/// out.
 pub fn accumulate<S: Lane, T: Lane, O: Lane>(
     out: &mut [O],
     first: &[i32],

@@ -1,6 +1,7 @@
 //! Sines and cosines that are the same on every machine.
 //!
-//! The standard library takes them from the platform, which rounds as it likes; the `libm` crate computes them itself.
+//! The standard library takes them from the platform, which rounds as it likes; the `libm` crate
+//! computes them itself.
 
 /// Cosine and sine of an angle in degrees; exact at multiples of 90.
 ///

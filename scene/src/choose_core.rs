@@ -4,8 +4,9 @@ use crate::spec::{CoreOptions, Specialise};
 use crate::{CoreSpec, LoadedScene, Method, MethodSpec, Needs, SceneError};
 
 impl LoadedScene {
-    /// The core for this scene, by `method` if one is given, else by what the scene file's `[core]` table says, else `lyon`.
-    /// It is for this frame alone, unless the table has it `specialise = "general"`.
+    /// The core for this scene, by `method` if one is given, else by what the scene file's `[core]`
+    /// table says, else `lyon`. It is for this frame alone, unless the table has it
+    /// `specialise = "general"`.
     ///
     /// # Errors
     /// A [`SceneError`] that points at the `[core]` table, if there is one.
@@ -17,7 +18,8 @@ impl LoadedScene {
         })
     }
 
-    /// The core that this scene would get if its needs were these: it is general, and its frame is not looked at.
+    /// The core that this scene would get if its needs were these: it is general, and its frame is
+    /// not looked at.
     ///
     /// # Errors
     /// As [`LoadedScene::core_spec`].
@@ -43,8 +45,13 @@ impl LoadedScene {
     }
 }
 
-/// Where every triangle has one normal, `lyon` takes it as it is, unless it is told what to do with normals.
-fn without_interpolation(mut spec: CoreSpec, needs: &Needs, options: Option<&CoreOptions>) -> CoreSpec {
+/// Where every triangle has one normal, `lyon` takes it as it is, unless it is told what to do with
+/// normals.
+fn without_interpolation(
+    mut spec: CoreSpec,
+    needs: &Needs,
+    options: Option<&CoreOptions>,
+) -> CoreSpec {
     let told = options.is_some_and(|options| options.of(Method::Lyon).contains_key("normals"));
     if let (MethodSpec::Lyon(lyon), true, false) = (&mut spec.method, needs.flat, told) {
         lyon.normals = Normals::Flat;

@@ -3,7 +3,8 @@ use serde::Serialize;
 
 use crate::frame::{Colour, Frame};
 
-/// The largest product of a used material's and a light's component in each channel; 1.0 is full scale. Where it is 0, there is none.
+/// The largest product of a used material's and a light's component in each channel; 1.0 is full
+/// scale. Where it is 0, there is none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Contributions {
     /// Ambient light sent back.
@@ -20,7 +21,8 @@ impl Contributions {
     /// Of all spans of a frame.
     pub fn of(frame: &Frame) -> Contributions {
         let mut largest = Contributions { grey: true, ..Contributions::default() };
-        let mut used: Vec<usize> = frame.spans.iter().map(|span| frame.triangles[span.triangle].material).collect();
+        let mut used: Vec<usize> =
+            frame.spans.iter().map(|span| frame.triangles[span.triangle].material).collect();
         used.sort_unstable();
         used.dedup();
         for material in used.into_iter().map(|index| &frame.materials[index]) {
@@ -33,7 +35,12 @@ impl Contributions {
         largest
     }
 
-    fn add(&mut self, kind: impl Fn(&mut Contributions) -> &mut Colour, reflectance: Colour, light: Colour) {
+    fn add(
+        &mut self,
+        kind: impl Fn(&mut Contributions) -> &mut Colour,
+        reflectance: Colour,
+        light: Colour,
+    ) {
         let product: Colour = std::array::from_fn(|c| reflectance[c] * light[c]);
         self.grey &= product.iter().all(|&x| x == product[0]);
         let largest = kind(self);

@@ -10,7 +10,8 @@ pub const WIDEST_SIGNAL: u32 = 63;
 
 /// A fixed-point format: value = raw · 2^-`fraction_bits`.
 ///
-/// A signed format has one sign bit beside its integer bits, so `S1.10` is 12 bits wide and holds [-2, 2).
+/// A signed format has one sign bit beside its integer bits, so `S1.10` is 12 bits wide and holds
+/// [-2, 2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Format {
@@ -97,7 +98,8 @@ impl Format {
     }
 }
 
-/// 2^`exponent`, exactly and on every machine, for exponents from -1022 to 1023: the exponent field biased by 1023.
+/// 2^`exponent`, exactly and on every machine, for exponents from -1022 to 1023: the exponent field
+/// biased by 1023.
 pub const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
@@ -168,7 +170,19 @@ mod tests {
 
     #[test]
     fn nonsense_is_refused() {
-        for text in ["", "S", "S0.0", "U0.0", "X1.2", "S1", "S1.2.3", "U-1.2", "U40.40", "S\u{301}1.2", "U1.4294967295"] {
+        for text in [
+            "",
+            "S",
+            "S0.0",
+            "U0.0",
+            "X1.2",
+            "S1",
+            "S1.2.3",
+            "U-1.2",
+            "U40.40",
+            "S\u{301}1.2",
+            "U1.4294967295",
+        ] {
             assert!(text.parse::<Format>().is_err(), "{text}");
         }
     }
@@ -195,7 +209,10 @@ mod tests {
         assert_eq!(in_digits(4, -24), "-1.5");
         assert_eq!(in_digits(0, 17), "17");
         assert_eq!(in_digits(4, 1), "0.0625");
-        assert_eq!(in_digits(56, (1 << 56) + 7), "1.00000000000000009714451465470119728706777095794677734375");
+        assert_eq!(
+            in_digits(56, (1 << 56) + 7),
+            "1.00000000000000009714451465470119728706777095794677734375"
+        );
         assert_eq!(in_digits(63, i64::MIN), "-1");
         for raw in -300..300 {
             assert_eq!(in_digits(6, raw).parse(), Ok(raw as f64 / 64.0));

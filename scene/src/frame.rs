@@ -1,6 +1,7 @@
 //! What a picture is made of once visibility is settled: spans of visible triangles, in view space.
 //!
-//! View space is right-handed, x to the right, y up, the eye at infinity in the direction +z: V = (0, 0, 1).
+//! View space is right-handed, x to the right, y up, the eye at infinity in the direction +z: V =
+//! (0, 0, 1).
 use glam::DVec3;
 
 use crate::mesh::normals::newell;
@@ -8,7 +9,8 @@ use crate::mesh::normals::newell;
 /// The direction to the eye, in view space.
 pub const EYE: DVec3 = DVec3::Z;
 
-/// H = (L + V)/|L + V|, Blinn's half-way vector; 0 where the light stands opposite the eye and it has no direction (EXTREMES row 12).
+/// H = (L + V)/|L + V|, Blinn's half-way vector; 0 where the light stands opposite the eye and it
+/// has no direction (EXTREMES row 12).
 pub fn halfway(light: DVec3) -> DVec3 {
     (light + EYE).normalize_or_zero()
 }
@@ -49,7 +51,8 @@ pub struct LocalLight {
     pub colour: Colour,
 }
 
-/// Warn's spot: a light's strength is max(-L·axis, 0)^exponent of itself [Hast et al., after eq. 35].
+/// Warn's spot: a light's strength is max(-L·axis, 0)^exponent of itself [Hast et al., after eq.
+/// 35].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spot {
     /// Unit vector along which it shines, in view space.
@@ -58,11 +61,12 @@ pub struct Spot {
     pub exponent: u32,
 }
 
-/// The cone about a vertex normal that holds the normals of all faces around the vertex, which consistent normal interpolation asks for
-/// [Reshetov, Soupikov and Mark; METHODS.md D].
+/// The cone about a vertex normal that holds the normals of all faces around the vertex, which
+/// consistent normal interpolation asks for [Reshetov, Soupikov and Mark; METHODS.md D].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexCone {
-    /// The vertex normal, a unit vector; one that was 90 degrees or more from a face is turned until it is nearer, where it can be.
+    /// The vertex normal, a unit vector; one that was 90 degrees or more from a face is turned
+    /// until it is nearer, where it can be.
     pub axis: DVec3,
     /// m, the smallest cosine between the axis and the normal of a face around the vertex.
     pub cosine: f64,
@@ -134,7 +138,8 @@ pub struct Span {
 }
 
 impl Span {
-    /// Number of steps from the first pixel to the last (S in METHODS.md): `length` - 1, and 0 for a single pixel.
+    /// Number of steps from the first pixel to the last (S in METHODS.md): `length` - 1, and 0 for
+    /// a single pixel.
     pub fn steps(&self) -> u32 {
         self.length - 1
     }
@@ -161,7 +166,8 @@ impl Span {
 pub struct Arc {
     /// A, the unit normal at the first pixel; 0 where the span has no normal at either end.
     pub start: DVec3,
-    /// T, the unit vector across A towards the normal at the last pixel; 0 where there is no angle between them.
+    /// T, the unit vector across A towards the normal at the last pixel; 0 where there is no angle
+    /// between them.
     pub across: DVec3,
     /// The angle f between the two normals, in radians, 0 to π.
     pub angle: f64,
@@ -180,10 +186,11 @@ pub struct Frame {
     pub ambient: Colour,
     /// Lights at infinity.
     pub lights: Vec<DirectionalLight>,
-    /// Lights at a place, which are counted after those at infinity; there is at least one of either.
+    /// Lights at a place, which are counted after those at infinity; there is at least one of
+    /// either.
     pub local_lights: Vec<LocalLight>,
-    /// Where the eye is that sees highlights, in view space; at infinity in the direction [`EYE`] if nowhere. Visibility is settled
-    /// along parallel lines either way.
+    /// Where the eye is that sees highlights, in view space; at infinity in the direction [`EYE`]
+    /// if nowhere. Visibility is settled along parallel lines either way.
     pub eye: Option<DVec3>,
     /// Materials that triangles name.
     pub materials: Vec<Material>,
@@ -204,14 +211,18 @@ impl Frame {
         &self.materials[self.triangles[span.triangle].material]
     }
 
-    /// The linearly interpolated, unnormalised normal of a span's triangle at barycentric `weights`.
+    /// The linearly interpolated, unnormalised normal of a span's triangle at barycentric
+    /// `weights`.
     pub fn normal_at(&self, span: &Span, weights: [f64; 3]) -> DVec3 {
         interpolated(&self.triangles[span.triangle].normals, weights)
     }
 
     /// Colours of all lights, those at infinity first.
     pub fn light_colours(&self) -> impl Iterator<Item = Colour> + '_ {
-        self.lights.iter().map(|light| light.colour).chain(self.local_lights.iter().map(|light| light.colour))
+        self.lights
+            .iter()
+            .map(|light| light.colour)
+            .chain(self.local_lights.iter().map(|light| light.colour))
     }
 
     /// The point of a span's triangle at barycentric `weights`, in view space.
@@ -220,24 +231,29 @@ impl Frame {
         positions[0] * weights[0] + positions[1] * weights[1] + positions[2] * weights[2]
     }
 
-    /// Vectors from a span's first and last pixel to a `place` in view space, scaled by one common factor so that the longer has length
-    /// 1: what METHODS C15 to C18 call F - P, scaled beforehand. Two vectors of length 0 stay so.
+    /// Vectors from a span's first and last pixel to a `place` in view space, scaled by one common
+    /// factor so that the longer has length 1: what METHODS C15 to C18 call F - P, scaled
+    /// beforehand. Two vectors of length 0 stay so.
     pub fn end_vectors_to(&self, span: &Span, place: DVec3) -> [DVec3; 2] {
-        scaled_to_unit([span.start, span.end].map(|weights| place - self.position_at(span, weights)))
+        scaled_to_unit(
+            [span.start, span.end].map(|weights| place - self.position_at(span, weights)),
+        )
     }
 
-    /// The normals at a span's first and last pixel, scaled by one common factor so that the longer has length 1.
+    /// The normals at a span's first and last pixel, scaled by one common factor so that the longer
+    /// has length 1.
     ///
-    /// The common factor leaves every direction along the span as it is and keeps each interpolated normal within the unit ball.
-    /// Two normals of length 0 stay so.
+    /// The common factor leaves every direction along the span as it is and keeps each interpolated
+    /// normal within the unit ball. Two normals of length 0 stay so.
     pub fn end_normals(&self, span: &Span) -> [DVec3; 2] {
         scaled_to_unit([self.normal_at(span, span.start), self.normal_at(span, span.end)])
     }
 
-    /// The unit normals at a span's first and last pixel. An end where the interpolated normal vanishes takes the other's; two such ends
-    /// stay 0.
+    /// The unit normals at a span's first and last pixel. An end where the interpolated normal
+    /// vanishes takes the other's; two such ends stay 0.
     pub fn unit_end_normals(&self, span: &Span) -> [DVec3; 2] {
-        let [start, end] = [span.start, span.end].map(|weights| self.normal_at(span, weights).normalize_or_zero());
+        let [start, end] =
+            [span.start, span.end].map(|weights| self.normal_at(span, weights).normalize_or_zero());
         let or = |normal: DVec3, other: DVec3| if normal == DVec3::ZERO { other } else { normal };
         [or(start, end), or(end, start)]
     }
@@ -254,31 +270,40 @@ impl Frame {
         scaled_to_unit([interpolated(&axes, span.start), interpolated(&axes, span.end)])
     }
 
-    /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one pixel k is 0.
+    /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one
+    /// pixel k is 0.
     pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
         let [start, end] = self.end_normals(span);
         [start, (end - start) / f64::from(span.steps().max(1))]
     }
 
-    /// The arc from the normal at a span's first pixel to that at its last: N(t) = cos(t f) A + sin(t f) T [lecture, eq. 4.7, in a frame
-    /// that needs no division by sin f; METHODS.md A11].
+    /// The arc from the normal at a span's first pixel to that at its last: N(t) = cos(t f) A +
+    /// sin(t f) T [lecture, eq. 4.7, in a frame that needs no division by sin f; METHODS.md A11].
     ///
     /// Opposite normals say nothing of the plane to turn in; T is then one of the vectors across A.
     pub fn arc(&self, span: &Span) -> Arc {
         let [a, b] = self.unit_end_normals(span);
         let axis = a.cross(b);
-        let across = axis.cross(a).try_normalize().unwrap_or(if a.dot(b) < 0.0 { a.any_orthonormal_vector() } else { DVec3::ZERO });
+        let across = axis.cross(a).try_normalize().unwrap_or(if a.dot(b) < 0.0 {
+            a.any_orthonormal_vector()
+        } else {
+            DVec3::ZERO
+        });
         // An arc cosine of the rounded dot product would lose small angles (EXTREMES row 15).
         Arc { start: a, across, angle: libm::atan2(axis.length(), a.dot(b)) }
     }
 
-    /// Gouraud's intensity at the first pixel and its step: max(N·L, 0) at the triangle's vertices, interpolated linearly
-    /// [lecture, eq. 3.2 to 3.6].
+    /// Gouraud's intensity at the first pixel and its step: max(N·L, 0) at the triangle's vertices,
+    /// interpolated linearly [lecture, eq. 3.2 to 3.6].
     pub fn gouraud(&self, span: &Span, light: DVec3) -> [f64; 2] {
-        self.interpolated(span, self.triangles[span.triangle].normals.map(|normal| normal.dot(light).max(0.0)))
+        self.interpolated(
+            span,
+            self.triangles[span.triangle].normals.map(|normal| normal.dot(light).max(0.0)),
+        )
     }
 
-    /// What a triangle has at its vertices, interpolated linearly: its value at the first pixel and its step [lecture, eq. 3.2 to 3.6].
+    /// What a triangle has at its vertices, interpolated linearly: its value at the first pixel and
+    /// its step [lecture, eq. 3.2 to 3.6].
     pub fn interpolated(&self, span: &Span, at_vertices: [f64; 3]) -> [f64; 2] {
         let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
         let (start, end) = (at(span.start), at(span.end));
@@ -286,7 +311,8 @@ impl Frame {
     }
 }
 
-/// Two vectors, scaled by one common factor so that the longer has length 1; two of length 0 stay so.
+/// Two vectors, scaled by one common factor so that the longer has length 1; two of length 0 stay
+/// so.
 fn scaled_to_unit(ends: [DVec3; 2]) -> [DVec3; 2] {
     let longest = ends[0].length().max(ends[1].length());
     if longest > 0.0 { ends.map(|vector| vector / longest) } else { ends }

@@ -1,4 +1,5 @@
-//! What a point sees of lights and of the eye, for the host's set-up [Hast et al., eq. 35, 38; METHODS.md C15, C18].
+//! What a point sees of lights and of the eye, for the host's set-up [Hast et al., eq. 35, 38;
+//! METHODS.md C15, C18].
 use glam::DVec3;
 
 use crate::frame::{EYE, Frame, LocalLight};
@@ -8,7 +9,8 @@ use crate::frame::{EYE, Frame, LocalLight};
 pub struct Illumination {
     /// L, a unit vector towards the light.
     pub direction: DVec3,
-    /// How much of it arrives, 0 to 1: all, but for a spot, which has Warn's factor max(-L·axis, 0)^p.
+    /// How much of it arrives, 0 to 1: all, but for a spot, which has Warn's factor max(-L·axis,
+    /// 0)^p.
     pub share: f64,
 }
 
@@ -25,16 +27,21 @@ pub(crate) struct LitPoint {
 impl LitPoint {
     /// A point of a frame.
     pub fn new(frame: &Frame, normal: DVec3, position: DVec3) -> LitPoint {
-        LitPoint { normal, view: frame.view_from(position), lights: frame.lights_from(position).collect() }
+        LitPoint {
+            normal,
+            view: frame.view_from(position),
+            lights: frame.lights_from(position).collect(),
+        }
     }
 
     /// Lambert's max(N·L, 0) of light number `index`, times the light's share.
     pub fn diffuse(&self, index: usize) -> f64 {
-        self.lights[index].map_or(0.0, |light| light.share * self.normal.dot(light.direction).max(0.0))
+        self.lights[index]
+            .map_or(0.0, |light| light.share * self.normal.dot(light.direction).max(0.0))
     }
 
-    /// max(R·L, 0)^n with R = 2(N·V)N - V [lecture, eq. 2.1] of light number `index`, times the light's share; 0 where there is no normal to
-    /// reflect about.
+    /// max(R·L, 0)^n with R = 2(N·V)N - V [lecture, eq. 2.1] of light number `index`, times the
+    /// light's share; 0 where there is no normal to reflect about.
     pub fn highlight(&self, index: usize, n: u32) -> f64 {
         let (Some(light), Some(view)) = (self.lights[index], self.view) else { return 0.0 };
         if self.normal == DVec3::ZERO {
@@ -53,14 +60,19 @@ impl Frame {
 
     /// Every light as it is seen from `position`, those at infinity first; none for a light there.
     pub fn lights_from(&self, position: DVec3) -> impl Iterator<Item = Option<Illumination>> {
-        let at_infinity = self.lights.iter().map(|light| Some(Illumination { direction: light.direction, share: 1.0 }));
+        let at_infinity = self
+            .lights
+            .iter()
+            .map(|light| Some(Illumination { direction: light.direction, share: 1.0 }));
         at_infinity.chain(self.local_lights.iter().map(move |light| from_a_place(light, position)))
     }
 }
 
 fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
     let direction = (light.position - position).try_normalize()?;
-    let factor = |axis: DVec3, exponent: u32| libm::pow((-direction.dot(axis)).clamp(0.0, 1.0), f64::from(exponent));
+    let factor = |axis: DVec3, exponent: u32| {
+        libm::pow((-direction.dot(axis)).clamp(0.0, 1.0), f64::from(exponent))
+    };
     let share = light.spot.as_ref().map_or(1.0, |spot| factor(spot.axis, spot.exponent));
     Some(Illumination { direction, share })
 }

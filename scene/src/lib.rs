@@ -1,7 +1,7 @@
 //! What is to be shaded, and the hardware it is to be shaded by.
 //!
-//! A scene file or mesh becomes a [`Frame`]: visible [`Span`]s of triangles. A [`CoreSpec`] says which core shades them, and
-//! [`CoreSpec::packet`] sets up each span for it.
+//! A scene file or mesh becomes a [`Frame`]: visible [`Span`]s of triangles. A [`CoreSpec`] says
+//! which core shades them, and [`CoreSpec::packet`] sets up each span for it.
 mod angle;
 mod builtin;
 mod choose_core;
@@ -27,7 +27,9 @@ pub use builtin::builtin_names;
 pub use error::SceneError;
 pub use file::CoreTable;
 pub use format::Format;
-pub use frame::{Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone};
+pub use frame::{
+    Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone,
+};
 pub use illumination::Illumination;
 pub use load::{LoadedScene, load, parse};
 pub use needs::Needs;

@@ -11,12 +11,13 @@ use crate::{Frame, SceneError, Surface, builtin, defaults};
 /// A scene with its visible spans, and what it says about the core.
 #[derive(Clone, Debug)]
 pub struct LoadedScene {
-    /// The file's stem or the built-in scene's name, with `a`-`z`, `0`-`9` and `_` only and no digit first, so that it can
-    /// be part of a file's or module's name; at most 48 characters.
+    /// The file's stem or the built-in scene's name, with `a`-`z`, `0`-`9` and `_` only and no
+    /// digit first, so that it can be part of a file's or module's name; at most 48 characters.
     pub name: String,
     /// What is to be shaded.
     pub frame: Frame,
-    /// The curved surfaces that objects stand for, where known: one for each of the frame's materials, or none at all.
+    /// The curved surfaces that objects stand for, where known: one for each of the frame's
+    /// materials, or none at all.
     pub surfaces: Vec<Option<Surface>>,
     /// The `[core]` table of the scene file, if it has one.
     pub core: Option<CoreTable>,
@@ -27,13 +28,15 @@ pub struct LoadedScene {
 /// The longest name that is made of a file's, in characters.
 pub(crate) const LONGEST_NAME: usize = 48;
 
-/// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh (`.obj`, `.ply`, `.stl`,
-/// `.glb`). `size` in pixels goes before the scene's own.
+/// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh
+/// (`.obj`, `.ply`, `.stl`, `.glb`). `size` in pixels goes before the scene's own.
 ///
-/// A mesh is framed whole, seen from the front a little to the right and above, with one light and a grey material.
+/// A mesh is framed whole, seen from the front a little to the right and above, with one light and
+/// a grey material.
 ///
 /// # Errors
-/// A [`SceneError`] that says what is wrong with the name, the file or the picture, where, and what would be right.
+/// A [`SceneError`] that says what is wrong with the name, the file or the picture, where, and what
+/// would be right.
 pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
     let path = Path::new(scene);
     if let Some(text) = builtin::text(scene) {
@@ -57,7 +60,8 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
     Err(SceneError::Unknown { scene: scene.to_owned(), help })
 }
 
-/// Reads a scene from the text of a scene file; `name` is the file's in errors. Relative paths of meshes start at the current folder.
+/// Reads a scene from the text of a scene file; `name` is the file's in errors. Relative paths of
+/// meshes start at the current folder.
 ///
 /// # Errors
 /// A [`SceneError`] that says what is wrong with the text, and where.
@@ -66,10 +70,21 @@ pub fn parse(name: &str, text: String) -> Result<LoadedScene, SceneError> {
     finish(name, &name_of(Path::new(name)), SceneFile::parse(&source, Some(Path::new("")))?, None)
 }
 
-fn finish(scene: &str, name: &str, mut file: SceneFile, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
+fn finish(
+    scene: &str,
+    name: &str,
+    mut file: SceneFile,
+    size: Option<(u32, u32)>,
+) -> Result<LoadedScene, SceneError> {
     let frame = file.frame(scene, size)?;
     let surfaces = file.surfaces();
-    Ok(LoadedScene { name: name.to_owned(), frame, surfaces, core: file.core, warnings: file.warnings })
+    Ok(LoadedScene {
+        name: name.to_owned(),
+        frame,
+        surfaces,
+        core: file.core,
+        warnings: file.warnings,
+    })
 }
 
 /// The scene that shows a mesh by itself.
@@ -80,27 +95,43 @@ fn around(mesh: Mesh) -> Scene {
         camera: Camera::default(),
         ambient: defaults::AMBIENT,
         lights: vec![defaults::light()],
-        objects: vec![Object { mesh, primitive: None, place: glam::DAffine3::IDENTITY, material: defaults::material() }],
+        objects: vec![Object {
+            mesh,
+            primitive: None,
+            place: glam::DAffine3::IDENTITY,
+            material: defaults::material(),
+        }],
     }
 }
 
 /// The text of a file that is to be of a kind.
 pub(crate) fn read_text(kind: &'static str, path: &Path) -> Result<SourceFile, SceneError> {
     let shown = path.display().to_string();
-    let unreadable = |reason: String, help: &str| SceneError::Unreadable { kind, path: shown.clone(), reason, help: help.into() };
-    let bytes = mesh::read_file(path).map_err(|problem| unreadable(problem.to_string(), "check the path"))?;
+    let unreadable = |reason: String, help: &str| SceneError::Unreadable {
+        kind,
+        path: shown.clone(),
+        reason,
+        help: help.into(),
+    };
+    let bytes = mesh::read_file(path)
+        .map_err(|problem| unreadable(problem.to_string(), "check the path"))?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
-        unreadable(format!("it is not UTF-8 text: byte {at}, in line {line}, is wrong"), "scenes and specs are TOML, in UTF-8")
+        unreadable(
+            format!("it is not UTF-8 text: byte {at}, in line {line}, is wrong"),
+            "scenes and specs are TOML, in UTF-8",
+        )
     })?;
     Ok(SourceFile::new(&shown, text))
 }
 
 /// A path's stem as [`LoadedScene::name`] has it.
 pub(crate) fn name_of(path: &Path) -> String {
-    let stem = path.file_stem().map(|stem| stem.to_string_lossy().to_lowercase()).unwrap_or_default();
-    let plain = stem.chars().map(|c| if c.is_ascii_lowercase() || c.is_ascii_digit() { c } else { '_' });
+    let stem =
+        path.file_stem().map(|stem| stem.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let plain =
+        stem.chars().map(|c| if c.is_ascii_lowercase() || c.is_ascii_digit() { c } else { '_' });
     let name: String = plain.take(LONGEST_NAME - 1).collect();
     match name.chars().next() {
         None => "scene".to_owned(),

@@ -1,4 +1,5 @@
-//! What a frame makes use of: it decides what is built and how wide, and whether a core that is there will do.
+//! What a frame makes use of: it decides what is built and how wide, and whether a core that is
+//! there will do.
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -24,25 +25,28 @@ pub struct Needs {
     pub largest_shininess: u32,
     /// A material whose exponent is no power of two, if there is one.
     pub uneven_shininess: Option<u32>,
-    /// Largest product of a material's and a light's (or the ambient light's) colour component; 1.0 is full scale.
+    /// Largest product of a material's and a light's (or the ambient light's) colour component; 1.0
+    /// is full scale.
     pub brightest_coefficient: f64,
     /// What kinds of light are sent back at all, and how strongly.
     pub contributions: Contributions,
     /// Whether every triangle has one normal all over, which is its polygon's.
     pub flat: bool,
-    /// Whether consistent normal interpolation would reflect anything otherwise: at some vertex the normal is not that of every face
-    /// around it.
+    /// Whether consistent normal interpolation would reflect anything otherwise: at some vertex the
+    /// normal is not that of every face around it.
     pub consistent_normals_differ: bool,
     /// Widest angle between the normals at the two ends of a span, in degrees.
     pub widest_angle: f64,
-    /// Length of the shortest interpolated normal, in units of the longer end normal of its span; 0 to 1.
+    /// Length of the shortest interpolated normal, in units of the longer end normal of its span; 0
+    /// to 1.
     pub shortest_normal: f64,
-    /// Length of the shortest vector from a pixel to a light or an eye at a place, in units of the longer one at the ends of its span; 0
-    /// to 1, and 1 if there are none.
+    /// Length of the shortest vector from a pixel to a light or an eye at a place, in units of the
+    /// longer one at the ends of its span; 0 to 1, and 1 if there are none.
     pub shortest_way: f64,
     /// The same of vectors that have length 1 at both ends of their span.
     pub shortest_unit_way: f64,
-    /// The smallest cosine between a vertex normal and a face around the vertex (EXTREMES row 48): -1 to 1.
+    /// The smallest cosine between a vertex normal and a face around the vertex (EXTREMES row
+    /// 48): -1 to 1.
     pub least_cone_cosine: f64,
     /// The smallest cosine between an interpolated normal and the direction to the eye: -1 to 1.
     pub least_view_cosine: f64,
@@ -59,8 +63,8 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// Intervals of what is interpolated, over both ends of all spans; [0, 0] in a frame without any. Normals are scaled as by
-/// [`Frame::end_normals`].
+/// Intervals of what is interpolated, over both ends of all spans; [0, 0] in a frame without any.
+/// Normals are scaled as by [`Frame::end_normals`].
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Ranges {
     /// Components of the normal.
@@ -78,21 +82,29 @@ pub struct Ranges {
 impl Interval {
     /// The smallest interval with all of `values`; [0, 0] if there are none.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Interval {
-        let hull = |a: Interval, b: Interval| Interval { low: a.low.min(b.low), high: a.high.max(b.high) };
+        let hull =
+            |a: Interval, b: Interval| Interval { low: a.low.min(b.low), high: a.high.max(b.high) };
         values.into_iter().map(|x| Interval { low: x, high: x }).reduce(hull).unwrap_or_default()
     }
 }
 
 impl Ranges {
     fn of(frame: &Frame) -> Ranges {
-        let ends: Vec<[DVec3; 2]> = frame.spans.iter().map(|span| frame.end_normals(span)).collect();
-        let of = |value: &dyn Fn(DVec3) -> f64| Interval::of(ends.iter().flatten().map(|&normal| value(normal)));
+        let ends: Vec<[DVec3; 2]> =
+            frame.spans.iter().map(|span| frame.end_normals(span)).collect();
+        let of = |value: &dyn Fn(DVec3) -> f64| {
+            Interval::of(ends.iter().flatten().map(|&normal| value(normal)))
+        };
         let axes = [0, 1, 2];
         Ranges {
             normal: axes.map(|axis| of(&|normal| normal[axis])),
             normal_delta: axes.map(|axis| Interval::of(ends.iter().map(|[a, b]| (*b - *a)[axis]))),
             normal_dot_eye: of(&|normal| normal.dot(EYE)),
-            normal_dot_light: frame.lights.iter().map(|light| of(&|normal| normal.dot(light.direction))).collect(),
+            normal_dot_light: frame
+                .lights
+                .iter()
+                .map(|light| of(&|normal| normal.dot(light.direction)))
+                .collect(),
             weight_step: Interval::of(frame.spans.iter().map(Span::weight_step)),
         }
     }
@@ -113,7 +125,10 @@ pub enum LocalKind {
 
 impl LocalKind {
     fn of(light: &LocalLight) -> LocalKind {
-        light.spot.as_ref().map_or(LocalKind::Point, |spot| LocalKind::Spot { exponent: spot.exponent })
+        light
+            .spot
+            .as_ref()
+            .map_or(LocalKind::Point, |spot| LocalKind::Spot { exponent: spot.exponent })
     }
 }
 
@@ -133,13 +148,36 @@ impl Needs {
             brightest_coefficient: brightest_coefficient(frame),
             contributions: Contributions::of(frame),
             flat: seen(frame).all(is_flat),
-            consistent_normals_differ: seen(frame).flat_map(|triangle| triangle.cones).any(|cone| cone.cosine < 1.0 - ROUNDING),
-            widest_angle: frame.spans.iter().flat_map(|s| ends(frame, s)).map(angle).fold(0.0, f64::max),
-            shortest_normal: frame.spans.iter().flat_map(|s| ends(frame, s)).map(shortest).fold(1.0, f64::min),
-            least_cone_cosine: frame.triangles.iter().flat_map(|t| t.cones).map(|cone| cone.cosine).fold(1.0, f64::min),
-            least_view_cosine: frame.spans.iter().map(|s| least_view_cosine_of(frame, s)).fold(1.0, f64::min),
+            consistent_normals_differ: seen(frame)
+                .flat_map(|triangle| triangle.cones)
+                .any(|cone| cone.cosine < 1.0 - ROUNDING),
+            widest_angle: frame
+                .spans
+                .iter()
+                .flat_map(|s| ends(frame, s))
+                .map(angle)
+                .fold(0.0, f64::max),
+            shortest_normal: frame
+                .spans
+                .iter()
+                .flat_map(|s| ends(frame, s))
+                .map(shortest)
+                .fold(1.0, f64::min),
+            least_cone_cosine: frame
+                .triangles
+                .iter()
+                .flat_map(|t| t.cones)
+                .map(|cone| cone.cosine)
+                .fold(1.0, f64::min),
+            least_view_cosine: frame
+                .spans
+                .iter()
+                .map(|s| least_view_cosine_of(frame, s))
+                .fold(1.0, f64::min),
             shortest_way: ways(frame).map(shortest).fold(1.0, f64::min),
-            shortest_unit_way: ways(frame).map(|ends| shortest(Wrap::around(None, ends).ends)).fold(1.0, f64::min),
+            shortest_unit_way: ways(frame)
+                .map(|ends| shortest(Wrap::around(None, ends).ends))
+                .fold(1.0, f64::min),
             ranges: Ranges::of(frame),
         }
     }
@@ -200,10 +238,12 @@ fn ways(frame: &Frame) -> impl Iterator<Item = [DVec3; 2]> {
     frame.spans.iter().flat_map(move |span| places().map(|place| frame.end_vectors_to(span, place)))
 }
 
-/// Smallest |N| over the span: where the foot of the perpendicular from the origin falls on the segment between the ends.
+/// Smallest |N| over the span: where the foot of the perpendicular from the origin falls on the
+/// segment between the ends.
 fn shortest([a, b]: [DVec3; 2]) -> f64 {
     let delta = b - a;
-    let foot = if delta.length_squared() > 0.0 { -a.dot(delta) / delta.length_squared() } else { 0.0 };
+    let foot =
+        if delta.length_squared() > 0.0 { -a.dot(delta) / delta.length_squared() } else { 0.0 };
     (a + delta * foot.clamp(0.0, 1.0)).length()
 }
 
@@ -218,8 +258,8 @@ fn least_view_cosine_of(frame: &Frame, span: &Span) -> f64 {
 
 /// Smallest cosine between the eye and the normals between two ends, -1 where one has no direction.
 ///
-/// With N = a + t d it lies at an end or where the derivative of N·V/|N| vanishes, (d·V)(N·N) = (N·V)(N·d), in which t² cancels:
-/// t = ((d·V)(a·a) - (a·V)(a·d)) / ((a·V)(d·d) - (d·V)(a·d)).
+/// With N = a + t d it lies at an end or where the derivative of N·V/|N| vanishes, (d·V)(N·N) =
+/// (N·V)(N·d), in which t² cancels: t = ((d·V)(a·a) - (a·V)(a·d)) / ((a·V)(d·d) - (d·V)(a·d)).
 fn least_view_cosine([a, b]: [DVec3; 2]) -> f64 {
     let d = b - a;
     let (av, dv, ad) = (a.dot(EYE), d.dot(EYE), a.dot(d));

@@ -1,6 +1,8 @@
-//! Lights and an eye at places for methods that work from one direction to each: those that the middle of a span sees.
+//! Lights and an eye at places for methods that work from one direction to each: those that the
+//! middle of a span sees.
 //!
-//! "A parallel light vector, which means that we can use the same vector over the polygon" [Hast, Barrera and Bengtsson, §5], over a span here.
+//! "A parallel light vector, which means that we can use the same vector over the polygon" [Hast,
+//! Barrera and Bengtsson, §5], over a span here.
 use glam::{DQuat, DVec3};
 
 use crate::frame::{DirectionalLight, EYE, Facet, Frame, Span, Triangle, VertexCone};
@@ -13,13 +15,15 @@ pub struct ParallelSpan {
 }
 
 impl ParallelSpan {
-    /// A span of `frame`, lit and seen from where its middle is. The eye is at infinity in the direction [`EYE`], so everything is turned
-    /// until the middle sees it there, which leaves the angles between vectors as they are.
+    /// A span of `frame`, lit and seen from where its middle is. The eye is at infinity in the
+    /// direction [`EYE`], so everything is turned until the middle sees it there, which leaves the
+    /// angles between vectors as they are.
     ///
     /// A light at the very middle is dark; an eye there sees no highlight (EXTREMES row 39).
     pub fn new(frame: &Frame, span: &Span) -> ParallelSpan {
         let triangle = &frame.triangles[span.triangle];
-        let middle = frame.position_at(span, std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v])));
+        let middle = frame
+            .position_at(span, std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v])));
         let view = frame.view_from(middle);
         let turn = DQuat::from_rotation_arc(view.unwrap_or(EYE), EYE);
         let mut material = frame.materials[triangle.material].clone();
@@ -27,7 +31,8 @@ impl ParallelSpan {
             material.specular = [0.0; 3];
         }
         let lights = frame.lights_from(middle).zip(frame.light_colours()).map(|(light, colour)| {
-            let (direction, share) = light.map_or((EYE, 0.0), |light| (turn * light.direction, light.share));
+            let (direction, share) =
+                light.map_or((EYE, 0.0), |light| (turn * light.direction, light.share));
             DirectionalLight { direction, colour: colour.map(|component| share * component) }
         });
         let frame = Frame {
@@ -53,7 +58,10 @@ fn turned(triangle: &Triangle, turn: DQuat) -> Triangle {
     let vector = |v: DVec3| if turn == DQuat::IDENTITY { v } else { turn * v };
     Triangle {
         normals: triangle.normals.map(vector),
-        facet: Facet { normal: vector(triangle.facet.normal), middle: vector(triangle.facet.middle) },
+        facet: Facet {
+            normal: vector(triangle.facet.normal),
+            middle: vector(triangle.facet.middle),
+        },
         positions: triangle.positions.map(vector),
         cones: triangle.cones.map(|cone| VertexCone { axis: vector(cone.axis), ..cone }),
         material: 0,

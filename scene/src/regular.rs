@@ -1,4 +1,5 @@
-//! Files of which nothing but the path is known: only regular ones are read, and no more of them than was agreed.
+//! Files of which nothing but the path is known: only regular ones are read, and no more of them
+//! than was agreed.
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
@@ -43,7 +44,8 @@ impl From<NotRead> for io::Error {
 /// Reads a whole regular file of `limit` bytes at most; symbolic links are followed.
 ///
 /// # Errors
-/// [`NotRead`] for anything but a regular file, a longer one, and what the system refuses. Nothing is waited for: a pipe is not opened.
+/// [`NotRead`] for anything but a regular file, a longer one, and what the system refuses. Nothing
+/// is waited for: a pipe is not opened.
 pub fn read_regular(path: &Path, limit: u64) -> Result<Vec<u8>, NotRead> {
     // Opening a pipe waits for somebody who writes into it.
     check(&fs::metadata(path)?, limit)?;
@@ -86,13 +88,19 @@ mod tests {
     #[test]
     fn devices_and_pipes_are_refused_and_endless_files_end() {
         for device in ["/dev/zero", "/dev/null"] {
-            assert!(matches!(read_regular(Path::new(device), 4), Err(NotRead::NotRegular)), "{device}");
+            assert!(
+                matches!(read_regular(Path::new(device), 4), Err(NotRead::NotRegular)),
+                "{device}"
+            );
         }
         let folder = tempfile::tempdir().unwrap();
         let pipe = folder.path().join("pipe");
         let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
         assert!(made.success() && matches!(read_regular(&pipe, 4), Err(NotRead::NotRegular)));
         // It says that it has no bytes.
-        assert!(matches!(read_regular(Path::new("/proc/self/status"), 4), Err(NotRead::TooLong { limit: 4, bytes: 5 })));
+        assert!(matches!(
+            read_regular(Path::new("/proc/self/status"), 4),
+            Err(NotRead::TooLong { limit: 4, bytes: 5 })
+        ));
     }
 }

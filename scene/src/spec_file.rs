@@ -1,4 +1,5 @@
-//! A core as a file, `spec.toml`: everything that it is, so that the same hardware can be made again, or shade another scene.
+//! A core as a file, `spec.toml`: everything that it is, so that the same hardware can be made
+//! again, or shade another scene.
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -20,7 +21,8 @@ pub struct SpecFile {
 /// What keys mean. Another version may have other keys.
 const VERSION: u32 = 1;
 
-const HELP: &str = "docs/spec-file.md lists every key; `specula generate` and `specula run` write whole files";
+const HELP: &str =
+    "docs/spec-file.md lists every key; `specula generate` and `specula run` write whole files";
 
 /// The file as it is written and read.
 #[derive(Serialize, Deserialize)]
@@ -53,7 +55,8 @@ impl SpecFile {
     /// The file's text; [`SpecFile::parse`] makes the same core of it.
     pub fn text(&self) -> String {
         let contents = Contents { version: VERSION, name: &self.name, spec: &self.spec };
-        let toml = toml::to_string(&contents).expect("a spec is numbers, words and tables of them, all of which TOML has");
+        let toml = toml::to_string(&contents)
+            .expect("a spec is numbers, words and tables of them, all of which TOML has");
         format!("{}{toml}", SpecFile::ABOUT)
     }
 
@@ -77,13 +80,23 @@ impl SpecFile {
     fn from_source(source: &SourceFile) -> Result<SpecFile, SceneError> {
         let OnlyVersion { version } = source.parse(HELP)?;
         if *version.as_ref() != VERSION {
-            let problem = format!("this is version {}, and version {VERSION} is read here", version.as_ref());
-            return Err(source.error(version.span(), problem, "make the file again with this Specula"));
+            let problem =
+                format!("this is version {}, and version {VERSION} is read here", version.as_ref());
+            return Err(source.error(
+                version.span(),
+                problem,
+                "make the file again with this Specula",
+            ));
         }
-        let Contents { name, spec, .. } = source.parse::<Contents<Spanned<String>, Spanned<CoreSpec>>>(HELP)?;
+        let Contents { name, spec, .. } =
+            source.parse::<Contents<Spanned<String>, Spanned<CoreSpec>>>(HELP)?;
         if *name.as_ref() != name_of(Path::new(name.as_ref())) {
             let problem = format!("`{}` cannot be the name of a module", name.as_ref());
-            return Err(source.error(name.span(), problem, "write small letters, digits and _, 48 at most, and no digit first"));
+            return Err(source.error(
+                name.span(),
+                problem,
+                "write small letters, digits and _, 48 at most, and no digit first",
+            ));
         }
         let checked = spec.as_ref().check();
         checked.map_err(|error| source.error(spec.span(), error.to_string(), error.help_text()))?;

@@ -31,7 +31,9 @@ impl Shape {
     /// None where it has no gradient: on the axis and the circle of the torus.
     fn implicit(self, point: DVec3) -> Option<Implicit> {
         match self {
-            Shape::Sphere => Some(Implicit { value: (point.length_squared() - 1.0) / 2.0, gradient: point }),
+            Shape::Sphere => {
+                Some(Implicit { value: (point.length_squared() - 1.0) / 2.0, gradient: point })
+            }
             Shape::Torus { tube } => {
                 let gradient = point - DVec3::new(point.x, 0.0, point.z).try_normalize()?;
                 Some(Implicit { value: (gradient.length_squared() - tube * tube) / 2.0, gradient })
@@ -46,8 +48,8 @@ const STEPS: u32 = 16;
 const MET: f64 = 1e-13;
 
 impl Surface {
-    /// The surface that a primitive's vertices lie on, if its normals are known in closed form; `to_view` leads from its own coordinates to
-    /// view space.
+    /// The surface that a primitive's vertices lie on, if its normals are known in closed form;
+    /// `to_view` leads from its own coordinates to view space.
     pub fn of(primitive: Primitive, to_view: DAffine3) -> Option<Surface> {
         let shape = match primitive {
             Primitive::Sphere { .. } | Primitive::Icosahedron { .. } => Shape::Sphere,
@@ -58,16 +60,19 @@ impl Surface {
         Some(Surface { shape, to_own: to_view.inverse() })
     }
 
-    /// The unit normal in view space where the line of sight through `place` meets the surface near it, turned to the side of `towards`.
-    /// None where it passes by the surface, as it may beside an outline.
+    /// The unit normal in view space where the line of sight through `place` meets the surface near
+    /// it, turned to the side of `towards`. None where it passes by the surface, as it may beside
+    /// an outline.
     pub fn normal(&self, place: DVec3, towards: DVec3) -> Option<DVec3> {
-        let outward = self.met(self.to_own.transform_point3(place), self.to_own.transform_vector3(EYE))?;
+        let outward =
+            self.met(self.to_own.transform_point3(place), self.to_own.transform_vector3(EYE))?;
         // Normals go by the inverse transpose of the way to view space.
         let normal = (DMat3::transpose(&self.to_own.matrix3) * outward).try_normalize()?;
         Some(if normal.dot(towards) < 0.0 { -normal } else { normal })
     }
 
-    /// The gradient where a line meets the surface, in its own coordinates, by Newton's method along the line.
+    /// The gradient where a line meets the surface, in its own coordinates, by Newton's method
+    /// along the line.
     fn met(&self, mut point: DVec3, along: DVec3) -> Option<DVec3> {
         for _ in 0..STEPS {
             let Implicit { value, gradient } = self.shape.implicit(point)?;
@@ -96,7 +101,8 @@ mod tests {
     /// A point inside the sphere, and the one in front of it.
     #[test]
     fn normals_are_those_of_what_is_seen() {
-        let surface = Surface::of(Primitive::Sphere { level: 4 }, DAffine3::IDENTITY).expect("it has a surface");
+        let surface = Surface::of(Primitive::Sphere { level: 4 }, DAffine3::IDENTITY)
+            .expect("it has a surface");
         let seen = surface.normal(DVec3::new(0.6, 0.0, 0.7), DVec3::Z).expect("it is met");
         assert!(seen.distance(DVec3::new(0.6, 0.0, 0.8)) < 1e-12, "{seen}");
     }
@@ -104,16 +110,20 @@ mod tests {
     /// Vertices of these meshes have exact normals.
     #[test]
     fn normals_at_vertices_are_the_meshes() {
-        for primitive in
-            [Primitive::Sphere { level: 4 }, Primitive::Torus { level: 4, tube: 0.3 }, Primitive::Icosahedron { level: 2 }]
-        {
+        for primitive in [
+            Primitive::Sphere { level: 4 },
+            Primitive::Torus { level: 4, tube: 0.3 },
+            Primitive::Icosahedron { level: 2 },
+        ] {
             let (mesh, to_view) = (primitive.mesh(), to_view());
             let surface = Surface::of(primitive, to_view).expect("it has a surface");
             let to_normals = to_view.matrix3.inverse().transpose();
             for (corners, normals) in mesh.triangles.iter().zip(&mesh.normals) {
                 for (&corner, &normal) in corners.iter().zip(normals) {
-                    let (place, normal) =
-                        (to_view.transform_point3(mesh.positions[corner as usize]), (to_normals * normal).normalize());
+                    let (place, normal) = (
+                        to_view.transform_point3(mesh.positions[corner as usize]),
+                        (to_normals * normal).normalize(),
+                    );
                     let found = surface.normal(place, normal).expect("it has one");
                     assert!(found.distance(normal) < 1e-12, "{primitive:?}: {found} for {normal}");
                 }
@@ -123,7 +133,8 @@ mod tests {
 
     #[test]
     fn lines_that_pass_by_meet_nothing() {
-        for primitive in [Primitive::Sphere { level: 4 }, Primitive::Torus { level: 4, tube: 0.3 }] {
+        for primitive in [Primitive::Sphere { level: 4 }, Primitive::Torus { level: 4, tube: 0.3 }]
+        {
             let surface = Surface::of(primitive, DAffine3::IDENTITY).expect("it has a surface");
             for place in [DVec3::ZERO, DVec3::new(1.4, 0.0, 0.1), DVec3::new(0.3, 5.0, 0.0)] {
                 assert_eq!(surface.normal(place, DVec3::Z), None, "{primitive:?} {place}");

@@ -9,13 +9,22 @@ const STEPS: u32 = 50;
 /// A span whose ends are so many degrees apart.
 fn frame(degrees: f64) -> Frame {
     let end = DQuat::from_axis_angle(DVec3::Y, degrees.to_radians()) * DVec3::Z;
-    let text = format!("[[span]]\nlength = {}\nnormals = [[0, 0, 1], [{:.17}, 0, {:.17}]]\n", STEPS + 1, end.x, end.z);
+    let text = format!(
+        "[[span]]\nlength = {}\nnormals = [[0, 0, 1], [{:.17}, 0, {:.17}]]\n",
+        STEPS + 1,
+        end.x,
+        end.z
+    );
     parse("course.toml", text).expect("the scene is right").frame
 }
 
 fn slerp(frame: &Frame, axes: &str) -> SlerpSpec {
-    let table = format!("[slerp]\nform = \"vector\"\nframe = \"{axes}\"").parse().expect("it is a table");
-    match CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(Method::Slerp)).expect("slerp serves").method {
+    let table =
+        format!("[slerp]\nform = \"vector\"\nframe = \"{axes}\"").parse().expect("it is a table");
+    match CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(Method::Slerp))
+        .expect("slerp serves")
+        .method
+    {
         MethodSpec::Slerp(slerp) => slerp,
         other => panic!("{other:?}"),
     }
@@ -47,7 +56,10 @@ fn rotations_lead_along_the_arc_or_the_chord() {
                 let t = i as f64 / f64::from(STEPS);
                 let arc = DQuat::from_axis_angle(DVec3::Y, t * degrees.to_radians()) * DVec3::Z;
                 let wanted = if is_linear { ends[0].lerp(ends[1], t) } else { arc };
-                assert!(normal.distance(wanted) < 1e-11, "{degrees} degrees, {axes}, pixel {i}: {normal} and not {wanted}");
+                assert!(
+                    normal.distance(wanted) < 1e-11,
+                    "{degrees} degrees, {axes}, pixel {i}: {normal} and not {wanted}"
+                );
             }
         }
     }

@@ -1,5 +1,5 @@
-//! Wrong inputs and what is said about them: each file in `tests/errors/` is loaded as a scene, and the diagnostic compared
-//! with the `.snap` beside it. Adding a test is adding a file.
+//! Wrong inputs and what is said about them: each file in `tests/errors/` is loaded as a scene, and
+//! the diagnostic compared with the `.snap` beside it. Adding a test is adding a file.
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -9,7 +9,9 @@ use specula_scene::{SceneError, load};
 /// The diagnostic as plain text.
 fn rendered(error: &SceneError) -> String {
     let mut text = String::new();
-    NarratableReportHandler::new().render_report(&mut text, error).expect("writing to a string does not fail");
+    NarratableReportHandler::new()
+        .render_report(&mut text, error)
+        .expect("writing to a string does not fail");
     text
 }
 
@@ -24,7 +26,8 @@ fn diagnostic(scene: &str, size: Option<(u32, u32)>) -> String {
 fn wrong_files() -> Vec<PathBuf> {
     let entries = fs::read_dir("tests/errors").expect("tests run in the crate's folder");
     let paths = entries.map(|entry| entry.expect("the folder can be listed").path());
-    let mut files: Vec<PathBuf> = paths.filter(|path| path.extension().is_some_and(|e| e != "snap")).collect();
+    let mut files: Vec<PathBuf> =
+        paths.filter(|path| path.extension().is_some_and(|e| e != "snap")).collect();
     files.sort();
     files
 }
@@ -49,7 +52,15 @@ fn wrong_files_are_refused_with_a_clear_word() {
 
 #[test]
 fn scenes_that_are_not_there_are_refused() {
-    let scenes = ["teacup", "", "bunny.off", "tests/errors/none.toml", "tests/errors/none.ply", "tests/errors", "a\u{0}b.obj"];
+    let scenes = [
+        "teacup",
+        "",
+        "bunny.off",
+        "tests/errors/none.toml",
+        "tests/errors/none.ply",
+        "tests/errors",
+        "a\u{0}b.obj",
+    ];
     let all: Vec<String> = scenes.iter().map(|scene| diagnostic(scene, None)).collect();
     insta::assert_snapshot!(all.join("\n"));
 }

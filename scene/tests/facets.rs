@@ -4,8 +4,12 @@ use specula_scene::mesh::normals::newell;
 use specula_scene::{Facet, Frame, load};
 
 /// Corners of a warped quadrilateral, all of whose vertex normals point along z.
-const WARPED: [DVec3; 4] =
-    [DVec3::new(0.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.4), DVec3::new(2.0, 1.0, -0.2), DVec3::new(0.0, 1.5, 0.3)];
+const WARPED: [DVec3; 4] = [
+    DVec3::new(0.0, 0.0, 0.0),
+    DVec3::new(2.0, 0.0, 0.4),
+    DVec3::new(2.0, 1.0, -0.2),
+    DVec3::new(0.0, 1.5, 0.3),
+];
 
 /// The face of an `.obj` file with these corners, once as it is and once the other way round.
 fn objects(corners: &[DVec3]) -> [String; 2] {
@@ -36,7 +40,8 @@ fn frame(mesh: &str, extension: &str, table: &str) -> Frame {
 #[track_caller]
 fn all_have(frame: &Frame, normal: DVec3, middle: DVec3) {
     for triangle in &frame.triangles {
-        let off = (triangle.facet.normal - normal).length() + (triangle.facet.middle - middle).length();
+        let off =
+            (triangle.facet.normal - normal).length() + (triangle.facet.middle - middle).length();
         assert!(off < 1e-12, "{:?} instead of {normal} and {middle}", triangle.facet);
     }
 }
@@ -65,7 +70,8 @@ fn facets_are_turned_stretched_and_mirrored_with_the_surface() {
         for rotate in [[0.0; 3], [20.0, -30.0, 200.0], [0.0, 180.0, 0.0], [160.0, 10.0, 70.0]] {
             let table = format!("scale = {scale:?}\nrotate = {rotate:?}");
             let [x, y, z] = rotate.map(f64::to_radians);
-            let turn = DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x);
+            let turn =
+                DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x);
             let place = DAffine3::from_scale_rotation_translation(scale.into(), turn, DVec3::ZERO);
             let places = WARPED.map(|corner| place.transform_point3(corner));
             let Facet { normal, middle } = Facet::of_polygon(&places).expect("it has an area");
@@ -85,7 +91,8 @@ fn polygons_of_other_files_have_their_normal() {
          property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
          {corners}4 0 1 2 3\n"
     );
-    let Facet { normal, middle } = Facet::of_polygon(&WARPED.map(|p| p.as_vec3().as_dvec3())).expect("it has an area");
+    let Facet { normal, middle } =
+        Facet::of_polygon(&WARPED.map(|p| p.as_vec3().as_dvec3())).expect("it has an area");
     let frame = frame(&ply, "ply", "");
     assert_eq!(frame.triangles.len(), 2);
     for Facet { normal: n, middle: m } in frame.triangles.iter().map(|triangle| triangle.facet) {

@@ -19,22 +19,36 @@ fn point((x, y): (i64, i64)) -> Point {
     Point { x, y }
 }
 
-/// A grid of cells with its inner vertices shifted, cut along diagonals of either kind: (corners, shift, diagonals).
+/// A grid of cells with its inner vertices shifted, cut along diagonals of either kind: (corners,
+/// shift, diagonals).
 const CELLS: usize = 6;
 
-fn grid(cell: i64, corner: (i64, i64), shifts: &[(i64, i64)], diagonals: &[bool]) -> Vec<[Point; 3]> {
+fn grid(
+    cell: i64,
+    corner: (i64, i64),
+    shifts: &[(i64, i64)],
+    diagonals: &[bool],
+) -> Vec<[Point; 3]> {
     let vertex = |i: usize, j: usize| {
         let inner = |k: usize| k > 0 && k < CELLS;
         let (dx, dy) = shifts[i * (CELLS + 1) + j];
         // Vertices on the border move along it only, so that the outline stays a rectangle.
         let (dx, dy) = (if inner(j) { dx } else { 0 }, if inner(i) { dy } else { 0 });
-        point((corner.0 + j as i64 * cell + dx % (cell / 4), corner.1 + i as i64 * cell + dy % (cell / 4)))
+        point((
+            corner.0 + j as i64 * cell + dx % (cell / 4),
+            corner.1 + i as i64 * cell + dy % (cell / 4),
+        ))
     };
     let mut triangles = Vec::new();
     for i in 0..CELLS {
         for j in 0..CELLS {
-            let [a, b, c, d] = [vertex(i, j), vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1)];
-            let cut = if diagonals[i * CELLS + j] { [[a, b, d], [d, c, a]] } else { [[b, c, a], [b, d, c]] };
+            let [a, b, c, d] =
+                [vertex(i, j), vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1)];
+            let cut = if diagonals[i * CELLS + j] {
+                [[a, b, d], [d, c, a]]
+            } else {
+                [[b, c, a], [b, d, c]]
+            };
             triangles.extend(cut);
         }
     }
@@ -43,7 +57,8 @@ fn grid(cell: i64, corner: (i64, i64), shifts: &[(i64, i64)], diagonals: &[bool]
 
 /// Pixels whose centre is in a rectangle that owns its left and top sides.
 fn rectangle((x, y): (i64, i64), side: i64) -> Vec<u32> {
-    let within = |low: i64, pixel: u32| (low..low + side).contains(&(i64::from(pixel) * STEPS + STEPS / 2));
+    let within =
+        |low: i64, pixel: u32| (low..low + side).contains(&(i64::from(pixel) * STEPS + STEPS / 2));
     (0..SIZE * SIZE).map(|k| u32::from(within(x, k % SIZE) && within(y, k / SIZE))).collect()
 }
 

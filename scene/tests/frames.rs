@@ -1,4 +1,5 @@
-//! What every frame keeps to: spans in order, no pixel twice, weights and normals as [`Span`] and [`Triangle`] say.
+//! What every frame keeps to: spans in order, no pixel twice, weights and normals as [`Span`] and
+//! [`Triangle`] say.
 use std::fs;
 
 use glam::DVec3;
@@ -10,7 +11,8 @@ fn check(frame: &Frame) {
     assert!(!frame.spans.is_empty());
     for pair in frame.spans.windows(2) {
         let [before, after] = [&pair[0], &pair[1]];
-        let in_order = after.y > before.y || (after.y == before.y && after.x >= before.x + before.length);
+        let in_order =
+            after.y > before.y || (after.y == before.y && after.x >= before.x + before.length);
         assert!(in_order, "{before:?} {after:?}");
     }
     for span in &frame.spans {
@@ -26,7 +28,8 @@ fn check(frame: &Frame) {
     }
 }
 
-/// All objects here are of triangles, each a polygon of its own: its plane's normal, towards the eye.
+/// All objects here are of triangles, each a polygon of its own: its plane's normal, towards the
+/// eye.
 fn check_facet(Triangle { facet, positions, .. }: &Triangle) {
     let Facet { normal, middle } = *facet;
     assert!((normal.length() - 1.0).abs() < 1e-12 && normal.z >= 0.0, "{facet:?}");
@@ -37,7 +40,10 @@ fn check_facet(Triangle { facet, positions, .. }: &Triangle) {
 }
 
 fn check_span(frame: &Frame, span: &Span) {
-    assert!(span.length >= 1 && span.x + span.length <= frame.width && span.y < frame.height, "{span:?}");
+    assert!(
+        span.length >= 1 && span.x + span.length <= frame.width && span.y < frame.height,
+        "{span:?}"
+    );
     assert!(span.triangle < frame.triangles.len());
     for weights in [span.start, span.end] {
         assert!(weights.iter().all(|w| (0.0..=1.0).contains(w)), "{span:?}");
@@ -61,8 +67,11 @@ fn try_load_text(text: &str) -> Result<Frame, SceneError> {
 #[test]
 fn built_in_scenes_keep_to_it_at_all_sizes() {
     for name in builtin_names() {
-        for size in [None, Some((7, 5)), Some((7, 97)), Some((97, 7)), Some((53, 211)), Some((1920, 1080))] {
-            let loaded = load(name, size).unwrap_or_else(|error| panic!("{name} at {size:?}: {error}"));
+        for size in
+            [None, Some((7, 5)), Some((7, 97)), Some((97, 7)), Some((53, 211)), Some((1920, 1080))]
+        {
+            let loaded =
+                load(name, size).unwrap_or_else(|error| panic!("{name} at {size:?}: {error}"));
             assert_eq!(loaded.name, *name);
             check(&loaded.frame);
             assert!(loaded.frame.materials.iter().all(|m| m.shininess <= 256));
@@ -70,7 +79,8 @@ fn built_in_scenes_keep_to_it_at_all_sizes() {
     }
 }
 
-/// Spheres' silhouettes are discs, without a hole or a stray pixel: the exact area is known to within the outline.
+/// Spheres' silhouettes are discs, without a hole or a stray pixel: the exact area is known to
+/// within the outline.
 #[test]
 fn a_sphere_covers_a_disc() {
     let text = "size = [200, 200]\n[camera]\ntarget = [0, 0, 0]\nheight = 4\n[[object]]\nprimitive = \"sphere\"\nlevel = 64\n";
@@ -110,7 +120,8 @@ fn in_figure_9_left_balls_hide_right_ones() {
         frame.spans.iter().find(covers).map(|span| frame.material(span).shininess)
     };
     for (ball, shininess) in [1, 4, 16, 64, 256].into_iter().enumerate() {
-        // 16 pixels of margin, 64 pixels to the first ball's centre and from ball to ball; right half of each is seen.
+        // 16 pixels of margin, 64 pixels to the first ball's centre and from ball to ball; right
+        // half of each is seen.
         let right_edge = 16 + 128 + 64 * ball as u32;
         assert_eq!(shininess_at(right_edge - 2, 80), Some(shininess));
     }
@@ -126,15 +137,20 @@ fn in_figure_9_left_balls_hide_right_ones() {
 #[test]
 fn inside_out_meshes_are_lit_from_the_side_that_is_seen() {
     let faces = ["f 1 2 3", "f 1 4 2", "f 1 3 4", "f 2 4 3"];
-    let turned = faces.map(|face| face.split(' ').rev().collect::<Vec<_>>().join(" ").replace(" f", ""));
+    let turned =
+        faces.map(|face| face.split(' ').rev().collect::<Vec<_>>().join(" ").replace(" f", ""));
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let frames = [faces.map(str::to_owned), turned.map(|face| format!("f {face}"))].map(|faces| {
         let path = folder.path().join("tetra.obj");
         let vertices = "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\n";
-        fs::write(&path, format!("{vertices}{}\n", faces.join("\n"))).expect("a temporary file can be written");
-        load(path.to_str().expect("temporary paths are plain"), None).expect("the mesh is right").frame
+        fs::write(&path, format!("{vertices}{}\n", faces.join("\n")))
+            .expect("a temporary file can be written");
+        load(path.to_str().expect("temporary paths are plain"), None)
+            .expect("the mesh is right")
+            .frame
     });
-    let facing = |frame: &Frame| frame.triangles.iter().map(|t| t.normals.map(|n| n.z)).collect::<Vec<_>>();
+    let facing =
+        |frame: &Frame| frame.triangles.iter().map(|t| t.normals.map(|n| n.z)).collect::<Vec<_>>();
     for frame in &frames {
         check(frame);
         let sums: Vec<f64> = facing(frame).iter().map(|z| z.iter().sum()).collect();
@@ -163,7 +179,8 @@ fn digest(frame: &Frame) -> u64 {
     words.flat_map(u64::to_le_bytes).fold(0xcbf2_9ce4_8422_2325, mix)
 }
 
-/// Built-in frames bit for bit, so that a machine, compiler or library that rounds otherwise is noticed.
+/// Built-in frames bit for bit, so that a machine, compiler or library that rounds otherwise is
+/// noticed.
 #[test]
 fn frames_are_the_same_on_every_machine() {
     let line = |name: &&str| {
@@ -186,13 +203,16 @@ fn the_core_table_can_be_read_by_whoever_knows_it() {
     let path = folder.path().join("scene.toml");
     let text = "[[object]]\nprimitive = \"torus\"\n\n[core]\nmethod = \"lyon\"\nbits = 12\n";
     fs::write(&path, text).expect("a temporary file can be written");
-    let core = load(path.to_str().expect("temporary paths are plain"), None).expect("the scene is right").core;
+    let core = load(path.to_str().expect("temporary paths are plain"), None)
+        .expect("the scene is right")
+        .core;
     let core = core.expect("the scene has a core");
     let read: Core = core.parse().expect("the table is right");
     assert_eq!((read.method.as_str(), *read.bits.get_ref()), ("lyon", 12));
     assert_eq!(&text[read.bits.span()], "12");
     assert!(text[core.span()].starts_with("[core]"));
-    let error = core.parse::<std::collections::BTreeMap<String, u32>>().expect_err("a word is no number");
+    let error =
+        core.parse::<std::collections::BTreeMap<String, u32>>().expect_err("a word is no number");
     assert!(error.to_string().contains("lyon"), "{error}");
 }
 

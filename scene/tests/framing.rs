@@ -4,7 +4,8 @@ use specula_scene::{Frame, SceneError, load, parse};
 /// Shapes without a middle, or far thinner one way than the other.
 const RING: &str = "[camera]\ndirection = [0, 1, 0]\nup = [0, 0, -1]\n[[object]]\nprimitive = \"torus\"\ntube = 0.1\n";
 const PAIR: &str = "[[object]]\nprimitive = \"icosahedron\"\ntranslate = [-9, 0, 0]\n[[object]]\nprimitive = \"icosahedron\"\ntranslate = [9, 1, 0]\n";
-const PLATE: &str = "[camera]\ndirection = [0, 0, 1]\n[[object]]\nprimitive = \"sphere\"\nscale = [8, 1, 1]\n";
+const PLATE: &str =
+    "[camera]\ndirection = [0, 0, 1]\n[[object]]\nprimitive = \"sphere\"\nscale = [8, 1, 1]\n";
 
 /// Sizes around those in which the middle of the picture lies between pixels.
 fn sizes() -> Vec<(u32, u32)> {
@@ -21,7 +22,8 @@ fn frame(text: &str, (width, height): (u32, u32)) -> Result<Frame, SceneError> {
 fn thin_pictures_show_something() {
     for size in sizes() {
         for text in [RING, PAIR, PLATE] {
-            let frame = frame(text, size).unwrap_or_else(|error| panic!("{size:?}: {error} of\n{text}"));
+            let frame =
+                frame(text, size).unwrap_or_else(|error| panic!("{size:?}: {error} of\n{text}"));
             assert!(frame.shaded_pixels() > 0);
         }
     }

@@ -9,7 +9,8 @@ use specula_scene::mesh::{Mesh, Warning};
 
 fn files() -> Vec<PathBuf> {
     let entries = fs::read_dir("tests/meshes").expect("tests run in the crate's folder");
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("the folder can be listed").path()).collect();
+    let mut files: Vec<PathBuf> =
+        entries.map(|entry| entry.expect("the folder can be listed").path()).collect();
     files.sort();
     files
 }
@@ -23,7 +24,8 @@ fn mesh(path: &Path) -> Mesh {
 
 /// The mesh of a file's text, and what is passed over in it.
 fn read(name: &str, text: &[u8]) -> (Mesh, Vec<String>) {
-    let (mesh, warnings) = Mesh::from_bytes(Path::new(name), text).unwrap_or_else(|error| panic!("{error}"));
+    let (mesh, warnings) =
+        Mesh::from_bytes(Path::new(name), text).unwrap_or_else(|error| panic!("{error}"));
     (mesh, warnings.iter().map(Warning::to_string).collect())
 }
 
@@ -62,12 +64,16 @@ fn nodes_of_a_glb_move_and_mirror_its_meshes() {
     check_corner_normals(&mesh, DVec3::X);
 }
 
-/// The tetrahedron's vertex normals point from its middle to its corners (METHODS.md A2), its faces outwards.
+/// The tetrahedron's vertex normals point from its middle to its corners (METHODS.md A2), its faces
+/// outwards.
 fn check_corner_normals(mesh: &Mesh, middle: DVec3) {
     for (triangle, normals) in mesh.triangles.iter().zip(&mesh.normals) {
         let corners = triangle.map(|k| mesh.positions[k as usize]);
         for (corner, normal) in corners.iter().zip(normals) {
-            assert!(((*corner - middle).normalize() - *normal).length() < 1e-12, "{corner} {normal}");
+            assert!(
+                ((*corner - middle).normalize() - *normal).length() < 1e-12,
+                "{corner} {normal}"
+            );
         }
         let face = newell(&corners).expect("the faces have areas");
         assert!(face.dot(corners[0] - middle) > 0.0);
@@ -77,7 +83,8 @@ fn check_corner_normals(mesh: &Mesh, middle: DVec3) {
 /// Quads count once in vertex normals, although they become two triangles.
 #[test]
 fn a_cube_of_quads_has_the_normals_of_its_corners() {
-    let vertices = (0..8).map(|k| format!("v {} {} {}\n", k & 1, k >> 1 & 1, k >> 2)).collect::<String>();
+    let vertices =
+        (0..8).map(|k| format!("v {} {} {}\n", k & 1, k >> 1 & 1, k >> 2)).collect::<String>();
     let faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
     let (mesh, _) = read("cube.obj", format!("{vertices}{faces}").as_bytes());
     assert_eq!(mesh.triangles.len(), 12);
@@ -113,20 +120,30 @@ fn a_sheet_with_two_sides_keeps_its_face_normals() {
     assert_eq!(mesh.normals, [[DVec3::Z; 3], [DVec3::NEG_Z; 3]]);
 }
 
-/// A vertex that a face states twice, at the ends of a bridge, has the face's normal once in its own.
+/// A vertex that a face states twice, at the ends of a bridge, has the face's normal once in its
+/// own.
 #[test]
 fn a_face_counts_once_for_a_vertex_it_states_twice() {
-    let vertices = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nv 0 0 -4\n";
+    let vertices =
+        "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nv 0 0 -4\n";
     let (mesh, _) = read("a.obj", format!("{vertices}f 1 2 3 4 1 5 6 7 8 5\nf 1 4 9\n").as_bytes());
-    let corner = mesh.triangles.iter().zip(&mesh.normals).find_map(|(t, n)| Some(n[t.iter().position(|&k| k == 0)?]));
+    let corner = mesh
+        .triangles
+        .iter()
+        .zip(&mesh.normals)
+        .find_map(|(t, n)| Some(n[t.iter().position(|&k| k == 0)?]));
     let half = 0.5_f64.sqrt();
-    assert!((corner.unwrap_or_default() - DVec3::new(-half, 0.0, half)).length() < 1e-12, "{corner:?}");
+    assert!(
+        (corner.unwrap_or_default() - DVec3::new(-half, 0.0, half)).length() < 1e-12,
+        "{corner:?}"
+    );
 }
 
 /// A roof whose vertices have the normals that its faces make.
 const ROOF: &str = "v 0 0 0\nv 2 0 0\nv 2 2 1\nv 0 2 1\nv 2 4 0\nv 0 4 0\n";
 
-/// A normal without direction, or none at all, is the one that the faces around the vertex make, whatever the other corners have.
+/// A normal without direction, or none at all, is the one that the faces around the vertex make,
+/// whatever the other corners have.
 #[test]
 fn normals_without_direction_are_made_from_the_faces() {
     let (expected, warnings) = read("a.obj", format!("{ROOF}f 1 2 3 4\nf 4 3 5 6\n").as_bytes());
@@ -136,10 +153,14 @@ fn normals_without_direction_are_made_from_the_faces() {
         let faces = "f 1//1 2//1 3//1 4//1\nf 4//1 3//1 5//1 6//1\n";
         let (mesh, warnings) = read("a.obj", format!("{ROOF}vn {normal}\n{faces}").as_bytes());
         assert_eq!(mesh.normals, expected.normals, "{normal}");
-        assert!(warnings.len() == 1 && warnings[0].starts_with("a.obj, line 7: a normal is "), "{warnings:?}");
+        assert!(
+            warnings.len() == 1 && warnings[0].starts_with("a.obj, line 7: a normal is "),
+            "{warnings:?}"
+        );
         // One corner of good ones.
         let faces = "f 1//2 2//2 3//1 4//2\nf 4//2 3//2 5//2 6//2\n";
-        let (mesh, warnings) = read("a.obj", format!("{ROOF}vn {normal}\nvn 1 0 0\n{faces}").as_bytes());
+        let (mesh, warnings) =
+            read("a.obj", format!("{ROOF}vn {normal}\nvn 1 0 0\n{faces}").as_bytes());
         assert_eq!(mesh.normals[0], [DVec3::X, DVec3::X, expected.normals[0][2]], "{normal}");
         assert_eq!(warnings.len(), 1, "{warnings:?}");
     }
@@ -177,7 +198,8 @@ fn what_an_obj_file_has_beside_its_faces_is_told() {
 fn what_an_stl_file_has_beside_its_facets_is_told() {
     let facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0 7\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     let short = "facet\nouter loop\nvertex 0 0 0\nendloop\nendfacet\n";
-    let (mesh, warnings) = read("a.stl", format!("solid\n{facet}colour 1\n{short}endsolid\n").as_bytes());
+    let (mesh, warnings) =
+        read("a.stl", format!("solid\n{facet}colour 1\n{short}endsolid\n").as_bytes());
     assert_eq!(mesh.triangles.len(), 1);
     let right = [
         "a.stl, line 4: numbers behind a vertex's third are passed over",
@@ -190,12 +212,18 @@ fn what_an_stl_file_has_beside_its_facets_is_told() {
 /// A binary file is not taken for text by its comment, nor text for a binary file, cut off or not.
 #[test]
 fn binary_stl_files_are_told_from_text() {
-    let (binary, text) = (fs::read("tests/meshes/tetra_binary.stl"), fs::read("tests/meshes/tetra_ascii.stl"));
+    let (binary, text) =
+        (fs::read("tests/meshes/tetra_binary.stl"), fs::read("tests/meshes/tetra_ascii.stl"));
     let (mut binary, text) = (binary.expect("it is there"), text.expect("it is there"));
     binary[..6].copy_from_slice(b"solid ");
-    let said = |bytes: &[u8]| Mesh::from_bytes(Path::new("a.stl"), bytes).expect_err("it is cut off").to_string();
+    let said = |bytes: &[u8]| {
+        Mesh::from_bytes(Path::new("a.stl"), bytes).expect_err("it is cut off").to_string()
+    };
     assert_eq!(read("a.stl", &binary).0.triangles.len(), 4);
-    assert_eq!(said(&binary[..120]), "mesh `a.stl`: it ends early: its header states 4 triangles, 284 bytes; the file has 120");
+    assert_eq!(
+        said(&binary[..120]),
+        "mesh `a.stl`: it ends early: its header states 4 triangles, 284 bytes; the file has 120"
+    );
     let said = said(&text[..120]);
     assert!(said.contains("line ") && said.contains("expected here"), "{said}");
 }

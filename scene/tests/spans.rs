@@ -33,11 +33,18 @@ fn spans_are_taken_to_the_last_bit() {
     let frame = parse("spans.toml", SCENE.into()).expect("the scene is right").frame;
     assert_eq!((frame.width, frame.height, frame.spans.len()), (5, 2, 2));
     assert_eq!((frame.ambient, frame.eye), ([0.5; 3], Some(DVec3::new(1.0, 2.0, 3.0))));
-    assert_eq!((frame.lights[0].direction, frame.local_lights[0].position), (DVec3::Z, DVec3::new(0.5, 0.0, 2.0)));
-    let [first, second] = [0, 1].map(|k| (&frame.spans[k], &frame.triangles[k], frame.material(&frame.spans[k])));
+    assert_eq!(
+        (frame.lights[0].direction, frame.local_lights[0].position),
+        (DVec3::Z, DVec3::new(0.5, 0.0, 2.0))
+    );
+    let [first, second] =
+        [0, 1].map(|k| (&frame.spans[k], &frame.triangles[k], frame.material(&frame.spans[k])));
     let turned = DVec3::new(0.6, 0.0, 0.8);
     assert_eq!(first.1.normals, [DVec3::Z, turned, DVec3::Z]);
-    assert_eq!((first.0.start, first.0.end, first.1.cones[1]), ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], VertexCone::flat(turned)));
+    assert_eq!(
+        (first.0.start, first.0.end, first.1.cones[1]),
+        ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], VertexCone::flat(turned))
+    );
     assert_eq!((second.0.y, second.0.length, second.2.shininess), (1, 1, 7));
     assert_eq!(second.1.normals, [DVec3::Z, DVec3::X, DVec3::ZERO]);
     assert_eq!((second.0.start, second.0.end), ([0.25, 0.25, 0.5], [0.0, 0.0, 1.0]));

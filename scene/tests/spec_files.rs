@@ -15,7 +15,9 @@ fn core(scene: &str, method: Option<Method>) -> CoreSpec {
 /// The message, and the text it points at.
 fn refusal(text: &str) -> (String, String) {
     match SpecFile::parse("spec.toml", text.to_owned()) {
-        Err(SceneError::File { problem, at, .. }) => (problem, text[at.offset()..at.offset() + at.len()].to_owned()),
+        Err(SceneError::File { problem, at, .. }) => {
+            (problem, text[at.offset()..at.offset() + at.len()].to_owned())
+        }
         other => panic!("{other:?}"),
     }
 }
@@ -24,7 +26,8 @@ fn refusal(text: &str) -> (String, String) {
 fn a_core_is_read_as_it_is_written() {
     for &name in builtin_names() {
         let loaded = load(name, SIZE).unwrap();
-        for spec in Method::ALL.into_iter().filter_map(|method| loaded.core_spec(Some(method)).ok()) {
+        for spec in Method::ALL.into_iter().filter_map(|method| loaded.core_spec(Some(method)).ok())
+        {
             for spec in [spec.general(), spec] {
                 let file = SpecFile { name: name.to_owned(), spec };
                 let text = file.text();
@@ -38,19 +41,33 @@ fn a_core_is_read_as_it_is_written() {
 
 #[test]
 fn what_is_no_core_is_refused_where_it_is_wrong() {
-    let text = SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(Method::Lyon)) }.text();
+    let text =
+        SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(Method::Lyon)) }.text();
     let changed = |from: &str, to: &str| {
         assert!(text.contains(from), "{text}");
         refusal(&text.replacen(from, to, 1))
     };
-    assert_eq!(changed("version = 1", "version = 2"), ("this is version 2, and version 1 is read here".into(), "2".into()));
+    assert_eq!(
+        changed("version = 1", "version = 2"),
+        ("this is version 2, and version 1 is read here".into(), "2".into())
+    );
     assert_eq!(changed("\"teapot\"", "\"../pot\"").1, "\"../pot\"");
     assert!(changed("lights = 1", "lights = 7").0.contains("`lights` is 7"));
     assert!(changed("vector = \"S1.", "vector = \"S2.").0.contains("format `vector`"));
-    assert!(changed("shortest_normal = 0.", "shortest_normal = 1.").0.contains("`shortest_normal`"));
-    assert!(changed("light0_direction_x = [", "light0_direction_x = [1, ").0.contains("expected two raw values"));
+    assert!(
+        changed("shortest_normal = 0.", "shortest_normal = 1.").0.contains("`shortest_normal`")
+    );
+    assert!(
+        changed("light0_direction_x = [", "light0_direction_x = [1, ")
+            .0
+            .contains("expected two raw values")
+    );
     assert!(changed("light0_direction_x", "light5_direction_x").0.contains("`light5_direction_x`"));
-    assert!(changed("[spec.method.lyon]", "[spec.method.lyon]\ncolour = 1").0.contains("unknown key `colour`"));
+    assert!(
+        changed("[spec.method.lyon]", "[spec.method.lyon]\ncolour = 1")
+            .0
+            .contains("unknown key `colour`")
+    );
     assert!(matches!(SpecFile::read("nowhere.toml".as_ref()), Err(SceneError::Unreadable { .. })));
 }
 
@@ -58,7 +75,10 @@ fn what_is_no_core_is_refused_where_it_is_wrong() {
 fn a_core_serves_its_own_scene_as_it_is() {
     for &scene in builtin_names() {
         let frame = frame(scene);
-        for spec in Method::ALL.into_iter().filter_map(|method| load(scene, SIZE).unwrap().core_spec(Some(method)).ok()) {
+        for spec in Method::ALL
+            .into_iter()
+            .filter_map(|method| load(scene, SIZE).unwrap().core_spec(Some(method)).ok())
+        {
             let served = spec.serving(&frame).unwrap();
             assert_eq!((served.spec, served.frame), (spec, frame.clone()), "{scene}");
         }
@@ -71,7 +91,13 @@ fn a_general_core_takes_less_than_it_has() {
     let teapot = frame("teapot");
     let served = spec.serving(&teapot).unwrap();
     assert_eq!(served.frame.lights.len(), spec.lights);
-    assert_eq!(served.frame.lights[teapot.lights.len()..].iter().map(|light| light.colour).collect::<Vec<_>>(), [[0.0; 3]]);
+    assert_eq!(
+        served.frame.lights[teapot.lights.len()..]
+            .iter()
+            .map(|light| light.colour)
+            .collect::<Vec<_>>(),
+        [[0.0; 3]]
+    );
     let formats = |spec: &CoreSpec| (spec.method.clone(), spec.inputs());
     assert_eq!(formats(&served.spec), formats(&spec));
     // Bounds rest on the shorter normals of both.
@@ -81,7 +107,9 @@ fn a_general_core_takes_less_than_it_has() {
 #[test]
 fn what_a_core_lacks_is_named() {
     let lacking = |spec: &CoreSpec, frame: &Frame| match spec.serving(frame) {
-        Err(error @ (SpecError::Lacks { .. } | SpecError::UnevenShininess { .. })) => error.to_string(),
+        Err(error @ (SpecError::Lacks { .. } | SpecError::UnevenShininess { .. })) => {
+            error.to_string()
+        }
         other => panic!("{other:?}"),
     };
     let teapot = core("teapot", None);
@@ -104,27 +132,36 @@ fn quoted(cell: &str) -> Vec<&str> {
     cell.split('`').skip(1).step_by(2).collect()
 }
 
-/// docs/spec-file.md has every key that a file can have: those of the core by their full names, and a row for each method with its
-/// options and its narrowing points, which has no others.
+/// docs/spec-file.md has every key that a file can have: those of the core by their full names, and
+/// a row for each method with its options and its narrowing points, which has no others.
 #[test]
 fn the_page_has_every_key() {
     let page = include_str!("../../docs/spec-file.md");
-    let rows: Vec<Vec<&str>> =
-        page.lines().filter(|line| line.starts_with('|')).map(|line| line.trim_matches('|').split(" | ").collect()).collect();
-    let of_core: Vec<&str> = rows.iter().filter(|row| row.len() == 2).flat_map(|row| quoted(row[0])).collect();
+    let rows: Vec<Vec<&str>> = page
+        .lines()
+        .filter(|line| line.starts_with('|'))
+        .map(|line| line.trim_matches('|').split(" | ").collect())
+        .collect();
+    let of_core: Vec<&str> =
+        rows.iter().filter(|row| row.len() == 2).flat_map(|row| quoted(row[0])).collect();
     for method in Method::ALL {
         let file = SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(method)) };
         let text: toml::Table = file.text().parse().unwrap();
-        let absent: Vec<&String> = text.keys().filter(|key| *key != "spec" && !of_core.contains(&key.as_str())).collect();
+        let absent: Vec<&String> =
+            text.keys().filter(|key| *key != "spec" && !of_core.contains(&key.as_str())).collect();
         assert!(absent.is_empty(), "{absent:?}");
         let spec = text["spec"].as_table().unwrap();
         let is_named = |key: &str| of_core.contains(&format!("spec.{key}").as_str());
-        let absent: Vec<&String> = spec.keys().filter(|key| *key != "method" && !is_named(key)).collect();
+        let absent: Vec<&String> =
+            spec.keys().filter(|key| *key != "method" && !is_named(key)).collect();
         assert!(absent.is_empty(), "spec: {absent:?}");
         let of_method = spec["method"][method.name()].as_table().unwrap();
-        let options: Vec<&str> = of_method.keys().map(String::as_str).filter(|key| *key != "formats").collect();
-        let formats: Vec<&str> = of_method["formats"].as_table().unwrap().keys().map(String::as_str).collect();
-        let row = rows.iter().find(|row| row.len() == 3 && quoted(row[0]) == [method.name()]).unwrap();
+        let options: Vec<&str> =
+            of_method.keys().map(String::as_str).filter(|key| *key != "formats").collect();
+        let formats: Vec<&str> =
+            of_method["formats"].as_table().unwrap().keys().map(String::as_str).collect();
+        let row =
+            rows.iter().find(|row| row.len() == 3 && quoted(row[0]) == [method.name()]).unwrap();
         let sorted = |mut keys: Vec<&str>| {
             keys.sort_unstable();
             keys.into_iter().map(str::to_owned).collect::<Vec<String>>()

@@ -1,9 +1,11 @@
-//! Nanoseconds that the fast engine takes for a clock of the teapot's core, in rounds that take the settings in turn.
+//! Nanoseconds that the fast engine takes for a clock of the teapot's core, in rounds that take the
+//! settings in turn.
 //!
 //! ```text
 //! cargo bench -p specula-sim --bench engine -- [ROUNDS [PART [BATCH...]]]
 //! ```
-//! With PART, only rows whose name has it as a part are taken; with BATCHes, only batches of so many clocks.
+//! With PART, only rows whose name has it as a part are taken; with BATCHes, only batches of so
+//! many clocks.
 use std::time::Instant;
 
 use specula_hdl::design::NodeId;
@@ -18,7 +20,8 @@ fn main() {
     let mut arguments = std::env::args().skip(1).filter(|argument| argument != "--bench");
     let rounds = arguments.next().map_or(5, |rounds| rounds.parse().expect("ROUNDS is a number"));
     let part = arguments.next().unwrap_or_default();
-    let mut batches: Vec<usize> = arguments.map(|batch| batch.parse().expect("BATCH is a number")).collect();
+    let mut batches: Vec<usize> =
+        arguments.map(|batch| batch.parse().expect("BATCH is a number")).collect();
     if batches.is_empty() {
         batches.push(Settings::default().batch);
     }
@@ -26,7 +29,8 @@ fn main() {
     let scene = specula_scene::load("teapot", Some((640, 480))).expect("the scene is built in");
     let spec = scene.core_spec(None).expect("the scene has a core").general();
     let design = specula_hdl::elaborate(&spec, "teapot").expect("the core can be built");
-    let packets: Vec<_> = scene.frame.spans.iter().map(|span| spec.packet(&scene.frame, span)).collect();
+    let packets: Vec<_> =
+        scene.frame.spans.iter().map(|span| spec.packet(&scene.frame, span)).collect();
     let source = Repeated { packets };
     let stimulus = Stimulus::whole(&source, &design);
     let every = design.variables();
@@ -80,7 +84,12 @@ impl<'a> Row<'a> {
     fn new(name: &str, settings: Settings, watched: &'a [NodeId]) -> Row<'a> {
         let Settings { batch, level, threads, .. } = settings;
         let threads = if threads > 1 { format!(" {threads} threads") } else { String::new() };
-        Row { name: format!("{name}, {}{threads}, batch {batch}", level.name()), settings, watched, times: vec![] }
+        Row {
+            name: format!("{name}, {}{threads}, batch {batch}", level.name()),
+            settings,
+            watched,
+            times: vec![],
+        }
     }
 
     fn take(&mut self, design: &Design, stimulus: &Stimulus) {

@@ -1,10 +1,11 @@
-//! How fast waveforms of every signal are written: the teapot's core at 640x480, in rounds that take the ways of writing in turn.
+//! How fast waveforms of every signal are written: the teapot's core at 640x480, in rounds that
+//! take the ways of writing in turn.
 //!
 //! ```text
 //! cargo bench -p specula-sim --bench waves -- [ROUNDS [DIRECTORY [PART]]]
 //! ```
-//! Files go to DIRECTORY, or the one for temporary files. Verilator's own traces are timed in the same rounds. With PART, only ways whose
-//! name has it as a part are taken.
+//! Files go to DIRECTORY, or the one for temporary files. Verilator's own traces are timed in the
+//! same rounds. With PART, only ways whose name has it as a part are taken.
 use std::cell::LazyCell;
 use std::fs::File;
 use std::io::{self, Write};
@@ -24,26 +25,37 @@ fn main() {
     let scene = specula_scene::load("teapot", Some((640, 480))).expect("the scene is built in");
     let spec = scene.core_spec(None).expect("the scene has a core").general();
     let design = specula_hdl::elaborate(&spec, "teapot").expect("the core can be built");
-    let packets: Vec<_> = scene.frame.spans.iter().map(|span| spec.packet(&scene.frame, span)).collect();
+    let packets: Vec<_> =
+        scene.frame.spans.iter().map(|span| spec.packet(&scene.frame, span)).collect();
     let stimulus = Stimulus::whole(&packets, &design);
     let signals = design.variables();
     let bench = Bench { design: &design, stimulus: &stimulus, signals, directory: &directory };
     println!("{} signals, {} clocks", bench.signals.len(), stimulus.clocks().end);
 
-    let build = |keeping| TimedVerilator::build(&design, &stimulus, keeping).expect("Verilator is installed");
+    let build = |keeping| {
+        TimedVerilator::build(&design, &stimulus, keeping).expect("Verilator is installed")
+    };
     // Built when they are first wanted.
     let verilator_vcd = LazyCell::new(|| build(Keeping::Vcd));
     let verilator_fst = LazyCell::new(|| build(Keeping::Fst));
-    let external = |program: &TimedVerilator, dump: &Path| program.run(packets.len(), dump).expect("the program works").seconds;
+    let external = |program: &TimedVerilator, dump: &Path| {
+        program.run(packets.len(), dump).expect("the program works").seconds
+    };
     let file = |name: &str| directory.join(name);
     let mut rows = vec![
         Row::new("every signal, nothing written", || bench.engine(|_| Ok(()))),
         Row::new("VCD to a null sink", || bench.vcd(io::sink())),
-        Row::new("VCD to /dev/null, by Verilator", || external(&verilator_vcd, Path::new("/dev/null"))),
+        Row::new("VCD to /dev/null, by Verilator", || {
+            external(&verilator_vcd, Path::new("/dev/null"))
+        }),
         Row::new("VCD to a file", || bench.vcd(bench.file("waves.vcd"))),
-        Row::new("VCD to a file, by Verilator", || external(&verilator_vcd, &file("verilator.vcd"))),
+        Row::new("VCD to a file, by Verilator", || {
+            external(&verilator_vcd, &file("verilator.vcd"))
+        }),
         Row::new("FST to a file", || bench.fst(bench.file("waves.fst"))),
-        Row::new("FST to a file, by Verilator", || external(&verilator_fst, &file("verilator.fst"))),
+        Row::new("FST to a file, by Verilator", || {
+            external(&verilator_fst, &file("verilator.fst"))
+        }),
     ];
     rows.retain(|row| row.name.contains(&part));
     for _ in 0..rounds {
@@ -71,12 +83,15 @@ impl Bench<'_> {
             write(std::hint::black_box(batch)).expect("it can be written");
             Flow::Continue
         };
-        Fast::new(self.design).run(self.stimulus, &self.signals, &mut sink).expect("the engine works");
+        Fast::new(self.design)
+            .run(self.stimulus, &self.signals, &mut sink)
+            .expect("the engine works");
     }
 
     fn vcd(&self, out: impl Write) -> f64 {
         let begin = Instant::now();
-        let mut waves = vcd::Waves::begin(out, self.design, &self.signals, "a bench").expect("it can be written");
+        let mut waves = vcd::Waves::begin(out, self.design, &self.signals, "a bench")
+            .expect("it can be written");
         self.run(|batch| waves.append(batch));
         waves.end().expect("it can be written");
         begin.elapsed().as_secs_f64()
@@ -84,7 +99,8 @@ impl Bench<'_> {
 
     fn fst(&self, out: File) -> f64 {
         let begin = Instant::now();
-        let mut waves = fst::Waves::begin(out, self.design, &self.signals, "a bench").expect("it can be written");
+        let mut waves = fst::Waves::begin(out, self.design, &self.signals, "a bench")
+            .expect("it can be written");
         self.run(|batch| waves.append(batch));
         waves.end().expect("it can be written");
         begin.elapsed().as_secs_f64()

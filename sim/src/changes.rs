@@ -1,7 +1,8 @@
 //! Which signals change at which clocks, found a column at a time.
 //!
-//! A signal's values at 64 clocks are compared with those of the clocks before, which gives 64 bits; 64 such signals make a square of bits,
-//! and transposed it has for each clock the signals that change. So a signal that keeps its value costs its writer nothing.
+//! A signal's values at 64 clocks are compared with those of the clocks before, which gives 64
+//! bits; 64 such signals make a square of bits, and transposed it has for each clock the signals
+//! that change. So a signal that keeps its value costs its writer nothing.
 use std::ops::Range;
 
 use crate::Lanes;
@@ -23,12 +24,19 @@ pub struct Changes {
 impl Changes {
     /// Looks for changes of so many signals. At the first clock of all every signal changes.
     pub fn new(signals: usize) -> Changes {
-        Changes { last: vec![0; signals], begun: false, squares: vec![[0; BLOCK]; signals.div_ceil(64)] }
+        Changes {
+            last: vec![0; signals],
+            begun: false,
+            squares: vec![[0; BLOCK]; signals.div_ceil(64)],
+        }
     }
 
-    /// Looks at some rows of the signals' lanes, no more than [`BLOCK`], which follow those looked at before.
+    /// Looks at some rows of the signals' lanes, no more than [`BLOCK`], which follow those looked
+    /// at before.
     pub fn find(&mut self, lanes: &[Lanes], rows: Range<usize>) {
-        for ((square, lanes), last) in self.squares.iter_mut().zip(lanes.chunks(64)).zip(self.last.chunks_mut(64)) {
+        for ((square, lanes), last) in
+            self.squares.iter_mut().zip(lanes.chunks(64)).zip(self.last.chunks_mut(64))
+        {
             *square = [0; BLOCK];
             for ((bits, lanes), last) in square.iter_mut().zip(lanes).zip(last) {
                 *bits = changes(*lanes, rows.clone(), last);
@@ -50,7 +58,10 @@ impl Changes {
     /// The signals that change in a row of the block.
     #[inline]
     pub fn at(&self, row: usize) -> impl Iterator<Item = usize> + '_ {
-        self.squares.iter().enumerate().flat_map(move |(square, bits)| ones(bits[row]).map(move |bit| 64 * square + bit))
+        self.squares
+            .iter()
+            .enumerate()
+            .flat_map(move |(square, bits)| ones(bits[row]).map(move |bit| 64 * square + bit))
     }
 }
 
@@ -58,11 +69,12 @@ impl Changes {
 #[inline]
 pub fn ones(bits: u64) -> impl Iterator<Item = usize> {
     let after = |&bits: &u64| Some(bits & (bits - 1)).filter(|&rest| rest != 0);
-    std::iter::successors(Some(bits).filter(|&bits| bits != 0), after).map(|bits| bits.trailing_zeros() as usize)
+    std::iter::successors(Some(bits).filter(|&bits| bits != 0), after)
+        .map(|bits| bits.trailing_zeros() as usize)
 }
 
-/// A bit for each of these rows, up to [`BLOCK`], whose value is not that of the row before. Before the first row of the lanes it is
-/// `last`, which becomes that of the last of these.
+/// A bit for each of these rows, up to [`BLOCK`], whose value is not that of the row before. Before
+/// the first row of the lanes it is `last`, which becomes that of the last of these.
 pub fn changes(lanes: Lanes, rows: Range<usize>, last: &mut i64) -> u64 {
     match lanes {
         Lanes::Narrow(lanes) => changes_of(lanes, rows, last),
@@ -72,19 +84,31 @@ pub fn changes(lanes: Lanes, rows: Range<usize>, last: &mut i64) -> u64 {
     }
 }
 
-fn changes_of<T: Copy + PartialEq + Into<i64>>(lanes: &[T], rows: Range<usize>, last: &mut i64) -> u64 {
-    let (Some(&first), Some(&end)) = (lanes[rows.clone()].first(), lanes[rows.clone()].last()) else { return 0 };
+fn changes_of<T: Copy + PartialEq + Into<i64>>(
+    lanes: &[T],
+    rows: Range<usize>,
+    last: &mut i64,
+) -> u64 {
+    let (Some(&first), Some(&end)) = (lanes[rows.clone()].first(), lanes[rows.clone()].last())
+    else {
+        return 0;
+    };
     let before = std::mem::replace(last, end.into());
     match rows.start.checked_sub(1) {
         Some(start) => differences(&lanes[start..rows.end - 1], &lanes[rows]),
-        None => differences(&lanes[..rows.end - 1], &lanes[1..rows.end]) << 1 | u64::from(first.into() != before),
+        None => {
+            differences(&lanes[..rows.end - 1], &lanes[1..rows.end]) << 1
+                | u64::from(first.into() != before)
+        }
     }
 }
 
 /// A bit for each row whose values differ, up to [`BLOCK`] of them.
 fn differences<T: Copy + PartialEq>(before: &[T], after: &[T]) -> u64 {
     let halves = before.chunks(HALF).zip(after.chunks(HALF)).enumerate();
-    halves.fold(0, |bits, (half, (before, after))| bits | u64::from(differences_of_half(before, after)) << (HALF * half))
+    halves.fold(0, |bits, (half, (before, after))| {
+        bits | u64::from(differences_of_half(before, after)) << (HALF * half)
+    })
 }
 
 /// Rows whose bits fit into a narrow lane.
@@ -106,7 +130,9 @@ const fn bits() -> [u32; HALF] {
 fn differences_of_half<T: Copy + PartialEq>(before: &[T], after: &[T]) -> u32 {
     // A mask for each row, no shift and no branch: this becomes a loop over vectors.
     let rows = before.iter().zip(after).zip(&BIT);
-    rows.fold(0, |bits, ((before, after), bit)| bits | bit & u32::from(before != after).wrapping_neg())
+    rows.fold(0, |bits, ((before, after), bit)| {
+        bits | bit & u32::from(before != after).wrapping_neg()
+    })
 }
 
 /// Turns rows into columns [Warren, Hacker's Delight, section 7-3].
@@ -130,11 +156,17 @@ mod tests {
 
     #[test]
     fn a_square_is_transposed() {
-        let mut square = std::array::from_fn(|row| (row as u64 + 3).wrapping_mul(0x9E37_79B9_7F4A_7C15));
+        let mut square =
+            std::array::from_fn(|row| (row as u64 + 3).wrapping_mul(0x9E37_79B9_7F4A_7C15));
         let before: [u64; BLOCK] = square;
         transpose(&mut square);
         for (number, row) in square.iter().enumerate() {
-            assert!(before.iter().enumerate().all(|(column, bits)| row >> column & 1 == bits >> number & 1));
+            assert!(
+                before
+                    .iter()
+                    .enumerate()
+                    .all(|(column, bits)| row >> column & 1 == bits >> number & 1)
+            );
         }
     }
 
@@ -142,8 +174,10 @@ mod tests {
     fn changes_are_those_from_one_clock_to_the_next() {
         // More than 64 signals, of all kinds of lanes, in blocks of different sizes.
         let value = |signal: usize, row: usize| ((row / (signal % 9 + 1)) * (signal % 4)) as i64;
-        let narrow: Vec<Vec<i32>> = (0..50).map(|s| (0..150).map(|row| value(s, row) as i32).collect()).collect();
-        let wide: Vec<Vec<i64>> = (50..100).map(|s| (0..150).map(|row| value(s, row)).collect()).collect();
+        let narrow: Vec<Vec<i32>> =
+            (0..50).map(|s| (0..150).map(|row| value(s, row) as i32).collect()).collect();
+        let wide: Vec<Vec<i64>> =
+            (50..100).map(|s| (0..150).map(|row| value(s, row)).collect()).collect();
         let mut lanes: Vec<Lanes> = narrow.iter().map(|lanes| Lanes::Narrow(lanes)).collect();
         lanes.extend(wide.iter().map(|lanes| Lanes::Wide(lanes)));
         lanes.push(Lanes::Constant(5, 150));

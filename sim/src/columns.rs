@@ -56,12 +56,14 @@ impl<'a> Lanes<'a> {
         // Folds without a branch, which compilers make wide.
         match self {
             Lanes::Narrow(lanes) => {
-                let ends = |(low, high): (i32, i32), &value: &i32| (low.min(value), high.max(value));
+                let ends =
+                    |(low, high): (i32, i32), &value: &i32| (low.min(value), high.max(value));
                 let (low, high) = lanes.iter().fold((i32::MAX, i32::MIN), ends);
                 (!lanes.is_empty()).then(|| (low.into(), high.into()))
             }
             Lanes::Wide(lanes) => {
-                let ends = |(low, high): (i64, i64), &value: &i64| (low.min(value), high.max(value));
+                let ends =
+                    |(low, high): (i64, i64), &value: &i64| (low.min(value), high.max(value));
                 (!lanes.is_empty()).then(|| lanes.iter().fold((i64::MAX, i64::MIN), ends))
             }
             Lanes::Constant(value, clocks) => (clocks > 0).then_some((value, value)),
@@ -71,15 +73,19 @@ impl<'a> Lanes<'a> {
     /// The first row whose value lies outside `low..=high`.
     pub fn first_outside(self, low: i64, high: i64) -> Option<usize> {
         match self {
-            // The whole column is looked at first, without a branch in the loop; in almost every one there is nothing to find.
+            // The whole column is looked at first, without a branch in the loop; in almost every
+            // one there is nothing to find.
             Lanes::Narrow(lanes) => {
-                let (low, high) = (low.max(i32::MIN.into()) as i32, high.min(i32::MAX.into()) as i32);
+                let (low, high) =
+                    (low.max(i32::MIN.into()) as i32, high.min(i32::MAX.into()) as i32);
                 let outside = |value: i32| (value < low) | (value > high);
                 let any = lanes.iter().fold(false, |any, &value| any | outside(value));
                 if any { lanes.iter().position(|&value| outside(value)) } else { None }
             }
             Lanes::Wide(lanes) => lanes.iter().position(|value| !(low..=high).contains(value)),
-            Lanes::Constant(value, clocks) => (clocks > 0 && !(low..=high).contains(&value)).then_some(0),
+            Lanes::Constant(value, clocks) => {
+                (clocks > 0 && !(low..=high).contains(&value)).then_some(0)
+            }
         }
     }
 }
@@ -90,8 +96,8 @@ pub trait Show {
     fn lanes(&self, column: usize) -> Lanes<'_>;
 }
 
-/// The watched signals over a batch of clocks, as an engine shows them. A column is looked up when it is asked for, so that what nobody
-/// looks at costs nothing.
+/// The watched signals over a batch of clocks, as an engine shows them. A column is looked up when
+/// it is asked for, so that what nobody looks at costs nothing.
 #[derive(Clone)]
 pub struct Batch<'a> {
     first_clock: u64,
@@ -102,7 +108,12 @@ pub struct Batch<'a> {
 
 impl<'a> Batch<'a> {
     /// `clocks` clocks from `first_clock` on of these signals; all columns have as many rows.
-    pub fn new(first_clock: u64, clocks: usize, nodes: &'a [NodeId], columns: &'a dyn Show) -> Batch<'a> {
+    pub fn new(
+        first_clock: u64,
+        clocks: usize,
+        nodes: &'a [NodeId],
+        columns: &'a dyn Show,
+    ) -> Batch<'a> {
         Batch { first_clock, rows: 0..clocks, nodes, columns }
     }
 

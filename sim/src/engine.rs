@@ -17,12 +17,17 @@ pub trait Engine {
     /// Its name, as `--engine` takes it.
     fn name(&self) -> &'static str;
 
-    /// Runs `stimulus` from reset to its last clock and hands the values of the `watched` signals to `sink`, batch after batch, until
-    /// it has them all or `sink` stops it.
+    /// Runs `stimulus` from reset to its last clock and hands the values of the `watched` signals
+    /// to `sink`, batch after batch, until it has them all or `sink` stops it.
     ///
     /// # Errors
     /// [`SimError`] if the design does not settle or an external simulator fails.
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError>;
+    fn run(
+        &mut self,
+        stimulus: &Stimulus,
+        watched: &[NodeId],
+        sink: &mut dyn FnMut(&Batch) -> Flow,
+    ) -> Result<(), SimError>;
 }
 
 /// Why a simulation did not come to its end.
@@ -30,11 +35,17 @@ pub trait Engine {
 pub enum SimError {
     /// rust-hdl found a fault in the design.
     #[error("rust-hdl's check of the design failed: {0}")]
-    #[diagnostic(code(specula::sim::check), help("this is a fault of Specula's: please report it with the scene"))]
+    #[diagnostic(
+        code(specula::sim::check),
+        help("this is a fault of Specula's: please report it with the scene")
+    )]
     Check(String),
     /// Signals kept changing.
     #[error("the design did not settle at clock {clock}")]
-    #[diagnostic(code(specula::sim::settle), help("this is a fault of Specula's: please report it with the scene"))]
+    #[diagnostic(
+        code(specula::sim::settle),
+        help("this is a fault of Specula's: please report it with the scene")
+    )]
     Unsettled {
         /// The clock.
         clock: u64,
@@ -56,7 +67,9 @@ pub enum SimError {
     #[error("`{command}` failed or gave a warning ({status}):\n{output}")]
     #[diagnostic(
         code(specula::sim::tool),
-        help("Specula's Verilog is meant to pass without a warning: if the tool is complete, please report this with the scene")
+        help(
+            "Specula's Verilog is meant to pass without a warning: if the tool is complete, please report this with the scene"
+        )
     )]
     ToolFailed {
         /// The command line.
@@ -68,7 +81,10 @@ pub enum SimError {
     },
     /// An external simulator left a signal out of its trace.
     #[error("{tool} does not trace the signal `{signal}`")]
-    #[diagnostic(code(specula::sim::untraced), help("this is a fault of Specula's: please report it with the scene"))]
+    #[diagnostic(
+        code(specula::sim::untraced),
+        help("this is a fault of Specula's: please report it with the scene")
+    )]
     Untraced {
         /// The simulator.
         tool: &'static str,
@@ -76,8 +92,13 @@ pub enum SimError {
         signal: String,
     },
     /// An external simulator came to its end too early.
-    #[error("{tool} gave no values from clock {missing} on, and the stimulus goes on to clock {end}")]
-    #[diagnostic(code(specula::sim::short), help("look whether the disk of the temporary directory is full"))]
+    #[error(
+        "{tool} gave no values from clock {missing} on, and the stimulus goes on to clock {end}"
+    )]
+    #[diagnostic(
+        code(specula::sim::short),
+        help("look whether the disk of the temporary directory is full")
+    )]
     TooFewClocks {
         /// The simulator.
         tool: &'static str,
@@ -90,7 +111,9 @@ pub enum SimError {
     #[error("cannot {doing}: {source}")]
     #[diagnostic(
         code(specula::sim::file),
-        help("simulations need room in the temporary directory; the environment variable TMPDIR names another")
+        help(
+            "simulations need room in the temporary directory; the environment variable TMPDIR names another"
+        )
     )]
     File {
         /// What was tried.

@@ -1,9 +1,10 @@
-//! Waveforms as FST, the compressed format of GTKWave: the same signals at the same times as in the [VCD](crate::vcd).
+//! Waveforms as FST, the compressed format of GTKWave: the same signals at the same times as in the
+//! [VCD](crate::vcd).
 use std::io::{self, BufWriter, Seek, Write};
 
 use fst_writer::{
-    FstBodyWriter, FstFileType, FstHeaderWriter, FstInfo, FstScopeType, FstSignalId, FstSignalType, FstVarDirection, FstVarType,
-    FstWriteError,
+    FstBodyWriter, FstFileType, FstHeaderWriter, FstInfo, FstScopeType, FstSignalId, FstSignalType,
+    FstVarDirection, FstVarType, FstWriteError,
 };
 use specula_hdl::Design;
 use specula_hdl::design::{NodeId, Scope, ScopeId};
@@ -13,8 +14,9 @@ use crate::outline::{self, Entry, Outline};
 use crate::vcd::PERIOD;
 use crate::{Batch, Lanes, digits};
 
-/// Bytes of changes that are gathered before they are written as a section of the file: `fst-writer` collects each signal's from all over
-/// them, which takes half as long again where they leave the cache, and larger sections make the file only 1 % smaller.
+/// Bytes of changes that are gathered before they are written as a section of the file:
+/// `fst-writer` collects each signal's from all over them, which takes half as long again where
+/// they leave the cache, and larger sections make the file only 1 % smaller.
 const SECTION: usize = 8 << 20;
 /// The field for the program's name has 128 bytes, the last of them 0.
 const LONGEST_VERSION: usize = 127;
@@ -42,12 +44,14 @@ struct Variable {
 }
 
 impl<W: Write + Seek> Waves<W> {
-    /// Writes the header for `nodes`, each under the units it belongs to; constants are left out. `about` says what they are of.
+    /// Writes the header for `nodes`, each under the units it belongs to; constants are left out.
+    /// `about` says what they are of.
     ///
     /// # Errors
     /// What the system says if `out` cannot be written.
     pub fn begin(out: W, design: &Design, nodes: &[NodeId], about: &str) -> io::Result<Waves<W>> {
-        let mut header = Header(FstHeaderWriter::new(BufWriter::new(out), &info(about)).map_err(failed)?);
+        let mut header =
+            Header(FstHeaderWriter::new(BufWriter::new(out), &info(about)).map_err(failed)?);
         header.unit(design.scope(ScopeId::TOP))?;
         let clock = header.variable("clock", 1, None)?;
         let reset = header.variable("reset", 1, None)?;
@@ -79,7 +83,8 @@ impl<W: Write + Seek> Waves<W> {
     /// # Errors
     /// What the system says if the file cannot be written.
     pub fn append(&mut self, batch: &Batch) -> io::Result<()> {
-        let lanes: Vec<Lanes> = self.variables.iter().map(|variable| batch.lanes(variable.column)).collect();
+        let lanes: Vec<Lanes> =
+            self.variables.iter().map(|variable| batch.lanes(variable.column)).collect();
         for first in (0..batch.clocks()).step_by(BLOCK) {
             let rows = first..batch.clocks().min(first + BLOCK);
             self.changes.find(&lanes, rows.clone());
@@ -136,7 +141,12 @@ impl<W: Write + Seek> Header<W> {
     }
 
     /// A name for a variable: for the one that is `known`, or for a new one.
-    fn variable(&mut self, name: &str, width: u32, known: Option<FstSignalId>) -> io::Result<FstSignalId> {
+    fn variable(
+        &mut self,
+        name: &str,
+        width: u32,
+        known: Option<FstSignalId>,
+    ) -> io::Result<FstSignalId> {
         let name = if width > 1 { format!("{name} [{}:0]", width - 1) } else { name.to_owned() };
         let bits = FstSignalType::bit_vec(width);
         self.0.var(name, bits, FstVarType::Wire, FstVarDirection::Implicit, known).map_err(failed)

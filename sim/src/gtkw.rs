@@ -1,9 +1,12 @@
-//! GTKWave's save file for a waveform: the signals that matter, grouped by unit and shown as the numbers they stand for.
+//! GTKWave's save file for a waveform: the signals that matter, grouped by unit and shown as the
+//! numbers they stand for.
 //!
-//! The format is not documented; what is written here was tried with GTKWave 3.3.118, which shows fractions below 10^-4 as 0. Flags stand before a signal as `@` and a
-//! hexadecimal number, bits as in `TraceEntFlagBits` of GTKWave's `analyzer.h`.
+//! The format is not documented; what is written here was tried with GTKWave 3.3.118, which shows
+//! fractions below 10^-4 as 0. Flags stand before a signal as `@` and a hexadecimal number, bits as
+//! in `TraceEntFlagBits` of GTKWave's `analyzer.h`.
 //!
-//! None is written for Surfer: we found no description of its state files (`.surf.ron`), and no promise that they stay as they are.
+//! None is written for Surfer: we found no description of its state files (`.surf.ron`), and no
+//! promise that they stay as they are.
 use std::collections::HashSet;
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
@@ -39,14 +42,18 @@ pub struct View<'a> {
     pub marker: Option<u64>,
 }
 
-/// The signals of a design that a reader looks for: ports of units and signals with a name of their own, without delays of others.
+/// The signals of a design that a reader looks for: ports of units and signals with a name of their
+/// own, without delays of others.
 pub fn interesting(design: &Design) -> Vec<NodeId> {
     let read_outside = unit_outputs(design);
-    let wanted = |&(id, node): &(NodeId, &Node)| read_outside.contains(&id) || is_interesting(design, id, node);
+    let wanted = |&(id, node): &(NodeId, &Node)| {
+        read_outside.contains(&id) || is_interesting(design, id, node)
+    };
     design.iter().filter(wanted).map(|(id, _)| id).collect()
 }
 
-/// Writes the save file; signals of `shown` that the waveform does not hold make GTKWave complain, so give those that it holds.
+/// Writes the save file; signals of `shown` that the waveform does not hold make GTKWave complain,
+/// so give those that it holds.
 ///
 /// # Errors
 /// What the system says if `out` cannot be written.
@@ -61,7 +68,10 @@ pub fn write(out: impl Write, design: &Design, shown: &[NodeId], view: &View) ->
 fn heading(out: &mut impl Write, design: &Design, view: &View) -> io::Result<()> {
     let clocks = view.window.end.saturating_sub(view.window.start).max(1);
     let (first, visible) = match view.marker {
-        Some(marker) => (marker.saturating_sub(CLOCKS_AT_MARKER / 2).max(view.window.start), clocks.min(CLOCKS_AT_MARKER)),
+        Some(marker) => (
+            marker.saturating_sub(CLOCKS_AT_MARKER / 2).max(view.window.start),
+            clocks.min(CLOCKS_AT_MARKER),
+        ),
         None => (view.window.start, clocks),
     };
     // At zoom z the screen shows 2^-z nanoseconds on every 200 pixels; z is never above 0.
@@ -151,7 +161,8 @@ impl<W: Write> Save<'_, W> {
     fn signals(&mut self, ids: &[NodeId]) -> io::Result<()> {
         for &id in ids.iter().filter(|id| self.shown.contains(id)) {
             let node = self.design.node(id);
-            let bounds = if node.width() > 1 { format!("[{}:0]", node.width() - 1) } else { String::new() };
+            let bounds =
+                if node.width() > 1 { format!("[{}:0]", node.width() - 1) } else { String::new() };
             writeln!(self.out, "@{:x}", flags(node))?;
             if node.width() > 1 && node.fraction_bits > 0 {
                 writeln!(self.out, "[fpshift_count] {}", node.fraction_bits)?;
@@ -174,7 +185,8 @@ fn flags(node: &Node) -> u64 {
 
 /// Signals of units that the unit around them reads.
 fn unit_outputs(design: &Design) -> HashSet<NodeId> {
-    let crosses = |node: &Node, of: NodeId| design.scope(design.node(of).scope).parent == Some(node.scope);
+    let crosses =
+        |node: &Node, of: NodeId| design.scope(design.node(of).scope).parent == Some(node.scope);
     let read = |node: &Node| match node.op {
         Op::Copy(of) if crosses(node, of) => Some(of),
         _ => None,
@@ -184,7 +196,8 @@ fn unit_outputs(design: &Design) -> HashSet<NodeId> {
 }
 
 fn is_interesting(design: &Design, id: NodeId, node: &Node) -> bool {
-    if design.outputs.contains(&id) || [design.valid, design.start, design.valid_out].contains(&id) {
+    if design.outputs.contains(&id) || [design.valid, design.start, design.valid_out].contains(&id)
+    {
         return true;
     }
     match node.op {

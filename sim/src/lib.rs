@@ -1,8 +1,9 @@
 //! Engines that run an elaborated design clock by clock, and what they are given and give back.
 //!
-//! An engine takes a [`Stimulus`] and hands over the values of any signals at every clock, a batch of clocks at a time, as
-//! a [`Batch`]. Clock c is the time between two rising edges: inputs of clock c are applied, everything has settled, and the next
-//! edge ends it. Every run begins with one clock of reset before its first clock, with all registers and inputs 0.
+//! An engine takes a [`Stimulus`] and hands over the values of any signals at every clock, a batch
+//! of clocks at a time, as a [`Batch`]. Clock c is the time between two rising edges: inputs of
+//! clock c are applied, everything has settled, and the next edge ends it. Every run begins with
+//! one clock of reset before its first clock, with all registers and inputs 0.
 mod changes;
 mod columns;
 mod digits;

@@ -1,4 +1,5 @@
-//! What a waveform declares: units with their signals in them, in the order in which a file lists them.
+//! What a waveform declares: units with their signals in them, in the order in which a file lists
+//! them.
 use std::collections::HashMap;
 
 use specula_hdl::Design;
@@ -18,8 +19,8 @@ pub struct Outline<'a> {
 pub enum Entry<'a> {
     /// A unit begins: first its signals, then the units within it.
     Unit(&'a Scope),
-    /// A signal, and the number of its variable. Signals that are connected have one variable, which
-    /// the first of them brings: numbers of variables are in the order of the entries.
+    /// A signal, and the number of its variable. Signals that are connected have one variable,
+    /// which the first of them brings: numbers of variables are in the order of the entries.
     Signal(&'a Node, usize),
     /// The innermost unit that has begun ends.
     End,
@@ -38,8 +39,15 @@ impl<'a> Outline<'a> {
     /// The outline for `nodes`; constants are left out, and units in which nothing is shown.
     pub fn new(design: &'a Design, nodes: &[NodeId]) -> Outline<'a> {
         let units = design.scopes.len();
-        let mut draft = Draft { design, signals: vec![vec![]; units], shown: vec![false; units], known: HashMap::new() };
-        for (column, &id) in nodes.iter().enumerate().filter(|&(_, &id)| design.node(id).op.constant().is_none()) {
+        let mut draft = Draft {
+            design,
+            signals: vec![vec![]; units],
+            shown: vec![false; units],
+            known: HashMap::new(),
+        };
+        for (column, &id) in
+            nodes.iter().enumerate().filter(|&(_, &id)| design.node(id).op.constant().is_none())
+        {
             draft.admit(column, id);
         }
         let mut outline = Outline { entries: vec![], variables: vec![] };
@@ -48,11 +56,16 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// The signal that `id` is connected to: ports of units have the value of what is behind them, bit by bit.
+/// The signal that `id` is connected to: ports of units have the value of what is behind them, bit
+/// by bit.
 fn origin(design: &Design, id: NodeId) -> NodeId {
     let node = design.node(id);
     match node.op {
-        Op::Copy(of) if node.register == Register::None && design.node(of).width() == node.width() => origin(design, of),
+        Op::Copy(of)
+            if node.register == Register::None && design.node(of).width() == node.width() =>
+        {
+            origin(design, of)
+        }
         _ => id,
     }
 }
@@ -82,7 +95,8 @@ impl<'a> Draft<'a> {
     fn inside(&mut self, scope: ScopeId, outline: &mut Outline<'a>) {
         for (column, id) in std::mem::take(&mut self.signals[scope.0 as usize]) {
             let node = self.design.node(id);
-            let variable = *self.known.entry(origin(self.design, id)).or_insert(outline.variables.len());
+            let variable =
+                *self.known.entry(origin(self.design, id)).or_insert(outline.variables.len());
             if variable == outline.variables.len() {
                 outline.variables.push(Variable { column, width: node.width() });
             }

@@ -8,10 +8,12 @@ use crate::{Batch, Columns, Engine, Flow, SimError, Stimulus};
 
 /// Clocks handed over at a time.
 const BATCH: usize = 1024;
-/// Passes after which a design that still changes is given up; a hierarchy of depth d needs a few more than 2d.
+/// Passes after which a design that still changes is given up; a hierarchy of depth d needs a few
+/// more than 2d.
 const MOST_PASSES: usize = 1000;
 
-/// Drives the clock of a design's rust-hdl block and lets rust-hdl's `simulate` settle it after each edge.
+/// Drives the clock of a design's rust-hdl block and lets rust-hdl's `simulate` settle it after
+/// each edge.
 pub struct RustHdl<'a> {
     design: &'a Design,
 }
@@ -38,14 +40,20 @@ struct Bench {
 impl Bench {
     fn new(design: &Design) -> Bench {
         let block = design.to_block();
-        let pin = |node: NodeId| block.wires().iter().position(|w| w.wire_type().node == node).unwrap_or(0) as u32;
+        let pin = |node: NodeId| {
+            block.wires().iter().position(|w| w.wire_type().node == node).unwrap_or(0) as u32
+        };
         let (valid, start) = (pin(design.valid), pin(design.start));
         let inputs = design.inputs.iter().map(|input| input.map(pin)).collect();
         Bench { block, valid, start, inputs }
     }
 
     fn settle(&mut self, clock: u64) -> Result<(), SimError> {
-        if simulate(&mut self.block, MOST_PASSES) { Ok(()) } else { Err(SimError::Unsettled { clock }) }
+        if simulate(&mut self.block, MOST_PASSES) {
+            Ok(())
+        } else {
+            Err(SimError::Unsettled { clock })
+        }
     }
 
     /// One clock in reset, from which every validity register comes out 0.
@@ -101,7 +109,10 @@ fn places(design: &Design, block: &Module, watched: &[NodeId]) -> Vec<Watched> {
         // Every other signal has a wire.
         _ => 0,
     };
-    let place = |&node: &NodeId| find(block, node, &mut vec![]).map_or_else(|| Watched::Constant(constant(node)), Watched::Wire);
+    let place = |&node: &NodeId| {
+        find(block, node, &mut vec![])
+            .map_or_else(|| Watched::Constant(constant(node)), Watched::Wire)
+    };
     watched.iter().map(place).collect()
 }
 
@@ -115,7 +126,12 @@ impl Engine for RustHdl<'_> {
         "rust-hdl"
     }
 
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
+    fn run(
+        &mut self,
+        stimulus: &Stimulus,
+        watched: &[NodeId],
+        sink: &mut dyn FnMut(&Batch) -> Flow,
+    ) -> Result<(), SimError> {
         let mut bench = Bench::new(self.design);
         bench.reset()?;
         let places = places(self.design, &bench.block, watched);

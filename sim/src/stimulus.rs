@@ -1,8 +1,9 @@
-//! What goes into a core, clock by clock: span after span with no idle clock between, then idle clocks until the last pixel is out. A pixel takes as
-//! many clocks as the design's interval.
+//! What goes into a core, clock by clock: span after span with no idle clock between, then idle
+//! clocks until the last pixel is out. A pixel takes as many clocks as the design's interval.
 //!
-//! `start` is high in idle clocks, so that accumulators stay where their units say that they are: behind the last pixel of a span they
-//! would go on, and what overflows then is nobody's business in hardware, but has to be the same in every engine.
+//! `start` is high in idle clocks, so that accumulators stay where their units say that they are:
+//! behind the last pixel of a span they would go on, and what overflows then is nobody's business
+//! in hardware, but has to be the same in every engine.
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -57,7 +58,8 @@ pub struct Stretch {
 }
 
 impl<'a> Stimulus<'a> {
-    /// All spans of the source, then idle clocks until the last pixel has left a core of this design.
+    /// All spans of the source, then idle clocks until the last pixel has left a core of this
+    /// design.
     pub fn whole(spans: &'a dyn SpanSource, design: &Design) -> Stimulus<'a> {
         let interval = u64::from(design.interval);
         let mut begins = vec![0];
@@ -66,22 +68,33 @@ impl<'a> Stimulus<'a> {
             clock += u64::from(spans.length(index)) * interval;
             begins.push(clock);
         }
-        Stimulus { spans, begins: begins.into(), interval, clocks: 0..clock + u64::from(design.latency()) + 1 }
+        Stimulus {
+            spans,
+            begins: begins.into(),
+            interval,
+            clocks: 0..clock + u64::from(design.latency()) + 1,
+        }
     }
 
-    /// The part of the run that `window` needs: from the beginning of a span early enough that at the window's first clock every
-    /// register holds what it would hold in the whole run.
+    /// The part of the run that `window` needs: from the beginning of a span early enough that at
+    /// the window's first clock every register holds what it would hold in the whole run.
     ///
-    /// Data takes at most the latency through the core, and accumulators are loaded at the beginning of a span.
+    /// Data takes at most the latency through the core, and accumulators are loaded at the
+    /// beginning of a span.
     pub fn leading_to(&self, window: &Range<u64>, design: &Design) -> Stimulus<'a> {
         self.reaching_back(window, design.latency().into())
     }
 
-    /// The part of the run from `clocks` before the beginning of the span that enters `clocks` before `window` to the window's end.
+    /// The part of the run from `clocks` before the beginning of the span that enters `clocks`
+    /// before `window` to the window's end.
     pub(crate) fn reaching_back(&self, window: &Range<u64>, clocks: u64) -> Stimulus<'a> {
         let early = window.start.saturating_sub(clocks);
         // Idle clocks load what the last span has loaded.
-        let span = self.begins.partition_point(|&begin| begin <= early).min(self.begins.len() - 1).saturating_sub(1);
+        let span = self
+            .begins
+            .partition_point(|&begin| begin <= early)
+            .min(self.begins.len() - 1)
+            .saturating_sub(1);
         // What a span loads may be added to by something that is older by up to as many clocks.
         let first = self.begins[span].saturating_sub(clocks).min(early);
         let end = window.end.min(self.clocks.end);
@@ -103,7 +116,8 @@ impl<'a> Stimulus<'a> {
         self.begins.last().copied().unwrap_or(0)
     }
 
-    /// The clock at which span `index` begins; that after the last pixel for an index behind the last.
+    /// The clock at which span `index` begins; that after the last pixel for an index behind the
+    /// last.
     pub fn begin_of(&self, index: usize) -> u64 {
         self.begins[index.min(self.begins.len() - 1)]
     }
@@ -141,11 +155,13 @@ impl<'a> Stimulus<'a> {
 
     /// The stretches without their inputs.
     pub(crate) fn strides(&self) -> Strides<'_> {
-        let span = self.begins.partition_point(|&begin| begin <= self.clocks.start).saturating_sub(1);
+        let span =
+            self.begins.partition_point(|&begin| begin <= self.clocks.start).saturating_sub(1);
         Strides { stimulus: self, span, clock: self.clocks.start }
     }
 
-    /// Appends the inputs that are held during a stride. Idle clocks leave inputs where the last span left them.
+    /// Appends the inputs that are held during a stride. Idle clocks leave inputs where the last
+    /// span left them.
     pub(crate) fn append_inputs(&self, stride: &Stride, inputs: &mut Vec<i64>) {
         if let Some(span) = stride.span {
             self.spans.append_inputs(span, inputs);
@@ -183,9 +199,19 @@ impl Iterator for Strides<'_> {
         let stride = match begins.get(self.span + 1) {
             Some(&end) => {
                 let end = end.min(clocks.end);
-                Stride { clocks: self.clock..end, valid: true, starts: self.clock == begins[self.span], span: Some(self.span) }
+                Stride {
+                    clocks: self.clock..end,
+                    valid: true,
+                    starts: self.clock == begins[self.span],
+                    span: Some(self.span),
+                }
             }
-            None => Stride { clocks: self.clock..self.clock + 1, valid: false, starts: true, span: begins.len().checked_sub(2) },
+            None => Stride {
+                clocks: self.clock..self.clock + 1,
+                valid: false,
+                starts: true,
+                span: begins.len().checked_sub(2),
+            },
         };
         self.clock = stride.clocks.end;
         self.span = (self.span + 1).min(begins.len() - 1);
@@ -198,7 +224,11 @@ mod tests {
     use super::*;
 
     fn packets() -> Vec<SpanPacket> {
-        [3, 1, 4].iter().enumerate().map(|(i, &length)| SpanPacket { length, inputs: vec![i as i64] }).collect()
+        [3, 1, 4]
+            .iter()
+            .enumerate()
+            .map(|(i, &length)| SpanPacket { length, inputs: vec![i as i64] })
+            .collect()
     }
 
     fn stimulus(packets: &Vec<SpanPacket>, clocks: Range<u64>) -> Stimulus<'_> {
@@ -208,7 +238,10 @@ mod tests {
     #[test]
     fn spans_follow_each_other_without_an_idle_clock() {
         let packets = packets();
-        let clocks: Vec<_> = stimulus(&packets, 0..10).stretches().map(|s| (s.clocks, s.valid, s.starts, s.inputs)).collect();
+        let clocks: Vec<_> = stimulus(&packets, 0..10)
+            .stretches()
+            .map(|s| (s.clocks, s.valid, s.starts, s.inputs))
+            .collect();
         let span = |clocks, i| (clocks, true, true, vec![i]);
         let idle = |clocks| (clocks, false, true, vec![2]);
         assert_eq!(clocks, [span(0..3, 0), span(3..4, 1), span(4..8, 2), idle(8..9), idle(9..10)]);

@@ -34,7 +34,8 @@ fn outputs_of_agree(spec: &CoreSpec, frame: &Frame) {
     let colours = |clock: &usize| (1..4).map(|c| reference.values[c][*clock]).sum::<i64>();
     assert!((0..reference.clocks()).any(|clock| colours(&clock) > 200), "nothing is lit");
     for (engine, columns) in others {
-        // Verilator's registers begin as rust-hdl's do; Icarus's are X until the first pixel has passed.
+        // Verilator's registers begin as rust-hdl's do; Icarus's are X until the first pixel has
+        // passed.
         let first = if engine == "icarus" { u64::from(design.latency()) } else { 0 };
         engines::assert_same(&design, &reference, &columns, first, engine);
     }
@@ -122,7 +123,8 @@ fn directs_outputs_agree() {
     outputs_agree(Method::Direct);
 }
 
-/// A distant light, a lamp and a spot, seen from a place, by every method, in the cores that `run` makes.
+/// A distant light, a lamp and a spot, seen from a place, by every method, in the cores that `run`
+/// makes.
 #[test]
 fn outputs_with_lights_and_an_eye_at_places_agree() {
     let mut frame = frames::frame(1968, 3, 7);
@@ -135,13 +137,15 @@ fn outputs_with_lights_and_an_eye_at_places_agree() {
         let stimulus = Stimulus::whole(&packets, &design);
         let Some(mut verilator) = tools::verilator(&design) else { return };
         let outputs = outputs(&design);
-        let reference = engines::run(&mut RustHdl::new(&design).unwrap(), &stimulus, &outputs).unwrap();
+        let reference =
+            engines::run(&mut RustHdl::new(&design).unwrap(), &stimulus, &outputs).unwrap();
         let columns = engines::run(&mut verilator, &stimulus, &outputs).unwrap();
         engines::assert_same(&design, &reference, &columns, 0, verilator.name());
     }
 }
 
-/// Lights that take turns: quadratics, rotations, and lights of all kinds with an eye at a place, wrapped or not.
+/// Lights that take turns: quadratics, rotations, and lights of all kinds with an eye at a place,
+/// wrapped or not.
 #[test]
 fn shared_pipelines_outputs_agree() {
     let mut frame = frames::frame(1968, 3, 7);
@@ -182,7 +186,13 @@ fn every_signal_agrees_in_a_trace() {
     }
     if let Some(mut icarus) = tools::installed(Icarus::new(&design)) {
         let columns = engines::run(&mut icarus, &stimulus, &all).unwrap();
-        engines::assert_same(&design, &reference, &columns, u64::from(design.latency()), icarus.name());
+        engines::assert_same(
+            &design,
+            &reference,
+            &columns,
+            u64::from(design.latency()),
+            icarus.name(),
+        );
     }
 }
 
@@ -197,7 +207,9 @@ fn runs_may_begin_late_and_share_a_build() {
     let window = 120..140;
     let late = whole.leading_to(&window, &design);
     assert!(late.clocks().start > 0);
-    let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) else { return };
+    let Some(mut verilator) = tools::installed(Verilator::new(&design, Effort::FastBuild)) else {
+        return;
+    };
     let outputs = outputs(&design);
     let all = engines::run(&mut verilator, &whole, &outputs).unwrap();
     let built = verilator.build_seconds();
@@ -210,7 +222,8 @@ fn runs_may_begin_late_and_share_a_build() {
     }
 }
 
-/// Inputs that are constants, or the same as others, or never 0, in every engine and in every clock.
+/// Inputs that are constants, or the same as others, or never 0, in every engine and in every
+/// clock.
 fn specialised_outputs_agree(frame: &specula_scene::Frame, method: Method) {
     let spec = frames::spec(frame, method).specialised(frame);
     let design = frames::design(&spec);

@@ -18,7 +18,9 @@ use common::{frames, tools};
 fn specs() -> Vec<CoreSpec> {
     let mut specs: Vec<CoreSpec> = [1, 2, 4]
         .into_iter()
-        .flat_map(|lights| Method::ALL.map(|method| frames::spec(&frames::frame(5, lights, 6), method)))
+        .flat_map(|lights| {
+            Method::ALL.map(|method| frames::spec(&frames::frame(5, lights, 6), method))
+        })
         .collect();
     let frame = frames::frame(6, 1, 6);
     let choices = [
@@ -40,7 +42,9 @@ fn specs() -> Vec<CoreSpec> {
         |lyon| lyon.normalisation = Normalisation::Exact,
         |lyon| (lyon.normalisation, lyon.shape) = (Normalisation::None, ShapeDatapath::Root),
         |lyon| lyon.difference = Difference::LightReflection,
-        |lyon| (lyon.difference, lyon.shape) = (Difference::UnitHalfwayProjection, ShapeDatapath::Root),
+        |lyon| {
+            (lyon.difference, lyon.shape) = (Difference::UnitHalfwayProjection, ShapeDatapath::Root)
+        },
         |lyon| lyon.difference = Difference::UnitHalfwayMinusNormal,
     ];
     specs.extend(changes.map(|change| frames::lyon(&frame, change)));
@@ -68,7 +72,8 @@ fn specs() -> Vec<CoreSpec> {
     specs
 }
 
-/// Runs a tool on the Verilog of every spec of a method; `arguments` are given the core's name, and run where its file `<name>.v` is.
+/// Runs a tool on the Verilog of every spec of a method; `arguments` are given the core's name, and
+/// run where its file `<name>.v` is.
 fn silent(method: Method, tool: &str, arguments: impl Fn(&str) -> Vec<String>) {
     if !tools::program(tool) {
         return;
@@ -101,15 +106,21 @@ fn words(line: String) -> Vec<String> {
 }
 
 fn verilator_is_silent(method: Method) {
-    silent(method, "verilator", |name| words(format!("--lint-only -Wall --top-module {name} {name}.v")));
+    silent(method, "verilator", |name| {
+        words(format!("--lint-only -Wall --top-module {name} {name}.v"))
+    });
 }
 
 fn icarus_is_silent(method: Method) {
-    silent(method, "iverilog", |name| words(format!("-g2001 -Wall -s {name} -o {name}.vvp {name}.v")));
+    silent(method, "iverilog", |name| {
+        words(format!("-g2001 -Wall -s {name} -o {name}.vvp {name}.v"))
+    });
 }
 
 fn yosys_is_silent(method: Method) {
-    let script = |name: &str| format!("read_verilog {name}.v; hierarchy -check -top {name}; proc; check -assert");
+    let script = |name: &str| {
+        format!("read_verilog {name}.v; hierarchy -check -top {name}; proc; check -assert")
+    };
     silent(method, "yosys", |name| ["-q".into(), "-p".into(), script(name)].to_vec());
 }
 
@@ -121,11 +132,21 @@ fn verilator_is_silent_whatever_the_scene_is_called() {
     }
     let spec = frames::spec(&frames::frame(5, 1, 6), Method::Hybrid);
     let inside = frames::design(&spec);
-    let in_top = inside.nodes.iter().filter(|node| node.scope == ScopeId::TOP).map(|node| node.name.as_str());
-    let instances = inside.scopes.iter().filter(|scope| scope.parent == Some(ScopeId::TOP)).map(|scope| scope.instance.as_str());
+    let in_top = inside
+        .nodes
+        .iter()
+        .filter(|node| node.scope == ScopeId::TOP)
+        .map(|node| node.name.as_str());
+    let instances = inside
+        .scopes
+        .iter()
+        .filter(|scope| scope.parent == Some(ScopeId::TOP))
+        .map(|scope| scope.instance.as_str());
     let directory = tempfile::tempdir().unwrap();
     let ports = ["red", "valid", "valid_out", "start", "clock", "reset"];
-    for scene in in_top.chain(instances).step_by(7).chain(ports).chain(["entity", "always_ff", "always"]) {
+    for scene in
+        in_top.chain(instances).step_by(7).chain(ports).chain(["entity", "always_ff", "always"])
+    {
         let name = verilog::module_name(scene, &spec);
         let design = specula_hdl::elaborate(&spec, &name).unwrap();
         let text = verilog::print(&design.to_block(), &Header { lines: vec!["A core.".into()] });

@@ -1,7 +1,7 @@
 //! Every operator of the builder, in every engine, against what it means.
 //!
-//! Many operators share a design, since compiling one in Verilator takes seconds. All spans follow each other, so pixel p leaves at
-//! clock p + latency.
+//! Many operators share a design, since compiling one in Verilator takes seconds. All spans follow
+//! each other, so pixel p leaves at clock p + latency.
 mod common;
 
 use specula_hdl::SpanPacket;
@@ -20,17 +20,31 @@ fn check(program: &Program, spans: Vec<SpanPacket>) {
     let stimulus = Stimulus::whole(&spans, design);
     let watched: Vec<NodeId> = design.outputs.iter().chain([&design.valid_out]).copied().collect();
     let (reference, others) = engines::run_all(design, &stimulus, &watched);
-    println!("{} operators, {} pixels, {} nodes", program.steps.len(), stimulus.pixels(), design.nodes.len());
+    println!(
+        "{} operators, {} pixels, {} nodes",
+        program.steps.len(),
+        stimulus.pixels(),
+        design.nodes.len()
+    );
     for (engine, columns) in [("rust-hdl", reference)].iter().chain(&others) {
         compare(program, &expected, columns, design.latency() as usize, engine);
     }
 }
 
-fn compare(program: &Program, expected: &[Vec<i64>], columns: &Columns, latency: usize, engine: &str) {
+fn compare(
+    program: &Program,
+    expected: &[Vec<i64>],
+    columns: &Columns,
+    latency: usize,
+    engine: &str,
+) {
     let pixels = expected[0].len();
     let leaves = latency..latency + pixels;
     let valid = &columns.values[program.steps.len()];
-    assert!(valid.iter().enumerate().all(|(clock, &bit)| (bit == 1) == leaves.contains(&clock)), "{engine}: validity");
+    assert!(
+        valid.iter().enumerate().all(|(clock, &bit)| (bit == 1) == leaves.contains(&clock)),
+        "{engine}: validity"
+    );
     for ((step, expected), got) in program.steps.iter().zip(expected).zip(&columns.values) {
         let wrong = expected.iter().zip(&got[leaves.clone()]).position(|(e, g)| e != g);
         assert_eq!(
@@ -53,17 +67,23 @@ fn unary(fraction_bits: u32) -> Vec<Operation> {
     use Operation::*;
     let mut all = vec![Squared, Negated, AtLeastZero, Same];
     all.extend([-3, -1, 1, 2].map(TimesPowerOfTwo));
-    all.extend([-1, 0, 1, 3].into_iter().flat_map(|limit| [ClampedBelow(limit), ClampedAbove(limit)]));
-    let coarser = [0, 1, fraction_bits / 2, fraction_bits.saturating_sub(1)].into_iter().filter(|&f| f < fraction_bits);
+    all.extend(
+        [-1, 0, 1, 3].into_iter().flat_map(|limit| [ClampedBelow(limit), ClampedAbove(limit)]),
+    );
+    let coarser = [0, 1, fraction_bits / 2, fraction_bits.saturating_sub(1)]
+        .into_iter()
+        .filter(|&f| f < fraction_bits);
     all.extend(coarser.flat_map(|f| [Truncated(f), Rounded(f)]));
     all
 }
 
-const BINARY: [Operation; 5] = [Operation::Add, Operation::Sub, Operation::Mul, Operation::LessThan, Operation::AtLeast];
+const BINARY: [Operation; 5] =
+    [Operation::Add, Operation::Sub, Operation::Mul, Operation::LessThan, Operation::AtLeast];
 
 /// All values of 1 to 4 bits and some ranges that fill no width, with 0 to 2 fraction bits.
 fn small_types() -> Vec<(Range, u32)> {
-    let whole = (1..=4).flat_map(|width| [false, true].map(|signed| (Range::whole(width, signed), width / 2)));
+    let whole = (1..=4)
+        .flat_map(|width| [false, true].map(|signed| (Range::whole(width, signed), width / 2)));
     whole.chain([(Range::new(-3, 2), 0), (Range::new(1, 5), 1), (Range::new(-7, -2), 2)]).collect()
 }
 
@@ -73,33 +93,46 @@ fn small_operands_exhaustively() {
     let types = small_types();
     let mut program = Program::default();
     for side in ["a", "b"] {
-        let ports = types.iter().enumerate().map(|(i, &(range, fraction_bits))| port(format!("{side}{i}"), range, fraction_bits));
+        let ports = types
+            .iter()
+            .enumerate()
+            .map(|(i, &(range, fraction_bits))| port(format!("{side}{i}"), range, fraction_bits));
         program.ports.extend(ports);
     }
     program.ports.extend(["c", "d"].map(|name| port(name.into(), Range::new(0, 1), 0)));
     let (c, d) = (2 * types.len(), 2 * types.len() + 1);
     for a in 0..types.len() {
         for b in types.len()..2 * types.len() {
-            BINARY.iter().for_each(|&operation| assert!(program.push(operation, &[a, b], Place::Core)));
+            BINARY
+                .iter()
+                .for_each(|&operation| assert!(program.push(operation, &[a, b], Place::Core)));
             assert!(program.push(Operation::Choose, &[c, a, b], Place::Core));
         }
         unary_and_constants(&mut program, a, types[a], [c, d]);
     }
     for place in [Place::Core, Place::Unit, Place::OneClock] {
         program.push(Operation::Not, &[c], place);
-        [Operation::And, Operation::Or].iter().for_each(|&operation| assert!(program.push(operation, &[c, d], place)));
+        [Operation::And, Operation::Or]
+            .iter()
+            .for_each(|&operation| assert!(program.push(operation, &[c, d], place)));
     }
     let ranges = program.input_ranges();
     let nth = |range: Range, n: i64| range.low + n % (range.high - range.low + 1);
     let inputs = (0..4 * 256).map(|clock: i64| {
-        let number = |i: usize| [clock, clock / 16, clock / 256][i / types.len()] >> (i == d) as u32;
+        let number =
+            |i: usize| [clock, clock / 16, clock / 256][i / types.len()] >> (i == d) as u32;
         (0..ranges.len()).map(|i| nth(ranges[i], number(i))).collect()
     });
     check(&program, single_pixels(inputs));
 }
 
 /// The operand with constants on either side, and in units and within a clock.
-fn unary_and_constants(program: &mut Program, a: usize, (range, fraction_bits): (Range, u32), [c, d]: [usize; 2]) {
+fn unary_and_constants(
+    program: &mut Program,
+    a: usize,
+    (range, fraction_bits): (Range, u32),
+    [c, d]: [usize; 2],
+) {
     for operation in unary(fraction_bits) {
         assert!(program.push(operation, &[a], Place::Core));
     }
@@ -114,7 +147,9 @@ fn unary_and_constants(program: &mut Program, a: usize, (range, fraction_bits): 
         for operation in BINARY {
             assert!(program.push(operation, &[a, a], place));
         }
-        for operation in [Operation::Negated, Operation::Same, Operation::ClampedAbove(0), Operation::Rounded(0)] {
+        for operation in
+            [Operation::Negated, Operation::Same, Operation::ClampedAbove(0), Operation::Rounded(0)]
+        {
             assert!(program.push(operation, &[a], place));
         }
         assert!(program.push(Operation::Choose, &[d, a, c], place));
@@ -135,15 +170,17 @@ fn constants() {
     program.steps.extend(constants.map(|value| step(Operation::Integer(value), &[])));
     for a in 0..inputs {
         for constant in inputs..inputs + constants.len() {
-            let either_way =
-                BINARY.iter().flat_map(|&operation| [step(operation, &[a, constant]), step(operation, &[constant, a])]);
+            let either_way = BINARY.iter().flat_map(|&operation| {
+                [step(operation, &[a, constant]), step(operation, &[constant, a])]
+            });
             program.steps.extend(either_way);
             program.steps.push(step(Operation::Choose, &[0, a, constant]));
             program.steps.push(step(Operation::Choose, &[0, constant, constant]));
         }
     }
     let ranges = program.input_ranges();
-    let inputs = (0..32).map(|clock| ranges.iter().map(|r| r.low + clock % (r.high - r.low + 1)).collect());
+    let inputs =
+        (0..32).map(|clock| ranges.iter().map(|r| r.low + clock % (r.high - r.low + 1)).collect());
     check(&program, single_pixels(inputs));
 }
 
@@ -171,7 +208,9 @@ fn large_operands_at_their_extremes() {
     for a in 0..c / 2 {
         // Both without fraction bits, then with different ones.
         for b in [a + c / 2, (a + 5) % (c / 2), (a + 9) % (c / 2) + c / 2] {
-            BINARY.iter().for_each(|&operation| tried += usize::from(program.push(operation, &[a, b], Place::Core)));
+            BINARY.iter().for_each(|&operation| {
+                tried += usize::from(program.push(operation, &[a, b], Place::Core))
+            });
             tried += usize::from(program.push(Operation::Choose, &[c, a, b], Place::Core));
         }
         tried += usize::from(program.push(Operation::WithBit, &[a, c], Place::Core));
@@ -179,8 +218,13 @@ fn large_operands_at_their_extremes() {
     for a in 0..c {
         let range = program.input_ranges()[a];
         let all = unary(program.ports[a].format.fraction_bits);
-        let assumed = [Operation::Assumed(range.low / 2, range.high / 2), Operation::Assumed(0, range.high / 5)];
-        all.into_iter().chain(assumed).for_each(|operation| tried += usize::from(program.push(operation, &[a], Place::Core)));
+        let assumed = [
+            Operation::Assumed(range.low / 2, range.high / 2),
+            Operation::Assumed(0, range.high / 5),
+        ];
+        all.into_iter()
+            .chain(assumed)
+            .for_each(|operation| tried += usize::from(program.push(operation, &[a], Place::Core)));
     }
     assert!(tried > 500, "only {tried} operators fit 63 bits");
     let spans = single_pixels(extremes_and_random(&program.input_ranges()).into_iter());
@@ -193,11 +237,23 @@ fn extremes_and_random(ranges: &[Range]) -> Vec<Vec<i64>> {
     println!("seed {SEED}");
     let mut random = Random(SEED);
     let extreme = |r: Range, n: usize| {
-        [r.low, r.high, r.low + 1, r.high - 1, (-1).clamp(r.low, r.high), 0.clamp(r.low, r.high), r.high / 2 + 1][n % 7]
+        [
+            r.low,
+            r.high,
+            r.low + 1,
+            r.high - 1,
+            (-1).clamp(r.low, r.high),
+            0.clamp(r.low, r.high),
+            r.high / 2 + 1,
+        ][n % 7]
             .clamp(r.low, r.high)
     };
     let half = ranges.len() / 2;
-    let pair = |clock: usize| (0..ranges.len()).map(|i| extreme(ranges[i], [clock, clock / 7, clock / 49][i / half])).collect();
+    let pair = |clock: usize| {
+        (0..ranges.len())
+            .map(|i| extreme(ranges[i], [clock, clock / 7, clock / 49][i / half]))
+            .collect()
+    };
     let mut rows: Vec<Vec<i64>> = (0..98).map(pair).collect();
     rows.extend((0..400).map(|_| {
         let value = |r: &Range| match random.below(4) {
@@ -209,13 +265,30 @@ fn extremes_and_random(ranges: &[Range]) -> Vec<Vec<i64>> {
     rows
 }
 
-/// Tables with signed and unsigned entries, shorter and longer than their addresses reach, and registers that hold.
+/// Tables with signed and unsigned entries, shorter and longer than their addresses reach, and
+/// registers that hold.
 #[test]
 fn tables_and_registers_that_hold() {
-    const TABLES: [&[i64]; 5] = [&[5, 0, 3], &[-1, 0, 7, -8, 2, 2, 1, 6], &[1, 0], &[1 << 61, -(1 << 61), 12, 5], &[9, 9, 9, 9]];
+    const TABLES: [&[i64]; 5] = [
+        &[5, 0, 3],
+        &[-1, 0, 7, -8, 2, 2, 1, 6],
+        &[1, 0],
+        &[1 << 61, -(1 << 61), 12, 5],
+        &[9, 9, 9, 9],
+    ];
     let mut program = Program::default();
-    let types = [(Range::whole(1, false), 0), (Range::whole(2, false), 0), (Range::whole(3, false), 0), (Range::new(1, 5), 0)];
-    program.ports.extend(types.iter().enumerate().map(|(i, &(range, fraction_bits))| port(format!("a{i}"), range, fraction_bits)));
+    let types = [
+        (Range::whole(1, false), 0),
+        (Range::whole(2, false), 0),
+        (Range::whole(3, false), 0),
+        (Range::new(1, 5), 0),
+    ];
+    program.ports.extend(
+        types
+            .iter()
+            .enumerate()
+            .map(|(i, &(range, fraction_bits))| port(format!("a{i}"), range, fraction_bits)),
+    );
     program.ports.push(port("x".into(), Range::whole(9, true), 4));
     program.ports.push(port("y".into(), Range::new(3, 60), 2));
     let bits = ["enable", "load"].map(|name| port(name.into(), Range::new(0, 1), 0));
@@ -223,13 +296,19 @@ fn tables_and_registers_that_hold() {
     let [x, y, enable, load] = [4, 5, 6, 7];
     for place in [Place::Core, Place::Unit, Place::OneClock] {
         for address in 0..types.len() {
-            TABLES.iter().for_each(|table| assert!(program.push(Operation::LookedUp(table, 3), &[address], place)));
+            TABLES.iter().for_each(|table| {
+                assert!(program.push(Operation::LookedUp(table, 3), &[address], place))
+            });
         }
     }
     for value in [x, y] {
         assert!(program.push(Operation::Held, &[value, enable], Place::Core));
         assert!(program.push(Operation::Held, &[value, enable], Place::Unit));
-        assert!(program.push(Operation::HeldOrLoaded, &[value, enable, load, x + y - value], Place::Core));
+        assert!(program.push(
+            Operation::HeldOrLoaded,
+            &[value, enable, load, x + y - value],
+            Place::Core
+        ));
     }
     const SEED: u64 = 7;
     println!("seed {SEED}");
@@ -237,7 +316,8 @@ fn tables_and_registers_that_hold() {
     let ranges = program.input_ranges();
     let inputs = (0..300).map(|pixel| {
         let mut row: Vec<i64> = ranges.iter().map(|r| random.between(r.low, r.high)).collect();
-        // Registers that hold data have no reset: what they hold before something is taken over does not count.
+        // Registers that hold data have no reset: what they hold before something is taken over
+        // does not count.
         if pixel == 0 {
             (row[enable], row[load]) = (1, 1);
         }
@@ -247,7 +327,8 @@ fn tables_and_registers_that_hold() {
     check(&program, spans);
 }
 
-/// Netlists in which operators read each other's results, with feedback and spans of several pixels.
+/// Netlists in which operators read each other's results, with feedback and spans of several
+/// pixels.
 #[test]
 fn random_netlists() {
     const SEED: u64 = 20_240_611;
@@ -285,8 +366,11 @@ fn grow(program: &mut Program, random: &mut Random, steps: usize, longest: u32) 
         let next = inputs + program.steps.len();
         let readable: Vec<usize> = (0..inputs).chain(own..next).collect();
         // Later ones more often, so that netlists grow deep.
-        let pick = |random: &mut Random| readable[random.below(readable.len()).max(random.below(readable.len()))];
-        let bits: Vec<usize> = readable.iter().copied().filter(|&i| described.ranges[i] == Range::new(0, 1)).collect();
+        let pick = |random: &mut Random| {
+            readable[random.below(readable.len()).max(random.below(readable.len()))]
+        };
+        let bits: Vec<usize> =
+            readable.iter().copied().filter(|&i| described.ranges[i] == Range::new(0, 1)).collect();
         let [p, q] = [0; 2].map(|_| bits[random.below(bits.len())]);
         let (a, b) = (pick(random), pick(random));
         let fraction_bits = described.fraction_bits[a];
@@ -302,7 +386,12 @@ fn grow(program: &mut Program, random: &mut Random, steps: usize, longest: u32) 
     }
 }
 
-fn drawn(random: &mut Random, longest: u32, [a, b, p, q]: [usize; 4], fraction_bits: u32) -> (Operation, Vec<usize>) {
+fn drawn(
+    random: &mut Random,
+    longest: u32,
+    [a, b, p, q]: [usize; 4],
+    fraction_bits: u32,
+) -> (Operation, Vec<usize>) {
     use Operation::*;
     let coarser = random.below(fraction_bits as usize + 1) as u32;
     let limit = random.between(-4, 4);

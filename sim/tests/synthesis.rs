@@ -17,13 +17,27 @@ fn flattened(design: &Design) -> Synthesised {
     let text = verilog::print(&design.to_block(), &Header::default());
     std::fs::write(folder.path().join("core.v"), text).unwrap();
     let script = "read_verilog core.v; synth_ecp5; tee -q -o cells.txt stat";
-    assert!(Command::new("yosys").current_dir(folder.path()).args(["-q", "-p", script]).status().unwrap().success());
+    assert!(
+        Command::new("yosys")
+            .current_dir(folder.path())
+            .args(["-q", "-p", script])
+            .status()
+            .unwrap()
+            .success()
+    );
     let cells = std::fs::read_to_string(folder.path().join("cells.txt")).unwrap();
     let count = |kind: &str| -> u64 {
         let words = cells.lines().map(|line| line.split_whitespace().collect::<Vec<_>>());
-        words.filter(|words| words.contains(&kind)).find_map(|words| words.iter().find_map(|w| w.parse().ok())).unwrap_or(0)
+        words
+            .filter(|words| words.contains(&kind))
+            .find_map(|words| words.iter().find_map(|w| w.parse().ok()))
+            .unwrap_or(0)
     };
-    Synthesised { luts: count("LUT4") + 2 * count("CCU2C"), multipliers: count("MULT18X18D"), flip_flops: count("TRELLIS_FF") }
+    Synthesised {
+        luts: count("LUT4") + 2 * count("CCU2C"),
+        multipliers: count("MULT18X18D"),
+        flip_flops: count("TRELLIS_FF"),
+    }
 }
 
 fn near(ours: u64, theirs: u64) -> bool {
@@ -46,7 +60,10 @@ fn cells_are_near_those_of_the_flattened_core_and_equal_modules_are_synthesised_
     assert_eq!(cells[0], cells[2]);
     for (ours, theirs) in cells.iter().zip([&general, &special].map(flattened)) {
         assert_eq!(ours.multipliers, theirs.multipliers);
-        assert!(near(ours.luts, theirs.luts) && near(ours.flip_flops, theirs.flip_flops), "{ours:?} {theirs:?}");
+        assert!(
+            near(ours.luts, theirs.luts) && near(ours.flip_flops, theirs.flip_flops),
+            "{ours:?} {theirs:?}"
+        );
     }
     assert!(cells[1].flip_flops < cells[0].flip_flops, "{cells:?}");
     let modules = seen.into_inner().unwrap().iter().map(|progress| progress.modules).max();

@@ -40,7 +40,8 @@ fn reads_back(method: Method) {
     let mut parser = Parser::new(file.as_slice());
     let header = parser.parse_header().unwrap();
     assert_eq!(header.timescale, Some((1, vcd::TimescaleUnit::NS)));
-    let codes: Vec<IdCode> = columns.nodes.iter().map(|&node| variable(&header, &design, node)).collect();
+    let codes: Vec<IdCode> =
+        columns.nodes.iter().map(|&node| variable(&header, &design, node)).collect();
     let core = design.path(specula_hdl::design::ScopeId::TOP)[0];
     let clock = header.find_var(&[core, "clock"]).unwrap().code;
     let reset = header.find_var(&[core, "reset"]).unwrap().code;
@@ -54,21 +55,33 @@ fn reads_back(method: Method) {
                 time = next;
             }
             Command::ChangeScalar(code, value) => {
-                assert_ne!(bits.insert(code, vec![value]), Some(vec![value]), "written without a change");
+                assert_ne!(
+                    bits.insert(code, vec![value]),
+                    Some(vec![value]),
+                    "written without a change"
+                );
                 if code == clock && value == Value::V0 {
                     // The clock falls when everything of this clock has been written.
                     assert_eq!(time, 10 * (columns.first_clock + rows as u64) + 5);
                     assert_eq!(bits[&reset], [Value::V0]);
-                    let got: Vec<i64> =
-                        codes.iter().zip(&columns.nodes).map(|(code, &n)| number(&bits[code], &design, n)).collect();
-                    let wanted: Vec<i64> = columns.values.iter().map(|column| column[rows]).collect();
+                    let got: Vec<i64> = codes
+                        .iter()
+                        .zip(&columns.nodes)
+                        .map(|(code, &n)| number(&bits[code], &design, n))
+                        .collect();
+                    let wanted: Vec<i64> =
+                        columns.values.iter().map(|column| column[rows]).collect();
                     assert_eq!(got, wanted);
                     rows += 1;
                 }
             }
             Command::ChangeVector(code, value) => {
                 assert_eq!(time % 10, 0);
-                assert_ne!(bits.insert(code, value.clone()), Some(value), "written without a change");
+                assert_ne!(
+                    bits.insert(code, value.clone()),
+                    Some(value),
+                    "written without a change"
+                );
             }
             _ => {}
         }
@@ -83,7 +96,8 @@ fn number(bits: &[Value], design: &Design, node: NodeId) -> i64 {
         raw * 2 + i64::from(bit == Value::V1)
     });
     let node = design.node(node);
-    let negative = node.range.signed() && bits.len() == node.width() as usize && bits[0] == Value::V1;
+    let negative =
+        node.range.signed() && bits.len() == node.width() as usize && bits[0] == Value::V1;
     if negative { raw - (1 << bits.len()) } else { raw }
 }
 
@@ -116,7 +130,13 @@ fn waveforms_from_the_first_clock_on_read_back() {
     columns.first_clock = 0;
     for format in [Format::Vcd, Format::Fst] {
         let file = written(format, &design, &columns, 64);
-        engines::assert_same(&design, &columns, &read(file, &design, &columns.nodes, columns.span()), 0, &format!("{format:?}"));
+        engines::assert_same(
+            &design,
+            &columns,
+            &read(file, &design, &columns.nodes, columns.span()),
+            0,
+            &format!("{format:?}"),
+        );
     }
 }
 
@@ -124,8 +144,14 @@ fn waveforms_from_the_first_clock_on_read_back() {
 fn every_width() -> Design {
     let mut program = Program::default();
     for (width, signed) in (1..=63).flat_map(|width| [(width, false), (width, true)]) {
-        program.ports.push(port(format!("{}{width}", if signed { "s" } else { "u" }), Range::whole(width, signed), 0));
-        assert!(program.push(Operation::Negated, &[program.ports.len() - 1], Place::Core) || width > 60);
+        program.ports.push(port(
+            format!("{}{width}", if signed { "s" } else { "u" }),
+            Range::whole(width, signed),
+            0,
+        ));
+        assert!(
+            program.push(Operation::Negated, &[program.ports.len() - 1], Place::Core) || width > 60
+        );
     }
     program.describe().unwrap().design
 }
@@ -138,11 +164,14 @@ fn extremes(design: &Design, clocks: usize) -> Columns {
     for (index, &id) in nodes.iter().enumerate() {
         let node = design.node(id);
         let (width, signed) = (node.width(), node.range.signed());
-        let (low, high) = if signed { (-1 << (width - 1), !(-1 << (width - 1))) } else { (0, !(-1 << width)) };
+        let (low, high) =
+            if signed { (-1 << (width - 1), !(-1 << (width - 1))) } else { (0, !(-1 << width)) };
         let values = [high, low, low, 0, high / 2, if signed { -1 } else { 1 }];
         columns.values[index] = match (node.op, node.registered()) {
             // Connected signals have one value.
-            (Op::Copy(of), false) => columns.of(of).unwrap().iter().map(|&raw| node.wrap(raw)).collect(),
+            (Op::Copy(of), false) => {
+                columns.of(of).unwrap().iter().map(|&raw| node.wrap(raw)).collect()
+            }
             _ => (0..clocks).map(|clock| values[clock % values.len()]).collect(),
         };
     }
@@ -153,12 +182,24 @@ fn extremes(design: &Design, clocks: usize) -> Columns {
 fn extreme_values_of_every_width_read_back() {
     let design = every_width();
     let columns = extremes(&design, 200);
-    let widths: HashSet<(u32, bool)> =
-        columns.nodes.iter().map(|&id| (design.node(id).width(), design.node(id).range.signed())).collect();
-    assert!((1..=63).all(|width| widths.contains(&(width, false)) && widths.contains(&(width, true))), "{widths:?}");
+    let widths: HashSet<(u32, bool)> = columns
+        .nodes
+        .iter()
+        .map(|&id| (design.node(id).width(), design.node(id).range.signed()))
+        .collect();
+    assert!(
+        (1..=63).all(|width| widths.contains(&(width, false)) && widths.contains(&(width, true))),
+        "{widths:?}"
+    );
     for format in [Format::Vcd, Format::Fst] {
         let file = written(format, &design, &columns, 50);
-        engines::assert_same(&design, &columns, &read(file, &design, &columns.nodes, columns.span()), 0, &format!("{format:?}"));
+        engines::assert_same(
+            &design,
+            &columns,
+            &read(file, &design, &columns.nodes, columns.span()),
+            0,
+            &format!("{format:?}"),
+        );
     }
 }
 
@@ -215,7 +256,10 @@ fn the_save_file_names_signals_of_the_waveform() {
     for name in names {
         let path: Vec<&str> = name.split('[').next().unwrap().split('.').collect();
         assert!(header.find_var(&path).is_some(), "{name} is not in the waveform");
-        assert!(!name.contains(".product_") && !name.contains("_d1"), "{name} has no name of its own");
+        assert!(
+            !name.contains(".product_") && !name.contains("_d1"),
+            "{name} has no name of its own"
+        );
         count += 1;
     }
     // The clock and reset beside what was asked for, each once.

@@ -21,7 +21,10 @@ fn waveforms_of_all_engines_agree() {
         written(Format::Vcd, &design, &columns, 1024)
     };
     let reference = file(&mut RustHdl::new(&design).unwrap());
-    assert!(file(&mut Fast::new(&design)) == reference, "the fast engine's waveform differs from rust-hdl's");
+    assert!(
+        file(&mut Fast::new(&design)) == reference,
+        "the fast engine's waveform differs from rust-hdl's"
+    );
     let wanted = read(reference, &design, &all, stimulus.clocks());
     if let Some(mut verilator) = tools::verilator(&design) {
         // Its registers begin as rust-hdl's do.

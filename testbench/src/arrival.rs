@@ -34,7 +34,8 @@ impl<'a> Arrivals<'a> {
         let channels: Vec<Lanes> = self.outputs.iter().map(|&node| lanes(node)).collect();
         for row in 0..batch.clocks() {
             let clock = batch.first_clock() + row as u64;
-            let due = clock.checked_sub(self.latency).is_some_and(|entry| self.stimulus.enters(entry));
+            let due =
+                clock.checked_sub(self.latency).is_some_and(|entry| self.stimulus.enters(entry));
             if due != (valid.get(row) == 1) {
                 self.wrong_clocks.push(clock);
             }

@@ -84,7 +84,8 @@ pub struct Comparison {
     pub expected: Image,
     /// Exact shading, rounded.
     pub exact: Image,
-    /// Total error of each pixel, largest over its channels, in LSBs; negative where nothing is shaded.
+    /// Total error of each pixel, largest over its channels, in LSBs; negative where nothing is
+    /// shaded.
     pub error_map: Vec<f32>,
 }
 
@@ -106,7 +107,8 @@ struct SpanResult {
 /// Compares `codes`, one for each pixel in span order, with every model. `spans` are what the core
 /// was given of the frame's spans, and no error is to exceed `bound` LSBs.
 ///
-/// Spans are worked on in parallel; what they give is put together in their order, so the result does not depend on threads.
+/// Spans are worked on in parallel; what they give is put together in their order, so the result
+/// does not depend on threads.
 ///
 /// # Errors
 /// [`BenchError::Packet`] if the model refuses a span.
@@ -227,11 +229,13 @@ impl SpanResult {
             if self.worst_quantisation.is_none_or(|worst| quantisation.abs() > worst.error_lsb) {
                 self.worst_quantisation = Some(p.quantisation(c, given));
             }
-            self.largest_code_difference = self.largest_code_difference.max(given.abs_diff(code(p.method[c])));
+            self.largest_code_difference =
+                self.largest_code_difference.max(given.abs_diff(code(p.method[c])));
         }
         self.beyond_bound += u64::from(is_beyond);
         if self.worst.is_none_or(|w| largest > w.error_lsb) {
-            self.worst = Some(WorstPixel { x, y, span: p.index, pixel: p.pixel, error_lsb: largest });
+            self.worst =
+                Some(WorstPixel { x, y, span: p.index, pixel: p.pixel, error_lsb: largest });
         }
         self.exact.push(p.exact.map(code));
         self.errors.push(largest as f32);
@@ -272,10 +276,14 @@ impl Whole {
         c.mismatches += result.mismatches;
         c.first_mismatch = c.first_mismatch.take().or(result.first_mismatch);
         c.largest_code_difference = c.largest_code_difference.max(result.largest_code_difference);
-        if let Some(worst) = result.worst.filter(|w| c.worst_pixel.is_none_or(|old| w.error_lsb > old.error_lsb)) {
+        if let Some(worst) =
+            result.worst.filter(|w| c.worst_pixel.is_none_or(|old| w.error_lsb > old.error_lsb))
+        {
             c.worst_pixel = Some(worst);
         }
-        let is_worse = |w: &WorstQuantisation| c.worst_quantisation.is_none_or(|old| w.error_lsb > old.error_lsb);
+        let is_worse = |w: &WorstQuantisation| {
+            c.worst_quantisation.is_none_or(|old| w.error_lsb > old.error_lsb)
+        };
         if let Some(worst) = result.worst_quantisation.filter(is_worse) {
             c.worst_quantisation = Some(worst);
         }

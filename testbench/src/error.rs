@@ -9,7 +9,10 @@ use specula_sim::SimError;
 pub enum BenchError {
     /// The spec's formats ask for too wide a signal.
     #[error("the core cannot be built: {0}")]
-    #[diagnostic(code(specula::core::width), help("lower the fraction bits in the scene file's [core] table"))]
+    #[diagnostic(
+        code(specula::core::width),
+        help("lower the fraction bits in the scene file's [core] table")
+    )]
     TooWide(#[from] TooWide),
     /// No core can be built for the frame.
     #[error(transparent)]
@@ -21,7 +24,10 @@ pub enum BenchError {
     Simulation(#[from] SimError),
     /// The model refused a span's set-up.
     #[error("a span was set up wrongly: {0}")]
-    #[diagnostic(code(specula::core::packet), help("this is a fault of Specula's: please report it with the scene"))]
+    #[diagnostic(
+        code(specula::core::packet),
+        help("this is a fault of Specula's: please report it with the scene")
+    )]
     Packet(PacketError),
 }
 

@@ -1,9 +1,12 @@
-//! Lyon's figure 9 from hardware: the balls, and a core for each of the twelve formulas [Lyon, TR 43, appendix].
+//! Lyon's figure 9 from hardware: the balls, and a core for each of the twelve formulas [Lyon, TR
+//! 43, appendix].
 use glam::DVec3;
 use specula_golden::exact::distributions::Formulation;
 use specula_golden::exact::figure9::{self, BACKGROUND, DIFFUSE};
 use specula_scene::spec::{CoreOptions, FULL_SCALE, SpecError};
-use specula_scene::{CoreSpec, DirectionalLight, Facet, Frame, Material, Method, Needs, Span, Triangle, VertexCone};
+use specula_scene::{
+    CoreSpec, DirectionalLight, Facet, Frame, Material, Method, Needs, Span, Triangle, VertexCone,
+};
 
 use crate::statistics::Sums;
 use crate::{ErrorFigures, Image};
@@ -23,15 +26,36 @@ pub struct Row {
     pub options: &'static [&'static str],
 }
 
-/// The rows in the appendix's order. Normals are unit vectors and given at every pixel, as in the appendix, so that nothing is interpolated.
+/// The rows in the appendix's order. Normals are unit vectors and given at every pixel, as in the
+/// appendix, so that nothing is interpolated.
 pub const ROWS: [Row; 12] = [
     phong("Phong", Formulation::Phong, &["highlight = \"reflection\""]),
-    lyon("D = R - L, k = 0", Formulation::Lyon0, &[FLAT, "difference = \"reflection-minus-light\"", "squarings = 0"]),
-    lyon("D = R - L, k = 1", Formulation::Lyon1, &[FLAT, "difference = \"reflection-minus-light\"", "squarings = 1"]),
-    lyon("D = R - L, k = 2", Formulation::Lyon2, &[FLAT, "difference = \"reflection-minus-light\"", "squarings = 2"]),
+    lyon(
+        "D = R - L, k = 0",
+        Formulation::Lyon0,
+        &[FLAT, "difference = \"reflection-minus-light\"", "squarings = 0"],
+    ),
+    lyon(
+        "D = R - L, k = 1",
+        Formulation::Lyon1,
+        &[FLAT, "difference = \"reflection-minus-light\"", "squarings = 1"],
+    ),
+    lyon(
+        "D = R - L, k = 2",
+        Formulation::Lyon2,
+        &[FLAT, "difference = \"reflection-minus-light\"", "squarings = 2"],
+    ),
     phong("Blinn D1", Formulation::Blinn, &["highlight = \"blinn\""]),
-    lyon("D = H* - N, k = 2", Formulation::UnitHalfway, &[FLAT, TO_NORMAL, "halfway = \"unit\"", "squarings = 2"]),
-    lyon("D = H - projection, k = 2", Formulation::Projected, &[FLAT, PROJECTED, "halfway = \"half\"", "squarings = 2"]),
+    lyon(
+        "D = H* - N, k = 2",
+        Formulation::UnitHalfway,
+        &[FLAT, TO_NORMAL, "halfway = \"unit\"", "squarings = 2"],
+    ),
+    lyon(
+        "D = H - projection, k = 2",
+        Formulation::Projected,
+        &[FLAT, PROJECTED, "halfway = \"half\"", "squarings = 2"],
+    ),
     lyon(
         "D = H g2(z) - projection, k = 2",
         Formulation::NearlyUnitProjected2,
@@ -42,20 +66,40 @@ pub const ROWS: [Row; 12] = [
         Formulation::NearlyUnitProjected1,
         &[FLAT, PROJECTED, "halfway = \"half-g2\"", "squarings = 1"],
     ),
-    lyon("D = H g2(z) - N, k = 2", Formulation::NearlyUnit, &[FLAT, TO_NORMAL, "halfway = \"half-g2\"", "squarings = 2"]),
-    phong("Torrance & Sparrow, Blinn D2", Formulation::TorranceSparrow, &["highlight = \"torrance-sparrow\""]),
-    phong("Trowbridge & Reitz, Blinn D3", Formulation::TrowbridgeReitz, &["highlight = \"trowbridge-reitz\""]),
+    lyon(
+        "D = H g2(z) - N, k = 2",
+        Formulation::NearlyUnit,
+        &[FLAT, TO_NORMAL, "halfway = \"half-g2\"", "squarings = 2"],
+    ),
+    phong(
+        "Torrance & Sparrow, Blinn D2",
+        Formulation::TorranceSparrow,
+        &["highlight = \"torrance-sparrow\""],
+    ),
+    phong(
+        "Trowbridge & Reitz, Blinn D3",
+        Formulation::TrowbridgeReitz,
+        &["highlight = \"trowbridge-reitz\""],
+    ),
 ];
 
 const FLAT: &str = "normals = \"flat\"";
 const TO_NORMAL: &str = "difference = \"unit-halfway-minus-normal\"";
 const PROJECTED: &str = "difference = \"unit-halfway-projection\"";
 
-const fn lyon(title: &'static str, formulation: Formulation, options: &'static [&'static str]) -> Row {
+const fn lyon(
+    title: &'static str,
+    formulation: Formulation,
+    options: &'static [&'static str],
+) -> Row {
     Row { title, formulation, method: Method::Lyon, options }
 }
 
-const fn phong(title: &'static str, formulation: Formulation, options: &'static [&'static str]) -> Row {
+const fn phong(
+    title: &'static str,
+    formulation: Formulation,
+    options: &'static [&'static str],
+) -> Row {
     Row { title, formulation, method: Method::Phong, options }
 }
 
@@ -65,8 +109,10 @@ impl Row {
     /// # Errors
     /// [`SpecError`] if there is none, which would be a fault of this table.
     pub fn core(&self, frame: &Frame) -> Result<CoreSpec, SpecError> {
-        let table: CoreOptions = format!("[{}]\n{}", self.method.name(), self.options.join("\n")).parse()?;
-        Ok(CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(self.method))?.specialised(frame))
+        let table: CoreOptions =
+            format!("[{}]\n{}", self.method.name(), self.options.join("\n")).parse()?;
+        Ok(CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(self.method))?
+            .specialised(frame))
     }
 }
 
@@ -116,7 +162,14 @@ pub fn frame(balls: Balls) -> Frame {
     for (x, y, normal, ball) in pixels(balls) {
         let normals = [normal; 3];
         let cones = normals.map(VertexCone::flat);
-        spans.push(Span { x, y, length: 1, triangle: triangles.len(), start: [1.0, 0.0, 0.0], end: [1.0, 0.0, 0.0] });
+        spans.push(Span {
+            x,
+            y,
+            length: 1,
+            triangle: triangles.len(),
+            start: [1.0, 0.0, 0.0],
+            end: [1.0, 0.0, 0.0],
+        });
         let (positions, facet) = ([DVec3::ZERO; 3], Facet { normal, middle: DVec3::ZERO });
         triangles.push(Triangle { normals, facet, positions, cones, material: ball });
     }
@@ -125,7 +178,9 @@ pub fn frame(balls: Balls) -> Frame {
         height: balls.height(),
         background: [BACKGROUND as u8; 3],
         ambient: [0.0; 3],
-        lights: figure9::lights().map(|direction| DirectionalLight { direction, colour: [1.0; 3] }).to_vec(),
+        lights: figure9::lights()
+            .map(|direction| DirectionalLight { direction, colour: [1.0; 3] })
+            .to_vec(),
         local_lights: Vec::new(),
         eye: None,
         materials: (0..EXPONENTS.len()).map(material).collect(),
@@ -136,13 +191,21 @@ pub fn frame(balls: Balls) -> Frame {
 
 fn material(ball: usize) -> Material {
     let grey = |lsb: f64| [lsb / FULL_SCALE; 3];
-    Material { ambient: [0.0; 3], diffuse: grey(DIFFUSE), specular: grey(figure9::specular(ball)), shininess: EXPONENTS[ball] }
+    Material {
+        ambient: [0.0; 3],
+        diffuse: grey(DIFFUSE),
+        specular: grey(figure9::specular(ball)),
+        shininess: EXPONENTS[ball],
+    }
 }
 
-/// Column and row from the top, normal and ball of each pixel, from top to bottom and left to right.
+/// Column and row from the top, normal and ball of each pixel, from top to bottom and left to
+/// right.
 fn pixels(balls: Balls) -> impl Iterator<Item = (u32, u32, DVec3, usize)> {
     let row = move |y: u32| (0..balls.width()).map(move |x| (x, y));
-    let shown = move |(x, y): (u32, u32)| balls.at(x, balls.height() - 1 - y).map(|(normal, ball)| (x, y, normal, ball));
+    let shown = move |(x, y): (u32, u32)| {
+        balls.at(x, balls.height() - 1 - y).map(|(normal, ball)| (x, y, normal, ball))
+    };
     (0..balls.height()).flat_map(row).filter_map(shown)
 }
 
@@ -194,7 +257,9 @@ mod tests {
         let balls = Balls { radius: 16 };
         let row = |number: u8| Image::filled(balls.width(), balls.height(), [number; 3]);
         let figure = simulated(balls, &(0..ROWS.len() as u8).map(row).collect::<Vec<_>>());
-        let at = |x: u32, y: u32| figure.pixels[((figure.height - 1 - y) * figure.width + x) as usize][0];
+        let at = |x: u32, y: u32| {
+            figure.pixels[((figure.height - 1 - y) * figure.width + x) as usize][0]
+        };
         // Rows are 24 pixels apart and 33 high: row 25 is in rows 0 and 1 of balls, 100 in 3 and 4.
         assert_eq!([at(25, 25), at(36, 100), at(25, 40), at(0, 0)], [0, 3, 1, 255]);
     }

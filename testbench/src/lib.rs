@@ -1,4 +1,5 @@
-//! Drives a core with a scene's spans, compares every pixel with independent models, and measures error and run time.
+//! Drives a core with a scene's spans, compares every pixel with independent models, and measures
+//! error and run time.
 mod arrival;
 mod assumptions;
 pub mod bench;
@@ -27,7 +28,9 @@ pub use error::BenchError;
 pub use image::Image;
 pub use pareto::pareto_front;
 pub use run::{Bench, EngineKind, Outcome, Progress};
-pub use savings::{AgainstGeneral, Baseline, Saving, Savings, Spared, SparedCells, Synthesis, savings};
+pub use savings::{
+    AgainstGeneral, Baseline, Saving, Savings, Spared, SparedCells, Synthesis, savings,
+};
 pub use shares::{Share, shares};
 pub use spans::FrameSpans;
 pub use statistics::{ErrorFigures, Errors};

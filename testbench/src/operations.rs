@@ -1,4 +1,5 @@
-//! What an elaborated core does in a pixel, counted as the papers count: powers and the materials' products left out.
+//! What an elaborated core does in a pixel, counted as the papers count: powers and the materials'
+//! products left out.
 use serde::Serialize;
 use specula_hdl::Design;
 use specula_hdl::design::{Node, NodeId, Op, Register, Scope, ScopeId};
@@ -34,11 +35,14 @@ pub struct Contents {
 impl Contents {
     /// Of a design.
     pub fn of(design: &Design) -> Contents {
-        let inner: Vec<&str> = DIVIDERS.into_iter().chain(RECIPROCAL_ROOTS).chain(ROOTS).chain(LEFT_OUT).collect();
-        let counts = |node: &&Node| design.factors(node).is_some() && !is_within(design, node.scope, &inner);
+        let inner: Vec<&str> =
+            DIVIDERS.into_iter().chain(RECIPROCAL_ROOTS).chain(ROOTS).chain(LEFT_OUT).collect();
+        let counts =
+            |node: &&Node| design.factors(node).is_some() && !is_within(design, node.scope, &inner);
         // An accumulator's register reads what is described behind it.
-        let accumulates =
-            |(id, node): &(NodeId, &Node)| node.register == Register::Data && matches!(node.op, Op::Wrap(next) if next > *id);
+        let accumulates = |(id, node): &(NodeId, &Node)| {
+            node.register == Register::Data && matches!(node.op, Op::Wrap(next) if next > *id)
+        };
         Contents {
             accumulators: design.iter().filter(accumulates).count(),
             multipliers: design.nodes.iter().filter(counts).count(),
@@ -49,13 +53,19 @@ impl Contents {
     }
 }
 
-/// Widths of the operands of each product of two variables inside units of this name, the wider first, sign included.
+/// Widths of the operands of each product of two variables inside units of this name, the wider
+/// first, sign included.
 pub fn products(design: &Design, unit: &str) -> Vec<[u32; 2]> {
     let widths = |node: &Node| {
         let [a, b] = design.factors(node)?.map(|id| design.node(id).width());
         Some([a.max(b), a.min(b)])
     };
-    design.nodes.iter().filter(|node| is_within(design, node.scope, &[unit])).filter_map(widths).collect()
+    design
+        .nodes
+        .iter()
+        .filter(|node| is_within(design, node.scope, &[unit]))
+        .filter_map(widths)
+        .collect()
 }
 
 /// Whether a scope is one of `units`, or inside one.
@@ -73,7 +83,8 @@ fn is_within(design: &Design, mut scope: ScopeId, units: &[&str]) -> bool {
 /// How many of `units` there are, those inside others not counted.
 fn outermost(design: &Design, units: &[&str]) -> usize {
     let is_one = |scope: &&Scope| {
-        units.contains(&scope.unit.as_str()) && !scope.parent.is_some_and(|parent| is_within(design, parent, units))
+        units.contains(&scope.unit.as_str())
+            && !scope.parent.is_some_and(|parent| is_within(design, parent, units))
     };
     design.scopes.iter().filter(is_one).count()
 }
@@ -103,7 +114,12 @@ pub const HAST: [Counterpart; 8] = [
     of("reflection", Method::Reflection, "reflection.specular = \"eq34\"", 0),
 ];
 
-const fn of(row: &'static str, method: Method, options: &'static str, further_products: usize) -> Counterpart {
+const fn of(
+    row: &'static str,
+    method: Method,
+    options: &'static str,
+    further_products: usize,
+) -> Counterpart {
     Counterpart { row, method, options, further_products }
 }
 

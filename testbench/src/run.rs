@@ -6,7 +6,9 @@ use specula_hdl::Design;
 use specula_hdl::design::{self, NodeId};
 use specula_scene::{CoreSpec, Frame};
 use specula_sim::fast::Settings;
-use specula_sim::{Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, SpanSource, Stimulus, Verilator};
+use specula_sim::{
+    Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, SpanSource, Stimulus, Verilator,
+};
 
 use crate::arrival::Arrivals;
 use crate::assumptions::{self, Facts, Violation};
@@ -30,7 +32,8 @@ pub enum EngineKind {
 
 impl EngineKind {
     /// Every engine.
-    pub const ALL: [EngineKind; 4] = [EngineKind::Fast, EngineKind::RustHdl, EngineKind::Verilator, EngineKind::Icarus];
+    pub const ALL: [EngineKind; 4] =
+        [EngineKind::Fast, EngineKind::RustHdl, EngineKind::Verilator, EngineKind::Icarus];
 
     /// The name that the command line uses.
     pub const fn name(self) -> &'static str {
@@ -42,7 +45,8 @@ impl EngineKind {
         }
     }
 
-    /// The name of the program that it is, as tables of measurements have it: Icarus's compiler is called otherwise than its engine.
+    /// The name of the program that it is, as tables of measurements have it: Icarus's compiler is
+    /// called otherwise than its engine.
     pub const fn program(self) -> &'static str {
         match self {
             EngineKind::Icarus => "iverilog",
@@ -54,7 +58,10 @@ impl EngineKind {
         match self {
             EngineKind::Fast => {
                 let threads = std::thread::available_parallelism().map_or(1, usize::from);
-                Ok(Box::new(Fast::with_settings(design, Settings { threads, ..Settings::default() })))
+                Ok(Box::new(Fast::with_settings(
+                    design,
+                    Settings { threads, ..Settings::default() },
+                )))
             }
             EngineKind::RustHdl => Ok(Box::new(RustHdl::new(design)?)),
             EngineKind::Verilator => Ok(Box::new(Verilator::new(design, Effort::FastBuild)?)),
@@ -109,7 +116,9 @@ impl Outcome {
     /// method in f64 is given none. That a core stays within its bound says that the set-up is
     /// right, and that the bound is.
     pub fn agrees(&self) -> bool {
-        let as_the_model = self.comparison.mismatches == 0 && self.wrong_clocks.is_empty() && self.violation.is_none();
+        let as_the_model = self.comparison.mismatches == 0
+            && self.wrong_clocks.is_empty()
+            && self.violation.is_none();
         as_the_model && self.beyond_bound().is_none()
     }
 
@@ -130,7 +139,8 @@ impl<'a> Bench<'a> {
 
     /// Clocks from the first pixel's entry to the last one's exit, both counted.
     pub fn clocks(&self) -> u64 {
-        self.frame.shaded_pixels() * u64::from(self.design.interval) + u64::from(self.design.depth())
+        self.frame.shaded_pixels() * u64::from(self.design.interval)
+            + u64::from(self.design.depth())
     }
 
     /// Simulates every clock of the frame and compares every pixel.
@@ -145,7 +155,12 @@ impl<'a> Bench<'a> {
     ///
     /// # Errors
     /// [`BenchError`] if the engine fails, or if a packet is none that the core takes.
-    pub fn run_given(&self, spans: &dyn SpanSource, engine: EngineKind, progress: Progress) -> Result<Outcome, BenchError> {
+    pub fn run_given(
+        &self,
+        spans: &dyn SpanSource,
+        engine: EngineKind,
+        progress: Progress,
+    ) -> Result<Outcome, BenchError> {
         let stimulus = Stimulus::whole(spans, &self.design);
         let mut arrivals = Arrivals::new(&self.design, &stimulus);
         let mut facts = Facts::of(&self.design);
@@ -162,8 +177,10 @@ impl<'a> Bench<'a> {
         let bound_lsb = self.design.error_bound();
         let comparison = compare::compare((self.spec, self.frame), spans, &codes, bound_lsb)?;
         let latency = self.design.latency();
-        let worst_cycle =
-            comparison.worst_pixel.as_ref().map(|worst| trace::leaving_clock(&stimulus, latency, worst.span, worst.pixel));
+        let worst_cycle = comparison
+            .worst_pixel
+            .as_ref()
+            .map(|worst| trace::leaving_clock(&stimulus, latency, worst.span, worst.pixel));
         Ok(Outcome {
             pixels: stimulus.pixels(),
             cycles: self.clocks(),
@@ -178,7 +195,8 @@ impl<'a> Bench<'a> {
         })
     }
 
-    /// Every signal over the clocks of `choice`, handed over a batch of clocks at a time. Says which clocks those are.
+    /// Every signal over the clocks of `choice`, handed over a batch of clocks at a time. Says
+    /// which clocks those are.
     ///
     /// # Errors
     /// [`BenchError`] if the engine fails.
@@ -192,17 +210,26 @@ impl<'a> Bench<'a> {
         let spans = FrameSpans::new(self.frame, self.spec);
         let whole = Stimulus::whole(&spans, &self.design);
         let worst = outcome.comparison.worst_pixel.as_ref();
-        let Some(window) = choice.window(&whole, self.design.latency(), worst) else { return Ok(None) };
+        let Some(window) = choice.window(&whole, self.design.latency(), worst) else {
+            return Ok(None);
+        };
         let lead = whole.leading_to(&window, &self.design);
         let nodes: Vec<NodeId> = self.design.variables();
-        engine.engine(&self.design)?.run(&lead, &nodes, &mut |columns| sink(&columns.within(&window)))?;
+        engine
+            .engine(&self.design)?
+            .run(&lead, &nodes, &mut |columns| sink(&columns.within(&window)))?;
         Ok(Some(window))
     }
 
     /// The clock in which pixel number `pixel` of span number `span` leaves the core.
     pub fn leaving_clock(&self, span: usize, pixel: u32) -> u64 {
         let spans = FrameSpans::new(self.frame, self.spec);
-        trace::leaving_clock(&Stimulus::whole(&spans, &self.design), self.design.latency(), span, pixel)
+        trace::leaving_clock(
+            &Stimulus::whole(&spans, &self.design),
+            self.design.latency(),
+            span,
+            pixel,
+        )
     }
 
     /// Outputs and signals with stated facts.

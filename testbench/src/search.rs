@@ -17,7 +17,9 @@ const MOST_ADDED: i32 = 6;
 )]
 #[diagnostic(
     code(specula::search),
-    help("ask for more; rounding to 8 bits alone takes up to 0.5 LSB, so 1lsb is what can be asked of most scenes")
+    help(
+        "ask for more; rounding to 8 bits alone takes up to 0.5 LSB, so 1lsb is what can be asked of most scenes"
+    )
 )]
 pub struct NotFound {
     /// The method.
@@ -28,16 +30,23 @@ pub struct NotFound {
     pub best: f64,
 }
 
-/// `start` with the narrowest formats that were found to keep every pixel of `frame` within `most` LSBs of exact shading by its method,
-/// the rounding to 8 bits counted. Each trial is measured on all pixels with the bit-true model.
+/// `start` with the narrowest formats that were found to keep every pixel of `frame` within `most`
+/// LSBs of exact shading by its method, the rounding to 8 bits counted. Each trial is measured on
+/// all pixels with the bit-true model.
 ///
-/// All formats get narrower together, from the documented defaults on (or finer, where those do not do), and then each by itself, in
-/// the order of the data, as long as the error stays and multipliers get smaller or stay. It is a descent: what it finds is within the error, and
-/// need not be the smallest core there is.
+/// All formats get narrower together, from the documented defaults on (or finer, where those do not
+/// do), and then each by itself, in the order of the data, as long as the error stays and
+/// multipliers get smaller or stay. It is a descent: what it finds is within the error, and need
+/// not be the smallest core there is.
 ///
 /// # Errors
-/// [`NotFound`] with the smallest error of those tried; [`BenchError`] where a core cannot be built.
-pub fn within(start: &CoreSpec, frame: &Frame, most: f64) -> Result<Result<CoreSpec, NotFound>, BenchError> {
+/// [`NotFound`] with the smallest error of those tried; [`BenchError`] where a core cannot be
+/// built.
+pub fn within(
+    start: &CoreSpec,
+    frame: &Frame,
+    most: f64,
+) -> Result<Result<CoreSpec, NotFound>, BenchError> {
     let start = start.general();
     let goal = Goal { most, error: &|spec: &CoreSpec| largest_error(spec, frame), cost: &cost };
     Ok(match goal.together(&start)? {
@@ -57,8 +66,8 @@ pub(crate) struct Goal<'a, Cost> {
 }
 
 impl<Cost: Ord> Goal<'_, Cost> {
-    /// `start` with all formats narrowed together as far as they can be, or made finer as far as they must; the smallest error of those
-    /// tried where that is not enough.
+    /// `start` with all formats narrowed together as far as they can be, or made finer as far as
+    /// they must; the smallest error of those tried where that is not enough.
     pub fn together(&self, start: &CoreSpec) -> Result<Result<CoreSpec, f64>, BenchError> {
         let mut best = f64::INFINITY;
         let mut found = None;
@@ -108,7 +117,10 @@ pub(crate) fn largest_error(spec: &CoreSpec, frame: &Frame) -> Result<f64, Bench
         });
         Ok(errors.fold(0.0, f64::max))
     };
-    (0..frame.spans.len()).into_par_iter().map(of_span).try_reduce(|| 0.0, |a, b| Ok(f64::max(a, b)))
+    (0..frame.spans.len())
+        .into_par_iter()
+        .map(of_span)
+        .try_reduce(|| 0.0, |a, b| Ok(f64::max(a, b)))
 }
 
 /// Multiplier bits, and then registers.

@@ -3,7 +3,8 @@ use serde::Serialize;
 use specula_scene::spec::NarrowingPoint;
 use specula_scene::{CoreSpec, Format, Frame};
 
-/// Fraction bits that make a rounding count for nothing beside the others; fewer where the format may not have so many.
+/// Fraction bits that make a rounding count for nothing beside the others; fewer where the format
+/// may not have so many.
 const ADDED: [u32; 4] = [12, 8, 4, 2];
 
 /// A place that rounds.
@@ -17,10 +18,11 @@ pub struct Share {
     pub lsb: f64,
 }
 
-/// The shares of a core's bound, `bound` LSBs, the largest first; of a core that is for `frame` alone, those of the bound for that frame.
+/// The shares of a core's bound, `bound` LSBs, the largest first; of a core that is for `frame`
+/// alone, those of the bound for that frame.
 ///
-/// They do not add up to the bound: half an LSB of it is the rounding to 8 bits, and errors of several places can come together in one
-/// product. A place that may not be finer has no share.
+/// They do not add up to the bound: half an LSB of it is the rounding to 8 bits, and errors of
+/// several places can come together in one product. A place that may not be finer has no share.
 pub fn shares(spec: &CoreSpec, frame: &Frame, bound: f64) -> Vec<Share> {
     let share = |point: NarrowingPoint| {
         let finer = finer(spec, frame, &point).unwrap_or(bound);
@@ -38,7 +40,8 @@ fn finer(spec: &CoreSpec, frame: &Frame, point: &NarrowingPoint) -> Option<f64> 
     for added in ADDED {
         let format = Format { fraction_bits: point.format.fraction_bits + added, ..point.format };
         let Ok(general) = spec.with_formats(&[(point.name, format)]) else { continue };
-        let finer = if spec.specialisation.is_general() { general } else { general.specialised(frame) };
+        let finer =
+            if spec.specialisation.is_general() { general } else { general.specialised(frame) };
         if let Ok(design) = specula_hdl::elaborate(&finer, "core") {
             return Some(design.error_bound());
         }

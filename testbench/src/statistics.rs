@@ -13,18 +13,21 @@ pub struct ErrorFigures {
     pub rms_lsb: f64,
     /// Mean magnitude.
     pub mean_lsb: f64,
-    /// Peak signal to noise ratio, 20 log10(255 / rms), in dB; `None` where there is no error at all.
+    /// Peak signal to noise ratio, 20 log10(255 / rms), in dB; `None` where there is no error at
+    /// all.
     pub psnr_db: Option<f64>,
 }
 
-/// Where the error comes from. All are taken before rounding on the exact side; the core's side is its 8-bit codes.
+/// Where the error comes from. All are taken before rounding on the exact side; the core's side is
+/// its 8-bit codes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Errors {
     /// The core's codes against exact shading.
     pub total: ErrorFigures,
     /// The core's method in exact arithmetic against exact shading.
     pub method: ErrorFigures,
-    /// The core's codes against its method in exact arithmetic; up to half an LSB of it is the rounding to 8 bits.
+    /// The core's codes against its method in exact arithmetic; up to half an LSB of it is the
+    /// rounding to 8 bits.
     pub quantisation: ErrorFigures,
 }
 
@@ -53,7 +56,8 @@ impl Sums {
         self.squares += other.squares;
     }
 
-    /// Those of all spans of a frame, which are worked on in parallel and put together in their order, so that nothing depends on threads.
+    /// Those of all spans of a frame, which are worked on in parallel and put together in their
+    /// order, so that nothing depends on threads.
     pub fn of_spans(frame: &Frame, of_span: impl Fn(&Span) -> Sums + Sync) -> Sums {
         let of_spans: Vec<Sums> = frame.spans.par_iter().map(&of_span).collect();
         let mut sums = Sums::default();
@@ -65,7 +69,12 @@ impl Sums {
         let count = self.count.max(1) as f64;
         let rms = (self.squares / count).sqrt();
         let psnr_db = (rms > 0.0).then(|| 20.0 * (FULL_SCALE / rms).log10());
-        ErrorFigures { max_lsb: self.largest, rms_lsb: rms, mean_lsb: self.magnitudes / count, psnr_db }
+        ErrorFigures {
+            max_lsb: self.largest,
+            rms_lsb: rms,
+            mean_lsb: self.magnitudes / count,
+            psnr_db,
+        }
     }
 }
 
@@ -101,6 +110,9 @@ mod tests {
 
     #[test]
     fn medians_stand_in_the_middle() {
-        assert_eq!([&[][..], &[3.0], &[5.0, 1.0], &[9.0, 1.0, 2.0]].map(median), [0.0, 3.0, 3.0, 2.0]);
+        assert_eq!(
+            [&[][..], &[3.0], &[5.0, 1.0], &[9.0, 1.0, 2.0]].map(median),
+            [0.0, 3.0, 3.0, 2.0]
+        );
     }
 }

@@ -25,17 +25,26 @@ pub const WORST_WINDOW: u64 = 200;
 
 impl Choice {
     /// The clocks to be traced of a run with this stimulus and latency; `None` for none.
-    pub fn window(&self, stimulus: &Stimulus, latency: u32, worst: Option<&WorstPixel>) -> Option<Range<u64>> {
+    pub fn window(
+        &self,
+        stimulus: &Stimulus,
+        latency: u32,
+        worst: Option<&WorstPixel>,
+    ) -> Option<Range<u64>> {
         let all = stimulus.clocks();
         let window = match self {
             Choice::None => return None,
             Choice::All => all.clone(),
             Choice::Cycles(clocks) => clocks.clone(),
-            Choice::Span(index) => stimulus.begin_of(*index)..stimulus.begin_of(index.saturating_add(1)) + u64::from(latency) + 1,
+            Choice::Span(index) => {
+                stimulus.begin_of(*index)
+                    ..stimulus.begin_of(index.saturating_add(1)) + u64::from(latency) + 1
+            }
             Choice::Worst => {
                 let worst = worst?;
                 let leaves = leaving_clock(stimulus, latency, worst.span, worst.pixel);
-                // Round the pixel's way through the core: its exit stands three quarters into the window.
+                // Round the pixel's way through the core: its exit stands three quarters into the
+                // window.
                 let first = (leaves + WORST_WINDOW / 4).saturating_sub(WORST_WINDOW);
                 first..first + WORST_WINDOW
             }

@@ -10,7 +10,8 @@ const SCENES: u64 = 300;
 fn complaint(report: &MethodReport) -> impl Iterator<Item = String> + '_ {
     report.wrong.iter().map(|peak: &Peak| {
         let (measured, bound) = (peak.quantisation_lsb, peak.bound_lsb);
-        let what = peak.fault.clone().unwrap_or_else(|| format!("off by {measured} LSB, bound {bound}"));
+        let what =
+            peak.fault.clone().unwrap_or_else(|| format!("off by {measured} LSB, bound {bound}"));
         format!("{}: {what}\n{}", report.method, peak.scene)
     })
 }
@@ -27,7 +28,12 @@ fn no_bound_is_broken() {
         println!("{}: {:.4}, {} refused", report.method, largest.ratio, report.refused);
         assert!(report.scenes == SCENES && report.refused + report.without_bound < SCENES / 2);
         // A search that measures nothing, or climbs nowhere, does not come near.
-        assert!(largest.ratio > 0.9 && largest.ratio <= 1.0, "{}: {}", report.method, largest.ratio);
+        assert!(
+            largest.ratio > 0.9 && largest.ratio <= 1.0,
+            "{}: {}",
+            report.method,
+            largest.ratio
+        );
         let loaded = parse("highest.toml", largest.scene.clone()).expect("it is a scene file");
         assert_eq!(loaded.core_spec(None).expect("it has its core").method(), method);
     }
@@ -42,7 +48,8 @@ fn what_was_found_is_mended() {
         let spec = loaded.core_spec(None).unwrap();
         let bench = Bench::new(&loaded.frame, &spec, "core").unwrap();
         let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
-        let (error, bound) = (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
+        let (error, bound) =
+            (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
         assert!(outcome.agrees(), "{scene}: {:?}", outcome.comparison.first_mismatch);
         assert!(error <= bound, "{scene}: off by {error} LSB, bound {bound}");
     }
@@ -52,7 +59,8 @@ fn what_was_found_is_mended() {
 fn what_is_found_depends_on_the_seed_and_on_no_thread() {
     let of = |seed: u64, threads: usize| {
         let search = Search { seed, scenes: 1100, methods: vec![Method::Gouraud] };
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be had");
+        let pool =
+            ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be had");
         pool.install(|| climb(&search, &|| ()))
     };
     let one = of(7, 1);

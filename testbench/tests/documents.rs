@@ -1,4 +1,5 @@
-//! The README and docs/ against the repository: links lead somewhere, and the table of methods promises nothing.
+//! The README and docs/ against the repository: links lead somewhere, and the table of methods
+//! promises nothing.
 use std::path::{Path, PathBuf};
 
 use specula_scene::Method;
@@ -38,7 +39,11 @@ fn every_link_leads_to_a_file() {
     let mut dead = Vec::new();
     for page in &pages {
         let (text, folder) = (std::fs::read_to_string(page).unwrap(), page.parent().unwrap());
-        dead.extend(links(&text).filter(|link| !folder.join(link).exists()).map(|link| format!("{}: {link}", page.display())));
+        dead.extend(
+            links(&text)
+                .filter(|link| !folder.join(link).exists())
+                .map(|link| format!("{}: {link}", page.display())),
+        );
     }
     assert!(pages.len() > 20 && dead.is_empty(), "{} pages, dead links {dead:#?}", pages.len());
 }
@@ -48,12 +53,14 @@ fn quoted(text: &str) -> impl Iterator<Item = &str> {
     text.split('`').skip(1).step_by(2)
 }
 
-/// Each method has a row, each row's core is a file, and what a row has in backticks is a value of one of the method's options.
+/// Each method has a row, each row's core is a file, and what a row has in backticks is a value of
+/// one of the method's options.
 #[test]
 fn the_readme_has_the_methods_that_there_are() {
     let text = readme();
     let table = text.split("| `--method` |").nth(1).unwrap();
-    let rows: Vec<Vec<&str>> = table.lines().skip(2).take_while(|line| line.starts_with('|')).map(cells).collect();
+    let rows: Vec<Vec<&str>> =
+        table.lines().skip(2).take_while(|line| line.starts_with('|')).map(cells).collect();
     let mut names: Vec<&str> = rows.iter().map(|row| row[0].trim_matches('`')).collect();
     let mut all = Method::ALL.map(Method::name);
     names.sort_unstable();
@@ -62,7 +69,10 @@ fn the_readme_has_the_methods_that_there_are() {
     for row in rows {
         let method = Method::from_name(row[0].trim_matches('`')).unwrap();
         for value in row[1..4].iter().flat_map(|cell| quoted(cell)) {
-            let known = method.choices().iter().any(|choice| choice.values.contains(&format!("\"{value}\"").as_str()));
+            let known = method
+                .choices()
+                .iter()
+                .any(|choice| choice.values.contains(&format!("\"{value}\"").as_str()));
             assert!(known, "{} has no option {value}", method.name());
         }
         assert_eq!(links(row[4]).count(), 1, "{}", method.name());

@@ -1,5 +1,6 @@
-//! Any spec that `CoreSpec::check` accepts, with any scene: hardware and model agree bit for bit, no stated fact is untrue, and the
-//! error of each output stays within its stated bound. A spec may be refused as too wide, and nothing else.
+//! Any spec that `CoreSpec::check` accepts, with any scene: hardware and model agree bit for bit,
+//! no stated fact is untrue, and the error of each output stays within its stated bound. A spec may
+//! be refused as too wide, and nothing else.
 #[path = "../../hdl/tests/common/draw.rs"]
 mod draw;
 #[macro_use]
@@ -43,7 +44,11 @@ fn errors_stay_within_bounds(design: &Design, spec: &CoreSpec, frame: &Frame, si
             for channel in 0..3 {
                 let error = (f64::from(code[channel]) - exact[channel]).abs();
                 let place = (span.y, pixel, channel);
-                assert!(error <= bounds[channel], "{place:?}: off by {error}, bound {}", bounds[channel]);
+                assert!(
+                    error <= bounds[channel],
+                    "{place:?}: off by {error}, bound {}",
+                    bounds[channel]
+                );
             }
         }
     }

@@ -1,4 +1,5 @@
-//! On every built-in scene the measured quantisation error stays within what the core states, and the statement says something.
+//! On every built-in scene the measured quantisation error stays within what the core states, and
+//! the statement says something.
 use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind};
 
@@ -13,11 +14,17 @@ fn measured_errors_stay_within_the_stated_bound() {
             let spec = loaded.core_spec(Some(method)).unwrap();
             let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
             let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();
-            let (error, bound) = (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
+            let (error, bound) =
+                (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
             println!("{scene} {}: {error} of {bound} LSB, {:.2}", method.name(), bound / error);
             assert!(outcome.agrees());
             assert!(error <= bound, "{scene} {}: off by {error} LSB, bound {bound}", method.name());
-            assert!(bound <= SLACK * error, "{scene} {}: a bound of {bound} LSB is {} times {error}", method.name(), bound / error);
+            assert!(
+                bound <= SLACK * error,
+                "{scene} {}: a bound of {bound} LSB is {} times {error}",
+                method.name(),
+                bound / error
+            );
         }
     }
 }

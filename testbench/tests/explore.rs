@@ -20,7 +20,9 @@ fn every_core_of_the_front_is_as_good_as_is_said() {
     let general = load("teapot", Some((48, 36))).unwrap().core_spec(Some(Method::Phong)).unwrap();
     let size = |spec| specula_hdl::elaborate(spec, "core").unwrap().size().multiplier_bits;
     assert!(size(&best.spec) < size(&general), "{best:?}");
-    for (core, next) in exploration.front.iter().zip(exploration.front[1..].iter().map(Some).chain([None])) {
+    for (core, next) in
+        exploration.front.iter().zip(exploration.front[1..].iter().map(Some).chain([None]))
+    {
         let bench = Bench::new(&loaded.frame, &core.spec, "teapot").unwrap();
         let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
         assert!(outcome.agrees());
@@ -36,7 +38,10 @@ fn every_core_of_the_front_is_as_good_as_is_said() {
 
 #[test]
 fn the_same_search_finds_the_same() {
-    assert_eq!(format!("{:?}", explored("spheres", 3.0, None)), format!("{:?}", explored("spheres", 3.0, None)));
+    assert_eq!(
+        format!("{:?}", explored("spheres", 3.0, None)),
+        format!("{:?}", explored("spheres", 3.0, None))
+    );
 }
 
 #[test]
@@ -44,7 +49,8 @@ fn methods_that_cannot_shade_the_scene_are_named() {
     let mut frame = load("teapot", Some((48, 36))).unwrap().frame;
     // Brighter than the coefficients of any core.
     frame.lights[0].colour = [1e6; 3];
-    let exploration = explore(&frame, &Wanted { most: 3.0, methods: &METHODS, device: None }, &|| ()).unwrap();
+    let exploration =
+        explore(&frame, &Wanted { most: 3.0, methods: &METHODS, device: None }, &|| ()).unwrap();
     assert!(exploration.front.is_empty() && exploration.best.is_none());
     assert_eq!(exploration.refused.len(), METHODS.len());
     for (method, reason) in METHODS.into_iter().zip(&exploration.refused) {
@@ -57,7 +63,10 @@ fn the_best_core_fits_the_device() {
     let device = Device::ALL[1];
     let exploration = explored("teapot", 4.0, Some(device));
     let best = &exploration.front[exploration.best.expect("there is one")];
-    assert!(best.cost.fits(&device) && best.cost.blocks.is_some_and(|blocks| blocks > 0), "{best:?}");
+    assert!(
+        best.cost.fits(&device) && best.cost.blocks.is_some_and(|blocks| blocks > 0),
+        "{best:?}"
+    );
     let none = explored("teapot", 4.0, Some(Device { blocks: 0, registers: 10, ..device }));
     assert_eq!(none.best, None);
 }

@@ -30,15 +30,20 @@ fn every_signal_agrees_with_rust_hdl_at_every_clock(method: Method) {
         let nodes: Vec<NodeId> = bench.design.variables();
         let expected = all_columns(&mut RustHdl::new(&bench.design).unwrap(), &stimulus, &nodes);
         let baseline = Level::BASELINE;
-        for (batch, level, threads) in
-            [(1, baseline, 1), (7, baseline, 3), (512, baseline, 1), (7, Level::best(), 1), (512, Level::best(), 2)]
-        {
+        for (batch, level, threads) in [
+            (1, baseline, 1),
+            (7, baseline, 3),
+            (512, baseline, 1),
+            (7, Level::best(), 1),
+            (512, Level::best(), 2),
+        ] {
             let settings = Settings { batch, level, threads, piece: 50 };
             let mut fast = Fast::with_settings(&bench.design, settings);
             let given = all_columns(&mut fast, &stimulus, &nodes);
             assert_eq!(given.span(), expected.span(), "{scene} {settings:?}");
             for (i, &node) in nodes.iter().enumerate() {
-                let differs = (0..expected.clocks()).find(|&c| expected.values[i][c] != given.values[i][c]);
+                let differs =
+                    (0..expected.clocks()).find(|&c| expected.values[i][c] != given.values[i][c]);
                 if let Some(clock) = differs {
                     panic!(
                         "{scene} {} {settings:?}: {} at clock {clock}: {} instead of {} {:?}",
@@ -72,7 +77,12 @@ fn whole_frames_agree(method: Method) {
             outcome.simulation_seconds,
             outcome.simulation_seconds * 1e9 / outcome.cycles as f64
         );
-        assert!(outcome.agrees(), "{:?} {:?}", outcome.comparison.first_mismatch, outcome.violation);
+        assert!(
+            outcome.agrees(),
+            "{:?} {:?}",
+            outcome.comparison.first_mismatch,
+            outcome.violation
+        );
     }
 }
 

@@ -1,4 +1,5 @@
-//! A bench that finds nothing must be one that would have found something: designs, specs and facts broken on purpose.
+//! A bench that finds nothing must be one that would have found something: designs, specs and facts
+//! broken on purpose.
 mod common;
 
 use common::{Row, frame, frame_of, lyon, material, spec, tilted};
@@ -40,7 +41,9 @@ fn coarse(frame: &Frame, difference: Difference) -> CoreSpec {
     lyon(frame, |lyon| {
         lyon.difference = difference;
         let f = &mut lyon.formats;
-        for format in [&mut f.weight, &mut f.vector, &mut f.length_squared, &mut f.gain, &mut f.difference] {
+        for format in
+            [&mut f.weight, &mut f.vector, &mut f.length_squared, &mut f.gain, &mut f.difference]
+        {
             format.fraction_bits = 7;
         }
     })
@@ -72,13 +75,17 @@ fn share_of_mistakes_found(core: &CoreSpec, frame: &Frame) -> f64 {
 #[test]
 fn mistaken_operators_of_lyons_cross_product_are_reported() {
     let frame = picture();
-    assert!(share_of_mistakes_found(&coarse(&frame, Difference::HalfwayCrossNormal), &frame) > 0.95);
+    assert!(
+        share_of_mistakes_found(&coarse(&frame, Difference::HalfwayCrossNormal), &frame) > 0.95
+    );
 }
 
 #[test]
 fn mistaken_operators_of_lyons_reflection_are_reported() {
     let frame = picture();
-    assert!(share_of_mistakes_found(&coarse(&frame, Difference::ReflectionMinusLight), &frame) > 0.95);
+    assert!(
+        share_of_mistakes_found(&coarse(&frame, Difference::ReflectionMinusLight), &frame) > 0.95
+    );
 }
 
 #[test]
@@ -87,7 +94,8 @@ fn mistaken_operators_of_the_hybrid_are_reported() {
     assert!(share_of_mistakes_found(&spec(&frame, Method::Hybrid), &frame) > 0.9);
 }
 
-/// A core that was built from another spec than the model's, and than the one that the spans are set up for.
+/// A core that was built from another spec than the model's, and than the one that the spans are
+/// set up for.
 #[test]
 fn another_spec_is_reported() {
     let frame = picture();
@@ -122,10 +130,13 @@ fn wrong_clocks_are_reported() {
     for late in [true, false] {
         let mut bench = Bench::new(&frame, &core, "core").unwrap();
         let valid_out = bench.design.valid_out;
-        let Op::Copy(before) = bench.design.node(valid_out).op else { panic!("validity is delayed") };
+        let Op::Copy(before) = bench.design.node(valid_out).op else {
+            panic!("validity is delayed")
+        };
         // Of two registers in a row one is left out, or both are held.
         let earlier = bench.design.node(before).op;
-        bench.design.nodes[valid_out.0 as usize].op = if late { earlier } else { Op::Copy(valid_out) };
+        bench.design.nodes[valid_out.0 as usize].op =
+            if late { earlier } else { Op::Copy(valid_out) };
         let outcome = run(&bench);
         assert!(!outcome.agrees());
         let pixels = frame.shaded_pixels() as usize;
@@ -138,23 +149,40 @@ fn wrong_clocks_are_reported() {
     }
 }
 
-/// A stated fact that is untrue is reported with the clock and the value, though every pixel is right.
+/// A stated fact that is untrue is reported with the clock and the value, though every pixel is
+/// right.
 #[test]
 fn untrue_facts_are_reported() {
     let frame = picture();
     for core in [spec(&frame, Method::Lyon), spec(&frame, Method::Hybrid)] {
         let mut bench = Bench::new(&frame, &core, "core").unwrap();
         let node = bench.design.outputs[1];
-        bench.design.assumptions.push(Assumption { fact: "green is dim".into(), node, range: Range::new(0, 100) });
+        bench.design.assumptions.push(Assumption {
+            fact: "green is dim".into(),
+            node,
+            range: Range::new(0, 100),
+        });
         let outcome = run(&bench);
         assert_eq!(outcome.comparison.mismatches, 0);
         assert!(!outcome.agrees());
         let violation = outcome.violation.unwrap();
-        assert_eq!((violation.fact.as_str(), violation.signal.as_str()), ("green is dim", "core.green"));
-        let order = frame.spans.iter().flat_map(|s| (0..s.length).map(|i| (s.y * frame.width + i) as usize));
-        let first = order.clone().position(|at| outcome.simulated.pixels[at][1] > 100).expect("some green is bright");
+        assert_eq!(
+            (violation.fact.as_str(), violation.signal.as_str()),
+            ("green is dim", "core.green")
+        );
+        let order = frame
+            .spans
+            .iter()
+            .flat_map(|s| (0..s.length).map(|i| (s.y * frame.width + i) as usize));
+        let first = order
+            .clone()
+            .position(|at| outcome.simulated.pixels[at][1] > 100)
+            .expect("some green is bright");
         let value = order.map(|at| outcome.simulated.pixels[at][1]).nth(first).unwrap();
-        assert_eq!((violation.clock, violation.value()), (first as u64 + u64::from(bench.design.latency()), value.into()));
+        assert_eq!(
+            (violation.clock, violation.value()),
+            (first as u64 + u64::from(bench.design.latency()), value.into())
+        );
     }
 }
 
@@ -175,6 +203,9 @@ fn spans_too_long_for_the_core_are_refused() {
     let long = frame([tilted(-10.0), tilted(10.0)], 9, &[tilted(5.0)], material(0.1, 0.4, 0.4, 8));
     for core in [spec(&short, Method::Lyon), spec(&short, Method::Hybrid)] {
         let bench = Bench::new(&long, &core, "core").unwrap();
-        assert!(matches!(bench.run(EngineKind::RustHdl, &mut |_, _| ()), Err(BenchError::Packet(_))));
+        assert!(matches!(
+            bench.run(EngineKind::RustHdl, &mut |_, _| ()),
+            Err(BenchError::Packet(_))
+        ));
     }
 }

@@ -8,8 +8,12 @@ use specula_testbench::{Bench, EngineKind, Outcome};
 fn shaded<'a>(frame: &'a Frame, spec: &'a CoreSpec) -> (Bench<'a>, Outcome) {
     let bench = Bench::new(frame, spec, "core").unwrap();
     let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
-    assert_eq!((&outcome.comparison.first_mismatch, &outcome.violation, &outcome.wrong_clocks), (&None, &None, &vec![]));
-    let (error, bound) = (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
+    assert_eq!(
+        (&outcome.comparison.first_mismatch, &outcome.violation, &outcome.wrong_clocks),
+        (&None, &None, &vec![])
+    );
+    let (error, bound) =
+        (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
     println!("{}: {error} of {bound} LSB, {:?}", spec.method().name(), bench.design.size());
     assert!(error <= bound, "off by {error} LSB, bound {bound}");
     (bench, outcome)
@@ -30,7 +34,10 @@ fn take_turns(frame: &Frame, each: &CoreSpec) {
 #[test]
 fn every_methods_lights_can_take_turns() {
     let mut loaded = load("spheres", Some((40, 30))).unwrap();
-    let light = |x, y| DirectionalLight { direction: DVec3::new(x, y, 1.0).normalize(), colour: [0.5, 0.4, 0.3] };
+    let light = |x, y| DirectionalLight {
+        direction: DVec3::new(x, y, 1.0).normalize(),
+        colour: [0.5, 0.4, 0.3],
+    };
     loaded.frame.lights = vec![light(0.5, 0.2), light(-0.7, 0.1), light(0.0, -0.6)];
     for method in Method::ALL {
         let spec = loaded.core_spec(Some(method)).unwrap();
@@ -39,7 +46,8 @@ fn every_methods_lights_can_take_turns() {
     }
 }
 
-/// A distant light, a lamp and a spot seen from an eye nearby: whatever `phong` makes of directions and highlights.
+/// A distant light, a lamp and a spot seen from an eye nearby: whatever `phong` makes of directions
+/// and highlights.
 #[test]
 fn lights_of_all_kinds_can_take_turns() {
     let loaded = load("lamps", Some((48, 36))).unwrap();

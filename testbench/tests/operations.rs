@@ -1,4 +1,5 @@
-//! The papers' operations per pixel against what the elaborated cores contain, with one light; docs/operations.md explains differences.
+//! The papers' operations per pixel against what the elaborated cores contain, with one light;
+//! docs/operations.md explains differences.
 use specula_golden::operations::TABLE;
 use specula_scene::{Frame, load};
 use specula_testbench::operations::lecture::COUNTS;
@@ -26,8 +27,16 @@ fn forward_differences_are_as_many_as_the_papers_count() {
         assert_eq!(core.accumulators, printed.adds as usize, "{name}: additions");
         // 1/√q is one unit, a root and a division together.
         assert_eq!(core.reciprocal_roots, printed.square_roots as usize, "{name}: roots");
-        assert_eq!(core.dividers + core.reciprocal_roots, printed.divisions as usize, "{name}: divisions");
-        assert_eq!(core.multipliers, printed.multiplies as usize + counterpart.further_products, "{name}: products");
+        assert_eq!(
+            core.dividers + core.reciprocal_roots,
+            printed.divisions as usize,
+            "{name}: divisions"
+        );
+        assert_eq!(
+            core.multipliers,
+            printed.multiplies as usize + counterpart.further_products,
+            "{name}: products"
+        );
     }
 }
 
@@ -36,12 +45,20 @@ fn figures_7_and_8_have_the_multipliers_that_are_documented() {
     let frame = teapot();
     for unit in PARTS.chunk_by(|a, b| a.unit == b.unit) {
         let wanted: Vec<[u32; 2]> = unit.iter().flat_map(|part| part.core).copied().collect();
-        assert_eq!(products(&unit[0].design(&frame).unwrap(), unit[0].unit), wanted, "{}", unit[0].unit);
+        assert_eq!(
+            products(&unit[0].design(&frame).unwrap(), unit[0].unit),
+            wanted,
+            "{}",
+            unit[0].unit
+        );
     }
     for part in PARTS {
         let [wide, narrow] = part.core[0];
         let core = format!("{} of {narrow} × {wide}", part.core.len());
-        let line = format!("| {} | {} | {} | {core} | {} |", part.figure, part.product, part.printed, part.why);
+        let line = format!(
+            "| {} | {} | {} | {core} | {} |",
+            part.figure, part.product, part.printed, part.why
+        );
         assert!(is_documented(&line), "{line}");
     }
 }
@@ -52,17 +69,26 @@ fn the_lectures_counts_are_documented() {
     for count in COUNTS {
         let core = count.contents(&frame).unwrap();
         assert_eq!(core, count.core, "{}", count.what);
-        let numbers = [core.accumulators, core.multipliers, core.dividers, core.reciprocal_roots].map(|n| n.to_string()).join(", ");
-        let options: Vec<&str> =
-            count.options.lines().map(|line| line.split_once('.').map_or(line, |(_, option)| option)).collect();
+        let numbers = [core.accumulators, core.multipliers, core.dividers, core.reciprocal_roots]
+            .map(|n| n.to_string())
+            .join(", ");
+        let options: Vec<&str> = count
+            .options
+            .lines()
+            .map(|line| line.split_once('.').map_or(line, |(_, option)| option))
+            .collect();
         let options: String = options.iter().map(|option| format!(", `{option}`")).collect();
         let method = count.method.name();
-        let line = format!("| {} | {} | {} | `{method}`{options} | {numbers} |", count.section, count.what, count.printed);
+        let line = format!(
+            "| {} | {} | {} | `{method}`{options} | {numbers} |",
+            count.section, count.what, count.printed
+        );
         assert!(is_documented(&line), "{line}");
     }
 }
 
-/// A step of the slerp takes a product of each of four numbers with a cosine and with a sine [lecture, 4.9 to 4.12].
+/// A step of the slerp takes a product of each of four numbers with a cosine and with a sine
+/// [lecture, 4.9 to 4.12].
 #[test]
 fn slerp_turns_by_the_printed_eight_products() {
     let slerp = COUNTS.iter().find(|count| count.options.contains("ends")).unwrap();

@@ -33,7 +33,14 @@ fn flat_triangles_need_no_normalisation_by_the_method_that_can_do_without() {
 fn exponents_that_are_powers_of_two_are_squared() {
     let mut teapot = scene("teapot");
     let need = "exponents are powers of two";
-    for method in [Method::Hybrid, Method::Duff, Method::Reflection, Method::Consistent, Method::Slerp, Method::Direct] {
+    for method in [
+        Method::Hybrid,
+        Method::Duff,
+        Method::Reflection,
+        Method::Consistent,
+        Method::Slerp,
+        Method::Direct,
+    ] {
         let saves = line(&of(&teapot, method), need).unwrap().saves;
         assert!(saves.adder_bits > 0 && saves.register_bits > 0, "{method:?} {saves:?}");
     }
@@ -54,7 +61,10 @@ fn directions_that_are_constant_are_not_worked_out_at_every_pixel() {
     let lamps = of(&scene("lamps"), Method::Phong);
     assert_eq!(line(&lamps, "eye at infinity"), None);
     assert!(line(&lamps, "lights at infinity").unwrap().left_out.contains(" 1 "), "{lamps:?}");
-    assert!(line(&lamps, "distance to places").is_some() && line(&spheres, "distance to places").is_none());
+    assert!(
+        line(&lamps, "distance to places").is_some()
+            && line(&spheres, "distance to places").is_none()
+    );
     // There the host works them out for each span, and what is constant is a constant.
     assert_eq!(line(&of(&scene("spheres"), Method::Hybrid), "lights at infinity"), None);
 }
@@ -64,46 +74,84 @@ fn angles_and_exponents_decide_formats() {
     let spheres = of(&scene("spheres"), Method::Phong);
     for need in ["angle between the normals of a span", "largest exponent"] {
         let line = line(&spheres, need).unwrap();
-        assert!(line.saves.multiplier_bits > 0 && line.left_out.contains("narrower formats"), "{line:?}");
+        assert!(
+            line.saves.multiplier_bits > 0 && line.left_out.contains("narrower formats"),
+            "{line:?}"
+        );
     }
     let torus = of(&scene("torus"), Method::Consistent);
     assert!(line(&torus, "angle between normals and faces").unwrap().saves.register_bits > 0);
     // Up to 30 degrees `lyon` does without Newton's step.
     let narrow = of(&scene("torus"), Method::Lyon);
-    assert!(line(&narrow, "angle between the normals of a span").unwrap().left_out.contains("Newton steps: 0, not 1"));
+    assert!(
+        line(&narrow, "angle between the normals of a span")
+            .unwrap()
+            .left_out
+            .contains("Newton steps: 0, not 1")
+    );
     // Spans of this one are wider, and formats the finest anyway.
-    assert_eq!(line(&of(&scene("icosahedron"), Method::Lyon), "angle between the normals of a span"), None);
+    assert_eq!(
+        line(&of(&scene("icosahedron"), Method::Lyon), "angle between the normals of a span"),
+        None
+    );
 }
 
 #[test]
 fn all_together_contains_every_need() {
-    for (name, method) in [("teapot", Method::Lyon), ("spheres", Method::Phong), ("torus", Method::Reflection)] {
+    for (name, method) in
+        [("teapot", Method::Lyon), ("spheres", Method::Phong), ("torus", Method::Reflection)]
+    {
         let savings = of(&scene(name), method);
         let [nothing, _] = &savings.together[..] else { panic!("{savings:?}") };
         assert_eq!((nothing.baseline, nothing.known.len()), (Baseline::Nothing, 0), "{name}");
         for saving in &savings.needs {
             let (one, all) = (saving.saves, nothing.saves);
-            assert!(one.multiplier_bits <= all.multiplier_bits && one.register_bits <= all.register_bits, "{name}: {saving:?}");
+            assert!(
+                one.multiplier_bits <= all.multiplier_bits
+                    && one.register_bits <= all.register_bits,
+                "{name}: {saving:?}"
+            );
         }
     }
 }
 
-/// The general cores say what they are built for: anything, or what a renderer asks for. That saves less, and still something.
+/// The general cores say what they are built for: anything, or what a renderer asks for. That saves
+/// less, and still something.
 #[test]
 fn general_cores_are_named() {
-    for (name, method, lights) in [("teapot", Method::Lyon, 1), ("spheres", Method::Lyon, 2), ("lamps", Method::Phong, 3)] {
+    for (name, method, lights) in
+        [("teapot", Method::Lyon, 1), ("spheres", Method::Lyon, 2), ("lamps", Method::Phong, 3)]
+    {
         let scene = scene(name);
         let savings = of(&scene, method);
         let [nothing, renderer] = &savings.together[..] else { panic!("{savings:?}") };
         assert_eq!((nothing.longest_span, nothing.largest_shininess), (8192, 8191), "{name}");
-        assert!(nothing.built_for.contains("spans of 8192 pixels, n up to 8191"), "{}", nothing.built_for);
-        assert_eq!((renderer.baseline, renderer.lights, renderer.longest_span), (Baseline::Renderer, lights, 64), "{name}");
+        assert!(
+            nothing.built_for.contains("spans of 8192 pixels, n up to 8191"),
+            "{}",
+            nothing.built_for
+        );
+        assert_eq!(
+            (renderer.baseline, renderer.lights, renderer.longest_span),
+            (Baseline::Renderer, lights, 64),
+            "{name}"
+        );
         let n = Needs::of(&scene.frame).largest_shininess.max(128);
         assert_eq!(renderer.largest_shininess, n, "{name}");
-        assert!(renderer.built_for.contains(&format!("spans of 64 pixels, n up to {n}")), "{}", renderer.built_for);
+        assert!(
+            renderer.built_for.contains(&format!("spans of 64 pixels, n up to {n}")),
+            "{}",
+            renderer.built_for
+        );
         let (all, usual) = (nothing.saves, renderer.saves);
-        assert!(usual.register_bits < all.register_bits && usual.register_bits > 0, "{name}: {usual:?} and {all:?}");
-        assert!(usual.multiplier_bits < all.multiplier_bits && usual.multiplier_bits > 0, "{name}: {usual:?} and {all:?}");
+        assert!(
+            usual.register_bits < all.register_bits && usual.register_bits > 0,
+            "{name}: {usual:?} and {all:?}"
+        );
+        assert!(
+            usual.multiplier_bits < all.multiplier_bits && usual.multiplier_bits > 0,
+            "{name}: {usual:?} and {all:?}"
+        );
     }
 }
 
@@ -117,7 +165,8 @@ fn narrowed_formats_are_no_need() {
     let narrow = specula_scene::Format { fraction_bits: shape.fraction_bits - 3, ..shape };
     let narrowed = spec.with_formats(&[("base", narrow)]).unwrap().specialised(&torus.frame);
     let of = |spec| savings(&torus, spec, None).unwrap();
-    let needs = |savings: &Savings| savings.needs.iter().map(|saving| saving.need).collect::<Vec<_>>();
+    let needs =
+        |savings: &Savings| savings.needs.iter().map(|saving| saving.need).collect::<Vec<_>>();
     let (wide, narrow) = (of(&spec), of(&narrowed));
     assert_eq!(needs(&wide), needs(&narrow));
     let bits = |savings: &Savings| line(savings, "longest span").unwrap().saves.adder_bits;

@@ -20,7 +20,11 @@ fn simulated_pictures_stay_within_an_lsb_of_their_method(method: Method) {
         let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
         let error = outcome.comparison.errors.quantisation.max_lsb;
         assert!(outcome.agrees() && error <= 1.0, "{scene} {}: {error}", method.name());
-        assert!(multiplier_bits(&general) <= multiplier_bits(&start.general()), "{scene} {}", method.name());
+        assert!(
+            multiplier_bits(&general) <= multiplier_bits(&start.general()),
+            "{scene} {}",
+            method.name()
+        );
     }
 }
 

@@ -19,13 +19,21 @@ fn picture() -> Frame {
 }
 
 /// What a host sends that changes inputs of this name after they are set up.
-fn sent(core: &CoreSpec, frame: &Frame, named: &str, wrong: impl Fn(i64, u32) -> i64) -> Vec<SpanPacket> {
+fn sent(
+    core: &CoreSpec,
+    frame: &Frame,
+    named: &str,
+    wrong: impl Fn(i64, u32) -> i64,
+) -> Vec<SpanPacket> {
     let (ports, set_up) = (core.inputs(), SetUp::new(core, frame));
-    let concerned: Vec<usize> = (0..ports.len()).filter(|&input| ports[input].name.contains(named)).collect();
+    let concerned: Vec<usize> =
+        (0..ports.len()).filter(|&input| ports[input].name.contains(named)).collect();
     assert!(!concerned.is_empty(), "there is no input {named}");
     let packet = |span| {
         let mut packet: SpanPacket = set_up.packet(span);
-        concerned.iter().for_each(|&input| packet.inputs[input] = wrong(packet.inputs[input], packet.length));
+        concerned
+            .iter()
+            .for_each(|&input| packet.inputs[input] = wrong(packet.inputs[input], packet.length));
         packet
     };
     frame.spans.iter().map(packet).collect()
@@ -52,7 +60,10 @@ fn is_told(method: Method, named: &str, wrong: impl Fn(i64, u32) -> i64) -> f64 
     assert!(worst.error_lsb > outcome.bound_lsb && outcome.comparison.beyond_bound > 0);
     let place = (worst.y * frame.width + worst.x) as usize;
     assert_eq!(outcome.simulated.pixels[place][worst.channel], worst.simulated);
-    assert_eq!((frame.spans[worst.span].y, frame.spans[worst.span].x + worst.pixel), (worst.y, worst.x));
+    assert_eq!(
+        (frame.spans[worst.span].y, frame.spans[worst.span].x + worst.pixel),
+        (worst.y, worst.x)
+    );
     worst.error_lsb
 }
 
@@ -66,7 +77,9 @@ fn a_light_from_behind_is_told() {
 /// Steps that are worked out for a pixel more than there are.
 #[test]
 fn steps_over_a_pixel_too_many_are_told() {
-    let over_one_more = |raw: i64, length: u32| (raw as f64 * f64::from(length - 1) / f64::from(length)).round() as i64;
+    let over_one_more = |raw: i64, length: u32| {
+        (raw as f64 * f64::from(length - 1) / f64::from(length)).round() as i64
+    };
     for (method, named) in [
         (Method::Lyon, "weight_step"),
         (Method::Phong, "weight_step"),
@@ -83,7 +96,11 @@ fn steps_over_a_pixel_too_many_are_told() {
 #[test]
 fn a_first_difference_that_is_too_large_is_told() {
     for method in [Method::Hybrid, Method::Reflection] {
-        assert!(is_told(method, "denominator_first_difference", |raw, _| raw + raw / 10) > 1.0, "{}", method.name());
+        assert!(
+            is_told(method, "denominator_first_difference", |raw, _| raw + raw / 10) > 1.0,
+            "{}",
+            method.name()
+        );
     }
 }
 
@@ -96,5 +113,7 @@ fn a_wrong_bound_is_told() {
     bench.design.output_errors = vec![0.25; 3];
     let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
     assert_eq!(outcome.comparison.mismatches, 0);
-    assert!(!outcome.agrees() && outcome.beyond_bound().is_some_and(|worst| worst.error_lsb <= 2.0));
+    assert!(
+        !outcome.agrees() && outcome.beyond_bound().is_some_and(|worst| worst.error_lsb <= 2.0)
+    );
 }

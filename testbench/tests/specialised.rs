@@ -10,8 +10,12 @@ use specula_testbench::{Bench, EngineKind, Image};
 /// What a core gives, with a right answer to every question a bench asks.
 fn shaded(bench: &Bench) -> Image {
     let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
-    assert_eq!((&outcome.comparison.first_mismatch, &outcome.violation, &outcome.wrong_clocks), (&None, &None, &vec![]));
-    let (error, bound) = (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
+    assert_eq!(
+        (&outcome.comparison.first_mismatch, &outcome.violation, &outcome.wrong_clocks),
+        (&None, &None, &vec![])
+    );
+    let (error, bound) =
+        (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
     assert!(error <= bound, "off by {error} LSB, bound {bound}");
     outcome.simulated
 }
@@ -27,10 +31,16 @@ fn every_pixel_is_that_of_the_general_core(method: Method) {
         let loaded = load(scene, Some((96, 72))).unwrap();
         let special = loaded.core_spec(Some(method)).unwrap();
         let general = special.general();
-        let [special, general] = [&special, &general].map(|spec| Bench::new(&loaded.frame, spec, scene).unwrap());
+        let [special, general] =
+            [&special, &general].map(|spec| Bench::new(&loaded.frame, spec, scene).unwrap());
         assert!(shaded(&special) == shaded(&general), "{scene} {}", method.name());
         let (s, g) = (sizes(&special.design), sizes(&general.design));
-        println!("{scene} {}: {s:?} of {g:?}, latency {} of {}", method.name(), special.design.latency(), general.design.latency());
+        println!(
+            "{scene} {}: {s:?} of {g:?}, latency {} of {}",
+            method.name(),
+            special.design.latency(),
+            general.design.latency()
+        );
         assert!(s[0] < g[0] && s[2] < g[2], "{scene} {}", method.name());
         assert!(special.design.latency() <= general.design.latency());
     }

@@ -14,7 +14,11 @@ const LENGTHS: [u32; 7] = [1, 30, 1, 1, 200, 3, 64];
 fn picture() -> Frame {
     let row = |(number, &length): (usize, &u32)| {
         let from = 20.0 * number as f64 - 70.0;
-        Row { normals: [tilted(from), tilted(from + 25.0)], length, material: material(0.1, 0.4, 0.45, 8) }
+        Row {
+            normals: [tilted(from), tilted(from + 25.0)],
+            length,
+            material: material(0.1, 0.4, 0.45, 8),
+        }
     };
     let rows: Vec<Row> = LENGTHS.iter().enumerate().map(row).collect();
     frame_of(&rows, &[tilted(12.0)])
@@ -55,7 +59,8 @@ fn cores(frame: &Frame) -> [CoreSpec; 2] {
     [lyon(frame, |lyon| lyon.newton_steps = 1), spec(frame, Method::Hybrid)]
 }
 
-/// Windows at the very beginning, across spans of one pixel, inside a long span, and at the very end.
+/// Windows at the very beginning, across spans of one pixel, inside a long span, and at the very
+/// end.
 #[test]
 fn windows_show_what_the_whole_run_shows() {
     let frame = picture();
@@ -120,7 +125,8 @@ fn spans_are_shown_whole() {
     assert_eq!(window(Choice::Span(6), None), Some(pixels() - 64..pixels() + latency() + 1));
 }
 
-/// The worst pixel's exit stands three quarters into the window, or as near as the run's ends allow.
+/// The worst pixel's exit stands three quarters into the window, or as near as the run's ends
+/// allow.
 #[test]
 fn the_worst_pixel_stands_in_its_window() {
     assert_eq!(window(Choice::Worst, None), None);
@@ -137,7 +143,8 @@ fn the_worst_pixel_stands_in_its_window() {
     }
 }
 
-/// The bench names the clock in which the worst pixel leaves, and there its code stands at the outputs.
+/// The bench names the clock in which the worst pixel leaves, and there its code stands at the
+/// outputs.
 #[test]
 fn the_worst_cycle_is_where_the_worst_pixel_leaves() {
     let frame = picture();
@@ -148,7 +155,10 @@ fn the_worst_cycle_is_where_the_worst_pixel_leaves() {
         let clock = outcome.worst_cycle.unwrap();
         let spans = FrameSpans::new(&frame, &core);
         let stimulus = Stimulus::whole(&spans, &bench.design);
-        assert_eq!(clock, leaving_clock(&stimulus, bench.design.latency(), worst.span, worst.pixel));
+        assert_eq!(
+            clock,
+            leaving_clock(&stimulus, bench.design.latency(), worst.span, worst.pixel)
+        );
         let (_, columns) = trace(&bench, &Choice::Cycles(clock..clock + 1), &outcome);
         let at = |node| columns.of(node).unwrap()[0];
         let code: Vec<i64> = bench.design.outputs.iter().map(|&output| at(output)).collect();

@@ -42,7 +42,8 @@ impl NameArguments {
     /// [`ToolError::Name`] if its module cannot be called so.
     pub fn rename(&self, file: &mut SpecFile) -> Result<(), ToolError> {
         let Some(name) = &self.name else { return Ok(()) };
-        let possible: String = module_name(name, &file.spec).chars().take(SpecFile::LONGEST_NAME).collect();
+        let possible: String =
+            module_name(name, &file.spec).chars().take(SpecFile::LONGEST_NAME).collect();
         if possible != *name {
             return Err(ToolError::Name { name: name.clone(), possible });
         }
@@ -54,7 +55,8 @@ impl NameArguments {
 /// The scene and its picture.
 #[derive(Clone, Debug, Args)]
 pub struct SceneArguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
+    /// .glb)
     pub scene: String,
     #[command(flatten)]
     pub picture: PictureArguments,
@@ -85,8 +87,8 @@ pub struct Wishes {
     /// [default: what the scene says, else scene]
     #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
     pub specialise: Option<Specialise>,
-    /// Narrow all formats as far as every pixel stays within this of exact shading by the method, such as 1lsb
-    /// [default: the formats that the scene says, else recommended ones]
+    /// Narrow all formats as far as every pixel stays within this of exact shading by the method,
+    /// such as 1lsb [default: the formats that the scene says, else recommended ones]
     #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
     pub max_error: Option<f64>,
 }
@@ -101,7 +103,8 @@ impl Wishes {
             Some(most) => search::within(&spec, &scene.frame, most)??,
         };
         // What narrows formats gives the general core.
-        let wish = self.specialise.or((!general && self.max_error.is_some()).then_some(Specialise::Scene));
+        let wish =
+            self.specialise.or((!general && self.max_error.is_some()).then_some(Specialise::Scene));
         Ok(specialised(spec, wish, &scene.frame))
     }
 }
@@ -117,14 +120,24 @@ pub fn specialised(spec: CoreSpec, wish: Option<Specialise>, frame: &Frame) -> C
 
 /// `--max-error`: LSBs of the 8-bit output.
 pub fn parse_error(text: &str) -> Result<f64, String> {
-    let number = text.strip_suffix("lsb").unwrap_or(text).parse::<f64>().ok().filter(|lsb| *lsb > 0.0 && *lsb <= 255.0);
-    number.ok_or_else(|| "write a number of LSBs of the 8-bit output above 0 and up to 255, as in 1lsb".to_owned())
+    let number = text
+        .strip_suffix("lsb")
+        .unwrap_or(text)
+        .parse::<f64>()
+        .ok()
+        .filter(|lsb| *lsb > 0.0 && *lsb <= 255.0);
+    number.ok_or_else(|| {
+        "write a number of LSBs of the 8-bit output above 0 and up to 255, as in 1lsb".to_owned()
+    })
 }
 
 /// `--size`.
 pub fn parse_size(text: &str) -> Result<(u32, u32), String> {
-    let number = |digits: &str| digits.parse::<u32>().ok().filter(|_| digits.bytes().all(|b| b.is_ascii_digit()));
-    let numbers = text.split_once('x').and_then(|(width, height)| Some((number(width)?, number(height)?)));
+    let number = |digits: &str| {
+        digits.parse::<u32>().ok().filter(|_| digits.bytes().all(|b| b.is_ascii_digit()))
+    };
+    let numbers =
+        text.split_once('x').and_then(|(width, height)| Some((number(width)?, number(height)?)));
     let size = numbers.ok_or("write width and height in pixels, as in 640x480")?;
     if limits::is_allowed(size) { Ok(size) } else { Err(limits::described()) }
 }
@@ -135,9 +148,10 @@ pub fn parse_choice(text: &str) -> Result<Choice, String> {
         ("worst", _) => Ok(Choice::Worst),
         ("none", _) => Ok(Choice::None),
         ("all", _) => Ok(Choice::All),
-        (_, Some(("span", number))) => {
-            number.parse().map(Choice::Span).map_err(|_| "write the number of a span, as in span=12".into())
-        }
+        (_, Some(("span", number))) => number
+            .parse()
+            .map(Choice::Span)
+            .map_err(|_| "write the number of a span, as in span=12".into()),
         (_, Some(("cycles", range))) => parse_cycles(range).map(Choice::Cycles),
         _ => Err("write worst, none, all, span=N or cycles=A..B".to_owned()),
     }
@@ -145,31 +159,43 @@ pub fn parse_choice(text: &str) -> Result<Choice, String> {
 
 fn parse_cycles(text: &str) -> Result<std::ops::Range<u64>, String> {
     let ends = text.split_once("..").and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
-    let (first, end) = ends.ok_or("write the first cycle and the one behind the last, as in cycles=100..300")?;
-    if first < end { Ok(first..end) } else { Err(format!("{first}..{end} is empty: the first number must be the smaller one")) }
+    let (first, end) =
+        ends.ok_or("write the first cycle and the one behind the last, as in cycles=100..300")?;
+    if first < end {
+        Ok(first..end)
+    } else {
+        Err(format!("{first}..{end} is empty: the first number must be the smaller one"))
+    }
 }
 
 /// `--method`.
 pub fn method_parser() -> impl TypedValueParser<Value = Method> {
-    PossibleValuesParser::new(Method::ALL.map(Method::name)).try_map(|name| Method::from_name(&name))
+    PossibleValuesParser::new(Method::ALL.map(Method::name))
+        .try_map(|name| Method::from_name(&name))
 }
 
-/// The methods that `--methods` names, each once and in their order; all of them where it names none.
+/// The methods that `--methods` names, each once and in their order; all of them where it names
+/// none.
 pub fn asked(named: &[Method]) -> Vec<Method> {
     Method::ALL.into_iter().filter(|method| named.is_empty() || named.contains(method)).collect()
 }
 
 /// `--specialise`.
 pub fn specialise_parser() -> impl TypedValueParser<Value = Specialise> {
-    PossibleValuesParser::new(Specialise::ALL.map(Specialise::name))
-        .try_map(|name| Specialise::ALL.into_iter().find(|wish| wish.name() == name).ok_or("there is no such wish"))
+    PossibleValuesParser::new(Specialise::ALL.map(Specialise::name)).try_map(|name| {
+        Specialise::ALL.into_iter().find(|wish| wish.name() == name).ok_or("there is no such wish")
+    })
 }
 
 /// `--engine`.
 pub fn engine_parser() -> impl TypedValueParser<Value = EngineKind> {
     let names = EngineKind::ALL.iter().map(|engine| engine.name());
-    PossibleValuesParser::new(names)
-        .try_map(|name| EngineKind::ALL.into_iter().find(|engine| engine.name() == name).ok_or("there is no such engine"))
+    PossibleValuesParser::new(names).try_map(|name| {
+        EngineKind::ALL
+            .into_iter()
+            .find(|engine| engine.name() == name)
+            .ok_or("there is no such engine")
+    })
 }
 
 #[cfg(test)]
@@ -179,10 +205,26 @@ mod tests {
     #[test]
     fn sizes_are_read_or_refused() {
         assert_eq!(parse_size("640x480"), Ok((640, 480)));
-        for text in
-            ["", "x", "640", "640x", "x480", "640X480", "+1x1", "-1x4", "1x1x1", "1 x1", "4294967296x1", "NaNx1", "6\u{664}x1"]
-        {
-            assert_eq!(parse_size(text), Err("write width and height in pixels, as in 640x480".into()), "{text}");
+        for text in [
+            "",
+            "x",
+            "640",
+            "640x",
+            "x480",
+            "640X480",
+            "+1x1",
+            "-1x4",
+            "1x1x1",
+            "1 x1",
+            "4294967296x1",
+            "NaNx1",
+            "6\u{664}x1",
+        ] {
+            assert_eq!(
+                parse_size(text),
+                Err("write width and height in pixels, as in 640x480".into()),
+                "{text}"
+            );
         }
         for text in ["0x0", "0x480", "8193x1", "100000x100000", "4294967295x4294967295"] {
             assert_eq!(parse_size(text), Err(limits::described()), "{text}");

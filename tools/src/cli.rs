@@ -6,8 +6,8 @@ use clap::{Parser, Subcommand};
 use crate::error::ToolError;
 use crate::output::Interrupts;
 use crate::{
-    cmd_bench, cmd_compare, cmd_explore, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce, cmd_run, cmd_scenes, cmd_stress,
-    cmd_wave,
+    cmd_bench, cmd_compare, cmd_explore, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce,
+    cmd_run, cmd_scenes, cmd_stress, cmd_wave,
 };
 
 const EXAMPLES: &str = "\
@@ -29,7 +29,8 @@ pub struct Cli {
 /// The subcommands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Simulate the core for a scene, compare every pixel, and write Verilog, pictures, waveform and report
+    /// Simulate the core for a scene, compare every pixel, and write Verilog, pictures, waveform
+    /// and report
     Run(cmd_run::Arguments),
     /// Write the Verilog of the core for a scene, without simulating it
     Generate(cmd_generate::Arguments),
@@ -64,8 +65,13 @@ pub enum Verdict {
 }
 
 impl Command {
-    /// Does what was asked for; what it has to say goes to `stdout`. What it writes elsewhere is undone by `interrupts` while it is half done.
-    pub fn execute(&self, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+    /// Does what was asked for; what it has to say goes to `stdout`. What it writes elsewhere is
+    /// undone by `interrupts` while it is half done.
+    pub fn execute(
+        &self,
+        stdout: &mut dyn Write,
+        interrupts: &Interrupts,
+    ) -> Result<Verdict, ToolError> {
         match self {
             Command::Run(arguments) => cmd_run::execute(arguments, stdout, interrupts),
             Command::Generate(arguments) => cmd_generate::execute(arguments, stdout, interrupts),

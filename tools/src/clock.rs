@@ -5,7 +5,8 @@ use specula_testbench::tradeoff::FrameCycles;
 /// `--clock`, for every command that says how fast a core is.
 #[derive(Clone, Debug, Default, Args)]
 pub struct ClockArguments {
-    /// Clock in MHz at which times and frames per second are said: assumed, not proven [default: 100]
+    /// Clock in MHz at which times and frames per second are said: assumed, not proven [default:
+    /// 100]
     #[arg(long = "clock", value_name = "MHZ", allow_hyphen_values = true, value_parser = parse_clock)]
     mhz: Option<f64>,
 }

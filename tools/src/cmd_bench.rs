@@ -30,7 +30,8 @@ Example: specula bench torus --method hybrid --json";
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
+    /// .glb)
     #[arg(default_value = "teapot")]
     scene: String,
     /// Width and height of the picture in pixels
@@ -39,7 +40,8 @@ pub struct Arguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
-    /// The core for this scene alone, as `run` makes it, or the general one, which takes every input
+    /// The core for this scene alone, as `run` makes it, or the general one, which takes every
+    /// input
     #[arg(long, value_name = "FOR", default_value = "general", value_parser = specialise_parser())]
     specialise: Specialise,
     /// Rounds to take the medians of
@@ -64,12 +66,18 @@ struct Measured<'a> {
 /// Measures and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = crate::scene::load(&arguments.scene, Some(arguments.size))?;
-    let spec = specialised(scene.core_spec(arguments.method)?, Some(arguments.specialise), &scene.frame);
-    let bench = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(&scene.name, &spec))?;
+    let spec =
+        specialised(scene.core_spec(arguments.method)?, Some(arguments.specialise), &scene.frame);
+    let bench =
+        Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(&scene.name, &spec))?;
     let extent = Extent { rounds: arguments.rounds as usize, seconds: arguments.seconds };
     let measurement = measured(&bench, extent)?;
     let measured = Measured { scene: &scene.name, bench: &bench, extent, measurement };
-    let text = if arguments.json { json::text(&measured).map_err(ToolError::Json)? } else { table::text(&measured) };
+    let text = if arguments.json {
+        json::text(&measured).map_err(ToolError::Json)?
+    } else {
+        table::text(&measured)
+    };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(Verdict::Done)
 }
@@ -89,7 +97,9 @@ fn measured(bench: &Bench, extent: Extent) -> Result<Measurement, ToolError> {
 
 fn described(step: &Step) -> String {
     match step {
-        Step::Building { engine, mode } => format!("building {} for {}", engine.program(), mode.name()),
+        Step::Building { engine, mode } => {
+            format!("building {} for {}", engine.program(), mode.name())
+        }
         Step::Trying { entry } => format!("trying {}", entry.describe()),
         Step::Measuring { entry, .. } => format!("measuring {}", entry.describe()),
     }

@@ -16,7 +16,9 @@ use clap::Args;
 use indicatif::ProgressBar;
 use specula_scene::{LoadedScene, Method};
 use specula_testbench::bench::Machine;
-use specula_testbench::tradeoff::{Configuration, Formats, Journal, Planned, interpolation_errors, plan, software, sweep};
+use specula_testbench::tradeoff::{
+    Configuration, Formats, Journal, Planned, interpolation_errors, plan, software, sweep,
+};
 
 use crate::arguments::{SceneArguments, asked, method_parser};
 use crate::cli::Verdict;
@@ -46,8 +48,8 @@ pub struct Arguments {
     /// Methods to compare [default: all of them]
     #[arg(long, value_name = "METHODS", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
-    /// Formats of each: default (what the method recommends for the scene), numbers of fraction bits more
-    /// or fewer at every place where values are rounded, narrow (-4), or wide (+2)
+    /// Formats of each: default (what the method recommends for the scene), numbers of fraction
+    /// bits more or fewer at every place where values are rounded, narrow (-4), or wide (+2)
     #[arg(
         long,
         value_name = "FORMATS",
@@ -73,9 +75,14 @@ pub struct Arguments {
 const DEFAULT_FORMATS: &str = "-8,-6,-4,-2,default,+2";
 
 /// Compares, writes everything, and prints the tables or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
-    let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("out/compare").join(&scene.name));
+    let folder =
+        arguments.output.clone().unwrap_or_else(|| PathBuf::from("out/compare").join(&scene.name));
     let destination = Destination::check(&folder, &files::names(), interrupts)?;
     let planned = plan(&scene, configurations(arguments));
     refuse_nothing(&planned)?;
@@ -88,7 +95,11 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Inter
 }
 
 /// Results that are known already; says which lines are damaged.
-fn open_journal(arguments: &Arguments, destination: &Destination, scene: &LoadedScene) -> Result<Journal, ToolError> {
+fn open_journal(
+    arguments: &Arguments,
+    destination: &Destination,
+    scene: &LoadedScene,
+) -> Result<Journal, ToolError> {
     fs::create_dir_all(&destination.shown).map_err(OutputError::system(&destination.shown))?;
     let path = destination.shown.join(JOURNAL);
     if arguments.fresh && path.exists() {
@@ -98,23 +109,41 @@ fn open_journal(arguments: &Arguments, destination: &Destination, scene: &Loaded
     let mut stderr = io::stderr().lock();
     for line in damaged {
         // Whoever does not listen sees that it is measured again.
-        let _ = writeln!(stderr, "{}, line {}: {}; what it held is measured again", path.display(), line.line, line.reason);
+        let _ = writeln!(
+            stderr,
+            "{}, line {}: {}; what it held is measured again",
+            path.display(),
+            line.line,
+            line.reason
+        );
     }
     Ok(journal)
 }
 
 /// Where no method serves the scene there is nothing to compare, and nothing is written.
 fn refuse_nothing(planned: &[Planned]) -> Result<(), ToolError> {
-    let refusal = |planned: &Planned| Some(format!("{}: {}", planned.configuration, planned.spec.as_ref().err()?));
+    let refusal = |planned: &Planned| {
+        Some(format!("{}: {}", planned.configuration, planned.spec.as_ref().err()?))
+    };
     let reasons: Vec<String> = planned.iter().filter_map(refusal).collect();
-    if reasons.len() < planned.len() { Ok(()) } else { Err(ToolError::NothingToCompare { reasons: reasons.join("\n") }) }
+    if reasons.len() < planned.len() {
+        Ok(())
+    } else {
+        Err(ToolError::NothingToCompare { reasons: reasons.join("\n") })
+    }
 }
 
-fn compare(arguments: &Arguments, scene: &LoadedScene, planned: Vec<Planned>, journal: &Journal) -> Result<Compared, ToolError> {
+fn compare(
+    arguments: &Arguments,
+    scene: &LoadedScene,
+    planned: Vec<Planned>,
+    journal: &Journal,
+) -> Result<Compared, ToolError> {
     let extent = software::Extent::default();
     let bar = progress::steps();
     bar.set_length((planned.len() + extent.rounds + 1) as u64);
-    let rows = sweep(scene, planned, journal, &|configuration| step(&bar, &configuration.to_string()))?;
+    let rows =
+        sweep(scene, planned, journal, &|configuration| step(&bar, &configuration.to_string()))?;
     let software = software::measure(&scene.frame, extent, &mut || step(&bar, "software"));
     bar.finish_and_clear();
     let clock = arguments.clock.clock();

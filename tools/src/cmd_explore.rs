@@ -60,21 +60,33 @@ struct Report<'a> {
 }
 
 /// Searches, writes the best core, and prints the front.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
     let methods = asked(&arguments.methods);
-    let wanted = Wanted { most: arguments.max_error, methods: &methods, device: arguments.device.device };
+    let wanted =
+        Wanted { most: arguments.max_error, methods: &methods, device: arguments.device.device };
     let bar = progress::count("cores tried");
     let exploration = explore(&scene.frame, &wanted, &|| bar.inc(1));
     bar.finish_and_clear();
     let exploration = exploration?;
-    let best = exploration.best.map(|index| &exploration.front[index]).ok_or_else(|| nothing(&wanted, &exploration))?;
+    let best = exploration
+        .best
+        .map(|index| &exploration.front[index])
+        .ok_or_else(|| nothing(&wanted, &exploration))?;
     let file = SpecFile { name: scene.name.clone(), spec: best.spec.clone() };
     // Not `run`'s folder, in which no other core's spec may be put.
-    let folder = arguments.output.clone().unwrap_or_else(|| Path::new("out").join(format!("{}-explored", scene.name)));
+    let folder = arguments
+        .output
+        .clone()
+        .unwrap_or_else(|| Path::new("out").join(format!("{}-explored", scene.name)));
     let written = write_core(&folder, &[(SpecFile::NAME.to_owned(), file.text())], interrupts)?;
     let text = if arguments.json {
-        let (scene, max_error, device) = (scene.name.as_str(), arguments.max_error, arguments.device.device);
+        let (scene, max_error, device) =
+            (scene.name.as_str(), arguments.max_error, arguments.device.device);
         let report = Report { scene, max_error, device, exploration: &exploration };
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
     } else {
@@ -89,7 +101,9 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Inter
 fn verdict(exploration: &Exploration) -> Verdict {
     let mut verdict = Verdict::Done;
     let mut stderr = io::stderr().lock();
-    for (core, [error, bound]) in exploration.front.iter().filter_map(|core| Some((core, core.beyond_bound()?))) {
+    for (core, [error, bound]) in
+        exploration.front.iter().filter_map(|core| Some((core, core.beyond_bound()?)))
+    {
         verdict = Verdict::Disagrees;
         let name = &core.core;
         // The exit status tells the same.
@@ -107,7 +121,9 @@ fn nothing(wanted: &Wanted, exploration: &Exploration) -> ToolError {
     ToolError::NothingExplored(NothingExplored {
         wanted: wanted.most,
         nearest: match nearest {
-            Some((error, core)) if error > wanted.most => format!("the nearest comes to {error:.2} LSB: {core}"),
+            Some((error, core)) if error > wanted.most => {
+                format!("the nearest comes to {error:.2} LSB: {core}")
+            }
             Some(_) => "those that come as near do not fit the device".to_owned(),
             None => exploration.refused.join("; "),
         },
@@ -119,15 +135,26 @@ fn nothing(wanted: &Wanted, exploration: &Exploration) -> ToolError {
 #[error("none of the cores that were tried is within {wanted} LSB of exact shading; {nearest}")]
 #[diagnostic(
     code(specula::explore),
-    help("ask for a larger error, for other methods or for a larger device; rounding to 8 bits alone takes up to 0.5 LSB")
+    help(
+        "ask for a larger error, for other methods or for a larger device; rounding to 8 bits alone takes up to 0.5 LSB"
+    )
 )]
 pub struct NothingExplored {
     wanted: f64,
     nearest: String,
 }
 
-const TITLES: [&str; 9] =
-    ["", "error in LSB", "cells", "multiplier bits", "blocks", "adder bits", "register bits", "frames/s", "core"];
+const TITLES: [&str; 9] = [
+    "",
+    "error in LSB",
+    "cells",
+    "multiplier bits",
+    "blocks",
+    "adder bits",
+    "register bits",
+    "frames/s",
+    "core",
+];
 
 /// The front as a table, and what was tried.
 fn described(exploration: &Exploration, clock: Clock) -> String {
@@ -147,7 +174,8 @@ fn described(exploration: &Exploration, clock: Clock) -> String {
     };
     let rows = exploration.front.iter().enumerate().map(row);
     let table: Vec<[String; 9]> = [TITLES.map(str::to_owned)].into_iter().chain(rows).collect();
-    let refused: String = exploration.refused.iter().map(|reason| format!("left out: {reason}\n")).collect();
+    let refused: String =
+        exploration.refused.iter().map(|reason| format!("left out: {reason}\n")).collect();
     format!(
         "{}\n{} cores were tried, of which these {} are neither beaten in size nor in error; frames/s, set-up counted, at {}\n{refused}",
         table::shown(&table),

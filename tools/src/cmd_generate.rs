@@ -26,7 +26,8 @@ Example: specula generate teapot --method hybrid --name shader -o rtl";
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl, .glb)
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
+    /// .glb)
     #[arg(required_unless_present = "spec")]
     scene: Option<String>,
     #[command(flatten)]
@@ -48,7 +49,11 @@ pub struct Arguments {
 const STANDARD_OUTPUT: &str = "-";
 
 /// Writes the core and says where.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let (file, origin) = arguments.core()?;
     let module = specula_hdl::verilog::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
@@ -87,7 +92,10 @@ impl Arguments {
             }
             // The command line asks for one of both.
             (None, scene) => {
-                let scene = SceneArguments { scene: scene.clone().unwrap_or_default(), picture: self.picture.clone() };
+                let scene = SceneArguments {
+                    scene: scene.clone().unwrap_or_default(),
+                    picture: self.picture.clone(),
+                };
                 let Task { file, origin, .. } = Task::of_scene(&scene, &self.wishes, &self.name)?;
                 Ok((file, origin))
             }

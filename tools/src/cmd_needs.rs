@@ -56,12 +56,21 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     // What a scene leaves out is asked for whether its file wants it left out or not.
     let spec = if spec.specialisation.is_general() { spec.specialised(&scene.frame) } else { spec };
     let (needs, savings) = (Needs::of(&scene.frame), measured(&scene, &spec, arguments.synthesis)?);
-    let report = Report { scene: &scene.name, method: spec.method().name(), needs: &needs, savings: &savings };
+    let report = Report {
+        scene: &scene.name,
+        method: spec.method().name(),
+        needs: &needs,
+        savings: &savings,
+    };
     let text = if arguments.json {
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
     } else {
         let table = [vec![TITLES.map(str::to_owned)], rows(&savings)].concat();
-        let cells = if arguments.synthesis { format!("\n{}", table::shown(&cells(&savings))) } else { String::new() };
+        let cells = if arguments.synthesis {
+            format!("\n{}", table::shown(&cells(&savings)))
+        } else {
+            String::new()
+        };
         format!("{}\n{}{cells}", table::shown(&facts(&report)), table::shown(&table))
     };
     write!(stdout, "{text}").map_err(ToolError::Print)?;
@@ -85,7 +94,13 @@ fn measured(scene: &LoadedScene, spec: &CoreSpec, synthesis: bool) -> Result<Sav
 fn facts(report: &Report) -> Vec<[String; 2]> {
     let needs = report.needs;
     let yes_or_no = |answer: bool| if answer { "yes" } else { "no" }.to_owned();
-    let seen = |colour: [f64; 3]| if colour == [0.0; 3] { "none".to_owned() } else { colour.map(|c| format!("{c:.3}")).join(", ") };
+    let seen = |colour: [f64; 3]| {
+        if colour == [0.0; 3] {
+            "none".to_owned()
+        } else {
+            colour.map(|c| format!("{c:.3}")).join(", ")
+        }
+    };
     let exponents = match (needs.smallest_shininess, needs.largest_shininess) {
         (n, largest) if n == largest => n.to_string(),
         (smallest, largest) => format!("{smallest} to {largest}"),
@@ -109,24 +124,41 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
 }
 
 /// Titles of [`rows`].
-pub const TITLES: [&str; 9] =
-    ["need", "left out or narrowed", "multipliers", "bits", "adders", "bits", "registers", "clocks", "why it is safe"];
+pub const TITLES: [&str; 9] = [
+    "need",
+    "left out or narrowed",
+    "multipliers",
+    "bits",
+    "adders",
+    "bits",
+    "registers",
+    "clocks",
+    "why it is safe",
+];
 
-/// Rows of need, what was left out, what it saves in multipliers, their bits, adders, their bits, register bits and clocks, and why it is safe.
+/// Rows of need, what was left out, what it saves in multipliers, their bits, adders, their bits,
+/// register bits and clocks, and why it is safe.
 pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
     let row = |need: &str, left_out: &str, saves: &Spared, safe: &str| {
-        let numbers =
-            [saves.multipliers, saves.multiplier_bits, saves.adders, saves.adder_bits, saves.register_bits, saves.latency];
-        let [multipliers, multiplier_bits, adders, adder_bits, registers, latency] = numbers.map(|number| number.to_string());
+        let numbers = [
+            saves.multipliers,
+            saves.multiplier_bits,
+            saves.adders,
+            saves.adder_bits,
+            saves.register_bits,
+            saves.latency,
+        ];
+        let [multipliers, multiplier_bits, adders, adder_bits, registers, latency] =
+            numbers.map(|number| number.to_string());
         let (need, left_out, safe) = (need.to_owned(), left_out.to_owned(), safe.to_owned());
         [need, left_out, multipliers, multiplier_bits, adders, adder_bits, registers, latency, safe]
     };
     let of = |saving: &Saving| row(saving.need, &saving.left_out, &saving.saves, saving.safe);
     let mut rows: Vec<[String; 9]> = savings.needs.iter().map(of).collect();
     let together = savings.together.iter();
-    rows.extend(
-        together.map(|general| row(general.baseline.name(), &general.built_for, &general.saves, "every pixel is compared")),
-    );
+    rows.extend(together.map(|general| {
+        row(general.baseline.name(), &general.built_for, &general.saves, "every pixel is compared")
+    }));
     rows
 }
 
@@ -135,7 +167,8 @@ fn cells(savings: &Savings) -> Vec<[String; 4]> {
     let titles = ["need", "LUTs", "MULT18X18D", "flip-flops"].map(str::to_owned);
     let row = |(need, saves): (&str, &Spared)| {
         let cells = saves.cells?;
-        let numbers = [cells.luts, cells.multipliers, cells.flip_flops].map(|number| number.to_string());
+        let numbers =
+            [cells.luts, cells.multipliers, cells.flip_flops].map(|number| number.to_string());
         let [luts, multipliers, flip_flops] = numbers;
         Some([need.to_owned(), luts, multipliers, flip_flops])
     };

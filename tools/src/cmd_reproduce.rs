@@ -38,7 +38,8 @@ pub struct Arguments {
     /// The paper [default: all of them]
     #[arg(value_parser = paper_parser())]
     paper: Option<Paper>,
-    /// The mesh of Hast's pictures, and one more of Reshetov's (.obj, .ply, .stl, .glb) [default: the teapot]
+    /// The mesh of Hast's pictures, and one more of Reshetov's (.obj, .ply, .stl, .glb) [default:
+    /// the teapot]
     #[arg(long, value_name = "FILE")]
     mesh: Option<PathBuf>,
     /// Folder to write into, beside printing the text
@@ -47,21 +48,31 @@ pub struct Arguments {
 }
 
 fn paper_parser() -> impl TypedValueParser<Value = Paper> {
-    PossibleValuesParser::new(Paper::ALL.map(Paper::name))
-        .try_map(|name| Paper::ALL.into_iter().find(|paper| paper.name() == name).ok_or("there is no such paper"))
+    PossibleValuesParser::new(Paper::ALL.map(Paper::name)).try_map(|name| {
+        Paper::ALL.into_iter().find(|paper| paper.name() == name).ok_or("there is no such paper")
+    })
 }
 
 /// Computes, writes and prints.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let subject = Subject::load(arguments.mesh.as_deref())?;
     let papers: Vec<Paper> = arguments.paper.map_or(Paper::ALL.into(), |paper| vec![paper]);
-    let sections: Vec<Section> = papers.into_iter().map(|paper| section(paper, &subject)).collect::<Result<_, _>>()?;
+    let sections: Vec<Section> =
+        papers.into_iter().map(|paper| section(paper, &subject)).collect::<Result<_, _>>()?;
     let text = document::text(&sections);
     if let Some(folder) = &arguments.output {
         write_files(folder, &sections, &text, interrupts)?;
     }
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
-    Ok(if sections.iter().all(|section| section.as_expected) { Verdict::Done } else { Verdict::Disagrees })
+    Ok(if sections.iter().all(|section| section.as_expected) {
+        Verdict::Done
+    } else {
+        Verdict::Disagrees
+    })
 }
 
 /// The text's file.
@@ -69,7 +80,12 @@ const TEXT: &str = "reproduction.md";
 /// The longest text that is taken for one of ours, in bytes.
 const LONGEST_TEXT: u64 = 16 << 20;
 
-fn write_files(folder: &Path, sections: &[Section], text: &str, interrupts: &Interrupts) -> Result<(), ToolError> {
+fn write_files(
+    folder: &Path,
+    sections: &[Section],
+    text: &str,
+    interrupts: &Interrupts,
+) -> Result<(), ToolError> {
     let pictures = || sections.iter().flat_map(|section| &section.files);
     let place = |file: &section::File| Path::new(section::IMAGES).join(&file.name);
     refuse_foreign(folder, pictures().map(place).chain([PathBuf::from(TEXT)]))?;
@@ -81,13 +97,19 @@ fn write_files(folder: &Path, sections: &[Section], text: &str, interrupts: &Int
 }
 
 /// Files of these names are only replaced beside a text that this command wrote.
-fn refuse_foreign(folder: &Path, mut names: impl Iterator<Item = PathBuf>) -> Result<(), OutputError> {
+fn refuse_foreign(
+    folder: &Path,
+    mut names: impl Iterator<Item = PathBuf>,
+) -> Result<(), OutputError> {
     let earlier = read_regular(&folder.join(TEXT), LONGEST_TEXT);
     if earlier.is_ok_and(|text| text.starts_with(document::HEAD.as_bytes())) {
         return Ok(());
     }
     match names.find(|name| folder.join(name).symlink_metadata().is_ok()) {
-        Some(name) => Err(OutputError::InTheWay { folder: folder.to_owned(), name: name.display().to_string() }),
+        Some(name) => Err(OutputError::InTheWay {
+            folder: folder.to_owned(),
+            name: name.display().to_string(),
+        }),
         None => Ok(()),
     }
 }

@@ -11,7 +11,9 @@ use specula_scene::SpecFile;
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome, savings, shares};
 
-use crate::arguments::{NameArguments, OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice};
+use crate::arguments::{
+    NameArguments, OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice,
+};
 use crate::cli::Verdict;
 use crate::clock::ClockArguments;
 use crate::device::{DeviceArguments, Fitted};
@@ -48,7 +50,8 @@ pub struct Arguments {
     output: OutputArguments,
     #[command(flatten)]
     name: NameArguments,
-    /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if it lacks what the scene needs
+    /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if
+    /// it lacks what the scene needs
     #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error"])]
     core: Option<PathBuf>,
     #[command(flatten)]
@@ -89,7 +92,11 @@ const PICTURES: [[&str; 3]; 3] = [
 ];
 
 /// Runs the scene, writes everything, and prints the summary or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     if arguments.scene.scene == figure9::NAME {
         return figure9::execute(arguments, stdout, interrupts);
     }
@@ -143,9 +150,18 @@ fn run_of<'a>(
 }
 
 /// Writes everything, and gives what is to be printed.
-fn write(arguments: &Arguments, begin: Instant, destination: &Destination, run: &Run) -> Result<String, ToolError> {
+fn write(
+    arguments: &Arguments,
+    begin: Instant,
+    destination: &Destination,
+    run: &Run,
+) -> Result<String, ToolError> {
     let staging = destination.stage()?;
-    let window = waveform::write(&staging, run, &waveform::choice(&arguments.trace, run.disagreement.as_ref()))?;
+    let window = waveform::write(
+        &staging,
+        run,
+        &waveform::choice(&arguments.trace, run.disagreement.as_ref()),
+    )?;
     worst::write(&staging, run, window.as_ref())?;
     write_pictures(&staging, run)?;
     let written = Written { files: files(&run.module, &staging), window, wall: begin.elapsed() };
@@ -167,24 +183,40 @@ fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
 /// Every file that a run can write.
 fn file_names(module: &str) -> Vec<String> {
     let pictures = [SIMULATED, EXPECTED, EXACT, ERROR];
-    let names = pictures.into_iter().chain(optional_names()).chain([SpecFile::NAME, MARKDOWN, html::FILE, REPORT]);
+    let names = pictures.into_iter().chain(optional_names()).chain([
+        SpecFile::NAME,
+        MARKDOWN,
+        html::FILE,
+        REPORT,
+    ]);
     [verilog::file_name(module)].into_iter().chain(names.map(str::to_owned)).collect()
 }
 
 /// The waveform and what is made of it.
 fn optional_names() -> impl Iterator<Item = &'static str> {
-    TraceFormat::ALL.map(TraceFormat::file_name).into_iter().chain([waveform::SAVE_FILE, worst::PICTURE])
+    TraceFormat::ALL
+        .map(TraceFormat::file_name)
+        .into_iter()
+        .chain([waveform::SAVE_FILE, worst::PICTURE])
 }
 
-/// The files that this run writes, of which the waveform and what is made of it are there if they are written at all.
+/// The files that this run writes, of which the waveform and what is made of it are there if they
+/// are written at all.
 fn files(module: &str, staging: &Staging) -> Vec<String> {
     let is_optional = |name: &str| optional_names().any(|optional| optional == name);
-    file_names(module).into_iter().filter(|name| !is_optional(name) || staging.file(name).exists()).collect()
+    file_names(module)
+        .into_iter()
+        .filter(|name| !is_optional(name) || staging.file(name).exists())
+        .collect()
 }
 
 fn write_pictures(staging: &Staging, run: &Run) -> Result<(), ToolError> {
     let comparison = &run.outcome.comparison;
-    let pictures = [(SIMULATED, &run.outcome.simulated), (EXPECTED, &comparison.expected), (EXACT, &comparison.exact)];
+    let pictures = [
+        (SIMULATED, &run.outcome.simulated),
+        (EXPECTED, &comparison.expected),
+        (EXACT, &comparison.exact),
+    ];
     for (name, picture) in pictures {
         picture::write_image(&staging.file(name), picture).map_err(staging.failed(name))?;
     }
@@ -194,9 +226,11 @@ fn write_pictures(staging: &Staging, run: &Run) -> Result<(), ToolError> {
 
 /// Writes Verilog, spec and reports, and gives the JSON report.
 fn write_reports(staging: &Staging, run: &Run, written: &Written) -> Result<String, ToolError> {
-    let page = report::html(run, written, staging, &PICTURES).map_err(staging.failed(html::FILE))?;
+    let page =
+        report::html(run, written, staging, &PICTURES).map_err(staging.failed(html::FILE))?;
     let source = verilog::text(&run.task.origin, run.bench.spec, &run.bench.design);
-    let json = report::json(run, written).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
+    let json = report::json(run, written)
+        .map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
     let verilog = verilog::file_name(&run.module);
     let texts = [
         (verilog.as_str(), &source),

@@ -8,7 +8,8 @@ use crate::table;
 /// Prints a line for each built-in scene.
 pub fn execute(stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let names = specula_scene::builtin_names().iter().copied().chain(["figure9"]);
-    let rows: Vec<[String; 2]> = names.map(|name| [name.to_owned(), about(name).to_owned()]).collect();
+    let rows: Vec<[String; 2]> =
+        names.map(|name| [name.to_owned(), about(name).to_owned()]).collect();
     write!(stdout, "{}", table::shown(&rows)).map_err(ToolError::Print)?;
     Ok(Verdict::Done)
 }
@@ -20,7 +21,9 @@ fn about(name: &str) -> &'static str {
         "spheres" => "the balls of Lyon's figure 9, with exponents 1 to 256, two lights",
         "torus" => "a torus, two lights; normals turn fast around its tube",
         "lamps" => "a teapot under a distant light, a lamp and a spot, seen from close by",
-        "icosahedron" => "twenty faces with shared normals; ends of spans are up to 63 degrees apart",
+        "icosahedron" => {
+            "twenty faces with shared normals; ends of spans are up to 63 degrees apart"
+        }
         "figure9" => "for `run` alone: Lyon's figure 9, its balls by twelve cores in one picture",
         _ => "",
     }

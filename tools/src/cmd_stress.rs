@@ -11,7 +11,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use specula_scene::Method;
 use specula_testbench::climb::Search;
-use specula_testbench::stress::{CATALOGUE, Cell, Extent, RAW, RAW_INPUT, Verdict as StressVerdict, sweep};
+use specula_testbench::stress::{
+    CATALOGUE, Cell, Extent, RAW, RAW_INPUT, Verdict as StressVerdict, sweep,
+};
 
 use crate::arguments::method_parser;
 use crate::cli::Verdict;
@@ -97,27 +99,50 @@ impl Arguments {
         self.method.map_or(Method::ALL.into(), |method| vec![method])
     }
 
-    fn destination(&self, by_default: &str, files: &[String], interrupts: &Interrupts) -> Result<Destination, ToolError> {
+    fn destination(
+        &self,
+        by_default: &str,
+        files: &[String],
+        interrupts: &Interrupts,
+    ) -> Result<Destination, ToolError> {
         let folder = self.output.as_deref().unwrap_or(Path::new(by_default));
         Ok(Destination::check(folder, files, interrupts)?)
     }
 }
 
 /// Tries the catalogue or searches, writes everything, and prints the table or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
-    if arguments.climb { search(arguments, stdout, interrupts) } else { try_catalogue(arguments, stdout, interrupts) }
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
+    if arguments.climb {
+        search(arguments, stdout, interrupts)
+    } else {
+        try_catalogue(arguments, stdout, interrupts)
+    }
 }
 
-fn search(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+fn search(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let methods = arguments.methods();
-    let destination = arguments.destination("out/climb", &climb::possible_names(&methods), interrupts)?;
+    let destination =
+        arguments.destination("out/climb", &climb::possible_names(&methods), interrupts)?;
     let search = Search { seed: arguments.seed, scenes: arguments.scenes, methods };
     climb::execute(&search, &destination, arguments.json, stdout)
 }
 
-fn try_catalogue(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+fn try_catalogue(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let methods = arguments.methods();
-    let destination = arguments.destination("out/stress", &files::possible_names(&methods), interrupts)?;
+    let destination =
+        arguments.destination("out/stress", &files::possible_names(&methods), interrupts)?;
     let extent = Extent { spans: arguments.spans as usize, ..Extent::WHOLE };
     let bar = progress::steps();
     let cells = sweep(arguments.seed, &methods, extent, &|done, all| {
@@ -129,7 +154,11 @@ fn try_catalogue(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Int
     let report = files::write(&destination, &stress)?;
     let text = if arguments.json { report } else { table::text(&stress, &destination.shown) };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
-    Ok(if stress.rows.iter().any(RowResult::has_fault) { Verdict::Disagrees } else { Verdict::Done })
+    Ok(if stress.rows.iter().any(RowResult::has_fault) {
+        Verdict::Disagrees
+    } else {
+        Verdict::Done
+    })
 }
 
 /// Cells in the rows that they belong to.

@@ -75,9 +75,16 @@ enum Target<'a> {
 impl Arguments {
     fn target(&self) -> Result<Target<'_>, WaveError> {
         let Some(path) = &self.output else {
-            return Ok(Target::Text { width: self.width.map_or_else(width, |width| width as usize) });
+            return Ok(Target::Text {
+                width: self.width.map_or_else(width, |width| width as usize),
+            });
         };
-        match path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).as_deref() {
+        match path
+            .extension()
+            .and_then(|ending| ending.to_str())
+            .map(str::to_ascii_lowercase)
+            .as_deref()
+        {
             Some("svg") => Ok(Target::Svg(path)),
             Some("png") => Ok(Target::Png(path)),
             _ => Err(WaveError::Picture { path: path.clone() }),
@@ -86,13 +93,19 @@ impl Arguments {
 }
 
 /// Draws the waveform; of a picture says where it is.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let target = arguments.target()?;
     let figure = figure(arguments, &target)?;
     let said = match target {
         Target::Text { width } => wave::text(&figure, width),
         Target::Svg(path) => {
-            write_file(path, interrupts, |path| fs::write(path, wave::svg(&figure, arguments.width)))?;
+            write_file(path, interrupts, |path| {
+                fs::write(path, wave::svg(&figure, arguments.width))
+            })?;
             said(path, &figure)
         }
         Target::Png(path) => {
@@ -111,8 +124,10 @@ fn figure(arguments: &Arguments, target: &Target) -> Result<Figure, WaveError> {
         // Nothing can be said when nobody listens.
         let _ = writeln!(io::stderr(), "warning: {warning}");
     }
-    let choice = view.choose(&Selection { patterns: arguments.signals.clone(), unit: arguments.unit.clone() })?;
-    let mut figure = |usual| view.figure(&choice, &Asked { from: arguments.from, to: arguments.to, usual });
+    let choice = view
+        .choose(&Selection { patterns: arguments.signals.clone(), unit: arguments.unit.clone() })?;
+    let mut figure =
+        |usual| view.figure(&choice, &Asked { from: arguments.from, to: arguments.to, usual });
     match *target {
         Target::Svg(_) | Target::Png(_) => figure(USUAL),
         // How many clocks fit shows once their values are known.

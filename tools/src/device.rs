@@ -16,8 +16,9 @@ pub struct DeviceArguments {
 }
 
 fn device_parser() -> impl TypedValueParser<Value = Device> {
-    PossibleValuesParser::new(Device::ALL.map(|device| device.name))
-        .try_map(|name| Device::ALL.into_iter().find(|device| device.name == name).ok_or("there is no such device"))
+    PossibleValuesParser::new(Device::ALL.map(|device| device.name)).try_map(|name| {
+        Device::ALL.into_iter().find(|device| device.name == name).ok_or("there is no such device")
+    })
 }
 
 impl DeviceArguments {
@@ -28,7 +29,11 @@ impl DeviceArguments {
     pub fn fitted(&self, design: &Design) -> Result<Option<Fitted>, DoesNotFit> {
         let Some(device) = self.device else { return Ok(None) };
         let fitted = Fitted { device, cost: Cost::of(design, Some(&device)) };
-        if fitted.cost.fits(&device) { Ok(Some(fitted)) } else { Err(DoesNotFit::new(fitted, design)) }
+        if fitted.cost.fits(&device) {
+            Ok(Some(fitted))
+        } else {
+            Err(DoesNotFit::new(fitted, design))
+        }
     }
 }
 

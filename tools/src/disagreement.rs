@@ -34,7 +34,9 @@ pub struct BeyondBound {
 impl Disagreement {
     /// What disagrees in the `outcome` of a bench, if anything does.
     pub fn of(outcome: &Outcome, bench: &Bench) -> Option<Disagreement> {
-        let with_clock = |mismatch: &Mismatch| (mismatch.clone(), bench.leaving_clock(mismatch.span, mismatch.pixel));
+        let with_clock = |mismatch: &Mismatch| {
+            (mismatch.clone(), bench.leaving_clock(mismatch.span, mismatch.pixel))
+        };
         let disagreement = Disagreement {
             mismatches: outcome.comparison.mismatches,
             first_mismatch: outcome.comparison.first_mismatch.as_ref().map(with_clock),
@@ -93,7 +95,8 @@ impl BeyondBound {
     /// In words, with what it means.
     fn in_words(&self) -> String {
         let BeyondBound { worst: w, clock, bound_lsb, pixels } = self;
-        let several = if *pixels == 1 { "1 pixel has".to_owned() } else { format!("{pixels} pixels have") };
+        let several =
+            if *pixels == 1 { "1 pixel has".to_owned() } else { format!("{pixels} pixels have") };
         let meaning = match w.simulated == w.expected {
             true => {
                 "the bit-true model has the same code from the same inputs, so the set-up of spans or the bound is wrong".to_owned()

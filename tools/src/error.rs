@@ -44,7 +44,10 @@ pub enum ToolError {
     Journal(#[from] JournalError),
     /// No core can be built for the scene.
     #[error("there is nothing to compare\n{reasons}")]
-    #[diagnostic(code(specula::compare::nothing), help("choose other methods, or formats nearer to the default"))]
+    #[diagnostic(
+        code(specula::compare::nothing),
+        help("choose other methods, or formats nearer to the default")
+    )]
     NothingToCompare {
         /// Each configuration with its reason.
         reasons: String,
@@ -63,11 +66,17 @@ pub enum ToolError {
     Refused(#[from] Refused),
     /// A result cannot be put into JSON.
     #[error("the result cannot be written as JSON: {0}")]
-    #[diagnostic(code(specula::json), help("this is a fault of Specula's: please report it with the command"))]
+    #[diagnostic(
+        code(specula::json),
+        help("this is a fault of Specula's: please report it with the command")
+    )]
     Json(serde_json::Error),
     /// A plot cannot be drawn.
     #[error(transparent)]
-    #[diagnostic(code(specula::plot), help("this is a fault of Specula's: please report it with the command"))]
+    #[diagnostic(
+        code(specula::plot),
+        help("this is a fault of Specula's: please report it with the command")
+    )]
     Plot(#[from] crate::plot::PlotError),
     /// The output folder cannot be used.
     #[error(transparent)]
@@ -93,7 +102,10 @@ pub enum ToolError {
     },
     /// `run figure9` is asked for what it does not do.
     #[error("figure9 is twelve cores in one picture: {wrong}")]
-    #[diagnostic(code(specula::figure9), help("it takes `--engine`, `--output`, `--json` and a `--size` from 7x3 on"))]
+    #[diagnostic(
+        code(specula::figure9),
+        help("it takes `--engine`, `--output`, `--json` and a `--size` from 7x3 on")
+    )]
     Figure9 {
         /// What is wrong.
         wrong: String,
@@ -130,7 +142,10 @@ impl From<MeasureError> for ToolError {
 pub enum OutputError {
     /// There is something that is not a folder.
     #[error("output folder `{}`: `{}` is not a folder", folder.display(), at.display())]
-    #[diagnostic(code(specula::output::file), help("name a folder that is not there yet, or one that Specula wrote, with `-o`"))]
+    #[diagnostic(
+        code(specula::output::file),
+        help("name a folder that is not there yet, or one that Specula wrote, with `-o`")
+    )]
     NotAFolder {
         /// The folder asked for.
         folder: PathBuf,
@@ -141,7 +156,9 @@ pub enum OutputError {
     #[error("output folder `{}` holds `{foreign}` and no report of Specula's: it is somebody else's", folder.display())]
     #[diagnostic(
         code(specula::output::foreign),
-        help("name an empty folder, one that is not there yet, or one that Specula wrote, with `-o`")
+        help(
+            "name an empty folder, one that is not there yet, or one that Specula wrote, with `-o`"
+        )
     )]
     Foreign {
         /// The folder asked for.
@@ -151,7 +168,10 @@ pub enum OutputError {
     },
     /// A file of somebody else's has the name of one that would be written.
     #[error("output folder `{}` holds `{name}`, which Specula did not write and would replace", folder.display())]
-    #[diagnostic(code(specula::output::in_the_way), help("move or rename `{name}`, or name another folder with `-o`"))]
+    #[diagnostic(
+        code(specula::output::in_the_way),
+        help("move or rename `{name}`, or name another folder with `-o`")
+    )]
     InTheWay {
         /// The folder asked for.
         folder: PathBuf,
@@ -160,7 +180,10 @@ pub enum OutputError {
     },
     /// The folder holds a run's results, and the Verilog in it belongs to them.
     #[error("output folder `{}` holds the results of a run with another core", folder.display())]
-    #[diagnostic(code(specula::output::core), help("name another folder with `-o`, or let `specula run` replace it"))]
+    #[diagnostic(
+        code(specula::output::core),
+        help("name another folder with `-o`, or let `specula run` replace it")
+    )]
     OtherCore {
         /// The folder asked for.
         folder: PathBuf,
@@ -176,7 +199,9 @@ pub enum OutputError {
     #[error("cannot write `{}`: {reason}", path.display())]
     #[diagnostic(
         code(specula::output::system),
-        help("check the folder's name, its permissions and the room on the disk, or name another with `-o`")
+        help(
+            "check the folder's name, its permissions and the room on the disk, or name another with `-o`"
+        )
     )]
     System {
         /// What was to be written.
@@ -186,7 +211,10 @@ pub enum OutputError {
     },
     /// Not everything that belongs into the output folder is in it yet.
     #[error("`{}` could not be moved into the output folder: {reason}", path.display())]
-    #[diagnostic(code(specula::output::kept), help("it is safe there: the next run tries again, or move it by hand"))]
+    #[diagnostic(
+        code(specula::output::kept),
+        help("it is safe there: the next run tries again, or move it by hand")
+    )]
     Kept {
         /// Where it is.
         path: PathBuf,

@@ -20,19 +20,36 @@ pub struct Origin {
 impl Origin {
     /// The origin of the core of `spec`, which is made from a scene and wishes.
     pub fn of_scene(scene: &SceneArguments, wishes: &Wishes, spec: &CoreSpec) -> Origin {
-        let size = scene.picture.size.map(|(width, height)| format!(" --size {width}x{height}")).unwrap_or_default();
+        let size = scene
+            .picture
+            .size
+            .map(|(width, height)| format!(" --size {width}x{height}"))
+            .unwrap_or_default();
         let scene = scene_name(&scene.scene);
         let method = spec.method().name();
-        let specialise = wishes.specialise.map(|wish| format!(" --specialise {}", wish.name())).unwrap_or_default();
-        let error = wishes.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
-        let command = format!("specula generate {}{size} --method {method}{specialise}{error}", quoted(&scene));
+        let specialise = wishes
+            .specialise
+            .map(|wish| format!(" --specialise {}", wish.name()))
+            .unwrap_or_default();
+        let error =
+            wishes.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
+        let command = format!(
+            "specula generate {}{size} --method {method}{specialise}{error}",
+            quoted(&scene)
+        );
         Origin { scene, command }
     }
 
     /// The origin of a core that was read from a file.
     pub fn of_file(path: &Path, file: &SpecFile) -> Origin {
-        let path = path.file_name().filter(|_| !path.is_dir()).map_or(SpecFile::NAME.into(), |name| name.to_string_lossy());
-        Origin { scene: file.name.clone(), command: format!("specula generate --spec {}", quoted(&printable(&path))) }
+        let path = path
+            .file_name()
+            .filter(|_| !path.is_dir())
+            .map_or(SpecFile::NAME.into(), |name| name.to_string_lossy());
+        Origin {
+            scene: file.name.clone(),
+            command: format!("specula generate --spec {}", quoted(&printable(&path))),
+        }
     }
 }
 
@@ -60,32 +77,51 @@ fn printable(text: &str) -> String {
 /// As a shell takes it.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "._-+,".contains(c);
-    if word.chars().all(plain) && !word.starts_with('-') { word.to_owned() } else { format!("'{}'", word.replace('\'', "'\\''")) }
+    if word.chars().all(plain) && !word.starts_with('-') {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
 }
 
 /// The header of a core's Verilog file.
 pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
     let method = spec.method();
     let mut lines = vec![
-        format!("Specula {}: the shading core for the scene {}.", env!("CARGO_PKG_VERSION"), origin.scene),
+        format!(
+            "Specula {}: the shading core for the scene {}.",
+            env!("CARGO_PKG_VERSION"),
+            origin.scene
+        ),
         String::new(),
         format!("Method {}: {}.", method.name(), method.summary()),
     ];
-    let options: Vec<[String; 2]> = spec.options().into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
+    let options: Vec<[String; 2]> =
+        spec.options().into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
     lines.extend(indented(&table::lines(&options)));
     lines.push("Values are rounded, to nearest and ties up, in these places and no others. S1.10 has a sign, 1 integer".into());
     lines.push("bit and 10 fraction bits; U has no sign.".into());
     let points = spec.narrowing_points();
-    let points: Vec<[String; 3]> = points.iter().map(|p| [p.name.to_owned(), p.format.to_string(), p.value.to_owned()]).collect();
+    let points: Vec<[String; 3]> = points
+        .iter()
+        .map(|p| [p.name.to_owned(), p.format.to_string(), p.value.to_owned()])
+        .collect();
     lines.extend(indented(&table::lines(&points)));
     let clocks = if design.interval == 1 { "clock" } else { "clocks" };
-    lines.push(format!("Initiation interval {} {clocks}; latency {} clocks.", design.interval, design.latency()));
+    lines.push(format!(
+        "Initiation interval {} {clocks}; latency {} clocks.",
+        design.interval,
+        design.latency()
+    ));
     lines.push(format!(
         "Error bound: {} of the 8-bit output, against the same method in exact arithmetic.",
         bound(design.error_bound())
     ));
-    let protocol = if design.interval == 1 { PROTOCOL.to_owned() } else { protocol_of_turns(design.interval) };
-    lines.extend(["", &protocol, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned));
+    let protocol =
+        if design.interval == 1 { PROTOCOL.to_owned() } else { protocol_of_turns(design.interval) };
+    lines.extend(
+        ["", &protocol, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned),
+    );
     lines.push(format!("  {}", origin.command));
     lines.push("What Specula emits belongs to whoever ran it.".to_owned());
     Header { lines }
@@ -127,8 +163,11 @@ mod tests {
     use crate::arguments::PictureArguments;
 
     fn origin(scene: &str, size: Option<(u32, u32)>) -> Origin {
-        let arguments = SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
-        let spec = specula_scene::load("icosahedron", Some((8, 6))).and_then(|scene| scene.core_spec(None)).expect("it has a core");
+        let arguments =
+            SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
+        let spec = specula_scene::load("icosahedron", Some((8, 6)))
+            .and_then(|scene| scene.core_spec(None))
+            .expect("it has a core");
         Origin::of_scene(&arguments, &Wishes::default(), &spec)
     }
 
@@ -145,8 +184,14 @@ mod tests {
 
     #[test]
     fn odd_names_stay_on_their_line_and_in_their_word() {
-        assert_eq!(origin("a\nb c.obj", None).command, "specula generate 'a?b c.obj' --method lyon");
-        assert_eq!(origin("it's.toml", None).command, "specula generate 'it'\\''s.toml' --method lyon");
+        assert_eq!(
+            origin("a\nb c.obj", None).command,
+            "specula generate 'a?b c.obj' --method lyon"
+        );
+        assert_eq!(
+            origin("it's.toml", None).command,
+            "specula generate 'it'\\''s.toml' --method lyon"
+        );
         assert_eq!(origin("\u{e9}t\u{e9}.stl", None).scene, "?t?.stl");
     }
 }

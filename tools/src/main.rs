@@ -56,13 +56,16 @@ fn main() -> ExitCode {
     // Where no handler can be had, the next run removes what a signal leaves.
     let interrupts = Interrupts::watch().unwrap_or_default();
     let ended = cli.command.execute(&mut io::stdout().lock(), &interrupts);
-    // What a signal takes away is no error to be told of: the program ends with the signal's status.
+    // What a signal takes away is no error to be told of: the program ends with the signal's
+    // status.
     let _held = interrupts.hold();
     match ended {
         Ok(Verdict::Done) => ExitCode::SUCCESS,
         Ok(Verdict::Disagrees) => ExitCode::from(DISAGREES),
         // Who reads the output may have seen enough of it, as `head` has.
-        Err(ToolError::Print(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(ToolError::Print(error)) if error.kind() == io::ErrorKind::BrokenPipe => {
+            ExitCode::SUCCESS
+        }
         Err(error) => {
             // Nothing can be said when nobody listens; the status tells.
             let _ = writeln!(io::stderr(), "{:?}", miette::Report::new(error));

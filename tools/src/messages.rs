@@ -1,4 +1,5 @@
-//! How errors are shown: broken at blanks on a terminal, and not at all elsewhere, so that paths can be copied and searched for.
+//! How errors are shown: broken at blanks on a terminal, and not at all elsewhere, so that paths
+//! can be copied and searched for.
 use std::io::{self, IsTerminal};
 
 use miette::MietteHandlerOpts;
@@ -23,6 +24,7 @@ fn options() -> MietteHandlerOpts {
     if !io::stderr().is_terminal() {
         return whole_words.wrap_lines(false).width(usize::MAX);
     }
-    let columns = terminal_size::terminal_size_of(io::stderr()).map_or(USUAL, |(width, _)| usize::from(width.0));
+    let columns = terminal_size::terminal_size_of(io::stderr())
+        .map_or(USUAL, |(width, _)| usize::from(width.0));
     whole_words.width(columns.min(WIDEST))
 }

@@ -8,7 +8,8 @@ pub fn bar(doing: &'static str, clocks: u64) -> ProgressBar {
     if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{msg:10} {bar:40} {human_pos}/{human_len} clocks {eta}");
+    let style =
+        ProgressStyle::with_template("{msg:10} {bar:40} {human_pos}/{human_len} clocks {eta}");
     let bar = ProgressBar::new(clocks).with_message(doing);
     match style {
         Ok(style) => bar.with_style(style),

@@ -33,7 +33,8 @@ pub struct Run<'a> {
     pub disagreement: Option<Disagreement>,
     /// What places that round contribute to the bound.
     pub bound_shares: Vec<Share>,
-    /// What the scene's needs save; none of a general core, or where the core without a need cannot be built.
+    /// What the scene's needs save; none of a general core, or where the core without a need cannot
+    /// be built.
     pub savings: Option<Savings>,
 }
 
@@ -49,9 +50,11 @@ impl Run<'_> {
         self.disagreement.as_ref().map(Disagreement::first_clock).or(self.outcome.worst_cycle)
     }
 
-    /// How many times the largest measured quantisation error its bound is; none if there is no finite one, or no error.
+    /// How many times the largest measured quantisation error its bound is; none if there is no
+    /// finite one, or no error.
     pub fn bound_ratio(&self) -> Option<f64> {
-        let ratio = self.bench.design.error_bound() / self.outcome.comparison.errors.quantisation.max_lsb;
+        let ratio =
+            self.bench.design.error_bound() / self.outcome.comparison.errors.quantisation.max_lsb;
         ratio.is_finite().then_some(ratio)
     }
 
@@ -62,7 +65,11 @@ impl Run<'_> {
 
     /// The same for people.
     pub fn frames_per_second_in_words(&self) -> String {
-        format!("{:.1} at {} that is not proven, set-up counted", self.frames_per_second(), self.clock.in_words())
+        format!(
+            "{:.1} at {} that is not proven, set-up counted",
+            self.frames_per_second(),
+            self.clock.in_words()
+        )
     }
 
     /// Clocks for each pixel, the way through the core included.

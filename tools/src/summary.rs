@@ -19,11 +19,19 @@ pub fn summary(run: &Run, written: &Written, folder: &Path) -> String {
 
 fn facts(run: &Run, written: &Written) -> Vec<[String; 2]> {
     let (outcome, frame) = (run.outcome, run.bench.frame);
-    let seconds = format!("{:.3} s, of which simulation {:.3} s", written.wall.as_secs_f64(), outcome.simulation_seconds);
+    let seconds = format!(
+        "{:.3} s, of which simulation {:.3} s",
+        written.wall.as_secs_f64(),
+        outcome.simulation_seconds
+    );
     let worst = outcome.comparison.worst_pixel.zip(outcome.worst_cycle);
-    let worst =
-        worst.map(|(worst, cycle)| format!("({}, {}), {:.2} LSB, leaves in cycle {cycle}", worst.x, worst.y, worst.error_lsb));
-    let trace = written.window.as_ref().map(|window| format!("cycles {} to {}", window.start, window.end - 1));
+    let worst = worst.map(|(worst, cycle)| {
+        format!("({}, {}), {:.2} LSB, leaves in cycle {cycle}", worst.x, worst.y, worst.error_lsb)
+    });
+    let trace = written
+        .window
+        .as_ref()
+        .map(|window| format!("cycles {} to {}", window.start, window.end - 1));
     let rows = [
         ("scene", format!("{}, {} x {}", run.name(), frame.width, frame.height)),
         ("method", run.bench.spec.method().name().to_owned()),
@@ -44,7 +52,8 @@ fn facts(run: &Run, written: &Written) -> Vec<[String; 2]> {
 
 fn errors(run: &Run) -> Vec<[String; 6]> {
     let errors = &run.outcome.comparison.errors;
-    let titles = ["error in LSB", "largest", "rms", "mean", "PSNR dB", "proven bound"].map(str::to_owned);
+    let titles =
+        ["error in LSB", "largest", "rms", "mean", "PSNR dB", "proven bound"].map(str::to_owned);
     let bound = bound(run.bench.design.error_bound());
     vec![
         titles,
@@ -57,5 +66,12 @@ fn errors(run: &Run) -> Vec<[String; 6]> {
 fn figures(name: &str, figures: &ErrorFigures, bound: String) -> [String; 6] {
     let lsb = |x: f64| format!("{x:.3}");
     let psnr = figures.psnr_db.map_or("no error".to_owned(), |db| format!("{db:.2}"));
-    [name.to_owned(), lsb(figures.max_lsb), lsb(figures.rms_lsb), lsb(figures.mean_lsb), psnr, bound]
+    [
+        name.to_owned(),
+        lsb(figures.max_lsb),
+        lsb(figures.rms_lsb),
+        lsb(figures.mean_lsb),
+        psnr,
+        bound,
+    ]
 }

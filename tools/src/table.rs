@@ -7,7 +7,8 @@ use textwrap::{Options, WordSeparator, WordSplitter};
 /// Blanks between columns.
 const GAP: &str = "  ";
 
-/// Rows as standard output shows them: on a terminal as wide as that, cells folded at blanks if need be; elsewhere a line each.
+/// Rows as standard output shows them: on a terminal as wide as that, cells folded at blanks if
+/// need be; elsewhere a line each.
 pub fn shown<const N: usize>(rows: &[[String; N]]) -> String {
     match terminal_size::terminal_size_of(io::stdout()) {
         Some((columns, _)) => folded(rows, columns.0.into()),
@@ -22,9 +23,11 @@ fn folded<const N: usize>(rows: &[[String; N]], room: usize) -> String {
     lines(&pieces)
 }
 
-/// Widths of columns that take `room` together, the widest ones made narrower, but none narrower than its longest word.
+/// Widths of columns that take `room` together, the widest ones made narrower, but none narrower
+/// than its longest word.
 fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
-    let longest = |c: usize| rows.iter().flat_map(|row| row[c].split(' ')).map(width).max().unwrap_or(0);
+    let longest =
+        |c: usize| rows.iter().flat_map(|row| row[c].split(' ')).map(width).max().unwrap_or(0);
     let least: [usize; N] = std::array::from_fn(longest);
     let mut widths = widths(rows);
     while widths.iter().sum::<usize>() > room {
@@ -38,13 +41,20 @@ fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
 /// A row as several, in which each cell has the width of its column.
 fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String; N]> {
     let options = |width| {
-        let options = Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
+        let options =
+            Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
         options.word_splitter(WordSplitter::NoHyphenation)
     };
-    let cells: [Vec<String>; N] =
-        std::array::from_fn(|c| textwrap::wrap(&row[c], options(widths[c])).into_iter().map(|line| line.into_owned()).collect());
+    let cells: [Vec<String>; N] = std::array::from_fn(|c| {
+        textwrap::wrap(&row[c], options(widths[c]))
+            .into_iter()
+            .map(|line| line.into_owned())
+            .collect()
+    });
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
-    (0..height).map(|line| std::array::from_fn(|c| cells[c].get(line).cloned().unwrap_or_default())).collect()
+    (0..height)
+        .map(|line| std::array::from_fn(|c| cells[c].get(line).cloned().unwrap_or_default()))
+        .collect()
 }
 
 fn widths<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
@@ -59,7 +69,8 @@ fn width(text: &str) -> usize {
 pub fn lines<const N: usize>(rows: &[[String; N]]) -> String {
     let widths = widths(rows);
     let line = |row: &[String; N]| {
-        let cells: Vec<String> = row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}")).collect();
+        let cells: Vec<String> =
+            row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}")).collect();
         format!("{}\n", cells.join(GAP).trim_end())
     };
     rows.iter().map(line).collect()
@@ -67,7 +78,9 @@ pub fn lines<const N: usize>(rows: &[[String; N]]) -> String {
 
 /// A table as Markdown has it.
 pub fn markdown<const N: usize>(titles: [&str; N], rows: &[[String; N]]) -> String {
-    let line = |cells: &[String; N]| format!("| {} |\n", cells.each_ref().map(|cell| cell.replace('|', "\\|")).join(" | "));
+    let line = |cells: &[String; N]| {
+        format!("| {} |\n", cells.each_ref().map(|cell| cell.replace('|', "\\|")).join(" | "))
+    };
     let mut table = line(&titles.map(str::to_owned));
     // Writing to a String cannot fail.
     let _ = writeln!(table, "|{}", alignments(rows).concat());
@@ -100,12 +113,18 @@ mod tests {
 
     #[test]
     fn bars_in_cells_do_not_split_them() {
-        assert_eq!(markdown(["fact", "n"], &[row("|N| <= 1", "2")]), "| fact | n |\n|---|---:|\n| \\|N\\| <= 1 | 2 |\n");
+        assert_eq!(
+            markdown(["fact", "n"], &[row("|N| <= 1", "2")]),
+            "| fact | n |\n|---|---:|\n| \\|N\\| <= 1 | 2 |\n"
+        );
     }
 
     #[test]
     fn wide_tables_are_folded_at_blanks() {
-        let rows = [row("need", "what is left out or narrowed"), row("lights-and-eye", "3 of 4 pipelines, widths/../of-all")];
+        let rows = [
+            row("need", "what is left out or narrowed"),
+            row("lights-and-eye", "3 of 4 pipelines, widths/../of-all"),
+        ];
         let expected = "\
 need            what is left out
                 or narrowed
@@ -120,7 +139,8 @@ lights-and-eye  3 of 4
 
     #[test]
     fn no_line_is_longer_than_the_room_and_no_word_is_broken() {
-        let rows = [row("one two three", "four five six seven eight"), row("  nine", "ten"), row("", "")];
+        let rows =
+            [row("one two three", "four five six seven eight"), row("  nine", "ten"), row("", "")];
         for room in 13..45 {
             let text = folded(&rows, room);
             assert!(text.lines().all(|line| line.len() <= room), "{room}:\n{text}");

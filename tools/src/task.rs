@@ -20,7 +20,11 @@ pub struct Task {
 
 impl Task {
     /// The core for a scene.
-    pub fn of_scene(scene: &SceneArguments, wishes: &Wishes, name: &NameArguments) -> Result<Task, ToolError> {
+    pub fn of_scene(
+        scene: &SceneArguments,
+        wishes: &Wishes,
+        name: &NameArguments,
+    ) -> Result<Task, ToolError> {
         let loaded = scene.load()?;
         let spec = wishes.core(&loaded)?;
         let origin = Origin::of_scene(scene, wishes, &spec).called(name);
@@ -30,7 +34,11 @@ impl Task {
     }
 
     /// A scene and a core that was made before.
-    pub fn with_core(scene: &SceneArguments, core: &Path, name: &NameArguments) -> Result<Task, ToolError> {
+    pub fn with_core(
+        scene: &SceneArguments,
+        core: &Path,
+        name: &NameArguments,
+    ) -> Result<Task, ToolError> {
         let mut file = SpecFile::read(core)?;
         let loaded = scene.load()?;
         let served = file.spec.serving(&loaded.frame).map_err(|error| {

@@ -40,7 +40,12 @@ pub struct TraceFile<'a> {
 
 impl<'a> TraceFile<'a> {
     /// A file for a waveform of `design`; `about` says what it is of.
-    pub fn new(file: File, format: TraceFormat, design: &'a Design, about: &'a str) -> TraceFile<'a> {
+    pub fn new(
+        file: File,
+        format: TraceFormat,
+        design: &'a Design,
+        about: &'a str,
+    ) -> TraceFile<'a> {
         TraceFile { design, about, format, file: Some(file), waves: None }
     }
 
@@ -58,8 +63,18 @@ impl<'a> TraceFile<'a> {
 
     fn begin(&self, file: File, batch: &Batch) -> io::Result<Waves> {
         Ok(match self.format {
-            TraceFormat::Vcd => Waves::Vcd(Box::new(vcd::Waves::begin(file, self.design, batch.nodes(), self.about)?)),
-            TraceFormat::Fst => Waves::Fst(Box::new(fst::Waves::begin(file, self.design, batch.nodes(), self.about)?)),
+            TraceFormat::Vcd => Waves::Vcd(Box::new(vcd::Waves::begin(
+                file,
+                self.design,
+                batch.nodes(),
+                self.about,
+            )?)),
+            TraceFormat::Fst => Waves::Fst(Box::new(fst::Waves::begin(
+                file,
+                self.design,
+                batch.nodes(),
+                self.about,
+            )?)),
         })
     }
 

@@ -19,7 +19,8 @@ use crate::trace_file::TraceFile;
 /// GTKWave's save file.
 pub const SAVE_FILE: &str = "trace.gtkw";
 
-/// What is traced: what the user chose, but the surroundings of the first disagreement where the user named no clocks.
+/// What is traced: what the user chose, but the surroundings of the first disagreement where the
+/// user named no clocks.
 pub fn choice(asked: &Choice, disagreement: Option<&Disagreement>) -> Choice {
     match (asked, disagreement) {
         (Choice::Worst | Choice::None, Some(disagreement)) => {
@@ -35,9 +36,10 @@ pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
     let clocks = bench.clocks() + 1;
     let missing = |asked: String, there: String| Err(ToolError::Trace { asked, there });
     match choice {
-        Choice::Span(index) if *index >= bench.frame.spans.len() => {
-            missing(format!("span {index}"), format!("spans 0 to {}", bench.frame.spans.len().saturating_sub(1)))
-        }
+        Choice::Span(index) if *index >= bench.frame.spans.len() => missing(
+            format!("span {index}"),
+            format!("spans 0 to {}", bench.frame.spans.len().saturating_sub(1)),
+        ),
         Choice::Cycles(range) if range.start >= clocks => {
             missing(format!("cycle {}", range.start), format!("cycles 0 to {}", clocks - 1))
         }
@@ -46,7 +48,11 @@ pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
 }
 
 /// Writes dump and save file of the clocks of `choice`, and says which those are.
-pub fn write(staging: &Staging, run: &Run, choice: &Choice) -> Result<Option<Range<u64>>, ToolError> {
+pub fn write(
+    staging: &Staging,
+    run: &Run,
+    choice: &Choice,
+) -> Result<Option<Range<u64>>, ToolError> {
     let name = run.trace_format.file_name();
     let window = dump(&staging.file(name), run, choice)?.map_err(staging.failed(name))?;
     match &window {
@@ -56,11 +62,16 @@ pub fn write(staging: &Staging, run: &Run, choice: &Choice) -> Result<Option<Ran
     Ok(window)
 }
 
-/// Writes a dump of the clocks of `choice` and says which those are: one error if they cannot be simulated, the other if the file cannot
-/// be written.
+/// Writes a dump of the clocks of `choice` and says which those are: one error if they cannot be
+/// simulated, the other if the file cannot be written.
 ///
-/// The clocks go from the engine to the file a batch at a time, so that a long run does not have to fit into memory.
-pub fn dump(path: &Path, run: &Run, choice: &Choice) -> Result<io::Result<Option<Range<u64>>>, ToolError> {
+/// The clocks go from the engine to the file a batch at a time, so that a long run does not have to
+/// fit into memory.
+pub fn dump(
+    path: &Path,
+    run: &Run,
+    choice: &Choice,
+) -> Result<io::Result<Option<Range<u64>>>, ToolError> {
     let file = match File::create(path) {
         Ok(file) => file,
         Err(error) => return Ok(Err(error)),

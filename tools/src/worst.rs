@@ -22,8 +22,9 @@ const MOST_ROWS: usize = 26;
 /// Clocks shown before the pixel enters and after it leaves.
 const AROUND: u64 = 2;
 
-/// Draws the pixel's way through the core, if the run has a waveform and a pixel at all. The clocks of that way are read from a waveform
-/// of their own, since that of the run may hold other ones, or be very long.
+/// Draws the pixel's way through the core, if the run has a waveform and a pixel at all. The clocks
+/// of that way are read from a waveform of their own, since that of the run may hold other ones, or
+/// be very long.
 pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Result<(), ToolError> {
     let Some(leaves) = run.clock_to_look_at().filter(|_| window.is_some()) else { return Ok(()) };
     let design = &run.bench.design;
@@ -31,10 +32,12 @@ pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Resul
     let enters = leaves.saturating_sub(design.depth().into());
     let (first, last) = (enters.saturating_sub(AROUND), leaves + AROUND);
     let dump = staging.scratch(run.trace_format.file_name());
-    waveform::dump(&dump, run, &Choice::Cycles(first..last + 1))?.map_err(staging.failed(PICTURE))?;
+    waveform::dump(&dump, run, &Choice::Cycles(first..last + 1))?
+        .map_err(staging.failed(PICTURE))?;
     let mut view = View::open(&dump)?;
     let choice = view.named(&way(design, enters));
-    let mut figure = view.figure(&choice, &Asked { from: Some(first), to: Some(last), usual: 0 })?;
+    let mut figure =
+        view.figure(&choice, &Asked { from: Some(first), to: Some(last), usual: 0 })?;
     figure.notes =
         vec!["A pixel's way through the core: marked values belong to the pixel that leaves in the marked clock.".to_owned()];
     fs::write(staging.file(PICTURE), wave::svg(&figure, None)).map_err(staging.failed(PICTURE))?;
@@ -57,12 +60,20 @@ fn in_units(design: &Design) -> Vec<NodeId> {
         Op::Copy(of) => design.scope(scope(of)).parent == Some(scope(*id)),
         _ => true,
     };
-    let mut nodes: Vec<NodeId> = gtkw::interesting(design).into_iter().filter(|id| of_unit(id) && computed(id)).collect();
+    let mut nodes: Vec<NodeId> =
+        gtkw::interesting(design).into_iter().filter(|id| of_unit(id) && computed(id)).collect();
     let results = |id: &NodeId| design.node(*id).stage == design.scope(design.node(*id).scope).exit;
     if nodes.len() > MOST_ROWS {
         nodes.retain(results);
     }
     nodes.truncate(2 * MOST_ROWS);
-    nodes.sort_by_key(|id| (design.scope(design.node(*id).scope).entry, design.node(*id).scope, design.node(*id).stage, *id));
+    nodes.sort_by_key(|id| {
+        (
+            design.scope(design.node(*id).scope).entry,
+            design.node(*id).scope,
+            design.node(*id).stage,
+            *id,
+        )
+    });
     nodes
 }

@@ -27,7 +27,11 @@ pub(crate) struct Amounts {
 impl Coefficients {
     pub fn new(frame: &Frame, span: &Span) -> Coefficients {
         let material = frame.material(span);
-        let directions = frame.lights.iter().map(|light| light.direction).chain(frame.local_lights.iter().map(|_| DVec3::ZERO));
+        let directions = frame
+            .lights
+            .iter()
+            .map(|light| light.direction)
+            .chain(frame.local_lights.iter().map(|_| DVec3::ZERO));
         let light = |(direction, colour)| Light {
             direction,
             diffuse: product(material.diffuse, colour),
@@ -47,7 +51,8 @@ impl Coefficients {
         let mut colour = self.ambient;
         for (light, amounts) in self.lights.iter().zip(amounts) {
             for (c, channel) in colour.iter_mut().enumerate() {
-                *channel += light.diffuse[c] * amounts.diffuse + light.specular[c] * amounts.specular;
+                *channel +=
+                    light.diffuse[c] * amounts.diffuse + light.specular[c] * amounts.specular;
             }
         }
         colour.map(|channel| channel.min(FULL_SCALE))

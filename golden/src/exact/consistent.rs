@@ -1,7 +1,8 @@
-//! Consistent normal interpolation: reflections that never point into the face [Reshetov, Soupikov and Mark; METHODS.md D].
+//! Consistent normal interpolation: reflections that never point into the face [Reshetov, Soupikov
+//! and Mark; METHODS.md D].
 //!
-//! N is the interpolated unit normal, I the unit vector that comes in (towards the eye, the light or the half-way vector), α the interpolated
-//! angle between vertex and face normals, b = N·I.
+//! N is the interpolated unit normal, I the unit vector that comes in (towards the eye, the light
+//! or the half-way vector), α the interpolated angle between vertex and face normals, b = N·I.
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
@@ -13,7 +14,8 @@ pub fn q(alpha: f64) -> f64 {
     (1.0 - alpha.sin()) / (1.0 + alpha.sin())
 }
 
-/// q without a sine, (π - 2α)²/(π(π + (2π - 4)α)): never more than [`q`], and less by 0.012689 at most.
+/// q without a sine, (π - 2α)²/(π(π + (2π - 4)α)): never more than [`q`], and less by 0.012689 at
+/// most.
 pub fn rational_q(alpha: f64) -> f64 {
     (PI - 2.0 * alpha).powi(2) / (PI * (PI + (2.0 * PI - 4.0) * alpha))
 }
@@ -25,7 +27,8 @@ pub fn cos_gamma(q: f64, b: f64) -> f64 {
 
 /// ρ = sin γ/sin β = √(q(1 + g)/(1 + b)), 0 to 1.
 ///
-/// 1 is the most that a front-sided I gives; one from behind would give more (EXTREMES row 46), and b = -1 nothing (row 42).
+/// 1 is the most that a front-sided I gives; one from behind would give more (EXTREMES row 46), and
+/// b = -1 nothing (row 42).
 pub fn rho(q: f64, b: f64) -> f64 {
     let below = 1.0 + b;
     if below <= 0.0 { 0.0 } else { (q * (1.0 + cos_gamma(q, b)) / below).max(0.0).sqrt().min(1.0) }
@@ -48,7 +51,8 @@ pub fn cosine(incoming: DVec3, reflection: DVec3) -> f64 {
     ((incoming + reflection).length() / 2.0).min(1.0)
 }
 
-/// How a vertex's angle is enlarged: acos(m)(1 + c(1 - m)^e), so that its interpolation reaches the face's.
+/// How a vertex's angle is enlarged: acos(m)(1 + c(1 - m)^e), so that its interpolation reaches the
+/// face's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaling {
     /// c.
@@ -66,7 +70,8 @@ impl Scaling {
     pub const TRIGONOMETRIC_LINEAR: Scaling = Scaling { constant: 0.06097, exponent: 1 };
 }
 
-/// α of a vertex from m, the least cosine between its normal and the normals of the faces around it. Radians, to 1.63 or 1.67 for m = 0.
+/// α of a vertex from m, the least cosine between its normal and the normals of the faces around
+/// it. Radians, to 1.63 or 1.67 for m = 0.
 ///
 /// Not clamped at π/2: that would shorten what is interpolated of it (EXTREMES row 45).
 pub fn vertex_angle(least_cosine: f64, scaling: Scaling) -> f64 {

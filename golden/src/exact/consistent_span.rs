@@ -1,4 +1,5 @@
-//! Consistent normal interpolation as a shading method, without rounding [Reshetov, Soupikov and Mark; METHODS.md D].
+//! Consistent normal interpolation as a shading method, without rounding [Reshetov, Soupikov and
+//! Mark; METHODS.md D].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
 use specula_scene::spec::ConsistentSpec;
@@ -6,7 +7,9 @@ use specula_scene::spec::consistent::{Curve, Diffuse, Highlight, LARGEST_GAIN_BI
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
-use super::consistent::{Scaling, cos_gamma, cosine, pixel_angle, q, rational_q, reflection, vertex_angle};
+use super::consistent::{
+    Scaling, cos_gamma, cosine, pixel_angle, q, rational_q, reflection, vertex_angle,
+};
 use super::diffuse::lambert;
 use super::method::ShadePixel;
 use super::shape::power;
@@ -35,13 +38,16 @@ impl<'a> ConsistentSpan<'a> {
             span,
             start,
             delta: end - start,
-            vertex_angles: frame.triangles[span.triangle].cones.map(|cone| vertex_angle(cone.cosine.max(0.0), scaling)),
+            vertex_angles: frame.triangles[span.triangle]
+                .cones
+                .map(|cone| vertex_angle(cone.cosine.max(0.0), scaling)),
             shininess: frame.material(span).shininess,
             coefficients: Coefficients::new(frame, span),
         }
     }
 
-    /// N, and q at its angle; `None` where the interpolated normal vanishes. One shorter than 1/16 stays short.
+    /// N, and q at its angle; `None` where the interpolated normal vanishes. One shorter than 1/16
+    /// stays short.
     pub fn normal_and_q(&self, i: u32) -> Option<(DVec3, f64)> {
         let interpolated = self.start + self.span.parameter(i) * self.delta;
         if interpolated == DVec3::ZERO {
@@ -66,16 +72,22 @@ impl<'a> ConsistentSpan<'a> {
     /// The highlight; none of Blinn's where L = -V leaves no H (EXTREMES row 12).
     fn specular(&self, normal: DVec3, q: f64, light: DVec3) -> f64 {
         match (self.spec.highlight, halfway(light)) {
-            (Highlight::Reflection, _) => power(reflection(normal, EYE, q).dot(light).min(1.0), self.shininess),
+            (Highlight::Reflection, _) => {
+                power(reflection(normal, EYE, q).dot(light).min(1.0), self.shininess)
+            }
             (Highlight::Blinn, DVec3::ZERO) => 0.0,
-            (Highlight::Blinn, halfway) => power(consistent_cosine(normal, q, halfway), 4 * self.shininess),
+            (Highlight::Blinn, halfway) => {
+                power(consistent_cosine(normal, q, halfway), 4 * self.shininess)
+            }
         }
     }
 }
 
 impl ShadePixel for ConsistentSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
-        let Some((normal, q)) = self.normal_and_q(i) else { return self.coefficients.sum(|_| Amounts::default()) };
+        let Some((normal, q)) = self.normal_and_q(i) else {
+            return self.coefficients.sum(|_| Amounts::default());
+        };
         self.coefficients.sum(|light| Amounts {
             diffuse: self.diffuse(normal, q, light.direction),
             specular: self.specular(normal, q, light.direction),

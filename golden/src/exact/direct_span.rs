@@ -26,7 +26,9 @@ impl<'a> DirectSpan<'a> {
         let (ends, shininess) = (frame.unit_end_normals(span), frame.material(span).shininess);
         let lengths = match direct.root {
             Root::Exact => None,
-            Root::Newton => Some(newton::lengths(ends, span.steps(), direct.newton_steps).collect()),
+            Root::Newton => {
+                Some(newton::lengths(ends, span.steps(), direct.newton_steps).collect())
+            }
         };
         DirectSpan { span, ends, lengths, shininess, coefficients: Coefficients::new(frame, span) }
     }
@@ -43,7 +45,10 @@ impl ShadePixel for DirectSpan<'_> {
         self.coefficients.sum(|light| {
             let (p, k) = (normal.dot(light.direction), normal.dot(EYE));
             let base = 2.0 * p * k / q - light.direction.dot(EYE);
-            Amounts { diffuse: (p / length).clamp(0.0, 1.0), specular: power(base.min(1.0), self.shininess) }
+            Amounts {
+                diffuse: (p / length).clamp(0.0, 1.0),
+                specular: power(base.min(1.0), self.shininess),
+            }
         })
     }
 }

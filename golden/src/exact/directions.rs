@@ -1,5 +1,5 @@
-//! Where light comes from and where it goes along a span of `phong`: true directions, or wrapped ones [Hast, Barrera and Bengtsson, eq. 35 to 38;
-//! METHODS.md C15 to C18].
+//! Where light comes from and where it goes along a span of `phong`: true directions, or wrapped
+//! ones [Hast, Barrera and Bengtsson, eq. 35 to 38; METHODS.md C15 to C18].
 use glam::DVec3;
 use specula_scene::spec::Wrap;
 use specula_scene::spec::phong::{Places, wrap_to_eye, wrap_to_light};
@@ -27,7 +27,11 @@ impl<'a> Directions<'a> {
     pub fn new(frame: &'a Frame, span: &'a Span, places: Places) -> Directions<'a> {
         let wraps = || Wraps {
             eye: frame.eye.map(|eye| wrap_to_eye(frame, span, eye)),
-            lights: frame.local_lights.iter().map(|light| wrap_to_light(frame, span, light)).collect(),
+            lights: frame
+                .local_lights
+                .iter()
+                .map(|light| wrap_to_light(frame, span, light))
+                .collect(),
         };
         Directions { frame, span, wraps: (places == Places::Wrapped).then(wraps) }
     }
@@ -35,20 +39,25 @@ impl<'a> Directions<'a> {
     /// Towards the eye from pixel `i`; none for an eye at the very point.
     pub fn view(&self, i: u32) -> Option<DVec3> {
         match self.wraps.as_ref().and_then(|wraps| wraps.eye.as_ref()) {
-            Some(wrap) => has_direction(wrap).then(|| point_light::wrapped(wrap.axis, at(wrap, self.span.parameter(i)))),
+            Some(wrap) => has_direction(wrap)
+                .then(|| point_light::wrapped(wrap.axis, at(wrap, self.span.parameter(i)))),
             None => illumination::view(self.frame, self.span, self.span.weights(i)),
         }
     }
 
-    /// Every light as it is seen from pixel `i`, those at infinity first; none for one that is at the very point or, wrapped around a
-    /// spot's axis, 90 degrees or more from that.
+    /// Every light as it is seen from pixel `i`, those at infinity first; none for one that is at
+    /// the very point or, wrapped around a spot's axis, 90 degrees or more from that.
     pub fn lights(&self, i: u32) -> impl Iterator<Item = Option<Illumination>> {
         let position = self.frame.position_at(self.span, self.span.weights(i));
         let t = self.span.parameter(i);
         let at_infinity = self.frame.lights.len();
-        (0..at_infinity + self.frame.local_lights.len()).map(move |index| match (&self.wraps, index.checked_sub(at_infinity)) {
-            (Some(wraps), Some(local)) => wrapped(&self.frame.local_lights[local], &wraps.lights[local], t),
-            _ => illumination::light(self.frame, index, position),
+        (0..at_infinity + self.frame.local_lights.len()).map(move |index| {
+            match (&self.wraps, index.checked_sub(at_infinity)) {
+                (Some(wraps), Some(local)) => {
+                    wrapped(&self.frame.local_lights[local], &wraps.lights[local], t)
+                }
+                _ => illumination::light(self.frame, index, position),
+            }
         })
     }
 }
@@ -58,12 +67,15 @@ fn wrapped(light: &LocalLight, wrap: &Wrap, t: f64) -> Option<Illumination> {
     let to_light = at(wrap, t);
     let share = match &light.spot {
         Some(spot) if to_light.dot(wrap.axis) > 0.0 => {
-            point_light::wrapped_cosine(wrap.axis, to_light).max(0.0).powi(spot.exponent.cast_signed())
+            point_light::wrapped_cosine(wrap.axis, to_light)
+                .max(0.0)
+                .powi(spot.exponent.cast_signed())
         }
         Some(_) => return None,
         None => 1.0,
     };
-    has_direction(wrap).then(|| Illumination { direction: point_light::wrapped(wrap.axis, to_light), share })
+    has_direction(wrap)
+        .then(|| Illumination { direction: point_light::wrapped(wrap.axis, to_light), share })
 }
 
 /// What is wrapped, at parameter `t` of the span.

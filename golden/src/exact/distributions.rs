@@ -1,4 +1,5 @@
-//! The twelve specular formulations that Lyon compares in figure 9 [Lyon, TR 43, appendix, `specfuns.m`; METHODS.md B].
+//! The twelve specular formulations that Lyon compares in figure 9 [Lyon, TR 43, appendix,
+//! `specfuns.m`; METHODS.md B].
 use glam::DVec3;
 
 use super::differences::{to_normal, to_projection};
@@ -55,7 +56,8 @@ impl Formulation {
 
 /// The highlight of a unit normal, 0 to 1.
 ///
-/// L = -V leaves no H* (EXTREMES row 12): rows 5, 6 and 11 are 0 and row 12 its least; rows 7 to 9 are 1 for every normal, as the method says.
+/// L = -V leaves no H* (EXTREMES row 12): rows 5, 6 and 11 are 0 and row 12 its least; rows 7 to 9
+/// are 1 for every normal, as the method says.
 pub fn formulation(row: Formulation, n: u32, normal: DVec3, light: DVec3) -> f64 {
     let exponent = f64::from(n);
     let chord = |k| f_k(exponent / 2.0 * reflection_minus_light(normal, light).length_squared(), k);
@@ -74,8 +76,12 @@ pub fn formulation(row: Formulation, n: u32, normal: DVec3, light: DVec3) -> f64
         Formulation::NearlyUnitProjected2 => of_difference(to_projection(normal, nearly_unit()), 2),
         Formulation::NearlyUnitProjected1 => of_difference(to_projection(normal, nearly_unit()), 1),
         Formulation::NearlyUnit => of_difference(to_normal(normal, nearly_unit()), 2),
-        Formulation::TorranceSparrow => star.map_or(0.0, |h| torrance_sparrow(h.dot(normal), exponent)),
-        Formulation::TrowbridgeReitz => trowbridge_reitz(star.map_or(0.0, |h| h.dot(normal)), exponent),
+        Formulation::TorranceSparrow => {
+            star.map_or(0.0, |h| torrance_sparrow(h.dot(normal), exponent))
+        }
+        Formulation::TrowbridgeReitz => {
+            trowbridge_reitz(star.map_or(0.0, |h| h.dot(normal)), exponent)
+        }
     }
 }
 

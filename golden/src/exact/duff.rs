@@ -1,5 +1,5 @@
-//! Duff's diffuse with one of Hast's highlights, without rounding [Hast, Barrera and Bengtsson, eq. 3 to 8, 17, 33 and 34; METHODS.md
-//! C2, C8 to C11].
+//! Duff's diffuse with one of Hast's highlights, without rounding [Hast, Barrera and Bengtsson, eq.
+//! 3 to 8, 17, 33 and 34; METHODS.md C2, C8 to C11].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
 use specula_scene::spec::DuffSpec;
@@ -26,7 +26,14 @@ impl<'a> DuffSpan<'a> {
     pub fn new(spec: &'a DuffSpec, frame: &'a Frame, span: &'a Span) -> Self {
         let [start, end] = frame.end_normals(span);
         let shininess = frame.material(span).shininess;
-        DuffSpan { spec, span, start, delta: end - start, shininess, coefficients: Coefficients::new(frame, span) }
+        DuffSpan {
+            spec,
+            span,
+            start,
+            delta: end - start,
+            shininess,
+            coefficients: Coefficients::new(frame, span),
+        }
     }
 }
 
@@ -70,7 +77,8 @@ pub fn eq33(normal: DVec3, light: DVec3) -> f64 {
     (2.0 * normal.dot(EYE) * (normal.dot(light) / q) - light.dot(EYE)).clamp(0.0, 1.0)
 }
 
-/// R·L = 2(N·V s)(N·L s) - L·V with s = 1/√(N·N), kept within 0 to 1, and 0 for N = 0 [Hast et al., eq. 34].
+/// R·L = 2(N·V s)(N·L s) - L·V with s = 1/√(N·N), kept within 0 to 1, and 0 for N = 0 [Hast et al.,
+/// eq. 34].
 pub fn eq34(normal: DVec3, light: DVec3) -> f64 {
     if normal == DVec3::ZERO {
         return 0.0;

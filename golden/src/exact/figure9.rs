@@ -27,7 +27,8 @@ pub fn lights() -> [DVec3; 2] {
 /// What a pixel of a ball shows with a formula, in LSBs, above full scale too.
 pub fn colour(row: Formulation, normal: DVec3, ball: usize) -> f64 {
     let (n, specular) = (EXPONENTS[ball], specular(ball));
-    let of_light = |l: DVec3| specular * formulation(row, n, normal, l) + DIFFUSE * lambert(normal, l);
+    let of_light =
+        |l: DVec3| specular * formulation(row, n, normal, l) + DIFFUSE * lambert(normal, l);
     lights().map(of_light).iter().sum()
 }
 
@@ -56,7 +57,8 @@ impl Balls {
         2 * self.radius + 1
     }
 
-    /// Pixels by which rows of the figure are apart, one and a half radii: the upper part of each lies over the lower part of the next.
+    /// Pixels by which rows of the figure are apart, one and a half radii: the upper part of each
+    /// lies over the lower part of the next.
     pub fn apart(self) -> u32 {
         2 * self.radius - self.radius / 2
     }
@@ -66,7 +68,8 @@ impl Balls {
         self.height() + (Formulation::ALL.len() as u32 - 1) * self.apart()
     }
 
-    /// The normal at a pixel, counted from the left and from below, and the number of its ball: the first from the left that covers it.
+    /// The normal at a pixel, counted from the left and from below, and the number of its ball: the
+    /// first from the left that covers it.
     pub fn at(self, column: u32, row: u32) -> Option<(DVec3, usize)> {
         let radius = f64::from(self.radius);
         let place = |pixel: u32| (0.5 + f64::from(pixel) - radius) / radius;

@@ -1,4 +1,5 @@
-//! Intensities of the vertices or of the polygon, without rounding [lecture, eq. 2.1 and 3.2 to 3.6; METHODS.md A3, A4].
+//! Intensities of the vertices or of the polygon, without rounding [lecture, eq. 2.1 and 3.2 to
+//! 3.6; METHODS.md A3, A4].
 use glam::DVec3;
 use specula_scene::spec::GouraudSpec;
 use specula_scene::spec::gouraud::Interpolation;
@@ -13,7 +14,8 @@ use super::shape::power;
 /// One span, shaded by `gouraud`.
 pub struct GouraudSpan<'a> {
     span: &'a Span,
-    /// Amounts of each light at the points where they are worked out: the vertices, or the middle of the polygon.
+    /// Amounts of each light at the points where they are worked out: the vertices, or the middle
+    /// of the polygon.
     lights: Vec<Vec<Amounts>>,
     /// How much each point counts at the first and at the last pixel.
     ends: [Vec<f64>; 2],
@@ -23,25 +25,37 @@ pub struct GouraudSpan<'a> {
 impl<'a> GouraudSpan<'a> {
     /// Sets up a span of a frame.
     pub fn new(spec: &GouraudSpec, frame: &Frame, span: &'a Span) -> Self {
-        let (triangle, shininess) = (&frame.triangles[span.triangle], frame.material(span).shininess);
+        let (triangle, shininess) =
+            (&frame.triangles[span.triangle], frame.material(span).shininess);
         let vertex = |v: usize| (triangle.normals[v], triangle.positions[v]);
         let (points, ends) = match spec.interpolation {
-            Interpolation::Linear => ([0, 1, 2].map(vertex).to_vec(), [span.start, span.end].map(Vec::from)),
+            Interpolation::Linear => {
+                ([0, 1, 2].map(vertex).to_vec(), [span.start, span.end].map(Vec::from))
+            }
             Interpolation::Uniform => {
                 let Facet { normal, middle } = triangle.facet;
                 (vec![(normal, middle)], [1.0; 2].map(|weight| vec![weight]))
             }
         };
-        let at_points: Vec<Vec<Amounts>> =
-            points.into_iter().map(|(n, place)| amounts(frame, shininess, n, place).collect()).collect();
-        let lights = (0..frame.light_colours().count()).map(|light| at_points.iter().map(|point| point[light]).collect());
-        GouraudSpan { span, lights: lights.collect(), ends, coefficients: Coefficients::new(frame, span) }
+        let at_points: Vec<Vec<Amounts>> = points
+            .into_iter()
+            .map(|(n, place)| amounts(frame, shininess, n, place).collect())
+            .collect();
+        let lights = (0..frame.light_colours().count())
+            .map(|light| at_points.iter().map(|point| point[light]).collect());
+        GouraudSpan {
+            span,
+            lights: lights.collect(),
+            ends,
+            coefficients: Coefficients::new(frame, span),
+        }
     }
 
     /// Σ weight · amount, kept within 0 to 1.
     fn interpolated(&self, i: u32, at_points: impl Iterator<Item = f64>) -> f64 {
         let t = self.span.parameter(i);
-        let weights = self.ends[0].iter().zip(&self.ends[1]).map(|(start, end)| start + t * (end - start));
+        let weights =
+            self.ends[0].iter().zip(&self.ends[1]).map(|(start, end)| start + t * (end - start));
         at_points.zip(weights).map(|(amount, weight)| weight * amount).sum::<f64>().clamp(0.0, 1.0)
     }
 }
@@ -56,12 +70,18 @@ impl ShadePixel for GouraudSpan<'_> {
 }
 
 /// What each light gives at a place with the normal `normal`.
-pub(crate) fn amounts(frame: &Frame, shininess: u32, normal: DVec3, place: DVec3) -> impl Iterator<Item = Amounts> {
+pub(crate) fn amounts(
+    frame: &Frame,
+    shininess: u32,
+    normal: DVec3,
+    place: DVec3,
+) -> impl Iterator<Item = Amounts> {
     let view = illumination::view_from(frame, place);
     let of = move |light: Option<Illumination>| match light {
         Some(Illumination { direction, share }) => Amounts {
             diffuse: share * lambert(normal, direction),
-            specular: share * view.map_or(0.0, |view| highlight(normal, direction, view, shininess)),
+            specular: share
+                * view.map_or(0.0, |view| highlight(normal, direction, view, shininess)),
         },
         None => Amounts::default(),
     };

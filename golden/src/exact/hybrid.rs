@@ -1,4 +1,5 @@
-//! Gouraud diffuse with Hast's specular base, without rounding [Hast, Barrera and Bengtsson, eq. 17 to 26; METHODS.md C3].
+//! Gouraud diffuse with Hast's specular base, without rounding [Hast, Barrera and Bengtsson, eq. 17
+//! to 26; METHODS.md C3].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 use specula_scene::{Frame, Span};
@@ -44,8 +45,8 @@ impl ShadePixel for HybridSpan<'_> {
     }
 }
 
-/// R·L for a normal of any length: p/q with p = 2(N·V)(N·L) - (L·V)(N·N) and q = N·N, kept within 0 to 1, and 0 for N = 0
-/// [Hast et al., eq. 17].
+/// R·L for a normal of any length: p/q with p = 2(N·V)(N·L) - (L·V)(N·N) and q = N·N, kept within 0
+/// to 1, and 0 for N = 0 [Hast et al., eq. 17].
 pub fn base(normal: DVec3, light: DVec3) -> f64 {
     let q = normal.length_squared();
     let p = 2.0 * normal.dot(EYE) * normal.dot(light) - light.dot(EYE) * q;

@@ -14,7 +14,8 @@ pub struct Illumination {
     pub share: f64,
 }
 
-/// Towards the eye from a pixel of a span, a unit vector; none for an eye at the very point [METHODS.md C18].
+/// Towards the eye from a pixel of a span, a unit vector; none for an eye at the very point
+/// [METHODS.md C18].
 pub fn view(frame: &Frame, span: &Span, weights: [f64; 3]) -> Option<DVec3> {
     view_from(frame, frame.position_at(span, weights))
 }
@@ -27,14 +28,20 @@ pub fn view_from(frame: &Frame, position: DVec3) -> Option<DVec3> {
     }
 }
 
-/// Every light as it is seen from a pixel of a span, those at infinity first; none for a light at the very point (EXTREMES row 39).
-pub fn lights(frame: &Frame, span: &Span, weights: [f64; 3]) -> impl Iterator<Item = Option<Illumination>> {
+/// Every light as it is seen from a pixel of a span, those at infinity first; none for a light at
+/// the very point (EXTREMES row 39).
+pub fn lights(
+    frame: &Frame,
+    span: &Span,
+    weights: [f64; 3],
+) -> impl Iterator<Item = Option<Illumination>> {
     lights_from(frame, frame.position_at(span, weights))
 }
 
 /// As [`lights`], from a `position` in view space.
 pub fn lights_from(frame: &Frame, position: DVec3) -> impl Iterator<Item = Option<Illumination>> {
-    (0..frame.lights.len() + frame.local_lights.len()).map(move |index| light(frame, index, position))
+    (0..frame.lights.len() + frame.local_lights.len())
+        .map(move |index| light(frame, index, position))
 }
 
 /// Light number `index`, counted as by [`lights`], as it is seen from `position`.
@@ -45,9 +52,13 @@ pub fn light(frame: &Frame, index: usize, position: DVec3) -> Option<Illuminatio
     }
 }
 
-/// L = (F - P)/|F - P| and, for a spot, max(-L·axis, 0)^p [Hast et al., eq. 35 and after; METHODS.md C15].
+/// L = (F - P)/|F - P| and, for a spot, max(-L·axis, 0)^p [Hast et al., eq. 35 and after;
+/// METHODS.md C15].
 fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
     let direction = point_light::direction(light.position, position)?;
-    let share = light.spot.as_ref().map_or(1.0, |spot| point_light::spot(-spot.axis, direction, spot.exponent));
+    let share = light
+        .spot
+        .as_ref()
+        .map_or(1.0, |spot| point_light::spot(-spot.axis, direction, spot.exponent));
     Some(Illumination { direction, share })
 }

@@ -8,7 +8,9 @@ use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
 use super::method::ShadePixel;
 use super::normalisation::{g2, gain, unit};
-use super::reflection::{halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light};
+use super::reflection::{
+    halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light,
+};
 use super::shape::f_k;
 use super::wrap::{chained, wrap};
 
@@ -33,7 +35,8 @@ impl Path {
                 Path::Linear { start, delta: end - start }
             }
             Normals::Wrapped => {
-                let NormalWrap { wrap: Wrap { ends: [start, end], axis }, follows } = spec.wrap(frame, span);
+                let NormalWrap { wrap: Wrap { ends: [start, end], axis }, follows } =
+                    spec.wrap(frame, span);
                 let normals = (0..span.length).map(|i| start.lerp(end, span.parameter(i)));
                 match follows {
                     true => Path::Chained(chained(axis, normals).collect()),
@@ -76,7 +79,9 @@ impl<'a> LyonSpan<'a> {
                 gain(self.spec, interpolated.length_squared()) * interpolated
             }
             // Without a direction at all, everything is 0.
-            Path::Wrapped { start, delta, axis } => wrap(axis, start + t * delta).unwrap_or(DVec3::ZERO),
+            Path::Wrapped { start, delta, axis } => {
+                wrap(axis, start + t * delta).unwrap_or(DVec3::ZERO)
+            }
         }
     }
 
@@ -87,19 +92,34 @@ impl<'a> LyonSpan<'a> {
         }
         let about_unit = unit_halfway(self.spec.halfway, light);
         let (difference, half_exponent) = match (self.spec.difference, about_unit) {
-            (Difference::ReflectionMinusLight, _) => (reflection_minus_light(normal, light), self.half_shininess),
-            (Difference::LightReflection, _) => (light_reflection(normal, light), self.half_shininess),
-            (Difference::HalfwayProjection, _) => (projection(normal, halfway(light)), self.half_shininess),
-            (Difference::HalfwayCrossNormal, _) => (halfway_cross_normal(normal, light), self.half_shininess),
-            (Difference::UnitHalfwayMinusNormal, Some(h)) => (h - normal, 4.0 * self.half_shininess),
-            (Difference::UnitHalfwayProjection, Some(h)) => (projection(normal, h), 4.0 * self.half_shininess),
-            (Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection, None) => return 0.0,
+            (Difference::ReflectionMinusLight, _) => {
+                (reflection_minus_light(normal, light), self.half_shininess)
+            }
+            (Difference::LightReflection, _) => {
+                (light_reflection(normal, light), self.half_shininess)
+            }
+            (Difference::HalfwayProjection, _) => {
+                (projection(normal, halfway(light)), self.half_shininess)
+            }
+            (Difference::HalfwayCrossNormal, _) => {
+                (halfway_cross_normal(normal, light), self.half_shininess)
+            }
+            (Difference::UnitHalfwayMinusNormal, Some(h)) => {
+                (h - normal, 4.0 * self.half_shininess)
+            }
+            (Difference::UnitHalfwayProjection, Some(h)) => {
+                (projection(normal, h), 4.0 * self.half_shininess)
+            }
+            (Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection, None) => {
+                return 0.0;
+            }
         };
         f_k(half_exponent * difference.length_squared(), self.spec.squarings)
     }
 }
 
-/// A half-way vector of about unit length [METHODS.md B6, B7]; `None` where it has no direction, L = -V (EXTREMES row 12).
+/// A half-way vector of about unit length [METHODS.md B6, B7]; `None` where it has no direction,
+/// L = -V (EXTREMES row 12).
 fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
     let h = halfway(light) / 2.0;
     match kind {
@@ -112,7 +132,9 @@ fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
 impl ShadePixel for LyonSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let normal = self.normal(i);
-        self.coefficients
-            .sum(|light| Amounts { diffuse: lambert(normal, light.direction), specular: self.highlight(normal, light.direction) })
+        self.coefficients.sum(|light| Amounts {
+            diffuse: lambert(normal, light.direction),
+            specular: self.highlight(normal, light.direction),
+        })
     }
 }

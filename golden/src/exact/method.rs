@@ -2,7 +2,10 @@
 use specula_scene::spec::{MethodSpec, Viewpoint};
 use specula_scene::{CoreSpec, Frame, ParallelSpan, Span};
 
-use super::{ConsistentSpan, DirectSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan, ReflectionSpan, SlerpSpan};
+use super::{
+    ConsistentSpan, DirectSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan,
+    ReflectionSpan, SlerpSpan,
+};
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
@@ -25,8 +28,12 @@ impl<'a> MethodSpan<'a> {
             MethodSpec::Hybrid(_) => Box::new(HybridSpan::new(frame, span)),
             MethodSpec::Duff(duff) => Box::new(DuffSpan::new(duff, frame, span)),
             MethodSpec::Gouraud(gouraud) => Box::new(GouraudSpan::new(gouraud, frame, span)),
-            MethodSpec::Reflection(reflection) => Box::new(ReflectionSpan::new(reflection, frame, span)),
-            MethodSpec::Consistent(consistent) => Box::new(ConsistentSpan::new(consistent, frame, span)),
+            MethodSpec::Reflection(reflection) => {
+                Box::new(ReflectionSpan::new(reflection, frame, span))
+            }
+            MethodSpec::Consistent(consistent) => {
+                Box::new(ConsistentSpan::new(consistent, frame, span))
+            }
             MethodSpec::Slerp(slerp) => Box::new(SlerpSpan::new(slerp, frame, span)),
             MethodSpec::Direct(direct) => Box::new(DirectSpan::new(direct, frame, span)),
         })

@@ -1,6 +1,7 @@
 //! Shading in f64, in LSBs of the 8-bit output, clamped to 0..=255 and not rounded.
 //!
-//! Directions are unit vectors in view space, and V = (0, 0, 1) ([`EYE`](specula_scene::frame::EYE)).
+//! Directions are unit vectors in view space, and V = (0, 0, 1)
+//! ([`EYE`](specula_scene::frame::EYE)).
 pub(crate) mod coefficients;
 pub mod consistent;
 pub mod consistent_span;
@@ -54,8 +55,8 @@ pub fn phong(frame: &Frame, span: &Span, i: u32) -> [f64; 3] {
 
 /// The spec's method without rounding at pixel `i` of a span, 0..=255 LSB a channel.
 ///
-/// It has the clamps of `docs/arithmetic.md` and inputs as they were before the host quantised them. [`MethodSpan`] shades a whole
-/// span faster.
+/// It has the clamps of `docs/arithmetic.md` and inputs as they were before the host quantised
+/// them. [`MethodSpan`] shades a whole span faster.
 pub fn method(spec: &CoreSpec, frame: &Frame, span: &Span, i: u32) -> [f64; 3] {
     MethodSpan::new(spec, frame, span).pixel(i)
 }

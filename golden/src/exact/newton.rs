@@ -1,7 +1,9 @@
-//! The square root of fast Phong shading, by Newton's method warm-started from the pixel before [lecture, §4.2; METHODS.md A6].
+//! The square root of fast Phong shading, by Newton's method warm-started from the pixel before
+//! [lecture, §4.2; METHODS.md A6].
 use glam::DVec3;
 
-/// No root is taken to be less: d → 0 near the middle of a span of 180 degrees has no limit to converge to (EXTREMES row 19).
+/// No root is taken to be less: d → 0 near the middle of a span of 180 degrees has no limit to
+/// converge to (EXTREMES row 19).
 pub const SHORTEST: f64 = f64::EPSILON;
 
 /// x - (x² - D)/(2x).

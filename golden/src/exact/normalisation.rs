@@ -19,7 +19,8 @@ pub fn g1(z: f64) -> f64 {
     1.0 + y / 2.0
 }
 
-/// g2 = 1 + (y + y²)/2 with y = 1 - z [Lyon, METHODS.md B9]: 1/√(1 - y) to second order, with 1/2 instead of 3/8 before y².
+/// g2 = 1 + (y + y²)/2 with y = 1 - z [Lyon, METHODS.md B9]: 1/√(1 - y) to second order, with 1/2
+/// instead of 3/8 before y².
 ///
 /// 2.77 % short at z = 1/2; 0.18 % too long at z = 0.8.
 pub fn g2(z: f64) -> f64 {

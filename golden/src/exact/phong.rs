@@ -13,9 +13,10 @@ use super::method::ShadePixel;
 use super::normalisation::unit;
 use super::shape::power;
 
-/// True shading of one span: the normal interpolated linearly between the triangle's vertices and normalised at each pixel, then
-/// ambient + Σ kd max(N·L, 0) + ks max(R·L, 0)^n with R = 2(N·V)N - V [METHODS.md A3, A5, B1], or Blinn's lobes in place of the last, and
-/// wrapped directions in place of true ones.
+/// True shading of one span: the normal interpolated linearly between the triangle's vertices and
+/// normalised at each pixel, then ambient + Σ kd max(N·L, 0) + ks max(R·L, 0)^n with R = 2(N·V)N -
+/// V [METHODS.md A3, A5, B1], or Blinn's lobes in place of the last, and wrapped directions in
+/// place of true ones.
 pub struct PhongSpan<'a> {
     frame: &'a Frame,
     span: &'a Span,
@@ -39,10 +40,18 @@ impl<'a> PhongSpan<'a> {
     fn with(highlight: Highlight, places: Places, frame: &'a Frame, span: &'a Span) -> Self {
         let shininess = frame.material(span).shininess;
         let directions = Directions::new(frame, span, places);
-        PhongSpan { frame, span, directions, highlight, shininess, coefficients: Coefficients::new(frame, span) }
+        PhongSpan {
+            frame,
+            span,
+            directions,
+            highlight,
+            shininess,
+            coefficients: Coefficients::new(frame, span),
+        }
     }
 
-    /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel. Where the interpolated normal vanishes, ambient light is all there is.
+    /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel. Where the interpolated normal vanishes,
+    /// ambient light is all there is.
     pub fn pixel(&self, i: u32) -> [f64; 3] {
         match unit(self.frame.normal_at(self.span, self.span.weights(i))) {
             Some(normal) => self.pixel_with(normal, i),
@@ -65,10 +74,16 @@ impl<'a> PhongSpan<'a> {
 
     fn highlight(&self, normal: DVec3, light: DVec3, view: DVec3) -> f64 {
         match self.highlight {
-            Highlight::Reflection => power(2.0 * normal.dot(view) * normal.dot(light) - view.dot(light), self.shininess),
+            Highlight::Reflection => {
+                power(2.0 * normal.dot(view) * normal.dot(light) - view.dot(light), self.shininess)
+            }
             Highlight::Blinn => power(cosine_to_halfway(normal, light, view), 4 * self.shininess),
-            Highlight::TorranceSparrow => torrance_sparrow(cosine_to_halfway(normal, light, view), f64::from(self.shininess)),
-            Highlight::TrowbridgeReitz => trowbridge_reitz(cosine_to_halfway(normal, light, view), f64::from(self.shininess)),
+            Highlight::TorranceSparrow => {
+                torrance_sparrow(cosine_to_halfway(normal, light, view), f64::from(self.shininess))
+            }
+            Highlight::TrowbridgeReitz => {
+                trowbridge_reitz(cosine_to_halfway(normal, light, view), f64::from(self.shininess))
+            }
         }
     }
 }
@@ -82,7 +97,8 @@ impl ShadePixel for PhongSpan<'_> {
 /// The largest 1/|L + V|: the `gain` of the core has 4 integer bits.
 const LARGEST_GAIN: f64 = 16.0;
 
-/// H*·N with H* = (L + V)/|L + V|; H* comes out short where |L + V| < 1/16, down to 0 for L = -V (EXTREMES row 12).
+/// H*·N with H* = (L + V)/|L + V|; H* comes out short where |L + V| < 1/16, down to 0 for L = -V
+/// (EXTREMES row 12).
 pub fn cosine_to_halfway(normal: DVec3, light: DVec3, view: DVec3) -> f64 {
     let halfway = light + view;
     let gain = halfway.length().recip().min(LARGEST_GAIN);

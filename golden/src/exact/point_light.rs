@@ -1,4 +1,5 @@
-//! Lights and eyes at a finite place [Hast, Barrera and Bengtsson, eq. 35 to 38; METHODS.md C15 to C18].
+//! Lights and eyes at a finite place [Hast, Barrera and Bengtsson, eq. 35 to 38; METHODS.md C15 to
+//! C18].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 
@@ -15,16 +16,18 @@ pub fn spot(axis: DVec3, light: DVec3, concentration: u32) -> f64 {
     axis.dot(light).max(0.0).powi(concentration.cast_signed())
 }
 
-/// F - P at a span's ends, both divided by their mean length: what lies between is then about 1 long, as the wraps below need it.
+/// F - P at a span's ends, both divided by their mean length: what lies between is then about 1
+/// long, as the wraps below need it.
 ///
-/// Unscaled, a light 10 away at 60 degrees comes out at 110.6 (EXTREMES row 40). Two vectors of length 0 stay so.
+/// Unscaled, a light 10 away at 60 degrees comes out at 110.6 (EXTREMES row 40). Two vectors of
+/// length 0 stay so.
 pub fn scaled(ends: [DVec3; 2]) -> [DVec3; 2] {
     let mean = f64::midpoint(ends[0].length(), ends[1].length());
     if mean > 0.0 { ends.map(|end| end / mean) } else { ends }
 }
 
-/// L' = 2H(H·S)/(H·H) - S with H = S + (F - P) [eq. 36], of length 1; S itself where the light stands at the point (EXTREMES row 39) or
-/// straight behind the axis, where H vanishes.
+/// L' = 2H(H·S)/(H·H) - S with H = S + (F - P) [eq. 36], of length 1; S itself where the light
+/// stands at the point (EXTREMES row 39) or straight behind the axis, where H vanishes.
 pub fn wrapped(axis: DVec3, to_light: DVec3) -> DVec3 {
     wrap(axis, to_light).unwrap_or(axis)
 }
@@ -36,7 +39,8 @@ pub fn wrapped_cosine(axis: DVec3, to_light: DVec3) -> f64 {
     if square > 0.0 { (2.0 * h.dot(axis).powi(2) / square - 1.0).clamp(-1.0, 1.0) } else { -1.0 }
 }
 
-/// V' = 2H(H·v)/(H·H) - v with H = v + (F - P) for an eye at F [eq. 38]. v looks back along the view's axis here (the paper's goes in).
+/// V' = 2H(H·v)/(H·H) - v with H = v + (F - P) for an eye at F [eq. 38]. v looks back along the
+/// view's axis here (the paper's goes in).
 pub fn wrapped_view(to_eye: DVec3) -> DVec3 {
     wrapped(EYE, to_eye)
 }

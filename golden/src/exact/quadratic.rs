@@ -8,7 +8,11 @@ pub struct Quadratic(pub [f64; 3]);
 impl Quadratic {
     /// (k·a x + m·a)(k·b x + m·b), for a normal m + k x.
     pub fn product(m: DVec3, k: DVec3, a: DVec3, b: DVec3) -> Quadratic {
-        Quadratic([k.dot(a) * k.dot(b), k.dot(a) * m.dot(b) + m.dot(a) * k.dot(b), m.dot(a) * m.dot(b)])
+        Quadratic([
+            k.dot(a) * k.dot(b),
+            k.dot(a) * m.dot(b) + m.dot(a) * k.dot(b),
+            m.dot(a) * m.dot(b),
+        ])
     }
 
     /// (m + k x)² [eq. 4].

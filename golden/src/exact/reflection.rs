@@ -1,4 +1,5 @@
-//! The reflected eye vector, and vectors D whose length grows with the angle between it and the light.
+//! The reflected eye vector, and vectors D whose length grows with the angle between it and the
+//! light.
 use glam::DVec3;
 use specula_scene::frame::EYE;
 

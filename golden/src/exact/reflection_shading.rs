@@ -1,4 +1,5 @@
-//! Hast's reflection shading without rounding [Hast, Barrera and Bengtsson, eq. 27 to 34; METHODS.md C4 to C6 and C12 to C14].
+//! Hast's reflection shading without rounding [Hast, Barrera and Bengtsson, eq. 27 to 34;
+//! METHODS.md C4 to C6 and C12 to C14].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
 use specula_scene::spec::ReflectionSpec;
@@ -44,7 +45,9 @@ impl<'a> ReflectionSpan<'a> {
             (Highlight::Hybrid, _) => power(base(interpolated, light), n),
             (_, None) => 0.0,
             (Highlight::Blinn, Some(normal)) => power(normal.dot(halfway(light)).min(1.0), 4 * n),
-            (Highlight::Eq34, Some(normal)) => power((2.0 * normal.dot(EYE) * normal.dot(light) - light.dot(EYE)).min(1.0), n),
+            (Highlight::Eq34, Some(normal)) => {
+                power((2.0 * normal.dot(EYE) * normal.dot(light) - light.dot(EYE)).min(1.0), n)
+            }
         }
     }
 }
@@ -62,7 +65,8 @@ impl ShadePixel for ReflectionSpan<'_> {
     }
 }
 
-/// N' = 2H(H·n)/(H·H) - n with H = n + N: n reflected about the direction half-way to N, a unit vector [Hast et al., eq. 27].
+/// N' = 2H(H·n)/(H·H) - n with H = n + N: n reflected about the direction half-way to N, a unit
+/// vector [Hast et al., eq. 27].
 pub fn wrap(normal: DVec3, fixed: DVec3) -> DVec3 {
     let h = normal + fixed;
     2.0 * h * (h.dot(fixed) / h.length_squared()) - fixed

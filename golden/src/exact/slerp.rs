@@ -3,8 +3,8 @@ use glam::DVec3;
 
 use super::normalisation::unit;
 
-/// Below this 1 - N0·N1 (10 degrees) the normalised lerp takes over: it is off by 0.0049 degrees at most, and sin φ by more where N0·N1 was
-/// rounded (EXTREMES rows 13 and 15).
+/// Below this 1 - N0·N1 (10 degrees) the normalised lerp takes over: it is off by 0.0049 degrees at
+/// most, and sin φ by more where N0·N1 was rounded (EXTREMES rows 13 and 15).
 pub const SMALLEST_VERSINE: f64 = 0.015_192_246_987_791_98;
 
 /// Below this 1 + N0·N1 the plane of the two normals is not known (EXTREMES row 14).
@@ -15,7 +15,8 @@ pub fn weights(angle: f64, t: f64) -> [f64; 2] {
     [((1.0 - t) * angle).sin() / angle.sin(), (t * angle).sin() / angle.sin()]
 }
 
-/// The angle between two unit normals if slerp serves them: neither closer than 10 degrees nor opposite.
+/// The angle between two unit normals if slerp serves them: neither closer than 10 degrees nor
+/// opposite.
 pub fn angle(ends: [DVec3; 2]) -> Option<f64> {
     let cosine = ends[0].dot(ends[1]);
     let serves = 1.0 - cosine >= SMALLEST_VERSINE && 1.0 + cosine >= SMALLEST_ABOVE_OPPOSITE;
@@ -23,7 +24,8 @@ pub fn angle(ends: [DVec3; 2]) -> Option<f64> {
     serves.then(|| ends[0].cross(ends[1]).length().atan2(cosine))
 }
 
-/// The unit normal at `t`, 0 to 1, between two unit normals; the normalised lerp where slerp does not serve.
+/// The unit normal at `t`, 0 to 1, between two unit normals; the normalised lerp where slerp does
+/// not serve.
 ///
 /// `None` where the ends are opposite and the lerp vanishes (EXTREMES row 1).
 pub fn slerp(ends: [DVec3; 2], t: f64) -> Option<DVec3> {
@@ -36,7 +38,8 @@ pub fn slerp(ends: [DVec3; 2], t: f64) -> Option<DVec3> {
     }
 }
 
-/// T = (N1 - N0 cos φ)/sin φ, the unit vector across N0 towards N1: N = cos(tφ) N0 + sin(tφ) T has no 1/sin φ [METHODS.md A11].
+/// T = (N1 - N0 cos φ)/sin φ, the unit vector across N0 towards N1: N = cos(tφ) N0 + sin(tφ) T has
+/// no 1/sin φ [METHODS.md A11].
 ///
 /// `None` where the normals are parallel.
 pub fn tangent(ends: [DVec3; 2]) -> Option<DVec3> {

@@ -1,4 +1,5 @@
-//! Spherical interpolation along the scan line, without rounding [lecture, eq. 4.7; METHODS.md A8 to A11].
+//! Spherical interpolation along the scan line, without rounding [lecture, eq. 4.7; METHODS.md A8
+//! to A11].
 use glam::DVec3;
 use specula_scene::frame::{Arc, EYE};
 use specula_scene::spec::SlerpSpec;
@@ -25,10 +26,17 @@ impl<'a> SlerpSpan<'a> {
         let shininess = frame.material(span).shininess;
         let course = slerp.course(frame, span);
         let chord = course.is_linear.then_some(course.axes);
-        SlerpSpan { span, arc: frame.arc(span), chord, shininess, coefficients: Coefficients::new(frame, span) }
+        SlerpSpan {
+            span,
+            arc: frame.arc(span),
+            chord,
+            shininess,
+            coefficients: Coefficients::new(frame, span),
+        }
     }
 
-    /// N = cos(tf) A + sin(tf) T, of unit length, or N (3 - N·N)/2 of the chord's; 0 where the span has no normal.
+    /// N = cos(tf) A + sin(tf) T, of unit length, or N (3 - N·N)/2 of the chord's; 0 where the span
+    /// has no normal.
     pub fn normal(&self, i: u32) -> DVec3 {
         if let Some([start, end]) = self.chord {
             let normal = start.lerp(end, self.span.parameter(i));
@@ -46,8 +54,12 @@ impl ShadePixel for SlerpSpan<'_> {
             return self.coefficients.sum(|_| Amounts::default());
         }
         self.coefficients.sum(|light| {
-            let base = 2.0 * normal.dot(light.direction) * normal.dot(EYE) - light.direction.dot(EYE);
-            Amounts { diffuse: lambert(normal, light.direction), specular: power(base.min(1.0), self.shininess) }
+            let base =
+                2.0 * normal.dot(light.direction) * normal.dot(EYE) - light.direction.dot(EYE);
+            Amounts {
+                diffuse: lambert(normal, light.direction),
+                specular: power(base.min(1.0), self.shininess),
+            }
         })
     }
 }

@@ -1,4 +1,5 @@
-//! The cosine that the highlight is a power of, in the lecture's forms; Hast's stand in [`super::hybrid`] and [`super::duff`].
+//! The cosine that the highlight is a power of, in the lecture's forms; Hast's stand in
+//! [`super::hybrid`] and [`super::duff`].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 
@@ -7,7 +8,8 @@ pub fn textbook(normal: DVec3, light: DVec3) -> f64 {
     2.0 * light.dot(normal) * normal.dot(EYE) - light.dot(EYE)
 }
 
-/// 2JK/D - L·V with J = L·N, K = V·N, D = N·N, a normal of any length [lecture, eq. 4.6; METHODS.md A7]. 0 for N = 0.
+/// 2JK/D - L·V with J = L·N, K = V·N, D = N·N, a normal of any length [lecture, eq. 4.6; METHODS.md
+/// A7]. 0 for N = 0.
 pub fn fast(normal: DVec3, light: DVec3) -> f64 {
     let d = normal.length_squared();
     if d > 0.0 { 2.0 * normal.dot(light) * normal.dot(EYE) / d - light.dot(EYE) } else { 0.0 }

@@ -1,7 +1,9 @@
-//! `consistent`, bit for bit [Reshetov, Soupikov and Mark; METHODS.md D; `docs/arithmetic/consistent.md`].
+//! `consistent`, bit for bit [Reshetov, Soupikov and Mark; METHODS.md D;
+//! `docs/arithmetic/consistent.md`].
 use specula_scene::Format;
 use specula_scene::spec::consistent::{
-    ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight, LARGEST_ANGLE,
+    ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse,
+    Highlight, LARGEST_ANGLE,
 };
 use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
@@ -72,18 +74,38 @@ impl Method for Consistent {
 
     fn check(&self, inputs: &ConsistentInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let f = &self.formats;
-        packet::check_ends(format_args!("normal"), (&inputs.normal_start, &inputs.normal_delta), Wide::ONE, f.vector)?;
+        packet::check_ends(
+            format_args!("normal"),
+            (&inputs.normal_start, &inputs.normal_delta),
+            Wide::ONE,
+            f.vector,
+        )?;
         for (i, light) in inputs.lights.iter().enumerate() {
-            packet::check_length(format_args!("light{i}_direction"), &light.direction, Wide::ONE, f.vector)?;
+            packet::check_length(
+                format_args!("light{i}_direction"),
+                &light.direction,
+                Wide::ONE,
+                f.vector,
+            )?;
             let halfway = light.halfway.unwrap_or_default();
             packet::check_length(format_args!("light{i}_halfway"), &halfway, Wide::ONE, f.vector)?;
         }
         course.weight(inputs.weight_step, f.weight_accumulator)?;
         let angle = Linear { start: inputs.angle_start, step: inputs.angle_step };
-        course.rounded_up(format_args!("angle"), &angle, f.angle_accumulator, Wide::from_num(LARGEST_ANGLE))
+        course.rounded_up(
+            format_args!("angle"),
+            &angle,
+            f.angle_accumulator,
+            Wide::from_num(LARGEST_ANGLE),
+        )
     }
 
-    fn pixel(&self, inputs: &ConsistentInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+    fn pixel(
+        &self,
+        inputs: &ConsistentInputs<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
         let (normal, has_direction) = self.normal(inputs, i, observer);
         let mirror = Mirror { normal, q: self.contraction(inputs, i, observer), has_direction };
         let reflection = self.reflection("", &mirror, &EYE, observer);
@@ -100,21 +122,40 @@ impl Method for Consistent {
 
 impl Consistent {
     /// n = N'/|N'| with N' = N0 + a (N1 - N0), and whether N' has a direction.
-    fn normal(&self, inputs: &ConsistentInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Vector, bool) {
+    fn normal(
+        &self,
+        inputs: &ConsistentInputs<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> (Vector, bool) {
         let f = &self.formats;
         let accumulated = Wide::from_num(i) * inputs.weight_step;
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
         let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
-        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * inputs.normal_delta[c]);
+        let lerp: Vector =
+            std::array::from_fn(|c| inputs.normal_start[c] + weight * inputs.normal_delta[c]);
         let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
-        let z = narrow(observer, format_args!("length_squared"), dot(&interpolated, &interpolated), f.length_squared);
+        let z = narrow(
+            observer,
+            format_args!("length_squared"),
+            dot(&interpolated, &interpolated),
+            f.length_squared,
+        );
         let gain = reciprocal_square_root(z, f.gain.integer_bits, f.gain.fraction_bits);
         observer.see(format_args!("gain"), gain, f.gain);
-        (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z > Wide::ZERO)
+        (
+            narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector),
+            z > Wide::ZERO,
+        )
     }
 
     /// q at t, both on the safe side.
-    fn contraction(&self, inputs: &ConsistentInputs<Wide>, i: u32, observer: &mut impl Observer) -> Wide {
+    fn contraction(
+        &self,
+        inputs: &ConsistentInputs<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let f = &self.formats;
         let accumulated = inputs.angle_start + Wide::from_num(i) * inputs.angle_step;
         observer.see(format_args!("angle_accumulator"), accumulated, f.angle_accumulator);
@@ -152,12 +193,23 @@ impl Consistent {
     }
 
     /// r = (g + ρb) n - ρI.
-    fn reflection(&self, of: &str, mirror: &Mirror, incoming: &Vector, observer: &mut impl Observer) -> Reflection {
+    fn reflection(
+        &self,
+        of: &str,
+        mirror: &Mirror,
+        incoming: &Vector,
+        observer: &mut impl Observer,
+    ) -> Reflection {
         let f = &self.formats;
         let (n, q) = (&mirror.normal, mirror.q);
         let b = round_to(dot(n, incoming), f.cosine.fraction_bits).clamp(-Wide::ONE, Wide::ONE);
         observer.see(format_args!("{of}cos_beta"), b, f.cosine);
-        let g = narrow(observer, format_args!("{of}cos_gamma"), Wide::ONE + q * (b - Wide::ONE), f.cosine);
+        let g = narrow(
+            observer,
+            format_args!("{of}cos_gamma"),
+            Wide::ONE + q * (b - Wide::ONE),
+            f.cosine,
+        );
         let squared = self.sine_ratio_squared(q * (Wide::ONE + g), Wide::ONE + b);
         observer.see(format_args!("{of}sine_ratio_squared"), squared, f.sine_ratio_squared);
         let rho = round_root(squared, f.sine_ratio.fraction_bits);
@@ -183,18 +235,35 @@ impl Consistent {
         }
     }
 
-    fn diffuse(&self, mirror: &Mirror, light: &ConsistentLight<Wide>, observer: &mut impl Observer) -> Wide {
+    fn diffuse(
+        &self,
+        mirror: &Mirror,
+        light: &ConsistentLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let format = self.formats.diffuse;
         let intensity = match self.diffuse {
-            Diffuse::Lambert => round_to(dot(&mirror.normal, &light.direction), format.fraction_bits).clamp(Wide::ZERO, Wide::ONE),
-            Diffuse::Consistent => self.consistent_cosine("", mirror, &light.direction, format, observer),
+            Diffuse::Lambert => {
+                round_to(dot(&mirror.normal, &light.direction), format.fraction_bits)
+                    .clamp(Wide::ZERO, Wide::ONE)
+            }
+            Diffuse::Consistent => {
+                self.consistent_cosine("", mirror, &light.direction, format, observer)
+            }
         };
         observer.see(format_args!("diffuse"), intensity, format);
         intensity
     }
 
     /// |I + r|/2, and 0 for an I below the horizon.
-    fn consistent_cosine(&self, of: &str, mirror: &Mirror, incoming: &Vector, to: Format, observer: &mut impl Observer) -> Wide {
+    fn consistent_cosine(
+        &self,
+        of: &str,
+        mirror: &Mirror,
+        incoming: &Vector,
+        to: Format,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let Reflection { b, g, r } = self.reflection(of, mirror, incoming, observer);
         if !mirror.has_direction || g + b <= Wide::ZERO {
             return Wide::ZERO;
@@ -204,12 +273,21 @@ impl Consistent {
     }
 
     /// r·L or N_c·H, kept within 0 to 1, and 0 where the normal has no direction.
-    fn base(&self, mirror: &Mirror, reflection: &Reflection, light: &ConsistentLight<Wide>, observer: &mut impl Observer) -> Wide {
+    fn base(
+        &self,
+        mirror: &Mirror,
+        reflection: &Reflection,
+        light: &ConsistentLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let format = self.formats.base;
         let base = match (self.highlight, &light.halfway) {
-            (Highlight::Blinn, Some(halfway)) => self.consistent_cosine("halfway_", mirror, halfway, format, observer),
+            (Highlight::Blinn, Some(halfway)) => {
+                self.consistent_cosine("halfway_", mirror, halfway, format, observer)
+            }
             _ if mirror.has_direction => {
-                round_to(dot(&reflection.r, &light.direction), format.fraction_bits).clamp(Wide::ZERO, Wide::ONE)
+                round_to(dot(&reflection.r, &light.direction), format.fraction_bits)
+                    .clamp(Wide::ZERO, Wide::ONE)
             }
             _ => Wide::ZERO,
         };

@@ -1,4 +1,5 @@
-//! Whether what grows along a span stays where it can be: beyond that it would wrap around in hardware [`docs/arithmetic.md`, Packets].
+//! Whether what grows along a span stays where it can be: beyond that it would wrap around in
+//! hardware [`docs/arithmetic.md`, Packets].
 use std::fmt;
 
 use specula_scene::Format;
@@ -27,7 +28,8 @@ struct Limits {
 }
 
 impl Course {
-    /// start + step i within `limits`, where both were rounded to nearest into `format`: half a unit of the last place for each of S + 1.
+    /// start + step i within `limits`, where both were rounded to nearest into `format`: half a
+    /// unit of the last place for each of S + 1.
     pub fn linear(
         self,
         name: fmt::Arguments<'_>,
@@ -39,8 +41,8 @@ impl Course {
         self.check(name, Limits::around(limits, slack), self.ends(), |i| at(linear, i))
     }
 
-    /// start + first i + second i(i - 1)/2 within `limits`, all three rounded to nearest into `format`: half a unit for each of
-    /// 1 + S + S(S - 1)/2 (NUMERICS 3b).
+    /// start + first i + second i(i - 1)/2 within `limits`, all three rounded to nearest into
+    /// `format`: half a unit for each of 1 + S + S(S - 1)/2 (NUMERICS 3b).
     pub fn quadratic(
         self,
         name: fmt::Arguments<'_>,
@@ -49,19 +51,24 @@ impl Course {
         limits: (i32, i32),
     ) -> Result<(), PacketError> {
         let steps = u64::from(self.longest - 1);
-        let slack = half_units(1 + steps + steps * steps.saturating_sub(1) / 2, format) + HOST_ERROR;
+        let slack =
+            half_units(1 + steps + steps * steps.saturating_sub(1) / 2, format) + HOST_ERROR;
         let pixels = self.ends().into_iter().chain(self.turning_points(quadratic));
         self.check(name, Limits::around(limits, slack), pixels, |i| quadratic_at(quadratic, i))
     }
 
-    /// The weight i/S, from 0 to 1 and a unit of the last place for each step: 1/S was rounded into `format`.
+    /// The weight i/S, from 0 to 1 and a unit of the last place for each step: 1/S was rounded into
+    /// `format`.
     pub fn weight(self, step: Wide, format: Format) -> Result<(), PacketError> {
         let high = Wide::ONE + half_units(2 * u64::from(self.longest - 1), format);
         let linear = Linear { start: Wide::ZERO, step };
-        self.check(format_args!("weight"), Limits { low: Wide::ZERO, high }, self.ends(), |i| at(&linear, i))
+        self.check(format_args!("weight"), Limits { low: Wide::ZERO, high }, self.ends(), |i| {
+            at(&linear, i)
+        })
     }
 
-    /// start + step i from 0 to `high`, where both were rounded up into `format`: a unit for each of S + 1.
+    /// start + step i from 0 to `high`, where both were rounded up into `format`: a unit for each
+    /// of S + 1.
     pub fn rounded_up(
         self,
         name: fmt::Arguments<'_>,
@@ -120,7 +127,9 @@ fn at(linear: &Linear<Wide>, i: u32) -> Wide {
 /// The value of a quadratic at pixel i.
 pub(super) fn quadratic_at(quadratic: &Quadratic<Wide>, i: u32) -> Wide {
     let pairs = Wide::from_num(u64::from(i) * u64::from(i).saturating_sub(1) / 2);
-    quadratic.start + quadratic.first_difference * Wide::from_num(i) + quadratic.second_difference * pairs
+    quadratic.start
+        + quadratic.first_difference * Wide::from_num(i)
+        + quadratic.second_difference * pairs
 }
 
 #[cfg(test)]
@@ -132,13 +141,20 @@ mod tests {
     #[test]
     fn a_quadratic_is_looked_at_where_it_turns() {
         let course = Course { length: 9, longest: 16 };
-        for (start, first, second) in (-4..=4).flat_map(|s| (-8..=8).flat_map(move |f| (-8..=8).map(move |d| (s, f, d)))) {
+        for (start, first, second) in
+            (-4..=4).flat_map(|s| (-8..=8).flat_map(move |f| (-8..=8).map(move |d| (s, f, d))))
+        {
             // Quarters, so that no value is near a limit but on the other side of it.
-            let [start, first_difference, second_difference] = [start, first, second].map(|q| Wide::from_num(q) / 4);
+            let [start, first_difference, second_difference] =
+                [start, first, second].map(|q| Wide::from_num(q) / 4);
             let quadratic = Quadratic { start, first_difference, second_difference };
             let beyond = (0..9).any(|i| quadratic_at(&quadratic, i).abs() > 1);
             let checked = course.quadratic(format_args!("x"), &quadratic, FORMAT, (-1, 1));
-            assert_eq!(checked.is_err(), beyond, "{start} {first_difference} {second_difference}: {checked:?}");
+            assert_eq!(
+                checked.is_err(),
+                beyond,
+                "{start} {first_difference} {second_difference}: {checked:?}"
+            );
         }
     }
 

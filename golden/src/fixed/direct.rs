@@ -2,7 +2,9 @@
 use std::cell::RefCell;
 
 use specula_scene::Format;
-use specula_scene::spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root};
+use specula_scene::spec::direct::{
+    DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root,
+};
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
@@ -92,7 +94,9 @@ impl Direct {
         let (f, inputs) = (&self.formats, &walked.inputs);
         let (t, q) = self.squared_length(inputs, i, observer);
         let s = match self.root {
-            Root::Exact => reciprocal_square_root(q, f.reciprocal.integer_bits, f.reciprocal.fraction_bits),
+            Root::Exact => {
+                reciprocal_square_root(q, f.reciprocal.integer_bits, f.reciprocal.fraction_bits)
+            }
             Root::Newton => self.reciprocal_length(walked, i, observer),
         };
         observer.see(format_args!("reciprocal"), s, f.reciprocal);
@@ -105,13 +109,26 @@ impl Direct {
     }
 
     /// t and q = 1 - κ t (1 - t).
-    fn squared_length(&self, inputs: &DirectInputs<Wide>, i: u32, observer: &mut impl Observer) -> (Wide, Wide) {
+    fn squared_length(
+        &self,
+        inputs: &DirectInputs<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> (Wide, Wide) {
         let f = &self.formats;
         let accumulated = inputs.weight_step * Wide::from_num(i);
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
         let t = narrow(observer, format_args!("weight"), accumulated, f.weight);
         let product = narrow(observer, format_args!("product"), t * (Wide::ONE - t), f.product);
-        (t, narrow(observer, format_args!("length_squared"), Wide::ONE - inputs.spread * product, f.length_squared))
+        (
+            t,
+            narrow(
+                observer,
+                format_args!("length_squared"),
+                Wide::ONE - inputs.spread * product,
+                f.length_squared,
+            ),
+        )
     }
 
     /// 1/d of pixel `i`, d by Newton's steps from 1 on.
@@ -131,15 +148,25 @@ impl Direct {
     /// (d + q/d)/2.
     fn newton_step(&self, d: Wide, q: Wide) -> Wide {
         let fraction_bits = self.formats.length.fraction_bits;
-        let quotient = limited_quotient(self.limited(q), d, self.formats.reciprocal.integer_bits, fraction_bits);
+        let quotient = limited_quotient(
+            self.limited(q),
+            d,
+            self.formats.reciprocal.integer_bits,
+            fraction_bits,
+        );
         round_to((d + quotient) / 2, fraction_bits)
     }
 
     /// p_V/q, kept within 2^m.
     fn over_square(&self, linear: Wide, q: Wide, observer: &mut impl Observer) -> Wide {
         let Format { integer_bits, fraction_bits, .. } = self.formats.reciprocal;
-        let reciprocal = limited_quotient(Wide::ONE, self.limited(q), 2 * integer_bits, fraction_bits);
-        observer.see(format_args!("reciprocal_square"), reciprocal, Format::unsigned(2 * integer_bits, fraction_bits));
+        let reciprocal =
+            limited_quotient(Wide::ONE, self.limited(q), 2 * integer_bits, fraction_bits);
+        observer.see(
+            format_args!("reciprocal_square"),
+            reciprocal,
+            Format::unsigned(2 * integer_bits, fraction_bits),
+        );
         let (format, limit) = (self.formats.cosine, Wide::ONE << integer_bits);
         let quotient = round_to(linear * reciprocal, format.fraction_bits).clamp(-limit, limit);
         observer.see(format_args!("n_dot_v_over_square"), quotient, format);
@@ -153,7 +180,12 @@ impl Direct {
 
     /// N·X, linear along the span.
     fn linear(&self, name: &str, ends: &Ends<Wide>, t: Wide, observer: &mut impl Observer) -> Wide {
-        narrow(observer, format_args!("{name}_linear"), ends.start + t * ends.delta, self.formats.cosine)
+        narrow(
+            observer,
+            format_args!("{name}_linear"),
+            ends.start + t * ends.delta,
+            self.formats.cosine,
+        )
     }
 
     /// N·X s, kept within -1 to 1.
@@ -165,10 +197,18 @@ impl Direct {
     }
 
     /// max(2 J K - L·V, 0)^n, or with p_L K/q for J K; none for a normal without direction.
-    fn highlight(&self, pixel: &Pixel, along_light: Wide, light: &DirectLight<Wide>, observer: &mut impl Observer) -> Wide {
+    fn highlight(
+        &self,
+        pixel: &Pixel,
+        along_light: Wide,
+        light: &DirectLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let format = self.formats.base;
-        let rounded = round_to(along_light * pixel.view * 2 - light.light_dot_view, format.fraction_bits);
-        let base = if pixel.q > Wide::ZERO { rounded.clamp(Wide::ZERO, Wide::ONE) } else { Wide::ZERO };
+        let rounded =
+            round_to(along_light * pixel.view * 2 - light.light_dot_view, format.fraction_bits);
+        let base =
+            if pixel.q > Wide::ZERO { rounded.clamp(Wide::ZERO, Wide::ONE) } else { Wide::ZERO };
         observer.see(format_args!("base"), base, format);
         self.power.of(observer, base, pixel.exponent)
     }

@@ -1,4 +1,5 @@
-//! `duff`, bit for bit [Hast, Barrera and Bengtsson, eq. 3 to 8, 17, 33 and 34; METHODS.md C2, C8 to C11; `docs/arithmetic.md`].
+//! `duff`, bit for bit [Hast, Barrera and Bengtsson, eq. 3 to 8, 17, 33 and 34; METHODS.md C2, C8
+//! to C11; `docs/arithmetic.md`].
 use std::fmt;
 
 use specula_scene::Format;
@@ -56,14 +57,27 @@ impl Method for Duff {
 
     fn check(&self, inputs: &DuffInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let f = &self.formats;
-        let linear = |name: fmt::Arguments<'_>, linear: &Linear<Wide>| course.linear(name, linear, f.linear_accumulator, (-1, 1));
-        course.quadratic(format_args!("denominator"), &inputs.denominator, f.accumulator, (0, 1))?;
+        let linear = |name: fmt::Arguments<'_>, linear: &Linear<Wide>| {
+            course.linear(name, linear, f.linear_accumulator, (-1, 1))
+        };
+        course.quadratic(
+            format_args!("denominator"),
+            &inputs.denominator,
+            f.accumulator,
+            (0, 1),
+        )?;
         inputs.view.iter().try_for_each(|view| linear(format_args!("view"), view))?;
         inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
             linear(format_args!("light{index}_p"), &light.cosine)?;
-            light.halfway.iter().try_for_each(|halfway| linear(format_args!("light{index}_halfway"), halfway))?;
+            light
+                .halfway
+                .iter()
+                .try_for_each(|halfway| linear(format_args!("light{index}_halfway"), halfway))?;
             let name = format_args!("light{index}_numerator");
-            light.numerator.iter().try_for_each(|numerator| course.quadratic(name, numerator, f.accumulator, (-1, 1)))
+            light
+                .numerator
+                .iter()
+                .try_for_each(|numerator| course.quadratic(name, numerator, f.accumulator, (-1, 1)))
         })
     }
 
@@ -104,29 +118,55 @@ impl Duff {
     }
 
     /// The base of the highlight, 0 to 1.
-    fn base(&self, pixel: &Pixel, light: &DuffLight<Wide>, p: Wide, c: Wide, observer: &mut impl Observer) -> Wide {
+    fn base(
+        &self,
+        pixel: &Pixel,
+        light: &DuffLight<Wide>,
+        p: Wide,
+        c: Wide,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let f = &self.formats;
         let has_direction = pixel.q > Wide::ZERO;
         // An input that is not there is 0.
         let light_dot_view = light.dot_view.unwrap_or(Wide::ZERO);
         match self.highlight {
             Highlight::Blinn => {
-                let r = light.halfway.as_ref().map_or(Wide::ZERO, |r| self.linear().linear(observer, "halfway", r, pixel.i));
+                let r = light
+                    .halfway
+                    .as_ref()
+                    .map_or(Wide::ZERO, |r| self.linear().linear(observer, "halfway", r, pixel.i));
                 let h = cosine(observer, "halfway_cosine", r * pixel.s, f.cosine);
                 amount(observer, "base", h, f.base)
             }
             Highlight::Quotient => {
                 let numerator = light.numerator.as_ref();
-                let p = numerator.map_or(Wide::ZERO, |p| self.quadratic().quadratic(observer, "numerator", p, pixel.i));
+                let p = numerator.map_or(Wide::ZERO, |p| {
+                    self.quadratic().quadratic(observer, "numerator", p, pixel.i)
+                });
                 quotient(observer, p, pixel.q, f.base)
             }
             Highlight::Eq33 => {
                 let (bits, limit) = (f.quotient.fraction_bits, 1 << f.root.integer_bits);
-                let t = if has_direction { round_signed_quotient(p, pixel.q, bits, limit) } else { Wide::ZERO };
+                let t = if has_direction {
+                    round_signed_quotient(p, pixel.q, bits, limit)
+                } else {
+                    Wide::ZERO
+                };
                 observer.see(format_args!("quotient"), t, f.quotient);
-                reflection(observer, has_direction, ((pixel.view * t) << 1) - light_dot_view, f.base)
+                reflection(
+                    observer,
+                    has_direction,
+                    ((pixel.view * t) << 1) - light_dot_view,
+                    f.base,
+                )
             }
-            Highlight::Eq34 => reflection(observer, has_direction, ((pixel.view_cosine * c) << 1) - light_dot_view, f.base),
+            Highlight::Eq34 => reflection(
+                observer,
+                has_direction,
+                ((pixel.view_cosine * c) << 1) - light_dot_view,
+                f.base,
+            ),
         }
     }
 }

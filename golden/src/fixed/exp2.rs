@@ -12,7 +12,8 @@ pub(super) struct Exp2 {
 impl Exp2 {
     /// For results with `fraction_bits`.
     pub fn new(fraction_bits: u32) -> Exp2 {
-        let root = |h: u32| round_to(exp_minus(Wide::from_num(h) / 64 * Wide::LN_2), fraction_bits + 6);
+        let root =
+            |h: u32| round_to(exp_minus(Wide::from_num(h) / 64 * Wide::LN_2), fraction_bits + 6);
         Exp2 { fraction_bits, roots: (0..64).map(root).collect() }
     }
 

@@ -17,16 +17,37 @@ pub(super) struct Accumulator {
 
 impl Accumulator {
     /// start + step · i, rounded.
-    pub fn linear(self, observer: &mut impl Observer, name: &str, linear: &Linear<Wide>, i: u32) -> Wide {
-        self.narrow(observer, format_args!("{name}"), linear.start + linear.step * Wide::from_num(i))
+    pub fn linear(
+        self,
+        observer: &mut impl Observer,
+        name: &str,
+        linear: &Linear<Wide>,
+        i: u32,
+    ) -> Wide {
+        self.narrow(
+            observer,
+            format_args!("{name}"),
+            linear.start + linear.step * Wide::from_num(i),
+        )
     }
 
     /// start + first · i + second · i(i - 1)/2, rounded.
-    pub fn quadratic(self, observer: &mut impl Observer, name: &str, quadratic: &Quadratic<Wide>, i: u32) -> Wide {
+    pub fn quadratic(
+        self,
+        observer: &mut impl Observer,
+        name: &str,
+        quadratic: &Quadratic<Wide>,
+        i: u32,
+    ) -> Wide {
         self.narrow(observer, format_args!("{name}"), quadratic_at(quadratic, i))
     }
 
-    fn narrow(self, observer: &mut impl Observer, name: fmt::Arguments<'_>, accumulated: Wide) -> Wide {
+    fn narrow(
+        self,
+        observer: &mut impl Observer,
+        name: fmt::Arguments<'_>,
+        accumulated: Wide,
+    ) -> Wide {
         observer.see(format_args!("{name}_accumulator"), accumulated, self.exact);
         narrow(observer, name, accumulated, self.rounded)
     }

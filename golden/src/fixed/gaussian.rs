@@ -23,7 +23,11 @@ impl Gaussian {
     pub fn new(fraction_bits: u32) -> Gaussian {
         let bits = fraction_bits + 4;
         let rounded = |i| parabola(i).map(|coefficient| round_to(coefficient, bits));
-        Gaussian { parabolas: (0..PARTS).map(rounded).collect(), bits, exp2: Exp2::new(fraction_bits) }
+        Gaussian {
+            parabolas: (0..PARTS).map(rounded).collect(),
+            bits,
+            exp2: Exp2::new(fraction_bits),
+        }
     }
 
     /// The largest d there is.
@@ -54,7 +58,8 @@ fn parabola(i: i32) -> [Wide; 3] {
     [middle, (right - left) << 4_u32, (right + left - 2 * middle) << 9_u32]
 }
 
-/// α² log₂ e/d. The angle's half has 1 - cos(α/2) = (d/2)/(1 + √(1 - d/2)), and a small angle α² = 2d (1 + d/6 (1 + 4d/15 (1 + …))).
+/// α² log₂ e/d. The angle's half has 1 - cos(α/2) = (d/2)/(1 + √(1 - d/2)), and a small angle α² =
+/// 2d (1 + d/6 (1 + 4d/15 (1 + …))).
 fn exact(d: Wide) -> Wide {
     if d == Wide::ZERO {
         return 2 * Wide::LOG2_E;
@@ -86,8 +91,12 @@ mod tests {
                     let versine = Wide::from_num(raw) >> 8;
                     let angle = 2.0 * (f64::from(raw) / 512.0).sqrt().asin();
                     let wanted = (-2.0 * f64::from(n) * angle * angle).exp();
-                    let off = (unit.of(versine, n).to_num::<f64>() - wanted).abs() * f64::from(1 << fraction_bits);
-                    assert!(off < 0.7, "d = {raw}/256, n = {n}: off by {off} of the last place, with {fraction_bits} bits");
+                    let off = (unit.of(versine, n).to_num::<f64>() - wanted).abs()
+                        * f64::from(1 << fraction_bits);
+                    assert!(
+                        off < 0.7,
+                        "d = {raw}/256, n = {n}: off by {off} of the last place, with {fraction_bits} bits"
+                    );
                 }
             }
             assert_eq!(unit.of(Wide::ZERO, 8191), Wide::ONE);

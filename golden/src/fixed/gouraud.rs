@@ -1,4 +1,5 @@
-//! `gouraud`, bit for bit [lecture, eq. 2.1 and 3.2 to 3.6; METHODS.md A3, A4; `docs/arithmetic/gouraud.md`].
+//! `gouraud`, bit for bit [lecture, eq. 2.1 and 3.2 to 3.6; METHODS.md A3, A4;
+//! `docs/arithmetic/gouraud.md`].
 use std::fmt;
 
 use specula_scene::Format;
@@ -22,7 +23,11 @@ pub(super) struct Gouraud {
 impl Gouraud {
     pub fn new(core: &CoreSpec, gouraud: &GouraudSpec) -> Gouraud {
         let intensity = gouraud.formats.intensity;
-        Gouraud { formats: gouraud.formats.clone(), colour: sum_format(core, intensity, intensity), ports: gouraud.inputs(core) }
+        Gouraud {
+            formats: gouraud.formats.clone(),
+            colour: sum_format(core, intensity, intensity),
+            ports: gouraud.inputs(core),
+        }
     }
 }
 
@@ -35,7 +40,8 @@ impl Method for Gouraud {
 
     fn check(&self, inputs: &GouraudInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let check = |name: fmt::Arguments<'_>, intensity: &Intensity<Wide>| {
-            let linear = Linear { start: intensity.start, step: intensity.step.unwrap_or_default() };
+            let linear =
+                Linear { start: intensity.start, step: intensity.step.unwrap_or_default() };
             course.linear(name, &linear, self.formats.accumulator, (0, 1))
         };
         inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
@@ -48,20 +54,37 @@ impl Method for Gouraud {
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
-            colour.add(&light.diffuse, self.intensity("diffuse", &light.diffuse_intensity, i, &mut observer));
-            colour.add(&light.specular, self.intensity("specular", &light.specular_intensity, i, &mut observer));
+            colour.add(
+                &light.diffuse,
+                self.intensity("diffuse", &light.diffuse_intensity, i, &mut observer),
+            );
+            colour.add(
+                &light.specular,
+                self.intensity("specular", &light.specular_intensity, i, &mut observer),
+            );
         }
         colour.code(self.colour, observer)
     }
 }
 
 impl Gouraud {
-    fn intensity(&self, name: &str, intensity: &Intensity<Wide>, i: u32, observer: &mut impl Observer) -> Wide {
+    fn intensity(
+        &self,
+        name: &str,
+        intensity: &Intensity<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let value = match intensity.step {
             Some(step) => {
                 let accumulated = intensity.start + Wide::from_num(i) * step;
-                observer.see(format_args!("{name}_accumulator"), accumulated, self.formats.accumulator);
-                round_to(accumulated, self.formats.intensity.fraction_bits).clamp(Wide::ZERO, Wide::ONE)
+                observer.see(
+                    format_args!("{name}_accumulator"),
+                    accumulated,
+                    self.formats.accumulator,
+                );
+                round_to(accumulated, self.formats.intensity.fraction_bits)
+                    .clamp(Wide::ZERO, Wide::ONE)
             }
             None => intensity.start,
         };

@@ -16,14 +16,24 @@ pub(super) fn root(observer: &mut impl Observer, q: Wide, format: Format) -> Wid
 }
 
 /// u·N s, kept within -1 to 1; `product` is exact.
-pub(super) fn cosine(observer: &mut impl Observer, name: &str, product: Wide, format: Format) -> Wide {
+pub(super) fn cosine(
+    observer: &mut impl Observer,
+    name: &str,
+    product: Wide,
+    format: Format,
+) -> Wide {
     let cosine = round_to(product, format.fraction_bits).clamp(-Wide::ONE, Wide::ONE);
     observer.see(format_args!("{name}"), cosine, format);
     cosine
 }
 
 /// A cosine as an amount of light, 0 or more.
-pub(super) fn amount(observer: &mut impl Observer, name: &str, cosine: Wide, format: Format) -> Wide {
+pub(super) fn amount(
+    observer: &mut impl Observer,
+    name: &str,
+    cosine: Wide,
+    format: Format,
+) -> Wide {
     // Rounding is monotonic and leaves 0 as it is, so that the clamp may come first.
     narrow(observer, format_args!("{name}"), cosine.max(Wide::ZERO), format)
 }
@@ -47,7 +57,12 @@ pub(super) fn quotient(observer: &mut impl Observer, p: Wide, q: Wide, format: F
 }
 
 /// R·L of a normal with a direction, kept within 0 to 1; `cosine` is 2(N·V)(N·L) - L·V, exact.
-pub(super) fn reflection(observer: &mut impl Observer, has_direction: bool, cosine: Wide, format: Format) -> Wide {
+pub(super) fn reflection(
+    observer: &mut impl Observer,
+    has_direction: bool,
+    cosine: Wide,
+    format: Format,
+) -> Wide {
     let rounded = round_to(cosine, format.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
     let base = if has_direction { rounded } else { Wide::ZERO };
     observer.see(format_args!("base"), base, format);

@@ -1,4 +1,5 @@
-//! `hybrid`, bit for bit [Hast, Barrera and Bengtsson, eq. 17 to 26; METHODS.md C3; `docs/arithmetic.md`].
+//! `hybrid`, bit for bit [Hast, Barrera and Bengtsson, eq. 17 to 26; METHODS.md C3;
+//! `docs/arithmetic.md`].
 use specula_scene::Format;
 use specula_scene::spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpec};
 use specula_scene::spec::{CoreSpec, InputPort, Linear};
@@ -41,11 +42,26 @@ impl Method for Hybrid {
 
     fn check(&self, inputs: &HybridInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let f = &self.formats;
-        course.quadratic(format_args!("denominator"), &inputs.denominator, f.accumulator, (0, 1))?;
+        course.quadratic(
+            format_args!("denominator"),
+            &inputs.denominator,
+            f.accumulator,
+            (0, 1),
+        )?;
         inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
-            course.quadratic(format_args!("light{index}_numerator"), &light.numerator, f.accumulator, (-1, 1))?;
+            course.quadratic(
+                format_args!("light{index}_numerator"),
+                &light.numerator,
+                f.accumulator,
+                (-1, 1),
+            )?;
             let intensity = Linear { start: light.intensity_start, step: light.intensity_step };
-            course.linear(format_args!("light{index}_intensity"), &intensity, f.diffuse_accumulator, (0, 1))
+            course.linear(
+                format_args!("light{index}_intensity"),
+                &intensity,
+                f.diffuse_accumulator,
+                (0, 1),
+            )
         })
     }
 
@@ -69,7 +85,11 @@ impl Hybrid {
     /// Gouraud's intensity, kept within 0 to 1.
     fn diffuse(&self, light: &HybridLight<Wide>, i: u32, observer: &mut impl Observer) -> Wide {
         let accumulated = light.intensity_start + Wide::from_num(i) * light.intensity_step;
-        observer.see(format_args!("intensity_accumulator"), accumulated, self.formats.diffuse_accumulator);
+        observer.see(
+            format_args!("intensity_accumulator"),
+            accumulated,
+            self.formats.diffuse_accumulator,
+        );
         let rounded = round_to(accumulated, self.formats.diffuse.fraction_bits);
         let diffuse = rounded.clamp(Wide::ZERO, Wide::ONE);
         observer.see(format_args!("diffuse"), diffuse, self.formats.diffuse);

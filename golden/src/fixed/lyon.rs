@@ -3,7 +3,8 @@ use std::cell::RefCell;
 
 use specula_scene::Format;
 use specula_scene::spec::lyon::{
-    Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation, ShapeDatapath,
+    Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation,
+    ShapeDatapath,
 };
 use specula_scene::spec::{CoreSpec, InputPort};
 
@@ -22,7 +23,8 @@ use super::wrapped::{WrapFormats, wrapped};
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
 const TWO: Wide = Wide::lit("2");
 const THREE: Wide = Wide::lit("3");
-/// A half-way vector that g2 brings near unit length is longer than 1 by 0.00176 at most (METHODS B9).
+/// A half-way vector that g2 brings near unit length is longer than 1 by 0.00176 at most (METHODS
+/// B9).
 const LONGEST_BY_G2: Wide = Wide::lit("1.002");
 
 /// The method in one core's formats.
@@ -72,19 +74,33 @@ impl Method for Lyon {
     /// Whether Newton's steps converge and |n| < 2.
     ///
     /// |N0|, |N1| ≤ 1 + 1/16 in `S1.4`, the coarsest format, and a ≤ 1 + 1/16 give |N'| ≤ 17/16 · (1 + 2/16) + √3/32 < 1.26, so z < 1.6. There z·g1² ≤ 1 and
-    /// z·g2² < 1.42, inside the 3 below which g(3 - z g²)/2 goes towards 1/√z, and |n| = g√z < 1.2 at first and 1 after a step, before
-    /// rounding.
+    /// z·g2² < 1.42, inside the 3 below which g(3 - z g²)/2 goes towards 1/√z, and |n| = g√z < 1.2
+    /// at first and 1 after a step, before rounding.
     fn check(&self, Followed { inputs, .. }: &Followed, course: Course) -> Result<(), PacketError> {
         let axis = inputs.wrap_axis.unwrap_or_default();
         packet::check_length(format_args!("wrap_axis"), &axis, Wide::ONE, self.formats.vector)?;
         let longest_halfway = if self.difference.takes_halfway() { TWO } else { LONGEST_BY_G2 };
         for (i, light) in inputs.lights.iter().enumerate() {
-            packet::check_length(format_args!("light{i}_direction"), &light.direction, Wide::ONE, self.formats.vector)?;
+            packet::check_length(
+                format_args!("light{i}_direction"),
+                &light.direction,
+                Wide::ONE,
+                self.formats.vector,
+            )?;
             let halfway = light.halfway.unwrap_or_default();
-            packet::check_length(format_args!("light{i}_halfway"), &halfway, longest_halfway, self.formats.vector)?;
+            packet::check_length(
+                format_args!("light{i}_halfway"),
+                &halfway,
+                longest_halfway,
+                self.formats.vector,
+            )?;
         }
         // H of normals wrapped around a fixed vector is the sum of two unit vectors.
-        let longest = if inputs.wrap_axis.is_some() && inputs.wrap_follows.is_none() { TWO } else { Wide::ONE };
+        let longest = if inputs.wrap_axis.is_some() && inputs.wrap_follows.is_none() {
+            TWO
+        } else {
+            Wide::ONE
+        };
         let ends = (&inputs.normal_start, &inputs.normal_delta.unwrap_or_default());
         packet::check_ends(format_args!("normal"), ends, longest, self.formats.vector)?;
         course.weight(inputs.weight_step.unwrap_or_default(), self.formats.weight_accumulator)
@@ -114,23 +130,42 @@ impl Lyon {
         if let Some(axis) = &inputs.wrap_axis {
             let normal = match inputs.wrap_follows {
                 None => {
-                    let formats = WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
+                    let formats = WrapFormats {
+                        operand: f.wrap_operand,
+                        ratio: f.wrap_ratio,
+                        vector: f.vector,
+                    };
                     wrapped(observer, ["wrap", "normal"], &interpolated, axis, formats).vector
                 }
-                Some(follows) => self.wrapped_after(followed, (axis, follows == Wide::ONE), i, observer),
+                Some(follows) => {
+                    self.wrapped_after(followed, (axis, follows == Wide::ONE), i, observer)
+                }
             };
             return (normal, normal != [Wide::ZERO; 3]);
         }
         if self.normalisation == Normalisation::None {
             return (interpolated, interpolated != [Wide::ZERO; 3]);
         }
-        let z = narrow(observer, format_args!("length_squared"), dot(&interpolated, &interpolated), f.length_squared);
+        let z = narrow(
+            observer,
+            format_args!("length_squared"),
+            dot(&interpolated, &interpolated),
+            f.length_squared,
+        );
         let gain = self.gain(z, observer);
-        (narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector), z != Wide::ZERO)
+        (
+            narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector),
+            z != Wide::ZERO,
+        )
     }
 
     /// N' = N0 + a (N1 - N0); none of flat normals.
-    fn interpolated(&self, inputs: &LyonInputs<Wide>, i: u32, observer: &mut impl Observer) -> Option<Vector> {
+    fn interpolated(
+        &self,
+        inputs: &LyonInputs<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Option<Vector> {
         let f = &self.formats;
         let (delta, weight_step) = (inputs.normal_delta?, inputs.weight_step?);
         let accumulated = Wide::from_num(i) * weight_step;
@@ -141,16 +176,24 @@ impl Lyon {
     }
 
     /// n of pixel `i`, wrapped around that of the pixel before, or around the axis (METHODS.md C7).
-    fn wrapped_after(&self, followed: &Followed, (axis, follows): (&Vector, bool), i: u32, observer: &mut impl Observer) -> Vector {
+    fn wrapped_after(
+        &self,
+        followed: &Followed,
+        (axis, follows): (&Vector, bool),
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Vector {
         let mut normals = followed.normals.borrow_mut();
         for pixel in normals.len() as u32..i {
-            let interpolated = self.interpolated(&followed.inputs, pixel, &mut Nobody).unwrap_or_default();
+            let interpolated =
+                self.interpolated(&followed.inputs, pixel, &mut Nobody).unwrap_or_default();
             let before = normals.last().filter(|_| follows).unwrap_or(axis);
             let next = self.next(&interpolated, before, &mut Nobody);
             normals.push(next);
         }
         let interpolated = self.interpolated(&followed.inputs, i, &mut Nobody).unwrap_or_default();
-        let before = i.checked_sub(1).filter(|_| follows).map_or(*axis, |before| normals[before as usize]);
+        let before =
+            i.checked_sub(1).filter(|_| follows).map_or(*axis, |before| normals[before as usize]);
         let normal = self.next(&interpolated, &before, observer);
         if normals.len() == i as usize {
             normals.push(normal);
@@ -158,15 +201,26 @@ impl Lyon {
         normal
     }
 
-    /// n = N' + u H with H = N' + b and u = (1 - z)/H·H, clamped to 0 to 1: 2H (H·b)/(H·H) - b for a unit vector b.
+    /// n = N' + u H with H = N' + b and u = (1 - z)/H·H, clamped to 0 to 1: 2H (H·b)/(H·H) - b for
+    /// a unit vector b.
     fn next(&self, interpolated: &Vector, before: &Vector, observer: &mut impl Observer) -> Vector {
         let f = &self.formats;
-        let z = narrow(observer, format_args!("length_squared"), dot(interpolated, interpolated), f.length_squared);
+        let z = narrow(
+            observer,
+            format_args!("length_squared"),
+            dot(interpolated, interpolated),
+            f.length_squared,
+        );
         let h: Vector = std::array::from_fn(|c| interpolated[c] + before[c]);
         let q = narrow(observer, format_args!("wrap_q"), dot(&h, &h), f.wrap_operand);
         let ratio = limited_quotient(Wide::ONE - z, q, f.wrap_ratio.fraction_bits);
         observer.see(format_args!("wrap_ratio"), ratio, f.wrap_ratio);
-        narrow_vector(observer, "normal", std::array::from_fn(|c| interpolated[c] + ratio * h[c]), f.vector)
+        narrow_vector(
+            observer,
+            "normal",
+            std::array::from_fn(|c| interpolated[c] + ratio * h[c]),
+            f.vector,
+        )
     }
 
     /// g, near 1/√z: g1 or g2 (METHODS.md B8, B9), then Newton steps.
@@ -175,7 +229,8 @@ impl Lyon {
         let first = match self.normalisation {
             Normalisation::None => return Wide::ONE,
             Normalisation::Exact => {
-                let root = reciprocal_square_root(z, LOG2_LARGEST_GAIN, self.formats.gain.fraction_bits);
+                let root =
+                    reciprocal_square_root(z, LOG2_LARGEST_GAIN, self.formats.gain.fraction_bits);
                 observer.see(format_args!("gain"), root, self.formats.gain);
                 return root;
             }
@@ -190,67 +245,114 @@ impl Lyon {
     fn newton(&self, g: Wide, z: Wide, step: u32, observer: &mut impl Observer) -> Wide {
         let format = self.formats.gain;
         let square = narrow(observer, format_args!("newton{step}_square"), g * g, format);
-        let factor = narrow(observer, format_args!("newton{step}_factor"), THREE - z * square, format);
+        let factor =
+            narrow(observer, format_args!("newton{step}_factor"), THREE - z * square, format);
         narrow(observer, format_args!("newton{step}_gain"), (g * factor) >> 1, format)
     }
 
-    fn diffuse(&self, normal: &Vector, light: &LyonLight<Wide>, observer: &mut impl Observer) -> Wide {
+    fn diffuse(
+        &self,
+        normal: &Vector,
+        light: &LyonLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Wide {
         // Rounding is monotonic and leaves 0 as it is, so that the clamp may come first.
         let cosine = dot(normal, &light.direction).max(Wide::ZERO);
         narrow(observer, format_args!("diffuse"), cosine, self.formats.diffuse)
     }
 
     /// f_k of x, which is made of D and n or m.
-    fn specular(&self, normal: &Vector, light: &LyonLight<Wide>, shininess: Wide, observer: &mut impl Observer) -> Wide {
+    fn specular(
+        &self,
+        normal: &Vector,
+        light: &LyonLight<Wide>,
+        shininess: Wide,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let difference = self.difference(normal, light, observer);
         let shape = match self.shape {
             ShapeDatapath::FK => self.shape_of_product(&difference, shininess, observer),
             ShapeDatapath::Root => self.shape_of_squares(&difference, shininess, observer),
         };
         observer.see(format_args!("shape"), shape, self.formats.shape);
-        (0..self.squarings).fold(shape, |f, k| narrow(observer, format_args!("square{k}"), f * f, self.formats.shape))
+        (0..self.squarings).fold(shape, |f, k| {
+            narrow(observer, format_args!("square{k}"), f * f, self.formats.shape)
+        })
     }
 
     /// max(0, 1 - x) with x = n D·D / 2^(k+1), or 4n for n.
-    fn shape_of_product(&self, difference: &Vector, shininess: Wide, observer: &mut impl Observer) -> Wide {
+    fn shape_of_product(
+        &self,
+        difference: &Vector,
+        shininess: Wide,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let exponent = shininess << self.difference.log2_exponent_factor();
         let argument = (exponent * dot(difference, difference)) >> (self.squarings + 1);
-        let argument = narrow(observer, format_args!("shape_argument"), argument, self.formats.shape);
+        let argument =
+            narrow(observer, format_args!("shape_argument"), argument, self.formats.shape);
         (Wide::ONE - argument).max(Wide::ZERO)
     }
 
     /// max(0, 1 - u·u) with u_c = m |D_c| / 2^h, and 0 where a component of u is 1 or more.
     fn shape_of_squares(&self, difference: &Vector, m: Wide, observer: &mut impl Observer) -> Wide {
         let scaled = difference.map(|c| (m * c.abs()) >> self.root_shift);
-        let scaled = narrow_vector(observer, "scaled_difference", scaled, self.formats.scaled_difference);
+        let scaled =
+            narrow_vector(observer, "scaled_difference", scaled, self.formats.scaled_difference);
         let fraction = scaled.map(Wide::frac);
-        let argument = narrow(observer, format_args!("shape_argument"), dot(&fraction, &fraction), self.formats.shape);
+        let argument = narrow(
+            observer,
+            format_args!("shape_argument"),
+            dot(&fraction, &fraction),
+            self.formats.shape,
+        );
         if fraction == scaled { (Wide::ONE - argument).max(Wide::ZERO) } else { Wide::ZERO }
     }
 
     /// The vector D.
-    fn difference(&self, normal: &Vector, light: &LyonLight<Wide>, observer: &mut impl Observer) -> Vector {
+    fn difference(
+        &self,
+        normal: &Vector,
+        light: &LyonLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Vector {
         let Some(halfway) = &light.halfway else {
             return match self.difference {
-                Difference::LightReflection => self.reflected_minus(normal, "twice_n_dot_l", &light.direction, &EYE, observer),
-                _ => self.reflected_minus(normal, "twice_n_dot_v", &EYE, &light.direction, observer),
+                Difference::LightReflection => {
+                    self.reflected_minus(normal, "twice_n_dot_l", &light.direction, &EYE, observer)
+                }
+                _ => {
+                    self.reflected_minus(normal, "twice_n_dot_v", &EYE, &light.direction, observer)
+                }
             };
         };
         match self.difference {
             Difference::HalfwayCrossNormal => self.halfway_cross_normal(halfway, normal, observer),
-            Difference::UnitHalfwayMinusNormal => self.halfway_minus_normal(halfway, normal, observer),
+            Difference::UnitHalfwayMinusNormal => {
+                self.halfway_minus_normal(halfway, normal, observer)
+            }
             _ => self.halfway_projection(halfway, normal, observer),
         }
     }
 
     /// D = h - n (METHODS.md B6).
-    fn halfway_minus_normal(&self, halfway: &Vector, normal: &Vector, observer: &mut impl Observer) -> Vector {
+    fn halfway_minus_normal(
+        &self,
+        halfway: &Vector,
+        normal: &Vector,
+        observer: &mut impl Observer,
+    ) -> Vector {
         let difference = std::array::from_fn(|c| halfway[c] - normal[c]);
         narrow_vector(observer, "difference", difference, self.formats.difference)
     }
 
     /// D = (h·n) n - h (METHODS.md B5, B6).
-    fn halfway_projection(&self, halfway: &Vector, normal: &Vector, observer: &mut impl Observer) -> Vector {
+    fn halfway_projection(
+        &self,
+        halfway: &Vector,
+        normal: &Vector,
+        observer: &mut impl Observer,
+    ) -> Vector {
         let format = self.formats.difference;
         let length = narrow(observer, format_args!("h_dot_n"), dot(halfway, normal), format);
         let difference = std::array::from_fn(|c| length * normal[c] - halfway[c]);
@@ -258,12 +360,24 @@ impl Lyon {
     }
 
     /// D = H × n (METHODS.md B13).
-    fn halfway_cross_normal(&self, halfway: &Vector, normal: &Vector, observer: &mut impl Observer) -> Vector {
+    fn halfway_cross_normal(
+        &self,
+        halfway: &Vector,
+        normal: &Vector,
+        observer: &mut impl Observer,
+    ) -> Vector {
         narrow_vector(observer, "difference", cross(halfway, normal), self.formats.difference)
     }
 
     /// D = 2(n·of) n - of - from (METHODS.md B2, B4).
-    fn reflected_minus(&self, normal: &Vector, name: &str, of: &Vector, from: &Vector, observer: &mut impl Observer) -> Vector {
+    fn reflected_minus(
+        &self,
+        normal: &Vector,
+        name: &str,
+        of: &Vector,
+        from: &Vector,
+        observer: &mut impl Observer,
+    ) -> Vector {
         let format = self.formats.difference;
         let twice = narrow(observer, format_args!("{name}"), dot(normal, of) << 1, format);
         let difference = std::array::from_fn(|c| twice * normal[c] - of[c] - from[c]);

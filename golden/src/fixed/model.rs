@@ -24,8 +24,8 @@ pub struct Model {
 }
 
 impl Model {
-    /// The model of the core that a spec describes. The spec is one that `CoreSpec::check` accepts; the widths in which numbers are
-    /// exact here rest on it.
+    /// The model of the core that a spec describes. The spec is one that `CoreSpec::check` accepts;
+    /// the widths in which numbers are exact here rest on it.
     pub fn new(spec: &CoreSpec) -> Model {
         let method: Box<dyn ShadeSpan> = match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
@@ -50,8 +50,8 @@ impl Model {
         self.method.shade(packet, course, out)
     }
 
-    /// The sums of ambient, diffuse and specular light that [`Model::shade`] rounds to codes: of each pixel red, green and blue, in
-    /// LSBs, 0 or more and not yet cut off at 255.
+    /// The sums of ambient, diffuse and specular light that [`Model::shade`] rounds to codes: of
+    /// each pixel red, green and blue, in LSBs, 0 or more and not yet cut off at 255.
     ///
     /// # Errors
     /// [`PacketError`] if the packet is not one for this core.
@@ -60,7 +60,8 @@ impl Model {
         self.method.sums(packet, course)
     }
 
-    /// Every named value of pixel `i`, in the order of the data. `<l>` counts lights, `<s>` steps, both from 0.
+    /// Every named value of pixel `i`, in the order of the data. `<l>` counts lights, `<s>` steps,
+    /// both from 0.
     ///
     /// | `docs/arithmetic.md` | name |
     /// |---|---|
@@ -111,15 +112,30 @@ impl Model {
 
 /// A method, once it has read its packets itself.
 trait ShadeSpan: Send + Sync {
-    fn shade(&self, packet: &SpanPacket, course: Course, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError>;
+    fn shade(
+        &self,
+        packet: &SpanPacket,
+        course: Course,
+        out: &mut Vec<[u8; 3]>,
+    ) -> Result<(), PacketError>;
 
     fn sums(&self, packet: &SpanPacket, course: Course) -> Result<Vec<[f64; 3]>, PacketError>;
 
-    fn trace(&self, packet: &SpanPacket, course: Course, i: u32) -> Result<Vec<Observation>, PacketError>;
+    fn trace(
+        &self,
+        packet: &SpanPacket,
+        course: Course,
+        i: u32,
+    ) -> Result<Vec<Observation>, PacketError>;
 }
 
 impl<M: Method + Send + Sync> ShadeSpan for M {
-    fn shade(&self, packet: &SpanPacket, course: Course, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
+    fn shade(
+        &self,
+        packet: &SpanPacket,
+        course: Course,
+        out: &mut Vec<[u8; 3]>,
+    ) -> Result<(), PacketError> {
         let inputs = read(self, packet, course)?;
         out.extend((0..packet.length).map(|i| self.pixel(&inputs, i, &mut Nobody)));
         Ok(())
@@ -135,7 +151,12 @@ impl<M: Method + Send + Sync> ShadeSpan for M {
         Ok((0..packet.length).map(sums_of).collect())
     }
 
-    fn trace(&self, packet: &SpanPacket, course: Course, i: u32) -> Result<Vec<Observation>, PacketError> {
+    fn trace(
+        &self,
+        packet: &SpanPacket,
+        course: Course,
+        i: u32,
+    ) -> Result<Vec<Observation>, PacketError> {
         let inputs = read(self, packet, course)?;
         let mut notebook = Notebook::default();
         self.pixel(&inputs, i, &mut notebook);
@@ -143,7 +164,11 @@ impl<M: Method + Send + Sync> ShadeSpan for M {
     }
 }
 
-fn read<M: Method>(method: &M, packet: &SpanPacket, course: Course) -> Result<M::Inputs, PacketError> {
+fn read<M: Method>(
+    method: &M,
+    packet: &SpanPacket,
+    course: Course,
+) -> Result<M::Inputs, PacketError> {
     let inputs = method.read(Values::new(packet));
     method.check(&inputs, course)?;
     Ok(inputs)

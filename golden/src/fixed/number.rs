@@ -2,9 +2,11 @@
 use ::fixed::types::I64F64;
 use specula_scene::Format;
 
-/// Holds every value between narrowing points exactly: 64 bits left of the binary point, sign included, and 64 right of it.
+/// Holds every value between narrowing points exactly: 64 bits left of the binary point, sign
+/// included, and 64 right of it.
 ///
-/// `CoreSpec::check` allows 24 fraction bits at narrowing points (20 in D), 56 in accumulators, 6 in coefficients. So fraction bits are
+/// `CoreSpec::check` allows 24 fraction bits at narrowing points (20 in D), 56 in accumulators, 6
+/// in coefficients. So fraction bits are
 ///
 /// - i · step, i(i - 1)/2 · difference: 56 (i(i - 1)/2 is whole);
 /// - c cos δ - s sin δ: 28 + 30 = 58;
@@ -14,9 +16,10 @@ use specula_scene::Format;
 /// - m·|D_c|/2^h: 24 + 20 + 2 = 46, and u_c² 48;
 /// - colours: 6 + 24 = 30.
 ///
-/// Left of the point, i < 2^13 gives i(i - 1)/2 · difference < 2^25 · 2^2 and a sum of three such terms < 2^28; |n| < 2, |D_c| < 2^3 and
-/// n < 2^13 give n·D·D < 2^13 · 3 · 2^6 < 2^21; a coefficient of at most 63 bits is less than 2^57, and nine of them times at most 2 less
-/// than 2^62. That |n| < 2 rests on the normals and the weight that `Lyon::check` asks for.
+/// Left of the point, i < 2^13 gives i(i - 1)/2 · difference < 2^25 · 2^2 and a sum of three such
+/// terms < 2^28; |n| < 2, |D_c| < 2^3 and n < 2^13 give n·D·D < 2^13 · 3 · 2^6 < 2^21; a
+/// coefficient of at most 63 bits is less than 2^57, and nine of them times at most 2 less than
+/// 2^62. That |n| < 2 rests on the normals and the weight that `Lyon::check` asks for.
 pub type Wide = I64F64;
 
 const HALF: Wide = Wide::lit("0.5");
@@ -26,7 +29,8 @@ pub fn from_raw(raw: i64, format: Format) -> Wide {
     Wide::from_bits(i128::from(raw) << (Wide::FRAC_NBITS - format.fraction_bits))
 }
 
-/// The raw value of a number that has no more than `fraction_bits`; of one that needs more than 64 bits, the low 64.
+/// The raw value of a number that has no more than `fraction_bits`; of one that needs more than 64
+/// bits, the low 64.
 pub fn to_raw(value: Wide, fraction_bits: u32) -> i64 {
     (value.to_bits() >> (Wide::FRAC_NBITS - fraction_bits)) as i64
 }
@@ -40,8 +44,9 @@ pub fn round_to(value: Wide, fraction_bits: u32) -> Wide {
 
 /// p / q rounded to nearest, ties up, for p ≥ 0 and q > 0.
 ///
-/// floor(p/q · 2^f + 1/2) = floor((p · 2^(f+1) + q) / 2q), on raw values, whose common factor 2^-64 cancels. With p < q < 2^28 and f ≤ 24
-/// the numerator stays below 2^(28 + 64 + 25 + 1) = 2^118, and with p < q ≤ 2 and f ≤ 48 below 2^(1 + 64 + 49 + 1) = 2^115.
+/// floor(p/q · 2^f + 1/2) = floor((p · 2^(f+1) + q) / 2q), on raw values, whose common factor 2^-64
+/// cancels. With p < q < 2^28 and f ≤ 24 the numerator stays below 2^(28 + 64 + 25 + 1) = 2^118,
+/// and with p < q ≤ 2 and f ≤ 48 below 2^(1 + 64 + 49 + 1) = 2^115.
 pub fn round_quotient(p: Wide, q: Wide, fraction_bits: u32) -> Wide {
     let (p, q) = (p.to_bits(), q.to_bits());
     let quotient = ((p << (fraction_bits + 1)) + q) / (2 * q);
@@ -60,8 +65,8 @@ pub fn round_signed_quotient(p: Wide, q: Wide, fraction_bits: u32, limit: i64) -
 
 /// 1/√q rounded to nearest, ties up, for q > 0 of at most 24 fraction bits and below 2^28.
 ///
-/// With q = Q · 2^-24, floor(2^(f+1)/√q) = floor(√(2^(2f+26)/Q)), and the root of the quotient's floor has the same floor; f ≤ 24 keeps it below
-/// 2^74.
+/// With q = Q · 2^-24, floor(2^(f+1)/√q) = floor(√(2^(2f+26)/Q)), and the root of the quotient's
+/// floor has the same floor; f ≤ 24 keeps it below 2^74.
 pub fn round_reciprocal_root(q: Wide, fraction_bits: u32) -> Wide {
     let q = (q.to_bits() >> (Wide::FRAC_NBITS - 24)).unsigned_abs();
     let doubled = ((1_u128 << (2 * fraction_bits + 26)) / q).isqrt();
@@ -90,12 +95,16 @@ pub fn round_root(x: Wide, fraction_bits: u32) -> Wide {
 mod tests {
     use super::*;
 
-    /// Every q of 8 bits: s is the only multiple of the last place with (s - 1/2)² q ≤ 1 < (s + 1/2)² q.
+    /// Every q of 8 bits: s is the only multiple of the last place with (s - 1/2)² q ≤ 1 < (s +
+    /// 1/2)² q.
     #[test]
     fn reciprocal_roots_are_the_nearest() {
         for raw in 1..256_i64 {
             for fraction_bits in [0, 3, 8] {
-                let s = to_raw(round_reciprocal_root(Wide::from_num(raw) >> 6, fraction_bits), fraction_bits);
+                let s = to_raw(
+                    round_reciprocal_root(Wide::from_num(raw) >> 6, fraction_bits),
+                    fraction_bits,
+                );
                 let one = 64 << (2 * fraction_bits + 2);
                 assert!(
                     (2 * s - 1).pow(2) * raw <= one && one < (2 * s + 1).pow(2) * raw,
@@ -111,18 +120,23 @@ mod tests {
             for p in -40..=40_i64 {
                 let wide = |raw| Wide::from_num(raw) >> 5;
                 for fraction_bits in [0, 3] {
-                    let b = to_raw(round_signed_quotient(wide(p), wide(q), fraction_bits, 4), fraction_bits);
+                    let b = to_raw(
+                        round_signed_quotient(wide(p), wide(q), fraction_bits, 4),
+                        fraction_bits,
+                    );
                     let limit = 4 << fraction_bits;
                     let twice = 2 * (p << fraction_bits);
                     let nearest = (2 * b - 1) * q <= twice && twice < (2 * b + 1) * q;
-                    let limited = (b == limit && twice >= (2 * b + 1) * q) || (b == -limit && twice < (2 * b - 1) * q);
+                    let limited = (b == limit && twice >= (2 * b + 1) * q)
+                        || (b == -limit && twice < (2 * b - 1) * q);
                     assert!(nearest || limited, "{p}/{q} to {fraction_bits}: {b}");
                 }
             }
         }
     }
 
-    /// Every multiple of 1/16 from -8 to 8, rounded to 0 to 4 fraction bits; against integers alone.
+    /// Every multiple of 1/16 from -8 to 8, rounded to 0 to 4 fraction bits; against integers
+    /// alone.
     #[test]
     fn rounding_is_to_nearest_with_ties_up() {
         for sixteenths in -128..=128_i32 {
@@ -131,12 +145,17 @@ mod tests {
                 let step = 16 >> fraction_bits;
                 let below = sixteenths.div_euclid(step) * step;
                 let nearest = if 2 * (sixteenths - below) >= step { below + step } else { below };
-                assert_eq!(round_to(value, fraction_bits), Wide::from_num(nearest) >> 4, "{sixteenths}/16 to {fraction_bits}");
+                assert_eq!(
+                    round_to(value, fraction_bits),
+                    Wide::from_num(nearest) >> 4,
+                    "{sixteenths}/16 to {fraction_bits}"
+                );
             }
         }
     }
 
-    /// Every quotient of 5-bit operands: the result is the only multiple b of the last place with b - 1/2 ≤ p/q < b + 1/2.
+    /// Every quotient of 5-bit operands: the result is the only multiple b of the last place with
+    /// b - 1/2 ≤ p/q < b + 1/2.
     #[test]
     fn quotients_are_the_nearest() {
         for q in 1..32_i64 {
@@ -145,7 +164,10 @@ mod tests {
                 for fraction_bits in [0, 3, 4, 7] {
                     let b = to_raw(round_quotient(wide(p), wide(q), fraction_bits), fraction_bits);
                     let twice = 2 * (p << fraction_bits);
-                    assert!((2 * b - 1) * q <= twice && twice < (2 * b + 1) * q, "{p}/{q} to {fraction_bits}: {b}");
+                    assert!(
+                        (2 * b - 1) * q <= twice && twice < (2 * b + 1) * q,
+                        "{p}/{q} to {fraction_bits}: {b}"
+                    );
                 }
             }
         }

@@ -13,7 +13,8 @@ pub struct Observation {
     pub name: String,
     /// Its raw value: value · 2^`fraction_bits` of the format.
     pub raw: i64,
-    /// The format the spec gives it. Integer bits are nominal: the model rounds and never saturates.
+    /// The format the spec gives it. Integer bits are nominal: the model rounds and never
+    /// saturates.
     pub format: Format,
 }
 
@@ -24,7 +25,8 @@ impl Observation {
     }
 }
 
-/// Is shown each value, and the sums of light before they become codes; an implementation that keeps none costs nothing.
+/// Is shown each value, and the sums of light before they become codes; an implementation that
+/// keeps none costs nothing.
 pub(super) trait Observer {
     fn see(&mut self, name: fmt::Arguments<'_>, value: Wide, format: Format);
 
@@ -58,7 +60,11 @@ pub(super) struct Notebook(pub Vec<Observation>);
 
 impl Observer for Notebook {
     fn see(&mut self, name: fmt::Arguments<'_>, value: Wide, format: Format) {
-        self.0.push(Observation { name: name.to_string(), raw: to_raw(value, format.fraction_bits), format });
+        self.0.push(Observation {
+            name: name.to_string(),
+            raw: to_raw(value, format.fraction_bits),
+            format,
+        });
     }
 }
 
@@ -77,7 +83,12 @@ impl<O: Observer> Observer for OfLight<'_, O> {
 
 /// A narrowing point: rounds to its format's fraction bits, before the observer's eyes.
 #[inline(always)]
-pub(super) fn narrow(observer: &mut impl Observer, name: fmt::Arguments<'_>, value: Wide, format: Format) -> Wide {
+pub(super) fn narrow(
+    observer: &mut impl Observer,
+    name: fmt::Arguments<'_>,
+    value: Wide,
+    format: Format,
+) -> Wide {
     let rounded = round_to(value, format.fraction_bits);
     observer.see(name, rounded, format);
     rounded
@@ -85,6 +96,11 @@ pub(super) fn narrow(observer: &mut impl Observer, name: fmt::Arguments<'_>, val
 
 /// A narrowing point of three components.
 #[inline(always)]
-pub(super) fn narrow_vector(observer: &mut impl Observer, name: &str, vector: Vector, format: Format) -> Vector {
+pub(super) fn narrow_vector(
+    observer: &mut impl Observer,
+    name: &str,
+    vector: Vector,
+    format: Format,
+) -> Vector {
     std::array::from_fn(|c| narrow(observer, format_args!("{name}_{}", AXES[c]), vector[c], format))
 }

@@ -31,7 +31,8 @@ pub enum PacketError {
         /// Largest raw value.
         high: i64,
     },
-    /// An input that the core does not take, since it always has another's value, has another value.
+    /// An input that the core does not take, since it always has another's value, has another
+    /// value.
     #[error("input `{name}` is {raw}, and not what `{twin}` is")]
     Differs {
         /// The input.
@@ -59,7 +60,8 @@ pub enum PacketError {
         /// What a rounded vector may have.
         longest: f64,
     },
-    /// What grows along the span by steps leaves its limits: the steps belong to a shorter span, or to none.
+    /// What grows along the span by steps leaves its limits: the steps belong to a shorter span, or
+    /// to none.
     #[error("`{name}` grows to {value} at pixel {pixel}, outside {low} to {high}")]
     Outgrown {
         /// What grows.
@@ -86,7 +88,8 @@ pub enum PacketError {
     },
 }
 
-/// Whether a vector that is interpolated along the span is no longer than `longest` at both ends, but for rounding into `format`.
+/// Whether a vector that is interpolated along the span is no longer than `longest` at both ends,
+/// but for rounding into `format`.
 pub(super) fn check_ends(
     name: fmt::Arguments<'_>,
     (start, delta): (&Vector, &Vector),
@@ -98,18 +101,32 @@ pub(super) fn check_ends(
     check_length(format_args!("{name} at the last pixel"), &end, longest, format)
 }
 
-/// Whether a vector is no longer than `longest`, but for rounding into `format`, which moves it by √3/2 units of the last place at most.
-pub(super) fn check_length(name: fmt::Arguments<'_>, vector: &Vector, longest: Wide, format: Format) -> Result<(), PacketError> {
+/// Whether a vector is no longer than `longest`, but for rounding into `format`, which moves it by
+/// √3/2 units of the last place at most.
+pub(super) fn check_length(
+    name: fmt::Arguments<'_>,
+    vector: &Vector,
+    longest: Wide,
+    format: Format,
+) -> Result<(), PacketError> {
     let longest = longest + (Wide::ONE >> format.fraction_bits);
     let squared = dot(vector, vector);
     if squared <= longest * longest {
         return Ok(());
     }
-    Err(PacketError::LongVector { name: name.to_string(), length: squared.to_num::<f64>().sqrt(), longest: longest.to_num() })
+    Err(PacketError::LongVector {
+        name: name.to_string(),
+        length: squared.to_num::<f64>().sqrt(),
+        longest: longest.to_num(),
+    })
 }
 
 /// Whether a packet is one for these ports, and how far its span goes.
-pub(super) fn check(packet: &SpanPacket, ports: &[InputPort], longest: u32) -> Result<Course, PacketError> {
+pub(super) fn check(
+    packet: &SpanPacket,
+    ports: &[InputPort],
+    longest: u32,
+) -> Result<Course, PacketError> {
     if !(1..=longest).contains(&packet.length) {
         return Err(PacketError::Length { length: packet.length, longest });
     }
@@ -117,17 +134,37 @@ pub(super) fn check(packet: &SpanPacket, ports: &[InputPort], longest: u32) -> R
         return Err(PacketError::InputCount { given: packet.inputs.len(), wanted: ports.len() });
     }
     ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_range(port, raw))?;
-    ports.iter().zip(&packet.inputs).try_for_each(|(port, &raw)| check_twin(port, raw, packet, ports))?;
+    ports
+        .iter()
+        .zip(&packet.inputs)
+        .try_for_each(|(port, &raw)| check_twin(port, raw, packet, ports))?;
     Ok(Course { length: packet.length, longest })
 }
 
-fn check_twin(port: &InputPort, raw: i64, packet: &SpanPacket, ports: &[InputPort]) -> Result<(), PacketError> {
+fn check_twin(
+    port: &InputPort,
+    raw: i64,
+    packet: &SpanPacket,
+    ports: &[InputPort],
+) -> Result<(), PacketError> {
     let Some(twin) = &port.same_as else { return Ok(()) };
-    let given = ports.iter().zip(&packet.inputs).find(|(other, _)| other.name == *twin).map(|(_, &raw)| raw);
-    if given == Some(raw) { Ok(()) } else { Err(PacketError::Differs { name: port.name.clone(), twin: twin.clone(), raw }) }
+    let given = ports
+        .iter()
+        .zip(&packet.inputs)
+        .find(|(other, _)| other.name == *twin)
+        .map(|(_, &raw)| raw);
+    if given == Some(raw) {
+        Ok(())
+    } else {
+        Err(PacketError::Differs { name: port.name.clone(), twin: twin.clone(), raw })
+    }
 }
 
 fn check_range(port: &InputPort, raw: i64) -> Result<(), PacketError> {
     let (low, high) = port.range;
-    if (low..=high).contains(&raw) { Ok(()) } else { Err(PacketError::OutOfRange { name: port.name.clone(), raw, low, high }) }
+    if (low..=high).contains(&raw) {
+        Ok(())
+    } else {
+        Err(PacketError::OutOfRange { name: port.name.clone(), raw, low, high })
+    }
 }

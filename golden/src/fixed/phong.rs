@@ -1,8 +1,11 @@
-//! `phong`, bit for bit [lecture, eq. 2.1, 4.1, 4.2; Lyon, TR 43, appendix; Hast et al., eq. 35 to 38; `docs/arithmetic/phong.md`].
+//! `phong`, bit for bit [lecture, eq. 2.1, 4.1, 4.2; Lyon, TR 43, appendix; Hast et al., eq. 35 to
+//! 38; `docs/arithmetic/phong.md`].
 use std::fmt;
 
 use specula_scene::Format;
-use specula_scene::spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
+use specula_scene::spec::phong::{
+    Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way,
+};
 use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
@@ -67,15 +70,25 @@ struct Arrival<'a> {
 }
 
 impl Phong {
-    fn check_way(&self, name: fmt::Arguments<'_>, way: Option<&Way<Wide>>) -> Result<(), PacketError> {
+    fn check_way(
+        &self,
+        name: fmt::Arguments<'_>,
+        way: Option<&Way<Wide>>,
+    ) -> Result<(), PacketError> {
         let Some(way) = way else { return Ok(()) };
         self.check_unit(format_args!("{name}_wrap_axis"), way.axis.as_ref())?;
         let longest = if way.axis.is_some() { Wide::lit("2") } else { Wide::ONE };
         packet::check_ends(name, (&way.start, &way.delta), longest, self.formats.vector)
     }
 
-    fn check_unit(&self, name: fmt::Arguments<'_>, vector: Option<&Vector>) -> Result<(), PacketError> {
-        vector.map_or(Ok(()), |vector| packet::check_length(name, vector, Wide::ONE, self.formats.vector))
+    fn check_unit(
+        &self,
+        name: fmt::Arguments<'_>,
+        vector: Option<&Vector>,
+    ) -> Result<(), PacketError> {
+        vector.map_or(Ok(()), |vector| {
+            packet::check_length(name, vector, Wide::ONE, self.formats.vector)
+        })
     }
 
     pub fn new(core: &CoreSpec, phong: &PhongSpec) -> Phong {
@@ -102,7 +115,8 @@ impl Method for Phong {
         self.ports.map(|port| values.next(port))
     }
 
-    /// Interpolated vectors stay within the unit ball, but for rounding; sums of two of them within twice as much.
+    /// Interpolated vectors stay within the unit ball, but for rounding; sums of two of them within
+    /// twice as much.
     fn check(&self, inputs: &PhongInputs<Wide>, course: Course) -> Result<(), PacketError> {
         self.check_way(format_args!("normal"), Some(&inputs.normal))?;
         self.check_way(format_args!("eye"), inputs.eye.as_ref())?;
@@ -116,7 +130,11 @@ impl Method for Phong {
 
     fn pixel(&self, inputs: &PhongInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
         let accumulated = Wide::from_num(i) * inputs.weight_step;
-        observer.see(format_args!("weight_accumulator"), accumulated, self.formats.weight_accumulator);
+        observer.see(
+            format_args!("weight_accumulator"),
+            accumulated,
+            self.formats.weight_accumulator,
+        );
         let weight = narrow(observer, format_args!("weight"), accumulated, self.formats.weight);
         let normal = self.along("normal", &inputs.normal, weight, observer).map(|unit| unit.vector);
         let view = match &inputs.eye {
@@ -128,8 +146,16 @@ impl Method for Phong {
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
             let direction = self.direction(light, weight, &mut observer);
-            let n_dot_l = self.cosine("n_dot_l", normal, direction.map(|unit| unit.vector), &mut observer);
-            let arrival = |direction| Arrival { light, direction, view, n_dot_l, n_dot_v, shininess: inputs.shininess };
+            let n_dot_l =
+                self.cosine("n_dot_l", normal, direction.map(|unit| unit.vector), &mut observer);
+            let arrival = |direction| Arrival {
+                light,
+                direction,
+                view,
+                n_dot_l,
+                n_dot_v,
+                shininess: inputs.shininess,
+            };
             let (diffuse, specular) = match (normal, direction.map(arrival)) {
                 (Some(_), Some(arrival)) => self.lit(&arrival, &mut observer),
                 _ => (Wide::ZERO, Wide::ZERO),
@@ -142,26 +168,48 @@ impl Method for Phong {
 }
 
 impl Phong {
-    /// L. A wrap around a spot's axis S serves within 90 degrees of it, where H·S is above 1; farther from it the spot is dark.
-    fn direction(&self, light: &PhongLight<Wide>, weight: Wide, observer: &mut impl Observer) -> Option<Unit> {
+    /// L. A wrap around a spot's axis S serves within 90 degrees of it, where H·S is above 1;
+    /// farther from it the spot is dark.
+    fn direction(
+        &self,
+        light: &PhongLight<Wide>,
+        weight: Wide,
+        observer: &mut impl Observer,
+    ) -> Option<Unit> {
         let direction = match (&light.way, light.direction) {
             (Some(way), _) => self.along("way", way, weight, observer),
             (None, direction) => direction.map(Unit::straight),
         };
-        direction.filter(|unit| light.exponent.is_none() || unit.wrap.is_none_or(|wrap| wrap.operand > Wide::ONE))
+        direction.filter(|unit| {
+            light.exponent.is_none() || unit.wrap.is_none_or(|wrap| wrap.operand > Wide::ONE)
+        })
     }
 
     /// A vector along the span, brought to unit length; none if it has no direction.
-    fn along(&self, name: &str, way: &Way<Wide>, weight: Wide, observer: &mut impl Observer) -> Option<Unit> {
+    fn along(
+        &self,
+        name: &str,
+        way: &Way<Wide>,
+        weight: Wide,
+        observer: &mut impl Observer,
+    ) -> Option<Unit> {
         let f = &self.formats;
         let lerp: Vector = std::array::from_fn(|c| way.start[c] + weight * way.delta[c]);
         let vector = narrow_vector(observer, &format!("{name}_interpolated"), lerp, f.vector);
         if let Some(axis) = &way.axis {
-            let formats = WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
-            let Wrapped { vector, operand, ratio } = wrapped(observer, [&format!("{name}_wrap"), name], &vector, axis, formats);
-            return (vector != [Wide::ZERO; 3]).then_some(Unit { vector, wrap: Some(Wrapping { operand, ratio }) });
+            let formats =
+                WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
+            let Wrapped { vector, operand, ratio } =
+                wrapped(observer, [&format!("{name}_wrap"), name], &vector, axis, formats);
+            return (vector != [Wide::ZERO; 3])
+                .then_some(Unit { vector, wrap: Some(Wrapping { operand, ratio }) });
         }
-        let z = narrow(observer, format_args!("{name}_length_squared"), dot(&vector, &vector), f.length_squared);
+        let z = narrow(
+            observer,
+            format_args!("{name}_length_squared"),
+            dot(&vector, &vector),
+            f.length_squared,
+        );
         let gain = self.gain(z);
         observer.see(format_args!("{name}_gain"), gain, f.gain);
         let unit = narrow_vector(observer, name, vector.map(|c| gain * c), f.vector);
@@ -173,9 +221,17 @@ impl Phong {
         reciprocal_square_root(z, self.formats.gain.integer_bits, self.formats.gain.fraction_bits)
     }
 
-    fn cosine(&self, name: &str, a: Option<Vector>, b: Option<Vector>, observer: &mut impl Observer) -> Wide {
+    fn cosine(
+        &self,
+        name: &str,
+        a: Option<Vector>,
+        b: Option<Vector>,
+        observer: &mut impl Observer,
+    ) -> Wide {
         match (a, b) {
-            (Some(a), Some(b)) => narrow(observer, format_args!("{name}"), dot(&a, &b), self.formats.cosine),
+            (Some(a), Some(b)) => {
+                narrow(observer, format_args!("{name}"), dot(&a, &b), self.formats.cosine)
+            }
             _ => Wide::ZERO,
         }
     }
@@ -201,8 +257,12 @@ impl Phong {
         let f = &self.formats;
         let exponent = at.shininess.to_num();
         if self.highlight == Highlight::Reflection {
-            let l_dot_v = at.light.light_dot_view.unwrap_or_else(|| self.l_dot_v(at, view, observer));
-            return self.power.of(self.base(((at.n_dot_v * at.n_dot_l) << 1) - l_dot_v, "base", observer), exponent);
+            let l_dot_v =
+                at.light.light_dot_view.unwrap_or_else(|| self.l_dot_v(at, view, observer));
+            return self.power.of(
+                self.base(((at.n_dot_v * at.n_dot_l) << 1) - l_dot_v, "base", observer),
+                exponent,
+            );
         }
         let gain = at.light.halfway_gain.unwrap_or_else(|| {
             let squared = Wide::from_num(2) + (self.l_dot_v(at, view, observer) << 1);
@@ -210,14 +270,25 @@ impl Phong {
         });
         let cosine = (at.n_dot_l + at.n_dot_v) * gain;
         match self.highlight {
-            Highlight::Reflection | Highlight::Blinn => self.power.of(self.base(cosine, "base", observer), exponent),
-            Highlight::TorranceSparrow => self.gaussian.of(self.versine(cosine, observer), exponent),
-            Highlight::TrowbridgeReitz => self.trowbridge_reitz(self.base(cosine, "base", observer), at.shininess, observer),
+            Highlight::Reflection | Highlight::Blinn => {
+                self.power.of(self.base(cosine, "base", observer), exponent)
+            }
+            Highlight::TorranceSparrow => {
+                self.gaussian.of(self.versine(cosine, observer), exponent)
+            }
+            Highlight::TrowbridgeReitz => {
+                self.trowbridge_reitz(self.base(cosine, "base", observer), at.shininess, observer)
+            }
         }
     }
 
     fn l_dot_v(&self, at: &Arrival, view: &Vector, observer: &mut impl Observer) -> Wide {
-        narrow(observer, format_args!("l_dot_v"), dot(view, &at.direction.vector), self.formats.cosine)
+        narrow(
+            observer,
+            format_args!("l_dot_v"),
+            dot(view, &at.direction.vector),
+            self.formats.cosine,
+        )
     }
 
     fn base(&self, value: Wide, name: &str, observer: &mut impl Observer) -> Wide {
@@ -228,7 +299,8 @@ impl Phong {
 
     /// 1 - H*·N.
     fn versine(&self, cosine: Wide, observer: &mut impl Observer) -> Wide {
-        let versine = round_to(Wide::ONE - cosine, self.formats.base.fraction_bits).clamp(Wide::ZERO, Gaussian::largest_versine());
+        let versine = round_to(Wide::ONE - cosine, self.formats.base.fraction_bits)
+            .clamp(Wide::ZERO, Gaussian::largest_versine());
         observer.see(format_args!("base"), versine, self.formats.base);
         versine
     }

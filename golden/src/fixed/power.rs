@@ -21,7 +21,8 @@ impl Power {
         let working_bits = fraction_bits + exponent_bits + 3;
         let index_bits = (working_bits + 1).div_ceil(4);
         let parts = 1u32 << index_bits;
-        let reciprocals: Vec<Wide> = (0..parts).map(|i| reciprocal(i, parts, index_bits + 4)).collect();
+        let reciprocals: Vec<Wide> =
+            (0..parts).map(|i| reciprocal(i, parts, index_bits + 4)).collect();
         let logarithms = reciprocals.iter().map(|&c| round_to(log2(c), working_bits)).collect();
         Power { working_bits, index_bits, reciprocals, logarithms, exp2: Exp2::new(fraction_bits) }
     }
@@ -37,7 +38,8 @@ impl Power {
     /// λ.
     fn minus_log2(&self, base: Wide) -> Wide {
         let w = self.working_bits;
-        // 1 is the highest bit of U1.f, so what stands before the first 1 tells how far below 1 the base is.
+        // 1 is the highest bit of U1.f, so what stands before the first 1 tells how far below 1 the
+        // base is.
         let e = base.leading_zeros() - Wide::ONE.leading_zeros();
         let m = base << e;
         let index = ((m - Wide::ONE) << self.index_bits).to_num::<usize>();
@@ -55,11 +57,15 @@ fn reciprocal(i: u32, parts: u32, fraction_bits: u32) -> Wide {
     match i {
         0 => Wide::ONE,
         i if i + 1 == parts => Wide::ONE >> 1,
-        i => round_to(Wide::from_num(2 * parts) / Wide::from_num(2 * parts + 2 * i + 1), fraction_bits),
+        i => round_to(
+            Wide::from_num(2 * parts) / Wide::from_num(2 * parts + 2 * i + 1),
+            fraction_bits,
+        ),
     }
 }
 
-/// Bit by bit: squaring x doubles its logarithm, and what it then has beyond 2 is the next bit. Truncation loses less than 2^-58.
+/// Bit by bit: squaring x doubles its logarithm, and what it then has beyond 2 is the next bit.
+/// Truncation loses less than 2^-58.
 fn log2(c: Wide) -> Wide {
     let two = Wide::from_num(2);
     // From 1/2 to 1 there are 1 and the logarithm of 2c.
@@ -82,7 +88,8 @@ fn log2(c: Wide) -> Wide {
 mod tests {
     use super::*;
 
-    /// Every base of 10 bits and exponents near and far, against f64, whose own error is far smaller.
+    /// Every base of 10 bits and exponents near and far, against f64, whose own error is far
+    /// smaller.
     #[test]
     fn powers_are_faithful() {
         for (exponent_bits, fraction_bits) in [(4, 4), (8, 12), (13, 12), (15, 16)] {
@@ -92,8 +99,12 @@ mod tests {
                 for n in [1, 2, 3, 5, 11, largest / 3, largest - 1, largest] {
                     let base = Wide::from_num(raw) >> 10;
                     let wanted = (f64::from(raw) / 1024.0).powi(n as i32);
-                    let off = (unit.of(base, n).to_num::<f64>() - wanted).abs() * f64::from(1 << fraction_bits);
-                    assert!(off < 1.0, "({raw}/1024)^{n} is off by {off} of its last place, with {fraction_bits} bits");
+                    let off = (unit.of(base, n).to_num::<f64>() - wanted).abs()
+                        * f64::from(1 << fraction_bits);
+                    assert!(
+                        off < 1.0,
+                        "({raw}/1024)^{n} is off by {off} of its last place, with {fraction_bits} bits"
+                    );
                 }
             }
             assert_eq!(unit.of(Wide::ONE, largest), Wide::ONE);

@@ -28,7 +28,10 @@ impl Raised {
             power::Power::Squaring => Raised::Squaring { base: unit.base },
             power::Power::Tables => {
                 let exponent_bits = unit.port(core).format.integer_bits;
-                Raised::Tables { power: Power::new(exponent_bits, unit.shape.fraction_bits), shape: unit.shape }
+                Raised::Tables {
+                    power: Power::new(exponent_bits, unit.shape.fraction_bits),
+                    shape: unit.shape,
+                }
             }
         }
     }
@@ -38,7 +41,8 @@ impl Raised {
         match self {
             Raised::Squaring { base: format } => {
                 let squarings = exponent.to_num::<u32>();
-                (0..squarings).fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, *format))
+                (0..squarings)
+                    .fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, *format))
             }
             Raised::Tables { power, shape } => {
                 let power = power.of(base, exponent.to_num());

@@ -1,8 +1,11 @@
-//! `reflection`, bit for bit [Hast, Barrera and Bengtsson, eq. 27 to 34; METHODS.md C4 to C6 and C12 to C14; `docs/arithmetic.md`].
+//! `reflection`, bit for bit [Hast, Barrera and Bengtsson, eq. 27 to 34; METHODS.md C4 to C6 and
+//! C12 to C14; `docs/arithmetic.md`].
 use std::fmt;
 
 use specula_scene::Format;
-use specula_scene::spec::reflection::{Highlight, ReflectionFormats, ReflectionInputs, ReflectionLight, ReflectionSpec};
+use specula_scene::spec::reflection::{
+    Highlight, ReflectionFormats, ReflectionInputs, ReflectionLight, ReflectionSpec,
+};
 use specula_scene::spec::{CoreSpec, InputPort, Quadratic};
 
 use super::colour::{Colour, sum_format};
@@ -50,9 +53,17 @@ impl Reflection {
     }
 
     /// An operand at pixel i; 0 for an input that is not there.
-    fn operand(&self, observer: &mut impl Observer, name: &str, quadratic: Option<&Quadratic<Wide>>, i: u32) -> Wide {
-        let accumulator = Accumulator { exact: self.formats.accumulator, rounded: self.formats.operand };
-        quadratic.map_or(Wide::ZERO, |quadratic| accumulator.quadratic(observer, name, quadratic, i))
+    fn operand(
+        &self,
+        observer: &mut impl Observer,
+        name: &str,
+        quadratic: Option<&Quadratic<Wide>>,
+        i: u32,
+    ) -> Wide {
+        let accumulator =
+            Accumulator { exact: self.formats.accumulator, rounded: self.formats.operand };
+        quadratic
+            .map_or(Wide::ZERO, |quadratic| accumulator.quadratic(observer, name, quadratic, i))
     }
 
     /// 1/q, 4 at most, and 0 for q ≤ 0.
@@ -69,17 +80,29 @@ impl Reflection {
         w
     }
 
-    fn common(&self, inputs: &ReflectionInputs<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
+    fn common(
+        &self,
+        inputs: &ReflectionInputs<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Pixel {
         let q = self.operand(observer, "denominator", Some(&inputs.denominator), i);
         let w = self.reciprocal(observer, q);
         let view = self.operand(observer, "view", inputs.view.as_ref(), i);
         let v = cosine(observer, "view_cosine", view * w, self.formats.cosine);
-        let normal_squared = self.operand(observer, "normal_squared", inputs.normal_squared.as_ref(), i);
+        let normal_squared =
+            self.operand(observer, "normal_squared", inputs.normal_squared.as_ref(), i);
         Pixel { i, q, w, v, normal_squared }
     }
 
     /// The base of the highlight, 0 to 1.
-    fn base(&self, pixel: &Pixel, light: &ReflectionLight<Wide>, c: Wide, observer: &mut impl Observer) -> Wide {
+    fn base(
+        &self,
+        pixel: &Pixel,
+        light: &ReflectionLight<Wide>,
+        c: Wide,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let f = &self.formats;
         match self.highlight {
             Highlight::Blinn => {
@@ -108,7 +131,9 @@ impl Method for Reflection {
 
     fn check(&self, inputs: &ReflectionInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let check = |name: fmt::Arguments<'_>, quadratic: Option<&Quadratic<Wide>>, low: i32| {
-            quadratic.map_or(Ok(()), |quadratic| course.quadratic(name, quadratic, self.formats.accumulator, (low, 1)))
+            quadratic.map_or(Ok(()), |quadratic| {
+                course.quadratic(name, quadratic, self.formats.accumulator, (low, 1))
+            })
         };
         check(format_args!("denominator"), Some(&inputs.denominator), 0)?;
         check(format_args!("view"), inputs.view.as_ref(), -1)?;
@@ -120,7 +145,12 @@ impl Method for Reflection {
         })
     }
 
-    fn pixel(&self, inputs: &ReflectionInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+    fn pixel(
+        &self,
+        inputs: &ReflectionInputs<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
         let pixel = self.common(inputs, i, observer);
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {

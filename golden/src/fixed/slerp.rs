@@ -1,4 +1,5 @@
-//! `slerp`, bit for bit [lecture, eq. 4.7, 4.9 to 4.12; METHODS.md A10, A11; `docs/arithmetic/slerp.md`].
+//! `slerp`, bit for bit [lecture, eq. 4.7, 4.9 to 4.12; METHODS.md A10, A11;
+//! `docs/arithmetic/slerp.md`].
 use std::cell::RefCell;
 
 use specula_scene::Format;
@@ -27,7 +28,8 @@ pub(super) struct Slerp {
 /// A packet, and what the rotations have made of it so far.
 pub(super) struct Turning {
     inputs: SlerpInputs<Wide>,
-    /// What the weights of start and end are taken from, at the pixels from the first on, as many as have been asked for.
+    /// What the weights of start and end are taken from, at the pixels from the first on, as many
+    /// as have been asked for.
     states: RefCell<Vec<[Circling; 2]>>,
 }
 
@@ -37,7 +39,11 @@ type Circling = [Wide; 2];
 impl Slerp {
     pub fn new(core: &CoreSpec, slerp: &SlerpSpec) -> Slerp {
         Slerp {
-            state: if slerp.between_ends() { slerp.formats.scaled_state } else { slerp.formats.state },
+            state: if slerp.between_ends() {
+                slerp.formats.scaled_state
+            } else {
+                slerp.formats.state
+            },
             power: Raised::new(core, slerp.power_unit()),
             formats: slerp.formats.clone(),
             colour: sum_format(core, slerp.formats.diffuse, slerp.power_unit().format()),
@@ -57,18 +63,31 @@ impl Method for Slerp {
         Turning { inputs, states: RefCell::new(vec![[falling, rising]]) }
     }
 
-    /// A turn that stretches would leave every range: its squares add up to 1 but for the host's rounding. With weights below 8 normals are
-    /// shorter than 18, before their length is corrected.
+    /// A turn that stretches would leave every range: its squares add up to 1 but for the host's
+    /// rounding. With weights below 8 normals are shorter than 18, before their length is
+    /// corrected.
     fn check(&self, turning: &Turning, course: Course) -> Result<(), PacketError> {
         let inputs = &turning.inputs;
-        let stretch = inputs.turn_cosine * inputs.turn_cosine + inputs.turn_sine * inputs.turn_back.unwrap_or(inputs.turn_sine);
+        let stretch = inputs.turn_cosine * inputs.turn_cosine
+            + inputs.turn_sine * inputs.turn_back.unwrap_or(inputs.turn_sine);
         let longest = Wide::ONE + (Wide::ONE >> (self.formats.turn.fraction_bits - 1));
         if let Some(Axes { start, other }) = &inputs.normal {
-            packet::check_length(format_args!("normal_start"), start, Wide::ONE, self.formats.vector)?;
-            packet::check_length(format_args!("normal_other"), other, Wide::ONE, self.formats.vector)?;
+            packet::check_length(
+                format_args!("normal_start"),
+                start,
+                Wide::ONE,
+                self.formats.vector,
+            )?;
+            packet::check_length(
+                format_args!("normal_other"),
+                other,
+                Wide::ONE,
+                self.formats.vector,
+            )?;
         }
         let small = |i: u32| self.states(turning, i).iter().flatten().all(|x| x.abs() < 8);
-        let fits = stretch <= longest && (inputs.turn_back.is_none() || (0..course.length).all(small));
+        let fits =
+            stretch <= longest && (inputs.turn_back.is_none() || (0..course.length).all(small));
         if fits { Ok(()) } else { Err(PacketError::Turn) }
     }
 
@@ -117,7 +136,8 @@ impl Slerp {
         let (cosine, sine) = (turning.inputs.turn_cosine, turning.inputs.turn_sine);
         let back = turning.inputs.turn_back.unwrap_or(sine);
         let turned = |[c, s]: Circling, down: Wide, up: Wide| {
-            [c * cosine - s * down, s * cosine + c * up].map(|x| round_to(x, self.state.fraction_bits))
+            [c * cosine - s * down, s * cosine + c * up]
+                .map(|x| round_to(x, self.state.fraction_bits))
         };
         let mut states = turning.states.borrow_mut();
         while states.len() <= i as usize {
@@ -128,10 +148,20 @@ impl Slerp {
     }
 
     /// K (2 - N·N).
-    fn corrected(&self, view: Option<&OnArc<Wide>>, weights: [Wide; 2], observer: &mut impl Observer) -> Wide {
+    fn corrected(
+        &self,
+        view: Option<&OnArc<Wide>>,
+        weights: [Wide; 2],
+        observer: &mut impl Observer,
+    ) -> Wide {
         let (format, [c, s]) = (self.formats.cosine, weights);
         let n_dot_v = narrow(observer, format_args!("n_dot_v"), on_arc(view, weights), format);
-        let correction = narrow(observer, format_args!("correction"), Wide::from_num(2) - (c * c + s * s), format);
+        let correction = narrow(
+            observer,
+            format_args!("correction"),
+            Wide::from_num(2) - (c * c + s * s),
+            format,
+        );
         narrow(observer, format_args!("corrected"), n_dot_v * correction, format)
     }
 
@@ -140,19 +170,31 @@ impl Slerp {
         let f = &self.formats;
         let turned: Vector = std::array::from_fn(|c| u * axes.start[c] + v * axes.other[c]);
         let turned = narrow_vector(observer, "turned", turned, f.vector);
-        let gain = narrow(observer, format_args!("gain"), (Wide::from_num(3) - dot(&turned, &turned)) / 2, f.cosine);
+        let gain = narrow(
+            observer,
+            format_args!("gain"),
+            (Wide::from_num(3) - dot(&turned, &turned)) / 2,
+            f.cosine,
+        );
         narrow_vector(observer, "normal", turned.map(|c| gain * c), f.vector)
     }
 
     /// J, kept within 0 to 1.
     fn diffuse(&self, n_dot_l: Wide, observer: &mut impl Observer) -> Wide {
-        let diffuse = round_to(n_dot_l, self.formats.diffuse.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
+        let diffuse =
+            round_to(n_dot_l, self.formats.diffuse.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
         observer.see(format_args!("diffuse"), diffuse, self.formats.diffuse);
         diffuse
     }
 
     /// 2 J K - L·V, kept within 0 to 1.
-    fn base(&self, n_dot_l: Wide, n_dot_v: Wide, light: &SlerpLight<Wide>, observer: &mut impl Observer) -> Wide {
+    fn base(
+        &self,
+        n_dot_l: Wide,
+        n_dot_v: Wide,
+        light: &SlerpLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Wide {
         let base = n_dot_l * n_dot_v * 2 - light.light_dot_view;
         let base = round_to(base, self.formats.base.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
         observer.see(format_args!("base"), base, self.formats.base);

@@ -1,4 +1,5 @@
-//! Unit vectors without a root [Hast, Barrera and Bengtsson, eq. 27 and 36 to 38; METHODS.md C4, C16 to C18].
+//! Unit vectors without a root [Hast, Barrera and Bengtsson, eq. 27 and 36 to 38; METHODS.md C4,
+//! C16 to C18].
 use specula_scene::Format;
 
 use super::highlight::limited_quotient;

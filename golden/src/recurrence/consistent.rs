@@ -1,4 +1,5 @@
-//! Consistent normals [Reshetov, Soupikov and Mark; METHODS.md D]: r of the eye and N·L as it is, or N_c of each vector that comes in.
+//! Consistent normals [Reshetov, Soupikov and Mark; METHODS.md D]: r of the eye and N·L as it is,
+//! or N_c of each vector that comes in.
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::marker::PhantomData;
 
@@ -46,7 +47,8 @@ impl Curve for Trigonometric {
     }
 }
 
-/// The unit normal and q, from pixel to pixel; α comes from the vertices and is clamped at the pixel.
+/// The unit normal and q, from pixel to pixel; α comes from the vertices and is clamped at the
+/// pixel.
 #[derive(Clone, Copy, Debug)]
 struct Surface<T, C> {
     normal: Walk<T>,
@@ -59,7 +61,9 @@ impl<T: Number, C: Curve> Surface<T, C> {
     fn new(line: &Line) -> Self {
         let face = line.face;
         let angles = line.vertices.map(|n| vertex_angle(n.dot(face), C::SCALING));
-        let complement = |weights: [f64; 3]| 1.0 - weights.iter().zip(angles).map(|(w, a)| w * a).sum::<f64>() * 2.0 / PI;
+        let complement = |weights: [f64; 3]| {
+            1.0 - weights.iter().zip(angles).map(|(w, a)| w * a).sum::<f64>() * 2.0 / PI
+        };
         Surface {
             normal: Walk::new(line.ends[0], line.step()),
             complement: super::gouraud::between(line.weights.map(complement), line),
@@ -97,7 +101,12 @@ pub struct Consistent<T, C> {
 
 impl<T: Number, C: Curve> Scheme<T> for Consistent<T, C> {
     fn new(line: &Line, light: DVec3) -> Self {
-        Consistent { surface: Surface::new(line), light: vector(light), eye: vector(EYE), light_eye: T::of(light.dot(EYE)) }
+        Consistent {
+            surface: Surface::new(line),
+            light: vector(light),
+            eye: vector(EYE),
+            light_eye: T::of(light.dot(EYE)),
+        }
     }
 
     #[inline(always)]
@@ -143,7 +152,8 @@ impl<T: Number, C: Curve> Scheme<T> for ConsistentNormal<T, C> {
     }
 }
 
-/// N_c·I = √((1 + b(g + ρb) - ρ)/2), by half the angle from I to r; 0 for an I so far below the horizon that this is 90 degrees or more.
+/// N_c·I = √((1 + b(g + ρb) - ρ)/2), by half the angle from I to r; 0 for an I so far below the
+/// horizon that this is 90 degrees or more.
 #[inline(always)]
 fn cosine<T: Number>(q: T, b: T) -> T {
     let [g, rho] = turned(q, b);

@@ -1,4 +1,5 @@
-//! Highlights by the angle between N and the half-way vector H*, N normalised exactly [Lyon, TR 43, appendix, rows 5, 11 and 12].
+//! Highlights by the angle between N and the half-way vector H*, N normalised exactly [Lyon, TR 43,
+//! appendix, rows 5, 11 and 12].
 use glam::DVec3;
 
 use super::differences::{Vector, dot, scaled, vector};
@@ -15,7 +16,11 @@ struct Cosines<T> {
 
 impl<T: Number> Cosines<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        Cosines { normal: Walk::new(line.ends[0], line.step()), light: vector(light), halfway: vector(Unit::of(light)) }
+        Cosines {
+            normal: Walk::new(line.ends[0], line.step()),
+            light: vector(light),
+            halfway: vector(Unit::of(light)),
+        }
     }
 
     #[inline(always)]
@@ -73,7 +78,10 @@ pub struct TrowbridgeReitz<T> {
 
 impl<T: Number> Scheme<T> for TrowbridgeReitz<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        TrowbridgeReitz { cosines: Cosines::new(line, light), shininess: T::of(line.shininess.into()) }
+        TrowbridgeReitz {
+            cosines: Cosines::new(line, light),
+            shininess: T::of(line.shininess.into()),
+        }
     }
 
     #[inline(always)]

@@ -1,4 +1,5 @@
-//! Scalars along a scan line, and the highlights that go with them [Hast, Barrera and Bengtsson, §1.2, §3, §4.2; METHODS.md C2, C3, C8 to C11].
+//! Scalars along a scan line, and the highlights that go with them [Hast, Barrera and Bengtsson,
+//! §1.2, §3, §4.2; METHODS.md C2, C3, C8 to C11].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 
@@ -29,7 +30,10 @@ impl<T: Number> Duff<T> {
 impl<T: Number> Scheme<T> for Duff<T> {
     fn new(line: &Line, light: DVec3) -> Self {
         let (m, k) = (line.ends[0], line.step());
-        Duff { p: between(line.ends.map(|n| n.dot(light)), line), q: Second::new(Quadratic::square(m, k)) }
+        Duff {
+            p: between(line.ends.map(|n| n.dot(light)), line),
+            q: Second::new(Quadratic::square(m, k)),
+        }
     }
 
     #[inline(always)]
@@ -70,7 +74,10 @@ pub struct Hybrid<T> {
 impl<T: Number> Hybrid<T> {
     /// A span of a polygon that has these diffuse intensities.
     pub fn along(diffuse: &Corners, line: &Line, light: DVec3) -> Self {
-        Hybrid { diffuse: diffuse.along(line.weights, line.per_step()), base: Base::new(line, light) }
+        Hybrid {
+            diffuse: diffuse.along(line.weights, line.per_step()),
+            base: Base::new(line, light),
+        }
     }
 }
 
@@ -94,7 +101,10 @@ pub struct DuffBlinn<T> {
 
 impl<T: Number> Scheme<T> for DuffBlinn<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        DuffBlinn { duff: Duff::new(line, light), r: between(line.ends.map(|n| n.dot(unit_halfway(light))), line) }
+        DuffBlinn {
+            duff: Duff::new(line, light),
+            r: between(line.ends.map(|n| n.dot(unit_halfway(light))), line),
+        }
     }
 
     #[inline(always)]
@@ -143,7 +153,11 @@ pub struct DuffQuotient<T> {
 
 impl<T: Number> Scheme<T> for DuffQuotient<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        DuffQuotient { duff: Duff::new(line, light), r: twice_eye(line), light_eye: T::of(light.dot(EYE)) }
+        DuffQuotient {
+            duff: Duff::new(line, light),
+            r: twice_eye(line),
+            light_eye: T::of(light.dot(EYE)),
+        }
     }
 
     #[inline(always)]
@@ -163,7 +177,11 @@ pub struct DuffRoot<T> {
 
 impl<T: Number> Scheme<T> for DuffRoot<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        DuffRoot { duff: Duff::new(line, light), r: twice_eye(line), light_eye: T::of(light.dot(EYE)) }
+        DuffRoot {
+            duff: Duff::new(line, light),
+            r: twice_eye(line),
+            light_eye: T::of(light.dot(EYE)),
+        }
     }
 
     #[inline(always)]
@@ -179,7 +197,8 @@ fn twice_eye<T: Number>(line: &Line) -> Linear<T> {
     between(line.ends.map(|n| 2.0 * n.dot(EYE)), line)
 }
 
-/// [`DuffRoot`] with q = q0 + t(q1 - q0) - κ t(1-t) from t, without second differences that pile up errors [NUMERICS.md 3b].
+/// [`DuffRoot`] with q = q0 + t(q1 - q0) - κ t(1-t) from t, without second differences that pile up
+/// errors [NUMERICS.md 3b].
 #[derive(Clone, Copy, Debug)]
 pub struct Direct<T> {
     t: Linear<T>,
@@ -192,7 +211,9 @@ pub struct Direct<T> {
 
 impl<T: Number> Scheme<T> for Direct<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        let lerp = |along: DVec3| [line.ends[0].dot(along), (line.ends[1] - line.ends[0]).dot(along)].map(T::of);
+        let lerp = |along: DVec3| {
+            [line.ends[0].dot(along), (line.ends[1] - line.ends[0]).dot(along)].map(T::of)
+        };
         let [q0, q1] = line.ends.map(DVec3::length_squared);
         Direct {
             t: Linear::new(0.0, line.per_step()),

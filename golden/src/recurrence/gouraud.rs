@@ -91,7 +91,10 @@ impl<T: Number> Gouraud<T> {
     /// A span of a polygon, from the weights at its ends and 1/S.
     #[inline]
     pub fn along(polygon: &AtVertices, weights: [[f64; 3]; 2], per_step: f64) -> Self {
-        Gouraud { diffuse: polygon.diffuse.along(weights, per_step), specular: polygon.specular.along(weights, per_step) }
+        Gouraud {
+            diffuse: polygon.diffuse.along(weights, per_step),
+            specular: polygon.specular.along(weights, per_step),
+        }
     }
 }
 

@@ -1,4 +1,5 @@
-//! Lyon's loop: approximate normalisation, D, and 1 - x/2^k to the power 2^k [Lyon, TR 43; METHODS.md B1 to B13].
+//! Lyon's loop: approximate normalisation, D, and 1 - x/2^k to the power 2^k [Lyon, TR 43;
+//! METHODS.md B1 to B13].
 use std::marker::PhantomData;
 
 use glam::DVec3;
@@ -34,7 +35,8 @@ pub trait Chord<T: Number>: Copy {
     fn of(&self, normal: Vector<T>) -> Vector<T>;
 }
 
-/// N·L, and 1 - x/2^k with x = (n/2) D·D; the power 2^k comes behind it. k = 2 is "visually indistinguishable" from Phong's.
+/// N·L, and 1 - x/2^k with x = (n/2) D·D; the power 2^k comes behind it. k = 2 is "visually
+/// indistinguishable" from Phong's.
 #[derive(Clone, Copy, Debug)]
 pub struct Lyon<T, D, const K: u32> {
     normal: Normal<T>,

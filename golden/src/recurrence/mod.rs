@@ -1,7 +1,8 @@
 //! The papers' inner loops, one pixel after another, as they print them.
 //!
-//! A [`Scheme`] is set up for a span and a light in f64, as a host sets up hardware, and then gives pixel by pixel what its formula gives, in any
-//! [`Number`]. [`software`](crate::software) runs them in f32, tests in f64, and [`operations`](crate::operations) checks the papers' tables with
+//! A [`Scheme`] is set up for a span and a light in f64, as a host sets up hardware, and then gives
+//! pixel by pixel what its formula gives, in any [`Number`]. [`software`](crate::software) runs
+//! them in f32, tests in f64, and [`operations`](crate::operations) checks the papers' tables with
 //! [`Counted`] ones.
 mod consistent;
 mod counted;
@@ -26,7 +27,10 @@ pub use distributions::{Blinn, TorranceSparrow, TrowbridgeReitz};
 pub use duff::{Direct, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, Hybrid};
 pub use gouraud::{AtVertices, Corners, Gouraud, Uniform};
 pub use line::Line;
-pub use lyon::{Half, HalfG2, LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Sum, Unit};
+pub use lyon::{
+    Half, HalfG2, LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Sum,
+    Unit,
+};
 pub use number::Number;
 pub use phong::{FastPhong, Phong};
 pub use place::{Normalised, Place, Seen, Wrapped};

@@ -1,10 +1,14 @@
-//! What a recurrence computes with: f32 to be fast, f64 to be right, [`Counted`](super::Counted) to count.
+//! What a recurrence computes with: f32 to be fast, f64 to be right, [`Counted`](super::Counted) to
+//! count.
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Arithmetic as the papers count it. Comparisons, doublings and halvings (shifts) are not counted by them and have their own names; functions
-/// that no table of theirs has are not counted either.
-pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> {
-    /// The least that a squared length is taken to be: it keeps quotients finite where a normal vanishes.
+/// Arithmetic as the papers count it. Comparisons, doublings and halvings (shifts) are not counted
+/// by them and have their own names; functions that no table of theirs has are not counted either.
+pub trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// The least that a squared length is taken to be: it keeps quotients finite where a normal
+    /// vanishes.
     const LEAST: f64;
 
     /// A constant, rounded to the type.

@@ -1,4 +1,5 @@
-//! The lecture's two ways to shade with an interpolated normal [lecture, §4.1 to §4.3; METHODS.md A5 to A7].
+//! The lecture's two ways to shade with an interpolated normal [lecture, §4.1 to §4.3; METHODS.md
+//! A5 to A7].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 
@@ -36,7 +37,8 @@ impl<T: Number> Scheme<T> for Phong<T> {
     }
 }
 
-/// J += ΔJ, K += ΔK, N += ΔN, D = N·N; √D by Newton steps from the pixel before; I_d = J/√D, base 2JK/D - L·V [eq. 4.3 to 4.6].
+/// J += ΔJ, K += ΔK, N += ΔN, D = N·N; √D by Newton steps from the pixel before; I_d = J/√D, base
+/// 2JK/D - L·V [eq. 4.3 to 4.6].
 #[derive(Clone, Copy, Debug)]
 pub struct FastPhong<T, const STEPS: usize> {
     /// J.
@@ -54,7 +56,8 @@ impl<T: Number, const STEPS: usize> Scheme<T> for FastPhong<T, STEPS> {
             j: between(line.ends.map(|n| n.dot(light)), line),
             twice_k: between(line.ends.map(|n| 2.0 * n.dot(EYE)), line),
             normal: Walk::new(line.ends[0], line.step()),
-            // Exact at the first pixel: nothing of another span is taken over (EXTREMES rows 18 and 20).
+            // Exact at the first pixel: nothing of another span is taken over (EXTREMES rows 18 and
+            // 20).
             length: T::of(line.ends[0].length()).floored(),
             light_eye: T::of(light.dot(EYE)),
         }

@@ -1,4 +1,5 @@
-//! Directions to lights and eyes at places, by a root or without one [Hast, Barrera and Bengtsson, §5 and §6; METHODS.md C15 to C18].
+//! Directions to lights and eyes at places, by a root or without one [Hast, Barrera and Bengtsson,
+//! §5 and §6; METHODS.md C15 to C18].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 use specula_scene::spec::Wrap;
@@ -42,13 +43,21 @@ pub struct Normalised<T> {
 impl<T: Number> Normalised<T> {
     fn new(frame: &Frame, span: &Span, place: DVec3, axis: DVec3) -> Self {
         let [start, end] = frame.end_vectors_to(span, place);
-        Normalised { way: Walk::new(start, (end - start) * Line::new(frame, span).per_step()), axis: vector(axis) }
+        Normalised {
+            way: Walk::new(start, (end - start) * Line::new(frame, span).per_step()),
+            axis: vector(axis),
+        }
     }
 }
 
 impl<T: Number> Place<T> for Normalised<T> {
     fn to_light(frame: &Frame, span: &Span, light: &LocalLight) -> Self {
-        Normalised::new(frame, span, light.position, light.spot.as_ref().map_or(DVec3::ZERO, |spot| -spot.axis))
+        Normalised::new(
+            frame,
+            span,
+            light.position,
+            light.spot.as_ref().map_or(DVec3::ZERO, |spot| -spot.axis),
+        )
     }
 
     fn to_eye(frame: &Frame, span: &Span, eye: DVec3) -> Self {
@@ -64,7 +73,8 @@ impl<T: Number> Place<T> for Normalised<T> {
     }
 }
 
-/// H by three additions, p = H·w by one and q = H·H by two; 2(p/q)H - w and, for a spot, 2p²/q - 1 [eq. 36 to 38].
+/// H by three additions, p = H·w by one and q = H·H by two; 2(p/q)H - w and, for a spot, 2p²/q - 1
+/// [eq. 36 to 38].
 #[derive(Clone, Copy, Debug)]
 pub struct Wrapped<T> {
     halfway: Walk<T>,

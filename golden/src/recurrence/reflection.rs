@@ -1,4 +1,5 @@
-//! Reflection shading: the face's normal wrapped around n + N [Hast, Barrera and Bengtsson, §4; METHODS.md C6, C7, C12 to C14].
+//! Reflection shading: the face's normal wrapped around n + N [Hast, Barrera and Bengtsson, §4;
+//! METHODS.md C6, C7, C12 to C14].
 //!
 //! The caller asks [`wrap::serves`](crate::exact::wrap::serves) first (EXTREMES row 8).
 use glam::DVec3;
@@ -13,7 +14,8 @@ use crate::exact::quadratic::Quadratic;
 fn numerator<T: Number>(line: &Line, along: DVec3) -> Second<T> {
     let (face, k) = (line.face, line.step());
     let m = line.ends[0] + face;
-    let p = Quadratic::product(m, k, 2.0 * face, along).plus(-face.dot(along), Quadratic::square(m, k));
+    let p =
+        Quadratic::product(m, k, 2.0 * face, along).plus(-face.dot(along), Quadratic::square(m, k));
     Second::new(p)
 }
 
@@ -45,7 +47,10 @@ pub struct ReflectionBlinn<T> {
 
 impl<T: Number> Scheme<T> for ReflectionBlinn<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        ReflectionBlinn { lambert: Reflection::new(line, light), halfway: numerator(line, unit_halfway(light)) }
+        ReflectionBlinn {
+            lambert: Reflection::new(line, light),
+            halfway: numerator(line, unit_halfway(light)),
+        }
     }
 
     #[inline(always)]
@@ -87,7 +92,11 @@ pub struct ReflectionRoot<T> {
 
 impl<T: Number> Scheme<T> for ReflectionRoot<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        ReflectionRoot { lambert: Reflection::new(line, light), eye: numerator(line, 2.0 * EYE), light_eye: T::of(light.dot(EYE)) }
+        ReflectionRoot {
+            lambert: Reflection::new(line, light),
+            eye: numerator(line, 2.0 * EYE),
+            light_eye: T::of(light.dot(EYE)),
+        }
     }
 
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! J = L·N and K = V·N along an arc [lecture, eq. 4.9 to 4.12; METHODS.md A10 to A12].
 //!
-//! The caller asks [`slerp::angle`](crate::exact::slerp::angle) first; without an angle the arc is that of [`Phong`](super::Phong).
+//! The caller asks [`slerp::angle`](crate::exact::slerp::angle) first; without an angle the arc is
+//! that of [`Phong`](super::Phong).
 use glam::DVec3;
 use specula_scene::frame::EYE;
 
@@ -54,7 +55,8 @@ impl<T: Number> Scheme<T> for Slerp<T> {
     fn new(line: &Line, light: DVec3) -> Self {
         let angle = arc(line);
         let step = angle * line.per_step();
-        let products = |v: DVec3| line.unit_ends().map(|n| T::of(n.dot(v) / angle.sin().max(f64::EPSILON)));
+        let products =
+            |v: DVec3| line.unit_ends().map(|n| T::of(n.dot(v) / angle.sin().max(f64::EPSILON)));
         Slerp {
             rising: Rotation::new(0.0, step),
             // (1-t)φ falls: eq. 4.10 and 4.12 are a rotation by -δ.
@@ -102,7 +104,8 @@ impl<T: Number> Scheme<T> for Frame<T> {
     }
 }
 
-/// J' = 2cos(δ) J - J_before: one multiplication and one subtraction, and an error that grows with S² [Barrera; METHODS.md A12].
+/// J' = 2cos(δ) J - J_before: one multiplication and one subtraction, and an error that grows with
+/// S² [Barrera; METHODS.md A12].
 #[derive(Clone, Copy, Debug)]
 struct Harmonic<T> {
     before: T,
@@ -138,7 +141,11 @@ impl<T: Number> Scheme<T> for Chebyshev<T> {
         let (ends, step) = (line.unit_ends(), arc(line) * line.per_step());
         let across = tangent(ends).unwrap_or(DVec3::ZERO);
         let harmonic = |v: DVec3| Harmonic::new(ends[0].dot(v), across.dot(v), step);
-        Chebyshev { j: harmonic(light), twice_k: harmonic(2.0 * EYE), light_eye: T::of(light.dot(EYE)) }
+        Chebyshev {
+            j: harmonic(light),
+            twice_k: harmonic(2.0 * EYE),
+            light_eye: T::of(light.dot(EYE)),
+        }
     }
 
     #[inline(always)]

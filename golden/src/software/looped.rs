@@ -26,7 +26,13 @@ pub trait AlongSpan: Copy {
 impl<'a, U: SetUp<'a>> Loop<'a, U> {
     /// Works out what belongs to a frame.
     pub fn new(frame: &'a Frame) -> Self {
-        Loop { frame, set_up: U::new(frame), surfaces: Surface::all_of(frame), materials: Vec::new(), lights: Vec::new() }
+        Loop {
+            frame,
+            set_up: U::new(frame),
+            surfaces: Surface::all_of(frame),
+            materials: Vec::new(),
+            lights: Vec::new(),
+        }
     }
 }
 

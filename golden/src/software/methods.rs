@@ -6,10 +6,11 @@ use super::looped::Loop;
 use super::placed::PlacedLoop;
 use super::set_up::{Arcs, DiffuseVertices, Each, Polygons, Vertices, Where, Wraps};
 use crate::recurrence::{
-    Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, FastPhong,
-    Frame as SlerpFrame, Half, HalfG2, LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Normalised,
-    Phong, Place, Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum, TorranceSparrow, Trigonometric,
-    TrowbridgeReitz, Unit, Wrapped,
+    Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid,
+    DuffQuotient, DuffRoot, FastPhong, Frame as SlerpFrame, Half, HalfG2, LyonCross,
+    LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Normalised, Phong, Place,
+    Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum,
+    TorranceSparrow, Trigonometric, TrowbridgeReitz, Unit, Wrapped,
 };
 
 /// A method of METHODS.md in software.

@@ -1,8 +1,8 @@
 //! Each paper's loop in f32, for its run time.
 //!
 //! What belongs to the frame (intensities of vertices, products of materials and lights) is worked
-//! out once for it, set-up once for a span, and the loop runs from pixel to pixel; they are apart so
-//! that their times can be measured apart. Nothing is allocated for a span.
+//! out once for it, set-up once for a span, and the loop runs from pixel to pixel; they are apart
+//! so that their times can be measured apart. Nothing is allocated for a span.
 mod looped;
 mod methods;
 mod placed;

@@ -89,7 +89,9 @@ impl<P: Place<f32>> Software for PlacedLoop<'_, P> {
             let (n, v) = (n.map(|c| c * per_length), eye.pixel().direction);
             let n_dot_v = dot(n, v);
             *pixel = surface.ambient;
-            for ((light, spot), reflected) in lights.iter_mut().zip(&self.spots).zip(&surface.lights) {
+            for ((light, spot), reflected) in
+                lights.iter_mut().zip(&self.spots).zip(&surface.lights)
+            {
                 let Seen { direction: l, to_axis, lit } = light.pixel();
                 let share = match spot {
                     Some(exponent) if lit > 0.0 => power(to_axis.clamp(0.0, 1.0), *exponent),

@@ -116,7 +116,8 @@ impl<'a> SetUp<'a> for Vertices {
     fn new(frame: &'a Frame) -> Self {
         Vertices(OfTriangles::new(frame, |triangle| {
             let shininess = frame.materials[triangle.material].shininess;
-            let [a, b, c] = [0, 1, 2].map(|v| amounts(frame, shininess, triangle.normals[v], triangle.positions[v]));
+            let [a, b, c] = [0, 1, 2]
+                .map(|v| amounts(frame, shininess, triangle.normals[v], triangle.positions[v]));
             a.zip(b).zip(c).map(|((a, b), c)| AtVertices::new([a, b, c].map(pair)))
         }))
     }

@@ -31,7 +31,8 @@ pub struct Drawn {
     pub highlight: u32,
 }
 
-/// A span whose highlights lie on it: each light stands within the lobe, 4/√n, of the eye's reflection at some pixel.
+/// A span whose highlights lie on it: each light stands within the lobe, 4/√n, of the eye's
+/// reflection at some pixel.
 pub fn draw_frame(range: Range, draw: &Draw, material: Material) -> Drawn {
     let middle = turned(EYE, range.tilt.to_radians() * draw[0].sqrt(), draw[1]);
     let half = range.widest.to_radians() * draw[2].sqrt() / 2.0;

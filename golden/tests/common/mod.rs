@@ -6,14 +6,18 @@ pub mod draw;
 use glam::DVec3;
 use specula_golden::fixed::Observation;
 use specula_scene::spec::SpecError;
-use specula_scene::{CoreSpec, DirectionalLight, Facet, Frame, Material, Method, Needs, Span, SpanPacket, Triangle, VertexCone};
+use specula_scene::{
+    CoreSpec, DirectionalLight, Facet, Frame, Material, Method, Needs, Span, SpanPacket, Triangle,
+    VertexCone,
+};
 
 pub const WHITE: [f64; 3] = [1.0; 3];
 
 /// A span from the first to the second of `normals` over `length` pixels; the lights are white.
 pub fn frame(normals: [DVec3; 2], length: u32, lights: &[DVec3], material: Material) -> Frame {
     let light = |&direction: &DVec3| DirectionalLight { direction, colour: WHITE };
-    let span = Span { x: 0, y: 0, length, triangle: 0, start: [1.0, 0.0, 0.0], end: [0.0, 1.0, 0.0] };
+    let span =
+        Span { x: 0, y: 0, length, triangle: 0, start: [1.0, 0.0, 0.0], end: [0.0, 1.0, 0.0] };
     Frame {
         width: length,
         height: 1,
@@ -56,7 +60,8 @@ pub fn needs(frame: &Frame) -> Needs {
     Needs { longest_span: needs.longest_span.max(4), ..needs }
 }
 
-/// A span set up for a core, kept within its ports' ranges: with 51 fraction bits or more, N·N = 1 + 2^-52 of a unit normal is not.
+/// A span set up for a core, kept within its ports' ranges: with 51 fraction bits or more, N·N =
+/// 1 + 2^-52 of a unit normal is not.
 pub fn packet(core: &CoreSpec, frame: &Frame) -> SpanPacket {
     let mut packet = core.packet(frame, &frame.spans[0]);
     for (raw, port) in packet.inputs.iter_mut().zip(core.inputs()) {
@@ -67,7 +72,11 @@ pub fn packet(core: &CoreSpec, frame: &Frame) -> SpanPacket {
 
 /// The value of that name.
 pub fn value(trace: &[Observation], name: &str) -> f64 {
-    trace.iter().find(|o| o.name == name).unwrap_or_else(|| panic!("no value is named {name}")).value()
+    trace
+        .iter()
+        .find(|o| o.name == name)
+        .unwrap_or_else(|| panic!("no value is named {name}"))
+        .value()
 }
 
 /// The unit vector at `degrees` from V towards x.

@@ -22,12 +22,17 @@ fn light_behind_keeps_its_highlight() {
     }
 }
 
-/// Row 33: with the eye behind the surface R points inwards; the result is the formula's, within one code.
+/// Row 33: with the eye behind the surface R points inwards; the result is the formula's, within
+/// one code.
 #[test]
 fn eye_behind_is_defined() {
     for degrees in [95.0, 120.0, 180.0] {
-        let frame =
-            frame([tilted(degrees - 5.0), tilted(degrees + 5.0)], 33, &[tilted(2.0 * degrees)], material(0.1, 0.4, 0.5, 16));
+        let frame = frame(
+            [tilted(degrees - 5.0), tilted(degrees + 5.0)],
+            33,
+            &[tilted(2.0 * degrees)],
+            material(0.1, 0.4, 0.5, 16),
+        );
         for method in Method::ALL {
             assert_within_one_code(&spec(&frame, method).unwrap(), &frame);
         }

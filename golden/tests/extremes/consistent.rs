@@ -34,9 +34,16 @@ fn with_cosine(mut frame: Frame, cosine: f64) -> Frame {
 #[test]
 fn no_diffuse_light_from_the_horizon_on() {
     for (degrees, cosine) in [(90.0, 1.0), (120.0, 0.9), (180.0, 0.5), (180.0, 0.0)] {
-        let frame = with_cosine(frame([DVec3::Z; 2], 2, &[tilted(degrees)], material(0.0, 1.0, 0.0, 1)), cosine);
+        let frame = with_cosine(
+            frame([DVec3::Z; 2], 2, &[tilted(degrees)], material(0.0, 1.0, 0.0, 1)),
+            cosine,
+        );
         for curve in CURVES {
-            assert_eq!(codes(&core(&frame, curve, Diffuse::Consistent), &frame), [0, 0], "{degrees} {cosine}");
+            assert_eq!(
+                codes(&core(&frame, curve, Diffuse::Consistent), &frame),
+                [0, 0],
+                "{degrees} {cosine}"
+            );
         }
     }
     assert_eq!(consistent_cosine(DVec3::Z, 1.0, DVec3::X), 0.0);
@@ -49,7 +56,8 @@ fn a_quarter_turn_seen_from_behind() {
     for curve in CURVES {
         let core = core(&frame, curve, Diffuse::Lambert);
         let trace = trace(&core, &frame, 1);
-        let values = ["angle", "contraction", "cos_beta", "sine_ratio", "reflection_z"].map(|name| value(&trace, name));
+        let values = ["angle", "contraction", "cos_beta", "sine_ratio", "reflection_z"]
+            .map(|name| value(&trace, name));
         assert_eq!(values, [1.0, 0.0, -1.0, 0.0, -1.0]);
         assert_eq!(codes(&core, &frame), [255, 255]);
     }
@@ -62,15 +70,18 @@ fn seen_from_straight_above() {
         let frame = with_cosine(frame([DVec3::Z; 2], 3, &[DVec3::Z], mirror(1)), cosine);
         for curve in CURVES {
             let trace = trace(&core(&frame, curve, Diffuse::Consistent), &frame, 2);
-            let values = ["cos_gamma", "light0_diffuse", "reflection_x", "reflection_y"].map(|name| value(&trace, name));
+            let values = ["cos_gamma", "light0_diffuse", "reflection_x", "reflection_y"]
+                .map(|name| value(&trace, name));
             assert_eq!(values, [1.0, 1.0, 0.0, 0.0]);
-            let ulp = trace.iter().find(|o| o.name == "reflection_z").expect("it is traced").format.ulp();
+            let ulp =
+                trace.iter().find(|o| o.name == "reflection_z").expect("it is traced").format.ulp();
             assert!((value(&trace, "reflection_z") - 1.0).abs() <= ulp, "{cosine}");
         }
     }
 }
 
-/// Row 44: α = 0 gives q = ρ = 1 and the plain reflection; one unit of the last place of t is what rounding up costs.
+/// Row 44: α = 0 gives q = ρ = 1 and the plain reflection; one unit of the last place of t is what
+/// rounding up costs.
 #[test]
 fn flat_surroundings_reflect_plainly() {
     for degrees in [0.0, 20.0, 60.0, 80.0] {
@@ -79,10 +90,15 @@ fn flat_surroundings_reflect_plainly() {
             let core = core(&frame, curve, Diffuse::Lambert);
             let trace = trace(&core, &frame, 0);
             let ulp = trace.iter().find(|o| o.name == "angle").expect("it is traced").format.ulp();
-            assert!(value(&trace, "angle") <= ulp && value(&trace, "contraction") >= 1.0 - 5.0 * ulp);
+            assert!(
+                value(&trace, "angle") <= ulp && value(&trace, "contraction") >= 1.0 - 5.0 * ulp
+            );
             let plain = 2.0 * tilted(degrees).z * tilted(degrees) - DVec3::Z;
             let r = ["x", "y", "z"].map(|axis| value(&trace, &format!("reflection_{axis}")));
-            assert!((DVec3::from_array(r) - plain).length() < 1e-3, "{degrees}: {r:?} instead of {plain}");
+            assert!(
+                (DVec3::from_array(r) - plain).length() < 1e-3,
+                "{degrees}: {r:?} instead of {plain}"
+            );
             assert_within_one_code(&core, &frame);
         }
     }
@@ -123,7 +139,8 @@ fn angles_are_clamped_at_pixels_alone() {
     assert!((Curve::Trigonometric.quarter_turns(0.0) - 95.49 / 90.0).abs() < 1e-3);
     let mut frame = frame([DVec3::Z; 2], 5, &[DVec3::Z], mirror(1));
     frame.triangles[0].cones[0].cosine = 0.0;
-    let trace = |i| value(&trace(&core(&frame, Curve::Rational, Diffuse::Lambert), &frame, i), "angle");
+    let trace =
+        |i| value(&trace(&core(&frame, Curve::Rational, Diffuse::Lambert), &frame, i), "angle");
     // 1 at the vertex, and then down from 1.0363: a clamped vertex would give 0.75.
     assert!(trace(0) == 1.0 && (trace(1) - 0.75 * 1.03632).abs() < 1e-3);
 }
@@ -132,7 +149,10 @@ fn angles_are_clamped_at_pixels_alone() {
 #[test]
 fn an_eye_behind_the_surface_is_defined() {
     let m = greatest_cosine(0.3 * FRAC_2_PI);
-    let frame = with_cosine(frame([tilted(f64::acos(-0.99).to_degrees()); 2], 2, &[DVec3::Z], mirror(4)), m);
+    let frame = with_cosine(
+        frame([tilted(f64::acos(-0.99).to_degrees()); 2], 2, &[DVec3::Z], mirror(4)),
+        m,
+    );
     for curve in CURVES {
         let core = core(&frame, curve, Diffuse::Consistent);
         assert_eq!(value(&trace(&core, &frame, 0), "sine_ratio"), 1.0);
@@ -154,7 +174,10 @@ fn greatest_cosine(t: f64) -> f64 {
 #[test]
 fn normals_that_vanish() {
     for diffuse in [Diffuse::Lambert, Diffuse::Consistent] {
-        let frame = with_cosine(frame([DVec3::X, -DVec3::X], 3, &[tilted(30.0), -DVec3::Z], material(0.2, 0.5, 0.5, 4)), 0.0);
+        let frame = with_cosine(
+            frame([DVec3::X, -DVec3::X], 3, &[tilted(30.0), -DVec3::Z], material(0.2, 0.5, 0.5, 4)),
+            0.0,
+        );
         assert_eq!(codes(&core(&frame, Curve::Rational, diffuse), &frame)[1], 51);
     }
 }
@@ -166,18 +189,25 @@ struct Face {
     normal: DVec3,
 }
 
-/// Faces with the least cosines around their vertices; a vertex is a place and a normal, seams included.
+/// Faces with the least cosines around their vertices; a vertex is a place and a normal, seams
+/// included.
 fn faces(mesh: &Mesh) -> Vec<Face> {
     let places = |t: &[u32; 3]| t.map(|k| mesh.positions[k as usize]);
-    let normals: Vec<DVec3> = mesh.triangles.iter().map(|t| newell(&places(t)).expect("it has an area")).collect();
+    let normals: Vec<DVec3> =
+        mesh.triangles.iter().map(|t| newell(&places(t)).expect("it has an area")).collect();
     let same = |a: DVec3, b: DVec3| (a - b).length() < 1e-9;
     let least = |place: DVec3, normal: DVec3| {
-        let around = (0..normals.len()).filter(|&f| (0..3).any(|v| same(places(&mesh.triangles[f])[v], place)));
+        let around = (0..normals.len())
+            .filter(|&f| (0..3).any(|v| same(places(&mesh.triangles[f])[v], place)));
         around.map(|f| normals[f].dot(normal)).fold(1.0, f64::min)
     };
     let face = |f: usize| {
         let (corners, at) = (places(&mesh.triangles[f]), mesh.normals[f]);
-        Face { normals: at, cosines: std::array::from_fn(|v| least(corners[v], at[v])), normal: normals[f] }
+        Face {
+            normals: at,
+            cosines: std::array::from_fn(|v| least(corners[v], at[v])),
+            normal: normals[f],
+        }
     };
     (0..normals.len()).map(face).collect()
 }
@@ -195,7 +225,8 @@ fn inside(draw: &[f64]) -> [f64; 3] {
     [1.0 - root, root * (1.0 - share), root * share]
 }
 
-/// n·r at every pixel of a span of the face seen from `eye`, in fixed arithmetic; and of the plain reflection.
+/// n·r at every pixel of a span of the face seen from `eye`, in fixed arithmetic; and of the plain
+/// reflection.
 fn heights(face: &Face, eye: DVec3, curve: Curve, draw: &[f64; 12]) -> Vec<[f64; 2]> {
     let turn = DQuat::from_rotation_arc(eye, DVec3::Z);
     let mut frame = frame([DVec3::Z; 2], 4, &[DVec3::Z], mirror(16));
@@ -204,7 +235,9 @@ fn heights(face: &Face, eye: DVec3, curve: Curve, draw: &[f64; 12]) -> Vec<[f64;
     frame.triangles[0].normals = face.normals.map(|n| turn * n);
     (frame.spans[0].start, frame.spans[0].end) = (inside(&draw[2..4]), inside(&draw[4..6]));
     let core = core(&frame, curve, Diffuse::Lambert);
-    let vector = |trace: &[_], name: &str| DVec3::from_array(["x", "y", "z"].map(|axis| value(trace, &format!("{name}_{axis}"))));
+    let vector = |trace: &[_], name: &str| {
+        DVec3::from_array(["x", "y", "z"].map(|axis| value(trace, &format!("{name}_{axis}"))))
+    };
     let pixel = |i| {
         let trace = trace(&core, &frame, i);
         let (n, r) = (vector(&trace, "normal"), vector(&trace, "reflection"));
@@ -214,7 +247,8 @@ fn heights(face: &Face, eye: DVec3, curve: Curve, draw: &[f64; 12]) -> Vec<[f64;
     (0..4).map(pixel).collect()
 }
 
-/// NUMERICS.md 2c and 3e: plain reflections enter faces, consistent ones never do, at the formats that are chosen.
+/// NUMERICS.md 2c and 3e: plain reflections enter faces, consistent ones never do, at the formats
+/// that are chosen.
 #[test]
 fn no_reflection_enters_a_face() {
     let meshes = [
@@ -231,7 +265,10 @@ fn no_reflection_enters_a_face() {
             for face in faces.iter().flat_map(|face| std::iter::repeat_n(face, each)) {
                 let draw = draws.next().expect("draws do not end");
                 let heights = heights(face, in_front(face.normal, &draw), curve, &draw);
-                assert!(heights.iter().all(|[consistent, _]| *consistent >= 0.0), "{shape:?} {curve:?}: {heights:?}");
+                assert!(
+                    heights.iter().all(|[consistent, _]| *consistent >= 0.0),
+                    "{shape:?} {curve:?}: {heights:?}"
+                );
                 // First pixels alone are anywhere in the face.
                 (inward, all) = (inward + u32::from(heights[0][1] < 0.0), all + 1);
             }

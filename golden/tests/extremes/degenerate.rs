@@ -33,7 +33,8 @@ fn neighbours_of_the_middle_are_right() {
     assert_within_one_code(&spec(&frame, Method::Lyon).unwrap(), &frame);
 }
 
-/// Rows 2 and 4: q = 0 in the middle gives no highlight there, and neither does a q that rounds below 0.
+/// Rows 2 and 4: q = 0 in the middle gives no highlight there, and neither does a q that rounds
+/// below 0.
 #[test]
 fn hybrid_has_no_highlight_where_q_is_zero() {
     for length in [3, 5, 9, 257] {
@@ -46,7 +47,8 @@ fn hybrid_has_no_highlight_where_q_is_zero() {
     }
 }
 
-/// Row 2: where q = 0 the root is 0 and with it everything but ambient light; beside it the root is as long as the normal asks.
+/// Row 2: where q = 0 the root is 0 and with it everything but ambient light; beside it the root is
+/// as long as the normal asks.
 #[test]
 fn duff_has_no_root_where_q_is_zero() {
     for length in [3, 5, 257] {
@@ -54,7 +56,10 @@ fn duff_has_no_root_where_q_is_zero() {
         let core = spec(&frame, Method::Duff).unwrap();
         let middle = length / 2;
         let at = |i: u32, name: &str| value(&trace(&core, &frame, i), name);
-        assert_eq!((at(middle, "denominator"), at(middle, "root"), at(middle, "light0_base")), (0.0, 0.0, 0.0));
+        assert_eq!(
+            (at(middle, "denominator"), at(middle, "root"), at(middle, "light0_base")),
+            (0.0, 0.0, 0.0)
+        );
         let beside = f64::from(middle);
         assert!((at(middle - 1, "root") - beside).abs() < 0.01 * beside);
         assert_within_one_code(&core, &frame);
@@ -67,7 +72,8 @@ fn reflection_about_the_normal_itself_is_exact() {
     let frame = frame([DVec3::Z; 2], 3, &[DVec3::Z], mirror(16));
     let core = spec(&frame, Method::Reflection).unwrap();
     let trace = trace(&core, &frame, 2);
-    let values = ["denominator", "reciprocal", "light0_cosine", "light0_base"].map(|name| value(&trace, name));
+    let values = ["denominator", "reciprocal", "light0_cosine", "light0_base"]
+        .map(|name| value(&trace, name));
     assert_eq!(values, [1.0; 4]);
 }
 
@@ -88,7 +94,8 @@ fn gain_of_a_vanished_normal_is_two() {
     assert_eq!((value(&trace, "length_squared"), value(&trace, "gain")), (0.0, 2.0));
 }
 
-/// Rows 12 and 35: L = -V makes H = 0, and the highlight 1 for every normal; R - L has no such trouble.
+/// Rows 12 and 35: L = -V makes H = 0, and the highlight 1 for every normal; R - L has no such
+/// trouble.
 #[test]
 fn light_opposite_the_eye() {
     let frame = frame([tilted(10.0), tilted(20.0)], 8, &[-DVec3::Z], mirror(16));

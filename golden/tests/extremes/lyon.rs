@@ -34,11 +34,19 @@ fn shape_is_zero_at_its_end() {
         let frame = flat(DVec3::X, 1 << k);
         let core = reflection_form(&frame, k);
         let trace = trace(&core, &frame, 0);
-        assert_eq!((value(&trace, "light0_shape_argument"), value(&trace, "light0_shape"), codes(&core, &frame)[0]), (1.0, 0.0, 0));
+        assert_eq!(
+            (
+                value(&trace, "light0_shape_argument"),
+                value(&trace, "light0_shape"),
+                codes(&core, &frame)[0]
+            ),
+            (1.0, 0.0, 0)
+        );
     }
 }
 
-/// Row 21: one unit in the last place before and behind the end. D = (0, d, 0), n = 1 and k = 0 give x = d²/2 of format `shape`.
+/// Row 21: one unit in the last place before and behind the end. D = (0, d, 0), n = 1 and k = 0
+/// give x = d²/2 of format `shape`.
 #[test]
 fn shape_is_never_negative() {
     for ulps in [-1, 0, 1] {
@@ -55,7 +63,8 @@ fn shape_is_never_negative() {
     }
 }
 
-/// Rows 22, 29 and 53: the centre of the highlight on the pixel, and axis-aligned vectors, are exact: 1.0 and 255.
+/// Rows 22, 29 and 53: the centre of the highlight on the pixel, and axis-aligned vectors, are
+/// exact: 1.0 and 255.
 #[test]
 fn centre_of_the_highlight_is_full_scale() {
     for shininess in [1, 256, 8191] {
@@ -92,12 +101,14 @@ fn longest_difference_fits() {
 /// Row 26: quantised normals may be longer than 1, and y = 1 - z negative.
 #[test]
 fn length_may_exceed_one() {
-    let longer = (1..90).map(|d| frame([tilted(f64::from(d)); 2], 2, &[tilted(2.0 * f64::from(d))], mirror(256))).filter(|frame| {
-        let core = changed(frame, |lyon| lyon.normalisation = Normalisation::G2);
-        let long = value(&trace(&core, frame, 0), "length_squared") > 1.0;
-        assert_within_one_code(&core, frame);
-        long
-    });
+    let longer = (1..90)
+        .map(|d| frame([tilted(f64::from(d)); 2], 2, &[tilted(2.0 * f64::from(d))], mirror(256)))
+        .filter(|frame| {
+            let core = changed(frame, |lyon| lyon.normalisation = Normalisation::G2);
+            let long = value(&trace(&core, frame, 0), "length_squared") > 1.0;
+            assert_within_one_code(&core, frame);
+            long
+        });
     assert!(longer.count() > 10);
 }
 
@@ -106,7 +117,9 @@ fn length_may_exceed_one() {
 fn twice_n_dot_v_may_exceed_two() {
     let half = 0.8_f64.sqrt().acos().to_degrees();
     let frame = frame([tilted(-half), tilted(half)], 3, &[DVec3::Z], mirror(16));
-    let core = changed(&frame, |lyon| (lyon.difference, lyon.newton_steps) = (Difference::ReflectionMinusLight, 0));
+    let core = changed(&frame, |lyon| {
+        (lyon.difference, lyon.newton_steps) = (Difference::ReflectionMinusLight, 0)
+    });
     let twice = value(&trace(&core, &frame, 1), "light0_twice_n_dot_v");
     assert!((twice - 2.003_52).abs() < 1e-4, "{twice}");
     assert_within_one_code(&core, &frame);

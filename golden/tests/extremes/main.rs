@@ -15,7 +15,9 @@ use specula_scene::{CoreSpec, Frame};
 /// Every code of a frame's span, red alone; the frames here are grey.
 fn codes(core: &CoreSpec, frame: &Frame) -> Vec<u8> {
     let mut codes = Vec::new();
-    Model::new(core).shade(&common::packet(core, frame), &mut codes).expect("the packet is this core's");
+    Model::new(core)
+        .shade(&common::packet(core, frame), &mut codes)
+        .expect("the packet is this core's");
     codes.into_iter().map(|code| code[0]).collect()
 }
 
@@ -31,6 +33,9 @@ fn method(core: &CoreSpec, frame: &Frame) -> Vec<f64> {
 
 fn assert_within_one_code(core: &CoreSpec, frame: &Frame) {
     for (i, (code, exact)) in codes(core, frame).into_iter().zip(method(core, frame)).enumerate() {
-        assert!((f64::from(code) - exact.round()).abs() <= 1.0, "pixel {i} is {code}, and {exact} in f64");
+        assert!(
+            (f64::from(code) - exact.round()).abs() <= 1.0,
+            "pixel {i} is {code}, and {exact} in f64"
+        );
     }
 }

@@ -30,7 +30,11 @@ fn base_is_at_most_one() {
         packet.inputs[start] -= packet.inputs[start] >> 10;
         let trace = specula_golden::fixed::Model::new(&core).trace(&packet, 0).unwrap();
         above += u32::from(value(&trace, "light0_numerator") > value(&trace, "denominator"));
-        assert_eq!((value(&trace, "light0_base"), value(&trace, "code_r")), (1.0, 255.0), "{tilt} degrees");
+        assert_eq!(
+            (value(&trace, "light0_base"), value(&trace, "code_r")),
+            (1.0, 255.0),
+            "{tilt} degrees"
+        );
     }
     assert_eq!(above, 900);
 }
@@ -44,7 +48,8 @@ fn centre_of_the_highlight_is_full_scale() {
     }
 }
 
-/// Row 54: exponents that are no power of two; n = 0 is cos^0 = 1 in f64, and no core is built for it.
+/// Row 54: exponents that are no power of two; n = 0 is cos^0 = 1 in f64, and no core is built for
+/// it.
 #[test]
 fn uneven_exponents_and_none() {
     let uneven = frame([tilted(-10.0), tilted(10.0)], 50, &[tilted(5.0)], mirror(100));

@@ -10,7 +10,12 @@ use crate::{assert_within_one_code, codes};
 #[test]
 fn shortest_spans() {
     for length in [1, 2] {
-        let frame = frame([tilted(-20.0), tilted(20.0)], length, &[tilted(-38.0), tilted(39.0)], material(0.1, 0.3, 0.3, 64));
+        let frame = frame(
+            [tilted(-20.0), tilted(20.0)],
+            length,
+            &[tilted(-38.0), tilted(39.0)],
+            material(0.1, 0.3, 0.3, 64),
+        );
         for method in Method::ALL {
             assert_within_one_code(&spec(&frame, method).unwrap(), &frame);
         }
@@ -21,7 +26,12 @@ fn shortest_spans() {
 #[test]
 fn longest_span() {
     for (widest, shininess) in [(30.0, 256), (90.0, 4096)] {
-        let frame = frame([tilted(-widest / 3.0), tilted(widest * 2.0 / 3.0)], 8192, &[tilted(widest)], mirror(shininess));
+        let frame = frame(
+            [tilted(-widest / 3.0), tilted(widest * 2.0 / 3.0)],
+            8192,
+            &[tilted(widest)],
+            mirror(shininess),
+        );
         for method in Method::ALL {
             assert_within_one_code(&spec(&frame, method).unwrap(), &frame);
         }
@@ -55,10 +65,19 @@ fn foreign_packets_are_refused() {
         };
         let of_length = |length| refused(SpanPacket { length, ..good.clone() });
         let with_inputs = |inputs| refused(SpanPacket { inputs, ..good.clone() });
-        assert_eq!([0, 9].map(of_length), [0, 9].map(|length| PacketError::Length { length, longest: 8 }));
+        assert_eq!(
+            [0, 9].map(of_length),
+            [0, 9].map(|length| PacketError::Length { length, longest: 8 })
+        );
         assert!(matches!(with_inputs(Vec::new()), PacketError::InputCount { given: 0, .. }));
-        assert!(matches!(with_inputs(vec![i64::MAX; good.inputs.len()]), PacketError::OutOfRange { .. }));
-        assert_eq!(Model::new(&core).trace(&good, 8), Err(PacketError::NoSuchPixel { pixel: 8, length: 8 }));
+        assert!(matches!(
+            with_inputs(vec![i64::MAX; good.inputs.len()]),
+            PacketError::OutOfRange { .. }
+        ));
+        assert_eq!(
+            Model::new(&core).trace(&good, 8),
+            Err(PacketError::NoSuchPixel { pixel: 8, length: 8 })
+        );
     }
 }
 
@@ -79,8 +98,14 @@ fn packets_past_the_unit_ball_are_refused() {
         (["normal_delta_x", "", ""], "normal at the last pixel"),
     ] {
         let refused = with_high(high);
-        assert!(matches!(&refused, Err(PacketError::LongVector { name, .. }) if name == long), "{refused:?}");
+        assert!(
+            matches!(&refused, Err(PacketError::LongVector { name, .. }) if name == long),
+            "{refused:?}"
+        );
     }
     let weight = with_high(["weight_step", "", ""]);
-    assert!(matches!(weight, Err(PacketError::Outgrown { pixel: 7, value: 7.0, .. })), "{weight:?}");
+    assert!(
+        matches!(weight, Err(PacketError::Outgrown { pixel: 7, value: 7.0, .. })),
+        "{weight:?}"
+    );
 }

@@ -10,7 +10,8 @@ type Reflection = (i128, i128, [i128; 3]);
 
 pub fn code(spec: &ConsistentSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
-    let (diffuse_bits, base_bits, v) = (f.diffuse.fraction_bits, f.base.fraction_bits, f.vector.fraction_bits);
+    let (diffuse_bits, base_bits, v) =
+        (f.diffuse.fraction_bits, f.base.fraction_bits, f.vector.fraction_bits);
     let bits = diffuse_bits.max(base_bits).max(f.shape.fraction_bits);
     let (n, z) = normal(spec, raw, i);
     let q = contraction(spec, raw, i);
@@ -41,12 +42,18 @@ pub fn code(spec: &ConsistentSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] 
 /// n and z.
 fn normal(spec: &ConsistentSpec, raw: &Raw, i: u32) -> ([i128; 3], i128) {
     let f = &spec.formats;
-    let (v, w, zf, gf) = (f.vector.fraction_bits, f.weight.fraction_bits, f.length_squared.fraction_bits, f.gain.fraction_bits);
+    let (v, w, zf, gf) = (
+        f.vector.fraction_bits,
+        f.weight.fraction_bits,
+        f.length_squared.fraction_bits,
+        f.gain.fraction_bits,
+    );
     let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
     let (start, delta) = (raw.vector("normal_start"), raw.vector("normal_delta"));
     let lerp = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
     let z = round(dot(lerp, lerp), 2 * v, zf);
-    // In units of 2^-(zf + 8), where 4^-4 is whole: the greatest g with (2g - 1)² z ≤ 4 · 2^2gf, by bisection.
+    // In units of 2^-(zf + 8), where 4^-4 is whole: the greatest g with (2g - 1)² z ≤ 4 · 2^2gf, by
+    // bisection.
     let limited = (z << 8).max(1 << zf);
     let not_above = |g: i128| (2 * g - 1).pow(2) * limited <= 1 << (2 * gf + 2 + zf + 8);
     let gain = greatest(1 << (gf + 4), not_above);
@@ -101,7 +108,8 @@ fn reflection(spec: &ConsistentSpec, n: [i128; 3], q: i128, incoming: [i128; 3])
     let s = ratio(q * (one + g), (one + b) << qf, sf);
     // (2ρ - 1)² ≤ 4s, in units of 2^-2rf or 2^-sf, whichever are finer.
     let finer = sf.max(2 * rf);
-    let not_above = |rho: i128| rho == 0 || (2 * rho - 1).pow(2) << (finer - 2 * rf) <= (4 * s) << (finer - sf);
+    let not_above =
+        |rho: i128| rho == 0 || (2 * rho - 1).pow(2) << (finer - 2 * rf) <= (4 * s) << (finer - sf);
     let rho = greatest(1 << rf, not_above);
     let m = round((g << rf) + rho * b, rf + c, c);
     let r = [0, 1, 2].map(|k| {
@@ -132,7 +140,8 @@ fn lit(spec: &ConsistentSpec, (b, g, r): Reflection, l: [i128; 3], d: u32) -> i1
     // (2d - 1)² ≤ 4 |L + r|²/4.
     let squared = dot(sum, sum);
     let finer = v.max(d);
-    let not_above = |x: i128| x == 0 || (2 * x - 1).pow(2) << (2 * (finer - d)) <= squared << (2 * (finer - v));
+    let not_above =
+        |x: i128| x == 0 || (2 * x - 1).pow(2) << (2 * (finer - d)) <= squared << (2 * (finer - v));
     greatest(1 << d, not_above)
 }
 

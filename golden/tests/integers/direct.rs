@@ -7,20 +7,38 @@ use crate::raw::{Raw, round};
 
 pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
-    let (w, p, z) = (f.weight.fraction_bits, f.component.fraction_bits, f.length_squared.fraction_bits);
-    let (r, x, d, e) = (f.reciprocal.fraction_bits, f.cosine.fraction_bits, f.diffuse.fraction_bits, f.base.fraction_bits);
+    let (w, p, z) =
+        (f.weight.fraction_bits, f.component.fraction_bits, f.length_squared.fraction_bits);
+    let (r, x, d, e) = (
+        f.reciprocal.fraction_bits,
+        f.cosine.fraction_bits,
+        f.diffuse.fraction_bits,
+        f.base.fraction_bits,
+    );
     let (t, q) = t_and_q(spec, raw, i);
     let s = match spec.root {
         Root::Exact => reciprocal_root(at_least(spec, q), z, r),
-        Root::Newton => quotient((1, 0), (length(spec, raw, i), f.length.fraction_bits), f.reciprocal.integer_bits, r),
+        Root::Newton => quotient(
+            (1, 0),
+            (length(spec, raw, i), f.length.fraction_bits),
+            f.reciprocal.integer_bits,
+            r,
+        ),
     };
-    let linear = |name: &str| round((raw.get(&format!("{name}_start")) << w) + t * raw.get(&format!("{name}_delta")), p + w, x);
+    let linear = |name: &str| {
+        round(
+            (raw.get(&format!("{name}_start")) << w) + t * raw.get(&format!("{name}_delta")),
+            p + w,
+            x,
+        )
+    };
     let cosine = |name: &str| round(linear(name) * s, x + r, x).clamp(-1 << x, 1 << x);
     let view = match spec.root {
         Root::Exact => cosine("view"),
         Root::Newton => {
             let m = f.reciprocal.integer_bits;
-            round(linear("view") * quotient((1, 0), (at_least(spec, q), z), 2 * m, r), x + r, x).clamp(-1 << (x + m), 1 << (x + m))
+            round(linear("view") * quotient((1, 0), (at_least(spec, q), z), 2 * m, r), x + r, x)
+                .clamp(-1 << (x + m), 1 << (x + m))
         }
     };
     let bits = d.max(e).max(f.shape.fraction_bits);
@@ -32,7 +50,8 @@ pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
         let fine = (2 * x).max(p);
         let dot_view = raw.get(&format!("light{light}_dot_view")) << (fine - p);
         let along_light = if spec.root == Root::Newton { linear(&name) } else { j };
-        let base = round(((2 * along_light * view) << (fine - 2 * x)) - dot_view, fine, e).clamp(0, 1 << e);
+        let base = round(((2 * along_light * view) << (fine - 2 * x)) - dot_view, fine, e)
+            .clamp(0, 1 << e);
         let b = if q > 0 { base } else { 0 };
         let (power, power_bits) = power::raised(raw, b, e, f.shape.fraction_bits);
         terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
@@ -62,7 +81,9 @@ fn length(spec: &DirectSpec, raw: &Raw, i: u32) -> i128 {
     let (bits, z) = (f.length.fraction_bits, f.length_squared.fraction_bits);
     (0..=i).fold(1 << bits, |d, pixel| {
         let q = at_least(spec, t_and_q(spec, raw, pixel).1);
-        (0..spec.newton_steps).fold(d, |d, _| round(d + quotient((q, z), (d, bits), f.reciprocal.integer_bits, bits), 1, 0))
+        (0..spec.newton_steps).fold(d, |d, _| {
+            round(d + quotient((q, z), (d, bits), f.reciprocal.integer_bits, bits), 1, 0)
+        })
     })
 }
 

@@ -8,25 +8,39 @@ use crate::raw::{Raw, round};
 
 pub fn code(spec: &DuffSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
-    let (diffuse_bits, base_bits, cosine_bits) = (f.diffuse.fraction_bits, f.base.fraction_bits, f.cosine.fraction_bits);
+    let (diffuse_bits, base_bits, cosine_bits) =
+        (f.diffuse.fraction_bits, f.base.fraction_bits, f.cosine.fraction_bits);
     let bits = diffuse_bits.max(base_bits).max(f.shape.fraction_bits);
     let operand = f.operand.fraction_bits;
     let of_q = |name: &str| quadratic(raw, name, i, f.accumulator.fraction_bits, operand);
     let linear = |name: &str| linear(raw, name, i, f.linear_accumulator.fraction_bits, operand);
     let q = of_q("denominator");
-    let s = if q > 0 { reciprocal_root(q.max(1 << (operand - 2 * f.root.integer_bits)), operand, f.root.fraction_bits) } else { 0 };
+    let s = if q > 0 {
+        reciprocal_root(
+            q.max(1 << (operand - 2 * f.root.integer_bits)),
+            operand,
+            f.root.fraction_bits,
+        )
+    } else {
+        0
+    };
     let cosine = |p: i128| cosine(p * s, operand + f.root.fraction_bits, cosine_bits);
     let mut terms = Vec::new();
     for light in 0..lights {
         let p = linear(&format!("light{light}_cosine"));
         let c = cosine(p);
         let base = match spec.specular {
-            Highlight::Blinn => round(cosine(linear(&format!("light{light}_halfway"))), cosine_bits, base_bits).max(0),
+            Highlight::Blinn => {
+                round(cosine(linear(&format!("light{light}_halfway"))), cosine_bits, base_bits)
+                    .max(0)
+            }
             Highlight::Quotient => base(of_q(&format!("light{light}_numerator")), q, base_bits),
             Highlight::Eq33 if q > 0 => {
                 let t_bits = f.quotient.fraction_bits;
                 let limit = f.root.integer_bits + t_bits;
-                let product = 2 * linear("view") * nearest_quotient(p, q, t_bits).clamp(-1 << limit, 1 << limit);
+                let product = 2
+                    * linear("view")
+                    * nearest_quotient(p, q, t_bits).clamp(-1 << limit, 1 << limit);
                 less_light(raw, light, product, operand + t_bits, cosine_bits, base_bits)
             }
             Highlight::Eq34 if q > 0 => {
@@ -55,7 +69,14 @@ pub fn cosine(product: i128, from: u32, to: u32) -> i128 {
 }
 
 /// A product with `from` bits less L·V, from 0 to 1.
-pub fn less_light(raw: &Raw, light: usize, product: i128, from: u32, cosine_bits: u32, to: u32) -> i128 {
+pub fn less_light(
+    raw: &Raw,
+    light: usize,
+    product: i128,
+    from: u32,
+    cosine_bits: u32,
+    to: u32,
+) -> i128 {
     let light_dot_view = raw.get(&format!("light{light}_dot_view"));
     let bits = from.max(cosine_bits);
     let difference = (product << (bits - from)) - (light_dot_view << (bits - cosine_bits));

@@ -22,6 +22,7 @@ fn parabola(i: f64) -> [f64; 3] {
 }
 
 fn g(d: f64) -> f64 {
-    let squared_angle_over_d = if d == 0.0 { 2.0 } else { 4.0 * (d / 2.0).sqrt().asin().powi(2) / d };
+    let squared_angle_over_d =
+        if d == 0.0 { 2.0 } else { 4.0 * (d / 2.0).sqrt().asin().powi(2) / d };
     squared_angle_over_d * std::f64::consts::LOG2_E
 }

@@ -5,16 +5,29 @@ use crate::power;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &HybridSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
-    let (diffuse_bits, base_bits) = (spec.formats.diffuse.fraction_bits, spec.formats.base.fraction_bits);
+    let (diffuse_bits, base_bits) =
+        (spec.formats.diffuse.fraction_bits, spec.formats.base.fraction_bits);
     let bits = diffuse_bits.max(base_bits).max(spec.formats.shape.fraction_bits);
-    let operand = |name: &str| quadratic(raw, name, i, spec.formats.accumulator.fraction_bits, spec.formats.operand.fraction_bits);
+    let operand = |name: &str| {
+        quadratic(
+            raw,
+            name,
+            i,
+            spec.formats.accumulator.fraction_bits,
+            spec.formats.operand.fraction_bits,
+        )
+    };
     let q = operand("denominator");
     let mut terms = Vec::new();
     for light in 0..lights {
         let p = operand(&format!("light{light}_numerator"));
         let b = base(p, q, base_bits);
-        let (power, power_bits) = power::raised(raw, b, base_bits, spec.formats.shape.fraction_bits);
-        terms.push((format!("light{light}_diffuse"), diffuse(spec, raw, light, i) << (bits - diffuse_bits)));
+        let (power, power_bits) =
+            power::raised(raw, b, base_bits, spec.formats.shape.fraction_bits);
+        terms.push((
+            format!("light{light}_diffuse"),
+            diffuse(spec, raw, light, i) << (bits - diffuse_bits),
+        ));
         terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))

@@ -5,7 +5,8 @@ use specula_scene::spec::lyon::{Difference, Normalisation, Normals, ShapeDatapat
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &LyonSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
-    let (diffuse_bits, shape_bits) = (spec.formats.diffuse.fraction_bits, spec.formats.shape.fraction_bits);
+    let (diffuse_bits, shape_bits) =
+        (spec.formats.diffuse.fraction_bits, spec.formats.shape.fraction_bits);
     let (n, has_direction) = normal(spec, raw, i);
     let bits = diffuse_bits.max(shape_bits);
     let mut terms = Vec::new();
@@ -27,11 +28,19 @@ fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> ([i128; 3], bool) {
         let n = raw.vector("normal");
         return (n, n != [0; 3]);
     }
-    let (v, w, zf, gf) = (f.vector.fraction_bits, f.weight.fraction_bits, f.length_squared.fraction_bits, f.gain.fraction_bits);
-    let (start, delta) =
-        (raw.vector(if raw.has("wrap_start_x") { "wrap_start" } else { "normal_start" }), raw.vector("normal_delta"));
+    let (v, w, zf, gf) = (
+        f.vector.fraction_bits,
+        f.weight.fraction_bits,
+        f.length_squared.fraction_bits,
+        f.gain.fraction_bits,
+    );
+    let (start, delta) = (
+        raw.vector(if raw.has("wrap_start_x") { "wrap_start" } else { "normal_start" }),
+        raw.vector("normal_delta"),
+    );
     let interpolated = |i: u32| {
-        let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
+        let a =
+            round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
         [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v))
     };
     let lerp = interpolated(i);
@@ -77,23 +86,32 @@ fn reciprocal_root(z: i128, from: u32, to: u32) -> i128 {
 
 /// 2v H - w, v the one fraction with v - 1/2 ≤ p/q < v + 1/2 in units of its last place.
 fn wrapped(spec: &LyonSpec, h: [i128; 3], w: [i128; 3]) -> [i128; 3] {
-    let (v, o, r) =
-        (spec.formats.vector.fraction_bits, spec.formats.wrap_operand.fraction_bits, spec.formats.wrap_ratio.fraction_bits);
+    let (v, o, r) = (
+        spec.formats.vector.fraction_bits,
+        spec.formats.wrap_operand.fraction_bits,
+        spec.formats.wrap_ratio.fraction_bits,
+    );
     let (p, q) = (round(dot(h, w), 2 * v, o), round(dot(h, h), 2 * v, o));
-    let ratio = if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
+    let ratio =
+        if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
     [0, 1, 2].map(|c| round(2 * ratio * h[c] - (w[c] << r), v + r, v))
 }
 
 /// N + u (N + b), u = (1 - N·N)/|N + b|².
 fn follower(spec: &LyonSpec, n: [i128; 3], before: [i128; 3]) -> [i128; 3] {
     let f = &spec.formats;
-    let (v, z, o, r) =
-        (f.vector.fraction_bits, f.length_squared.fraction_bits, f.wrap_operand.fraction_bits, f.wrap_ratio.fraction_bits);
+    let (v, z, o, r) = (
+        f.vector.fraction_bits,
+        f.length_squared.fraction_bits,
+        f.wrap_operand.fraction_bits,
+        f.wrap_ratio.fraction_bits,
+    );
     let h = [0, 1, 2].map(|c| n[c] + before[c]);
     // p/q in the same units.
     let p = ((1 << z) - round(dot(n, n), 2 * v, z)) << o;
     let q = round(dot(h, h), 2 * v, o) << z;
-    let ratio = if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
+    let ratio =
+        if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
     [0, 1, 2].map(|c| round((n[c] << r) + ratio * h[c], v + r, v))
 }
 
@@ -121,14 +139,17 @@ fn product(spec: &LyonSpec, n: i128, difference: [i128; 3]) -> i128 {
     round(factor * n * dot(difference, difference), 2 * d + spec.squarings + 1, s)
 }
 
-/// u·u whole, however long u is: from 1 on it makes no difference, so the augmented comparator is not needed here.
+/// u·u whole, however long u is: from 1 on it makes no difference, so the augmented comparator is
+/// not needed here.
 fn squares(spec: &LyonSpec, m: i128, difference: [i128; 3]) -> i128 {
     let f = &spec.formats;
     let shift = match spec.difference {
         Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection => [0, 0, 1, 1],
         _ => [1, 1, 2, 2],
     };
-    let from = f.root_shininess.fraction_bits + f.difference.fraction_bits + shift[spec.squarings as usize];
+    let from = f.root_shininess.fraction_bits
+        + f.difference.fraction_bits
+        + shift[spec.squarings as usize];
     let u = difference.map(|c| round(m * c.abs(), from, f.scaled_difference.fraction_bits));
     round(dot(u, u), 2 * f.scaled_difference.fraction_bits, f.shape.fraction_bits)
 }
@@ -142,7 +163,9 @@ fn difference(spec: &LyonSpec, raw: &Raw, n: [i128; 3], light: usize) -> [i128; 
         Difference::ReflectionMinusLight => reflected_minus(spec, n, eye, l),
         Difference::LightReflection => reflected_minus(spec, n, l, eye),
         Difference::HalfwayCrossNormal => cross_halfway(spec, halfway(), n),
-        Difference::HalfwayProjection | Difference::UnitHalfwayProjection => projection(spec, halfway(), n),
+        Difference::HalfwayProjection | Difference::UnitHalfwayProjection => {
+            projection(spec, halfway(), n)
+        }
         Difference::UnitHalfwayMinusNormal => {
             let h = halfway();
             [0, 1, 2].map(|c| round(h[c] - n[c], v, d))
@@ -159,7 +182,11 @@ fn projection(spec: &LyonSpec, h: [i128; 3], n: [i128; 3]) -> [i128; 3] {
 fn cross_halfway(spec: &LyonSpec, h: [i128; 3], n: [i128; 3]) -> [i128; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(p, q)| {
         let component = h[p] * n[q] - h[q] * n[p];
-        round(component, 2 * spec.formats.vector.fraction_bits, spec.formats.difference.fraction_bits)
+        round(
+            component,
+            2 * spec.formats.vector.fraction_bits,
+            spec.formats.difference.fraction_bits,
+        )
     })
 }
 

@@ -1,4 +1,5 @@
-//! `fixed` against whole-number arithmetic with shifts, written apart from it, at every format that a spec may have.
+//! `fixed` against whole-number arithmetic with shifts, written apart from it, at every format that
+//! a spec may have.
 //!
 //! It runs with overflow checks, so it tries the widths that `fixed::number` argues for, too.
 use glam::DVec3;
@@ -169,13 +170,19 @@ fn check_frame(method: Method, frame: &Frame, bits: &[f64; 8]) -> Result<(), Tes
     codes_agree(&core, &packet(&core, frame))
 }
 
-fn check(method: Method, draw: &Draw, bits: &[f64; 8], shininess: u32) -> Result<(), TestCaseError> {
+fn check(
+    method: Method,
+    draw: &Draw,
+    bits: &[f64; 8],
+    shininess: u32,
+) -> Result<(), TestCaseError> {
     let frame = draw_frame(ANY, draw, material(draw[8], draw[9], 3.0 * draw[10], shininess)).frame;
     check_frame(method, &frame, bits)
 }
 
-/// Inputs at the ends of their ranges, all at once: not what a host would send, but nothing may overflow. Over a long span they outgrow what the
-/// core is for, and are refused; over one of a pixel they are as good as any.
+/// Inputs at the ends of their ranges, all at once: not what a host would send, but nothing may
+/// overflow. Over a long span they outgrow what the core is for, and are refused; over one of a
+/// pixel they are as good as any.
 #[test]
 fn forward_differences_take_every_input_in_range() {
     for method in [Method::Hybrid, Method::Duff, Method::Reflection] {
@@ -194,9 +201,14 @@ fn takes_every_input_in_range(method: Method) {
                 if high >> (k % 6) & 1 == 1 { port.range.1 } else { port.range.0 }
             };
             let inputs: Vec<i64> = core.inputs().into_iter().enumerate().map(end).collect();
-            codes_agree(&core, &SpanPacket { length: 1, inputs: inputs.clone() }).unwrap_or_else(|e| panic!("{e}"));
-            let refused = Model::new(&core).shade(&SpanPacket { length: 8192, inputs }, &mut Vec::new());
-            assert!(matches!(refused, Err(PacketError::Outgrown { .. })), "{method:?}, {high:b}: {refused:?}");
+            codes_agree(&core, &SpanPacket { length: 1, inputs: inputs.clone() })
+                .unwrap_or_else(|e| panic!("{e}"));
+            let refused =
+                Model::new(&core).shade(&SpanPacket { length: 8192, inputs }, &mut Vec::new());
+            assert!(
+                matches!(refused, Err(PacketError::Outgrown { .. })),
+                "{method:?}, {high:b}: {refused:?}"
+            );
         }
     }
 }

@@ -26,7 +26,8 @@ pub fn code(spec: &PhongSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
         };
         // 2 v p is above 2 v where p is above 1; the spot is dark elsewhere.
         let one = 1 << f.wrap_operand.fraction_bits;
-        let direction = direction.filter(|(_, wrap)| !raw.has(&name("exponent")) || wrap.is_none_or(|[p, _]| p > one));
+        let direction = direction
+            .filter(|(_, wrap)| !raw.has(&name("exponent")) || wrap.is_none_or(|[p, _]| p > one));
         // Diffuse with the cosine's bits, or the shape's behind a spot.
         let (diffuse, specular) = match (normal, direction) {
             (Some(n), Some((l, wrap))) => lit(spec, raw, [n, l], wrap, view, light),
@@ -44,35 +45,52 @@ fn has_way(raw: &Raw, name: &str) -> bool {
 }
 
 /// The direction, and p and v of one that is wrapped.
-fn along(spec: &PhongSpec, raw: &Raw, name: &str, i: u32) -> Option<([i128; 3], Option<[i128; 2]>)> {
+fn along(
+    spec: &PhongSpec,
+    raw: &Raw,
+    name: &str,
+    i: u32,
+) -> Option<([i128; 3], Option<[i128; 2]>)> {
     if raw.has(&format!("{name}_wrap_axis_x")) {
         return wrapped(spec, raw, name, i);
     }
     let f = &spec.formats;
     let (v, w, g) = (f.vector.fraction_bits, f.weight.fraction_bits, f.gain.fraction_bits);
     let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
-    let (start, delta) = (raw.vector(&format!("{name}_start")), raw.vector(&format!("{name}_delta")));
+    let (start, delta) =
+        (raw.vector(&format!("{name}_start")), raw.vector(&format!("{name}_delta")));
     let lerp = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
     let z = round(dot(lerp, lerp), 2 * v, f.length_squared.fraction_bits);
     let r = reciprocal_root(z, f.length_squared.fraction_bits, g);
     (z > 0).then(|| (lerp.map(|c| round(r * c, g + v, v)), None))
 }
 
-fn wrapped(spec: &PhongSpec, raw: &Raw, name: &str, i: u32) -> Option<([i128; 3], Option<[i128; 2]>)> {
+fn wrapped(
+    spec: &PhongSpec,
+    raw: &Raw,
+    name: &str,
+    i: u32,
+) -> Option<([i128; 3], Option<[i128; 2]>)> {
     let f = &spec.formats;
-    let (v, w, o, r) = (f.vector.fraction_bits, f.weight.fraction_bits, f.wrap_operand.fraction_bits, f.wrap_ratio.fraction_bits);
+    let (v, w, o, r) = (
+        f.vector.fraction_bits,
+        f.weight.fraction_bits,
+        f.wrap_operand.fraction_bits,
+        f.wrap_ratio.fraction_bits,
+    );
     let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
     let port = |part: &str| raw.vector(&format!("{name}_wrap_{part}"));
     let (start, delta, axis) = (port("start"), port("delta"), port("axis"));
     let h = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
     let (p, q) = (round(dot(h, axis), 2 * v, o), round(dot(h, h), 2 * v, o));
-    let ratio = if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
+    let ratio =
+        if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };
     let l = [0, 1, 2].map(|c| round(2 * ratio * h[c] - (axis[c] << r), v + r, v));
     (l != [0; 3]).then_some((l, Some([p, ratio])))
 }
 
-/// The r of `to` bits with r - 1/2 ≤ 1/√z < r + 1/2 units of the last place, that is (2r - 1)² z ≤ 4 · 2^2to < (2r + 1)² z, by bisection;
-/// 16 for z ≤ 1/256.
+/// The r of `to` bits with r - 1/2 ≤ 1/√z < r + 1/2 units of the last place, that is (2r - 1)² z ≤
+/// 4 · 2^2to < (2r + 1)² z, by bisection; 16 for z ≤ 1/256.
 fn reciprocal_root(z: i128, from: u32, to: u32) -> i128 {
     if z << 8 <= 1 << from {
         return 16 << to;
@@ -95,7 +113,12 @@ fn lit(
     light: usize,
 ) -> (i128, i128) {
     let f = &spec.formats;
-    let (v, c, b, s) = (f.vector.fraction_bits, f.cosine.fraction_bits, f.base.fraction_bits, f.shape.fraction_bits);
+    let (v, c, b, s) = (
+        f.vector.fraction_bits,
+        f.cosine.fraction_bits,
+        f.base.fraction_bits,
+        f.shape.fraction_bits,
+    );
     let nl = round(dot(n, l), 2 * v, c);
     let amounts = (nl.max(0), view.map_or(0, |view| specular(spec, raw, [n, l, view], nl, light)));
     let name = |part: &str| format!("light{light}_{part}");
@@ -108,21 +131,39 @@ fn lit(
         None => round(-dot(l, raw.vector(&name("axis"))), 2 * v, b),
     };
     let cosine = cosine.clamp(0, 1 << b);
-    let share = power::of(cosine, b, raw.get(&name("exponent")), i128::BITS - raw.largest(&name("exponent")).leading_zeros(), s);
+    let share = power::of(
+        cosine,
+        b,
+        raw.get(&name("exponent")),
+        i128::BITS - raw.largest(&name("exponent")).leading_zeros(),
+        s,
+    );
     (round(share * amounts.0, s + c, s), round(share * amounts.1, 2 * s, s))
 }
 
-fn specular(spec: &PhongSpec, raw: &Raw, [n, l, view]: [[i128; 3]; 3], nl: i128, light: usize) -> i128 {
+fn specular(
+    spec: &PhongSpec,
+    raw: &Raw,
+    [n, l, view]: [[i128; 3]; 3],
+    nl: i128,
+    light: usize,
+) -> i128 {
     let f = &spec.formats;
-    let (v, c, b, s, g) =
-        (f.vector.fraction_bits, f.cosine.fraction_bits, f.base.fraction_bits, f.shape.fraction_bits, f.gain.fraction_bits);
+    let (v, c, b, s, g) = (
+        f.vector.fraction_bits,
+        f.cosine.fraction_bits,
+        f.base.fraction_bits,
+        f.shape.fraction_bits,
+        f.gain.fraction_bits,
+    );
     let name = |part: &str| format!("light{light}_{part}");
     let nv = round(dot(n, view), 2 * v, c);
     let vl = || round(dot(view, l), 2 * v, c);
     let exponent = raw.get("shininess");
     let exponent_bits = u32::BITS - (raw.largest("shininess") as u32).leading_zeros();
     if spec.highlight == Highlight::Reflection {
-        let vl = if raw.has(&name("light_dot_view")) { raw.get(&name("light_dot_view")) } else { vl() };
+        let vl =
+            if raw.has(&name("light_dot_view")) { raw.get(&name("light_dot_view")) } else { vl() };
         let base = round(2 * nv * nl - (vl << c), 2 * c, b).clamp(0, 1 << b);
         return power::of(base, b, exponent, exponent_bits, s);
     }

@@ -1,11 +1,13 @@
 //! b^n on raw values, with tables from f64.
 use crate::raw::{Raw, round};
 
-/// The power of a highlight's base with `from` fraction bits, by squaring or by tables, whichever port there is, with `shape` fraction
-/// bits then; and its fraction bits.
+/// The power of a highlight's base with `from` fraction bits, by squaring or by tables, whichever
+/// port there is, with `shape` fraction bits then; and its fraction bits.
 pub fn raised(raw: &Raw, base: i128, from: u32, shape: u32) -> (i128, u32) {
     match raw.has("log2_exponent") {
-        true => ((0..raw.get("log2_exponent")).fold(base, |b, _| round(b * b, 2 * from, from)), from),
+        true => {
+            ((0..raw.get("log2_exponent")).fold(base, |b, _| round(b * b, 2 * from, from)), from)
+        }
         false => {
             let exponent_bits = i128::BITS - raw.largest("exponent").leading_zeros();
             (of(base, from, raw.get("exponent"), exponent_bits, shape), shape)
@@ -13,7 +15,8 @@ pub fn raised(raw: &Raw, base: i128, from: u32, shape: u32) -> (i128, u32) {
     }
 }
 
-/// `base` has `from` fraction bits, exponents have up to `exponent_bits`, the power `to` fraction bits.
+/// `base` has `from` fraction bits, exponents have up to `exponent_bits`, the power `to` fraction
+/// bits.
 pub fn of(base: i128, from: u32, n: i128, exponent_bits: u32, to: u32) -> i128 {
     if base == 0 {
         return 0;
@@ -44,7 +47,11 @@ fn minus_log2(base: i128, from: u32, w: u32) -> i128 {
     let s = round(r * r, 2 * r_bits, w);
     let t = round(r * s, r_bits + w, w);
     let wide = r_bits.max(w + 14);
-    let q = round((r << (wide - r_bits)) - (s << (wide - w - 1)) + ((5461 * t) << (wide - w - 14)), wide, w);
+    let q = round(
+        (r << (wide - r_bits)) - (s << (wide - w - 1)) + ((5461 * t) << (wide - w - 14)),
+        wide,
+        w,
+    );
     let log2_e = raw(std::f64::consts::LOG2_E, w - index_bits + 2);
     let log_c = raw((c as f64).log2() - f64::from(c_bits), w);
     ((i128::from(e) << w) + log_c - round(q * log2_e, 2 * w - index_bits + 2, w)).max(0)

@@ -37,9 +37,13 @@ impl Raw {
         ["x", "y", "z"].map(|axis| self.get(&format!("{name}_{axis}")))
     }
 
-    /// Code of one channel: `terms` are coefficients' names without the channel, and amounts of `bits` fraction bits.
+    /// Code of one channel: `terms` are coefficients' names without the channel, and amounts of
+    /// `bits` fraction bits.
     pub fn code(&self, channel: &str, terms: &[(String, i128)], bits: u32) -> u8 {
-        let sum: i128 = terms.iter().map(|(name, amount)| self.get(&format!("{name}_{channel}")) * amount).sum();
+        let sum: i128 = terms
+            .iter()
+            .map(|(name, amount)| self.get(&format!("{name}_{channel}")) * amount)
+            .sum();
         let total = (self.get(&format!("ambient_{channel}")) << bits) + sum;
         round(total, bits + 6, 0).min(255) as u8
     }

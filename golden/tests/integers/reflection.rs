@@ -9,25 +9,43 @@ use crate::raw::{Raw, round};
 
 pub fn code(spec: &ReflectionSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let f = &spec.formats;
-    let (diffuse_bits, base_bits, cosine_bits) = (f.diffuse.fraction_bits, f.base.fraction_bits, f.cosine.fraction_bits);
+    let (diffuse_bits, base_bits, cosine_bits) =
+        (f.diffuse.fraction_bits, f.base.fraction_bits, f.cosine.fraction_bits);
     let bits = diffuse_bits.max(base_bits).max(f.shape.fraction_bits);
-    let operand = |name: &str| quadratic(raw, name, i, f.accumulator.fraction_bits, f.operand.fraction_bits);
+    let operand =
+        |name: &str| quadratic(raw, name, i, f.accumulator.fraction_bits, f.operand.fraction_bits);
     let q = operand("denominator");
     let w = reciprocal(q, f.operand.fraction_bits, f.reciprocal.fraction_bits);
-    let cosine = |p: i128| cosine(p * w, f.operand.fraction_bits + f.reciprocal.fraction_bits, cosine_bits);
+    let cosine =
+        |p: i128| cosine(p * w, f.operand.fraction_bits + f.reciprocal.fraction_bits, cosine_bits);
     let mut terms = Vec::new();
     for light in 0..lights {
         let c = cosine(operand(&format!("light{light}_cosine")));
         let base = match spec.specular {
-            Highlight::Blinn => round(cosine(operand(&format!("light{light}_halfway"))), cosine_bits, base_bits).max(0),
-            Highlight::Hybrid => base(operand(&format!("light{light}_numerator")), operand("normal_squared"), base_bits),
-            Highlight::Eq34 if q > 0 => {
-                less_light(raw, light, 2 * cosine(operand("view")) * c, 2 * cosine_bits, cosine_bits, base_bits)
+            Highlight::Blinn => {
+                round(cosine(operand(&format!("light{light}_halfway"))), cosine_bits, base_bits)
+                    .max(0)
             }
+            Highlight::Hybrid => base(
+                operand(&format!("light{light}_numerator")),
+                operand("normal_squared"),
+                base_bits,
+            ),
+            Highlight::Eq34 if q > 0 => less_light(
+                raw,
+                light,
+                2 * cosine(operand("view")) * c,
+                2 * cosine_bits,
+                cosine_bits,
+                base_bits,
+            ),
             Highlight::Eq34 => 0,
         };
         let (power, power_bits) = power::raised(raw, base, base_bits, f.shape.fraction_bits);
-        terms.push((format!("light{light}_diffuse"), round(c, cosine_bits, diffuse_bits).max(0) << (bits - diffuse_bits)));
+        terms.push((
+            format!("light{light}_diffuse"),
+            round(c, cosine_bits, diffuse_bits).max(0) << (bits - diffuse_bits),
+        ));
         terms.push((format!("light{light}_specular"), power << (bits - power_bits)));
     }
     ["r", "g", "b"].map(|channel| raw.code(channel, &terms, bits))

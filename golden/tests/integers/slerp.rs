@@ -12,8 +12,17 @@ pub fn code(spec: &SlerpSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let weights = turned(spec, raw, i);
     let normal = (spec.form == Form::Vector).then(|| normal(spec, raw, weights));
     let mixed = |name: &str| match normal {
-        Some(n) => round((0..3).map(|k| n[k] * raw.vector(&format!("{name}_direction"))[k]).sum(), 2 * c, x),
-        None => round(weights[0] * raw.get(&format!("{name}_start")) + weights[1] * raw.get(&format!("{name}_across")), w + p, x),
+        Some(n) => round(
+            (0..3).map(|k| n[k] * raw.vector(&format!("{name}_direction"))[k]).sum(),
+            2 * c,
+            x,
+        ),
+        None => round(
+            weights[0] * raw.get(&format!("{name}_start"))
+                + weights[1] * raw.get(&format!("{name}_across")),
+            w + p,
+            x,
+        ),
     };
     let k = match normal {
         Some(n) => round(n[2], c, x),
@@ -29,7 +38,8 @@ pub fn code(spec: &SlerpSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
         let diffuse = round(j, x, d).clamp(0, 1 << d);
         // On the finer of the two points.
         let fine = (2 * x).max(p);
-        let base = ((2 * j * k) << (fine - 2 * x)) - (raw.get(&format!("light{light}_dot_view")) << (fine - p));
+        let base = ((2 * j * k) << (fine - 2 * x))
+            - (raw.get(&format!("light{light}_dot_view")) << (fine - p));
         let b = round(base, fine, e).clamp(0, 1 << e);
         let (power, power_bits) = power::raised(raw, b, e, f.shape.fraction_bits);
         terms.push((format!("light{light}_diffuse"), diffuse << (bits - d)));
@@ -44,7 +54,9 @@ fn turned(spec: &SlerpSpec, raw: &Raw, i: u32) -> [i128; 2] {
     let (f, t) = (state.fraction_bits, spec.formats.turn.fraction_bits);
     let (cosine, sine) = (raw.get("turn_cosine"), raw.get("turn_sine"));
     let turn = |start: [i128; 2], down: i128, up: i128| {
-        (0..i).fold(start, |[c, s], _| [c * cosine - s * down, s * cosine + c * up].map(|x| round(x, f + t, f)))
+        (0..i).fold(start, |[c, s], _| {
+            [c * cosine - s * down, s * cosine + c * up].map(|x| round(x, f + t, f))
+        })
     };
     let weights = if raw.has("turn_back") {
         let back = raw.get("turn_back");

@@ -18,7 +18,8 @@ struct Borders<'a> {
 }
 
 impl Design {
-    /// The design as a tree of rust-hdl modules, its constants local to each module that reads them.
+    /// The design as a tree of rust-hdl modules, its constants local to each module that reads
+    /// them.
     pub fn to_block(&self) -> Module {
         let mut module = Borders::new(self).module(ScopeId::TOP);
         module.connect_all();
@@ -28,14 +29,18 @@ impl Design {
 
 impl<'a> Borders<'a> {
     fn new(design: &'a Design) -> Borders<'a> {
-        let mut outputs: HashSet<NodeId> = design.outputs.iter().copied().chain([design.valid_out]).collect();
+        let mut outputs: HashSet<NodeId> =
+            design.outputs.iter().copied().chain([design.valid_out]).collect();
         let mut members: HashMap<ScopeId, Vec<NodeId>> = HashMap::new();
         for (id, node) in design.iter() {
             if node.op.constant().is_some() {
                 continue;
             }
             members.entry(node.scope).or_default().push(id);
-            let inner = node.op.operands().filter(|&o| design.scope(design.node(o).scope).parent == Some(node.scope));
+            let inner = node
+                .op
+                .operands()
+                .filter(|&o| design.scope(design.node(o).scope).parent == Some(node.scope));
             outputs.extend(inner.filter(|&o| design.node(o).op.constant().is_none()));
         }
         Borders { design, outputs, members, tables: design.tables.clone().into() }
@@ -43,7 +48,8 @@ impl<'a> Borders<'a> {
 
     fn kind(&self, id: NodeId) -> AtomKind {
         let node = self.design.node(id);
-        let from_parent = |o: NodeId| self.design.scope(node.scope).parent == Some(self.design.node(o).scope);
+        let from_parent =
+            |o: NodeId| self.design.scope(node.scope).parent == Some(self.design.node(o).scope);
         let is_port = matches!(node.op, Op::Copy(o) if !node.registered() && !self.is_constant(o) && from_parent(o));
         match node.op {
             Op::Input => AtomKind::InputParameter,
@@ -83,7 +89,9 @@ impl<'a> Borders<'a> {
         };
         let local = self.wires(&mut module, scope);
         self.cells(&mut module, scope, &local);
-        let children = (0..self.design.scopes.len() as u32).map(ScopeId).filter(|&c| self.design.scope(c).parent == Some(scope));
+        let children = (0..self.design.scopes.len() as u32)
+            .map(ScopeId)
+            .filter(|&c| self.design.scope(c).parent == Some(scope));
         for child in children.filter(|c| self.members.contains_key(c)) {
             let child = self.child(child, &local);
             module.children.push(child);
@@ -102,7 +110,8 @@ impl<'a> Borders<'a> {
             local.insert(id, module.wires.len() as u32);
             module.wires.push(Wire::new(id, self.design.node(id), self.kind(id), self.fact(id)));
         }
-        if self.members(scope).iter().any(|&id| self.design.node(id).register == Register::Validity) {
+        if self.members(scope).iter().any(|&id| self.design.node(id).register == Register::Validity)
+        {
             let node = Node {
                 name: "reset".into(),
                 range: Range::new(0, 1),
@@ -133,14 +142,22 @@ impl<'a> Borders<'a> {
     }
 
     /// A wire of the module that carries the constant `id`.
-    fn constant(&self, module: &mut Module, id: NodeId, constants: &mut HashMap<NodeId, u32>) -> u32 {
+    fn constant(
+        &self,
+        module: &mut Module,
+        id: NodeId,
+        constants: &mut HashMap<NodeId, u32>,
+    ) -> u32 {
         let number = module.wires.len() as u32;
         let mut wire = Wire::new(id, self.design.node(id), AtomKind::Constant, None);
         if let Op::Constant(value) = self.design.node(id).op {
             (wire.value, wire.next) = (value, value);
         }
         module.wires.push(wire);
-        module.gates.insert(0, Cell { wire: number, op: self.design.node(id).op, register: Register::None });
+        module.gates.insert(
+            0,
+            Cell { wire: number, op: self.design.node(id).op, register: Register::None },
+        );
         constants.insert(id, number);
         number
     }
@@ -152,10 +169,13 @@ impl<'a> Borders<'a> {
         let variable = |(_, wire): &(usize, &Wire)| wire.wire_type().kind != AtomKind::Constant;
         for (pin, wire) in module.wires.iter().enumerate().filter(variable) {
             let id = wire.wire_type().node;
-            if let (AtomKind::InputParameter, Op::Copy(from)) = (wire.wire_type().kind, self.design.node(id).op) {
+            if let (AtomKind::InputParameter, Op::Copy(from)) =
+                (wire.wire_type().kind, self.design.node(id).op)
+            {
                 inputs.push((pin as u32, outside[&from]));
             }
-            let readers = outside.iter().filter(|&(&reader, _)| self.design.node(reader).op == Op::Copy(id));
+            let readers =
+                outside.iter().filter(|&(&reader, _)| self.design.node(reader).op == Op::Copy(id));
             outputs.extend(readers.map(|(_, &wire)| (pin as u32, wire)));
         }
         outputs.sort_unstable();

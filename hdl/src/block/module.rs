@@ -1,12 +1,14 @@
 //! A module built at run time: a rust-hdl `Block` like any other.
 //!
 //! # Why data never overtakes the clock
-//! rust-hdl settles a design by calling `update_all` until nothing changes. In one call a module first evaluates (`update`), then lets
-//! clock and wires take their next values, then does the same for its children. The clock that a parent sees rise in one call reaches
-//! the child's clock pin in the same call and is seen there in the next one. Data that changes with the edge stands on the parent's
-//! wires at the end of the first call and is put to the child's pins in the next one, where it becomes visible to registers only after
-//! they have sampled: registers read the values of the last call, gates the values of this one. So on every path, however deep, data
-//! arrives at least one call after the edge.
+//! rust-hdl settles a design by calling `update_all` until nothing changes. In one call a module
+//! first evaluates (`update`), then lets clock and wires take their next values, then does the same
+//! for its children. The clock that a parent sees rise in one call reaches the child's clock pin in
+//! the same call and is seen there in the next one. Data that changes with the edge stands on the
+//! parent's wires at the end of the first call and is put to the child's pins in the next one,
+//! where it becomes visible to registers only after they have sampled: registers read the values of
+//! the last call, gates the values of this one. So on every path, however deep, data arrives at
+//! least one call after the edge.
 use std::rc::Rc;
 
 use rust_hdl_core::prelude::*;
@@ -134,7 +136,11 @@ impl Module {
             Some(Op::Constant(value)) => Operand::Literal(value),
             _ => {
                 let wire_type = self.wires[id.0 as usize].wire_type();
-                Operand::Net { name: &wire_type.name, width: wire_type.width, signed: wire_type.signed }
+                Operand::Net {
+                    name: &wire_type.name,
+                    width: wire_type.width,
+                    signed: wire_type.signed,
+                }
             }
         }
     }
@@ -144,12 +150,21 @@ impl Module {
         let wire_type = self.wires[cell.wire as usize].wire_type();
         let arrow = if cell.register == Register::None { "=" } else { "<=" };
         let target = (wire_type.name.as_str(), NodeId(cell.wire));
-        statement::assignment(target, arrow, cell.op, wire_type.width, &|id| self.operand(id), &self.tables)
+        statement::assignment(
+            target,
+            arrow,
+            cell.op,
+            wire_type.width,
+            &|id| self.operand(id),
+            &self.tables,
+        )
     }
 
     /// The right-hand side of a cell as a Verilog expression of the width of its wire.
     pub fn expression(&self, cell: &Cell) -> String {
-        statement::expression(cell.op, self.wires[cell.wire as usize].wire_type().width, &|id| self.operand(id))
+        statement::expression(cell.op, self.wires[cell.wire as usize].wire_type().width, &|id| {
+            self.operand(id)
+        })
     }
 }
 
@@ -177,7 +192,8 @@ impl Logic for Module {
         }
     }
 
-    /// Complete Verilog of the body, in the form in which rust-hdl's own generator joins it to the children's.
+    /// Complete Verilog of the body, in the form in which rust-hdl's own generator joins it to the
+    /// children's.
     fn hdl(&self) -> Verilog {
         let mut lines = vec![];
         let name = |wire: u32| &self.wires[wire as usize].wire_type().name;
@@ -187,16 +203,33 @@ impl Logic for Module {
         for cell in &self.registers {
             lines.push(match cell.register {
                 Register::Validity => {
-                    format!("always @(posedge clock) {} <= reset ? 1'b0 : {};", name(cell.wire), self.expression(cell))
+                    format!(
+                        "always @(posedge clock) {} <= reset ? 1'b0 : {};",
+                        name(cell.wire),
+                        self.expression(cell)
+                    )
                 }
                 _ => format!("always @(posedge clock) {}", self.assignment(cell)),
             });
         }
         for child in &self.children {
-            let pin = |wire: u32| format!("{}${}", child.module.instance, child.module.wires[wire as usize].wire_type().name);
+            let pin = |wire: u32| {
+                format!(
+                    "{}${}",
+                    child.module.instance,
+                    child.module.wires[wire as usize].wire_type().name
+                )
+            };
             lines.push(format!("always @(*) {}$clock = clock;", child.module.instance));
-            lines.extend(child.inputs.iter().map(|&(p, w)| format!("always @(*) {} = {};", pin(p), name(w))));
-            lines.extend(child.outputs.iter().map(|&(p, w)| format!("always @(*) {} = {};", name(w), pin(p))));
+            lines.extend(
+                child.inputs.iter().map(|&(p, w)| format!("always @(*) {} = {};", pin(p), name(w))),
+            );
+            lines.extend(
+                child
+                    .outputs
+                    .iter()
+                    .map(|&(p, w)| format!("always @(*) {} = {};", name(w), pin(p))),
+            );
         }
         Verilog::Custom(lines.join("\n"))
     }
@@ -212,7 +245,8 @@ impl Block for Module {
     }
 
     fn update_all(&mut self) {
-        // Nothing changed here or below and nothing was put to a pin: another evaluation would give the same.
+        // Nothing changed here or below and nothing was put to a pin: another evaluation would give
+        // the same.
         if !self.active {
             return;
         }
@@ -235,7 +269,8 @@ impl Block for Module {
     fn accept(&self, name: &str, probe: &mut dyn Probe) {
         probe.visit_start_scope(name, self);
         self.clock.accept("clock", probe);
-        let constants: Vec<u32> = self.gates.iter().filter(|c| c.op.constant().is_some()).map(|c| c.wire).collect();
+        let constants: Vec<u32> =
+            self.gates.iter().filter(|c| c.op.constant().is_some()).map(|c| c.wire).collect();
         for (number, wire) in self.wires.iter().enumerate() {
             if !constants.contains(&(number as u32)) {
                 wire.accept(&wire.wire_type().name, probe);

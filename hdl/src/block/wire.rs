@@ -94,7 +94,8 @@ impl Atom for Wire {
 
     fn descriptor(&self) -> TypeDescriptor {
         let width = self.bits();
-        let kind = if self.wire_type.signed { TypeKind::Signed(width) } else { TypeKind::Bits(width) };
+        let kind =
+            if self.wire_type.signed { TypeKind::Signed(width) } else { TypeKind::Bits(width) };
         TypeDescriptor { name: self.wire_type.format.clone(), kind }
     }
 

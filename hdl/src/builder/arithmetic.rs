@@ -27,7 +27,11 @@ impl Sig {
     fn times(&self, other: &Sig) -> Sig {
         let (ea, eb) = (self.error(), other.error());
         let error = self.range().magnitude() * eb + other.range().magnitude() * ea + ea * eb;
-        let facts = (self.range().times(other.range()), self.fraction_bits() + other.fraction_bits(), error);
+        let facts = (
+            self.range().times(other.range()),
+            self.fraction_bits() + other.fraction_bits(),
+            error,
+        );
         Sig::operator([self, other], |[a, b]| Op::Mul(a, b), facts, "product")
     }
 

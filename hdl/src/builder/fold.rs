@@ -30,7 +30,8 @@ pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId>
         },
         _ => return None,
     };
-    // The operand's raw value is the result's only where both count in the same unit in the last place.
+    // The operand's raw value is the result's only where both count in the same unit in the last
+    // place.
     let fits = state.design.node(same).fraction_bits == facts.fraction_bits;
     if !fits {
         return None;
@@ -42,7 +43,12 @@ pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId>
 /// Of a product with 2^k, k > 0: the other factor and k.
 fn power_of_two_times(state: &State, op: Op) -> Option<(NodeId, u32)> {
     let Op::Mul(a, b) = op else { return None };
-    let exponent = |id| state.is_constant(id).filter(|&value| value > 1 && value.count_ones() == 1).map(i64::trailing_zeros);
+    let exponent = |id| {
+        state
+            .is_constant(id)
+            .filter(|&value| value > 1 && value.count_ones() == 1)
+            .map(i64::trailing_zeros)
+    };
     exponent(b).map(|bits| (a, bits)).or_else(|| exponent(a).map(|bits| (b, bits)))
 }
 
@@ -54,7 +60,8 @@ fn known_value(state: &State, op: Op, facts: &Facts) -> Option<i64> {
     let all_constant = op.operands().all(|o| state.is_constant(o).is_some());
     let value_of = |id: NodeId| state.is_constant(id).unwrap_or(0);
     // As in the hardware: the last bits that the result's width has room for.
-    let value = || wrapped(op.evaluate(&state.design.tables, value_of), range.width(), range.signed());
+    let value =
+        || wrapped(op.evaluate(&state.design.tables, value_of), range.width(), range.signed());
     (all_constant && op.operands().next().is_some()).then(value)
 }
 

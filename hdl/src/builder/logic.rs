@@ -12,7 +12,8 @@ impl Sig {
     /// The bit `self < other`.
     pub fn less_than(&self, other: &Sig) -> Sig {
         let fraction_bits = self.fraction_bits().max(other.fraction_bits());
-        let (a, b) = (self.with_fraction_bits(fraction_bits), other.with_fraction_bits(fraction_bits));
+        let (a, b) =
+            (self.with_fraction_bits(fraction_bits), other.with_fraction_bits(fraction_bits));
         match (a.range(), b.range()) {
             (x, y) if x.high < y.low => self.builder.integer(1),
             (x, y) if y.high <= x.low => self.builder.integer(0),
@@ -40,7 +41,8 @@ impl Sig {
         Sig::operator([self, other], |[a, b]| Op::Or(a, b), bit(), "either")
     }
 
-    /// This number of bits with `bit` put behind it on the right: twice the number and the bit, without an adder.
+    /// This number of bits with `bit` put behind it on the right: twice the number and the bit,
+    /// without an adder.
     pub fn with_bit(&self, bit: &Sig) -> Sig {
         let doubled = self.times_power_of_two(1);
         let range = doubled.range().plus(BIT);
@@ -63,7 +65,8 @@ impl Sig {
             (true, false) => no.error_form(),
             _ => ErrorForm::Bounded,
         };
-        let chosen = Sig::operator([self, &a, &b], |[c, a, b]| Op::Select(c, a, b), facts, "chosen");
+        let chosen =
+            Sig::operator([self, &a, &b], |[c, a, b]| Op::Select(c, a, b), facts, "chosen");
         chosen.of_error_form(form).with_real(a.real().or(b.real()))
     }
 }

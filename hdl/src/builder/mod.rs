@@ -1,7 +1,8 @@
 //! The datapath builder: what units are written with.
 //!
-//! A value is a [`Sig`]. Operators derive the result's format, proven range, error bound and stage from the operands'; operands of
-//! different stages are aligned by delay registers that are put in and shared here. No unit counts its own registers.
+//! A value is a [`Sig`]. Operators derive the result's format, proven range, error bound and stage
+//! from the operands'; operands of different stages are aligned by delay registers that are put in
+//! and shared here. No unit counts its own registers.
 //!
 //! A [`Sig`] is a signal *and* the real value that it stands for. Signals whose raw values are the
 //! same are one signal in the hardware, whatever they stand for; so all that is known of errors
@@ -81,7 +82,8 @@ impl Builder {
     /// Opens the control inputs.
     pub fn control(&self) -> Control {
         let mut state = self.state.borrow_mut();
-        let [valid, start] = ["valid", "start"].map(|name| state.open_input(name, Range::new(0, 1), 0));
+        let [valid, start] =
+            ["valid", "start"].map(|name| state.open_input(name, Range::new(0, 1), 0));
         (state.design.valid, state.design.start) = (valid, start);
         drop(state);
         Control { valid: self.sig(valid, 0.0), start: self.sig(start, 0.0) }
@@ -106,7 +108,10 @@ impl Builder {
         let id = match range.only() {
             Some(value) => {
                 let mut state = self.state.borrow_mut();
-                state.leave_out(&format!("input `{}`", port.name), &format!("it is always {}", port.format.value(value)));
+                state.leave_out(
+                    &format!("input `{}`", port.name),
+                    &format!("it is always {}", port.format.value(value)),
+                );
                 let id = state.constant(value, port.format.fraction_bits);
                 state.design.inputs.push(None);
                 id
@@ -124,7 +129,13 @@ impl Builder {
     /// The data input of that name.
     fn opened(&self, name: &str) -> Option<NodeId> {
         let state = self.state.borrow();
-        state.design.inputs.iter().flatten().copied().find(|&input| state.design.node(input).name == name)
+        state
+            .design
+            .inputs
+            .iter()
+            .flatten()
+            .copied()
+            .find(|&input| state.design.node(input).name == name)
     }
 
     /// The integer `value`, exactly.
@@ -132,8 +143,8 @@ impl Builder {
         self.constant(value, 0, 0.0)
     }
 
-    /// Closes the design: `outputs` leave it together, and with them a bit that says whether a pixel leaves: `valid` of the first stage, as
-    /// late as they are.
+    /// Closes the design: `outputs` leave it together, and with them a bit that says whether a
+    /// pixel leaves: `valid` of the first stage, as late as they are.
     ///
     /// # Errors
     /// [`TooWide`] names the first signal that needs more than 63 bits.

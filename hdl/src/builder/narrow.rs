@@ -7,25 +7,34 @@ use super::state::Facts;
 use crate::design::{Assumption, ErrorForm, Op, Range, Register, Share};
 
 impl Sig {
-    /// Nearest value with `fraction_bits` bits right of the point, ties up; off by half a unit of the new last place at most.
+    /// Nearest value with `fraction_bits` bits right of the point, ties up; off by half a unit of
+    /// the new last place at most.
     pub fn rounded(&self, fraction_bits: u32) -> Sig {
         match self.fraction_bits().saturating_sub(fraction_bits) {
             0 => self.clone(),
-            // floor((x + 2^(d-1)) / 2^d) = floor((floor(x / 2^(d-1)) + 1) / 2): the adder need not see the bits that go.
+            // floor((x + 2^(d-1)) / 2^d) = floor((floor(x / 2^(d-1)) + 1) / 2): the adder need not
+            // see the bits that go.
             dropped => {
                 let error = self.error() * power_of_two(-i64::from(dropped)) + 0.5;
-                let rounded = self.shortened(fraction_bits + 1, "kept").plus_one_ulp().shortened(fraction_bits, "rounded");
-                rounded.with_error(error).with_real(self.real().scaled(power_of_two(-i64::from(dropped))))
+                let rounded = self
+                    .shortened(fraction_bits + 1, "kept")
+                    .plus_one_ulp()
+                    .shortened(fraction_bits, "rounded");
+                rounded
+                    .with_error(error)
+                    .with_real(self.real().scaled(power_of_two(-i64::from(dropped))))
             }
         }
     }
 
-    /// Largest value not above it with `fraction_bits` bits right of the point; off by less than a unit of the new last place.
+    /// Largest value not above it with `fraction_bits` bits right of the point; off by less than a
+    /// unit of the new last place.
     pub fn truncated(&self, fraction_bits: u32) -> Sig {
         self.shortened(fraction_bits, "truncated")
     }
 
-    /// The last `bits` bits, read as an unsigned number: what is left of it modulo 2^`bits` units of the last place.
+    /// The last `bits` bits, read as an unsigned number: what is left of it modulo 2^`bits` units
+    /// of the last place.
     pub fn low_bits(&self, bits: u32) -> Sig {
         if bits == 0 {
             return self.builder.constant(0, self.fraction_bits(), self.error());
@@ -34,7 +43,12 @@ impl Sig {
         if self.range().hull(range) == range {
             return self.clone();
         }
-        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "low" };
+        let facts = Facts {
+            range: range.into(),
+            fraction_bits: self.fraction_bits(),
+            error: self.error(),
+            kind: "low",
+        };
         self.builder.emit(Op::Wrap(self.id()), Register::None, facts)
     }
 
@@ -70,7 +84,8 @@ impl Sig {
         self.clamped_below(0)
     }
 
-    /// The value, or the integer `low` where it is smaller. Clamping brings fixed and real no further apart.
+    /// The value, or the integer `low` where it is smaller. Clamping brings fixed and real no
+    /// further apart.
     pub fn clamped_below(&self, low: i64) -> Sig {
         let limit = self.limit(low);
         let real = self.real().clamped_below(limit as f64);
@@ -82,7 +97,8 @@ impl Sig {
         self.less_than(&low).choose(&low, self).known_within(range, self.error()).known_real(real)
     }
 
-    /// The value, or the integer `high` where it is larger. Clamping brings fixed and real no further apart.
+    /// The value, or the integer `high` where it is larger. Clamping brings fixed and real no
+    /// further apart.
     pub fn clamped_above(&self, high: i64) -> Sig {
         let limit = self.limit(high);
         let real = self.real().clamped_above(limit as f64);
@@ -109,9 +125,15 @@ impl Sig {
         integer << self.fraction_bits()
     }
 
-    /// After a clamp: the range that the clamp leaves, which the hull of its branches does not show.
+    /// After a clamp: the range that the clamp leaves, which the hull of its branches does not
+    /// show.
     fn known_within(self, range: Range, error: f64) -> Sig {
-        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error, kind: "clamped" };
+        let facts = Facts {
+            range: range.into(),
+            fraction_bits: self.fraction_bits(),
+            error,
+            kind: "clamped",
+        };
         match self.range() == range {
             true => self.with_error(error),
             false => self.builder.emit(Op::Wrap(self.id()), Register::None, facts),
@@ -125,7 +147,8 @@ impl Sig {
         self.with_error(error).with_real(real)
     }
 
-    /// States a fact that intervals cannot see: the value lies from `low` to `high`. The testbench checks it on every clock.
+    /// States a fact that intervals cannot see: the value lies from `low` to `high`. The testbench
+    /// checks it on every clock.
     ///
     /// The bits that the fact makes superfluous are dropped. The fact is about the fixed value, so
     /// it says nothing of the error.
@@ -136,12 +159,22 @@ impl Sig {
         if range == self.range() {
             return self.clone();
         }
-        self.builder.state.borrow_mut().design.assumptions.push(Assumption { fact: fact.into(), node: self.id(), range });
-        let facts = Facts { range: range.into(), fraction_bits: self.fraction_bits(), error: self.error(), kind: "assumed" };
+        self.builder.state.borrow_mut().design.assumptions.push(Assumption {
+            fact: fact.into(),
+            node: self.id(),
+            range,
+        });
+        let facts = Facts {
+            range: range.into(),
+            fraction_bits: self.fraction_bits(),
+            error: self.error(),
+            kind: "assumed",
+        };
         self.builder.emit(Op::Wrap(self.id()), Register::None, facts).with_real(self.real())
     }
 
-    /// States a bound on |fixed - real| that propagation cannot see, in units of the last place. The unit gives the proof above it.
+    /// States a bound on |fixed - real| that propagation cannot see, in units of the last place.
+    /// The unit gives the proof above it.
     pub fn proven_error(self, error: f64) -> Sig {
         let error = error.min(self.error());
         self.with_error(error)
@@ -153,30 +186,34 @@ impl Sig {
         self.proven_error(in_ulps)
     }
 
-    /// States the bound on |fixed - real| of what propagation sees nothing of, such as a number put together from bits, or a bit that
-    /// may come out otherwise than the real one. The unit gives the proof above it.
+    /// States the bound on |fixed - real| of what propagation sees nothing of, such as a number put
+    /// together from bits, or a bit that may come out otherwise than the real one. The unit gives
+    /// the proof above it.
     pub fn stated_error_value(self, error: f64) -> Sig {
         let in_ulps = error / self.ulp();
         self.with_error(in_ulps).with_real(Real::ANY)
     }
 
-    /// States that in cases which everything known so far leaves out, such as a choice that comes out otherwise than the real one, it is off by
-    /// `error` at most. The unit gives the proof.
+    /// States that in cases which everything known so far leaves out, such as a choice that comes
+    /// out otherwise than the real one, it is off by `error` at most. The unit gives the proof.
     pub fn or_off_by(self, error: f64) -> Sig {
         if error == 0.0 {
             return self;
         }
         let form = match self.error_form() {
-            ErrorForm::Proportional(shares) => {
-                ErrorForm::Proportional(shares.map(|share| Share { rest: share.rest.max(error), ..share }))
+            ErrorForm::Proportional(shares) => ErrorForm::Proportional(
+                shares.map(|share| Share { rest: share.rest.max(error), ..share }),
+            ),
+            ErrorForm::Bounded | ErrorForm::OfCosine { .. } | ErrorForm::OneOfSeveral { .. } => {
+                ErrorForm::Bounded
             }
-            ErrorForm::Bounded | ErrorForm::OfCosine { .. } | ErrorForm::OneOfSeveral { .. } => ErrorForm::Bounded,
         };
         let most = self.error_value().max(error);
         self.stated_error_value(most).of_error_form(form)
     }
 
-    /// States that it is the cosine of an angle off by `angle`, and off by `rest` beside that; see [`ErrorForm::OfCosine`].
+    /// States that it is the cosine of an angle off by `angle`, and off by `rest` beside that; see
+    /// [`ErrorForm::OfCosine`].
     pub fn known_cosine(self, angle: f64, rest: f64) -> Sig {
         if !(angle + rest).is_finite() {
             return self;

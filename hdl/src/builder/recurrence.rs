@@ -5,7 +5,8 @@ use crate::design::{NodeId, Op, Range, Register};
 
 /// What a unit knows of the values of a recurrence.
 pub struct Known<'a> {
-    /// Where they stay while the span lasts, by a fact that the unit gives a name; behind its last pixel they may wrap.
+    /// Where they stay while the span lasts, by a fact that the unit gives a name; behind its last
+    /// pixel they may wrap.
     pub limits: (f64, f64),
     /// The fact.
     pub fact: &'a str,
@@ -26,8 +27,9 @@ struct Round<const N: usize> {
 }
 
 impl Builder {
-    /// Values that are `starts` at the first pixel of a span (where `first` is 1), and from then on what `next` makes of those of the pixel
-    /// before. All of `next` happens between two clocks: a pixel enters with each of them.
+    /// Values that are `starts` at the first pixel of a span (where `first` is 1), and from then on
+    /// what `next` makes of those of the pixel before. All of `next` happens between two clocks: a
+    /// pixel enters with each of them.
     ///
     /// `next` must keep `fraction_bits`.
     pub fn recurrence<const N: usize>(
@@ -45,8 +47,9 @@ impl Builder {
         round.values.each_ref().map(|value| self.registered_after(value, &round))
     }
 
-    /// Values that `next` makes, at every pixel, of its `operands` and of what it made at the pixel before; of `starts` where `first` is 1.
-    /// So what comes out is a pixel ahead of a [`Builder::recurrence`]. All of `next` happens between two clocks.
+    /// Values that `next` makes, at every pixel, of its `operands` and of what it made at the pixel
+    /// before; of `starts` where `first` is 1. So what comes out is a pixel ahead of a
+    /// [`Builder::recurrence`]. All of `next` happens between two clocks.
     ///
     /// `next` must keep `fraction_bits`.
     pub fn carried<const N: usize, const M: usize>(
@@ -57,27 +60,42 @@ impl Builder {
         known: &Known,
         next: impl FnOnce(&[Sig; N], &[Sig; M]) -> [Sig; N],
     ) -> [Sig; N] {
-        let stage = starts.iter().chain(&operands).map(|sig| sig.stage()).fold(first.stage(), u32::max);
+        let stage =
+            starts.iter().chain(&operands).map(|sig| sig.stage()).fold(first.stage(), u32::max);
         let round = self.round(first, starts, stage, fraction_bits, known);
         let operands = operands.map(|sig| sig.aligned(stage));
         let followers = self.without_registers(|| next(&round.values, &operands));
-        let followers = followers.map(|follower| follower.assumed(known.limits.0, known.limits.1, known.fact));
+        let followers =
+            followers.map(|follower| follower.assumed(known.limits.0, known.limits.1, known.fact));
         self.close_round(&round, &followers);
         followers.map(|follower| self.registered_after(&follower, &round))
     }
 
-    fn round<const N: usize>(&self, first: &Sig, starts: [&Sig; N], stage: u32, fraction_bits: u32, known: &Known) -> Round<N> {
+    fn round<const N: usize>(
+        &self,
+        first: &Sig,
+        starts: [&Sig; N],
+        stage: u32,
+        fraction_bits: u32,
+        known: &Known,
+    ) -> Round<N> {
         let first = first.aligned(stage);
         let starts = starts.map(|sig| sig.with_fraction_bits(fraction_bits).aligned(stage));
         let raw = |value: f64| value * specula_scene::format::power_of_two(fraction_bits.into());
-        let stays = Range::new(raw(known.limits.0).floor() as i64, raw(known.limits.1).ceil() as i64);
+        let stays =
+            Range::new(raw(known.limits.0).floor() as i64, raw(known.limits.1).ceil() as i64);
         let whole = Range::whole(stays.width(), stays.signed());
         let error = raw(known.error);
 
         let states = starts.each_ref().map(|_| self.feedback_register(whole, fraction_bits, stage));
         let values: [Sig; N] = std::array::from_fn(|k| {
             let select = Op::Select(first.id(), starts[k].id(), self.kept_for_a_pixel(states[k]));
-            let facts = Facts { range: whole.hull(starts[k].range()).into(), fraction_bits, error, kind: "value" };
+            let facts = Facts {
+                range: whole.hull(starts[k].range()).into(),
+                fraction_bits,
+                error,
+                kind: "value",
+            };
             let value = self.emit(select, Register::None, facts);
             value.assumed(known.limits.0, known.limits.1, known.fact)
         });
@@ -87,14 +105,22 @@ impl Builder {
     fn close_round<const N: usize>(&self, round: &Round<N>, followers: &[Sig; N]) {
         for (state, follower) in round.states.iter().zip(followers) {
             let (stage, fraction_bits) = (follower.stage(), follower.fraction_bits());
-            assert_eq!((stage, fraction_bits), (round.stage, round.fraction_bits), "a recurrence takes one clock");
+            assert_eq!(
+                (stage, fraction_bits),
+                (round.stage, round.fraction_bits),
+                "a recurrence takes one clock"
+            );
             self.state.borrow_mut().design.nodes[state.0 as usize].op = Op::Wrap(follower.id());
         }
     }
 
     fn registered_after<const N: usize>(&self, value: &Sig, round: &Round<N>) -> Sig {
-        let facts =
-            Facts { range: value.range().into(), fraction_bits: round.fraction_bits, error: round.error, kind: "recurrent" };
+        let facts = Facts {
+            range: value.range().into(),
+            fraction_bits: round.fraction_bits,
+            error: round.error,
+            kind: "recurrent",
+        };
         self.emit(Op::Copy(value.id()), Register::Data, facts)
     }
 }

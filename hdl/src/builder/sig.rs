@@ -7,7 +7,8 @@ use super::real::Real;
 use super::state::Facts;
 use crate::design::{ErrorForm, NodeId, Op, Range, Register, WideRange};
 
-/// A value being described: its format, its proven range, its error bound and the stage at which it is valid.
+/// A value being described: its format, its proven range, its error bound and the stage at which it
+/// is valid.
 #[derive(Clone)]
 pub struct Sig {
     pub(super) builder: Builder,
@@ -113,7 +114,8 @@ impl Sig {
     /// Whether it always has the other's value: it is the same signal, or the same constant.
     pub fn is(&self, other: &Sig) -> bool {
         let constant = |sig: &Sig| self.builder.state.borrow().is_constant(sig.id);
-        let same = self.id == other.id || constant(self).is_some_and(|value| constant(other) == Some(value));
+        let same = self.id == other.id
+            || constant(self).is_some_and(|value| constant(other) == Some(value));
         same && self.fraction_bits == other.fraction_bits
     }
 
@@ -133,7 +135,8 @@ impl Sig {
         self.times_power_of_two(-1)
     }
 
-    /// The value times 2^`exponent`: the binary point moves, and wires are added only where it would leave the bits on the right.
+    /// The value times 2^`exponent`: the binary point moves, and wires are added only where it
+    /// would leave the bits on the right.
     pub fn times_power_of_two(&self, exponent: i32) -> Sig {
         if exponent == 0 {
             return self.clone();
@@ -180,7 +183,8 @@ impl Sig {
         self.at(id)
     }
 
-    /// An operator on these operands, aligned with each other, with the registers that the target wants.
+    /// An operator on these operands, aligned with each other, with the registers that the target
+    /// wants.
     pub(super) fn operator<const N: usize>(
         operands: [&Sig; N],
         op: impl Fn([NodeId; N]) -> Op,

@@ -4,7 +4,9 @@ use std::rc::Rc;
 
 use super::TooWide;
 use super::fold;
-use crate::design::{Design, LeftOut, Node, NodeId, Op, Range, Register, Scope, ScopeId, WideRange};
+use crate::design::{
+    Design, LeftOut, Node, NodeId, Op, Range, Register, Scope, ScopeId, WideRange,
+};
 use crate::target::Target;
 use crate::verilog::{CONTROL, is_reserved};
 
@@ -27,7 +29,8 @@ pub(super) struct State {
     /// The delay register behind a signal, in its unit.
     delays: HashMap<NodeId, NodeId>,
     names: HashSet<(ScopeId, String)>,
-    /// Signals whose name is a stand-in: their kind and a number, or the port of the unit they come from.
+    /// Signals whose name is a stand-in: their kind and a number, or the port of the unit they come
+    /// from.
     unnamed: HashSet<NodeId>,
     /// What computes which signal, so that nothing is built twice in a unit.
     computed: HashMap<(ScopeId, Op, Register), NodeId>,
@@ -38,7 +41,14 @@ pub(super) struct State {
 
 impl State {
     pub fn new(name: &str, formula: &str, target: Rc<dyn Target>) -> State {
-        let top = Scope { unit: name.into(), formula: formula.into(), instance: name.into(), parent: None, entry: 0, exit: 0 };
+        let top = Scope {
+            unit: name.into(),
+            formula: formula.into(),
+            instance: name.into(),
+            parent: None,
+            entry: 0,
+            exit: 0,
+        };
         let none = NodeId(0);
         let design = Design {
             nodes: vec![],
@@ -116,8 +126,16 @@ impl State {
         let (name, scope) = (self.numbered(facts.kind), self.scope);
         let range = self.fitted(facts.range, &name);
         let clocks = u32::from(register != Register::None);
-        let node =
-            Node { op, register, range, fraction_bits: facts.fraction_bits, stage: stage + clocks, scope, name, named: true };
+        let node = Node {
+            op,
+            register,
+            range,
+            fraction_bits: facts.fraction_bits,
+            stage: stage + clocks,
+            scope,
+            name,
+            named: true,
+        };
         let id = self.push(node);
         self.unnamed.insert(id);
         self.computed.insert(key, id);
@@ -140,7 +158,11 @@ impl State {
     }
 
     fn common_stage(&self, op: Op) -> u32 {
-        op.operands().filter(|&o| self.is_constant(o).is_none()).map(|o| self.design.node(o).stage).max().unwrap_or(0)
+        op.operands()
+            .filter(|&o| self.is_constant(o).is_none())
+            .map(|o| self.design.node(o).stage)
+            .max()
+            .unwrap_or(0)
     }
 
     /// The signal as it is at a later `stage`: delayed by registers that all its readers share.
@@ -158,7 +180,13 @@ impl State {
     fn delay(&mut self, id: NodeId) -> NodeId {
         let node = self.design.node(id).clone();
         let name = self.unique(node.scope, &delayed_name(&node.name));
-        let delayed = self.push(Node { op: Op::Copy(id), register: Register::Data, stage: node.stage + 1, name, ..node });
+        let delayed = self.push(Node {
+            op: Op::Copy(id),
+            register: Register::Data,
+            stage: node.stage + 1,
+            name,
+            ..node
+        });
         self.design.nodes[delayed.0 as usize].named = false;
         self.delays.insert(id, delayed);
         delayed
@@ -169,9 +197,16 @@ impl State {
         let mut at = valid;
         for clock in 1..=stage {
             let node = self.design.node(at).clone();
-            let name = if clock == stage { "valid_out".to_owned() } else { format!("valid_{clock}") };
+            let name =
+                if clock == stage { "valid_out".to_owned() } else { format!("valid_{clock}") };
             let name = self.unique(ScopeId::TOP, &name);
-            at = self.push(Node { op: Op::Copy(at), register: Register::Validity, stage: clock, name, ..node });
+            at = self.push(Node {
+                op: Op::Copy(at),
+                register: Register::Validity,
+                stage: clock,
+                name,
+                ..node
+            });
             self.design.nodes[at.0 as usize].named = clock == stage;
         }
         at
@@ -264,7 +299,8 @@ impl State {
 
 /// `n_x` becomes `n_x_d1`, and that `n_x_d2`.
 fn delayed_name(name: &str) -> String {
-    let counted = name.rsplit_once("_d").and_then(|(base, digits)| Some((base, digits.parse::<u32>().ok()?)));
+    let counted =
+        name.rsplit_once("_d").and_then(|(base, digits)| Some((base, digits.parse::<u32>().ok()?)));
     match counted {
         Some((base, clocks)) => format!("{base}_d{}", clocks + 1),
         None => format!("{name}_d1"),

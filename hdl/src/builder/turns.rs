@@ -17,8 +17,8 @@ pub struct Turns {
 }
 
 impl Builder {
-    /// Lets every pixel take `count` clocks, its turns. All feedback that is described from here on goes back over a whole pixel, so that each
-    /// turn has values of its own.
+    /// Lets every pixel take `count` clocks, its turns. All feedback that is described from here on
+    /// goes back over a whole pixel, so that each turn has values of its own.
     ///
     /// The turns are counted from `control.start`, in one clock with the inputs.
     pub fn take_turns(&self, control: &Control, count: u32) -> Turns {
@@ -40,7 +40,8 @@ impl Builder {
         Turns { count, turn, first_pixel: first, begins, valid_at_last }
     }
 
-    /// What is `start` where `first` is 1 and what a register keeps elsewhere, 0 to `largest`, and that register.
+    /// What is `start` where `first` is 1 and what a register keeps elsewhere, 0 to `largest`, and
+    /// that register.
     fn loaded(&self, first: &Sig, start: &Sig, largest: u32, name: &str) -> (Sig, NodeId) {
         let range = Range::new(0, i64::from(largest));
         let whole = Range::whole(range.width(), false);
@@ -61,7 +62,8 @@ impl Turns {
         self.count
     }
 
-    /// That of the values, one for each turn, whose turn it is: inputs, or constants. One that is the same in every turn is taken as it is.
+    /// That of the values, one for each turn, whose turn it is: inputs, or constants. One that is
+    /// the same in every turn is taken as it is.
     pub fn select(&self, values: &[Sig]) -> Sig {
         let (last, others) = values.split_last().expect("there is a turn");
         if others.iter().all(|value| value.is(last)) {
@@ -69,8 +71,9 @@ impl Turns {
         }
         let builder = &self.turn.builder;
         builder.in_one_clock(|| {
-            let chosen =
-                |rest: Sig, (k, value): (usize, &Sig)| self.turn.less_than(&builder.integer(k as i64 + 1)).choose(value, &rest);
+            let chosen = |rest: Sig, (k, value): (usize, &Sig)| {
+                self.turn.less_than(&builder.integer(k as i64 + 1)).choose(value, &rest)
+            };
             others.iter().enumerate().rev().fold(last.clone(), chosen)
         })
     }

@@ -11,8 +11,9 @@ use crate::verilog::CONTROL;
 impl Builder {
     /// Opens a unit called `name` that computes `formula`.
     ///
-    /// Its inputs become ports of the same stage; what `body` returns becomes its outputs, again of one stage, so a unit has one
-    /// latency. Constants go in and out without a port. Signals of the outside that are no inputs cannot be used in it.
+    /// Its inputs become ports of the same stage; what `body` returns becomes its outputs, again of
+    /// one stage, so a unit has one latency. Constants go in and out without a port. Signals of the
+    /// outside that are no inputs cannot be used in it.
     pub fn unit<I: Inputs, O: Bundle>(
         &self,
         name: &str,
@@ -33,8 +34,8 @@ impl Builder {
         body()
     }
 
-    /// What `body` describes works within one clock: its operators get no registers, its results one each, or none where what is around
-    /// it works within one clock itself.
+    /// What `body` describes works within one clock: its operators get no registers, its results
+    /// one each, or none where what is around it works within one clock itself.
     pub fn in_one_clock<O: Bundle>(&self, body: impl FnOnce() -> O) -> O {
         let results = self.without_registers(body);
         let mut last = 0;
@@ -53,13 +54,19 @@ impl Builder {
         results
     }
 
-    /// A target that wants no register behind a multiplexer wants none here: what is around works within one clock.
+    /// A target that wants no register behind a multiplexer wants none here: what is around works
+    /// within one clock.
     fn behind_a_register(&self, sig: &Sig) -> Sig {
         let id = sig.id();
         if self.state.borrow().register_after(&Op::Select(id, id, id)) == Register::None {
             return sig.clone();
         }
-        let facts = Facts { range: sig.range().into(), fraction_bits: sig.fraction_bits(), error: sig.error(), kind: "registered" };
+        let facts = Facts {
+            range: sig.range().into(),
+            fraction_bits: sig.fraction_bits(),
+            error: sig.error(),
+            kind: "registered",
+        };
         self.emit(Op::Copy(sig.id()), Register::Data, facts)
     }
 
@@ -78,7 +85,14 @@ impl Builder {
         let inside = ScopeId(state.design.scopes.len() as u32);
         let called = state.instance.take();
         let instance = state.unique(outside, called.as_deref().unwrap_or(name));
-        let scope = Scope { unit: name.into(), formula: formula.into(), instance, parent: Some(outside), entry, exit: entry };
+        let scope = Scope {
+            unit: name.into(),
+            formula: formula.into(),
+            instance,
+            parent: Some(outside),
+            entry,
+            exit: entry,
+        };
         state.design.scopes.push(scope);
         // The names of every module's control ports.
         for taken in CONTROL {
@@ -95,13 +109,18 @@ impl Builder {
             drop(state);
             return sig.clone();
         }
-        assert_eq!(state.design.node(sig.id()).scope, outside, "unit input `{port}` belongs to another unit");
+        assert_eq!(
+            state.design.node(sig.id()).scope,
+            outside,
+            "unit input `{port}` belongs to another unit"
+        );
         state.scope = outside;
         let aligned = state.aligned(sig.id(), entry);
         state.scope = inside;
         let name = state.unique(inside, port);
         let node = state.design.node(aligned).clone();
-        let (op, register, fraction_bits) = (Op::Copy(aligned), Register::None, sig.fraction_bits());
+        let (op, register, fraction_bits) =
+            (Op::Copy(aligned), Register::None, sig.fraction_bits());
         let id = state.push(Node { op, register, fraction_bits, scope: inside, name, ..node });
         drop(state);
         sig.at(id)
@@ -137,7 +156,8 @@ impl Builder {
         let passes_through = match node.op {
             Op::Copy(from) => {
                 let state = self.state.borrow();
-                !node.registered() && state.design.scope(node.scope).parent == Some(state.design.node(from).scope)
+                !node.registered()
+                    && state.design.scope(node.scope).parent == Some(state.design.node(from).scope)
             }
             _ => false,
         };
@@ -161,7 +181,14 @@ impl Builder {
         let name = format!("{}_{}", state.design.scope(inside).instance, node.name);
         let (scope, register, fraction_bits) = (state.scope, Register::None, sig.fraction_bits());
         let name = state.unique(scope, &name);
-        let id = state.push(Node { op: Op::Copy(sig.id()), register, fraction_bits, scope, name, ..node });
+        let id = state.push(Node {
+            op: Op::Copy(sig.id()),
+            register,
+            fraction_bits,
+            scope,
+            name,
+            ..node
+        });
         state.nameable(id);
         id
     }

@@ -20,7 +20,8 @@ pub struct Vector {
     pub(super) off: Off,
 }
 
-/// How far a vector is off as a whole: lengths, where bounds on the errors of its components count each of them at its worst.
+/// How far a vector is off as a whole: lengths, where bounds on the errors of its components count
+/// each of them at its worst.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Off {
     /// In any direction.
@@ -47,17 +48,19 @@ impl Off {
         Off { length: across.hypot(along), across, along, free: 0.0 }
     }
 
-    /// How far a linear function of the vector is off, whose gain is `across` for errors across the vector, `along` for those along it, and
-    /// `free` for any.
+    /// How far a linear function of the vector is off, whose gain is `across` for errors across the
+    /// vector, `along` for those along it, and `free` for any.
     pub fn times(self, gains: Gains) -> f64 {
         if self.length.is_infinite() {
             return f64::INFINITY;
         }
-        let parts = gains.across * (self.across - self.free).max(0.0) + gains.along * (self.along - self.free).max(0.0);
+        let parts = gains.across * (self.across - self.free).max(0.0)
+            + gains.along * (self.along - self.free).max(0.0);
         parts + gains.free * self.free
     }
 
-    /// By how much the length of a real unit vector is off at most; infinite where nothing of it may be left.
+    /// By how much the length of a real unit vector is off at most; infinite where nothing of it
+    /// may be left.
     ///
     /// |V'| ≥ 1 - along, and |V'| = √((1 + along)² + across²) ≤ 1 + along + across²/2.
     pub fn stretch(self) -> f64 {
@@ -66,22 +69,34 @@ impl Off {
 
     /// And by no more than `length` besides.
     fn and_within(self, length: f64) -> Off {
-        Off { length: self.length + length, across: self.across + length, along: self.along + length, free: self.free + length }
+        Off {
+            length: self.length + length,
+            across: self.across + length,
+            along: self.along + length,
+            free: self.free + length,
+        }
     }
 
     /// What both bounds leave. Parts of one and the other are no longer one error.
     fn and_also(self, other: Off) -> Off {
         let Off { length, across, along, .. } = other;
-        let is_within = |a: &Off, b: &Off| a.length <= b.length && a.across <= b.across && a.along <= b.along;
+        let is_within =
+            |a: &Off, b: &Off| a.length <= b.length && a.across <= b.across && a.along <= b.along;
         let free = match (is_within(&self, &other), is_within(&other, &self)) {
             (true, _) => self.free,
             (_, true) => other.free,
             _ => 0.0,
         };
-        Off { length: self.length.min(length), across: self.across.min(across), along: self.along.min(along), free }
+        Off {
+            length: self.length.min(length),
+            across: self.across.min(across),
+            along: self.along.min(along),
+            free,
+        }
     }
 
-    /// By the angle it turns a real unit vector at most, in radians; a half turn where it may be longer than that.
+    /// By the angle it turns a real unit vector at most, in radians; a half turn where it may be
+    /// longer than that.
     pub fn angle(self) -> f64 {
         let shortest = 1.0 - self.along;
         if self.across < shortest { (self.across / shortest).atan() } else { std::f64::consts::PI }
@@ -110,9 +125,12 @@ impl Vector {
         Vector { off, ..self }
     }
 
-    /// States how far the vector is off as a whole, and so each component at most. The unit gives the proof above it.
+    /// States how far the vector is off as a whole, and so each component at most. The unit gives
+    /// the proof above it.
     pub fn known_off(self, off: Off) -> Vector {
-        self.map(|component| component.clone().stated_error_value(off.length)).no_longer_than(self.longest).proven_off(off)
+        self.map(|component| component.clone().stated_error_value(off.length))
+            .no_longer_than(self.longest)
+            .proven_off(off)
     }
 
     /// As [`Vector::known_off`], where propagation may know more of components.
@@ -120,9 +138,14 @@ impl Vector {
         self.proven_error_value(length).proven_off(Off::within(length))
     }
 
-    /// How far it is off as a whole: what has been stated of it, or the diagonal of the components' errors.
+    /// How far it is off as a whole: what has been stated of it, or the diagonal of the components'
+    /// errors.
     pub fn off(&self) -> Off {
-        let diagonal = [&self.x, &self.y, &self.z].map(|sig| sig.error_value().powi(2)).into_iter().sum::<f64>().sqrt();
+        let diagonal = [&self.x, &self.y, &self.z]
+            .map(|sig| sig.error_value().powi(2))
+            .into_iter()
+            .sum::<f64>()
+            .sqrt();
         self.off.and_also(Off::within(diagonal))
     }
 
@@ -136,17 +159,27 @@ impl Vector {
         Vector { longest: self.longest.min(length), ..self }
     }
 
-    /// The length that it does not exceed: what has been stated of it, or the diagonal of the components' ranges.
+    /// The length that it does not exceed: what has been stated of it, or the diagonal of the
+    /// components' ranges.
     pub fn longest(&self) -> f64 {
         let reach = |sig: &Sig| sig.range().magnitude() * sig.ulp();
-        let diagonal = [&self.x, &self.y, &self.z].map(|sig| reach(sig).powi(2)).into_iter().sum::<f64>().sqrt();
+        let diagonal = [&self.x, &self.y, &self.z]
+            .map(|sig| reach(sig).powi(2))
+            .into_iter()
+            .sum::<f64>()
+            .sqrt();
         self.longest.min(diagonal)
     }
 
     /// Gives the components names, unless they have some.
     pub fn named(self, name: &str) -> Vector {
         let component = |sig: Sig, axis: &str| sig.named(&format!("{name}_{axis}"));
-        Vector { x: component(self.x, "x"), y: component(self.y, "y"), z: component(self.z, "z"), ..self }
+        Vector {
+            x: component(self.x, "x"),
+            y: component(self.y, "y"),
+            z: component(self.z, "z"),
+            ..self
+        }
     }
 
     /// The dot product.
@@ -161,14 +194,16 @@ impl Vector {
 
     /// The dot product of vectors no longer than `lengths`, by `fact` no larger than their product.
     ///
-    /// With vectors off by e_a and e_b it is off by |a| e_b + |b| e_a + e_a e_b (Cauchy and Schwarz).
+    /// With vectors off by e_a and e_b it is off by |a| e_b + |b| e_a + e_a e_b (Cauchy and
+    /// Schwarz).
     pub fn dot_within(&self, other: &Vector, lengths: (f64, f64), fact: &str) -> Sig {
         let limit = lengths.0 * lengths.1;
         let error = product_error(lengths, (self.off().length, other.off().length));
         self.dot(other).assumed(-limit, limit, fact).proven_error_value(error)
     }
 
-    /// The squared length of a vector that by `fact` is no longer than `length`; its error as that of a dot product.
+    /// The squared length of a vector that by `fact` is no longer than `length`; its error as that
+    /// of a dot product.
     pub fn length_squared_within(&self, length: f64, fact: &str) -> Sig {
         let off = self.off().length;
         let error = product_error((length, length), (off, off));
@@ -195,7 +230,11 @@ impl Vector {
             free: a.free.min(b.free),
         };
         let component = |yes: &Sig, no: &Sig| bit.choose(yes, no);
-        let chosen = Vector::new([component(&yes.x, &no.x), component(&yes.y, &no.y), component(&yes.z, &no.z)]);
+        let chosen = Vector::new([
+            component(&yes.x, &no.x),
+            component(&yes.y, &no.y),
+            component(&yes.z, &no.z),
+        ]);
         chosen.no_longer_than(yes.longest().max(no.longest())).proven_off(off)
     }
 
@@ -208,13 +247,18 @@ impl Vector {
         ])
     }
 
-    /// Each component rounded to `fraction_bits`, which moves the vector by √3/2 units of the last place at most.
+    /// Each component rounded to `fraction_bits`, which moves the vector by √3/2 units of the last
+    /// place at most.
     pub fn rounded(&self, fraction_bits: u32) -> Vector {
-        let moved = match [&self.x, &self.y, &self.z].iter().any(|sig| sig.fraction_bits() > fraction_bits) {
-            true => 0.75f64.sqrt() * power_of_two(-i64::from(fraction_bits)),
-            false => 0.0,
-        };
-        let rounded = self.map(|component| component.rounded(fraction_bits)).no_longer_than(self.longest + moved);
+        let moved =
+            match [&self.x, &self.y, &self.z].iter().any(|sig| sig.fraction_bits() > fraction_bits)
+            {
+                true => 0.75f64.sqrt() * power_of_two(-i64::from(fraction_bits)),
+                false => 0.0,
+            };
+        let rounded = self
+            .map(|component| component.rounded(fraction_bits))
+            .no_longer_than(self.longest + moved);
         rounded.proven_off(self.off().and_within(moved))
     }
 
@@ -225,12 +269,16 @@ impl Vector {
 
     /// States that each component lies from -`limit` to `limit`.
     pub fn components_assumed_within(&self, limit: f64, fact: &str) -> Vector {
-        self.map(|component| component.assumed(-limit, limit, fact)).no_longer_than(self.longest).proven_off(self.off)
+        self.map(|component| component.assumed(-limit, limit, fact))
+            .no_longer_than(self.longest)
+            .proven_off(self.off)
     }
 
     /// States a bound on the error of each component, as [`Sig::proven_error_value`] does.
     pub fn proven_error_value(self, error: f64) -> Vector {
-        self.map(|component| component.clone().proven_error_value(error)).no_longer_than(self.longest).proven_off(self.off)
+        self.map(|component| component.clone().proven_error_value(error))
+            .no_longer_than(self.longest)
+            .proven_off(self.off)
     }
 }
 

@@ -5,10 +5,17 @@ use specula_scene::{CoreSpec, Format};
 use super::{eye, finish, pipelines, turns};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::{Design, ErrorForm};
-use crate::units::{self, Consistency, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
+use crate::units::{
+    self, Consistency, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals,
+};
 
-/// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection. [Reshetov, Soupikov and Mark]
-pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> Result<Design, TooWide> {
+/// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection.
+/// [Reshetov, Soupikov and Mark]
+pub(super) fn core(
+    b: Builder,
+    spec: &CoreSpec,
+    consistent: &ConsistentSpec,
+) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = consistent.inputs(spec).map(|port| b.input(port));
     let (f, steps) = (&consistent.formats, spec.longest_span - 1);
@@ -36,16 +43,31 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, consistent: &ConsistentSpec) -> 
         vector_fraction_bits: f.vector.fraction_bits,
     };
     let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
-    let angles = SpanAngles { first: &turns.first_pixel, start: &inputs.angle_start, step: &inputs.angle_step };
+    let angles = SpanAngles {
+        first: &turns.first_pixel,
+        start: &inputs.angle_start,
+        step: &inputs.angle_step,
+    };
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
     let least_q = least_contraction(spec, consistent.curve);
     let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
     let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, known).0;
     let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
-    let pixel = Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, least_q, r: r.as_ref() };
+    let pixel = Pixel {
+        b: &b,
+        consistent,
+        n: &n,
+        has_direction: &has_direction,
+        q: &q,
+        least_q,
+        r: r.as_ref(),
+    };
     let exponent = &inputs.exponent;
-    let lights: Vec<Light> =
-        pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light, exponent)).collect();
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+        .iter()
+        .enumerate()
+        .map(|(i, light)| pixel.shade(i, light, exponent))
+        .collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }
 
@@ -96,24 +118,40 @@ impl Pixel<'_> {
     /// N_c·I of any I.
     fn consistent_cosine(&self, incoming: &Vector, to: Format) -> Sig {
         let mirror = (self.n, self.q, self.has_direction);
-        units::consistent_cosine(self.b, mirror, incoming, (&self.consistent.formats, to), self.least_q)
+        units::consistent_cosine(
+            self.b,
+            mirror,
+            incoming,
+            (&self.consistent.formats, to),
+            self.least_q,
+        )
     }
 
     /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
     fn reflected_cosine(&self, r: &Vector, light: &Vector) -> Sig {
         let (b, format) = (self.b, self.consistent.formats.base);
         let inputs = (("r", r), ("l", light), ("has_direction", self.has_direction));
-        b.unit("reflected_cosine", "b = r.L, clamped to [0, 1]", inputs, |b, (r, l, has_direction)| {
-            let (off, off_l) = (r.off(), l.off().length);
-            // The cosine of r's angle with L, but for what r is longer or shorter and L is off.
-            let rest = off.stretch() + (1.0 + off.stretch()) * off_l + 0.5 * format.ulp();
-            let cosine = units::clamped_cosine(b, &r, &l, format).known_cosine(off.angle(), rest);
-            let base = has_direction.choose(&cosine, &b.integer(0)).clamped_above(1).named("base");
-            // Where rounding may decide whether a normal has a direction, nothing is known of its highlight.
-            match has_direction.error() == 0.0 {
-                true => base.stated_error_value(cosine.error_value()).known_cosine(off.angle(), rest),
-                false => base.stated_error_value(1.0).of_error_form(ErrorForm::Bounded),
-            }
-        })
+        b.unit(
+            "reflected_cosine",
+            "b = r.L, clamped to [0, 1]",
+            inputs,
+            |b, (r, l, has_direction)| {
+                let (off, off_l) = (r.off(), l.off().length);
+                // The cosine of r's angle with L, but for what r is longer or shorter and L is off.
+                let rest = off.stretch() + (1.0 + off.stretch()) * off_l + 0.5 * format.ulp();
+                let cosine =
+                    units::clamped_cosine(b, &r, &l, format).known_cosine(off.angle(), rest);
+                let base =
+                    has_direction.choose(&cosine, &b.integer(0)).clamped_above(1).named("base");
+                // Where rounding may decide whether a normal has a direction, nothing is known of
+                // its highlight.
+                match has_direction.error() == 0.0 {
+                    true => base
+                        .stated_error_value(cosine.error_value())
+                        .known_cosine(off.angle(), rest),
+                    false => base.stated_error_value(1.0).of_error_form(ErrorForm::Bounded),
+                }
+            },
+        )
     }
 }

@@ -7,19 +7,43 @@ use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, DirectedBase, Light, NewtonRoot, Product, QuotientFormat, UnitNormal};
 
-/// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to 4.6]
+/// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
+/// 4.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = direct.inputs(spec).map(|port| b.input(port));
     let formats = &direct.formats;
-    let t = units::parameter(&b, &turns.first_pixel, &inputs.weight_step, formats, spec.longest_span - 1);
+    let t = units::parameter(
+        &b,
+        &turns.first_pixel,
+        &inputs.weight_step,
+        formats,
+        spec.longest_span - 1,
+    );
     let q = units::squared_length(&b, &t, &inputs.spread, formats);
     let view = [&inputs.view.start, &inputs.view.delta];
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
-    let length = length(&b, Squared { first: &turns.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view }, spec, direct);
+    let length = length(
+        &b,
+        Squared { first: &turns.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
+        spec,
+        direct,
+    );
     let smallest_q = spec.shortest_normal * spec.shortest_normal;
-    let pixel = Pixel { b: &b, direct, t: &t, q: &q, length: &length, smallest_q, exponent: &inputs.exponent };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    let pixel = Pixel {
+        b: &b,
+        direct,
+        t: &t,
+        q: &q,
+        length: &length,
+        smallest_q,
+        exponent: &inputs.exponent,
+    };
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+        .iter()
+        .enumerate()
+        .map(|(i, light)| pixel.shade(i, light))
+        .collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }
 
@@ -51,16 +75,20 @@ enum Highlight {
     OfQuotient(Sig, Option<Product>),
 }
 
-/// Unit ends are no closer to each other's middle than those of which the longer alone is a unit vector.
+/// Unit ends are no closer to each other's middle than those of which the longer alone is a unit
+/// vector.
 fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Length {
     let Squared { first, t, q, spread, view } = of;
     let (formats, shortest) = (&direct.formats, spec.shortest_normal);
     let smallest_q = shortest * shortest;
     match direct.root {
         Root::Exact => {
-            let reciprocal = units::reciprocal_square_root(b, q, formats.reciprocal.into(), smallest_q);
+            let reciprocal =
+                units::reciprocal_square_root(b, q, formats.reciprocal.into(), smallest_q);
             let normal = UnitNormal::new(t, spread, formats, shortest);
-            let k = b.instance("n_dot_v", || units::direct_cosine(b, view, &reciprocal, formats, normal));
+            let k = b.instance("n_dot_v", || {
+                units::direct_cosine(b, view, &reciprocal, formats, normal)
+            });
             Length { reciprocal, normal, highlight: Highlight::OfCosines(k) }
         }
         Root::Newton => {
@@ -75,10 +103,22 @@ fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Len
 }
 
 /// 1/d, d by Newton's method from the pixel before.
-fn reciprocal_length(b: &Builder, first: &Sig, q: &Sig, formats: &DirectFormats, newton: NewtonRoot) -> Sig {
+fn reciprocal_length(
+    b: &Builder,
+    first: &Sig,
+    q: &Sig,
+    formats: &DirectFormats,
+    newton: NewtonRoot,
+) -> Sig {
     let d = units::newton_root(b, first, q, formats, newton);
     let Format { integer_bits, fraction_bits, .. } = formats.reciprocal;
-    units::quotient(b, &b.integer(1), &d, QuotientFormat { integer_bits, fraction_bits }, newton.shortest)
+    units::quotient(
+        b,
+        &b.integer(1),
+        &d,
+        QuotientFormat { integer_bits, fraction_bits },
+        newton.shortest,
+    )
 }
 
 /// What the lights have in common.
@@ -98,12 +138,17 @@ impl Pixel<'_> {
         let called = |unit: &str| format!("light{index}_{unit}");
         let ends = [&light.light.start, &light.light.delta];
         let p = b.instance(&called("scalar"), || units::direct_scalar(b, self.t, ends, formats));
-        let j = b.instance(&called("n_dot_l"), || units::direct_cosine(b, &p, &length.reciprocal, formats, length.normal));
+        let j = b.instance(&called("n_dot_l"), || {
+            units::direct_cosine(b, &p, &length.reciprocal, formats, length.normal)
+        });
         let bits = formats.base.fraction_bits;
-        let base = b.instance(&called("base"), || units::directed_base(b, self.base(&p, &j, light), bits));
+        let base =
+            b.instance(&called("base"), || units::directed_base(b, self.base(&p, &j, light), bits));
         let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
         Light {
-            diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &j, formats.diffuse.fraction_bits)),
+            diffuse: b.instance(&called("diffuse"), || {
+                units::kept_within_one(b, &j, formats.diffuse.fraction_bits)
+            }),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
@@ -115,6 +160,12 @@ impl Pixel<'_> {
             Highlight::OfCosines(k) => ([j, k], Product::of_cosines([j, k])),
             Highlight::OfQuotient(k, known) => ([p, k], *known),
         };
-        DirectedBase { factors, known, light_dot_view: &light.light_dot_view, q: self.q, smallest_q: self.smallest_q }
+        DirectedBase {
+            factors,
+            known,
+            light_dot_view: &light.light_dot_view,
+            q: self.q,
+            smallest_q: self.smallest_q,
+        }
     }
 }

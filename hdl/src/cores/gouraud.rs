@@ -7,8 +7,8 @@ use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, Light};
 
-/// For each light a diffuse and a specular intensity, one accumulator each, or none where they are uniform. [lecture, eq. 2.1 and 3.2 to
-/// 3.6]
+/// For each light a diffuse and a specular intensity, one accumulator each, or none where they are
+/// uniform. [lecture, eq. 2.1 and 3.2 to 3.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, gouraud: &GouraudSpec) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = gouraud.inputs(spec).map(|port| b.input(port));
@@ -16,7 +16,9 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, gouraud: &GouraudSpec) -> Result
     let intensity = |intensity: &Intensity<Sig>, name: String| match &intensity.step {
         Some(step) => {
             let ends = (&intensity.start, step);
-            b.instance(&name, || units::gouraud(&b, &turns.first_pixel, ends, fraction_bits, spec.longest_span - 1))
+            b.instance(&name, || {
+                units::gouraud(&b, &turns.first_pixel, ends, fraction_bits, spec.longest_span - 1)
+            })
         }
         None => intensity.start.clone(),
     };
@@ -26,6 +28,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, gouraud: &GouraudSpec) -> Result
         diffuse_coefficients: light.diffuse.clone(),
         specular_coefficients: light.specular.clone(),
     };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(light).collect();
+    let lights: Vec<Light> =
+        pipelines(&turns, &inputs.lights).iter().enumerate().map(light).collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }

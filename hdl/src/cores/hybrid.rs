@@ -8,15 +8,26 @@ use crate::builder::{Builder, Sig, TooWide};
 use crate::design::Design;
 use crate::units::{self, Light};
 
-/// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al., eq. 17 to 26]
+/// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al.,
+/// eq. 17 to 26]
 pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = hybrid.inputs(spec).map(|port| b.input(port));
     let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
-    let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), hybrid.formats.operand.fraction_bits).named("q");
+    let q = forward
+        .quadratic(
+            "denominator",
+            &inputs.denominator,
+            (0.0, 1.0),
+            hybrid.formats.operand.fraction_bits,
+        )
+        .named("q");
     let pixel = Pixel { forward, spec, hybrid, exponent: &inputs.exponent };
-    let lights: Vec<Light> =
-        pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light, &q)).collect();
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+        .iter()
+        .enumerate()
+        .map(|(i, light)| pixel.shade(i, light, &q))
+        .collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }
 
@@ -36,10 +47,16 @@ impl Pixel<'_> {
         let fraction_bits = formats.base.fraction_bits;
         let p = self
             .forward
-            .quadratic(&called("numerator"), &light.numerator, (-1.0, 1.0), formats.operand.fraction_bits)
+            .quadratic(
+                &called("numerator"),
+                &light.numerator,
+                (-1.0, 1.0),
+                formats.operand.fraction_bits,
+            )
             .named(&called("p"));
         let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
-        let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
+        let base =
+            b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
         let ends = (&light.intensity_start, &light.intensity_step);
         let gouraud = || units::gouraud(b, first, ends, formats.diffuse.fraction_bits, steps);
         let power = || units::raised(b, &base, self.exponent, self.hybrid.power_unit());

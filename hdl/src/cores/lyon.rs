@@ -1,13 +1,16 @@
 //! Lyon's core.
 use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath};
+use specula_scene::spec::lyon::{
+    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath,
+};
 
 use super::{eye, finish, pipelines, turns, unit_vector};
 use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::{Design, ErrorForm};
 use crate::units::{self, Follow, Interpolation, LengthOff, Light, SpanNormals, WrapFormats};
 
-/// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR 43, fig. 6 to 8]
+/// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
+/// 43, fig. 6 to 8]
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
@@ -15,13 +18,28 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
     let lights = pipelines(&turns, &inputs.lights);
     let apart = if turns.count() == 1 { least_distance(&lights) } else { 0.0 };
     let shortest = shortest_normal(spec, lyon);
-    let pixel = Pixel { b: &b, lyon, n: &n, shortest, has_direction: &has_direction, shininess: &inputs.shininess, apart };
-    let lights: Vec<Light> = lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    let pixel = Pixel {
+        b: &b,
+        lyon,
+        n: &n,
+        shortest,
+        has_direction: &has_direction,
+        shininess: &inputs.shininess,
+        apart,
+    };
+    let lights: Vec<Light> =
+        lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// n at each pixel, and whether it has a direction.
-fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, lyon: &LyonSpec) -> (Vector, Sig) {
+fn normal(
+    b: &Builder,
+    first: &Sig,
+    inputs: &LyonInputs<Sig>,
+    spec: &CoreSpec,
+    lyon: &LyonSpec,
+) -> (Vector, Sig) {
     let formats = &lyon.formats;
     let unit = |components| unit_vector(components, formats.vector);
     let (Some(delta), Some(weight_step)) = (&inputs.normal_delta, &inputs.weight_step) else {
@@ -51,7 +69,11 @@ fn normal(b: &Builder, first: &Sig, inputs: &LyonInputs<Sig>, spec: &CoreSpec, l
     };
     let n = match &inputs.wrap_follows {
         None => {
-            let to = WrapFormats { operand: formats.wrap_operand, ratio: formats.wrap_ratio, vector: formats.vector };
+            let to = WrapFormats {
+                operand: formats.wrap_operand,
+                ratio: formats.wrap_ratio,
+                vector: formats.vector,
+            };
             units::wrapped(b, &along(2.0), &axis, to)
         }
         Some(follows) => {
@@ -84,7 +106,8 @@ struct Pixel<'a> {
     apart: f64,
 }
 
-/// How far the directions of two lights are apart at least, in the ranges that the core is made for.
+/// How far the directions of two lights are apart at least, in the ranges that the core is made
+/// for.
 fn least_distance(lights: &[LyonLight<Sig>]) -> f64 {
     let distance = |a: &[Sig; 3], b: &[Sig; 3]| {
         let gap = |(a, b): (&Sig, &Sig)| {
@@ -95,7 +118,8 @@ fn least_distance(lights: &[LyonLight<Sig>]) -> f64 {
         let gaps = a.iter().zip(b).map(gap).map(|gap| gap * gap).sum::<f64>().sqrt();
         (gaps - off(a) - off(b)).max(0.0)
     };
-    let pairs = lights.iter().enumerate().flat_map(|(i, a)| lights[..i].iter().map(move |b| (a, b)));
+    let pairs =
+        lights.iter().enumerate().flat_map(|(i, a)| lights[..i].iter().map(move |b| (a, b)));
     pairs.map(|(a, b)| distance(&a.direction, &b.direction)).fold(f64::INFINITY, f64::min)
 }
 
@@ -107,13 +131,22 @@ impl Pixel<'_> {
         let (d, length_off) = b.instance(&called("difference"), || self.difference(light));
         let shape = || match self.lyon.shape {
             ShapeDatapath::FK => {
-                let f = units::shape(b, (&d, length_off), self.shininess, self.has_direction, self.lyon);
+                let f = units::shape(
+                    b,
+                    (&d, length_off),
+                    self.shininess,
+                    self.has_direction,
+                    self.lyon,
+                );
                 self.alone(f, &d, length_off)
             }
-            ShapeDatapath::Root => units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon),
+            ShapeDatapath::Root => {
+                units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon)
+            }
         };
         Light {
-            diffuse: b.instance(&called("diffuse"), || units::diffuse(b, self.n, &direction, formats)),
+            diffuse: b
+                .instance(&called("diffuse"), || units::diffuse(b, self.n, &direction, formats)),
             specular: b.instance(&called("shape"), shape),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
@@ -124,15 +157,22 @@ impl Pixel<'_> {
 impl Pixel<'_> {
     /// Says of f that no two lights are near the middle of their highlights at once.
     ///
-    /// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all but one are at least half as long as lights are
-    /// apart. With exponents from [`units::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is off for those.
+    /// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all
+    /// but one are at least half as long as lights are apart. With exponents from
+    /// [`units::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is
+    /// off for those.
     fn alone(&self, f: Sig, d: &Vector, length_off: LengthOff) -> Sig {
         let dark = units::least_dark_exponent(self.apart / 2.0 - d.off().length, self.lyon);
         let largest = self.shininess.range().magnitude();
-        if self.lyon.difference != Difference::ReflectionMinusLight || dark >= largest || f.error_value() >= 1.0 {
+        if self.lyon.difference != Difference::ReflectionMinusLight
+            || dark >= largest
+            || f.error_value() >= 1.0
+        {
             return f;
         }
-        f.of_error_form(ErrorForm::OneOfSeveral { together: units::shape_error(d, length_off, dark, self.lyon) })
+        f.of_error_form(ErrorForm::OneOfSeveral {
+            together: units::shape_error(d, length_off, dark, self.lyon),
+        })
     }
 
     /// D, and how far its length is off.
@@ -141,11 +181,20 @@ impl Pixel<'_> {
         let direction = unit_vector(&light.direction, formats.vector);
         let Some(halfway) = light.halfway.clone().map(Vector::new) else {
             return match self.lyon.difference {
-                Difference::LightReflection => units::light_reflection(b, (n, self.shortest), &direction, &eye(b), formats),
-                _ => units::reflection_minus_light(b, (n, self.shortest), &eye(b), &direction, formats),
+                Difference::LightReflection => {
+                    units::light_reflection(b, (n, self.shortest), &direction, &eye(b), formats)
+                }
+                _ => units::reflection_minus_light(
+                    b,
+                    (n, self.shortest),
+                    &eye(b),
+                    &direction,
+                    formats,
+                ),
             };
         };
-        // g2 makes h longer than 1 by 0.00176 at most (METHODS B9), and rounding any by √3/2 units of the last place.
+        // g2 makes h longer than 1 by 0.00176 at most (METHODS B9), and rounding any by √3/2 units
+        // of the last place.
         let longest = if self.lyon.difference.takes_unit_halfway() { 1.002 } else { 2.0 };
         let h = halfway.no_longer_than(longest + formats.vector.ulp());
         let d = match self.lyon.difference {

@@ -1,5 +1,5 @@
-//! Cores: units put together so that a span goes in and pixels come out, one in each clock or, where lights share a pipeline, in as many as there
-//! are lights.
+//! Cores: units put together so that a span goes in and pixels come out, one in each clock or,
+//! where lights share a pipeline, in as many as there are lights.
 mod consistent;
 mod direct;
 mod duff;
@@ -28,29 +28,49 @@ use crate::units::{self, Coefficients, Light};
 pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
     let builder = |formula| Builder::new(name, formula, Rc::new(Generic));
     match &spec.method {
-        MethodSpec::Lyon(lyon) => lyon::core(builder("Lyon's reformulation of Phong shading [Lyon, TR 43]"), spec, lyon),
-        MethodSpec::Phong(phong) => {
-            phong::core(builder("Phong shading with true normalisation [lecture, eq. 2.1, 4.1, 4.2]"), spec, phong)
+        MethodSpec::Lyon(lyon) => {
+            lyon::core(builder("Lyon's reformulation of Phong shading [Lyon, TR 43]"), spec, lyon)
         }
-        MethodSpec::Hybrid(hybrid) => {
-            hybrid::core(builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"), spec, hybrid)
+        MethodSpec::Phong(phong) => phong::core(
+            builder("Phong shading with true normalisation [lecture, eq. 2.1, 4.1, 4.2]"),
+            spec,
+            phong,
+        ),
+        MethodSpec::Hybrid(hybrid) => hybrid::core(
+            builder("Gouraud diffuse, specular p/q by forward differences [Hast et al.]"),
+            spec,
+            hybrid,
+        ),
+        MethodSpec::Duff(duff) => {
+            duff::core(builder("Diffuse p/sqrt q by forward differences [Hast et al.]"), spec, duff)
         }
-        MethodSpec::Duff(duff) => duff::core(builder("Diffuse p/sqrt q by forward differences [Hast et al.]"), spec, duff),
-        MethodSpec::Gouraud(gouraud) => {
-            gouraud::core(builder("Intensities of vertices or of polygons [lecture, eq. 2.1, 3.2-3.6]"), spec, gouraud)
-        }
-        MethodSpec::Reflection(reflection) => {
-            reflection::core(builder("Reflection shading: quotients of quadratics [Hast et al.]"), spec, reflection)
-        }
-        MethodSpec::Consistent(consistent) => {
-            consistent::core(builder("Consistent normal interpolation [Reshetov, Soupikov and Mark]"), spec, consistent)
-        }
-        MethodSpec::Slerp(slerp) => {
-            slerp::core(builder("Incremental spherical interpolation of N.L and N.V [lecture, eq. 4.5, 4.7-4.12]"), spec, slerp)
-        }
-        MethodSpec::Direct(direct) => {
-            direct::core(builder("Fast Phong shading, evaluated at every pixel [lecture, eq. 4.3-4.6]"), spec, direct)
-        }
+        MethodSpec::Gouraud(gouraud) => gouraud::core(
+            builder("Intensities of vertices or of polygons [lecture, eq. 2.1, 3.2-3.6]"),
+            spec,
+            gouraud,
+        ),
+        MethodSpec::Reflection(reflection) => reflection::core(
+            builder("Reflection shading: quotients of quadratics [Hast et al.]"),
+            spec,
+            reflection,
+        ),
+        MethodSpec::Consistent(consistent) => consistent::core(
+            builder("Consistent normal interpolation [Reshetov, Soupikov and Mark]"),
+            spec,
+            consistent,
+        ),
+        MethodSpec::Slerp(slerp) => slerp::core(
+            builder(
+                "Incremental spherical interpolation of N.L and N.V [lecture, eq. 4.5, 4.7-4.12]",
+            ),
+            spec,
+            slerp,
+        ),
+        MethodSpec::Direct(direct) => direct::core(
+            builder("Fast Phong shading, evaluated at every pixel [lecture, eq. 4.3-4.6]"),
+            spec,
+            direct,
+        ),
     }
 }
 
@@ -69,7 +89,8 @@ fn turns(b: &Builder, spec: &CoreSpec) -> Turns {
     b.take_turns(&b.control(), spec.interval())
 }
 
-/// The inputs of each pipeline: those of each light, or of the light whose turn it is. Lights are alike: they have the same inputs.
+/// The inputs of each pipeline: those of each light, or of the light whose turn it is. Lights are
+/// alike: they have the same inputs.
 fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
     if turns.count() == 1 {
         return lights.iter().map(|light| light.each(Sig::clone)).collect();
@@ -83,13 +104,23 @@ fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
         inputs
     };
     let of_lights: Vec<Vec<Sig>> = lights.iter().map(inputs).collect();
-    let mut columns = (0..).map(|k| of_lights.iter().map(|inputs| inputs[k].clone()).collect::<Vec<Sig>>());
-    let selected = |first: &L| first.each(|input| columns.next().map_or_else(|| input.clone(), |column| turns.select(&column)));
+    let mut columns =
+        (0..).map(|k| of_lights.iter().map(|inputs| inputs[k].clone()).collect::<Vec<Sig>>());
+    let selected = |first: &L| {
+        first.each(|input| {
+            columns.next().map_or_else(|| input.clone(), |column| turns.select(&column))
+        })
+    };
     lights.first().map(selected).into_iter().collect()
 }
 
 /// The codes of the lights' sum are the core's outputs.
-fn finish(b: &Builder, turns: &Turns, ambient: &Coefficients, lights: &[Light]) -> Result<Design, TooWide> {
+fn finish(
+    b: &Builder,
+    turns: &Turns,
+    ambient: &Coefficients,
+    lights: &[Light],
+) -> Result<Design, TooWide> {
     let [red, green, blue] = units::channels(b, turns, ambient, lights);
     b.clone().finish(&turns.valid_at_last, &[("red", red), ("green", green), ("blue", blue)])
 }

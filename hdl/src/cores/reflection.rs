@@ -10,9 +10,11 @@ use crate::units::{self, Base, Light, QuotientFormat};
 
 /// |H|² of H = (N + n)/2 is no smaller along any span, except those where it and all numerators are 0.
 ///
-/// n is no more than a right angle from N, so H·n ≥ 1/2. Where it halves the angle f between the ends, N·n = cos(f/2) all along, and that is no
-/// less than s = `shortest_normal`, so that H·n ≥ (1 + s)/2: let the end normals have lengths 1 and β ≤ 1. Where the foot of the perpendicular on
-/// their chord lies between them, s is its length, and the ends are acos s and acos(s/β) ≤ acos s from it; elsewhere it is β ≤ cos f. So f ≤ 2 acos s.
+/// n is no more than a right angle from N, so H·n ≥ 1/2. Where it halves the angle f between the
+/// ends, N·n = cos(f/2) all along, and that is no less than s = `shortest_normal`, so that H·n ≥
+/// (1 + s)/2: let the end normals have lengths 1 and β ≤ 1. Where the foot of the perpendicular on
+/// their chord lies between them, s is its length, and the ends are acos s and acos(s/β) ≤ acos s
+/// from it; elsewhere it is β ≤ cos f. So f ≤ 2 acos s.
 fn smallest_square(bisector: Bisector, shortest_normal: f64) -> f64 {
     match bisector {
         Bisector::Span => ((1.0 + shortest_normal) / 2.0).powi(2),
@@ -20,25 +22,52 @@ fn smallest_square(bisector: Bisector, shortest_normal: f64) -> f64 {
     }
 }
 
-/// Quotients of quadratics by forward differences, all by one reciprocal. [Hast et al., eq. 27 to 34]
-pub(super) fn core(b: Builder, spec: &CoreSpec, reflection: &ReflectionSpec) -> Result<Design, TooWide> {
+/// Quotients of quadratics by forward differences, all by one reciprocal. [Hast et al., eq. 27 to
+/// 34]
+pub(super) fn core(
+    b: Builder,
+    spec: &CoreSpec,
+    reflection: &ReflectionSpec,
+) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = reflection.inputs(spec).map(|port| b.input(port));
     let f = &reflection.formats;
     let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
-    let q = forward.quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits).named("q");
+    let q = forward
+        .quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits)
+        .named("q");
     let to = QuotientFormat { integer_bits: 2, fraction_bits: f.reciprocal.fraction_bits };
     let smallest = smallest_square(reflection.bisector, spec.shortest_normal);
-    let reciprocal = b.instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to, smallest)).named("w");
+    let reciprocal = b
+        .instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to, smallest))
+        .named("w");
     let has_direction = b.integer(0).less_than(&q).named("has_direction");
     let exponent = &inputs.exponent;
-    let mut pixel =
-        Pixel { forward, spec, reflection, q, smallest, reciprocal, has_direction, view: None, normal_squared: None, exponent };
+    let mut pixel = Pixel {
+        forward,
+        spec,
+        reflection,
+        q,
+        smallest,
+        reciprocal,
+        has_direction,
+        view: None,
+        normal_squared: None,
+        exponent,
+    };
     pixel.view = inputs.view.as_ref().map(|view| pixel.cosine("view", view));
-    let normal_squared =
-        |square| pixel.forward.quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits).named("normal_squared");
+    let normal_squared = |square| {
+        pixel
+            .forward
+            .quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits)
+            .named("normal_squared")
+    };
     pixel.normal_squared = inputs.normal_squared.as_ref().map(normal_squared);
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+        .iter()
+        .enumerate()
+        .map(|(i, light)| pixel.shade(i, light))
+        .collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }
 
@@ -62,7 +91,12 @@ struct Pixel<'a> {
 
 impl Pixel<'_> {
     fn operand(&self, instance: &str, numerator: &Quadratic<Sig>) -> Sig {
-        self.forward.quadratic(instance, numerator, (-1.0, 1.0), self.reflection.formats.operand.fraction_bits)
+        self.forward.quadratic(
+            instance,
+            numerator,
+            (-1.0, 1.0),
+            self.reflection.formats.operand.fraction_bits,
+        )
     }
 
     /// N'·u, of its numerator.
@@ -70,7 +104,14 @@ impl Pixel<'_> {
         let p = self.operand(&format!("{called}_numerator"), numerator);
         let (b, fraction_bits) = (self.forward.b, self.reflection.formats.cosine.fraction_bits);
         b.instance(&format!("{called}_cosine"), || {
-            units::cosine_by_reciprocal(b, &p, &self.q, &self.reciprocal, self.smallest, fraction_bits)
+            units::cosine_by_reciprocal(
+                b,
+                &p,
+                &self.q,
+                &self.reciprocal,
+                self.smallest,
+                fraction_bits,
+            )
         })
     }
 
@@ -81,14 +122,21 @@ impl Pixel<'_> {
         let base = self.base(&called, light, &cosine);
         let power = || units::raised(b, &base, self.exponent, self.reflection.power_unit());
         Light {
-            diffuse: b.instance(&called("diffuse"), || units::amount(b, &cosine, f.diffuse.fraction_bits)),
+            diffuse: b.instance(&called("diffuse"), || {
+                units::amount(b, &cosine, f.diffuse.fraction_bits)
+            }),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
         }
     }
 
-    fn base(&self, called: &impl Fn(&str) -> String, light: &ReflectionLight<Sig>, cosine: &Sig) -> Sig {
+    fn base(
+        &self,
+        called: &impl Fn(&str) -> String,
+        light: &ReflectionLight<Sig>,
+        cosine: &Sig,
+    ) -> Sig {
         let (b, fraction_bits) = (self.forward.b, self.reflection.formats.base.fraction_bits);
         let given = "inputs are those that the highlight asks for";
         match self.reflection.specular {
@@ -97,15 +145,21 @@ impl Pixel<'_> {
                 b.instance(&called("base"), || units::amount(b, &cosine, fraction_bits))
             }
             Highlight::Hybrid => {
-                let p = self.operand(&called("hybrid_numerator"), light.numerator.as_ref().expect(given));
+                let p = self
+                    .operand(&called("hybrid_numerator"), light.numerator.as_ref().expect(given));
                 let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
                 let q = self.normal_squared.as_ref().expect(given);
-                b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q))
+                b.instance(&called("divider"), || {
+                    units::divider(b, &p, q, fraction_bits, smallest_q)
+                })
             }
             Highlight::Eq34 => {
-                let (v, dot_view) = (self.view.as_ref().expect(given), light.dot_view.as_ref().expect(given));
+                let (v, dot_view) =
+                    (self.view.as_ref().expect(given), light.dot_view.as_ref().expect(given));
                 let to = Base { fraction_bits, product_error: f64::INFINITY };
-                b.instance(&called("base"), || units::reflected_base(b, (v, cosine), dot_view, &self.has_direction, to))
+                b.instance(&called("base"), || {
+                    units::reflected_base(b, (v, cosine), dot_view, &self.has_direction, to)
+                })
             }
         }
     }
@@ -117,7 +171,8 @@ mod tests {
 
     use super::smallest_square;
 
-    /// Ends of lengths 1 and β, an angle f apart, in the plane: N between the unit ends, n in their middle.
+    /// Ends of lengths 1 and β, an angle f apart, in the plane: N between the unit ends, n in their
+    /// middle.
     #[test]
     fn halfway_vectors_are_no_shorter_than_stated() {
         let mut closest = f64::INFINITY;
@@ -125,14 +180,19 @@ mod tests {
             let f = f64::from(degrees).to_radians();
             for beta in [0.05, 0.3, 0.7, 0.95, 1.0] {
                 let points = (0..=1000).map(|i| f64::from(i) / 1000.0);
-                let length = |t: f64, end: f64| (1.0 - t + t * end * f.cos()).hypot(t * end * f.sin());
+                let length =
+                    |t: f64, end: f64| (1.0 - t + t * end * f.cos()).hypot(t * end * f.sin());
                 let shortest = points.clone().map(|t| length(t, beta)).fold(1.0, f64::min);
                 let (c, s) = ((f / 2.0).cos(), (f / 2.0).sin());
                 let square = |t: f64| ((c + 1.0) / 2.0).powi(2) + (s * (t - 0.5)).powi(2);
                 let smallest = points.map(square).fold(1.0, f64::min);
-                // The shortest of a thousand points is a little longer than the foot of the perpendicular.
+                // The shortest of a thousand points is a little longer than the foot of the
+                // perpendicular.
                 let stated = smallest_square(Bisector::Span, shortest - 1e-3);
-                assert!(stated <= smallest, "{degrees} degrees, {beta}: {stated} against {smallest}");
+                assert!(
+                    stated <= smallest,
+                    "{degrees} degrees, {beta}: {stated} against {smallest}"
+                );
                 closest = closest.min(smallest / stated);
             }
         }

@@ -7,8 +7,8 @@ use crate::builder::{Builder, Sig, TooWide, Vector};
 use crate::design::Design;
 use crate::units::{self, BaseBound, Light, Turn, Weighing};
 
-/// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base 2 J K - L·V, then its power.
-/// [lecture, eq. 4.5, 4.7 to 4.12]
+/// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base
+/// 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to 4.12]
 pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = slerp.inputs(spec).map(|port| b.input(port));
@@ -20,25 +20,47 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
             Basis::Orthonormal => Weighing::orthonormal(formats, steps),
             Basis::Ends => Weighing::between_ends(formats, steps, spec.shortest_normal),
         };
-        let [start, other] = [&axes.start, &axes.other].map(|axis| unit_vector(axis, formats.vector));
+        let [start, other] =
+            [&axes.start, &axes.other].map(|axis| unit_vector(axis, formats.vector));
         units::turned_normal(&b, weights, [&start, &other], formats, known)
     });
     let n_dot_v = match &normal {
-        Some(n) => b.instance("n_dot_v", || units::cosine_between(&b, n, &eye(&b), formats.cosine.fraction_bits)),
+        Some(n) => b.instance("n_dot_v", || {
+            units::cosine_between(&b, n, &eye(&b), formats.cosine.fraction_bits)
+        }),
         None => {
-            let n_dot_v = b.instance("n_dot_v", || on_arc(&b, weights, inputs.view.as_ref(), formats, steps));
+            let n_dot_v =
+                b.instance("n_dot_v", || on_arc(&b, weights, inputs.view.as_ref(), formats, steps));
             units::corrected(&b, &n_dot_v, weights, formats, steps)
         }
     };
     let bound = BaseBound::new(formats, steps, spec.shortest_normal);
-    let pixel =
-        Pixel { b: &b, spec, slerp, weights, normal: normal.as_ref(), n_dot_v: &n_dot_v, exponent: &inputs.exponent, bound };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights).iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
+    let pixel = Pixel {
+        b: &b,
+        spec,
+        slerp,
+        weights,
+        normal: normal.as_ref(),
+        n_dot_v: &n_dot_v,
+        exponent: &inputs.exponent,
+        bound,
+    };
+    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+        .iter()
+        .enumerate()
+        .map(|(i, light)| pixel.shade(i, light))
+        .collect();
     finish(&b, &turns, &inputs.ambient, &lights)
 }
 
 /// The weights of what stands at the start and of what goes with it.
-fn weights(b: &Builder, first: &Sig, inputs: &SlerpInputs<Sig>, slerp: &SlerpSpec, steps: u32) -> [Sig; 2] {
+fn weights(
+    b: &Builder,
+    first: &Sig,
+    inputs: &SlerpInputs<Sig>,
+    slerp: &SlerpSpec,
+    steps: u32,
+) -> [Sig; 2] {
     let (formats, cosine, sine) = (&slerp.formats, &inputs.turn_cosine, &inputs.turn_sine);
     let turned = match (&inputs.turn_back, &inputs.rising_cosine, &inputs.falling_cosine) {
         (Some(back), Some(rising), Some(falling)) => {
@@ -56,9 +78,16 @@ fn weights(b: &Builder, first: &Sig, inputs: &SlerpInputs<Sig>, slerp: &SlerpSpe
 }
 
 /// N·X; scalars have ports wherever there is no normal.
-fn on_arc(b: &Builder, weights: [&Sig; 2], scalars: Option<&OnArc<Sig>>, formats: &SlerpFormats, steps: u32) -> Sig {
+fn on_arc(
+    b: &Builder,
+    weights: [&Sig; 2],
+    scalars: Option<&OnArc<Sig>>,
+    formats: &SlerpFormats,
+    steps: u32,
+) -> Sig {
     let zero = b.integer(0);
-    let [start, across] = scalars.map_or([&zero, &zero], |scalars| [&scalars.start, &scalars.across]);
+    let [start, across] =
+        scalars.map_or([&zero, &zero], |scalars| [&scalars.start, &scalars.across]);
     units::along_arc(b, weights, [start, across], formats, steps)
 }
 
@@ -83,7 +112,9 @@ impl Pixel<'_> {
         let base = b.instance(&called("base"), || self.base(&n_dot_l, light));
         let power = || units::raised(b, &base, self.exponent, self.slerp.power_unit());
         Light {
-            diffuse: b.instance(&called("diffuse"), || units::kept_within_one(b, &n_dot_l, formats.diffuse.fraction_bits)),
+            diffuse: b.instance(&called("diffuse"), || {
+                units::kept_within_one(b, &n_dot_l, formats.diffuse.fraction_bits)
+            }),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
             specular_coefficients: light.specular.clone(),
@@ -93,9 +124,12 @@ impl Pixel<'_> {
     fn n_dot_l(&self, light: &SlerpLight<Sig>) -> Sig {
         let (b, formats) = (self.b, &self.slerp.formats);
         match (self.normal, &light.direction) {
-            (Some(n), Some(direction)) => {
-                units::cosine_between(b, n, &unit_vector(direction, formats.vector), formats.cosine.fraction_bits)
-            }
+            (Some(n), Some(direction)) => units::cosine_between(
+                b,
+                n,
+                &unit_vector(direction, formats.vector),
+                formats.cosine.fraction_bits,
+            ),
             _ => on_arc(b, self.weights, light.light.as_ref(), formats, self.spec.longest_span - 1),
         }
     }
@@ -103,8 +137,16 @@ impl Pixel<'_> {
     fn base(&self, n_dot_l: &Sig, light: &SlerpLight<Sig>) -> Sig {
         let (b, formats) = (self.b, &self.slerp.formats);
         match self.normal {
-            Some(_) => units::reflected_cosine(b, self.n_dot_v, n_dot_l, &light.light_dot_view, formats.base.fraction_bits),
-            None => units::base(b, n_dot_l, self.n_dot_v, &light.light_dot_view, &self.bound, formats),
+            Some(_) => units::reflected_cosine(
+                b,
+                self.n_dot_v,
+                n_dot_l,
+                &light.light_dot_view,
+                formats.base.fraction_bits,
+            ),
+            None => {
+                units::base(b, n_dot_l, self.n_dot_v, &light.light_dot_view, &self.bound, formats)
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! An elaborated design: every signal, what computes it, and the units they belong to.
 //!
-//! The builder makes it; engines run it, `block` turns it into rust-hdl blocks, and `verilog` prints those.
+//! The builder makes it; engines run it, `block` turns it into rust-hdl blocks, and `verilog`
+//! prints those.
 mod error_form;
 mod op;
 mod prune;
@@ -55,7 +56,8 @@ pub struct Node {
     pub scope: ScopeId,
     /// Its name, unique in its unit.
     pub name: String,
-    /// Whether somebody gave it its name; those of the others say what computes them, or whose delay they are, with a number behind.
+    /// Whether somebody gave it its name; those of the others say what computes them, or whose
+    /// delay they are, with a number behind.
     pub named: bool,
 }
 
@@ -190,7 +192,8 @@ impl Design {
         self.node(self.valid_out).stage
     }
 
-    /// Bound on the error of an output, in LSBs: rounding and quantised inputs against the same method in exact arithmetic.
+    /// Bound on the error of an output, in LSBs: rounding and quantised inputs against the same
+    /// method in exact arithmetic.
     pub fn error_bound(&self) -> f64 {
         self.output_errors.iter().copied().fold(0.0, f64::max)
     }

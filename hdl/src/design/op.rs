@@ -68,12 +68,18 @@ impl Op {
     pub fn operands(&self) -> impl Iterator<Item = NodeId> + use<> {
         let slots = match *self {
             Op::Input | Op::Constant(_) => [None; 3],
-            Op::Copy(a) | Op::ShiftLeft(a, _) | Op::ShiftRight(a, _) | Op::Wrap(a) | Op::Not(a) | Op::LookUp(a, _) => {
-                [Some(a), None, None]
-            }
-            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::LessThan(a, b) | Op::And(a, b) | Op::Or(a, b) => {
-                [Some(a), Some(b), None]
-            }
+            Op::Copy(a)
+            | Op::ShiftLeft(a, _)
+            | Op::ShiftRight(a, _)
+            | Op::Wrap(a)
+            | Op::Not(a)
+            | Op::LookUp(a, _) => [Some(a), None, None],
+            Op::Add(a, b)
+            | Op::Sub(a, b)
+            | Op::Mul(a, b)
+            | Op::LessThan(a, b)
+            | Op::And(a, b)
+            | Op::Or(a, b) => [Some(a), Some(b), None],
             Op::Select(c, a, b) => [Some(c), Some(a), Some(b)],
         };
         slots.into_iter().flatten()
@@ -124,7 +130,9 @@ impl Op {
                     value(b)
                 }
             }
-            Op::LookUp(a, table) => tables.get(table.0 as usize).map_or(0, |table| table.entry(value(a))),
+            Op::LookUp(a, table) => {
+                tables.get(table.0 as usize).map_or(0, |table| table.entry(value(a)))
+            }
         }
     }
 }

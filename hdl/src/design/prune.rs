@@ -2,7 +2,8 @@
 use super::{Design, LeftOut, Node, NodeId, Op, ScopeId};
 
 impl Design {
-    /// Removes signals that reach no output, keeping the order of the rest. Inputs stay: they are the core's interface.
+    /// Removes signals that reach no output, keeping the order of the rest. Inputs stay: they are
+    /// the core's interface.
     pub(crate) fn prune(&mut self) {
         let kept = self.needed();
         self.note_pruned(&kept);
@@ -24,7 +25,8 @@ impl Design {
         }
         self.inputs = self.inputs.iter().map(|id| id.and_then(new)).collect();
         self.outputs = self.outputs.iter().map(|&id| of_needed(id)).collect();
-        (self.valid, self.start, self.valid_out) = (of_needed(self.valid), of_needed(self.start), of_needed(self.valid_out));
+        (self.valid, self.start, self.valid_out) =
+            (of_needed(self.valid), of_needed(self.start), of_needed(self.valid_out));
         self.assumptions = std::mem::take(&mut self.assumptions)
             .into_iter()
             .filter_map(|a| new(a.node).map(|node| super::Assumption { node, ..a }))
@@ -33,16 +35,33 @@ impl Design {
 
     /// A line for each unit that loses operators or registers.
     fn note_pruned(&mut self, kept: &[bool]) {
-        let gone =
-            |node: &Node| !matches!(node.op, Op::Constant(_) | Op::Copy(_) | Op::Wrap(_) | Op::ShiftLeft(..) | Op::ShiftRight(..));
+        let gone = |node: &Node| {
+            !matches!(
+                node.op,
+                Op::Constant(_)
+                    | Op::Copy(_)
+                    | Op::Wrap(_)
+                    | Op::ShiftLeft(..)
+                    | Op::ShiftRight(..)
+            )
+        };
         for scope in (0..self.scopes.len() as u32).map(ScopeId) {
-            let pruned = self.nodes.iter().zip(kept).filter(|(node, kept)| !**kept && node.scope == scope).map(|(node, _)| node);
+            let pruned = self
+                .nodes
+                .iter()
+                .zip(kept)
+                .filter(|(node, kept)| !**kept && node.scope == scope)
+                .map(|(node, _)| node);
             let (operators, bits) = pruned.fold((0, 0), |(operators, bits), node| {
-                (operators + u32::from(gone(node)), bits + if node.registered() { node.width() } else { 0 })
+                (
+                    operators + u32::from(gone(node)),
+                    bits + if node.registered() { node.width() } else { 0 },
+                )
             });
             if operators > 0 || bits > 0 {
                 let what = format!("{operators} operators and {bits} register bits");
-                let (unit, why) = (self.path(scope).join("."), "nothing reads what they give".to_owned());
+                let (unit, why) =
+                    (self.path(scope).join("."), "nothing reads what they give".to_owned());
                 self.left_out.push(LeftOut { unit, what, why });
             }
         }

@@ -90,7 +90,11 @@ impl Range {
     /// Values of a square, which is never negative.
     pub fn squared(self) -> WideRange {
         let product = self.times(self);
-        let smallest = if self.contains(0) { 0 } else { self.low.unsigned_abs().min(self.high.unsigned_abs()) };
+        let smallest = if self.contains(0) {
+            0
+        } else {
+            self.low.unsigned_abs().min(self.high.unsigned_abs())
+        };
         WideRange { low: i128::from(smallest) * i128::from(smallest), high: product.high }
     }
 
@@ -113,7 +117,10 @@ impl Range {
 
     /// The part inside `other`; its nearest end where they do not meet.
     pub fn clamped_to(self, other: Range) -> Range {
-        Range { low: self.low.clamp(other.low, other.high), high: self.high.clamp(other.low, other.high) }
+        Range {
+            low: self.low.clamp(other.low, other.high),
+            high: self.high.clamp(other.low, other.high),
+        }
     }
 
     fn wide(self) -> WideRange {
@@ -162,7 +169,8 @@ mod tests {
         for a in small() {
             for b in small() {
                 let all = |f: fn(i64, i64) -> i64| {
-                    let values = (a.low..=a.high).flat_map(|x| (b.low..=b.high).map(move |y| f(x, y)));
+                    let values =
+                        (a.low..=a.high).flat_map(|x| (b.low..=b.high).map(move |y| f(x, y)));
                     (values.clone().min(), values.max())
                 };
                 let ends = |r: WideRange| r.narrow().map(|r| (Some(r.low), Some(r.high)));
@@ -171,7 +179,10 @@ mod tests {
                 assert_eq!(ends(a.times(b)), Ok(all(|x, y| x * y)));
             }
             let squares = (a.low..=a.high).map(|x| x * x);
-            assert_eq!(a.squared().narrow().map(|r| (Some(r.low), Some(r.high))), Ok((squares.clone().min(), squares.max())));
+            assert_eq!(
+                a.squared().narrow().map(|r| (Some(r.low), Some(r.high))),
+                Ok((squares.clone().min(), squares.max()))
+            );
         }
     }
 

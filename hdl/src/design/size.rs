@@ -41,14 +41,16 @@ impl Size {
                 self.multipliers += 1;
                 self.multiplier_bits += width(a) * width(b);
             }
-            // A product with a constant is a sum of shifts, at most one adder for each two bits of the constant.
+            // A product with a constant is a sum of shifts, at most one adder for each two bits of
+            // the constant.
             Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::LessThan(..) => {
                 self.adders += 1;
                 self.adder_bits += u64::from(node.width());
             }
             Op::Select(..) => self.multiplexers += 1,
             Op::LookUp(_, table) => {
-                self.table_bits += design.tables[table.0 as usize].entries.len() as u64 * u64::from(node.width())
+                self.table_bits +=
+                    design.tables[table.0 as usize].entries.len() as u64 * u64::from(node.width())
             }
             _ => {}
         }
@@ -59,7 +61,8 @@ impl Size {
 }
 
 impl Design {
-    /// The operands of a product of two variables, which takes a multiplier; one with a constant takes adders.
+    /// The operands of a product of two variables, which takes a multiplier; one with a constant
+    /// takes adders.
     pub fn factors(&self, node: &Node) -> Option<[NodeId; 2]> {
         let variable = |id| self.node(id).op.constant().is_none();
         match node.op {

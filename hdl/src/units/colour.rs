@@ -19,15 +19,19 @@ pub struct Light {
     pub specular_coefficients: Coefficients,
 }
 
-/// The 8-bit codes of red, green and blue of the lights in every turn of a pixel, right in the last. [METHODS A3]
+/// The 8-bit codes of red, green and blue of the lights in every turn of a pixel, right in the
+/// last. [METHODS A3]
 pub fn channels(b: &Builder, turns: &Turns, ambient: &Coefficients, lights: &[Light]) -> [Sig; 3] {
-    let code = |c: usize| b.instance(&format!("{}_channel", NAMES[c]), || channel(b, turns, &ambient[c], lights, c));
+    let code = |c: usize| {
+        b.instance(&format!("{}_channel", NAMES[c]), || channel(b, turns, &ambient[c], lights, c))
+    };
     let red = code(0);
     let green = if alike(ambient, lights, [0, 1]) { shared(b, &red, [0, 1]) } else { code(1) };
-    let blue = match [(0, &red), (1, &green)].into_iter().find(|(c, _)| alike(ambient, lights, [*c, 2])) {
-        Some((c, earlier)) => shared(b, earlier, [c, 2]),
-        None => code(2),
-    };
+    let blue =
+        match [(0, &red), (1, &green)].into_iter().find(|(c, _)| alike(ambient, lights, [*c, 2])) {
+            Some((c, earlier)) => shared(b, earlier, [c, 2]),
+            None => code(2),
+        };
     [red, green, blue]
 }
 
@@ -36,32 +40,52 @@ const NAMES: [&str; 3] = ["red", "green", "blue"];
 /// Whether two channels have the same coefficients, and so the same codes.
 fn alike(ambient: &Coefficients, lights: &[Light], [a, b]: [usize; 2]) -> bool {
     let same = |coefficients: &Coefficients| coefficients[a].is(&coefficients[b]);
-    same(ambient) && lights.iter().all(|light| same(&light.diffuse_coefficients) && same(&light.specular_coefficients))
+    same(ambient)
+        && lights
+            .iter()
+            .all(|light| same(&light.diffuse_coefficients) && same(&light.specular_coefficients))
 }
 
 /// The code of an earlier channel for a later one.
 fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
-    b.leave_out(&format!("channel `{}`", NAMES[later]), &format!("it is always what `{}` is", NAMES[earlier]));
+    b.leave_out(
+        &format!("channel `{}`", NAMES[later]),
+        &format!("it is always what `{}` is", NAMES[earlier]),
+    );
     code.clone()
 }
 
-/// c = ambient + Σ (diffuse coefficient · diffuse + specular coefficient · specular), rounded, at most 255.
+/// c = ambient + Σ (diffuse coefficient · diffuse + specular coefficient · specular), rounded, at
+/// most 255.
 ///
 /// # Error
-/// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the smaller sum, and of each product k f the
-/// smaller one in it, adds up to less than 255; so with intensities off by ρ f + r and coefficients by e, the sum is off by 255 times the
-/// largest ρ, or Σ k ρ where that is less, and by Σ (k r + f e) with the largest k and f. Of the pairs of ρ and r that hold, those count that
-/// make the least of it. Intensities of which one alone is off by r, or else all by less, count with r once in a turn, or with the less all of them.
+/// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the
+/// smaller sum, and of each product k f the smaller one in it, adds up to less than 255; so with
+/// intensities off by ρ f + r and coefficients by e, the sum is off by 255 times the largest ρ, or
+/// Σ k ρ where that is less, and by Σ (k r + f e) with the largest k and f. Of the pairs of ρ and r
+/// that hold, those count that make the least of it. Intensities of which one alone is off by r, or
+/// else all by less, count with r once in a turn, or with the less all of them.
 fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
-    let coefficients = |light: &Light| [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()];
+    let coefficients = |light: &Light| {
+        [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()]
+    };
     let intensities = |light: &Light| [light.diffuse.clone(), light.specular.clone()];
     let coefficients: Vec<Sig> = lights.iter().flat_map(coefficients).collect();
     let intensities: Vec<Sig> = lights.iter().flat_map(intensities).collect();
-    let inputs = (("ambient", ambient), ("coefficient", &coefficients), ("intensity", &intensities), ("begins", &turns.begins));
+    let inputs = (
+        ("ambient", ambient),
+        ("coefficient", &coefficients),
+        ("intensity", &intensities),
+        ("begins", &turns.begins),
+    );
     let formula = "c = min(ambient + sum of coefficient x intensity, 255) [METHODS A3]";
     b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities, begins)| {
-        let below_full_scale = below_full_scale(&ambient, &coefficients, &intensities, turns.count());
-        let terms = coefficients.iter().zip(&intensities).map(|(coefficient, intensity)| coefficient * intensity);
+        let below_full_scale =
+            below_full_scale(&ambient, &coefficients, &intensities, turns.count());
+        let terms = coefficients
+            .iter()
+            .zip(&intensities)
+            .map(|(coefficient, intensity)| coefficient * intensity);
         let sum = match turns.count() {
             1 => terms.fold(ambient, |sum, term| sum + term),
             count => sum_of_turns(&begins, &ambient, terms, count),
@@ -75,7 +99,14 @@ fn sum_of_turns(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, c
     let term = terms.reduce(|sum, term| sum + term).unwrap_or_else(|| ambient.clone());
     let largest = |sig: &Sig| sig.range().high.max(0) as f64 * sig.ulp();
     let most = largest(ambient) + f64::from(count) * largest(&term);
-    Sig::summed(begins, ambient, &term, (0.0, most), count, "no pixel has more turns than there are lights")
+    Sig::summed(
+        begins,
+        ambient,
+        &term,
+        (0.0, most),
+        count,
+        "no pixel has more turns than there are lights",
+    )
 }
 
 /// What the sum over a pixel's turns is off by where it is below full scale.

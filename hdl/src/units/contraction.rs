@@ -18,25 +18,38 @@ pub struct SpanAngles<'a> {
 /// The steepest slope of both curves, at t = 0.
 const STEEPEST: f64 = std::f64::consts::PI;
 
-/// q of t, which is rounded up and clamped to 1; q is rounded down, so that both are on the safe side.
-/// [Reshetov, Soupikov and Mark; METHODS D]
+/// q of t, which is rounded up and clamped to 1; q is rounded down, so that both are on the safe
+/// side. [Reshetov, Soupikov and Mark; METHODS D]
 ///
 /// # Error
-/// Start and step of t are up to a unit of the accumulator's last place too large, so after S steps t is too large by S + 1 of them
-/// and one of its own. q falls by π at most while t grows by 1.
-pub fn contraction(b: &Builder, angles: SpanAngles, curve: Curve, formats: &ConsistentFormats, steps: u32) -> Sig {
-    let inputs = (("start", angles.first), ("angle_start", angles.start), ("angle_step", angles.step));
-    b.unit("contraction", "q(t), t = 2 alpha/pi [Reshetov et al.]", inputs, |b, (first, start, step)| {
-        let accumulated = f64::from(steps + 1) * formats.angle_accumulator.ulp() + HOST_ERROR;
-        let high = LARGEST_ANGLE + formats.angle_accumulator.ulp() + accumulated;
-        let sum = Sig::accumulated(&first, &start, &step, (0.0, high), steps, "0 <= t <= 1.0625");
-        let t = rounded_up(b, &sum, formats.angle.fraction_bits).clamped_above(1);
-        let t = t.stated_error_value(accumulated + formats.angle.ulp()).named("t");
-        match curve {
-            Curve::Rational => rational(b, &t, formats),
-            Curve::Trigonometric => trigonometric(b, &t, formats),
-        }
-    })
+/// Start and step of t are up to a unit of the accumulator's last place too large, so after S steps
+/// t is too large by S + 1 of them and one of its own. q falls by π at most while t grows by 1.
+pub fn contraction(
+    b: &Builder,
+    angles: SpanAngles,
+    curve: Curve,
+    formats: &ConsistentFormats,
+    steps: u32,
+) -> Sig {
+    let inputs =
+        (("start", angles.first), ("angle_start", angles.start), ("angle_step", angles.step));
+    b.unit(
+        "contraction",
+        "q(t), t = 2 alpha/pi [Reshetov et al.]",
+        inputs,
+        |b, (first, start, step)| {
+            let accumulated = f64::from(steps + 1) * formats.angle_accumulator.ulp() + HOST_ERROR;
+            let high = LARGEST_ANGLE + formats.angle_accumulator.ulp() + accumulated;
+            let sum =
+                Sig::accumulated(&first, &start, &step, (0.0, high), steps, "0 <= t <= 1.0625");
+            let t = rounded_up(b, &sum, formats.angle.fraction_bits).clamped_above(1);
+            let t = t.stated_error_value(accumulated + formats.angle.ulp()).named("t");
+            match curve {
+                Curve::Rational => rational(b, &t, formats),
+                Curve::Trigonometric => trigonometric(b, &t, formats),
+            }
+        },
+    )
 }
 
 /// Smallest value not below it with `fraction_bits` bits right of the point.
@@ -44,7 +57,8 @@ fn rounded_up(b: &Builder, x: &Sig, fraction_bits: u32) -> Sig {
     match x.fraction_bits().saturating_sub(fraction_bits) {
         0 => x.clone(),
         dropped => {
-            let almost_one = b.integer((1 << dropped) - 1).times_power_of_two(-(x.fraction_bits() as i32));
+            let almost_one =
+                b.integer((1 << dropped) - 1).times_power_of_two(-(x.fraction_bits() as i32));
             (x + almost_one).truncated(fraction_bits)
         }
     }
@@ -52,7 +66,8 @@ fn rounded_up(b: &Builder, x: &Sig, fraction_bits: u32) -> Sig {
 
 /// q = (1 - t)²/(1 + κt), κ = 1169/1024, rounded down.
 ///
-/// ⌊x⌋ = ⌊(x - 1/2) + 1/2⌋: the correctly rounded quotient after half a unit of its last place is taken off.
+/// ⌊x⌋ = ⌊(x - 1/2) + 1/2⌋: the correctly rounded quotient after half a unit of its last place is
+/// taken off.
 ///
 /// # Error
 /// κ exceeds π - 2 by 8.91e-6, and q falls by no more than t(1 - t)²/(1 + κt)² < 0.1 of that.
@@ -65,30 +80,40 @@ fn rational(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
         let below = (b.integer(1) + &t * b.integer(1169).times_power_of_two(-10)).named("below");
         let lowered = &above - below.times_power_of_two(-(fraction_bits as i32 + 1));
         let to = QuotientFormat { integer_bits: 0, fraction_bits };
-        b.instance("curve_divider", || quotient(b, &lowered, &below, to, 1.0)).stated_error_value(error.min(1.0)).named("q")
+        b.instance("curve_divider", || quotient(b, &lowered, &below, to, 1.0))
+            .stated_error_value(error.min(1.0))
+            .named("q")
     })
 }
 
-/// q = T² with T = tan(π/4 - α/2) = u(1 - (1 - v) S(v)), u = 1 - t and v = u², T and q rounded down.
+/// q = T² with T = tan(π/4 - α/2) = u(1 - (1 - v) S(v)), u = 1 - t and v = u², T and q rounded
+/// down.
 ///
 /// # Error
-/// The polynomial is off by 1.45e-5. With units of the last place of T: v is off by 1, each of four steps of S adds 1 and what v moves it
-/// by, less than 0.2 (|S'| < 0.1), and |d((1 - v) S)/dv| < 0.3; (1 - v) S and T add 1 each. That makes less than 7, and q = T² moves twice
-/// as far.
+/// The polynomial is off by 1.45e-5. With units of the last place of T: v is off by 1, each of four
+/// steps of S adds 1 and what v moves it by, less than 0.2 (|S'| < 0.1), and |d((1 - v) S)/dv| <
+/// 0.3; (1 - v) S and T add 1 each. That makes less than 7, and q = T² moves twice as far.
 fn trigonometric(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
-    b.unit("trigonometric_curve", "q = (1 - sin alpha)/(1 + sin alpha) = tan(pi/4 - alpha/2)^2", (("t", t),), |b, (t,)| {
-        const OFF: f64 = 1.45e-5;
-        const COEFFICIENTS: [i64; 4] = [225_028, 55_803, 13_064, 5_363];
-        let fraction_bits = formats.tangent.fraction_bits;
-        let error = STEEPEST * t.error_value() + 2.0 * (OFF + 7.0 * formats.tangent.ulp()) + formats.contraction.ulp();
-        let up = |x: Sig| rounded_up(b, &x, fraction_bits);
-        let [s0, s1, s2, s3] = COEFFICIENTS.map(|s| b.integer(s).times_power_of_two(-20));
-        let u = (b.integer(1) - &t).named("u");
-        let v = u.squared().truncated(fraction_bits).named("v");
-        let sum = [s2, s1, s0].into_iter().fold(up(s3), |h, s| up(s + &v * h).named("h"));
-        let w = up((b.integer(1) - &v) * sum).named("w");
-        let tangent = (&u * (b.integer(1) - w)).truncated(fraction_bits).named("tangent");
-        let q = tangent.squared().truncated(formats.contraction.fraction_bits).clamped_above(1);
-        q.stated_error_value(error.min(1.0)).named("q")
-    })
+    b.unit(
+        "trigonometric_curve",
+        "q = (1 - sin alpha)/(1 + sin alpha) = tan(pi/4 - alpha/2)^2",
+        (("t", t),),
+        |b, (t,)| {
+            const OFF: f64 = 1.45e-5;
+            const COEFFICIENTS: [i64; 4] = [225_028, 55_803, 13_064, 5_363];
+            let fraction_bits = formats.tangent.fraction_bits;
+            let error = STEEPEST * t.error_value()
+                + 2.0 * (OFF + 7.0 * formats.tangent.ulp())
+                + formats.contraction.ulp();
+            let up = |x: Sig| rounded_up(b, &x, fraction_bits);
+            let [s0, s1, s2, s3] = COEFFICIENTS.map(|s| b.integer(s).times_power_of_two(-20));
+            let u = (b.integer(1) - &t).named("u");
+            let v = u.squared().truncated(fraction_bits).named("v");
+            let sum = [s2, s1, s0].into_iter().fold(up(s3), |h, s| up(s + &v * h).named("h"));
+            let w = up((b.integer(1) - &v) * sum).named("w");
+            let tangent = (&u * (b.integer(1) - w)).truncated(fraction_bits).named("tangent");
+            let q = tangent.squared().truncated(formats.contraction.fraction_bits).clamped_above(1);
+            q.stated_error_value(error.min(1.0)).named("q")
+        },
+    )
 }

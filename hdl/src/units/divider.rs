@@ -26,15 +26,16 @@ impl QuotientFormat {
     }
 }
 
-/// p/q clamped to [0, 2^i], to f fraction bits, correctly rounded (ties up): 0 where p ≤ 0 or q ≤ 0, else 2^i where p ≥ 2^i q.
+/// p/q clamped to [0, 2^i], to f fraction bits, correctly rounded (ties up): 0 where p ≤ 0 or q ≤
+/// 0, else 2^i where p ≥ 2^i q.
 ///
-/// A restoring divider, a row of subtractor and multiplexer and a clock for each bit of the quotient, and one row more for rounding:
-/// with d = 2^i q and Q = ⌊2^(i + f + 1) p/d⌋, ⌊(Q + 1)/2⌋ = ⌊2^f p/q + 1/2⌋. That makes i + f + 1 rows, a clock before them and three
-/// behind.
+/// A restoring divider, a row of subtractor and multiplexer and a clock for each bit of the
+/// quotient, and one row more for rounding: with d = 2^i q and Q = ⌊2^(i + f + 1) p/d⌋, ⌊(Q +
+/// 1)/2⌋ = ⌊2^f p/q + 1/2⌋. That makes i + f + 1 rows, a clock before them and three behind.
 ///
 /// # Error
-/// Both quotients are clamped, so with q ≥ `smallest_divisor` the result is off by (e_p + 2^i e_q)/(`smallest_divisor` - e_q), by 2^i at
-/// most, and half a unit of the last place.
+/// Both quotients are clamped, so with q ≥ `smallest_divisor` the result is off by (e_p + 2^i
+/// e_q)/(`smallest_divisor` - e_q), by 2^i at most, and half a unit of the last place.
 pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
     let formula = format!("r = p/q, clamped to [0, {}]", 1u64 << to.integer_bits);
     b.unit("limited_quotient", &formula, (("p", p), ("q", q)), |b, (p, q)| {
@@ -44,25 +45,45 @@ pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divi
 
 /// p/q clamped to [-2^i, 2^i], to f fraction bits, correctly rounded (ties up); 0 where q ≤ 0.
 ///
-/// p/q + 2^i = (p + 2^i q)/q lies in [0, 2^(i+1)], and adding an integer changes no rounding: the [`quotient`] less 2^i, a row more.
+/// p/q + 2^i = (p + 2^i q)/q lies in [0, 2^(i+1)], and adding an integer changes no rounding: the
+/// [`quotient`] less 2^i, a row more.
 ///
 /// # Error
 /// As the [`quotient`]'s, but by 2^(i+1) at most.
-pub fn signed_quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
+pub fn signed_quotient(
+    b: &Builder,
+    p: &Sig,
+    q: &Sig,
+    to: QuotientFormat,
+    smallest_divisor: f64,
+) -> Sig {
     let limit = 1i64 << to.integer_bits;
-    b.unit("signed_quotient", &format!("r = p/q, clamped to [-{limit}, {limit}]"), (("p", p), ("q", q)), |b, (p, q)| {
-        let error = quotient_error(&p, &q, to, smallest_divisor).min(2.0 * limit as f64 + 0.5 * to.ulp());
-        let raised = &p + q.times_power_of_two(to.integer_bits as i32);
-        let positive = b.integer(0).less_than(&q);
-        let shifted = QuotientFormat { integer_bits: to.integer_bits + 1, ..to };
-        let ratio = quotient(b, &raised, &q, shifted, smallest_divisor) - b.integer(limit);
-        positive.choose(&ratio, &b.integer(0)).stated_error_value(error).named("ratio")
-    })
+    b.unit(
+        "signed_quotient",
+        &format!("r = p/q, clamped to [-{limit}, {limit}]"),
+        (("p", p), ("q", q)),
+        |b, (p, q)| {
+            let error = quotient_error(&p, &q, to, smallest_divisor)
+                .min(2.0 * limit as f64 + 0.5 * to.ulp());
+            let raised = &p + q.times_power_of_two(to.integer_bits as i32);
+            let positive = b.integer(0).less_than(&q);
+            let shifted = QuotientFormat { integer_bits: to.integer_bits + 1, ..to };
+            let ratio = quotient(b, &raised, &q, shifted, smallest_divisor) - b.integer(limit);
+            positive.choose(&ratio, &b.integer(0)).stated_error_value(error).named("ratio")
+        },
+    )
 }
 
-fn limited_quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
+fn limited_quotient(
+    b: &Builder,
+    p: &Sig,
+    q: &Sig,
+    to: QuotientFormat,
+    smallest_divisor: f64,
+) -> Sig {
     let bits = to.integer_bits + to.fraction_bits;
-    let error = quotient_error(p, q, to, smallest_divisor).min(power_of_two(to.integer_bits.into()) + 0.5 * to.ulp());
+    let error = quotient_error(p, q, to, smallest_divisor)
+        .min(power_of_two(to.integer_bits.into()) + 0.5 * to.ulp());
     let q = q.times_power_of_two(to.integer_bits as i32);
     let (zero, one) = (b.integer(0), b.integer(1));
     let positive = zero.less_than(p).and(&zero.less_than(&q)).named("positive");
@@ -71,7 +92,8 @@ fn limited_quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_
 
     let largest = q.format().value(q.range().high).max(1.0);
     // Outside 0 < p < q the rows see 0/1 instead, so that they never overflow.
-    let mut remainder = proper.choose(p, &zero).assumed(0.0, largest, "0 <= p < q").named("dividend");
+    let mut remainder =
+        proper.choose(p, &zero).assumed(0.0, largest, "0 <= p < q").named("dividend");
     let divisor = proper.choose(&q, &one).assumed(0.0, largest, "q > 0").named("divisor");
     let mut quotient = zero.clone();
     for _ in 0..=bits {
@@ -84,24 +106,31 @@ fn limited_quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_
     limited.times_power_of_two(to.integer_bits as i32).stated_error_value(error)
 }
 
-/// (e_p + 2^i e_q)/(`smallest_divisor` - e_q) and half a unit of the last place, or infinite where nothing is known of q.
+/// (e_p + 2^i e_q)/(`smallest_divisor` - e_q) and half a unit of the last place, or infinite where
+/// nothing is known of q.
 fn quotient_error(p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> f64 {
     let operands = p.error_value() + power_of_two(to.integer_bits.into()) * q.error_value();
     let surely = smallest_divisor - q.error_value();
     if surely > 0.0 { operands / surely + 0.5 * to.ulp() } else { f64::INFINITY }
 }
 
-/// One bit of the quotient: with 0 ≤ r < q, whether 2r ≥ q, and what then remains of 2r, both after one clock.
+/// One bit of the quotient: with 0 ≤ r < q, whether 2r ≥ q, and what then remains of 2r, both after
+/// one clock.
 fn row(b: &Builder, remainder: &Sig, divisor: &Sig) -> (Sig, Sig) {
     let largest = divisor.format().value(divisor.range().high);
-    b.unit("divider_row", "bit = 2r >= q, r' = 2r - bit q", (("r", remainder), ("q", divisor)), |b, (r, q)| {
-        let (rest, bit) = b.in_one_clock(|| {
-            let doubled = r.doubled();
-            let difference = &doubled - &q;
-            let below = difference.less_than(&b.integer(0));
-            let rest = below.choose(&doubled, &difference).assumed(0.0, largest, "0 <= r < q");
-            (rest, below.not())
-        });
-        (rest.named("rest"), bit.named("quotient_bit"))
-    })
+    b.unit(
+        "divider_row",
+        "bit = 2r >= q, r' = 2r - bit q",
+        (("r", remainder), ("q", divisor)),
+        |b, (r, q)| {
+            let (rest, bit) = b.in_one_clock(|| {
+                let doubled = r.doubled();
+                let difference = &doubled - &q;
+                let below = difference.less_than(&b.integer(0));
+                let rest = below.choose(&doubled, &difference).assumed(0.0, largest, "0 <= r < q");
+                (rest, below.not())
+            });
+            (rest.named("rest"), bit.named("quotient_bit"))
+        },
+    )
 }

@@ -11,7 +11,8 @@ pub(super) fn vanishes(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
     y.at_least(&b.integer(i64::from(fraction_bits) + 2))
 }
 
-/// 2^-y for y ≥ 0 of `fraction_bits` + 6, rounded to `fraction_bits`; 0 where `vanishes`, which has at least the bit of that name.
+/// 2^-y for y ≥ 0 of `fraction_bits` + 6, rounded to `fraction_bits`; 0 where `vanishes`, which has
+/// at least the bit of that name.
 ///
 /// # Error
 /// Faithful: less than one unit of the last place in all, y's half unit included.
@@ -24,7 +25,8 @@ pub(super) fn two_to_minus(b: &Builder, y: &Sig, vanishes: &Sig, fraction_bits: 
 
 /// 2^-y for 0 ≤ y < `fraction_bits` + 2, rounded to `fraction_bits`.
 ///
-/// y = Y + h/64 + δ: a shift, a table's entry, and 1 - d + d²/2 with d = δ ln 2 < 0.0109, whose cube is lost.
+/// y = Y + h/64 + δ: a shift, a table's entry, and 1 - d + d²/2 with d = δ ln 2 < 0.0109, whose
+/// cube is lost.
 fn fraction_and_shift(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
     b.unit("two_to_minus", "f = 2^-y = 2^-Y 2^(-h/64) (1 - d + d^2/2)", (("y", y),), |b, (y,)| {
         let bits = fraction_bits + 6;
@@ -38,7 +40,10 @@ fn fraction_and_shift(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
         let p = (&d - d.squared().halved()).rounded(bits).named("p");
         let entries = (0..64).map(|h| fixed_log::two_to_minus(h, bits)).collect();
         let entry = h.looked_up(entries, bits, 0.5).named("entry");
-        let fraction = (entry * (b.integer(1) - p)).rounded(bits).assumed(0.0, 1.0, "2^-x <= 1").named("fraction");
+        let fraction = (entry * (b.integer(1) - p))
+            .rounded(bits)
+            .assumed(0.0, 1.0, "2^-x <= 1")
+            .named("fraction");
         shifted_right(b, &fraction, &whole).rounded(fraction_bits).named("power")
     })
 }

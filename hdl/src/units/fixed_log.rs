@@ -1,7 +1,8 @@
-//! Logarithms, powers of two and squared angles in whole numbers, for the entries of tables: the same on every machine.
+//! Logarithms, powers of two and squared angles in whole numbers, for the entries of tables: the
+//! same on every machine.
 //!
-//! Numbers have 60 fraction bits. Each function is off by less than 2^-52, and a parabola's coefficients by less than 2^-40, far below half
-//! a unit of any table's entries.
+//! Numbers have 60 fraction bits. Each function is off by less than 2^-52, and a parabola's
+//! coefficients by less than 2^-40, far below half a unit of any table's entries.
 
 /// Fraction bits of the numbers here.
 const BITS: u32 = 60;
@@ -49,7 +50,8 @@ pub fn log2(raw: i64, bits: u32, fraction_bits: u32) -> i64 {
     rounded(times(2 * sum, LOG2_E), fraction_bits)
 }
 
-/// 2^(-h/64) to `fraction_bits`, for h from 0 to 63: products of the roots 2^(-1/2), 2^(-1/4) … 2^(-1/64).
+/// 2^(-h/64) to `fraction_bits`, for h from 0 to 63: products of the roots 2^(-1/2), 2^(-1/4) …
+/// 2^(-1/64).
 pub fn two_to_minus(h: u32, fraction_bits: u32) -> i64 {
     let mut root = ONE / 2;
     let mut product = ONE;
@@ -62,8 +64,9 @@ pub fn two_to_minus(h: u32, fraction_bits: u32) -> i64 {
     rounded(product, fraction_bits)
 }
 
-/// A, B and C, to `fraction_bits`, of the parabola A + δ(B + δ C) that meets g(d) = α² log₂ e/d, d = 1 - cos α, at both ends and in the
-/// middle of the `part`th of the parts of 2^-`index_bits`, δ being counted from the middle; d < 2.
+/// A, B and C, to `fraction_bits`, of the parabola A + δ(B + δ C) that meets g(d) = α² log₂ e/d,
+/// d = 1 - cos α, at both ends and in the middle of the `part`th of the parts of 2^-`index_bits`, δ
+/// being counted from the middle; d < 2.
 pub fn squared_angle_parabola(part: i64, index_bits: u32, fraction_bits: u32) -> [i64; 3] {
     let half_part = index_bits + 1;
     let at = |half_parts: i64| squared_angle(i128::from(half_parts) << (BITS - half_part));
@@ -85,7 +88,8 @@ fn squared_angle(d: i128) -> i128 {
     times((times(angle, angle) << BITS) / d, LOG2_E)
 }
 
-/// α²/d for 0 ≤ d ≤ 1 by arccos²(1 - d) = Σ 2 (2d)^k/(k² C(2k, k)), each of whose terms is the one before it times d k²/((2k + 1)(k + 1)).
+/// α²/d for 0 ≤ d ≤ 1 by arccos²(1 - d) = Σ 2 (2d)^k/(k² C(2k, k)), each of whose terms is the one
+/// before it times d k²/((2k + 1)(k + 1)).
 fn squared_angle_of_small(d: i128) -> i128 {
     let (mut term, mut sum) = (2 * ONE, 0);
     for k in 1..64 {
@@ -115,7 +119,9 @@ mod tests {
             assert!((two_to_minus(h, 22) as f64 - wanted).abs() <= 0.5001, "2^-{h}/64");
         }
         assert!((ln_2(22) as f64 / 4_194_304.0 - std::f64::consts::LN_2).abs() < 2f64.powi(-23));
-        assert!((log2_e(30) as f64 / 1_073_741_824.0 - std::f64::consts::LOG2_E).abs() < 2f64.powi(-31));
+        assert!(
+            (log2_e(30) as f64 / 1_073_741_824.0 - std::f64::consts::LOG2_E).abs() < 2f64.powi(-31)
+        );
     }
 
     #[test]
@@ -123,7 +129,8 @@ mod tests {
         for d in (1..1920).map(|i| f64::from(i) / 1024.0) {
             let part = (d * 16.0).floor();
             let delta = d - (part + 0.5) / 16.0;
-            let [value, slope, curvature] = squared_angle_parabola(part as i64, 4, 40).map(|raw| raw as f64 / 2f64.powi(40));
+            let [value, slope, curvature] =
+                squared_angle_parabola(part as i64, 4, 40).map(|raw| raw as f64 / 2f64.powi(40));
             // Of the third derivative, which grows towards d = 2.
             let remainder = 1e-5 * (2.0 - d).powf(-2.5);
             let wanted = 4.0 * (d / 2.0).sqrt().asin().powi(2) / d * std::f64::consts::LOG2_E;

@@ -1,4 +1,5 @@
-//! Torrance and Sparrow's distribution: a Gaussian of the angle between two vectors, from the cosine's distance to 1.
+//! Torrance and Sparrow's distribution: a Gaussian of the angle between two vectors, from the
+//! cosine's distance to 1.
 //!
 //! Widths and error are derived in docs/arithmetic/units.md.
 use specula_scene::format::power_of_two;
@@ -11,22 +12,31 @@ const INDEX_BITS: u32 = 4;
 /// The largest d, in eighths.
 const MOST_EIGHTHS: i64 = 15;
 
-/// exp(-2n α²) of d = 1 - cos α from 0 to 15/8 and whole n ≥ 1, to `fraction_bits`: faithful. [Lyon, TR 43, appendix, formulation 11]
+/// exp(-2n α²) of d = 1 - cos α from 0 to 15/8 and whole n ≥ 1, to `fraction_bits`: faithful.
+/// [Lyon, TR 43, appendix, formulation 11]
 ///
 /// # Error
-/// Its slope in cos α is 4n (α/sin α) exp(-2n α²). α/sin α ≤ exp(2α²) but in the last 1e-8 radians before π, where the result is 0, so the
-/// slope is 4n at most. What [`kept_versine`] has left out adds 2^-20.
+/// Its slope in cos α is 4n (α/sin α) exp(-2n α²). α/sin α ≤ exp(2α²) but in the last 1e-8 radians
+/// before π, where the result is 0, so the slope is 4n at most. What [`kept_versine`] has left out
+/// adds 2^-20.
 pub fn gaussian(b: &Builder, versine: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
-    b.unit("gaussian", "f = exp(-2n a^2), d = 1 - cos a", (("d", versine), ("n", n)), |b, (d, n)| {
-        let roundings = power_of_two(-i64::from(fraction_bits)) + power_of_two(-20);
-        let bound = 4.0 * n.range().magnitude() * d.error_value() + roundings;
-        let g = squared_angle(b, &d, fraction_bits + 4);
-        // From 4 on the power vanishes whatever g is: 8g > 23.
-        let t = (n * d).clamped_above(4).named("t");
-        let y = (t * g).doubled().rounded(fraction_bits + 6).named("y");
-        let vanishes = exp2::vanishes(b, &y, fraction_bits).named("vanishes");
-        exp2::two_to_minus(b, &y, &vanishes, fraction_bits).stated_error_value(bound.min(1.0)).named("f")
-    })
+    b.unit(
+        "gaussian",
+        "f = exp(-2n a^2), d = 1 - cos a",
+        (("d", versine), ("n", n)),
+        |b, (d, n)| {
+            let roundings = power_of_two(-i64::from(fraction_bits)) + power_of_two(-20);
+            let bound = 4.0 * n.range().magnitude() * d.error_value() + roundings;
+            let g = squared_angle(b, &d, fraction_bits + 4);
+            // From 4 on the power vanishes whatever g is: 8g > 23.
+            let t = (n * d).clamped_above(4).named("t");
+            let y = (t * g).doubled().rounded(fraction_bits + 6).named("y");
+            let vanishes = exp2::vanishes(b, &y, fraction_bits).named("vanishes");
+            exp2::two_to_minus(b, &y, &vanishes, fraction_bits)
+                .stated_error_value(bound.min(1.0))
+                .named("f")
+        },
+    )
 }
 
 /// 1 - cos α kept within 0 to 15/8, beyond which exp(-2 α²) is less than 2^-20.
@@ -42,8 +52,11 @@ fn squared_angle(b: &Builder, d: &Sig, fraction_bits: u32) -> Sig {
         let half = b.integer(1).times_power_of_two(-(INDEX_BITS as i32) - 1);
         let within = power_of_two(-(i64::from(INDEX_BITS) + 1));
         let delta = (d - part - half).assumed(-within, within, "|delta| <= 1/32").named("delta");
-        let [value, slope, curvature] = tables(fraction_bits).map(|entries| index.looked_up(entries, fraction_bits, 0.5));
-        let slope = (slope.named("slope") + (&delta * curvature.named("curvature")).rounded(fraction_bits)).named("chord");
+        let [value, slope, curvature] =
+            tables(fraction_bits).map(|entries| index.looked_up(entries, fraction_bits, 0.5));
+        let slope = (slope.named("slope")
+            + (&delta * curvature.named("curvature")).rounded(fraction_bits))
+        .named("chord");
         (value.named("value") + (delta * slope).rounded(fraction_bits)).named("g")
     })
 }

@@ -38,10 +38,14 @@ pub use colour::{Coefficients, Light, channels};
 pub use consistent_reflection::{Consistency, consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
 pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
-pub use difference::{halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection, reflection_minus_light};
+pub use difference::{
+    halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection,
+    reflection_minus_light,
+};
 pub use diffuse::{clamped_cosine, diffuse, gouraud};
 pub use direct::{
-    DirectedBase, Product, UnitNormal, direct_cosine, direct_scalar, directed_base, over_square, parameter, squared_length,
+    DirectedBase, Product, UnitNormal, direct_cosine, direct_scalar, directed_base, over_square,
+    parameter, squared_length,
 };
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use followed::{Follow, followed};
@@ -63,10 +67,12 @@ pub use square_root::square_root;
 pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
 pub use turned_normal::{Weighing, turned_normal};
 pub use unit_vectors::{
-    cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine, trowbridge_reitz,
+    cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine,
+    trowbridge_reitz,
 };
 pub use wrapped::{ToPlace, WrapFormats, WrappedPlace, wrapped, wrapped_place};
 
-/// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in formats finer than f64: sums of a few
-/// products no larger than 4, each off by 2^-53 of itself. Steps are as small as the span is long, so they add up to no more.
+/// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in
+/// formats finer than f64: sums of a few products no larger than 4, each off by 2^-53 of itself.
+/// Steps are as small as the span is long, so they add up to no more.
 const HOST_ERROR: f64 = 1.0 / (1u64 << 48) as f64;

@@ -5,24 +5,31 @@ use super::power_error::PowerError;
 use super::shape::square;
 use crate::builder::{Builder, Sig};
 
-/// base^(2^j) for j = `log2_exponent`, 0 or more: each stage squares where j asks for it, else passes on.
-/// [Hast et al.; METHODS C3]
+/// base^(2^j) for j = `log2_exponent`, 0 or more: each stage squares where j asks for it, else
+/// passes on. [Hast et al.; METHODS C3]
 ///
-/// A square doubles the error of what it squares, so this is the cheaper power (`power = "squaring"`), and off by up to (n - 1)/2 units of the last
-/// place near 1; [`any_power`](super::any_power) is faithful.
+/// A square doubles the error of what it squares, so this is the cheaper power
+/// (`power = "squaring"`), and off by up to (n - 1)/2 units of the last place near 1;
+/// [`any_power`](super::any_power) is faithful.
 ///
 /// # Error
 /// See [`PowerError`].
 pub fn power(b: &Builder, base: &Sig, log2_exponent: &Sig, fraction_bits: u32) -> Sig {
-    b.unit("power", "f = b^n, n = 2^j, by squaring", (("base", base), ("j", log2_exponent)), |b, (base, j)| {
-        let log2_n = j.range().high.unsigned_abs() as u32;
-        let n = power_of_two(log2_n.into());
-        let error = PowerError::of(&base, n).and_squared(log2_n, 0.5 * power_of_two(-i64::from(fraction_bits)));
-        let mut f = base;
-        for done in 0..log2_n {
-            let squared = square(b, &f, fraction_bits);
-            f = b.integer(i64::from(done)).less_than(&j).choose(&squared, &f);
-        }
-        error.state(f).named("f")
-    })
+    b.unit(
+        "power",
+        "f = b^n, n = 2^j, by squaring",
+        (("base", base), ("j", log2_exponent)),
+        |b, (base, j)| {
+            let log2_n = j.range().high.unsigned_abs() as u32;
+            let n = power_of_two(log2_n.into());
+            let error = PowerError::of(&base, n)
+                .and_squared(log2_n, 0.5 * power_of_two(-i64::from(fraction_bits)));
+            let mut f = base;
+            for done in 0..log2_n {
+                let squared = square(b, &f, fraction_bits);
+                f = b.integer(i64::from(done)).less_than(&j).choose(&squared, &f);
+            }
+            error.state(f).named("f")
+        },
+    )
 }

@@ -9,10 +9,11 @@ use crate::design::{ErrorForm, SHARES, Share};
 /// # Error
 /// Let the base be s cos t, off by an angle a and by r beside that.
 ///
-/// - The angle moves cos^n t by a times a slope σ(v) of it in t, n cos^(n-1) t sin t, at a v = cos^n t between both powers. [`Line`] says what is
-///   known of σ.
-/// - x^n and y^n with |x - y| ≤ r are no further apart than n r m^(n-1) with m = max(x, y), that is r (1 + (n-1) m^n) at most, since
-///   n m^(n-1) ≤ 1 + (n-1) m^n (weighted means). m^n exceeds both powers by no more than their bound.
+/// - The angle moves cos^n t by a times a slope σ(v) of it in t, n cos^(n-1) t sin t, at a v =
+///   cos^n t between both powers. [`Line`] says what is known of σ.
+/// - x^n and y^n with |x - y| ≤ r are no further apart than n r m^(n-1) with m = max(x, y), that is
+///   r (1 + (n-1) m^n) at most, since n m^(n-1) ≤ 1 + (n-1) m^n (weighted means). m^n exceeds both
+///   powers by no more than their bound.
 pub(super) struct PowerError {
     /// n.
     exponent: f64,
@@ -41,8 +42,8 @@ impl PowerError {
         PowerError { bound: self.bound + error, rest: self.rest + error, ..self }
     }
 
-    /// And each of j squares, 2^j = n, rounded by `half_unit`: the one that is followed by i more is raised to k = 2^i, and so counts as
-    /// r does, 1 + (k-1) m^n times. The k add up to n - 1.
+    /// And each of j squares, 2^j = n, rounded by `half_unit`: the one that is followed by i more
+    /// is raised to k = 2^i, and so counts as r does, 1 + (k-1) m^n times. The k add up to n - 1.
     pub fn and_squared(self, log2_n: u32, half_unit: f64) -> PowerError {
         let (squares, all) = (f64::from(log2_n), power_of_two(log2_n.into()) - 1.0);
         PowerError {
@@ -61,7 +62,10 @@ impl PowerError {
 
     /// Bound on the error; no power exceeds 1.
     fn most(&self) -> f64 {
-        self.shares().iter().map(|share| share.ratio + share.rest).fold(self.at_worst_apart(), f64::min)
+        self.shares()
+            .iter()
+            .map(|share| share.ratio + share.rest)
+            .fold(self.at_worst_apart(), f64::min)
     }
 
     /// Both parts at their worst, wherever that is; 1 at most.
@@ -75,22 +79,28 @@ impl PowerError {
         std::array::from_fn(|i| self.share(if i == 0 { level } else { lines[i - 1] }))
     }
 
-    /// With a line above σ: v and m^n exceed the smaller power by the bound at most, and v falls short of it by what has no part in the
-    /// angle at most, which counts where the line falls.
+    /// With a line above σ: v and m^n exceed the smaller power by the bound at most, and v falls
+    /// short of it by what has no part in the angle at most, which counts where the line falls.
     fn share(&self, line: Line) -> Share {
         let (most, slope) = (self.at_worst_apart(), self.angle * line.slope);
-        let of_turn = self.angle * line.rest + slope.max(0.0) * most + (-slope).max(0.0) * self.bound;
-        Share { ratio: (slope + self.ratio).max(0.0), rest: of_turn + self.rest + self.ratio * most }
+        let of_turn =
+            self.angle * line.rest + slope.max(0.0) * most + (-slope).max(0.0) * self.bound;
+        Share {
+            ratio: (slope + self.ratio).max(0.0),
+            rest: of_turn + self.rest + self.ratio * most,
+        }
     }
 }
 
-/// A line that the slope σ(v) = n cos^(n-1) t sin t of v = cos^n t stays below, for any whole exponent from 1 to n.
+/// A line that the slope σ(v) = n cos^(n-1) t sin t of v = cos^n t stays below, for any whole
+/// exponent from 1 to n.
 ///
-/// σ is concave in v: dσ/dv = (n-1) tan t - cot t grows with t, and v falls. So its tangent at t stays above it, whose value at v = 0 is
-/// cos^(n-1) t/sin t.
+/// σ is concave in v: dσ/dv = (n-1) tan t - cot t grows with t, and v falls. So its tangent at t
+/// stays above it, whose value at v = 0 is cos^(n-1) t/sin t.
 ///
-/// With y = -ln v/n, σ = n v √(e^(2y) - 1). That grows with n where y ≤ 0.796, since √(e^(2y) - 1)/y falls until there: what holds for n holds for
-/// smaller exponents n' where v ≥ e^(-0.796 n'). Below that σ is less than n' v^((n'-1)/n') ≤ n' e^(-0.796 (n'-1)) ≤ 1: it is enough that the
+/// With y = -ln v/n, σ = n v √(e^(2y) - 1). That grows with n where y ≤ 0.796, since √(e^(2y) -
+/// 1)/y falls until there: what holds for n holds for smaller exponents n' where v ≥ e^(-0.796 n').
+/// Below that σ is less than n' v^((n'-1)/n') ≤ n' e^(-0.796 (n'-1)) ≤ 1: it is enough that the
 /// line is no lower than 1 up to v = e^(-0.796) < 0.46.
 #[derive(Clone, Copy)]
 struct Line {
@@ -119,16 +129,20 @@ fn steepest(n: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Powers up to `exponent` of s cos t and s cos (t ± a) ± r: the largest error over what each share and the bound allow.
+    /// Powers up to `exponent` of s cos t and s cos (t ± a) ± r: the largest error over what each
+    /// share and the bound allow.
     fn used(of: &PowerError, exponents: &[f64], r: f64) -> [f64; SHARES + 1] {
         let mut used = [0.0_f64; SHARES + 1];
         for &n in exponents {
             for (i, length, turn, r) in (0..=1500).flat_map(|i| {
-                [1.0, 0.99].into_iter().flat_map(move |s| [-1.0, 1.0].into_iter().flat_map(move |a| [-r, r].map(|r| (i, s, a, r))))
+                [1.0, 0.99].into_iter().flat_map(move |s| {
+                    [-1.0, 1.0].into_iter().flat_map(move |a| [-r, r].map(|r| (i, s, a, r)))
+                })
             }) {
                 let t = f64::from(i) / 1500.0 * std::f64::consts::FRAC_PI_2;
                 let power = |base: f64| base.clamp(0.0, 1.0).powf(n);
-                let (real, fixed) = (power(length * t.cos()), power(length * (t + turn * of.angle).cos() + r));
+                let (real, fixed) =
+                    (power(length * t.cos()), power(length * (t + turn * of.angle).cos() + r));
                 let error = (fixed - real).abs();
                 for (used, share) in used.iter_mut().zip(of.shares()) {
                     *used = f64::max(*used, error / (share.ratio * fixed.min(real) + share.rest));
@@ -143,15 +157,22 @@ mod tests {
     fn every_share_holds_and_comes_near() {
         for n in [1.0, 2.0, 3.0, 16.0, 256.0, 8191.0] {
             for (angle, r) in [(1e-3, 1e-4), (1e-5, 1e-6), (1e-6, 1e-5), (1e-4, 0.0)] {
-                let of = PowerError { exponent: n, angle, bound: n * r, ratio: (n - 1.0) * r, rest: r };
+                let of =
+                    PowerError { exponent: n, angle, bound: n * r, ratio: (n - 1.0) * r, rest: r };
                 let all = [1.0, 2.0, 3.0, 5.0, 16.0, 100.0, 256.0, 8191.0];
                 let below: Vec<f64> = all.into_iter().filter(|&exponent| exponent <= n).collect();
                 let used = used(&of, &below, r);
-                assert!(used.iter().all(|&used| used <= 1.0 + 1e-9), "n {n}, angle {angle}, r {r}: {used:?}");
+                assert!(
+                    used.iter().all(|&used| used <= 1.0 + 1e-9),
+                    "n {n}, angle {angle}, r {r}: {used:?}"
+                );
                 // A line that falls faster than the ratio of r rises touches nothing.
                 let touches = of.shares().map(|share| share.ratio > 0.0);
                 if n >= 16.0 && n * r < 0.1 {
-                    let near = used.iter().zip(touches.into_iter().chain([true])).all(|(&used, touches)| used > 0.7 || !touches);
+                    let near = used
+                        .iter()
+                        .zip(touches.into_iter().chain([true]))
+                        .all(|(&used, touches)| used > 0.7 || !touches);
                     assert!(near, "n {n}, angle {angle}, r {r}: {used:?}");
                 }
             }

@@ -27,31 +27,35 @@ impl ReciprocalRoot {
     }
 }
 
-/// 1/√max(z, 4^-m) to f fraction bits, correctly rounded (ties up); so it is 2^m where z ≤ 4^-m, 0 and negative z included.
-/// [digit recurrence: Ercegovac and Lang, Digital Arithmetic, ch. 6]
+/// 1/√max(z, 4^-m) to f fraction bits, correctly rounded (ties up); so it is 2^m where z ≤ 4^-m, 0
+/// and negative z included. [digit recurrence: Ercegovac and Lang, Digital Arithmetic, ch. 6]
 ///
-/// Let Z be z's raw number with F ≥ 2m fraction bits, and C = 2^(2f + 2 + F). Rows find R, the greatest of m + f + 1 bits with R² Z ≤ C, that is
-/// R = ⌊2^(f+1)/√z⌋ (or one less at z = 4^-m, where 2^(m+f+1) has a bit more), and ⌊(R + 1)/2⌋ = ⌊2^f/√z + 1/2⌋.
+/// Let Z be z's raw number with F ≥ 2m fraction bits, and C = 2^(2f + 2 + F). Rows find R, the
+/// greatest of m + f + 1 bits with R² Z ≤ C, that is R = ⌊2^(f+1)/√z⌋ (or one less at z = 4^-m,
+/// where 2^(m+f+1) has a bit more), and ⌊(R + 1)/2⌋ = ⌊2^f/√z + 1/2⌋.
 ///
-/// With k bits still to find, a row keeps P = R Z and w = ⌊C/4^k⌋ - R² Z. C is a power of two, so nothing comes in beside w, and
-/// (2R + 1)² Z ≤ 4C/4^k where 4P + Z ≤ 4w. z ≥ 4^-m means that w ≤ 2P + Z in the first row, and so in each.
-/// A row and a clock for each of m + f + 1 bits, a clock each to limit z and to round.
+/// With k bits still to find, a row keeps P = R Z and w = ⌊C/4^k⌋ - R² Z. C is a power of two, so
+/// nothing comes in beside w, and (2R + 1)² Z ≤ 4C/4^k where 4P + Z ≤ 4w. z ≥ 4^-m means that w ≤
+/// 2P + Z in the first row, and so in each. A row and a clock for each of m + f + 1 bits, a clock
+/// each to limit z and to round.
 ///
 /// # Error
-/// With real z no smaller than `smallest` and z off by e, the result is off by e/2 s^(-3/2) where s = max(`smallest` - e, 4^-m), by 2^m
-/// at most, and half a unit of the last place.
+/// With real z no smaller than `smallest` and z off by e, the result is off by e/2 s^(-3/2) where
+/// s = max(`smallest` - e, 4^-m), by 2^m at most, and half a unit of the last place.
 pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest: f64) -> Sig {
     let ReciprocalRoot { integer_bits, fraction_bits } = to;
     let formula = format!("r = 1/sqrt(max(z, 2^-{}))", 2 * integer_bits);
     b.unit("reciprocal_square_root", &formula, (("z", z),), |b, (z,)| {
         let least = (smallest - z.error_value()).max(to.smallest_operand());
-        let moved = (z.error_value() / (2.0 * least * least.sqrt())).min(power_of_two(integer_bits.into()));
+        let moved =
+            (z.error_value() / (2.0 * least * least.sqrt())).min(power_of_two(integer_bits.into()));
         let error = moved + 0.5 * power_of_two(-i64::from(fraction_bits));
 
         let limit = b.integer(1).times_power_of_two(-2 * integer_bits as i32);
         let limited = z.less_than(&limit).choose(&limit, &z);
-        // Where no pixel is, registers hold anything, 0 at first. Every number of so many bits counts as possible from here on, so that rows
-        // compute nothing wider than they say at any clock.
+        // Where no pixel is, registers hold anything, 0 at first. Every number of so many bits
+        // counts as possible from here on, so that rows compute nothing wider than they say at any
+        // clock.
         let width = Range::new(0, limited.range().high).width();
         let z = limited.raw().low_bits(width).named("limited");
         let bits = integer_bits + fraction_bits + 1;
@@ -64,31 +68,47 @@ pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest
             (residue, product, bit) = row(b, &residue, &product, &z, before + 2 * found);
             root = root.with_bit(&bit).named("bits");
         }
-        root.times_power_of_two(-(fraction_bits as i32 + 1)).rounded(fraction_bits).stated_error_value(error).named("reciprocal")
+        root.times_power_of_two(-(fraction_bits as i32 + 1))
+            .rounded(fraction_bits)
+            .stated_error_value(error)
+            .named("reciprocal")
     })
 }
 
 /// One bit of the result: whether 4P + Z ≤ 4w, and w and P after it, all after one clock.
 ///
-/// R² Z ≤ C/4^k = 2^`log2_square`, so P = R Z ≤ √(2^`log2_square` Z), and w is no larger than 2P + Z or 2^`log2_square`.
+/// R² Z ≤ C/4^k = 2^`log2_square`, so P = R Z ≤ √(2^`log2_square` Z), and w is no larger than 2P +
+/// Z or 2^`log2_square`.
 fn row(b: &Builder, residue: &Sig, product: &Sig, z: &Sig, log2_square: u32) -> (Sig, Sig, Sig) {
     let (square, largest) = (power_of_two(log2_square.into()), z.range().high as f64);
     // The factor makes up for rounding here.
     let most = (square * largest).sqrt() * (1.0 + f64::EPSILON);
     let formula = "bit = 4w >= 4P + Z, w' = 4w - bit (4P + Z), P' = 2P + bit Z";
-    b.unit("reciprocal_root_row", formula, (("w", residue), ("p", product), ("z", z)), |b, (w, p, z)| {
-        let (rest, product, bit) = b.in_one_clock(|| {
-            let grown = w.times_power_of_two(2);
-            let difference = &grown - (p.times_power_of_two(2) + &z);
-            let below = difference.less_than(&b.integer(0));
-            let rest =
-                below.choose(&grown, &difference).assumed(0.0, all_ones(square.min(2.0 * most + largest)), "0 <= w <= 2P + Z");
-            let doubled = p.times_power_of_two(1);
-            let product = below.choose(&doubled, &(&doubled + &z)).assumed(0.0, all_ones(most), "R^2 Z <= C/4^k");
-            (rest, product, below.not())
-        });
-        (rest.named("rest"), product.named("product"), bit.named("root_bit"))
-    })
+    b.unit(
+        "reciprocal_root_row",
+        formula,
+        (("w", residue), ("p", product), ("z", z)),
+        |b, (w, p, z)| {
+            let (rest, product, bit) = b.in_one_clock(|| {
+                let grown = w.times_power_of_two(2);
+                let difference = &grown - (p.times_power_of_two(2) + &z);
+                let below = difference.less_than(&b.integer(0));
+                let rest = below.choose(&grown, &difference).assumed(
+                    0.0,
+                    all_ones(square.min(2.0 * most + largest)),
+                    "0 <= w <= 2P + Z",
+                );
+                let doubled = p.times_power_of_two(1);
+                let product = below.choose(&doubled, &(&doubled + &z)).assumed(
+                    0.0,
+                    all_ones(most),
+                    "R^2 Z <= C/4^k",
+                );
+                (rest, product, below.not())
+            });
+            (rest.named("rest"), product.named("product"), bit.named("root_bit"))
+        },
+    )
 }
 
 /// The largest number of as many bits as `limit` has.

@@ -4,22 +4,27 @@ use specula_scene::spec::lyon::LyonSpec;
 use super::LengthOff;
 use crate::builder::Vector;
 
-/// Steps from the middle of a highlight to its edge in which bounds are looked for; what grows counts at a step's end, what falls at its begin.
+/// Steps from the middle of a highlight to its edge in which bounds are looked for; what grows
+/// counts at a step's end, what falls at its begin.
 const STEPS: u32 = 2048;
 
 /// How far f_k of D is off for exponents up to `shininess`; 1 at most.
 ///
-/// As a function of d = |D| and with K = 2^k, f = (1 - y²)^K for y = d √(n/2K), 0 from y = 1 on. Its slope in d is
-/// √(2Kn) y (1 - y²)^(K-1), times d it is 2K y² (1 - y²)^(K-1), and over d it is n (1 - y²)^(K-1). Each counts as often as [`LengthOff`] says, or the
-/// first as often as D is off as a whole. Smaller exponents have no more of any at the same y.
+/// As a function of d = |D| and with K = 2^k, f = (1 - y²)^K for y = d √(n/2K), 0 from y = 1 on.
+/// Its slope in d is √(2Kn) y (1 - y²)^(K-1), times d it is 2K y² (1 - y²)^(K-1), and over d it is
+/// n (1 - y²)^(K-1). Each counts as often as [`LengthOff`] says, or the first as often as D is off
+/// as a whole. Smaller exponents have no more of any at the same y.
 ///
-/// Then f of the fixed D, with y', is rounded. Half a unit of x/2^k is raised to K and that of the i-th square to 2^(k-i), so they come out times
-/// K b^(K-1) and 2^(k-i) b^(K-2^i), where b stands for the real and the rounded 1 - y'². The powers b^(2^i) are off by 2^i units, and the mean of real and rounded
-/// one is no more than the power of 1 - y'² + K units, as long as that is 1/2 or more, which is put for less. And y' is no further from any y on the way
-/// to it than √(n/2K) times what D is off.
+/// Then f of the fixed D, with y', is rounded. Half a unit of x/2^k is raised to K and that of the
+/// i-th square to 2^(k-i), so they come out times K b^(K-1) and 2^(k-i) b^(K-2^i), where b stands
+/// for the real and the rounded 1 - y'². The powers b^(2^i) are off by 2^i units, and the mean of
+/// real and rounded one is no more than the power of 1 - y'² + K units, as long as that is 1/2 or
+/// more, which is put for less. And y' is no further from any y on the way to it than √(n/2K) times
+/// what D is off.
 pub fn shape_error(d: &Vector, length_off: LengthOff, shininess: f64, lyon: &LyonSpec) -> f64 {
     let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());
-    let highlight = Highlight { n, squarings: lyon.squarings as i32, ulp: lyon.formats.shape.ulp() };
+    let highlight =
+        Highlight { n, squarings: lyon.squarings as i32, ulp: lyon.formats.shape.ulp() };
     let whole = LengthOff::of(d);
     let moved = (n / (2.0 * highlight.terms())).sqrt() * whole.level;
     let worst = |length_off| {
@@ -45,10 +50,18 @@ impl Highlight {
     }
 
     /// Bound on the error for y from `begin` on, a step long.
-    fn error(&self, begin: f64, LengthOff { level, growing, falling }: LengthOff, moved: f64) -> f64 {
+    fn error(
+        &self,
+        begin: f64,
+        LengthOff { level, growing, falling }: LengthOff,
+        moved: f64,
+    ) -> f64 {
         let (terms, end) = (self.terms(), begin + f64::from(STEPS).recip());
         let base = (1.0 - begin * begin).powi((1 << self.squarings) - 1);
-        let of_length = (level * (2.0 * terms * self.n).sqrt() * end + growing * 2.0 * terms * end * end + falling * self.n) * base;
+        let of_length = (level * (2.0 * terms * self.n).sqrt() * end
+            + growing * 2.0 * terms * end * end
+            + falling * self.n)
+            * base;
         of_length + self.rounding((begin - moved).max(0.0))
     }
 
@@ -86,19 +99,26 @@ mod tests {
                 };
                 let steepest = (0..4000).map(slope).fold(0.0, f64::max);
                 let bound = steepest_slope(squarings, n);
-                assert!(steepest <= bound * 1.0001 && steepest > bound * 0.99, "k {squarings} n {n}: {steepest} against {bound}");
+                assert!(
+                    steepest <= bound * 1.0001 && steepest > bound * 0.99,
+                    "k {squarings} n {n}: {steepest} against {bound}"
+                );
             }
         }
     }
     #[test]
     fn rounded_highlights_of_longer_and_shorter_vectors_stay_within_the_bound() {
-        for (squarings, n, ulp, off) in
-            [(0, 16.0, 1.0 / 1024.0, 1e-3), (2, 256.0, 1.0 / 4096.0, 2e-4), (3, 8191.0, 1.0 / 512.0, 2e-5)]
-        {
+        for (squarings, n, ulp, off) in [
+            (0, 16.0, 1.0 / 1024.0, 1e-3),
+            (2, 256.0, 1.0 / 4096.0, 2e-4),
+            (3, 8191.0, 1.0 / 512.0, 2e-5),
+        ] {
             let of = Highlight { n, squarings, ulp };
             let level = LengthOff { level: off, growing: 0.0, falling: 0.0 };
             let moved = (n / (2.0 * of.terms())).sqrt() * off;
-            let bound = (0..STEPS).map(|i| of.error(f64::from(i) / f64::from(STEPS), level, moved)).fold(0.0, f64::max);
+            let bound = (0..STEPS)
+                .map(|i| of.error(f64::from(i) / f64::from(STEPS), level, moved))
+                .fold(0.0, f64::max);
             let exact = |d: f64| (1.0 - n * d * d / (2.0 * of.terms())).max(0.0).powf(of.terms());
             let fixed = |d: f64, nudge: f64| {
                 let rounded = |x: f64| ((x / ulp + nudge).floor() * ulp).clamp(0.0, 1.0);
@@ -109,10 +129,17 @@ mod tests {
             let error = |i: u32, way: f64| {
                 let d = edge * f64::from(i) / 40_000.0;
                 // Rounded to nearest, ties either way.
-                [0.5, 0.499].map(|nudge| (fixed((d + way * off).abs(), nudge) - exact(d)).abs()).into_iter().fold(0.0, f64::max)
+                [0.5, 0.499]
+                    .map(|nudge| (fixed((d + way * off).abs(), nudge) - exact(d)).abs())
+                    .into_iter()
+                    .fold(0.0, f64::max)
             };
-            let worst = (0..42_000).flat_map(|i| [-1.0, 1.0].map(|way| error(i, way))).fold(0.0, f64::max);
-            assert!(worst <= bound && worst > 0.7 * bound, "k {squarings} n {n}: {worst} against {bound}");
+            let worst =
+                (0..42_000).flat_map(|i| [-1.0, 1.0].map(|way| error(i, way))).fold(0.0, f64::max);
+            assert!(
+                worst <= bound && worst > 0.7 * bound,
+                "k {squarings} n {n}: {worst} against {bound}"
+            );
         }
     }
 }

@@ -15,24 +15,30 @@ pub struct WrapFormats {
     pub vector: Format,
 }
 
-/// n = 2v H - w with v = H·w / H·H: the unit vector w, wrapped around H = N' + w. [Hast, Barrera and Bengtsson, eq. 27, 36 and 38; METHODS C4,
-/// C16, C18]
+/// n = 2v H - w with v = H·w / H·H: the unit vector w, wrapped around H = N' + w. [Hast, Barrera
+/// and Bengtsson, eq. 27, 36 and 38; METHODS C4, C16, C18]
 ///
-/// It is -w reflected about H, so as long as w whatever H is. With N' within 90 degrees of w and the unit ball, |H|² = 1 + |N'|² + 2N'·w is
-/// 1 at least and 0 ≤ v ≤ 1.
+/// It is -w reflected about H, so as long as w whatever H is. With N' within 90 degrees of w and
+/// the unit ball, |H|² = 1 + |N'|² + 2N'·w is 1 at least and 0 ≤ v ≤ 1.
 ///
 /// # Error
-/// n differs from the wrap of the rounded H and w by 2|H| times the error of v, which rounding makes u_p/|H|² + u_v/2: less than
-/// 2 u_p/|H| + 2.1 u_v, and for the length |H| is not below 3/4.
+/// n differs from the wrap of the rounded H and w by 2|H| times the error of v, which rounding
+/// makes u_p/|H|² + u_v/2: less than 2 u_p/|H| + 2.1 u_v, and for the length |H| is not below 3/4.
 ///
-/// The wrap itself is an isometry in w, and in H twice the projection on its direction û. Projections on û and û' differ by no more than
+/// The wrap itself is an isometry in w, and in H twice the projection on its direction û.
+/// Projections on û and û' differ by no more than
 /// |û - û'| ≤ |H - H'|/√(|H||H'|), so H off by e moves n by 2|w| e/(1 - e), and w off by e moves n by e.
 pub fn wrapped(b: &Builder, h: &Vector, w: &Vector, formats: WrapFormats) -> Vector {
-    b.unit("wrapped", "n = 2v H - w, v = H.w / H.H [Hast et al., eq. 27]", (("h", h), ("w", w)), |b, (h, w)| {
-        let (p, q) = operands(&h, &w, formats);
-        let v = divider(b, &p, &q, formats.ratio.fraction_bits, SHORTEST_SQUARED).named("v");
-        around(&h, &w, &v, formats)
-    })
+    b.unit(
+        "wrapped",
+        "n = 2v H - w, v = H.w / H.H [Hast et al., eq. 27]",
+        (("h", h), ("w", w)),
+        |b, (h, w)| {
+            let (p, q) = operands(&h, &w, formats);
+            let v = divider(b, &p, &q, formats.ratio.fraction_bits, SHORTEST_SQUARED).named("v");
+            around(&h, &w, &v, formats)
+        },
+    )
 }
 
 /// The direction to a place, wrapped.
@@ -58,20 +64,26 @@ pub struct ToPlace {
     pub shortest: f64,
 }
 
-/// L' = 2v H - w as [`wrapped`], and w·L' = 2 v p - 1 with p = H·w and v = p / H·H. Where the bit `spot` is 1, w is S, the way back along the
-/// axis of a spot, and X = H - S at any angle to it. [Hast, Barrera and Bengtsson, eq. 36 to 38; METHODS C16 to C18]
+/// L' = 2v H - w as [`wrapped`], and w·L' = 2 v p - 1 with p = H·w and v = p / H·H. Where the bit
+/// `spot` is 1, w is S, the way back along the axis of a spot, and X = H - S at any angle to it.
+/// [Hast, Barrera and Bengtsson, eq. 36 to 38; METHODS C16 to C18]
 ///
-/// Where p ≤ 1, X·S ≤ 0: a spot gives no light there, and v is 0 so that L' is as long as S. Everywhere else |H| is 1 at least.
+/// Where p ≤ 1, X·S ≤ 0: a spot gives no light there, and v is 0 so that L' is as long as S.
+/// Everywhere else |H| is 1 at least.
 ///
 /// # Error
-/// As that of [`wrapped`], where rounding has not moved p across 1. Where it has, by e_p at most, X·S is within e_p of 0; with X no shorter than
-/// s then H·H ≥ 1 + s² - 2 e_p, but for e_q, and S·L' ≤ 2 (1 + e_p)² / (1 + s² - 2 e_p - e_q) - 1 on both sides.
+/// As that of [`wrapped`], where rounding has not moved p across 1. Where it has, by e_p at most,
+/// X·S is within e_p of 0; with X no shorter than s then H·H ≥ 1 + s² - 2 e_p, but for e_q, and
+/// S·L' ≤ 2 (1 + e_p)² / (1 + s² - 2 e_p - e_q) - 1 on both sides.
 pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlace) -> WrappedPlace {
     let formula = "L' = 2v H - w, w.L' = 2v H.w - 1, v = H.w / H.H [Hast et al., eq. 36-38]";
     let is_spot = spot.range().high > 0;
     let mut most_at_edge = 0.0;
-    let (direction, (cosine, exists)) =
-        b.unit("wrapped_place", formula, (("h", h), ("w", w), ("spot", spot)), |b, (h, w, spot)| {
+    let (direction, (cosine, exists)) = b.unit(
+        "wrapped_place",
+        formula,
+        (("h", h), ("w", w), ("spot", spot)),
+        |b, (h, w, spot)| {
             let (p, q) = operands(&h, &w, to.formats);
             if is_spot {
                 most_at_edge = strength_at_edge(&p, &q, to.shortest) + 2.0 * to.formats.ratio.ulp();
@@ -84,7 +96,8 @@ pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlac
             let direction = around(&h, &w, &v, to.formats);
             let exists = spot.choose(&lit, &has_direction(b, &direction)).named("exists");
             (direction, (cosine.at_least_zero().clamped_above(1).named("cosine"), exists))
-        });
+        },
+    );
     WrappedPlace { direction, cosine, exists, most_at_edge }
 }
 
@@ -102,7 +115,10 @@ fn operands(h: &Vector, w: &Vector, formats: WrapFormats) -> (Sig, Sig) {
 
 /// 2v H - w.
 fn around(h: &Vector, w: &Vector, v: &Sig, formats: WrapFormats) -> Vector {
-    let longest = w.longest() + 2.0 * formats.vector.ulp() + 4.0 * formats.operand.ulp() + 4.0 * formats.ratio.ulp();
+    let longest = w.longest()
+        + 2.0 * formats.vector.ulp()
+        + 4.0 * formats.operand.ulp()
+        + 4.0 * formats.ratio.ulp();
     let e_h = h.off().length;
     let shortest = 1.0 - e_h;
     let of_rounding = 2.0 * formats.operand.ulp() / shortest + 2.1 * formats.ratio.ulp();

@@ -16,7 +16,8 @@ pub struct Printed {
     text: String,
     /// Its ports, as text.
     ports: String,
-    /// The places in the library of what it instantiates, once for each instance; they come before its own.
+    /// The places in the library of what it instantiates, once for each instance; they come before
+    /// its own.
     pub children: Vec<usize>,
 }
 
@@ -38,17 +39,26 @@ impl Library {
         &self.modules
     }
 
-    /// Adds a module with all that is in it, and gives its place: that of an equal one added before, or a new one.
+    /// Adds a module with all that is in it, and gives its place: that of an equal one added
+    /// before, or a new one.
     pub fn add(&mut self, module: &Module) -> usize {
         let children = self.add_children(module);
         let text = module::text(module, PLACEHOLDER, &self.names(&children));
-        if let Some(same) = self.modules.iter().position(|m| m.unit == module.unit && m.text == text) {
+        if let Some(same) =
+            self.modules.iter().position(|m| m.unit == module.unit && m.text == text)
+        {
             return same;
         }
         let number = self.modules.iter().filter(|m| m.unit == module.unit).count();
         let base = format!("{}_{}", self.prefix, module.unit);
         let name = if number == 0 { base } else { format!("{base}_{}", number + 1) };
-        self.modules.push(Printed { unit: module.unit.clone(), name, text, ports: module::ports(module), children });
+        self.modules.push(Printed {
+            unit: module.unit.clone(),
+            name,
+            text,
+            ports: module::ports(module),
+            children,
+        });
         self.modules.len() - 1
     }
 

@@ -1,4 +1,5 @@
-//! Verilog-2001 that people want to own: one module per distinct unit, named after it, with formats and latencies in comments.
+//! Verilog-2001 that people want to own: one module per distinct unit, named after it, with formats
+//! and latencies in comments.
 mod library;
 mod module;
 mod names;
@@ -19,7 +20,8 @@ pub struct Header {
     pub lines: Vec<String>,
 }
 
-/// Prints a design as one Verilog file, the core first and then its units. The same design and header give the same bytes.
+/// Prints a design as one Verilog file, the core first and then its units. The same design and
+/// header give the same bytes.
 pub fn print(core: &Module, header: &Header) -> String {
     let mut library = Library::new(&core.instance);
     let children = library.add_children(core);

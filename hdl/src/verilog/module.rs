@@ -9,7 +9,13 @@ use crate::design::{Op, Register};
 pub fn text(module: &Module, name: &str, children: &[String]) -> String {
     let mut out = String::new();
     // Writing to a String cannot fail, here and below.
-    let _ = writeln!(out, "// {}: {}; latency {}.", module.unit, module.formula, clocks(module.stages.1 - module.stages.0));
+    let _ = writeln!(
+        out,
+        "// {}: {}; latency {}.",
+        module.unit,
+        module.formula,
+        clocks(module.stages.1 - module.stages.0)
+    );
     let _ = writeln!(out, "module {name} (\n{}\n);", ports(module));
     declarations(module, &mut out);
     gates(module, &mut out);
@@ -17,7 +23,11 @@ pub fn text(module: &Module, name: &str, children: &[String]) -> String {
     instances(module, children, &mut out);
     let unread = unread_bits(module);
     if !unread.is_empty() {
-        let _ = writeln!(out, "\n  // Bits that narrowing drops.\n  wire unused_bits = &{{1'b0, {}}};", unread.join(", "));
+        let _ = writeln!(
+            out,
+            "\n  // Bits that narrowing drops.\n  wire unused_bits = &{{1'b0, {}}};",
+            unread.join(", ")
+        );
     }
     out.push_str("endmodule\n");
     out
@@ -29,7 +39,8 @@ fn clocks(number: u32) -> String {
 
 /// Whether there is a register in the module or in one below.
 fn needs_clock(module: &Module) -> bool {
-    module.cells().any(|c| c.register != Register::None) || module.children().iter().any(|c| needs_clock(&c.module))
+    module.cells().any(|c| c.register != Register::None)
+        || module.children().iter().any(|c| needs_clock(&c.module))
 }
 
 fn register_of(module: &Module, wire: usize) -> Option<&Cell> {
@@ -100,7 +111,9 @@ fn is_table(cell: &Cell) -> bool {
 
 /// The cell that makes a variable of a wire: its register, or a table.
 fn variable_of(module: &Module, wire: usize) -> Option<&Cell> {
-    module.cells().find(|c| c.wire as usize == wire && (c.register != Register::None || is_table(c)))
+    module
+        .cells()
+        .find(|c| c.wire as usize == wire && (c.register != Register::None || is_table(c)))
 }
 
 /// Whether a cell only delays a signal by a clock.
@@ -112,12 +125,16 @@ fn is_delay(cell: &Cell) -> bool {
 fn declarations(module: &Module, out: &mut String) {
     for (number, wire) in module.wires().iter().enumerate() {
         let register = variable_of(module, number);
-        if wire.wire_type().kind == AtomKind::LocalSignal && register.is_some_and(|cell| !is_delay(cell)) {
-            let _ = writeln!(out, "  {};  // {}", declaration("reg", wire), wire.wire_type().format);
+        if wire.wire_type().kind == AtomKind::LocalSignal
+            && register.is_some_and(|cell| !is_delay(cell))
+        {
+            let _ =
+                writeln!(out, "  {};  // {}", declaration("reg", wire), wire.wire_type().format);
         }
     }
     for chain in delay_chains(module) {
-        let names = chain.iter().map(|w| w.wire_type().name.as_str()).collect::<Vec<_>>().join(", ");
+        let names =
+            chain.iter().map(|w| w.wire_type().name.as_str()).collect::<Vec<_>>().join(", ");
         let shape = shape(chain[0].wire_type());
         let kind = format!("reg {shape}").trim_end().to_owned();
         let _ = writeln!(out, "  {kind} {names};  // {}", chain[0].wire_type().format);
@@ -126,7 +143,12 @@ fn declarations(module: &Module, out: &mut String) {
         for &(_, wire) in &child.outputs {
             let wire = &module.wires()[wire as usize];
             if wire.wire_type().kind == AtomKind::LocalSignal {
-                let _ = writeln!(out, "  {};  // {}", declaration("wire", wire), wire.wire_type().format);
+                let _ = writeln!(
+                    out,
+                    "  {};  // {}",
+                    declaration("wire", wire),
+                    wire.wire_type().format
+                );
             }
         }
     }
@@ -137,7 +159,9 @@ fn delay_chains(module: &Module) -> Vec<Vec<&Wire>> {
     let mut chains: Vec<Vec<&Wire>> = vec![];
     let mut last = None;
     for (number, wire) in module.wires().iter().enumerate() {
-        let Some(cell) = register_of(module, number).filter(|cell| is_delay(cell)) else { continue };
+        let Some(cell) = register_of(module, number).filter(|cell| is_delay(cell)) else {
+            continue;
+        };
         if wire.wire_type().kind != AtomKind::LocalSignal {
             continue;
         }
@@ -158,7 +182,8 @@ fn described(wire: &Wire) -> String {
 }
 
 fn gates(module: &Module, out: &mut String) {
-    for cell in module.cells().filter(|c| c.register == Register::None && c.op.constant().is_none()) {
+    for cell in module.cells().filter(|c| c.register == Register::None && c.op.constant().is_none())
+    {
         let wire = &module.wires()[cell.wire as usize];
         if is_table(cell) {
             let _ = writeln!(out, "  always @(*) begin\n    {}\n  end", module.assignment(cell));
@@ -166,8 +191,12 @@ fn gates(module: &Module, out: &mut String) {
         }
         let value = module.expression(cell);
         let _ = match wire.wire_type().kind {
-            AtomKind::OutputParameter => writeln!(out, "  assign {} = {value};", wire.wire_type().name),
-            _ => writeln!(out, "  {} = {value};  // {}", declaration("wire", wire), described(wire)),
+            AtomKind::OutputParameter => {
+                writeln!(out, "  assign {} = {value};", wire.wire_type().name)
+            }
+            _ => {
+                writeln!(out, "  {} = {value};  // {}", declaration("wire", wire), described(wire))
+            }
         };
     }
 }
@@ -178,8 +207,11 @@ const BLOCK: usize = 64;
 fn registers(module: &Module, out: &mut String) {
     let of = |kind: Register| module.cells().filter(move |c| c.register == kind);
     let name = |cell: &Cell| module.wires()[cell.wire as usize].wire_type().name.clone();
-    let (delays, computed): (Vec<&Cell>, Vec<&Cell>) = of(Register::Data).partition(|cell| is_delay(cell));
-    for (cells, comment) in [(computed, ""), (delays, "  // Delays, so that what belongs together arrives together.\n")] {
+    let (delays, computed): (Vec<&Cell>, Vec<&Cell>) =
+        of(Register::Data).partition(|cell| is_delay(cell));
+    for (cells, comment) in
+        [(computed, ""), (delays, "  // Delays, so that what belongs together arrives together.\n")]
+    {
         if !cells.is_empty() {
             let _ = write!(out, "\n{comment}");
         }
@@ -212,7 +244,18 @@ fn instances(module: &Module, children: &[String], out: &mut String) {
         }
         let net = |wire: u32| &module.wires()[wire as usize].wire_type().name;
         let pin = |pin: u32| &child.module.wires()[pin as usize].wire_type().name;
-        pins.extend(child.inputs.iter().chain(&child.outputs).map(|&(p, w)| format!(".{}({})", pin(p), net(w))));
-        let _ = writeln!(out, "\n  {kind} {} (\n    {}\n  );", child.module.instance, pins.join(",\n    "));
+        pins.extend(
+            child
+                .inputs
+                .iter()
+                .chain(&child.outputs)
+                .map(|&(p, w)| format!(".{}({})", pin(p), net(w))),
+        );
+        let _ = writeln!(
+            out,
+            "\n  {kind} {} (\n    {}\n  );",
+            child.module.instance,
+            pins.join(",\n    ")
+        );
     }
 }

@@ -12,12 +12,14 @@ pub fn is_reserved(word: &str) -> bool {
     VERILOG.split(' ').any(|reserved| reserved == word)
 }
 
-/// A name for the module of a core from a scene's name: small letters, digits and single underscores between them. It is the scene's
-/// own where it can be, and has `_core` behind it where it is a port of the core's, which would be hidden, or a word that a hardware
-/// description language or a file system keeps for itself.
+/// A name for the module of a core from a scene's name: small letters, digits and single
+/// underscores between them. It is the scene's own where it can be, and has `_core` behind it where
+/// it is a port of the core's, which would be hidden, or a word that a hardware description
+/// language or a file system keeps for itself.
 pub fn module_name(scene: &str, spec: &CoreSpec) -> String {
     let name = legal(scene);
-    let is_port = CONTROL.iter().chain(&PIXEL).any(|port| *port == name) || spec.inputs().iter().any(|port| port.name == name);
+    let is_port = CONTROL.iter().chain(&PIXEL).any(|port| *port == name)
+        || spec.inputs().iter().any(|port| port.name == name);
     let is_kept = is_reserved(&name) || ELSEWHERE.split(' ').any(|reserved| reserved == name);
     if is_port || is_kept { format!("{name}_core") } else { name }
 }
@@ -79,6 +81,9 @@ mod tests {
     #[test]
     fn names_are_legal_in_every_language() {
         let names = ["teapot", "7up", "Stanford Bunny", "", "\u{fc}nder", "_3d__scan_"].map(legal);
-        assert_eq!(names, ["teapot", "scene_7up", "stanford_bunny", "scene", "nder", "scene_3d_scan"]);
+        assert_eq!(
+            names,
+            ["teapot", "scene_7up", "stanford_bunny", "scene", "nder", "scene_3d_scan"]
+        );
     }
 }

@@ -1,8 +1,9 @@
 //! Operators as Verilog-2001 expressions.
 //!
-//! Every operand is brought to the width of the result by hand, since a linter asks for it and the reader then need not know
-//! Verilog's rules of extension. Addition, subtraction and selection work modulo 2^width, so signs do not matter there; where they
-//! do (products, comparisons), both operands are made signed.
+//! Every operand is brought to the width of the result by hand, since a linter asks for it and the
+//! reader then need not know Verilog's rules of extension. Addition, subtraction and selection work
+//! modulo 2^width, so signs do not matter there; where they do (products, comparisons), both
+//! operands are made signed.
 use crate::design::{NodeId, Op, Table};
 
 /// What an expression reads.
@@ -24,7 +25,8 @@ pub enum Operand<'a> {
 pub fn expression<'a>(op: Op, width: u32, operand: &dyn Fn(NodeId) -> Operand<'a>) -> String {
     let wide = |id| extended(&operand(id), width);
     match op {
-        // Inputs are driven from outside, and a table is a `case` statement: nothing asks for their expression.
+        // Inputs are driven from outside, and a table is a `case` statement: nothing asks for their
+        // expression.
         Op::Input | Op::LookUp(..) => String::new(),
         Op::Constant(value) => literal(value, width),
         Op::Copy(a) => wide(a),
@@ -42,7 +44,8 @@ pub fn expression<'a>(op: Op, width: u32, operand: &dyn Fn(NodeId) -> Operand<'a
     }
 }
 
-/// `target {arrow} op;` as statements of an `always` block; `target_number` is the number of the target among the operands.
+/// `target {arrow} op;` as statements of an `always` block; `target_number` is the number of the
+/// target among the operands.
 pub fn assignment<'a>(
     (target, target_number): (&str, NodeId),
     arrow: &str,
@@ -54,7 +57,11 @@ pub fn assignment<'a>(
     match op {
         // A register that holds its value, as tools like to see it.
         Op::Select(enable, value, own) if own == target_number => {
-            format!("if ({}) {target} {arrow} {};", extended(&operand(enable), 1), extended(&operand(value), width))
+            format!(
+                "if ({}) {target} {arrow} {};",
+                extended(&operand(enable), 1),
+                extended(&operand(value), width)
+            )
         }
         Op::LookUp(address, table) => {
             let entries = tables.get(table.0 as usize).map_or(&[][..], |table| &table.entries);
@@ -70,10 +77,15 @@ fn case(target: &str, arrow: &str, address: &Operand, entries: &[i64], width: u3
         Operand::Net { width, .. } => width,
         Operand::Literal(value) => crate::design::Range::single(value).width(),
     };
-    let reachable = if address_width < 63 { entries.len().min(1 << address_width) } else { entries.len() };
+    let reachable =
+        if address_width < 63 { entries.len().min(1 << address_width) } else { entries.len() };
     let mut text = format!("case ({})\n", plain(address));
     for (at, &entry) in entries[..reachable].iter().enumerate() {
-        text.push_str(&format!("      {}: {target} {arrow} {};\n", literal(at as i64, address_width), literal(entry, width)));
+        text.push_str(&format!(
+            "      {}: {target} {arrow} {};\n",
+            literal(at as i64, address_width),
+            literal(entry, width)
+        ));
     }
     text.push_str(&format!("      default: {target} {arrow} {};\n    endcase", literal(0, width)));
     text
@@ -106,7 +118,11 @@ pub fn unread_bits(op: Op, width: u32, operand: NodeId, operand_width: u32) -> u
 /// The low bits of `value` in two's complement, decimal where that is what it says.
 fn literal(value: i64, width: u32) -> String {
     let low_bits = value as u64 & (u64::MAX >> (64 - width));
-    if i64::try_from(low_bits) == Ok(value) { format!("{width}'d{low_bits}") } else { format!("{width}'h{low_bits:x}") }
+    if i64::try_from(low_bits) == Ok(value) {
+        format!("{width}'d{low_bits}")
+    } else {
+        format!("{width}'h{low_bits:x}")
+    }
 }
 
 /// The operand `width` bits wide, its value kept as far as it fits.
@@ -118,7 +134,9 @@ fn extended(operand: &Operand, width: u32) -> String {
         Operand::Net { name, width: own, signed: true } => {
             format!("{{{}, {name}}}", repeated(&bit(name, own - 1, own), width - own))
         }
-        Operand::Net { name, width: own, signed: false } => format!("{{{}'d0, {name}}}", width - own),
+        Operand::Net { name, width: own, signed: false } => {
+            format!("{{{}'d0, {name}}}", width - own)
+        }
     }
 }
 
@@ -162,7 +180,8 @@ fn plain(operand: &Operand) -> String {
     }
 }
 
-/// A product no wider than an operand is right modulo 2^width whatever the signs; else Verilog extends the operands by their signs.
+/// A product no wider than an operand is right modulo 2^width whatever the signs; else Verilog
+/// extends the operands by their signs.
 fn product(a: &Operand, b: &Operand, width: u32) -> String {
     let unsigned = is_unsigned(a) && is_unsigned(b);
     let own = |operand: &Operand| own_width(operand) + u32::from(!unsigned && is_unsigned(operand));
@@ -198,7 +217,9 @@ fn shifted_right(operand: &Operand, bits: u32, width: u32) -> String {
             let missing = width.saturating_sub(kept);
             match (missing, signed) {
                 (0, _) => slice,
-                (_, true) => format!("{{{}, {slice}}}", repeated(&bit(name, own - 1, own), missing)),
+                (_, true) => {
+                    format!("{{{}, {slice}}}", repeated(&bit(name, own - 1, own), missing))
+                }
                 (_, false) => format!("{{{missing}'d0, {slice}}}"),
             }
         }
@@ -226,6 +247,10 @@ fn less_than(a: &Operand, b: &Operand) -> String {
         let width = own_width(a).max(own_width(b));
         return format!("{} < {}", extended(a, width), extended(b, width));
     }
-    let width = [a, b].map(|operand| own_width(operand) + u32::from(is_unsigned(operand))).into_iter().max().unwrap_or(1);
+    let width = [a, b]
+        .map(|operand| own_width(operand) + u32::from(is_unsigned(operand)))
+        .into_iter()
+        .max()
+        .unwrap_or(1);
     format!("$signed({}) < $signed({})", extended(a, width), extended(b, width))
 }

@@ -3,9 +3,11 @@ use super::statement;
 use crate::block::{AtomKind, Module};
 use crate::design::{NodeId, Op};
 
-/// The bits of each net that nothing in the module reads, as Verilog selections in the order of the nets.
+/// The bits of each net that nothing in the module reads, as Verilog selections in the order of the
+/// nets.
 pub fn unread_bits(module: &Module) -> Vec<String> {
-    let all: Vec<u64> = module.wires().iter().map(|w| u64::MAX >> (64 - w.wire_type().width)).collect();
+    let all: Vec<u64> =
+        module.wires().iter().map(|w| u64::MAX >> (64 - w.wire_type().width)).collect();
     let mut unread = all.clone();
     for cell in module.cells() {
         let width = module.wires()[cell.wire as usize].wire_type().width;
@@ -25,7 +27,10 @@ pub fn unread_bits(module: &Module) -> Vec<String> {
     let named = module.wires().iter().zip(&unread);
     let read_outside = |kind| matches!(kind, AtomKind::OutputParameter | AtomKind::Constant);
     named
-        .filter(|(wire, _)| !read_outside(wire.wire_type().kind) && !is_reset(module, wire.wire_type().name.as_str()))
+        .filter(|(wire, _)| {
+            !read_outside(wire.wire_type().kind)
+                && !is_reset(module, wire.wire_type().name.as_str())
+        })
         .flat_map(|(wire, &mask)| selections(&wire.wire_type().name, wire.wire_type().width, mask))
         .collect()
 }

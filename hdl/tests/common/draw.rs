@@ -1,7 +1,8 @@
 //! Specs and frames drawn at random, the same ones for the same seed.
 use glam::DVec3;
 use specula_scene::{
-    CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, Needs, Span, Spot, Triangle, VertexCone,
+    CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, Needs, Span, Spot,
+    Triangle, VertexCone,
 };
 
 #[path = "../../../scene/tests/common/any_spec.rs"]
@@ -32,7 +33,8 @@ impl Draw {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// A whole number from `low` to `high`, the ends four times as often as their share: that is where faults are.
+    /// A whole number from `low` to `high`, the ends four times as often as their share: that is
+    /// where faults are.
     pub fn between(&mut self, low: u32, high: u32) -> u32 {
         match self.bits() % 8 {
             0 => low,
@@ -62,23 +64,31 @@ const TRIANGLES: usize = 6;
 
 /// A frame of a few triangles and a span of each, one to a row; the first span is the longest.
 pub fn frame(draw: &mut Draw, longest: u32) -> Frame {
-    let lengths: Vec<u32> = (0..TRIANGLES).map(|i| if i == 0 { longest } else { draw.between(1, longest) }).collect();
+    let lengths: Vec<u32> =
+        (0..TRIANGLES).map(|i| if i == 0 { longest } else { draw.between(1, longest) }).collect();
     let lights = draw.between(1, 4);
     let local = draw.between(0, lights);
     let viewer = draw.between(0, 1);
     let even = draw.one_of(&[true, false]);
-    let triangles: Vec<Triangle> = (0..TRIANGLES).map(|material| triangle(draw, material)).collect();
+    let triangles: Vec<Triangle> =
+        (0..TRIANGLES).map(|material| triangle(draw, material)).collect();
     Frame {
         width: longest,
         height: TRIANGLES as u32,
         background: [1, 2, 3],
         ambient: [draw.unit(); 3],
-        lights: (local..lights).map(|_| DirectionalLight { direction: draw.direction(), colour: colour(draw, 2.0) }).collect(),
+        lights: (local..lights)
+            .map(|_| DirectionalLight { direction: draw.direction(), colour: colour(draw, 2.0) })
+            .collect(),
         local_lights: (0..local).map(|_| local_light(draw, &triangles)).collect(),
         eye: (0..viewer).map(|_| place_about(draw, &triangles)).next(),
         materials: (0..TRIANGLES).map(|_| material(draw, even)).collect(),
         triangles,
-        spans: lengths.into_iter().enumerate().map(|(row, length)| span(draw, row, length)).collect(),
+        spans: lengths
+            .into_iter()
+            .enumerate()
+            .map(|(row, length)| span(draw, row, length))
+            .collect(),
     }
 }
 
@@ -104,7 +114,12 @@ fn colour(draw: &mut Draw, brightest: f64) -> [f64; 3] {
 fn material(draw: &mut Draw, even: bool) -> Material {
     let log2 = draw.between(0, 12);
     let shininess = if even { 1 << log2 } else { draw.between(1, 8191).min(2 << log2) };
-    Material { ambient: colour(draw, 1.0), diffuse: colour(draw, 1.0), specular: colour(draw, 1.0), shininess: shininess.min(8191) }
+    Material {
+        ambient: colour(draw, 1.0),
+        diffuse: colour(draw, 1.0),
+        specular: colour(draw, 1.0),
+        shininess: shininess.min(8191),
+    }
 }
 
 fn triangle(draw: &mut Draw, material: usize) -> Triangle {
@@ -130,7 +145,9 @@ fn triangle(draw: &mut Draw, material: usize) -> Triangle {
 /// Normals of a vertex each: near each other, anywhere, or opposite.
 fn normals(draw: &mut Draw) -> [DVec3; 3] {
     let first = draw.direction();
-    let nearby = |draw: &mut Draw, away: f64| (first + away * draw.direction()).try_normalize().unwrap_or(first);
+    let nearby = |draw: &mut Draw, away: f64| {
+        (first + away * draw.direction()).try_normalize().unwrap_or(first)
+    };
     match draw.between(0, 3) {
         0 => [first; 3],
         1 => [first, -first, draw.direction()],

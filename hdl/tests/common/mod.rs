@@ -26,7 +26,11 @@ impl Drive {
 
     /// The clocks of a span.
     pub fn span(packet: &SpanPacket) -> impl Iterator<Item = Drive> + '_ {
-        (0..packet.length).map(|i| Drive { valid: true, start: i == 0, inputs: packet.inputs.clone() })
+        (0..packet.length).map(|i| Drive {
+            valid: true,
+            start: i == 0,
+            inputs: packet.inputs.clone(),
+        })
     }
 }
 
@@ -77,7 +81,8 @@ impl<'a> Runner<'a> {
     /// The raw value of a signal; `None` for a constant, which has no wire of its own.
     pub fn value(&self, node: NodeId) -> Option<i64> {
         let (path, wire) = self.places[node.0 as usize].as_ref()?;
-        let module = path.iter().fold(&self.block, |module, &child| &module.children()[child].module);
+        let module =
+            path.iter().fold(&self.block, |module, &child| &module.children()[child].module);
         Some(module.wires()[*wire].value())
     }
 
@@ -100,7 +105,9 @@ impl<'a> Runner<'a> {
 }
 
 fn place(module: &Module, path: &mut Vec<usize>, places: &mut [Option<(Vec<usize>, usize)>]) {
-    for (number, wire) in module.wires().iter().enumerate().filter(|(_, w)| w.wire_type().name != "reset") {
+    for (number, wire) in
+        module.wires().iter().enumerate().filter(|(_, w)| w.wire_type().name != "reset")
+    {
         places[wire.wire_type().node.0 as usize] = Some((path.clone(), number));
     }
     for (number, child) in module.children().iter().enumerate() {
@@ -110,8 +117,9 @@ fn place(module: &Module, path: &mut Vec<usize>, places: &mut [Option<(Vec<usize
     }
 }
 
-/// Runs a design and gives the outputs of every pixel, in order. In every clock, each signal that carries a pixel's value must lie in
-/// its proven range, every stated fact must hold, and a pixel must leave exactly when one that entered is due.
+/// Runs a design and gives the outputs of every pixel, in order. In every clock, each signal that
+/// carries a pixel's value must lie in its proven range, every stated fact must hold, and a pixel
+/// must leave exactly when one that entered is due.
 pub fn run(design: &Design, drives: impl IntoIterator<Item = Drive>) -> Vec<Vec<i64>> {
     let mut runner = Runner::new(design);
     let mut pixels = vec![];
@@ -121,9 +129,20 @@ pub fn run(design: &Design, drives: impl IntoIterator<Item = Drive>) -> Vec<Vec<
         let faults = faults(design, &runner);
         assert!(faults.is_empty(), "clock {}:\n{}", runner.entered.len() - 1, faults.join("\n"));
         let due = runner.carries_a_pixel(design.valid_out);
-        assert_eq!(runner.value(design.valid_out), Some(i64::from(due)), "clock {}", runner.entered.len() - 1);
+        assert_eq!(
+            runner.value(design.valid_out),
+            Some(i64::from(due)),
+            "clock {}",
+            runner.entered.len() - 1
+        );
         if due {
-            pixels.push(design.outputs.iter().map(|&output| output_value(design, &runner, output)).collect());
+            pixels.push(
+                design
+                    .outputs
+                    .iter()
+                    .map(|&output| output_value(design, &runner, output))
+                    .collect(),
+            );
         }
         runner.edge();
     };
@@ -131,7 +150,11 @@ pub fn run(design: &Design, drives: impl IntoIterator<Item = Drive>) -> Vec<Vec<
         step(&drive);
         last = Some(drive);
     }
-    let idle = Drive { valid: false, start: false, inputs: last.map(|drive| drive.inputs).unwrap_or_default() };
+    let idle = Drive {
+        valid: false,
+        start: false,
+        inputs: last.map(|drive| drive.inputs).unwrap_or_default(),
+    };
     for _ in 0..=design.latency() {
         step(&idle);
     }
@@ -150,11 +173,20 @@ fn faults(design: &Design, runner: &Runner) -> Vec<String> {
     let value = |node| runner.value(node).filter(|_| runner.carries_a_pixel(node));
     let outside = design.iter().filter_map(|(id, node)| {
         let raw = value(id).filter(|&raw| !node.range.contains(raw))?;
-        Some(format!("{} = {raw} is outside its proven range {:?}", design.full_name(id), node.range))
+        Some(format!(
+            "{} = {raw} is outside its proven range {:?}",
+            design.full_name(id),
+            node.range
+        ))
     });
     let untrue = design.assumptions.iter().filter_map(|a| {
         let raw = value(a.node).filter(|&raw| !a.range.contains(raw))?;
-        Some(format!("{} = {raw} is against \"{}\", {:?}", design.full_name(a.node), a.fact, a.range))
+        Some(format!(
+            "{} = {raw} is against \"{}\", {:?}",
+            design.full_name(a.node),
+            a.fact,
+            a.range
+        ))
     });
     untrue.chain(outside).collect()
 }

@@ -21,7 +21,11 @@ fn check(design: &Design, packets: &[SpanPacket], wanted: impl Fn(&[i64], i64) -
 }
 
 fn packets(inputs: impl Fn(u32, usize) -> Vec<i64>) -> Vec<SpanPacket> {
-    LENGTHS.iter().enumerate().map(|(number, &length)| SpanPacket { length, inputs: inputs(length - 1, number) }).collect()
+    LENGTHS
+        .iter()
+        .enumerate()
+        .map(|(number, &length)| SpanPacket { length, inputs: inputs(length - 1, number) })
+        .collect()
 }
 
 /// x0 + i d0 + i(i - 1)/2 d2, bit for bit, from one limit to the other and back.
@@ -54,7 +58,10 @@ fn linear_values_are_exact() {
     let format = Format::signed(1, 40);
     let one = 1i64 << 40;
     let bench = Bench::new();
-    let (start, step) = (bench.input("value_start", format, (-one, one)), bench.input("step", format, (-2 * one, 2 * one)));
+    let (start, step) = (
+        bench.input("value_start", format, (-one, one)),
+        bench.input("step", format, (-2 * one, 2 * one)),
+    );
     let x = units::linear(&bench.b, &bench.start, Steps { start: &start, step: &step }, STEPS);
     let design = bench.finish(&[("x", x)]);
     let rising = |steps: u32, number: usize| {
@@ -72,11 +79,18 @@ fn normals_are_interpolated() {
     (f.weight.fraction_bits, f.weight_accumulator.fraction_bits) = (11, 25);
     let bench = Bench::new();
     let (vector, sum) = (f.vector, f.vector_sum());
-    let start = ["x", "y", "z"].map(|axis| bench.input(&format!("start_{axis}"), vector, (-512, 512)));
-    let delta = ["x", "y", "z"].map(|axis| bench.input(&format!("delta_{axis}"), sum, (-1024, 1024)));
+    let start =
+        ["x", "y", "z"].map(|axis| bench.input(&format!("start_{axis}"), vector, (-512, 512)));
+    let delta =
+        ["x", "y", "z"].map(|axis| bench.input(&format!("delta_{axis}"), sum, (-1024, 1024)));
     let weight_step = bench.input("weight_step", f.weight_accumulator, (0, 1 << 25));
     let (start, delta) = (Vector::new(start), Vector::new(delta));
-    let span = SpanNormals { first: &bench.start, start: &start, delta: &delta, weight_step: &weight_step };
+    let span = SpanNormals {
+        first: &bench.start,
+        start: &start,
+        delta: &delta,
+        weight_step: &weight_step,
+    };
     let n = units::interpolate(
         &bench.b,
         span,
@@ -94,8 +108,10 @@ fn normals_are_interpolated() {
     let ends = [[512, 0, 0], [0, -512, 0], [300, -300, 290], [0, 0, 512], [-512, 0, 0]];
     let packets = packets(|steps, number| {
         let (from, to): ([i64; 3], [i64; 3]) = (ends[number % 5], ends[(number * 3 + 4) % 5]);
-        let step = if steps == 0 { 0 } else { f.weight_accumulator.quantise(1.0 / f64::from(steps)) };
-        [from[0], from[1], from[2], to[0] - from[0], to[1] - from[1], to[2] - from[2], step].to_vec()
+        let step =
+            if steps == 0 { 0 } else { f.weight_accumulator.quantise(1.0 / f64::from(steps)) };
+        [from[0], from[1], from[2], to[0] - from[0], to[1] - from[1], to[2] - from[2], step]
+            .to_vec()
     });
     check(&design, &packets, |x, i| {
         let a = rounded(i * x[6], 25 - 11);
@@ -117,10 +133,15 @@ fn intensities_are_interpolated_and_clamped() {
     // Up and down between the ends; 1/S is rounded away from 0, so that both ends are passed.
     let packets = packets(|steps, number| {
         let rising = number.is_multiple_of(2);
-        let size = if steps == 0 { 0 } else { one / i64::from(steps) + i64::from(one % i64::from(steps) != 0) };
+        let size = if steps == 0 {
+            0
+        } else {
+            one / i64::from(steps) + i64::from(one % i64::from(steps) != 0)
+        };
         vec![if rising { 0 } else { one }, if rising { size } else { -size }]
     });
-    let passed = packets.iter().any(|p| p.inputs[0] + i64::from(p.length - 1) * p.inputs[1] >= one + 512);
+    let passed =
+        packets.iter().any(|p| p.inputs[0] + i64::from(p.length - 1) * p.inputs[1] >= one + 512);
     assert!(passed, "no span leads past 1 by as much as rounding sees");
     check(&design, &packets, |x, i| vec![rounded(x[0] + i * x[1], 10).clamp(0, 256)]);
 }

@@ -1,4 +1,5 @@
-//! Powers with any exponent: small ones against exact integers, large ones against f64, whose own error is far smaller.
+//! Powers with any exponent: small ones against exact integers, large ones against f64, whose own
+//! error is far smaller.
 use specula_hdl::units;
 use specula_scene::Format;
 
@@ -19,7 +20,8 @@ fn powers(base_bits: u32, largest: u32, fraction_bits: u32, rows: &[Vec<i64>]) -
 fn worst(base_bits: u32, largest: u32, fraction_bits: u32, rows: &[Vec<i64>]) -> f64 {
     let one = f64::from(1 << base_bits);
     let off = |(row, got): (&Vec<i64>, i64)| {
-        (got as f64 - (row[0] as f64 / one).powi(row[1] as i32) * f64::from(1 << fraction_bits)).abs()
+        (got as f64 - (row[0] as f64 / one).powi(row[1] as i32) * f64::from(1 << fraction_bits))
+            .abs()
     };
     rows.iter().zip(powers(base_bits, largest, fraction_bits, rows)).map(off).fold(0.0, f64::max)
 }
@@ -29,11 +31,15 @@ fn worst(base_bits: u32, largest: u32, fraction_bits: u32, rows: &[Vec<i64>]) ->
 fn every_small_power_is_faithful() {
     for (base_bits, largest, fraction_bits) in [(6, 15, 4), (8, 7, 8), (3, 40, 6), (1, 100, 3)] {
         let bases = 0..=1i64 << base_bits;
-        let rows: Vec<Vec<i64>> = bases.flat_map(|b| (1..=i64::from(largest)).map(move |n| vec![b, n])).collect();
+        let rows: Vec<Vec<i64>> =
+            bases.flat_map(|b| (1..=i64::from(largest)).map(move |n| vec![b, n])).collect();
         for (row, got) in rows.iter().zip(powers(base_bits, largest, fraction_bits, &rows)) {
             let (b, n) = (i128::from(row[0]), row[1] as u32);
             let (one, power) = (1i128 << (base_bits * n), b.pow(n) << fraction_bits);
-            assert!((i128::from(got) * one - power).abs() < one, "({b}/2^{base_bits})^{n} to {fraction_bits} bits: {got}");
+            assert!(
+                (i128::from(got) * one - power).abs() < one,
+                "({b}/2^{base_bits})^{n} to {fraction_bits} bits: {got}"
+            );
         }
     }
 }
@@ -44,7 +50,8 @@ fn large_exponents_are_faithful() {
     for (base_bits, largest, fraction_bits) in [(17, 256, 12), (22, 8191, 12), (24, 32764, 16)] {
         let one = 1i64 << base_bits;
         let near = |n: i64| (0..400).map(move |i| vec![(one - i * one / (40 * n)).max(0), n]);
-        let exponents = [1, 2, 3, i64::from(largest) / 7, i64::from(largest) - 1, i64::from(largest)];
+        let exponents =
+            [1, 2, 3, i64::from(largest) / 7, i64::from(largest) - 1, i64::from(largest)];
         let rows: Vec<Vec<i64>> = exponents.into_iter().flat_map(near).collect();
         let worst = worst(base_bits, largest, fraction_bits, &rows);
         assert!(worst < 1.0, "{worst} units of the last place");

@@ -9,8 +9,9 @@ use super::{Bench, outputs};
 
 const ONE: i64 = 16;
 
-/// The three channels of `lights` lights, with coefficients of `U<integer_bits>.6` and intensities of `U1.4`. Rows hold ambient, then
-/// diffuse intensity, specular intensity and both coefficients of each light; all channels have the same.
+/// The three channels of `lights` lights, with coefficients of `U<integer_bits>.6` and intensities
+/// of `U1.4`. Rows hold ambient, then diffuse intensity, specular intensity and both coefficients
+/// of each light; all channels have the same.
 fn design(lights: usize, integer_bits: u32) -> Design {
     design_with(lights, integer_bits, |specular| specular)
 }
@@ -54,20 +55,29 @@ fn check(design: &Design, rows: &[Vec<i64>]) {
 #[test]
 fn codes_are_rounded_and_end_at_255() {
     let near = |lsb: i64| (64 * lsb - 40..=64 * lsb + 40).filter(|a| (0..1 << 14).contains(a));
-    let rows: Vec<Vec<i64>> =
-        [0, 1, 128, 254, 255].into_iter().flat_map(near).flat_map(|a| [0, 1, 16].map(|d| vec![a, d, 0, 64, 0])).collect();
+    let rows: Vec<Vec<i64>> = [0, 1, 128, 254, 255]
+        .into_iter()
+        .flat_map(near)
+        .flat_map(|a| [0, 1, 16].map(|d| vec![a, d, 0, 64, 0]))
+        .collect();
     let design = design(1, 8);
     check(&design, &rows);
-    let full = [vec![255 * 64 + 31, 0, 0, 0, 0], vec![254 * 64 + 31, 0, 0, 0, 0], vec![254 * 64 + 32, 0, 0, 0, 0]];
+    let full = [
+        vec![255 * 64 + 31, 0, 0, 0, 0],
+        vec![254 * 64 + 31, 0, 0, 0, 0],
+        vec![254 * 64 + 32, 0, 0, 0, 0],
+    ];
     assert_eq!(outputs(&design, &full), [[255; 3], [254; 3], [255; 3]]);
 }
 
-/// Every coefficient all ones and every intensity full, with the most lights and the widest coefficients: 255, not wrapped around.
+/// Every coefficient all ones and every intensity full, with the most lights and the widest
+/// coefficients: 255, not wrapped around.
 #[test]
 fn all_ones_are_white() {
     for (lights, integer_bits) in [(1, 1), (1, 8), (4, 8), (4, 16)] {
         let ones = (1 << (integer_bits + 6)) - 1;
-        let row: Vec<i64> = std::iter::once(ones).chain([ONE, ONE, ones, ones].repeat(lights)).collect();
+        let row: Vec<i64> =
+            std::iter::once(ones).chain([ONE, ONE, ones, ones].repeat(lights)).collect();
         let none = row.iter().map(|_| 0).collect();
         let design = design(lights, integer_bits);
         check(&design, &[row.clone(), none]);
@@ -76,10 +86,13 @@ fn all_ones_are_white() {
     }
 }
 
-/// Where one highlight is off by 1/4 or else both by less, the sum is off by the larger of one and both.
+/// Where one highlight is off by 1/4 or else both by less, the sum is off by the larger of one and
+/// both.
 #[test]
 fn highlights_that_are_never_off_together_count_once() {
-    let bound = |form: ErrorForm| design_with(2, 2, |f| f.stated_error_value(0.25).of_error_form(form)).error_bound();
+    let bound = |form: ErrorForm| {
+        design_with(2, 2, |f| f.stated_error_value(0.25).of_error_form(form)).error_bound()
+    };
     let one = bound(ErrorForm::OneOfSeveral { together: 0.0 });
     // A coefficient of U2.6 is 255/64 at most, off by 1/128.
     let most = 255.0 / 64.0 + 1.0 / 128.0;
@@ -87,6 +100,7 @@ fn highlights_that_are_never_off_together_count_once() {
         let got = bound(ErrorForm::OneOfSeveral { together }) - one;
         assert!((got - most * more).abs() < 1e-9, "{together}: {got} more");
     }
-    // Propagation through the products comes to a little less here, since it has the coefficients' own errors apart.
+    // Propagation through the products comes to a little less here, since it has the coefficients'
+    // own errors apart.
     assert!((bound(ErrorForm::Bounded) - one - most * 0.25).abs() < 0.01);
 }

@@ -33,7 +33,8 @@ fn every_cosine_is_rounded_and_limited() {
             let s = if row[1] > 0 { reciprocal_root(row[1], root_bits) } else { 0 };
             let product = row[0] * s;
             let from = 4 + root_bits;
-            let nearest = if from > cosine_bits { rounded(product, from - cosine_bits) } else { product };
+            let nearest =
+                if from > cosine_bits { rounded(product, from - cosine_bits) } else { product };
             // A product with fewer bits than asked for keeps those it has.
             let bits = from.min(cosine_bits);
             let cosine = nearest.clamp(-1 << bits, 1 << bits);
@@ -62,13 +63,17 @@ fn every_reflected_base_is_rounded_and_limited() {
     let bench = Bench::new();
     let ends = (-16, 16);
     let (v, c) = (bench.input("v", P, ends), bench.input("c", P, ends));
-    let (dot_view, q) = (bench.input("dot_view", P, ends), bench.input("q", Format::unsigned(1, 0), (0, 1)));
+    let (dot_view, q) =
+        (bench.input("dot_view", P, ends), bench.input("q", Format::unsigned(1, 0), (0, 1)));
     let has_direction = bench.b.integer(0).less_than(&q);
     let to = Base { fraction_bits: 5, product_error: f64::INFINITY };
     let base = units::reflected_base(&bench.b, (&v, &c), &dot_view, &has_direction, to);
     let design = bench.finish(&[("base", base)]);
-    let with =
-        |row: Vec<i64>| [-16, -7, 0, 5, 16].into_iter().flat_map(move |l| [0, 1].map(|q| [row.clone(), vec![l, q]].concat()));
+    let with = |row: Vec<i64>| {
+        [-16, -7, 0, 5, 16]
+            .into_iter()
+            .flat_map(move |l| [0, 1].map(|q| [row.clone(), vec![l, q]].concat()))
+    };
     let rows: Vec<Vec<i64>> = pairs(ends, ends).into_iter().flat_map(with).collect();
     for (row, got) in rows.iter().zip(outputs(&design, &rows)) {
         let exact = 2 * row[0] * row[1] - (row[2] << 4);

@@ -25,8 +25,10 @@ fn formats(difference_bits: u32) -> LyonSpec {
 /// Normals of S1.3 no longer than 1, and vectors near the sphere with the radius `length`.
 fn pairs(length: i64) -> Vec<Vec<i64>> {
     let normals = cube(8).filter(|&n| dot(n, n) <= 64);
-    let others: Vec<[i64; 3]> =
-        cube(length).filter(|&v| (length * (length - 2)..=length * length).contains(&dot(v, v))).step_by(37).collect();
+    let others: Vec<[i64; 3]> = cube(length)
+        .filter(|&v| (length * (length - 2)..=length * length).contains(&dot(v, v)))
+        .step_by(37)
+        .collect();
     normals.flat_map(|n| others.iter().map(move |v| [n, *v].concat())).collect()
 }
 
@@ -42,13 +44,15 @@ fn cross_products_are_rounded() {
         let rows = pairs(16);
         for (row, got) in rows.iter().zip(outputs(&design, &rows)) {
             let (n, h) = (&row[..3], &row[3..]);
-            let component = |a: usize, b: usize| rounded(h[a] * n[b] - h[b] * n[a], 6 - difference_bits);
+            let component =
+                |a: usize, b: usize| rounded(h[a] * n[b] - h[b] * n[a], 6 - difference_bits);
             assert_eq!(got, [component(1, 2), component(2, 0), component(0, 1)], "{row:?}");
         }
     }
 }
 
-/// D = 2(N·V)N - V - L with V = (0, 0, 1), rounded twice; L = -R makes a component 2.0 (EXTREMES row 25).
+/// D = 2(N·V)N - V - L with V = (0, 0, 1), rounded twice; L = -R makes a component 2.0 (EXTREMES
+/// row 25).
 #[test]
 fn reflections_are_rounded_twice() {
     for difference_bits in [3, 5] {

@@ -9,10 +9,12 @@ fn wanted(d: f64, n: i64) -> f64 {
     (-8.0 * n as f64 * (d / 2.0).sqrt().asin().powi(2)).exp()
 }
 
-/// Largest distance from the true value, in units of the last place, over `rows` of distances d and n.
+/// Largest distance from the true value, in units of the last place, over `rows` of distances d and
+/// n.
 fn worst(versine_bits: u32, largest: i64, fraction_bits: u32, rows: &[Vec<i64>]) -> f64 {
     let bench = Bench::new();
-    let versine = bench.input("d", Format::unsigned(1, versine_bits), (0, 15 << (versine_bits - 3)));
+    let versine =
+        bench.input("d", Format::unsigned(1, versine_bits), (0, 15 << (versine_bits - 3)));
     let n = bench.input("n", Format::unsigned(13, 0), (1, largest));
     let f = units::gaussian(&bench.b, &versine, &n, fraction_bits);
     assert_eq!((f.fraction_bits(), f.range().high), (fraction_bits, 1 << fraction_bits));
@@ -31,7 +33,8 @@ fn worst(versine_bits: u32, largest: i64, fraction_bits: u32, rows: &[Vec<i64>])
 fn every_small_gaussian_is_faithful() {
     for (versine_bits, largest, fraction_bits) in [(4, 15, 4), (8, 7, 8), (10, 2, 16), (6, 40, 6)] {
         let versines = 0..=15i64 << (versine_bits - 3);
-        let rows: Vec<Vec<i64>> = versines.flat_map(|d| (1..=largest).map(move |n| vec![d, n])).collect();
+        let rows: Vec<Vec<i64>> =
+            versines.flat_map(|d| (1..=largest).map(move |n| vec![d, n])).collect();
         let worst = worst(versine_bits, largest, fraction_bits, &rows);
         assert!(worst < 0.7, "{worst} units of the last place");
     }

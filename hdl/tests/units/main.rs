@@ -65,7 +65,12 @@ fn outputs(design: &Design, rows: &[Vec<i64>]) -> Vec<Vec<i64>> {
 
 /// Few cases, since each is a design of its own, and the same ones on every run.
 fn property_tests() -> ProptestConfig {
-    ProptestConfig { cases: 24, rng_seed: RngSeed::Fixed(4), failure_persistence: None, ..ProptestConfig::default() }
+    ProptestConfig {
+        cases: 24,
+        rng_seed: RngSeed::Fixed(4),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
 }
 
 /// floor(raw / 2^bits + 1/2).
@@ -97,7 +102,14 @@ fn lyon(fraction_bits: u32) -> LyonSpec {
     };
     let mut lyon = LyonSpec::for_needs(&needs);
     let f = &mut lyon.formats;
-    for format in [&mut f.vector, &mut f.length_squared, &mut f.gain, &mut f.diffuse, &mut f.difference, &mut f.shape] {
+    for format in [
+        &mut f.vector,
+        &mut f.length_squared,
+        &mut f.gain,
+        &mut f.diffuse,
+        &mut f.difference,
+        &mut f.shape,
+    ] {
         format.fraction_bits = fraction_bits;
     }
     lyon

@@ -1,4 +1,5 @@
-//! Newton's root: spans one straight after the other, each from 1 on, against the same steps in whole numbers.
+//! Newton's root: spans one straight after the other, each from 1 on, against the same steps in
+//! whole numbers.
 use specula_hdl::units::{self, NewtonRoot};
 use specula_scene::Format;
 use specula_scene::spec::direct::DirectFormats;
@@ -44,13 +45,24 @@ fn every_pixel_follows_the_one_before() {
         let bench = Bench::new();
         let formats = formats(reach, bits);
         let q = bench.input("q", formats.length_squared, (-4, one));
-        let d = units::newton_root(&bench.b, &bench.start, &q, &formats, NewtonRoot { steps, shortest: 0.1 });
+        let d = units::newton_root(
+            &bench.b,
+            &bench.start,
+            &q,
+            &formats,
+            NewtonRoot { steps, shortest: 0.1 },
+        );
         assert_eq!(d.fraction_bits(), bits);
         let design = bench.finish(&[("d", d)]);
 
         let values = [one, one / 2, one / 9, 3, -4, 0, one / 5, one, 7, one - 1, 1];
-        let pixel = |i: u32, first| Drive { valid: true, start: first, inputs: vec![values[(i * 7 % 11) as usize]] };
-        let firsts: Vec<bool> = LENGTHS.iter().flat_map(|&length| (0..length).map(|i| i == 0)).collect();
+        let pixel = |i: u32, first| Drive {
+            valid: true,
+            start: first,
+            inputs: vec![values[(i * 7 % 11) as usize]],
+        };
+        let firsts: Vec<bool> =
+            LENGTHS.iter().flat_map(|&length| (0..length).map(|i| i == 0)).collect();
         let got = run(&design, (0..).zip(&firsts).map(|(i, &first)| pixel(i, first)));
         let mut d = 0;
         for ((i, first), got) in (0..).zip(firsts).zip(got) {

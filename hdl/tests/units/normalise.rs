@@ -54,7 +54,13 @@ fn narrowed(raw: i64, from: u32, to: u32) -> i64 {
 fn check(lyon: &LyonSpec, normals: &[[i64; 3]]) {
     let rows: Vec<Vec<i64>> = normals.iter().map(|n| n.to_vec()).collect();
     for (row, got) in normals.iter().zip(outputs(&design(lyon), &rows)) {
-        assert_eq!(got, wanted(lyon, *row), "{row:?}, {:?} and {} steps", lyon.normalisation, lyon.newton_steps);
+        assert_eq!(
+            got,
+            wanted(lyon, *row),
+            "{row:?}, {:?} and {} steps",
+            lyon.normalisation,
+            lyon.newton_steps
+        );
     }
 }
 
@@ -63,7 +69,9 @@ fn within_reach() -> Vec<[i64; 3]> {
 }
 
 fn every_option() -> impl Iterator<Item = LyonSpec> {
-    let options = [Normalisation::G1, Normalisation::G2].into_iter().flat_map(|n| (0..=3).map(move |steps| (n, steps)));
+    let options = [Normalisation::G1, Normalisation::G2]
+        .into_iter()
+        .flat_map(|n| (0..=3).map(move |steps| (n, steps)));
     options.map(|(normalisation, newton_steps)| LyonSpec { normalisation, newton_steps, ..lyon(4) })
 }
 
@@ -73,7 +81,8 @@ fn every_small_normal() {
     let normals = within_reach();
     for (number, mut lyon) in every_option().enumerate() {
         let (length_squared, gain) = [(4, 4), (8, 6), (5, 9), (8, 12)][number % 4];
-        (lyon.formats.length_squared.fraction_bits, lyon.formats.gain.fraction_bits) = (length_squared, gain);
+        (lyon.formats.length_squared.fraction_bits, lyon.formats.gain.fraction_bits) =
+            (length_squared, gain);
         check(&lyon, &normals);
     }
 }
@@ -81,7 +90,8 @@ fn every_small_normal() {
 /// EXTREMES row 26: z a little above 1, y negative and the gain below 1.
 #[test]
 fn a_little_longer_than_one() {
-    let longer: Vec<[i64; 3]> = within_reach().into_iter().filter(|&n| dot(n, n) > 16 * 16).collect();
+    let longer: Vec<[i64; 3]> =
+        within_reach().into_iter().filter(|&n| dot(n, n) > 16 * 16).collect();
     assert!(longer.len() > 100);
     for mut lyon in every_option() {
         (lyon.formats.length_squared.fraction_bits, lyon.formats.gain.fraction_bits) = (8, 8);

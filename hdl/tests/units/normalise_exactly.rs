@@ -18,13 +18,17 @@ fn wanted(normal: [i64; 3], v: u32, to: ExactNormalisation) -> Vec<i64> {
     let z = narrowed(squared, 2 * v as i32 - l as i32);
     let places = l.max(2 * r.integer_bits);
     let limited = (z << (places - l)).max(1 << (places - 2 * r.integer_bits));
-    let not_above = |g: i128| (2 * g - 1).pow(2) * limited <= 1 << (2 * r.fraction_bits + 2 + places);
+    let not_above =
+        |g: i128| (2 * g - 1).pow(2) * limited <= 1 << (2 * r.fraction_bits + 2 + places);
     let (mut low, mut high) = (0i128, (1i128 << (r.integer_bits + r.fraction_bits)) + 1);
     while high - low > 1 {
         let middle = (low + high) / 2;
         if not_above(middle) { low = middle } else { high = middle }
     }
-    let component = |c: i64| narrowed(low * i128::from(c), (r.fraction_bits + v) as i32 - to.vector_fraction_bits as i32) as i64;
+    let component = |c: i64| {
+        narrowed(low * i128::from(c), (r.fraction_bits + v) as i32 - to.vector_fraction_bits as i32)
+            as i64
+    };
     let [x, y, z_component] = normal.map(component);
     vec![x, y, z_component, i64::from(z > 0)]
 }
@@ -33,9 +37,11 @@ fn check(v: u32, to: ExactNormalisation, longest: f64, normals: &[[i64; 3]]) -> 
     let bench = Bench::new();
     let format = Format::signed(1, v);
     let ends = (-(1 << v), 1 << v);
-    let normal = Vector::new(["x", "y", "z"].map(|name| bench.input(name, format, ends))).no_longer_than(longest);
+    let normal = Vector::new(["x", "y", "z"].map(|name| bench.input(name, format, ends)))
+        .no_longer_than(longest);
     let (n, has_direction) = units::normalise_exactly(&bench.b, &normal, to, 0.0);
-    let design = bench.finish(&[("x", n.x), ("y", n.y), ("z", n.z), ("has_direction", has_direction)]);
+    let design =
+        bench.finish(&[("x", n.x), ("y", n.y), ("z", n.z), ("has_direction", has_direction)]);
     let rows: Vec<Vec<i64>> = normals.iter().map(|n| n.to_vec()).collect();
     let got = outputs(&design, &rows);
     for (row, got) in normals.iter().zip(&got) {
@@ -44,7 +50,12 @@ fn check(v: u32, to: ExactNormalisation, longest: f64, normals: &[[i64; 3]]) -> 
     got
 }
 
-fn formats(length_squared: u32, integer_bits: u32, fraction_bits: u32, vector: u32) -> ExactNormalisation {
+fn formats(
+    length_squared: u32,
+    integer_bits: u32,
+    fraction_bits: u32,
+    vector: u32,
+) -> ExactNormalisation {
     ExactNormalisation {
         length_squared_fraction_bits: length_squared,
         reciprocal: ReciprocalRoot { integer_bits, fraction_bits },
@@ -91,14 +102,18 @@ proptest! {
     }
 }
 
-/// With shortest s = 1/2 and N off by e as a whole, n turns by e/√(s (s - e)), gets longer by what z and r round, and is rounded.
+/// With shortest s = 1/2 and N off by e as a whole, n turns by e/√(s (s - e)), gets longer by what
+/// z and r round, and is rounded.
 #[test]
 fn error_is_known_of_long_normals_alone() {
     let bench = Bench::new();
     let ends = (-(1 << 12), 1 << 12);
-    let normal = Vector::new(["x", "y", "z"].map(|name| bench.input(name, Format::signed(1, 12), ends))).no_longer_than(1.0);
+    let normal =
+        Vector::new(["x", "y", "z"].map(|name| bench.input(name, Format::signed(1, 12), ends)))
+            .no_longer_than(1.0);
     let error = |shortest| {
-        let (n, has_direction) = units::normalise_exactly(&bench.b, &normal, formats(20, 4, 14, 12), shortest);
+        let (n, has_direction) =
+            units::normalise_exactly(&bench.b, &normal, formats(20, 4, 14, 12), shortest);
         (n.x.error_value(), has_direction.error())
     };
     let half_unit = 0.5 / 4096.0;

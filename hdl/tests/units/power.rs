@@ -14,7 +14,8 @@ fn powers(base_bits: u32, most_squarings: u32) {
     let design = bench.finish(&[("f", f)]);
 
     let exponents = || 0..=i64::from(most_squarings);
-    let rows: Vec<Vec<i64>> = (0..=one).flat_map(|b| exponents().map(move |j| vec![b, j])).collect();
+    let rows: Vec<Vec<i64>> =
+        (0..=one).flat_map(|b| exponents().map(move |j| vec![b, j])).collect();
     for (row, got) in rows.iter().zip(outputs(&design, &rows)) {
         let wanted = (0..row[1]).fold(row[0], |b, _| rounded(b * b, base_bits));
         assert_eq!(got, [wanted], "({}/{one})^(2^{})", row[0], row[1]);

@@ -8,7 +8,8 @@ use super::{Bench, outputs, property_tests};
 
 type Unit = fn(&Builder, &Sig, &Sig, QuotientFormat, f64) -> Sig;
 
-/// floor(2^f p/q + 1/2) between the limits, 0 where q ≤ 0; p and q are raw numbers, p with so many fraction bits more.
+/// floor(2^f p/q + 1/2) between the limits, 0 where q ≤ 0; p and q are raw numbers, p with so many
+/// fraction bits more.
 fn wanted(p: i64, q: i64, more: i32, to: QuotientFormat, low: i64) -> i64 {
     if q <= 0 {
         return 0;
@@ -21,13 +22,20 @@ fn wanted(p: i64, q: i64, more: i32, to: QuotientFormat, low: i64) -> i64 {
 
 fn check((unit, low): (Unit, i64), [p, q]: [Format; 2], to: QuotientFormat, rows: &[Vec<i64>]) {
     let bench = Bench::new();
-    let input = |name, format: Format| bench.input(name, format, (format.min_raw(), format.max_raw()));
+    let input =
+        |name, format: Format| bench.input(name, format, (format.min_raw(), format.max_raw()));
     let ratio = unit(&bench.b, &input("p", p), &input("q", q), to, 0.0);
     assert_eq!(ratio.fraction_bits(), to.fraction_bits);
     let design = bench.finish(&[("ratio", ratio)]);
     let more = p.fraction_bits as i32 - q.fraction_bits as i32;
     for (row, got) in rows.iter().zip(outputs(&design, rows)) {
-        assert_eq!(got, [wanted(row[0], row[1], more, to, low)], "{}/{} in {p} and {q} to {to:?}", row[0], row[1]);
+        assert_eq!(
+            got,
+            [wanted(row[0], row[1], more, to, low)],
+            "{}/{} in {p} and {q} to {to:?}",
+            row[0],
+            row[1]
+        );
     }
 }
 
@@ -35,11 +43,15 @@ const UNITS: [(Unit, i64); 2] = [(units::quotient, 0), (units::signed_quotient, 
 
 #[test]
 fn every_quotient_is_the_nearest() {
-    let formats =
-        [[Format::signed(1, 3), Format::unsigned(0, 4)], [Format::signed(2, 2), Format::signed(1, 3)], [Format::unsigned(4, 0); 2]];
+    let formats = [
+        [Format::signed(1, 3), Format::unsigned(0, 4)],
+        [Format::signed(2, 2), Format::signed(1, 3)],
+        [Format::unsigned(4, 0); 2],
+    ];
     for [p, q] in formats {
-        let rows: Vec<Vec<i64>> =
-            (p.min_raw()..=p.max_raw()).flat_map(|x| (q.min_raw()..=q.max_raw()).map(move |y| vec![x, y])).collect();
+        let rows: Vec<Vec<i64>> = (p.min_raw()..=p.max_raw())
+            .flat_map(|x| (q.min_raw()..=q.max_raw()).map(move |y| vec![x, y]))
+            .collect();
         for (integer_bits, fraction_bits) in [(0, 0), (0, 3), (1, 0), (2, 4), (4, 2), (6, 1)] {
             let to = QuotientFormat { integer_bits, fraction_bits };
             UNITS.iter().for_each(|&unit| check(unit, [p, q], to, &rows));
@@ -51,7 +63,10 @@ fn every_quotient_is_the_nearest() {
 #[test]
 fn known_quotients() {
     let to = QuotientFormat { integer_bits: 2, fraction_bits: 0 };
-    assert_eq!([(3, 2), (-3, 2), (1, 2), (-1, 2), (9, 2), (-9, 2)].map(|(p, q)| wanted(p, q, 0, to, -1)), [2, -1, 1, 0, 4, -4]);
+    assert_eq!(
+        [(3, 2), (-3, 2), (1, 2), (-1, 2), (9, 2), (-9, 2)].map(|(p, q)| wanted(p, q, 0, to, -1)),
+        [2, -1, 1, 0, 4, -4]
+    );
 }
 
 proptest! {

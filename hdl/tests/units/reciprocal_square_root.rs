@@ -5,7 +5,8 @@ use specula_scene::Format;
 
 use super::{Bench, outputs, property_tests};
 
-/// The greatest r with (2r - 1)² z ≤ 4 · 2^2f, that is r - 1/2 ≤ 2^f/√z; z is a raw number with F fraction bits, and 4^-m at least.
+/// The greatest r with (2r - 1)² z ≤ 4 · 2^2f, that is r - 1/2 ≤ 2^f/√z; z is a raw number with F
+/// fraction bits, and 4^-m at least.
 fn wanted(z: i64, operand_bits: u32, to: ReciprocalRoot) -> i64 {
     let places = operand_bits.max(2 * to.integer_bits);
     let z = (i128::from(z) << (places - operand_bits)).max(1 << (places - 2 * to.integer_bits));
@@ -29,7 +30,12 @@ fn check(format: Format, to: ReciprocalRoot, operands: impl Iterator<Item = i64>
     let design = bench.finish(&[("reciprocal", reciprocal)]);
     let rows: Vec<Vec<i64>> = operands.map(|z| vec![z]).collect();
     for (row, got) in rows.iter().zip(outputs(&design, &rows)) {
-        assert_eq!(got, [wanted(row[0], format.fraction_bits, to)], "{} in {format} to {to:?}", row[0]);
+        assert_eq!(
+            got,
+            [wanted(row[0], format.fraction_bits, to)],
+            "{} in {format} to {to:?}",
+            row[0]
+        );
     }
 }
 
@@ -37,7 +43,10 @@ fn check(format: Format, to: ReciprocalRoot, operands: impl Iterator<Item = i64>
 fn every_reciprocal_is_the_nearest() {
     for (whole_bits, operand_bits) in [(0, 1), (1, 4), (2, 5), (0, 8), (5, 0), (3, 3)] {
         for (integer_bits, fraction_bits) in [(0, 0), (1, 1), (2, 4), (3, 5), (5, 2)] {
-            for format in [Format::signed(whole_bits, operand_bits), Format::unsigned(whole_bits, operand_bits)] {
+            for format in [
+                Format::signed(whole_bits, operand_bits),
+                Format::unsigned(whole_bits, operand_bits),
+            ] {
                 let to = ReciprocalRoot { integer_bits, fraction_bits };
                 check(format, to, format.min_raw()..=format.max_raw());
             }
@@ -49,7 +58,10 @@ fn every_reciprocal_is_the_nearest() {
 #[test]
 fn known_reciprocals() {
     let to = ReciprocalRoot { integer_bits: 3, fraction_bits: 4 };
-    assert_eq!([-5, 0, 1, 4, 16, 64, 256].map(|z| wanted(z, 8, to)), [128, 128, 128, 128, 64, 32, 16]);
+    assert_eq!(
+        [-5, 0, 1, 4, 16, 64, 256].map(|z| wanted(z, 8, to)),
+        [128, 128, 128, 128, 64, 32, 16]
+    );
 }
 
 proptest! {

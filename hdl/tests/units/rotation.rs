@@ -1,4 +1,5 @@
-//! The rotation: spans one straight after the other, each from (1, 0) on, against the same steps in whole numbers.
+//! The rotation: spans one straight after the other, each from (1, 0) on, against the same steps in
+//! whole numbers.
 use specula_hdl::SpanPacket;
 use specula_hdl::units;
 use specula_scene::Format;
@@ -26,7 +27,8 @@ fn formats(turn: u32, state: u32) -> SlerpFormats {
     }
 }
 
-/// Turns of all sizes: none, so small that their sine rounds to 0, some that go round, and half a turn.
+/// Turns of all sizes: none, so small that their sine rounds to 0, some that go round, and half a
+/// turn.
 #[test]
 fn every_step_is_a_rounded_rotation() {
     for (turn, state) in [(15, 13), (13, 13), (30, 28), (20, 14)] {
@@ -36,13 +38,20 @@ fn every_step_is_a_rounded_rotation() {
         let cosine = bench.input("turn_cosine", formats.turn, (-one, one));
         let sine = bench.input("turn_sine", formats.turn, (0, one));
         let [c, s] = units::rotation(&bench.b, &bench.start, [&cosine, &sine], &formats, STEPS);
-        assert_eq!((c.fraction_bits(), c.stage(), s.stage()), (state, 1, 1), "a turn takes one clock");
+        assert_eq!(
+            (c.fraction_bits(), c.stage(), s.stage()),
+            (state, 1, 1),
+            "a turn takes one clock"
+        );
         let design = bench.finish(&[("c", c), ("s", s)]);
 
         let angles = [0.0, 1e-6, 0.003, 1.5, 0.01, std::f64::consts::PI, 0.7, 0.0101];
         let packet = |(&length, angle): (&u32, f64)| {
             let (sin, cos) = angle.sin_cos();
-            SpanPacket { length, inputs: [cos, sin].map(|x| formats.turn.quantise(x).clamp(-one, one)).into() }
+            SpanPacket {
+                length,
+                inputs: [cos, sin].map(|x| formats.turn.quantise(x).clamp(-one, one)).into(),
+            }
         };
         let packets: Vec<SpanPacket> = LENGTHS.iter().zip(angles).map(packet).collect();
         let mut got = run(&design, packets.iter().flat_map(Drive::span)).into_iter();
@@ -57,7 +66,8 @@ fn every_step_is_a_rounded_rotation() {
     }
 }
 
-/// The bound on what many turns add up to holds, and says something: of turns once round in 1023 steps.
+/// The bound on what many turns add up to holds, and says something: of turns once round in 1023
+/// steps.
 #[test]
 fn drift_stays_within_its_bound() {
     let formats = formats(16, 14);
@@ -71,7 +81,10 @@ fn drift_stays_within_its_bound() {
     let mut largest: f64 = 0.0;
     for angle in [std::f64::consts::PI / 1023.0, 0.0017, 0.0009, 0.003] {
         let (sin, cos) = angle.sin_cos();
-        let packet = SpanPacket { length: 1024, inputs: vec![formats.turn.quantise(cos), formats.turn.quantise(sin)] };
+        let packet = SpanPacket {
+            length: 1024,
+            inputs: vec![formats.turn.quantise(cos), formats.turn.quantise(sin)],
+        };
         for (i, got) in (0..).zip(run(&design, Drive::span(&packet))) {
             let (sin, cos) = (f64::from(i) * angle).sin_cos();
             let off = [got[0] as f64 / 16384.0 - cos, got[1] as f64 / 16384.0 - sin];

@@ -41,9 +41,14 @@ fn operators_on_constant_inputs_have_the_error_of_what_was_rounded() {
         let (a, c) = (bench.input("a", FORMAT, WHOLE), bench.always("c", raw));
         let sums = worst([WHOLE, (raw, raw)], |a, b| a + b) * ULP;
         let products = worst([WHOLE, (raw, raw)], |a, b| a * b) * ULP * ULP;
-        for (sig, wanted) in
-            [(&a + &c, sums), (&c + &a, sums), (&a - &c, sums), (&c - &a, sums), (&a * &c, products), (&c * &a, products)]
-        {
+        for (sig, wanted) in [
+            (&a + &c, sums),
+            (&c + &a, sums),
+            (&a - &c, sums),
+            (&c - &a, sums),
+            (&a * &c, products),
+            (&c * &a, products),
+        ] {
             assert_eq!(sig.error_value(), wanted, "{raw}");
         }
         let of_two = worst([(raw, raw), (raw, raw)], |a, b| a * b) * ULP * ULP;
@@ -75,9 +80,14 @@ fn what_grows_by_a_step_that_was_rounded_to_0_is_off_by_every_step() {
         let (start, step) = (bench.input("start", FORMAT, start), bench.always("step", 0));
         let grown = Sig::accumulated(&bench.start, &start, &step, (-20.0, 20.0), steps, "it stays");
         assert_eq!(grown.error(), 0.5 * (1.0 + s));
-        let linear = units::linear(&bench.b, &bench.start, Steps { start: &start, step: &step }, steps);
+        let linear =
+            units::linear(&bench.b, &bench.start, Steps { start: &start, step: &step }, steps);
         assert!((linear.error() - 0.5 * (1.0 + s)).abs() < 1e-9);
-        let of = Differences { start: &start, first_difference: &step, second_difference: &bench.always("second", 0) };
+        let of = Differences {
+            start: &start,
+            first_difference: &step,
+            second_difference: &bench.always("second", 0),
+        };
         let quadratic = units::quadratic(&bench.b, &bench.start, of, (-1.0, 1.0), steps);
         assert!((quadratic.error() - 0.5 * (1.0 + s + s * (s - 1.0) / 2.0)).abs() < 1e-9);
     }
@@ -105,7 +115,11 @@ fn twins_keep_their_own_errors() {
         assert_eq!(of_fine.id(), of_coarse.id(), "one multiplier does for both");
         assert_eq!(of_fine.error(), 8.0 + 8.0 + 0.25);
         assert_eq!(of_coarse.error(), 16.0 * 4.0 + 8.0 + 2.0);
-        assert_eq!((a.error(), coarse.error()), (0.5, 4.0), "what is stated of a value is stated of no other");
+        assert_eq!(
+            (a.error(), coarse.error()),
+            (0.5, 4.0),
+            "what is stated of a value is stated of no other"
+        );
         let design = bench.finish(&[("fine", of_fine), ("coarse", of_coarse)]);
         assert_eq!(design.output_errors, [16.25 * ULP * ULP, 74.0 * ULP * ULP]);
     }
@@ -148,12 +162,20 @@ fn clamps_know_nothing_of_the_real_value_but_what_they_leave_of_it() {
 /// it is.
 #[test]
 fn between_two_clamps_a_value_is_off_by_their_distance_at_most() {
-    for ((low, high), wanted) in [((-32, 32), 1.0), ((0, 0), 1.0), ((4, 4), 0.75), ((16, 16), 1.0), ((40, 50), 1.0)] {
+    for ((low, high), wanted) in
+        [((-32, 32), 1.0), ((0, 0), 1.0), ((4, 4), 0.75), ((16, 16), 1.0), ((40, 50), 1.0)]
+    {
         let bench = Bench::new();
         let input = bench.input("x", Format::signed(3, 4), (low, high)).stated_error_value(5.0);
-        for clamped in [input.at_least_zero().clamped_above(1), input.clamped_above(1).at_least_zero()] {
+        for clamped in
+            [input.at_least_zero().clamped_above(1), input.clamped_above(1).at_least_zero()]
+        {
             assert_eq!(clamped.error_value(), wanted, "{low} to {high}");
-            assert_eq!(clamped.rounded(2).at_least_zero().clamped_above(1).error_value(), wanted, "{low} to {high}");
+            assert_eq!(
+                clamped.rounded(2).at_least_zero().clamped_above(1).error_value(),
+                wanted,
+                "{low} to {high}"
+            );
         }
     }
 }
@@ -170,7 +192,11 @@ fn stated_facts_leave_errors_alone() {
 /// Of values that take turns and are the same constant, the largest error counts.
 #[test]
 fn turns_that_are_all_the_same_have_the_largest_error() {
-    let b = specula_hdl::builder::Builder::new("bench", "", std::rc::Rc::new(specula_hdl::target::Generic));
+    let b = specula_hdl::builder::Builder::new(
+        "bench",
+        "",
+        std::rc::Rc::new(specula_hdl::target::Generic),
+    );
     let turns = b.take_turns(&b.control(), 2);
     let coarse = b.integer(0).stated_error_value(0.25);
     for values in [[coarse.clone(), b.integer(0)], [b.integer(0), coarse]] {
@@ -184,7 +210,9 @@ fn turns_that_are_all_the_same_have_the_largest_error() {
 fn errors_cross_the_borders_of_units() {
     let bench = Bench::new();
     let (x, zero) = (bench.input("x", FORMAT, WHOLE), bench.always("zero", 0));
-    let inside = |name: &str, x: &Sig| bench.b.unit(name, "", (("x", x), ("zero", &zero)), |_, (x, zero)| x * zero);
+    let inside = |name: &str, x: &Sig| {
+        bench.b.unit(name, "", (("x", x), ("zero", &zero)), |_, (x, zero)| x * zero)
+    };
     let (fine, coarse) = (inside("fine", &x), inside("coarse", &x.clone().stated_error_value(1.0)));
     assert_eq!((fine.error(), coarse.error()), (8.25, 16.0 * 0.5 + 16.0 * 0.5));
     let design: Design = bench.finish(&[("fine", fine), ("coarse", coarse)]);

@@ -29,14 +29,20 @@ fn wanted(lyon: &LyonSpec, row: &[i64]) -> i64 {
     let (d, n) = ([row[0], row[1], row[2]], row[3]);
     let f = lyon.formats.shape.fraction_bits;
     let scale = 2 * lyon.formats.difference.fraction_bits + lyon.squarings + 1;
-    let x = if scale >= f { rounded(n * dot(d, d), scale - f) } else { (n * dot(d, d)) << (f - scale) };
+    let x =
+        if scale >= f { rounded(n * dot(d, d), scale - f) } else { (n * dot(d, d)) << (f - scale) };
     let shape = if row[4] == 0 { 0 } else { ((1 << f) - x).max(0) };
     (0..lyon.squarings).fold(shape, |s, _| rounded(s * s, f))
 }
 
 fn check(lyon: &LyonSpec, design: &Design, rows: &[Vec<i64>]) {
     for (row, got) in rows.iter().zip(outputs(design, rows)) {
-        assert_eq!(got, [wanted(lyon, row)], "D, n, has_direction = {row:?}, k = {}", lyon.squarings);
+        assert_eq!(
+            got,
+            [wanted(lyon, row)],
+            "D, n, has_direction = {row:?}, k = {}",
+            lyon.squarings
+        );
     }
 }
 
@@ -48,8 +54,12 @@ fn every_short_difference() {
         (lyon.squarings, lyon.formats.shape.fraction_bits) = (squarings, 6);
         let design = design(&lyon, 300);
         let within = cube(16).filter(|&d| dot(d, d) <= 16 * 16);
-        // Every exponent with every fourth vector is as good as all with all, and four times as fast.
-        let rows: Vec<Vec<i64>> = within.enumerate().map(|(i, d)| row(d, [1, 2, 5, 300][i % 4], i64::from(i % 7 != 0))).collect();
+        // Every exponent with every fourth vector is as good as all with all, and four times as
+        // fast.
+        let rows: Vec<Vec<i64>> = within
+            .enumerate()
+            .map(|(i, d)| row(d, [1, 2, 5, 300][i % 4], i64::from(i % 7 != 0)))
+            .collect();
         check(&lyon, &design, &rows);
     }
 }
@@ -58,22 +68,27 @@ fn every_short_difference() {
 fn three_squares(sum: i64, limit: i64) -> Option<[i64; 3]> {
     let root = |rest: i64| (rest as f64).sqrt().round() as i64;
     let pairs = (0..=limit).flat_map(|a| (0..=a).map(move |b| (a, b)));
-    let mut triples = pairs.filter(|(a, b)| a * a + b * b <= sum).map(|(a, b)| [a, b, root(sum - a * a - b * b)]);
+    let mut triples =
+        pairs.filter(|(a, b)| a * a + b * b <= sum).map(|(a, b)| [a, b, root(sum - a * a - b * b)]);
     triples.find(|&d| dot(d, d) == sum && d[2] <= limit)
 }
 
-/// EXTREMES row 21: x = 2^k exactly and one unit of the last place to either side; 0 from there on and never negative to an even power.
+/// EXTREMES row 21: x = 2^k exactly and one unit of the last place to either side; 0 from there on
+/// and never negative to an even power.
 #[test]
 fn end_of_the_shape() {
     for squarings in 0..=3u32 {
         let mut lyon = lyon(7);
         lyon.squarings = squarings;
-        // With n = 2^k, x/2^k is D.D/2. A unit of its last place is four of D.D's, and four sums round to each value of x.
+        // With n = 2^k, x/2^k is D.D/2. A unit of its last place is four of D.D's, and four sums
+        // round to each value of x.
         lyon.formats.shape.fraction_bits = 13;
         let design = design(&lyon, 8);
         let n = 1 << squarings;
         let with_x = |x: i64| (4 * x - 2..4 * x + 2).find_map(|sum| three_squares(sum, 256));
-        let rows = [-1, 0, 1].map(|ulps| row(with_x((1 << 13) + ulps).expect("one of four sums is one of three squares"), n, 1));
+        let rows = [-1, 0, 1].map(|ulps| {
+            row(with_x((1 << 13) + ulps).expect("one of four sums is one of three squares"), n, 1)
+        });
         check(&lyon, &design, &rows);
         let got: Vec<i64> = outputs(&design, &rows).into_iter().map(|codes| codes[0]).collect();
         // One unit of the last place squared is far below half a unit.
@@ -92,14 +107,16 @@ fn centre_of_the_shape() {
     }
 }
 
-/// EXTREMES rows 24 and 31: the longest D with the largest exponent, along one axis alone and along none.
+/// EXTREMES rows 24 and 31: the longest D with the largest exponent, along one axis alone and along
+/// none.
 #[test]
 fn longest_difference() {
     let mut lyon = lyon(6);
     lyon.formats.shape.fraction_bits = 12;
     let design = design(&lyon, 8191);
     let two = 128;
-    let rows: Vec<Vec<i64>> = [[two, 0, 0], [0, -two, 0], [0, 0, two], [73, 73, -75]].map(|d| row(d, 8191, 1)).to_vec();
+    let rows: Vec<Vec<i64>> =
+        [[two, 0, 0], [0, -two, 0], [0, 0, two], [73, 73, -75]].map(|d| row(d, 8191, 1)).to_vec();
     check(&lyon, &design, &rows);
     assert_eq!(outputs(&design, &rows), [[0], [0], [0], [0]]);
 }

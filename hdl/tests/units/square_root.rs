@@ -8,7 +8,8 @@ use super::{Bench, outputs, property_tests};
 /// The greatest r with (2r - 1)² 2^F ≤ 4 · 2^2f x, or 0: r - 1/2 ≤ 2^f √x, x a raw number with F
 /// fraction bits.
 fn wanted(x: i64, operand_bits: u32, fraction_bits: u32) -> i64 {
-    let not_above = |r: i128| (2 * r - 1).pow(2) << operand_bits <= i128::from(x) << (2 * fraction_bits + 2);
+    let not_above =
+        |r: i128| (2 * r - 1).pow(2) << operand_bits <= i128::from(x) << (2 * fraction_bits + 2);
     let (mut low, mut high) = (0i128, 1i128 << 40);
     while x > 0 && high - low > 1 {
         let middle = (low + high) / 2;
@@ -25,7 +26,12 @@ fn check(format: Format, fraction_bits: u32, operands: impl Iterator<Item = i64>
     let design = bench.finish(&[("root", root)]);
     let rows: Vec<Vec<i64>> = operands.map(|x| vec![x]).collect();
     for (row, got) in rows.iter().zip(outputs(&design, &rows)) {
-        assert_eq!(got, [wanted(row[0], format.fraction_bits, fraction_bits)], "{} in {format} to {fraction_bits}", row[0]);
+        assert_eq!(
+            got,
+            [wanted(row[0], format.fraction_bits, fraction_bits)],
+            "{} in {format} to {fraction_bits}",
+            row[0]
+        );
     }
 }
 
@@ -33,7 +39,10 @@ fn check(format: Format, fraction_bits: u32, operands: impl Iterator<Item = i64>
 fn every_root_is_the_nearest() {
     for (integer_bits, operand_bits) in [(0, 1), (1, 4), (2, 5), (0, 8), (5, 0), (3, 3)] {
         for fraction_bits in [0, 1, 2, 5] {
-            for format in [Format::signed(integer_bits, operand_bits), Format::unsigned(integer_bits, operand_bits)] {
+            for format in [
+                Format::signed(integer_bits, operand_bits),
+                Format::unsigned(integer_bits, operand_bits),
+            ] {
                 check(format, fraction_bits, format.min_raw()..=format.max_raw());
             }
         }
@@ -45,14 +54,19 @@ fn every_root_is_the_nearest() {
 #[test]
 fn roots_of_constants_are_the_nearest() {
     for format in [Format::unsigned(2, 5), Format::signed(1, 4), Format::unsigned(0, 7)] {
-        for (fraction_bits, raw) in
-            [0, 3, 6].into_iter().flat_map(|bits| (format.min_raw()..=format.max_raw()).map(move |x| (bits, x)))
+        for (fraction_bits, raw) in [0, 3, 6]
+            .into_iter()
+            .flat_map(|bits| (format.min_raw()..=format.max_raw()).map(move |x| (bits, x)))
         {
             let bench = Bench::new();
             let x = bench.input("x", format, (raw, raw));
             let root = units::square_root(&bench.b, &x, fraction_bits).range();
             let wanted = wanted(raw, format.fraction_bits, fraction_bits);
-            assert_eq!((root.low, root.high), (wanted, wanted), "{raw} in {format} to {fraction_bits}");
+            assert_eq!(
+                (root.low, root.high),
+                (wanted, wanted),
+                "{raw} in {format} to {fraction_bits}"
+            );
         }
     }
 }

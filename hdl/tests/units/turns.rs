@@ -8,8 +8,8 @@ use super::{Builder, Generic, Rc};
 
 const STEPS: [i64; 3] = [1, 10, 100];
 
-/// The accumulator of the last turn and the sum over all turns, each for pixel i of a span whose steps are `factor` times [`STEPS`]:
-/// 100 i and 7 + 111 i times the factor.
+/// The accumulator of the last turn and the sum over all turns, each for pixel i of a span whose
+/// steps are `factor` times [`STEPS`]: 100 i and 7 + 111 i times the factor.
 fn wanted(factor: i64, length: u32) -> Vec<[i64; 2]> {
     (0..i64::from(length)).map(|i| [100 * i * factor, 7 + 111 * i * factor]).collect()
 }
@@ -19,17 +19,27 @@ fn turns_have_values_of_their_own() {
     let b = Builder::new("bench", "", Rc::new(Generic));
     let control = b.control();
     let turns = b.take_turns(&control, 3);
-    let input =
-        |name: &str| b.input(&InputPort { name: name.into(), format: Format::unsigned(9, 0), range: (0, 500), same_as: None });
+    let input = |name: &str| {
+        b.input(&InputPort {
+            name: name.into(),
+            format: Format::unsigned(9, 0),
+            range: (0, 500),
+            same_as: None,
+        })
+    };
     let step = turns.select(&["one", "ten", "hundred"].map(input));
     let zero = b.integer(0);
-    let grown = b.unit("grown", "", (("first", &turns.first_pixel), ("step", &step)), |_, (first, step)| {
-        Sig::accumulated(&first, &zero, &step, (0.0, 4000.0), 8, "few steps")
-    });
+    let grown = b.unit(
+        "grown",
+        "",
+        (("first", &turns.first_pixel), ("step", &step)),
+        |_, (first, step)| Sig::accumulated(&first, &zero, &step, (0.0, 4000.0), 8, "few steps"),
+    );
     let seven = b.integer(7);
-    let sum = b.unit("sum", "", (("begins", &turns.begins), ("term", &grown)), |_, (begins, term)| {
-        Sig::summed(&begins, &seven, &term, (0.0, 12_007.0), 3, "three turns")
-    });
+    let sum =
+        b.unit("sum", "", (("begins", &turns.begins), ("term", &grown)), |_, (begins, term)| {
+            Sig::summed(&begins, &seven, &term, (0.0, 12_007.0), 3, "three turns")
+        });
     let design = b.finish(&turns.valid_at_last, &[("grown", grown), ("sum", sum)]).unwrap();
     assert_eq!((design.interval, design.latency()), (3, design.depth() + 2));
 
@@ -45,9 +55,13 @@ fn turns_have_values_of_their_own() {
     };
     for (factor, length) in spans {
         let inputs: Vec<i64> = STEPS.map(|step| factor * step).to_vec();
-        (0..3 * length).for_each(|clock| step(&Drive { valid: true, start: clock == 0, inputs: inputs.clone() }));
+        (0..3 * length).for_each(|clock| {
+            step(&Drive { valid: true, start: clock == 0, inputs: inputs.clone() })
+        });
     }
-    (0..=design.latency()).for_each(|_| step(&Drive { valid: false, start: true, inputs: vec![0; 3] }));
-    let all: Vec<[i64; 2]> = spans.iter().flat_map(|&(factor, length)| wanted(factor, length)).collect();
+    (0..=design.latency())
+        .for_each(|_| step(&Drive { valid: false, start: true, inputs: vec![0; 3] }));
+    let all: Vec<[i64; 2]> =
+        spans.iter().flat_map(|&(factor, length)| wanted(factor, length)).collect();
     assert_eq!(left, all);
 }

@@ -1,13 +1,19 @@
-//! Sums, differences, products and copies with everything that can happen to them before they are stored.
+//! Sums, differences, products and copies with everything that can happen to them before they are
+//! stored.
 //!
-//! A kernel is right where the raw result fits the lane it is computed in; so lanes whose exact result does not are left out, and
-//! what is stored is expected to have the low bits of the exact result.
+//! A kernel is right where the raw result fits the lane it is computed in; so lanes whose exact
+//! result does not are left out, and what is stored is expected to have the low bits of the exact
+//! result.
 use proptest::prelude::*;
-use specula_kernels::{Arithmetic, Binary, Lane, Level, Post, Shift, Wrap, narrow, narrow_through_wide, narrowing, wide, widening};
+use specula_kernels::{
+    Arithmetic, Binary, Lane, Level, Post, Shift, Wrap, narrow, narrow_through_wide, narrowing,
+    wide, widening,
+};
 
 use crate::lanes::{Shape, column, in_lanes, levels, number, numbers, shape, unfilled};
 
-const OPERATORS: [Arithmetic; 4] = [Arithmetic::Copy, Arithmetic::Add, Arithmetic::Sub, Arithmetic::Mul];
+const OPERATORS: [Arithmetic; 4] =
+    [Arithmetic::Copy, Arithmetic::Add, Arithmetic::Sub, Arithmetic::Mul];
 
 fn exact(operator: Arithmetic, a: i64, b: i64) -> i128 {
     let (a, b) = (i128::from(a), i128::from(b));
@@ -23,7 +29,8 @@ fn shifted(shift: Shift, value: i128) -> i128 {
     match shift {
         Shift::None => value,
         Shift::Floor(bits) => value.div_euclid(1 << bits),
-        // To nearest, ties up: half a unit of the last place that stays is added, and the rest dropped.
+        // To nearest, ties up: half a unit of the last place that stays is added, and the rest
+        // dropped.
         Shift::Round(bits) => (value + (1 << bits)).div_euclid(2 << bits),
     }
 }
@@ -43,7 +50,8 @@ pub fn fits(bits: u32, value: i128) -> bool {
     value >> (bits - 1) == 0 || value >> (bits - 1) == -1
 }
 
-/// Every kind of constant, shift and wrap that a kernel with such lanes can be asked for, if it does something to 0 that fits.
+/// Every kind of constant, shift and wrap that a kernel with such lanes can be asked for, if it
+/// does something to 0 that fits.
 pub fn posts(computed: u32, stored: u32) -> impl Strategy<Value = Post> {
     let shift = prop_oneof![
         Just(Shift::None),
@@ -51,7 +59,13 @@ pub fn posts(computed: u32, stored: u32) -> impl Strategy<Value = Post> {
         (0..62u32).prop_map(Shift::Round),
         (1..12u32).prop_map(Shift::Round),
     ];
-    let wrap = |bits: u32| prop_oneof![Just(Wrap::None), (1..=bits).prop_map(Wrap::Signed), (1..bits).prop_map(Wrap::Unsigned)];
+    let wrap = |bits: u32| {
+        prop_oneof![
+            Just(Wrap::None),
+            (1..=bits).prop_map(Wrap::Signed),
+            (1..bits).prop_map(Wrap::Unsigned)
+        ]
+    };
     let plus = prop_oneof![Just(0), number(24), number(40)];
     (plus, wrap(computed), shift, wrap(stored))
         .prop_map(|(plus, first, shift, wrap)| Post { plus, first, shift, wrap })
@@ -64,7 +78,9 @@ pub fn posts(computed: u32, stored: u32) -> impl Strategy<Value = Post> {
 pub fn finished(post: Post, computed: u32, raw: i128) -> Option<i128> {
     let sum = raw + i128::from(post.plus);
     let first = wrapped(post.first, sum);
-    let fit = [raw, sum, first, first + i128::from(post.half())].into_iter().all(|value| fits(computed, value));
+    let fit = [raw, sum, first, first + i128::from(post.half())]
+        .into_iter()
+        .all(|value| fits(computed, value));
     fit.then(|| wrapped(post.wrap, shifted(post.shift, first)))
 }
 
@@ -76,12 +92,21 @@ struct Operands {
 }
 
 /// Lanes whose exact result does not fit are set to 0.
-fn operands(operator: Arithmetic, post: Post, (computed, stored): (u32, u32), shape: Shape, a: &[i64], b: &[i64]) -> Operands {
+fn operands(
+    operator: Arithmetic,
+    post: Post,
+    (computed, stored): (u32, u32),
+    shape: Shape,
+    a: &[i64],
+    b: &[i64],
+) -> Operands {
     let (mut a, mut b) = (a.to_vec(), b.to_vec());
     let mut results = vec![];
     for lane in 0..shape.lanes {
         let (at_a, at_b) = (shape.offsets[0] + lane, shape.offsets[1] + lane);
-        let result = |a, b| finished(post, computed, exact(operator, a, b)).filter(|&result| fits(stored, result));
+        let result = |a, b| {
+            finished(post, computed, exact(operator, a, b)).filter(|&result| fits(stored, result))
+        };
         match result(a[at_a], b[at_b]) {
             Some(result) => results.push(result),
             None => {
@@ -95,8 +120,16 @@ fn operands(operator: Arithmetic, post: Post, (computed, stored): (u32, u32), sh
 
 type Kernel<I, O> = fn(Arithmetic, Post, Level) -> Binary<I, O>;
 
-/// Holds a kernel that computes in `computed` bits against the exact results, with every operator and at both levels.
-fn check<I: Lane, O: Lane>(kernel: Kernel<I, O>, computed: u32, post: Post, shape: Shape, a: &[i64], b: &[i64]) {
+/// Holds a kernel that computes in `computed` bits against the exact results, with every operator
+/// and at both levels.
+fn check<I: Lane, O: Lane>(
+    kernel: Kernel<I, O>,
+    computed: u32,
+    post: Post,
+    shape: Shape,
+    a: &[i64],
+    b: &[i64],
+) {
     for operator in OPERATORS {
         let operands = operands(operator, post, (computed, O::BITS), shape, a, b);
         let (a, b): (Vec<I>, Vec<I>) = (in_lanes(&operands.a), in_lanes(&operands.b));
@@ -109,9 +142,14 @@ fn check<I: Lane, O: Lane>(kernel: Kernel<I, O>, computed: u32, post: Post, shap
     }
 }
 
-/// Two columns of numbers that fit so many bits or fewer, so that sums and products often fit as well.
+/// Two columns of numbers that fit so many bits or fewer, so that sums and products often fit as
+/// well.
 fn columns(bits: u32) -> impl Strategy<Value = (Vec<i64>, Vec<i64>)> {
-    prop_oneof![(column(bits), column(bits)), (column(bits / 2), column(bits / 2)), (column(bits - 1), column(bits - 1))]
+    prop_oneof![
+        (column(bits), column(bits)),
+        (column(bits / 2), column(bits / 2)),
+        (column(bits - 1), column(bits - 1))
+    ]
 }
 
 proptest! {
@@ -157,12 +195,26 @@ proptest! {
 /// Every amount of every kind of shift and every width, at the extremes.
 #[test]
 fn every_amount_at_the_extremes() {
-    let wide_values = [i64::MIN, i64::MAX - 1, i64::MIN + 1, -1, 0, 1, 1 << 31, -(1 << 31), (1 << 31) - 1, -(1 << 62), 1 << 62];
+    let wide_values = [
+        i64::MIN,
+        i64::MAX - 1,
+        i64::MIN + 1,
+        -1,
+        0,
+        1,
+        1 << 31,
+        -(1 << 31),
+        (1 << 31) - 1,
+        -(1 << 62),
+        1 << 62,
+    ];
     let shape = Shape { lanes: wide_values.len(), offsets: [0; 3] };
     let zeros = vec![0; wide_values.len()];
-    let narrow_values = wide_values.map(|value| value.clamp(i32::MIN.into(), i64::from(i32::MAX) - 1));
+    let narrow_values =
+        wide_values.map(|value| value.clamp(i32::MIN.into(), i64::from(i32::MAX) - 1));
     for bits in 0..64 {
-        let widths = (1..64).map(Wrap::Unsigned).chain((1..=64).map(Wrap::Signed)).chain([Wrap::None]);
+        let widths =
+            (1..64).map(Wrap::Unsigned).chain((1..=64).map(Wrap::Signed)).chain([Wrap::None]);
         for wrap in widths {
             for shift in [Shift::Floor(bits), Shift::Round(bits.min(61))] {
                 let post = Post { shift, wrap, ..Post::default() };

@@ -29,13 +29,15 @@ impl Shape {
 }
 
 pub fn shape() -> impl Strategy<Value = Shape> {
-    (0..=LONGEST, [0..=FURTHEST, 0..=FURTHEST, 0..=FURTHEST]).prop_map(|(lanes, offsets)| Shape { lanes, offsets })
+    (0..=LONGEST, [0..=FURTHEST, 0..=FURTHEST, 0..=FURTHEST])
+        .prop_map(|(lanes, offsets)| Shape { lanes, offsets })
 }
 
 /// Numbers that fit so many bits: the extremes, those next to them, and whatever.
 pub fn number(bits: u32) -> impl Strategy<Value = i64> {
     let (low, high) = (i64::MIN >> (64 - bits), i64::MAX >> (64 - bits));
-    let extremes = [low, high, low + 1, high - 1, -1, 0, 1].map(move |value| value.clamp(low, high)).to_vec();
+    let extremes =
+        [low, high, low + 1, high - 1, -1, 0, 1].map(move |value| value.clamp(low, high)).to_vec();
     // Small magnitudes of every size, as many as large ones.
     let of_any_size = (low..=high, 0..bits).prop_map(|(value, shift)| value >> shift);
     prop_oneof![1 => prop::sample::select(extremes), 3 => of_any_size]

@@ -6,7 +6,8 @@ use crate::lanes::{Shape, column, in_lanes, levels, numbers, shape, unfilled};
 
 fn compared<L: Lane + PartialOrd>(shape: Shape, a: &[i64], b: &[i64]) {
     let (x, y) = (in_lanes::<L>(a), in_lanes::<L>(b));
-    let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(|(a, b)| i64::from(a < b)).collect();
+    let expected: Vec<i64> =
+        shape.of(a, 0).iter().zip(shape.of(b, 1)).map(|(a, b)| i64::from(a < b)).collect();
     for level in levels() {
         let mut out = unfilled::<i32>(shape.lanes);
         less_than::<L>(level).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
@@ -33,8 +34,12 @@ where
 fn chosen<L: Lane>(shape: Shape, condition: &[i64], yes: &[i64], no: &[i64]) {
     let (c, x, y) = (in_lanes::<i32>(condition), in_lanes::<L>(yes), in_lanes::<L>(no));
     let branches = shape.of(yes, 0).iter().zip(shape.of(no, 1));
-    let expected: Vec<i64> =
-        shape.of(condition, 2).iter().zip(branches).map(|(&c, (&yes, &no))| if c != 0 { yes } else { no }).collect();
+    let expected: Vec<i64> = shape
+        .of(condition, 2)
+        .iter()
+        .zip(branches)
+        .map(|(&c, (&yes, &no))| if c != 0 { yes } else { no })
+        .collect();
     for level in levels() {
         let mut out = unfilled::<L>(shape.lanes);
         choose::<L>(level).run(&mut out, shape.of(&c, 2), shape.of(&x, 0), shape.of(&y, 1));
@@ -45,7 +50,8 @@ fn chosen<L: Lane>(shape: Shape, condition: &[i64], yes: &[i64], no: &[i64]) {
 fn limited(shape: Shape, a: &[i64], b: &[i64]) {
     let (x, y) = (in_lanes::<i32>(a), in_lanes::<i32>(b));
     for which in [Extreme::Min, Extreme::Max] {
-        let meaning = |(&a, &b): (&i64, &i64)| if which == Extreme::Min { a.min(b) } else { a.max(b) };
+        let meaning =
+            |(&a, &b): (&i64, &i64)| if which == Extreme::Min { a.min(b) } else { a.max(b) };
         let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(meaning).collect();
         let low_bits: Vec<i64> = expected.iter().map(|value| value & 0x7FFF).collect();
         for level in levels() {
@@ -60,7 +66,8 @@ fn limited(shape: Shape, a: &[i64], b: &[i64]) {
 
 /// Columns that are equal in many lanes, so that comparisons see equal values.
 fn alike(bits: u32) -> impl Strategy<Value = (Vec<i64>, Vec<i64>)> {
-    (column(bits), column(bits), any::<bool>()).prop_map(|(a, b, same)| if same { (a.clone(), a) } else { (a, b) })
+    (column(bits), column(bits), any::<bool>())
+        .prop_map(|(a, b, same)| if same { (a.clone(), a) } else { (a, b) })
 }
 
 proptest! {

@@ -1,6 +1,9 @@
 //! Products, and sums of them, with everything that can happen to them before they are stored.
 use proptest::prelude::*;
-use specula_kernels::{Lane, Level, Magnitude, Post, Products, Second, narrow_products, products_through_wide, wide_products};
+use specula_kernels::{
+    Lane, Level, Magnitude, Post, Products, Second, narrow_products, products_through_wide,
+    wide_products,
+};
 
 use crate::arithmetic::{finished, fits, posts};
 use crate::lanes::{LONGEST, column, in_lanes, levels, numbers, unfilled};
@@ -18,7 +21,8 @@ fn sum(second: Second, products: &[i128]) -> i128 {
     products.iter().enumerate().map(|(number, product)| sign(number) * product).sum()
 }
 
-/// Holds a kernel that computes in so many bits against the exact results, at both levels. Lanes whose sum does not fit are set to 0.
+/// Holds a kernel that computes in so many bits against the exact results, at both levels. Lanes
+/// whose sum does not fit are set to 0.
 fn check<O: Lane, const N: usize>(
     kernel: impl Fn(Second, Post, Level) -> Products<O, N>,
     computed: u32,
@@ -30,9 +34,12 @@ fn check<O: Lane, const N: usize>(
         let mut factors: [[Vec<i64>; 2]; N] = std::array::from_fn(|j| columns[j].clone());
         let mut expected = vec![];
         for lane in 0..lanes {
-            let products = factors.each_ref().map(|[a, b]| i128::from(a[lane]) * i128::from(b[lane]));
-            let result =
-                |products: &[i128]| finished(post, computed, sum(second, products)).filter(|&result| fits(O::BITS, result));
+            let products =
+                factors.each_ref().map(|[a, b]| i128::from(a[lane]) * i128::from(b[lane]));
+            let result = |products: &[i128]| {
+                finished(post, computed, sum(second, products))
+                    .filter(|&result| fits(O::BITS, result))
+            };
             expected.push(result(&products).unwrap_or_else(|| {
                 factors.iter_mut().for_each(|[a, _]| a[lane] = 0);
                 result(&[0; N]).expect("what becomes of 0 fits")
@@ -41,7 +48,8 @@ fn check<O: Lane, const N: usize>(
         let factors = factors.map(|pair| pair.map(|column| in_lanes::<i32>(&column)));
         for level in levels() {
             let mut out = unfilled::<O>(lanes);
-            kernel(second, post, level).run(&mut out, factors.each_ref().map(|pair| pair.each_ref().map(Vec::as_slice)));
+            kernel(second, post, level)
+                .run(&mut out, factors.each_ref().map(|pair| pair.each_ref().map(Vec::as_slice)));
             let got: Vec<i128> = numbers(&out).into_iter().map(i128::from).collect();
             assert_eq!(got, expected, "{second:?} {post:?} {}", level.name());
         }
@@ -49,11 +57,23 @@ fn check<O: Lane, const N: usize>(
 }
 
 fn through_wide<const N: usize>(magnitude: Magnitude, post: Post, lanes: usize, columns: &Columns) {
-    check(|second, post, level| products_through_wide::<N>(second, magnitude, post, level), 64, post, lanes, columns);
+    check(
+        |second, post, level| products_through_wide::<N>(second, magnitude, post, level),
+        64,
+        post,
+        lanes,
+        columns,
+    );
 }
 
 fn wide<const N: usize>(magnitude: Magnitude, post: Post, lanes: usize, columns: &Columns) {
-    check(|second, post, level| wide_products::<N>(second, magnitude, post, level), 64, post, lanes, columns);
+    check(
+        |second, post, level| wide_products::<N>(second, magnitude, post, level),
+        64,
+        post,
+        lanes,
+        columns,
+    );
 }
 
 proptest! {

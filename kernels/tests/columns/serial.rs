@@ -10,8 +10,15 @@ fn low_bits(value: i64) -> i64 {
     (value << 40) >> 40
 }
 
-/// value = first ? start : state, state ← low bits of value + step; a column in two parts, as batches follow each other.
-fn accumulated<S: Lane, T: Lane, O: Lane>(shape: Shape, cut: usize, first: &[i64], start: &[i64], step: &[i64]) {
+/// value = first ? start : state, state ← low bits of value + step; a column in two parts, as
+/// batches follow each other.
+fn accumulated<S: Lane, T: Lane, O: Lane>(
+    shape: Shape,
+    cut: usize,
+    first: &[i64],
+    start: &[i64],
+    step: &[i64],
+) {
     let (mut state, mut expected) = (0, vec![]);
     for lane in 0..shape.lanes {
         let value = if shape.of(first, 0)[lane] != 0 { shape.of(start, 1)[lane] } else { state };
@@ -49,7 +56,8 @@ fn held<I: Lane, O: Lane>(shape: Shape, cut: usize, enable: &[i64], value: &[i64
 }
 
 fn looked_up<O: Lane>(shape: Shape, address: &[i64], table: &[i64]) {
-    let entry = |&at: &i64| usize::try_from(at).ok().and_then(|at| table.get(at)).copied().unwrap_or(0);
+    let entry =
+        |&at: &i64| usize::try_from(at).ok().and_then(|at| table.get(at)).copied().unwrap_or(0);
     let expected: Vec<i64> = shape.of(address, 0).iter().map(entry).collect();
     let mut out = unfilled::<O>(shape.lanes);
     look_up(&mut out, shape.of(&in_lanes::<i32>(address), 0), table);

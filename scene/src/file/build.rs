@@ -14,7 +14,8 @@ use crate::{Colour, SceneError, defaults};
 /// The most lights a core takes.
 const MOST_LIGHTS: usize = 4;
 
-/// Checks every value and reads the meshes, which are looked for in `folder`; what is passed over in them goes to `warnings`.
+/// Checks every value and reads the meshes, which are looked for in `folder`; what is passed over
+/// in them goes to `warnings`.
 pub(super) fn shown(
     file: raw::File,
     source: &SourceFile,
@@ -27,7 +28,12 @@ pub(super) fn shown(
     rows(file, source).map(Shown::Rows)
 }
 
-fn scene(file: raw::File, source: &SourceFile, folder: Option<&Path>, warnings: &mut Vec<Warning>) -> Result<Scene, SceneError> {
+fn scene(
+    file: raw::File,
+    source: &SourceFile,
+    folder: Option<&Path>,
+    warnings: &mut Vec<Warning>,
+) -> Result<Scene, SceneError> {
     Ok(Scene {
         size: size(source, file.size.as_ref())?,
         background: background(source, file.background.as_ref())?,
@@ -54,7 +60,8 @@ fn rows(file: raw::File, source: &SourceFile) -> Result<Rows, SceneError> {
 }
 
 fn background(source: &SourceFile, given: Option<&Spanned<Triple>>) -> Result<[u8; 3], SceneError> {
-    let background = check::colour(source, "background", given, 0.0..=1.0, defaults::BACKGROUND.map(level))?;
+    let background =
+        check::colour(source, "background", given, 0.0..=1.0, defaults::BACKGROUND.map(level))?;
     Ok(background.map(|c| (c * 255.0 + 0.5).floor() as u8))
 }
 
@@ -66,7 +73,10 @@ fn level(byte: u8) -> f64 {
     f64::from(byte) / 255.0
 }
 
-fn size(source: &SourceFile, given: Option<&Spanned<[Integer; 2]>>) -> Result<(u32, u32), SceneError> {
+fn size(
+    source: &SourceFile,
+    given: Option<&Spanned<[Integer; 2]>>,
+) -> Result<(u32, u32), SceneError> {
     let Some(given) = given else { return Ok(defaults::SIZE) };
     let [Integer(width), Integer(height)] = *given.get_ref();
     // What is no u32 becomes 0, which is not allowed either.
@@ -93,10 +103,10 @@ fn camera(source: &SourceFile, given: Option<&Spanned<raw::Camera>>) -> Result<C
     match camera.rotation() {
         Some(_) => Ok(camera),
         None => {
-            let at = [&raw.up, &raw.direction, &raw.eye].into_iter().flatten().next().map(Spanned::span);
+            let at =
+                [&raw.up, &raw.direction, &raw.eye].into_iter().flatten().next().map(Spanned::span);
             let problem = "the camera looks along its own `up`";
-            let help =
-                "turn `direction` or `up`: seen from straight above, for one, `up = [0, 0, -1]`; `up` is [0, 1, 0] if left out";
+            let help = "turn `direction` or `up`: seen from straight above, for one, `up = [0, 0, -1]`; `up` is [0, 1, 0] if left out";
             Err(source.error(at.unwrap_or(given.span()), problem, help))
         }
     }
@@ -117,7 +127,11 @@ fn local_eye(source: &SourceFile, raw: &raw::Camera) -> Result<Option<DVec3>, Sc
 }
 
 /// Towards the eye: the camera's `direction`, or from its `target` to its `eye`.
-fn direction_to_eye(source: &SourceFile, raw: &raw::Camera, target: Option<DVec3>) -> Result<DVec3, SceneError> {
+fn direction_to_eye(
+    source: &SourceFile,
+    raw: &raw::Camera,
+    target: Option<DVec3>,
+) -> Result<DVec3, SceneError> {
     match (&raw.direction, &raw.eye, target) {
         (None, None, _) => Ok(Camera::default().direction),
         (Some(direction), None, _) => check::direction(source, "direction", direction),
@@ -130,7 +144,11 @@ fn direction_to_eye(source: &SourceFile, raw: &raw::Camera, target: Option<DVec3
             Err(source.error(eye.span(), "the camera has an `eye` but no `target`", help))
         }
         (None, Some(eye), Some(target)) => match check::vector(source, "eye", eye)? - target {
-            DVec3::ZERO => Err(source.error(eye.span(), "`eye` is at `target`", "move `eye` away from `target`")),
+            DVec3::ZERO => Err(source.error(
+                eye.span(),
+                "`eye` is at `target`",
+                "move `eye` away from `target`",
+            )),
             direction => Ok(direction),
         },
     }
@@ -149,7 +167,11 @@ fn positive(source: &SourceFile, given: &Spanned<Number>) -> Result<f64, SceneEr
 fn lights(source: &SourceFile, given: &[Spanned<raw::Light>]) -> Result<Vec<Light>, SceneError> {
     if let Some(extra) = given.get(MOST_LIGHTS) {
         let problem = format!("there are {} lights", given.len());
-        return Err(source.error(extra.span(), problem, format!("a scene has 1 to {MOST_LIGHTS} lights")));
+        return Err(source.error(
+            extra.span(),
+            problem,
+            format!("a scene has 1 to {MOST_LIGHTS} lights"),
+        ));
     }
     if given.is_empty() {
         return Ok(vec![defaults::light()]);

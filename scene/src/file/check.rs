@@ -24,24 +24,44 @@ pub(super) fn colour(
     match colour.iter().find(|c| !range.contains(c)) {
         None => Ok(colour),
         Some(component) => {
-            let help = format!("components of `{name}` are {} to {}; 1 is full scale of the picture", range.start(), range.end());
-            Err(source.error(given.span(), format!("the component {component:?} of `{name}` is out of range"), help))
+            let help = format!(
+                "components of `{name}` are {} to {}; 1 is full scale of the picture",
+                range.start(),
+                range.end()
+            );
+            Err(source.error(
+                given.span(),
+                format!("the component {component:?} of `{name}` is out of range"),
+                help,
+            ))
         }
     }
 }
 
 /// A number that is finite and not absurdly large.
-pub(super) fn number(source: &SourceFile, name: &str, given: &Spanned<Number>) -> Result<f64, SceneError> {
+pub(super) fn number(
+    source: &SourceFile,
+    name: &str,
+    given: &Spanned<Number>,
+) -> Result<f64, SceneError> {
     within(source, name, given.span(), [given.get_ref().0; 3]).map(|[number, ..]| number)
 }
 
 /// A vector of such numbers.
-pub(super) fn vector(source: &SourceFile, name: &str, given: &Spanned<Vector>) -> Result<DVec3, SceneError> {
+pub(super) fn vector(
+    source: &SourceFile,
+    name: &str,
+    given: &Spanned<Vector>,
+) -> Result<DVec3, SceneError> {
     within(source, name, given.span(), given.get_ref().0).map(DVec3::from_array)
 }
 
 /// A vector that is not 0.
-pub(super) fn direction(source: &SourceFile, name: &str, given: &Spanned<Vector>) -> Result<DVec3, SceneError> {
+pub(super) fn direction(
+    source: &SourceFile,
+    name: &str,
+    given: &Spanned<Vector>,
+) -> Result<DVec3, SceneError> {
     match vector(source, name, given)? {
         DVec3::ZERO => {
             let help = "give a vector of any length above 0, as in [0, 1, 0]";
@@ -55,12 +75,21 @@ pub(super) fn direction(source: &SourceFile, name: &str, given: &Spanned<Vector>
 pub(super) fn scale(source: &SourceFile, given: &Spanned<Triple>) -> Result<DVec3, SceneError> {
     let factors = within(source, "scale", given.span(), given.get_ref().0)?;
     match factors.iter().any(|f| f.abs() < 1.0 / FARTHEST) {
-        true => Err(source.error(given.span(), "`scale` squashes the object flat", "scale factors are not 0")),
+        true => Err(source.error(
+            given.span(),
+            "`scale` squashes the object flat",
+            "scale factors are not 0",
+        )),
         false => Ok(DVec3::from_array(factors)),
     }
 }
 
-fn within(source: &SourceFile, name: &str, at: std::ops::Range<usize>, numbers: [f64; 3]) -> Result<[f64; 3], SceneError> {
+fn within(
+    source: &SourceFile,
+    name: &str,
+    at: std::ops::Range<usize>,
+    numbers: [f64; 3],
+) -> Result<[f64; 3], SceneError> {
     match numbers.iter().find(|x| x.is_nan() || x.abs() > FARTHEST) {
         None => Ok(numbers),
         Some(x) => {
@@ -81,7 +110,11 @@ pub(super) fn integer(
         Ok(number) if range.contains(&number) => Ok(number),
         _ => {
             let help = format!("`{name}` is an integer from {} to {}", range.start(), range.end());
-            Err(source.error(given.span(), format!("`{name}` = {} is out of range", given.get_ref().0), help))
+            Err(source.error(
+                given.span(),
+                format!("`{name}` = {} is out of range", given.get_ref().0),
+                help,
+            ))
         }
     }
 }
@@ -99,7 +132,11 @@ pub(super) fn word<T: Copy>(
         None => {
             let known: Vec<String> = words.iter().map(|(word, _)| format!("\"{word}\"")).collect();
             let help = format!("`{name}` is {}", known.join(" or "));
-            Err(source.error(given.span(), format!("there is no {name} \"{}\"", given.get_ref()), help))
+            Err(source.error(
+                given.span(),
+                format!("there is no {name} \"{}\"", given.get_ref()),
+                help,
+            ))
         }
     }
 }

@@ -1,4 +1,5 @@
-//! The `[core]` table of a scene file, which says what hardware to build; what is in it is not looked at here.
+//! The `[core]` table of a scene file, which says what hardware to build; what is in it is not
+//! looked at here.
 use std::ops::Range;
 
 use serde::Deserialize;
@@ -32,7 +33,8 @@ impl CoreTable {
 
     /// Reads the table as a type.
     ///
-    /// `toml::Spanned` fields of the type have spans of the scene file's text, to be handed to [`CoreTable::error`].
+    /// `toml::Spanned` fields of the type have spans of the scene file's text, to be handed to
+    /// [`CoreTable::error`].
     ///
     /// # Errors
     /// A [`SceneError`] that points at the wrong place in the scene file.
@@ -41,7 +43,12 @@ impl CoreTable {
     }
 
     /// An error at a range of bytes of the scene file's text.
-    pub fn error(&self, at: Range<usize>, problem: impl Into<String>, help: impl Into<String>) -> SceneError {
+    pub fn error(
+        &self,
+        at: Range<usize>,
+        problem: impl Into<String>,
+        help: impl Into<String>,
+    ) -> SceneError {
         self.source.error(at, problem, help)
     }
 }

@@ -26,7 +26,8 @@ pub(super) fn light(source: &SourceFile, given: &Spanned<raw::Light>) -> Result<
     let spaces = [("world", LightSpace::World), ("view", LightSpace::View)];
     Ok(Light {
         source: source_of(&Keys { source, given }, kind)?,
-        space: check::word(source, "space", raw.space.as_ref(), &spaces)?.unwrap_or(LightSpace::World),
+        space: check::word(source, "space", raw.space.as_ref(), &spaces)?
+            .unwrap_or(LightSpace::World),
         colour: check::colour(source, "colour", raw.colour.as_ref(), 0.0..=1.0, [1.0; 3])?,
     })
 }
@@ -37,16 +38,28 @@ fn source_of(keys: &Keys, kind: Kind) -> Result<LightSource, SceneError> {
         Kind::Directional => {
             keys.none_of(
                 "directional",
-                &[("position", span(&raw.position)), ("target", span(&raw.target)), ("exponent", span(&raw.exponent))],
+                &[
+                    ("position", span(&raw.position)),
+                    ("target", span(&raw.target)),
+                    ("exponent", span(&raw.exponent)),
+                ],
             )?;
             Ok(LightSource::Directional {
-                direction: check::direction(keys.source, "direction", keys.needed("direction", &raw.direction)?)?,
+                direction: check::direction(
+                    keys.source,
+                    "direction",
+                    keys.needed("direction", &raw.direction)?,
+                )?,
             })
         }
         Kind::Point => {
             keys.none_of(
                 "point",
-                &[("direction", span(&raw.direction)), ("target", span(&raw.target)), ("exponent", span(&raw.exponent))],
+                &[
+                    ("direction", span(&raw.direction)),
+                    ("target", span(&raw.target)),
+                    ("exponent", span(&raw.exponent)),
+                ],
             )?;
             Ok(LightSource::Point { position: keys.position()? })
         }
@@ -62,8 +75,14 @@ fn source_of(keys: &Keys, kind: Kind) -> Result<LightSource, SceneError> {
                     "move it away from `position`",
                 ));
             }
-            let exponent = |given: &Spanned<Integer>| check::integer(keys.source, "exponent", given, 1..=LARGEST_SHININESS);
-            Ok(LightSource::Spot { position, axis, exponent: raw.exponent.as_ref().map_or(Ok(EXPONENT), exponent)? })
+            let exponent = |given: &Spanned<Integer>| {
+                check::integer(keys.source, "exponent", given, 1..=LARGEST_SHININESS)
+            };
+            Ok(LightSource::Spot {
+                position,
+                axis,
+                exponent: raw.exponent.as_ref().map_or(Ok(EXPONENT), exponent)?,
+            })
         }
     }
 }
@@ -76,19 +95,37 @@ struct Keys<'a> {
 
 impl Keys<'_> {
     fn position(&self) -> Result<DVec3, SceneError> {
-        check::vector(self.source, "position", self.needed("position", &self.given.get_ref().position)?)
+        check::vector(
+            self.source,
+            "position",
+            self.needed("position", &self.given.get_ref().position)?,
+        )
     }
 
-    fn needed<'a>(&self, name: &str, value: &'a Option<Spanned<Vector>>) -> Result<&'a Spanned<Vector>, SceneError> {
+    fn needed<'a>(
+        &self,
+        name: &str,
+        value: &'a Option<Spanned<Vector>>,
+    ) -> Result<&'a Spanned<Vector>, SceneError> {
         let help = "a directional light has a `direction`, a point light a `position`, a spot a `position` and a `target`";
-        value.as_ref().ok_or_else(|| self.source.error(self.given.span(), format!("the light has no `{name}`"), help))
+        value.as_ref().ok_or_else(|| {
+            self.source.error(self.given.span(), format!("the light has no `{name}`"), help)
+        })
     }
 
-    fn none_of(&self, kind: &str, others: &[(&str, Option<std::ops::Range<usize>>)]) -> Result<(), SceneError> {
+    fn none_of(
+        &self,
+        kind: &str,
+        others: &[(&str, Option<std::ops::Range<usize>>)],
+    ) -> Result<(), SceneError> {
         match others.iter().find_map(|(name, span)| span.clone().map(|span| (name, span))) {
             Some((name, span)) => {
                 let problem = format!("a {kind} light has no `{name}`");
-                Err(self.source.error(span, problem, "leave it out, or change `kind` to \"directional\", \"point\" or \"spot\""))
+                Err(self.source.error(
+                    span,
+                    problem,
+                    "leave it out, or change `kind` to \"directional\", \"point\" or \"spot\"",
+                ))
             }
             None => Ok(()),
         }

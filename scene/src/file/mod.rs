@@ -42,7 +42,8 @@ pub(crate) struct SceneFile {
 }
 
 impl SceneFile {
-    /// Reads a scene from the text of a file; meshes are looked for beside `folder`'s files, or not at all without one.
+    /// Reads a scene from the text of a file; meshes are looked for beside `folder`'s files, or not
+    /// at all without one.
     ///
     /// # Errors
     /// A [`SceneError`] that points at the wrong place in the text.
@@ -51,7 +52,12 @@ impl SceneFile {
         let core = raw.core.as_ref().map(|table| CoreTable::new(source.clone(), table.span()));
         let camera = raw.camera.as_ref().map(|camera| (source.clone(), camera.span()));
         let mut warnings = Vec::new();
-        Ok(SceneFile { shown: build::shown(raw, source, folder, &mut warnings)?, core, warnings, camera })
+        Ok(SceneFile {
+            shown: build::shown(raw, source, folder, &mut warnings)?,
+            core,
+            warnings,
+            camera,
+        })
     }
 
     /// A scene that no scene file was read for, with what was passed over in its mesh.
@@ -73,14 +79,17 @@ impl SceneFile {
             (Shown::Rows(_), Some(_)) => Err(PictureError::OwnSize),
         };
         frame.map_err(|error| match (&self.camera, &error) {
-            (Some((source, at)), error) if !matches!(error, PictureError::Size(..) | PictureError::OwnSize) => {
+            (Some((source, at)), error)
+                if !matches!(error, PictureError::Size(..) | PictureError::OwnSize) =>
+            {
                 source.error(at.clone(), error.to_string(), error.help())
             }
             _ => SceneError::picture(name, error),
         })
     }
 
-    /// The surfaces that objects stand for, where known, one for each material; none of spans as they are given.
+    /// The surfaces that objects stand for, where known, one for each material; none of spans as
+    /// they are given.
     pub fn surfaces(&self) -> Vec<Option<Surface>> {
         match &self.shown {
             Shown::Objects(scene) => scene.surfaces(),

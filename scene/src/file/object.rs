@@ -16,8 +16,8 @@ use crate::{Material, SceneError, defaults};
 /// The largest component of a material's specular colour; Lyon's figure 9 uses 400/255.
 const BRIGHTEST_SPECULAR: f64 = 4.0;
 
-/// All objects; at least one, and together no more triangles than a single mesh may have. What was passed over in their
-/// meshes goes to `warnings`.
+/// All objects; at least one, and together no more triangles than a single mesh may have. What was
+/// passed over in their meshes goes to `warnings`.
 pub(super) fn objects(
     source: &SourceFile,
     given: &[Spanned<raw::Object>],
@@ -35,7 +35,9 @@ pub(super) fn objects(
         triangles += object.mesh.triangles.len();
         if triangles > MOST_TRIANGLES {
             let problem = format!("with this object the scene has {triangles} triangles");
-            let help = format!("all objects together have at most {MOST_TRIANGLES}; use a lower `level` or simpler meshes");
+            let help = format!(
+                "all objects together have at most {MOST_TRIANGLES}; use a lower `level` or simpler meshes"
+            );
             return Err(source.error(raw.span(), problem, help));
         }
         objects.push(object);
@@ -50,7 +52,8 @@ fn object(
     warnings: &mut Vec<Warning>,
 ) -> Result<Object, SceneError> {
     // Cheap checks first, then what reads files.
-    let (place, material) = (place(source, raw.get_ref())?, material(source, &raw.get_ref().material)?);
+    let (place, material) =
+        (place(source, raw.get_ref())?, material(source, &raw.get_ref().material)?);
     let (mesh, primitive) = shape(source, raw, folder, warnings)?;
     Ok(Object { mesh, primitive, place, material })
 }
@@ -65,31 +68,54 @@ fn shape(
     let raw = object.get_ref();
     match (&raw.mesh, &raw.primitive) {
         (Some(file), None) => {
-            for (name, at) in [("level", raw.level.as_ref().map(Spanned::span)), ("tube", raw.tube.as_ref().map(Spanned::span))] {
+            for (name, at) in [
+                ("level", raw.level.as_ref().map(Spanned::span)),
+                ("tube", raw.tube.as_ref().map(Spanned::span)),
+            ] {
                 if let Some(at) = at {
-                    return Err(source.error(at, format!("a mesh has no `{name}`"), format!("`{name}` goes with `primitive`")));
+                    return Err(source.error(
+                        at,
+                        format!("a mesh has no `{name}`"),
+                        format!("`{name}` goes with `primitive`"),
+                    ));
                 }
             }
             let path = folder.unwrap_or(Path::new("")).join(file.get_ref());
             let read = Mesh::read(&path);
-            let (mesh, mut passed_over) = read.map_err(|error| source.error(file.span(), error.to_string(), error.help()))?;
+            let (mesh, mut passed_over) =
+                read.map_err(|error| source.error(file.span(), error.to_string(), error.help()))?;
             // A mesh that several objects show is warned of once.
             passed_over.retain(|warning| !warnings.contains(warning));
             warnings.append(&mut passed_over);
             Ok((mesh, None))
         }
-        (None, Some(name)) => primitive(source, raw, name).map(|primitive| (primitive.mesh(), Some(primitive))),
-        (Some(_), Some(second)) => {
-            Err(source.error(second.span(), "the object has both a `mesh` and a `primitive`", "leave one of them out"))
+        (None, Some(name)) => {
+            primitive(source, raw, name).map(|primitive| (primitive.mesh(), Some(primitive)))
         }
+        (Some(_), Some(second)) => Err(source.error(
+            second.span(),
+            "the object has both a `mesh` and a `primitive`",
+            "leave one of them out",
+        )),
         (None, None) => {
-            let help = format!("add `mesh = \"file\"`, or `primitive = ` one of {}", listed(&primitive::NAMES));
-            Err(source.error(object.span(), "the object has neither a `mesh` nor a `primitive`", help))
+            let help = format!(
+                "add `mesh = \"file\"`, or `primitive = ` one of {}",
+                listed(&primitive::NAMES)
+            );
+            Err(source.error(
+                object.span(),
+                "the object has neither a `mesh` nor a `primitive`",
+                help,
+            ))
         }
     }
 }
 
-fn primitive(source: &SourceFile, raw: &raw::Object, name: &Spanned<String>) -> Result<Primitive, SceneError> {
+fn primitive(
+    source: &SourceFile,
+    raw: &raw::Object,
+    name: &Spanned<String>,
+) -> Result<Primitive, SceneError> {
     let unknown = || {
         let problem = format!("there is no primitive `{}`", name.get_ref());
         source.error(name.span(), problem, format!("primitives are {}", listed(&primitive::NAMES)))
@@ -99,30 +125,43 @@ fn primitive(source: &SourceFile, raw: &raw::Object, name: &Spanned<String>) -> 
     let Some(level) = &raw.level else { return Ok(shape) };
     // What is no u32 is out of every range.
     shape.at_level(u32::try_from(level.get_ref().0).unwrap_or(u32::MAX)).map_err(|range| {
-        let help = format!("`level` of a {} is {} to {}", name.get_ref(), range.start(), range.end());
+        let help =
+            format!("`level` of a {} is {} to {}", name.get_ref(), range.start(), range.end());
         source.error(level.span(), format!("`level` = {} is out of range", level.get_ref().0), help)
     })
 }
 
-fn with_tube(source: &SourceFile, shape: Primitive, given: Option<&Spanned<Number>>) -> Result<Primitive, SceneError> {
+fn with_tube(
+    source: &SourceFile,
+    shape: Primitive,
+    given: Option<&Spanned<Number>>,
+) -> Result<Primitive, SceneError> {
     match (shape, given) {
         (_, None) => Ok(shape),
         (Primitive::Torus { level, .. }, Some(tube)) => match tube.get_ref().0 {
-            radius if (0.001..=0.999).contains(&radius) => Ok(Primitive::Torus { level, tube: radius }),
+            radius if (0.001..=0.999).contains(&radius) => {
+                Ok(Primitive::Torus { level, tube: radius })
+            }
             radius => {
                 let help = "the tube's radius is 0.001 to 0.999; the torus's own is 1";
                 Err(source.error(tube.span(), format!("`tube` is {radius:?}"), help))
             }
         },
-        (_, Some(tube)) => Err(source.error(tube.span(), "only a torus has a `tube`", "leave `tube` out")),
+        (_, Some(tube)) => {
+            Err(source.error(tube.span(), "only a torus has a `tube`", "leave `tube` out"))
+        }
     }
 }
 
 /// First scaled, then turned about x, y and z in that order, then moved.
 fn place(source: &SourceFile, raw: &raw::Object) -> Result<DAffine3, SceneError> {
     let scale = raw.scale.as_ref().map_or(Ok(DVec3::ONE), |s| check::scale(source, s))?;
-    let degrees = raw.rotate.as_ref().map_or(Ok(DVec3::ZERO), |r| check::vector(source, "rotate", r))?;
-    let translate = raw.translate.as_ref().map_or(Ok(DVec3::ZERO), |t| check::vector(source, "translate", t))?;
+    let degrees =
+        raw.rotate.as_ref().map_or(Ok(DVec3::ZERO), |r| check::vector(source, "rotate", r))?;
+    let translate = raw
+        .translate
+        .as_ref()
+        .map_or(Ok(DVec3::ZERO), |t| check::vector(source, "translate", t))?;
     let linear = rotation(degrees) * DMat3::from_diagonal(scale);
     Ok(DAffine3::from_mat3_translation(linear, translate))
 }
@@ -138,12 +177,19 @@ fn rotation(degrees: DVec3) -> DMat3 {
 
 pub(super) fn material(source: &SourceFile, raw: &raw::Material) -> Result<Material, SceneError> {
     let default = defaults::material();
-    let diffuse = check::colour(source, "diffuse", raw.diffuse.as_ref(), 0.0..=1.0, default.diffuse)?;
+    let diffuse =
+        check::colour(source, "diffuse", raw.diffuse.as_ref(), 0.0..=1.0, default.diffuse)?;
     Ok(Material {
         // A surface answers ambient light as it does the light of a lamp, unless it says otherwise.
         ambient: check::colour(source, "ambient", raw.ambient.as_ref(), 0.0..=1.0, diffuse)?,
         diffuse,
-        specular: check::colour(source, "specular", raw.specular.as_ref(), 0.0..=BRIGHTEST_SPECULAR, default.specular)?,
+        specular: check::colour(
+            source,
+            "specular",
+            raw.specular.as_ref(),
+            0.0..=BRIGHTEST_SPECULAR,
+            default.specular,
+        )?,
         shininess: match &raw.shininess {
             Some(shininess) => check::integer(source, "shininess", shininess, 1..=8191)?,
             None => default.shininess,

@@ -26,8 +26,18 @@ impl SourceFile {
     }
 
     /// An error at a range of bytes of the text.
-    pub fn error(&self, at: Range<usize>, problem: impl Into<String>, help: impl Into<String>) -> SceneError {
-        SceneError::File { problem: problem.into(), help: help.into(), text: self.0.clone(), at: at.into() }
+    pub fn error(
+        &self,
+        at: Range<usize>,
+        problem: impl Into<String>,
+        help: impl Into<String>,
+    ) -> SceneError {
+        SceneError::File {
+            problem: problem.into(),
+            help: help.into(),
+            text: self.0.clone(),
+            at: at.into(),
+        }
     }
 
     fn toml_error(&self, error: &toml::de::Error, help: &str) -> SceneError {
@@ -38,6 +48,12 @@ impl SourceFile {
 
 /// serde's words in those of TOML, on one line.
 fn in_toml_words(message: &str) -> String {
-    let words = [("field", "key"), ("a map", "a table"), ("a sequence", "an array"), ("floating point", "number"), ("\n", "; ")];
+    let words = [
+        ("field", "key"),
+        ("a map", "a table"),
+        ("a sequence", "an array"),
+        ("floating point", "number"),
+        ("\n", "; "),
+    ];
     words.iter().fold(message.trim().to_owned(), |text, (serde, toml)| text.replace(serde, toml))
 }

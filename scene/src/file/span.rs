@@ -14,12 +14,25 @@ const WEIGHT_SLACK: f64 = 1e-9;
 const LENGTH_SLACK: f64 = 1e-9;
 
 /// All spans, one to a row of the picture.
-pub(super) fn spans(source: &SourceFile, given: &[Spanned<raw::Span>]) -> Result<Vec<Row>, SceneError> {
-    let rows: Vec<Row> = given.iter().enumerate().map(|(number, given)| span(source, number, given)).collect::<Result<_, _>>()?;
-    let size = (rows.iter().map(|row| row.span.length).max().unwrap_or(0), u32::try_from(rows.len()).unwrap_or(u32::MAX));
+pub(super) fn spans(
+    source: &SourceFile,
+    given: &[Spanned<raw::Span>],
+) -> Result<Vec<Row>, SceneError> {
+    let rows: Vec<Row> = given
+        .iter()
+        .enumerate()
+        .map(|(number, given)| span(source, number, given))
+        .collect::<Result<_, _>>()?;
+    let size = (
+        rows.iter().map(|row| row.span.length).max().unwrap_or(0),
+        u32::try_from(rows.len()).unwrap_or(u32::MAX),
+    );
     match given.last() {
         Some(last) if !limits::is_allowed(size) => {
-            let problem = format!("a picture of {} x {} pixels, one row for each span, cannot be made", size.0, size.1);
+            let problem = format!(
+                "a picture of {} x {} pixels, one row for each span, cannot be made",
+                size.0, size.1
+            );
             Err(source.error(last.span(), problem, limits::described()))
         }
         _ => Ok(rows),
@@ -29,24 +42,38 @@ pub(super) fn spans(source: &SourceFile, given: &[Spanned<raw::Span>]) -> Result
 fn span(source: &SourceFile, number: usize, given: &Spanned<raw::Span>) -> Result<Row, SceneError> {
     let raw = given.get_ref();
     let normals = normals(source, &raw.normals)?;
-    let cosines = raw.cone_cosines.as_ref().map_or(Ok(DVec3::ONE), |given| cosines(source, given))?;
+    let cosines =
+        raw.cone_cosines.as_ref().map_or(Ok(DVec3::ONE), |given| cosines(source, given))?;
     let cone = |v: usize| VertexCone { axis: normals[v], cosine: cosines[v] };
-    let positions = raw.positions.as_ref().map_or(Ok([DVec3::ZERO; 3]), |given| positions(source, given))?;
+    let positions =
+        raw.positions.as_ref().map_or(Ok([DVec3::ZERO; 3]), |given| positions(source, given))?;
     let of_vertices = Facet::of_vertices(&normals, &positions);
     let facet = match &raw.face {
         Some(given) => Facet { normal: face(source, given)?, ..of_vertices },
         None => of_vertices,
     };
     Ok(Row {
-        triangle: Triangle { normals, facet, positions, cones: [0, 1, 2].map(cone), material: number },
+        triangle: Triangle {
+            normals,
+            facet,
+            positions,
+            cones: [0, 1, 2].map(cone),
+            material: number,
+        },
         span: Span {
             x: 0,
             // No more rows than limits allow are kept.
             y: number as u32,
             length: check::integer(source, "length", &raw.length, 1..=LONGEST_SPAN)?,
             triangle: number,
-            start: raw.start.as_ref().map_or(Ok([1.0, 0.0, 0.0]), |given| weights(source, "start", given))?,
-            end: raw.end.as_ref().map_or(Ok([0.0, 1.0, 0.0]), |given| weights(source, "end", given))?,
+            start: raw
+                .start
+                .as_ref()
+                .map_or(Ok([1.0, 0.0, 0.0]), |given| weights(source, "start", given))?,
+            end: raw
+                .end
+                .as_ref()
+                .map_or(Ok([0.0, 1.0, 0.0]), |given| weights(source, "end", given))?,
         },
         material: object::material(source, &raw.material)?,
     })
@@ -59,10 +86,20 @@ fn normals(source: &SourceFile, given: &Spanned<Vec<Vector>>) -> Result<[DVec3; 
     let normals = match vectors[..] {
         [first, last] => [first, last, first],
         [a, b, c] => [a, b, c],
-        _ => return Err(source.error(given.span(), format!("`normals` has {} vectors", vectors.len()), help)),
+        _ => {
+            return Err(source.error(
+                given.span(),
+                format!("`normals` has {} vectors", vectors.len()),
+                help,
+            ));
+        }
     };
     match normals.iter().find(|normal| !is_normal(**normal)) {
-        Some(normal) => Err(source.error(given.span(), format!("the normal {normal} has length {}", normal.length()), help)),
+        Some(normal) => Err(source.error(
+            given.span(),
+            format!("the normal {normal} has length {}", normal.length()),
+            help,
+        )),
         None => Ok(normals),
     }
 }
@@ -88,13 +125,19 @@ fn positions(source: &SourceFile, given: &Spanned<Vec<Vector>>) -> Result<[DVec3
     let check = |v: &Vector| check::vector(source, "positions", &Spanned::new(given.span(), *v));
     match given.get_ref()[..] {
         [a, b, c] => Ok([check(&a)?, check(&b)?, check(&c)?]),
-        _ => Err(source.error(given.span(), "`positions` are three", "give those of the triangle's three vertices")),
+        _ => Err(source.error(
+            given.span(),
+            "`positions` are three",
+            "give those of the triangle's three vertices",
+        )),
     }
 }
 
 fn cosines(source: &SourceFile, given: &Spanned<Vector>) -> Result<DVec3, SceneError> {
     match given.get_ref().0 {
-        cosines if cosines.iter().all(|c| (-1.0..=1.0).contains(c)) => Ok(DVec3::from_array(cosines)),
+        cosines if cosines.iter().all(|c| (-1.0..=1.0).contains(c)) => {
+            Ok(DVec3::from_array(cosines))
+        }
         cosines => {
             let help = "`cone_cosines` has the smallest cosine between each vertex normal and a face around it, -1 to 1";
             Err(source.error(given.span(), format!("`cone_cosines` is {cosines:?}"), help))
@@ -103,7 +146,11 @@ fn cosines(source: &SourceFile, given: &Spanned<Vector>) -> Result<DVec3, SceneE
 }
 
 /// Barycentric weights.
-fn weights(source: &SourceFile, name: &str, given: &Spanned<Vector>) -> Result<[f64; 3], SceneError> {
+fn weights(
+    source: &SourceFile,
+    name: &str,
+    given: &Spanned<Vector>,
+) -> Result<[f64; 3], SceneError> {
     let weights = given.get_ref().0;
     let inside = weights.iter().all(|w| (0.0..=1.0).contains(w));
     if inside && (weights.iter().sum::<f64>() - 1.0).abs() <= WEIGHT_SLACK {

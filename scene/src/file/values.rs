@@ -113,10 +113,16 @@ impl<'de> Visitor<'de> for VectorVisitor {
 }
 
 /// Exactly three numbers.
-fn three<'de, A: SeqAccess<'de>>(mut numbers: A, expected: &dyn serde::de::Expected) -> Result<[f64; 3], A::Error> {
+fn three<'de, A: SeqAccess<'de>>(
+    mut numbers: A,
+    expected: &dyn serde::de::Expected,
+) -> Result<[f64; 3], A::Error> {
     let mut vector = [0.0; 3];
     for (k, number) in vector.iter_mut().enumerate() {
-        *number = numbers.next_element::<Number>()?.map(|n| n.0).ok_or_else(|| Error::invalid_length(k, expected))?;
+        *number = numbers
+            .next_element::<Number>()?
+            .map(|n| n.0)
+            .ok_or_else(|| Error::invalid_length(k, expected))?;
     }
     match numbers.next_element::<Number>()? {
         None => Ok(vector),

@@ -53,7 +53,9 @@ pub enum MeshProblem {
         count: usize,
     },
     /// A polygon with too many crossings to be split into triangles.
-    #[error("face {face} (counted from 0) is a polygon of {corners} corners that crosses itself more than a million times")]
+    #[error(
+        "face {face} (counted from 0) is a polygon of {corners} corners that crosses itself more than a million times"
+    )]
     Tangled {
         /// The face, counted from 0.
         face: usize,
@@ -147,12 +149,15 @@ fn shape(extension: &str) -> Option<&'static str> {
             "a text .stl is `solid name`, triangles, `endsolid`; a triangle is the lines `facet normal x y z`, `outer loop`, \
              three times `vertex x y z`, `endloop`, `endfacet`",
         ),
-        "glb" => Some("a .glb is binary glTF 2.0 with uncompressed geometry inside; export the mesh again"),
+        "glb" => Some(
+            "a .glb is binary glTF 2.0 with uncompressed geometry inside; export the mesh again",
+        ),
         _ => None,
     }
 }
 
-/// A problem and the line it is on, where one is known: what readers give back, who do not know the file's name.
+/// A problem and the line it is on, where one is known: what readers give back, who do not know the
+/// file's name.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Located {
     pub line: Option<usize>,
@@ -182,7 +187,9 @@ impl MeshProblem {
         match self {
             MeshProblem::Coordinate { what: "vertex", index, .. } => Some(Item::Vertex(*index)),
             MeshProblem::Coordinate { index, .. } => Some(Item::Normal(*index)),
-            MeshProblem::Index { face, .. } | MeshProblem::Tangled { face, .. } => Some(Item::Face(*face)),
+            MeshProblem::Index { face, .. } | MeshProblem::Tangled { face, .. } => {
+                Some(Item::Face(*face))
+            }
             _ => None,
         }
     }

@@ -62,7 +62,8 @@ impl<'a> Iterator for Lines<'a> {
         if rest.is_empty() {
             return None;
         }
-        let length = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
+        let length =
+            rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
         let (end, taken) = match (rest.get(length), rest.get(length + 1)) {
             (Some(b'\n'), _) => (LineEnd::Lf, 1),
             (Some(_), Some(b'\n')) => (LineEnd::CrLf, 2),
@@ -87,7 +88,8 @@ pub fn words(line: &[u8]) -> Words<'_> {
     Words { rest: line }
 }
 
-/// Whether a byte stands between words: a blank, or a control character such as the one that ends texts of DOS.
+/// Whether a byte stands between words: a blank, or a control character such as the one that ends
+/// texts of DOS.
 pub fn is_blank(byte: &u8) -> bool {
     *byte <= b' '
 }

@@ -40,7 +40,8 @@ pub const FARTHEST: f64 = 1e30;
 pub struct Mesh {
     /// Places of vertices.
     pub positions: Vec<DVec3>,
-    /// Triangles as indices of `positions`, counter-clockwise seen from outside where the file keeps to that; at least one.
+    /// Triangles as indices of `positions`, counter-clockwise seen from outside where the file
+    /// keeps to that; at least one.
     pub triangles: Vec<[u32; 3]>,
     /// Unit normals at each triangle's corners.
     pub normals: Vec<[DVec3; 3]>,
@@ -52,13 +53,15 @@ pub struct Mesh {
 impl Mesh {
     /// Reads a mesh by its file name extension: `.obj`, `.ply`, `.stl` or `.glb`.
     ///
-    /// Where the file has no normals, they are made from the faces (METHODS.md A1, A2). What stands in the file beside what is
-    /// needed is passed over with a warning for each kind.
+    /// Where the file has no normals, they are made from the faces (METHODS.md A1, A2). What stands
+    /// in the file beside what is needed is passed over with a warning for each kind.
     ///
     /// # Errors
-    /// A [`MeshError`] for a file that cannot be read, is damaged, or holds no triangle with an area.
+    /// A [`MeshError`] for a file that cannot be read, is damaged, or holds no triangle with an
+    /// area.
     pub fn read(path: &Path) -> Result<(Mesh, Vec<Warning>), MeshError> {
-        let extension = extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
+        let extension =
+            extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
         let bytes = read_file(path).map_err(|problem| MeshError::new(path, None, problem))?;
         warned(path, extension, &bytes)
     }
@@ -68,7 +71,8 @@ impl Mesh {
     /// # Errors
     /// As [`Mesh::read`].
     pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<Warning>), MeshError> {
-        let extension = extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
+        let extension =
+            extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
         warned(path, extension, bytes)
     }
 }
@@ -82,7 +86,8 @@ pub fn extension(path: &Path) -> Option<&'static str> {
 /// Reads a mesh from the bytes of the file `path`, with what was passed over.
 fn warned(path: &Path, extension: &str, bytes: &[u8]) -> Result<(Mesh, Vec<Warning>), MeshError> {
     let mut notices = Notices::default();
-    let mesh = parse(extension, bytes, &mut notices).map_err(|at| MeshError::new(path, at.line, at.problem))?;
+    let mesh = parse(extension, bytes, &mut notices)
+        .map_err(|at| MeshError::new(path, at.line, at.problem))?;
     Ok((mesh, notices.into_warnings(path)))
 }
 

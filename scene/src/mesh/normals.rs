@@ -1,7 +1,8 @@
 //! Face and vertex normals (Lecture 21: METHODS.md A1, A2).
 use glam::{DMat3, DVec3};
 
-/// A face counts as degenerate when its area is below this share of its extent squared: what is left then is rounding.
+/// A face counts as degenerate when its area is below this share of its extent squared: what is
+/// left then is rounding.
 const THINNEST: f64 = 1e-13;
 
 /// A sum of unit normals shorter than this has no direction worth keeping.
@@ -9,8 +10,9 @@ const SHORTEST_SUM: f64 = 1e-9;
 
 /// The unit normal of a polygon by Newell's method, or `None` for a polygon without area.
 ///
-/// N = Σ Pₖ × Pₖ₊₁ [Lecture 21, (1.1)], taken relative to P₀ so that a polygon far from the origin does not cancel
-/// itself away, and scaled by the polygon's extent so that its size does not matter.
+/// N = Σ Pₖ × Pₖ₊₁ [Lecture 21, (1.1)], taken relative to P₀ so that a polygon far from the origin
+/// does not cancel itself away, and scaled by the polygon's extent so that its size does not
+/// matter.
 pub fn newell(polygon: &[DVec3]) -> Option<DVec3> {
     let origin = *polygon.first()?;
     let extent = polygon.iter().fold(0.0_f64, |e, &p| e.max((p - origin).abs().max_element()));
@@ -25,11 +27,16 @@ pub fn newell(polygon: &[DVec3]) -> Option<DVec3> {
     (length > THINNEST).then(|| sum / length)
 }
 
-/// Unit normals at vertices: the normalised sum of the *unit* normals of the faces around each [Lecture 21, (3.1)].
+/// Unit normals at vertices: the normalised sum of the *unit* normals of the faces around each
+/// [Lecture 21, (3.1)].
 ///
-/// `faces` gives each face's corners and its unit normal; faces without a normal are skipped. A vertex where the
-/// normals cancel, or without faces, has none: there the caller uses the face's own normal.
-pub fn vertex_normals<'a>(vertices: usize, faces: impl Iterator<Item = (&'a [u32], Option<DVec3>)>) -> Vec<Option<DVec3>> {
+/// `faces` gives each face's corners and its unit normal; faces without a normal are skipped. A
+/// vertex where the normals cancel, or without faces, has none: there the caller uses the face's
+/// own normal.
+pub fn vertex_normals<'a>(
+    vertices: usize,
+    faces: impl Iterator<Item = (&'a [u32], Option<DVec3>)>,
+) -> Vec<Option<DVec3>> {
     let mut sums = vec![DVec3::ZERO; vertices];
     for (corners, normal) in faces {
         let Some(normal) = normal else { continue };
@@ -46,9 +53,11 @@ pub fn direction(sum: DVec3) -> Option<DVec3> {
     (length > SHORTEST_SUM).then(|| sum / length)
 }
 
-/// The matrix that takes normals where `linear` takes the surface: its inverse transposed, up to a positive factor.
+/// The matrix that takes normals where `linear` takes the surface: its inverse transposed, up to a
+/// positive factor.
 ///
-/// Built from cofactors, so that a matrix without inverse (something squashed flat) still gives the normals it can.
+/// Built from cofactors, so that a matrix without inverse (something squashed flat) still gives the
+/// normals it can.
 pub fn normal_matrix(linear: DMat3) -> DMat3 {
     let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
     let side = if linear.determinant() < 0.0 { -1.0 } else { 1.0 };
@@ -89,7 +98,8 @@ mod tests {
 
     #[test]
     fn a_vertex_normal_is_the_unit_sum_of_unit_face_normals_whatever_the_areas() {
-        let faces = [([0_u32, 1, 2], Some(DVec3::X)), ([0, 3, 4], Some(DVec3::Y)), ([0, 1, 3], None)];
+        let faces =
+            [([0_u32, 1, 2], Some(DVec3::X)), ([0, 3, 4], Some(DVec3::Y)), ([0, 1, 3], None)];
         let normals = vertex_normals(6, faces.iter().map(|(c, n)| (c.as_slice(), *n)));
         let half = 0.5_f64.sqrt();
         assert!((normals[0].unwrap_or_default() - DVec3::new(half, half, 0.0)).length() < 1e-15);
@@ -105,7 +115,9 @@ mod tests {
 
     #[test]
     fn normals_stay_perpendicular_and_outside_under_stretching_and_mirroring() {
-        for scale in [DVec3::new(1.0, 2.0, 3.0), DVec3::new(-1.0, 2.0, 3.0), DVec3::new(-1.0, -2.0, -0.5)] {
+        for scale in
+            [DVec3::new(1.0, 2.0, 3.0), DVec3::new(-1.0, 2.0, 3.0), DVec3::new(-1.0, -2.0, -0.5)]
+        {
             let linear = DMat3::from_diagonal(scale);
             let (along, normal) = (DVec3::new(1.0, -1.0, 0.0), DVec3::new(1.0, 1.0, 0.0));
             let moved = normal_matrix(linear) * normal;

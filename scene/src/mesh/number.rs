@@ -17,7 +17,11 @@ pub fn single(word: &[u8]) -> Option<f64> {
 /// The value of a word that stands for a whole number, perhaps written as a fraction (`3.0`).
 pub fn whole(word: &[u8]) -> Option<i64> {
     let text = std::str::from_utf8(word).ok()?;
-    let from_fraction = || number(word).filter(|value| value.fract() == 0.0 && value.abs() < 1e15).map(|value| value as i64);
+    let from_fraction = || {
+        number(word)
+            .filter(|value| value.fract() == 0.0 && value.abs() < 1e15)
+            .map(|value| value as i64)
+    };
     text.parse().ok().or_else(from_fraction)
 }
 
@@ -33,7 +37,8 @@ fn unusual(text: &str) -> Option<f64> {
         microsoft(word)?
     } else if let Some(digits) = size.strip_prefix("0x") {
         hexadecimal(digits)?
-    } else if ["nanq", "nans"].contains(&size) || (size.starts_with("nan(") && size.ends_with(')')) {
+    } else if ["nanq", "nans"].contains(&size) || (size.starts_with("nan(") && size.ends_with(')'))
+    {
         f64::NAN
     } else {
         decimal_comma(size)?
@@ -47,14 +52,17 @@ fn microsoft(word: &str) -> Option<f64> {
     let digits = word.split(['e', 'p']).next()?;
     match digits.trim_end_matches('0') {
         "inf" | "in" | "j" | "io" => Some(f64::INFINITY),
-        "qnan" | "qna" | "qn" | "qo" | "r" | "snan" | "sna" | "sn" | "so" | "t" | "ind" | "nan" => Some(f64::NAN),
+        "qnan" | "qna" | "qn" | "qo" | "r" | "snan" | "sna" | "sn" | "so" | "t" | "ind" | "nan" => {
+            Some(f64::NAN)
+        }
         _ => None,
     }
 }
 
 fn decimal_comma(size: &str) -> Option<f64> {
     let (whole, fraction) = size.split_once(',')?;
-    let is_plain = whole.bytes().all(|byte| byte.is_ascii_digit()) && !fraction.contains(['.', ',']);
+    let is_plain =
+        whole.bytes().all(|byte| byte.is_ascii_digit()) && !fraction.contains(['.', ',']);
     is_plain.then(|| format!("{whole}.{fraction}").parse().ok()).flatten()
 }
 
@@ -131,7 +139,10 @@ mod tests {
 
     #[test]
     fn words_are_no_numbers() {
-        for word in ["", "-", ".", "up", "1,2,3", "1,2.3", ",", "0x", "0x.", "0xg", "0x1p", "1.#", "1.#up", "nan(", "1 2", "e5"] {
+        for word in [
+            "", "-", ".", "up", "1,2,3", "1,2.3", ",", "0x", "0x.", "0xg", "0x1p", "1.#", "1.#up",
+            "nan(", "1 2", "e5",
+        ] {
             assert_eq!(number(word.as_bytes()), None, "{word}");
         }
         assert_eq!(number(b"1\xff"), None);
@@ -139,9 +150,14 @@ mod tests {
 
     #[test]
     fn whole_numbers_may_be_written_as_fractions() {
-        for (word, value) in
-            [("3", Some(3)), ("+3", Some(3)), ("-1", Some(-1)), ("3.0", Some(3)), ("3e0", Some(3)), ("0x3", Some(3))]
-        {
+        for (word, value) in [
+            ("3", Some(3)),
+            ("+3", Some(3)),
+            ("-1", Some(-1)),
+            ("3.0", Some(3)),
+            ("3e0", Some(3)),
+            ("0x3", Some(3)),
+        ] {
             assert_eq!(whole(word.as_bytes()), value, "{word}");
         }
         for word in ["3.5", "nan", "inf", "1e300", "x", "9223372036854775808"] {

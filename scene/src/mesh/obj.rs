@@ -1,8 +1,10 @@
-//! Wavefront `.obj`: the lines `v`, `vn` and `f`; what else says how faces look or belong together (texture, groups, materials) is
-//! skipped, and geometry that is no face (lines, points, curves) is passed over with a warning.
+//! Wavefront `.obj`: the lines `v`, `vn` and `f`; what else says how faces look or belong together
+//! (texture, groups, materials) is skipped, and geometry that is no face (lines, points, curves) is
+//! passed over with a warning.
 //!
-//! Read here and not by the `tobj` crate, whose errors do not know their line, which takes polylines (`l`) for faces,
-//! gives a corner without normal its neighbour's, and overflows on texture indices far below zero.
+//! Read here and not by the `tobj` crate, whose errors do not know their line, which takes
+//! polylines (`l`) for faces, gives a corner without normal its neighbour's, and overflows on
+//! texture indices far below zero.
 use std::borrow::Cow;
 
 use glam::DVec3;
@@ -39,7 +41,8 @@ const SKIPPED: [&[u8]; 19] = [
 ];
 
 /// Those of them whose words are names, in which a backslash is a backslash.
-const NAMES: [&[u8]; 8] = [b"g", b"o", b"usemtl", b"mtllib", b"usemap", b"maplib", b"shadow_obj", b"trace_obj"];
+const NAMES: [&[u8]; 8] =
+    [b"g", b"o", b"usemtl", b"mtllib", b"usemap", b"maplib", b"shadow_obj", b"trace_obj"];
 
 /// Reads an `.obj` file.
 ///
@@ -56,7 +59,8 @@ pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located
     mesh.map_err(|at| Located { problem: as_counted_here(at.problem), ..at })
 }
 
-/// Lines without their comments, each with its number from 1; a line that ends in a backslash goes on in the next.
+/// Lines without their comments, each with its number from 1; a line that ends in a backslash goes
+/// on in the next.
 fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
     let mut numbered = Lines::new(text).map(without_comment).enumerate().peekable();
     std::iter::from_fn(move || {
@@ -90,7 +94,9 @@ fn continued(line: &[u8]) -> Option<&[u8]> {
 
 /// Whether a line starts with a word that says what it is.
 fn has_keyword(line: &[u8]) -> bool {
-    words(line).next().is_none_or(|word| matches!(word, b"v" | b"vn" | b"f") || SKIPPED.contains(&word))
+    words(line)
+        .next()
+        .is_none_or(|word| matches!(word, b"v" | b"vn" | b"f") || SKIPPED.contains(&word))
 }
 
 /// The lines that vertices, normals and faces stand on.
@@ -115,9 +121,10 @@ impl Places {
 /// The same problem with indices from 1, as the file has them.
 fn as_counted_here(problem: MeshProblem) -> MeshProblem {
     match problem {
-        MeshProblem::Index { what, index, count, .. } => {
-            syntax(format!("the face names {what} {}; the last one is {count}", u64::from(index) + 1))
-        }
+        MeshProblem::Index { what, index, count, .. } => syntax(format!(
+            "the face names {what} {}; the last one is {count}",
+            u64::from(index) + 1
+        )),
         other => other,
     }
 }
@@ -147,11 +154,17 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn face<'w>(&mut self, number: usize, words: impl Iterator<Item = &'w [u8]>) -> Result<(), MeshProblem> {
+    fn face<'w>(
+        &mut self,
+        number: usize,
+        words: impl Iterator<Item = &'w [u8]>,
+    ) -> Result<(), MeshProblem> {
         let counts = (self.polygons.positions.len(), self.polygons.normals.len());
         let corners = words.map(|word| corner(word, counts)).collect::<Result<Vec<Corner>, _>>()?;
         if corners.len() < 3 {
-            let text = || format!("a face has fewer than three corners: {}; it is left out", corners.len());
+            let text = || {
+                format!("a face has fewer than three corners: {}; it is left out", corners.len())
+            };
             self.notices.add("short face", Some(number), text);
             return Ok(());
         }
@@ -162,7 +175,9 @@ impl Reader<'_> {
 
     fn pass_over(&mut self, number: usize, keyword: &[u8]) {
         let what = quoted(keyword);
-        self.notices.add(&what, Some(number), || format!("lines {what} are passed over; only `v`, `vn` and `f` are drawn"));
+        self.notices.add(&what, Some(number), || {
+            format!("lines {what} are passed over; only `v`, `vn` and `f` are drawn")
+        });
     }
 }
 
@@ -173,30 +188,41 @@ fn syntax(text: String) -> MeshProblem {
 /// The first three numbers of a line; a weight or colours after them are skipped.
 fn position<'w>(mut words: impl Iterator<Item = &'w [u8]>) -> Result<DVec3, MeshProblem> {
     let mut component = || {
-        let word = words.next().ok_or_else(|| syntax("three numbers are needed here, the line ends early".into()))?;
+        let word = words
+            .next()
+            .ok_or_else(|| syntax("three numbers are needed here, the line ends early".into()))?;
         number(word).ok_or_else(|| syntax(format!("{} is not a number", quoted(word))))
     };
     Ok(DVec3::new(component()?, component()?, component()?))
 }
 
-/// A normal; what is no number makes one that has no direction, which does no harm where no corner names it.
+/// A normal; what is no number makes one that has no direction, which does no harm where no corner
+/// names it.
 fn normal<'w>(mut words: impl Iterator<Item = &'w [u8]>) -> DVec3 {
     let mut component = || words.next().and_then(number).unwrap_or(f64::NAN);
     DVec3::new(component(), component(), component())
 }
 
-/// A corner, `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`; texture indices are not looked at.
+/// A corner, `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`; texture
+/// indices are not looked at.
 fn corner(word: &[u8], (vertices, normals): (usize, usize)) -> Result<Corner, MeshProblem> {
     let mut parts = word.split(|&b| b == b'/');
     let (vertex, _texture, normal) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
     if parts.next().is_some() {
-        return Err(syntax(format!("{} is not a corner: at most vertex/texture/normal", quoted(word))));
+        return Err(syntax(format!(
+            "{} is not a corner: at most vertex/texture/normal",
+            quoted(word)
+        )));
     }
-    let normal = normal.filter(|text| !text.is_empty()).map(|text| normal_index(text, normals)).transpose()?;
+    let normal = normal
+        .filter(|text| !text.is_empty())
+        .map(|text| normal_index(text, normals))
+        .transpose()?;
     Ok(Corner { vertex: vertex_index(vertex, vertices)?, normal })
 }
 
-/// An index counted from 0, from one counted from 1, or counted back from the last with a minus sign.
+/// An index counted from 0, from one counted from 1, or counted back from the last with a minus
+/// sign.
 fn vertex_index(text: &[u8], count: usize) -> Result<u32, MeshProblem> {
     let wrong = |why: &str| syntax(format!("{} is not an index: {why}", quoted(text)));
     let index = index(text).ok_or_else(|| wrong("it is not a whole number"))?;
@@ -208,7 +234,8 @@ fn vertex_index(text: &[u8], count: usize) -> Result<u32, MeshProblem> {
 
 /// As [`vertex_index`], but for one that leads nowhere there is an index that no normal has.
 fn normal_index(text: &[u8], count: usize) -> Result<u32, MeshProblem> {
-    let index = index(text).ok_or_else(|| syntax(format!("{} is not an index of a normal", quoted(text))))?;
+    let index = index(text)
+        .ok_or_else(|| syntax(format!("{} is not an index of a normal", quoted(text))))?;
     Ok(from_zero(index, count).unwrap_or(u32::MAX))
 }
 

@@ -68,17 +68,28 @@ impl Polygons {
         self.corners.iter().all(|corner| corner.normal.is_some())
     }
 
-    /// Checks everything, splits faces into triangles and fills in missing normals (METHODS.md A1, A2).
+    /// Checks everything, splits faces into triangles and fills in missing normals (METHODS.md A1,
+    /// A2).
     ///
     /// `line` tells the line of something in the file, counted from 1, where it has one.
     ///
     /// # Errors
-    /// Numbers that are not finite or absurdly large, indices out of range, too many triangles, or none with an area.
-    pub(super) fn into_mesh(self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Mesh, Located> {
-        self.made(notices, line).map_err(|problem| Located { line: problem.item().and_then(line), problem })
+    /// Numbers that are not finite or absurdly large, indices out of range, too many triangles, or
+    /// none with an area.
+    pub(super) fn into_mesh(
+        self,
+        notices: &mut Notices,
+        line: &dyn Fn(Item) -> Option<usize>,
+    ) -> Result<Mesh, Located> {
+        self.made(notices, line)
+            .map_err(|problem| Located { line: problem.item().and_then(line), problem })
     }
 
-    fn made(mut self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Mesh, MeshProblem> {
+    fn made(
+        mut self,
+        notices: &mut Notices,
+        line: &dyn Fn(Item) -> Option<usize>,
+    ) -> Result<Mesh, MeshProblem> {
         self.check()?;
         self.drop_missing_normals(notices, line);
         let split = self.split(notices, line)?;
@@ -91,9 +102,13 @@ impl Polygons {
         Ok(self.with_normals(split))
     }
 
-    /// Leaves out the normals that corners name and that are not there or have no direction, so that those corners get the normal
-    /// that the faces around their vertex make.
-    pub(super) fn drop_missing_normals(&mut self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) {
+    /// Leaves out the normals that corners name and that are not there or have no direction, so
+    /// that those corners get the normal that the faces around their vertex make.
+    pub(super) fn drop_missing_normals(
+        &mut self,
+        notices: &mut Notices,
+        line: &dyn Fn(Item) -> Option<usize>,
+    ) {
         let count = self.normals.len();
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
         for (face, (start, &end)) in starts.zip(&self.ends).enumerate() {
@@ -124,11 +139,18 @@ impl Polygons {
     }
 
     /// All faces split into triangles.
-    fn split(&self, notices: &mut Notices, line: &dyn Fn(Item) -> Option<usize>) -> Result<Split, MeshProblem> {
+    fn split(
+        &self,
+        notices: &mut Notices,
+        line: &dyn Fn(Item) -> Option<usize>,
+    ) -> Result<Split, MeshProblem> {
         let mut split = Split::with_capacity(self.ends.len());
         for (face, corners) in self.faces().enumerate() {
-            let places: Vec<DVec3> = corners.iter().map(|c| self.positions[c.vertex as usize]).collect();
-            let Some(normal) = newell(&places).or_else(|| normal_of_a_part(&places)) else { continue };
+            let places: Vec<DVec3> =
+                corners.iter().map(|c| self.positions[c.vertex as usize]).collect();
+            let Some(normal) = newell(&places).or_else(|| normal_of_a_part(&places)) else {
+                continue;
+            };
             let tangled = MeshProblem::Tangled { face, corners: corners.len() };
             let triangulation = triangulate(&places, normal).ok_or(tangled)?;
             if triangulation.overlaps {
@@ -149,13 +171,18 @@ impl Polygons {
         let shared = if self.has_all_normals() {
             vec![None; self.positions.len()]
         } else {
-            vertex_normals(self.positions.len(), flats.iter().map(|f| (f.vertices.as_slice(), Some(f.normal))))
+            vertex_normals(
+                self.positions.len(),
+                flats.iter().map(|f| (f.vertices.as_slice(), Some(f.normal))),
+            )
         };
         let normal_at = |corner: Corner, face: DVec3| {
-            let given = corner.normal.and_then(|n| direction_of_any_length(self.normals[n as usize]));
+            let given =
+                corner.normal.and_then(|n| direction_of_any_length(self.normals[n as usize]));
             given.or_else(|| *shared.get(corner.vertex as usize)?).unwrap_or(face)
         };
-        let normals = pieces.iter().map(|p| p.corners.map(|c| normal_at(c, flats[p.flat].normal))).collect();
+        let normals =
+            pieces.iter().map(|p| p.corners.map(|c| normal_at(c, flats[p.flat].normal))).collect();
         let triangles = pieces.iter().map(|p| p.corners.map(|c| c.vertex)).collect();
         let facets: Vec<Facet> = flats.iter().map(|flat| flat.facet(&self.positions)).collect();
         let facets = pieces.iter().map(|p| facets[p.flat]).collect();
@@ -194,19 +221,31 @@ struct Piece {
 
 impl Split {
     fn with_capacity(faces: usize) -> Split {
-        Split { pieces: Vec::with_capacity(faces), flats: Vec::with_capacity(faces), crossings: Vec::new() }
+        Split {
+            pieces: Vec::with_capacity(faces),
+            flats: Vec::with_capacity(faces),
+            crossings: Vec::new(),
+        }
     }
 
     /// Adds a face; `vertices` is how many the file has.
-    fn push(&mut self, corners: &[Corner], normal: DVec3, triangulation: Triangulation, vertices: usize) {
+    fn push(
+        &mut self,
+        corners: &[Corner],
+        normal: DVec3,
+        triangulation: Triangulation,
+        vertices: usize,
+    ) {
         let (flat, first_crossing) = (self.flats.len(), vertices + self.crossings.len());
         self.crossings.extend(triangulation.crossings);
         let corner = |k: usize| match corners.get(k) {
             Some(&corner) => corner,
-            // Far fewer than 2^32: a file of 2^30 bytes has at most 2^29 corners, and 10^6 crossings a face.
+            // Far fewer than 2^32: a file of 2^30 bytes has at most 2^29 corners, and 10^6
+            // crossings a face.
             None => Corner { vertex: (first_crossing + k - corners.len()) as u32, normal: None },
         };
-        self.pieces.extend(triangulation.triangles.iter().map(|t| Piece { corners: t.map(corner), flat }));
+        self.pieces
+            .extend(triangulation.triangles.iter().map(|t| Piece { corners: t.map(corner), flat }));
         let mut vertices: Vec<u32> = corners.iter().map(|c| c.vertex).collect();
         if vertices.len() > 3 {
             vertices.sort_unstable();
@@ -216,8 +255,8 @@ impl Split {
     }
 }
 
-/// The normal of the largest triangle between the first corner and an edge: the plane of a polygon whose parts cancel, such as a
-/// bow tie's.
+/// The normal of the largest triangle between the first corner and an edge: the plane of a polygon
+/// whose parts cancel, such as a bow tie's.
 fn normal_of_a_part(places: &[DVec3]) -> Option<DVec3> {
     let area = |edge: &&[DVec3]| (edge[0] - places[0]).cross(edge[1] - places[0]).length();
     let largest = places.get(1..)?.windows(2).max_by(|a, b| area(a).total_cmp(&area(b)))?;
@@ -235,7 +274,9 @@ fn check_vertex(face: usize, index: u32, positions: &[DVec3]) -> Result<(), Mesh
     let position = positions.get(index as usize).ok_or_else(missing)?;
     let wrong = |x: &f64| x.is_nan() || x.abs() > FARTHEST;
     match position.to_array().into_iter().find(wrong) {
-        Some(value) => Err(MeshProblem::Coordinate { what: "vertex", index: index as usize, value }),
+        Some(value) => {
+            Err(MeshProblem::Coordinate { what: "vertex", index: index as usize, value })
+        }
         None => Ok(()),
     }
 }

@@ -1,8 +1,9 @@
 //! `.stl`, binary and text.
 //!
-//! Its triangles share no vertices, so those at the same place are joined. The normals it states are left aside: they are those
-//! of the faces, and many programs write zeros. Read here and not by the `stl_io` crate, which reads one `solid` of a text,
-//! written in small letters (docs/decisions/0015-stl-files-are-read-by-our-own-code.md).
+//! Its triangles share no vertices, so those at the same place are joined. The normals it states
+//! are left aside: they are those of the faces, and many programs write zeros. Read here and not by
+//! the `stl_io` crate, which reads one `solid` of a text, written in small letters
+//! (docs/decisions/0015-stl-files-are-read-by-our-own-code.md).
 use glam::DVec3;
 
 use super::error::{Located, MeshProblem};
@@ -13,10 +14,12 @@ use super::text::unmarked;
 use super::warning::{Notices, quoted};
 use super::{FARTHEST, Mesh};
 
-/// Bytes before the first triangle of a binary file: a comment of 80 bytes and the number of triangles.
+/// Bytes before the first triangle of a binary file: a comment of 80 bytes and the number of
+/// triangles.
 const HEADER: usize = 84;
 
-/// Bytes a triangle takes in a binary file: normal and three vertices of three floats each, and two bytes for anything.
+/// Bytes a triangle takes in a binary file: normal and three vertices of three floats each, and two
+/// bytes for anything.
 const TRIANGLE: usize = 50;
 
 /// Bytes at the start of a file that tell text from binary.
@@ -28,21 +31,28 @@ const BEGINNING: usize = 1024;
 /// A file that is neither kind of `.stl`, ends early, or has a wrong line.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let text = unmarked(bytes);
-    let polygons =
-        if !is_whole_binary(bytes) && is_text(&text) { Text::new(&text, notices).read()? } else { parse_binary(bytes, notices)? };
+    let polygons = if !is_whole_binary(bytes) && is_text(&text) {
+        Text::new(&text, notices).read()?
+    } else {
+        parse_binary(bytes, notices)?
+    };
     polygons.welded().into_mesh(notices, &|_| None)
 }
 
-/// Whether the triangles that a binary header states fit into the file. In a text up to the longest that is read, they never do.
+/// Whether the triangles that a binary header states fit into the file. In a text up to the longest
+/// that is read, they never do.
 fn is_whole_binary(bytes: &[u8]) -> bool {
     stated_triangles(bytes).and_then(binary_length).is_some_and(|length| length <= bytes.len())
 }
 
-/// Whether a file looks like text: no control characters at its beginning but blanks, and a line that opens a solid or a facet.
+/// Whether a file looks like text: no control characters at its beginning but blanks, and a line
+/// that opens a solid or a facet.
 fn is_text(text: &[u8]) -> bool {
     let beginning = &text[..text.len().min(BEGINNING)];
-    let plain = |b: &u8| !b.is_ascii_control() || b.is_ascii_whitespace() || matches!(b, 0x0b | 0x1a);
-    let opens = |line: &[u8]| words(line).next().is_some_and(|word| is(word, "solid") || is(word, "facet"));
+    let plain =
+        |b: &u8| !b.is_ascii_control() || b.is_ascii_whitespace() || matches!(b, 0x0b | 0x1a);
+    let opens =
+        |line: &[u8]| words(line).next().is_some_and(|word| is(word, "solid") || is(word, "facet"));
     beginning.iter().all(plain) && Lines::new(beginning).any(opens)
 }
 
@@ -57,22 +67,32 @@ fn stated_triangles(bytes: &[u8]) -> Option<usize> {
 }
 
 fn parse_binary(bytes: &[u8], notices: &mut Notices) -> Result<Polygons, MeshProblem> {
-    let short = || MeshProblem::Truncated(format!("a binary .stl has {HEADER} bytes before its first triangle"));
+    let short = || {
+        MeshProblem::Truncated(format!(
+            "a binary .stl has {HEADER} bytes before its first triangle"
+        ))
+    };
     let triangles = stated_triangles(bytes).ok_or_else(short)?;
     let needed = binary_length(triangles).unwrap_or(usize::MAX);
     let Some(content) = bytes.get(HEADER..needed) else {
-        let text = format!("its header states {triangles} triangles, {needed} bytes; the file has {}", bytes.len());
+        let text = format!(
+            "its header states {triangles} triangles, {needed} bytes; the file has {}",
+            bytes.len()
+        );
         return Err(MeshProblem::Truncated(text));
     };
     if bytes.len() > needed {
-        let text = || format!("{} bytes behind the last triangle are passed over", bytes.len() - needed);
+        let text =
+            || format!("{} bytes behind the last triangle are passed over", bytes.len() - needed);
         notices.add("bytes behind the end", None, text);
     }
     let mut polygons = Polygons::default();
     for triangle in content.as_chunks::<TRIANGLE>().0 {
         // The first of four vectors is the normal.
         let vectors = triangle.as_chunks::<4>().0.as_chunks::<3>().0;
-        let vertices = vectors[1..4].iter().map(|v| DVec3::from_array(v.map(|x| f64::from(f32::from_le_bytes(x)))));
+        let vertices = vectors[1..4]
+            .iter()
+            .map(|v| DVec3::from_array(v.map(|x| f64::from(f32::from_le_bytes(x)))));
         push(&mut polygons, vertices);
     }
     Ok(polygons)
@@ -87,8 +107,9 @@ fn push(polygons: &mut Polygons, vertices: impl IntoIterator<Item = DVec3>) {
     polygons.push((first..end).map(|vertex| Corner { vertex, normal: None }));
 }
 
-/// A text that is being read, word by word: `solid`, `facet normal x y z`, `outer loop`, `vertex x y z` three times, `endloop`,
-/// `endfacet`, and so on to `endsolid`, in small letters or capitals, and all that as often as there are solids.
+/// A text that is being read, word by word: `solid`, `facet normal x y z`, `outer loop`,
+/// `vertex x y z` three times, `endloop`, `endfacet`, and so on to `endsolid`, in small letters or
+/// capitals, and all that as often as there are solids.
 struct Text<'a> {
     rest: &'a [u8],
     /// The line that `rest` starts in, counted from 1.
@@ -113,13 +134,22 @@ impl<'a> Text<'a> {
                 Some("facet") => self.facet()?,
                 Some(_) => return Err(self.unexpected("`facet` or `endsolid`", Some(word))),
                 None => {
-                    let text = || format!("{} is none of the words of a text .stl; its line is passed over", quoted(word));
+                    let text = || {
+                        format!(
+                            "{} is none of the words of a text .stl; its line is passed over",
+                            quoted(word)
+                        )
+                    };
                     self.notices.add("unknown word", Some(self.line), text);
                     self.skip_line();
                 }
             }
         }
-        if is_open { Err(self.unexpected("`facet` or `endsolid`", None)) } else { Ok(self.polygons) }
+        if is_open {
+            Err(self.unexpected("`facet` or `endsolid`", None))
+        } else {
+            Ok(self.polygons)
+        }
     }
 
     /// What follows the word `facet`, to its end.
@@ -144,7 +174,9 @@ impl<'a> Text<'a> {
         }
         self.expect("endfacet")?;
         if vertices.len() < 3 {
-            let text = || format!("a facet has {} vertices, fewer than three; it is left out", vertices.len());
+            let text = || {
+                format!("a facet has {} vertices, fewer than three; it is left out", vertices.len())
+            };
             self.notices.add("short facet", Some(line), text);
         }
         push(&mut self.polygons, vertices);
@@ -182,18 +214,23 @@ impl<'a> Text<'a> {
 
     fn unexpected(&self, wanted: &str, word: Option<&[u8]>) -> Located {
         let problem = match word {
-            Some(word) => MeshProblem::Syntax(format!("{wanted} is expected here, not {}", quoted(word))),
+            Some(word) => {
+                MeshProblem::Syntax(format!("{wanted} is expected here, not {}", quoted(word)))
+            }
             None => MeshProblem::Truncated(format!("{wanted} is expected here")),
         };
         problem.at_line(self.line)
     }
 
-    /// The next word; at the end, what is left is left as it is, and `line` stays that of the last word.
+    /// The next word; at the end, what is left is left as it is, and `line` stays that of the last
+    /// word.
     fn word(&mut self) -> Option<&'a [u8]> {
         let start = self.rest.iter().position(|b| !is_blank(b))?;
         let (blanks, rest) = self.rest.split_at(start);
         // A CR before an LF ends no line: the LF does.
-        let ends = |k: &usize| blanks[*k] == b'\n' || blanks[*k] == b'\r' && blanks.get(k + 1) != Some(&b'\n');
+        let ends = |k: &usize| {
+            blanks[*k] == b'\n' || blanks[*k] == b'\r' && blanks.get(k + 1) != Some(&b'\n')
+        };
         self.line += (0..start).filter(ends).count();
         let length = rest.iter().position(is_blank).unwrap_or(rest.len());
         let (word, behind) = rest.split_at(length);
@@ -201,12 +238,14 @@ impl<'a> Text<'a> {
         Some(word)
     }
 
-    /// Skips a solid's name, which may be anything, to the line's end or to where the line opens a facet.
+    /// Skips a solid's name, which may be anything, to the line's end or to where the line opens a
+    /// facet.
     fn skip_name(&mut self) {
         let line = Lines::new(self.rest).next().unwrap_or_default();
         let opens_facet = |at: &usize| {
             let mut words = words(&line[*at..]);
-            words.next().is_some_and(|word| is(word, "facet")) && words.next().is_some_and(|word| is(word, "normal"))
+            words.next().is_some_and(|word| is(word, "facet"))
+                && words.next().is_some_and(|word| is(word, "normal"))
         };
         let ends = (0..line.len()).filter(|&at| is_blank(&line[at])).find(opens_facet);
         self.rest = &self.rest[ends.unwrap_or(line.len())..];
@@ -219,7 +258,8 @@ impl<'a> Text<'a> {
 }
 
 /// The words that a text is made of.
-const KEYWORDS: [&str; 9] = ["solid", "facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "endsolid"];
+const KEYWORDS: [&str; 9] =
+    ["solid", "facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "endsolid"];
 
 /// Which of [`KEYWORDS`] a word is, in small letters or capitals.
 fn keyword(word: &[u8]) -> Option<&'static str> {

@@ -1,7 +1,8 @@
 //! Text of mesh files, whatever its encoding.
 use std::borrow::Cow;
 
-/// The bytes of a text without a byte order mark; UTF-16, which is known by its mark, becomes UTF-8.
+/// The bytes of a text without a byte order mark; UTF-16, which is known by its mark, becomes
+/// UTF-8.
 pub(super) fn unmarked(bytes: &[u8]) -> Cow<'_, [u8]> {
     match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => Cow::Borrowed(rest),

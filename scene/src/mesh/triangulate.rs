@@ -1,4 +1,5 @@
-//! Splitting polygons into triangles, by the `i_triangle` crate (docs/decisions/0012-polygons-are-split-by-a-sweep.md).
+//! Splitting polygons into triangles, by the `i_triangle` crate
+//! (docs/decisions/0012-polygons-are-split-by-a-sweep.md).
 use std::collections::BTreeMap;
 
 use glam::DVec3;
@@ -8,9 +9,10 @@ use i_triangle::int::custom::IntCustomTriangulatable;
 use i_triangle::int::triangulation::IntTriangulation;
 use i_triangle::int::validation::Validation;
 
-/// Steps of the grid that corners are rounded to for finding out which of them make triangles, in a polygon's extent. It is
-/// finer than what [`super::normals::newell`] calls rounding. Coordinates stay below 2^45 in magnitude (√3 extents), twice a
-/// triangle's area below 2^93, and sums of it over any polygon that a file can hold (2^29 corners) within 127 bits.
+/// Steps of the grid that corners are rounded to for finding out which of them make triangles, in a
+/// polygon's extent. It is finer than what [`super::normals::newell`] calls rounding. Coordinates
+/// stay below 2^45 in magnitude (√3 extents), twice a triangle's area below 2^93, and sums of it
+/// over any polygon that a file can hold (2^29 corners) within 127 bits.
 const GRID: f64 = (1_u64 << 44) as f64;
 
 /// Corners that are tried as the first of a fan, before the sweep.
@@ -28,20 +30,24 @@ const LEAST_DIFFERENCE: i128 = 1_000_000;
 /// A polygon in triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangulation {
-    /// Triangles that turn the way of the polygon's normal. Each is three indices: of the polygon's corners and, from their number
-    /// on, of `crossings`.
+    /// Triangles that turn the way of the polygon's normal. Each is three indices: of the polygon's
+    /// corners and, from their number on, of `crossings`.
     pub triangles: Vec<[usize; 3]>,
     /// Where edges cross each other.
     pub crossings: Vec<DVec3>,
-    /// Whether the area of the triangles is not that of the polygon, since it crosses or covers itself.
+    /// Whether the area of the triangles is not that of the polygon, since it crosses or covers
+    /// itself.
     pub overlaps: bool,
 }
 
-/// Splits a polygon into triangles that cover what an odd number of its edges surrounds, as seen along `normal`, a unit vector.
+/// Splits a polygon into triangles that cover what an odd number of its edges surrounds, as seen
+/// along `normal`, a unit vector.
 ///
-/// A polygon with a bridge to a hole, whose corners are stated twice, keeps the hole. Of corners at the same place, a triangle has
-/// the one whose angle it lies in. Polygons of which one of the first corners sees all others become a fan from it. Takes a time
-/// of n log n for n corners and crossings; `None` for a polygon that crosses itself more often than 1000000 times, by an estimate.
+/// A polygon with a bridge to a hole, whose corners are stated twice, keeps the hole. Of corners at
+/// the same place, a triangle has the one whose angle it lies in. Polygons of which one of the
+/// first corners sees all others become a fan from it. Takes a time of n log n for n corners and
+/// crossings; `None` for a polygon that crosses itself more often than 1000000 times, by an
+/// estimate.
 pub fn triangulate(polygon: &[DVec3], normal: DVec3) -> Option<Triangulation> {
     if polygon.len() == 3 {
         return Some(Triangulation { triangles: vec![[0, 1, 2]], ..Triangulation::default() });
@@ -50,7 +56,9 @@ pub fn triangulate(polygon: &[DVec3], normal: DVec3) -> Option<Triangulation> {
     let ring = Ring::new(polygon, &plane);
     match ring.fan() {
         Some(triangles) => Some(Triangulation { triangles, ..Triangulation::default() }),
-        None => (ring.crossings_expected() <= MOST_CROSSINGS).then(|| ring.swept(polygon.len(), &plane)),
+        None => {
+            (ring.crossings_expected() <= MOST_CROSSINGS).then(|| ring.swept(polygon.len(), &plane))
+        }
     }
 }
 
@@ -75,7 +83,8 @@ impl Plane {
             return None;
         }
         let (across, up) = normal.any_orthonormal_pair();
-        let height = polygon.iter().map(|&p| ((p - origin) / extent).dot(normal)).sum::<f64>() / polygon.len() as f64;
+        let height = polygon.iter().map(|&p| ((p - origin) / extent).dot(normal)).sum::<f64>()
+            / polygon.len() as f64;
         Some(Plane { origin, across, up, normal, extent, height })
     }
 
@@ -103,7 +112,8 @@ struct Ring {
 
 impl Ring {
     fn new(polygon: &[DVec3], plane: &Plane) -> Ring {
-        let (mut corners, mut places) = (Vec::with_capacity(polygon.len()), Vec::with_capacity(polygon.len()));
+        let (mut corners, mut places) =
+            (Vec::with_capacity(polygon.len()), Vec::with_capacity(polygon.len()));
         for (corner, &point) in polygon.iter().enumerate() {
             let place = plane.grid(point);
             if places.last() != Some(&place) {
@@ -122,7 +132,8 @@ impl Ring {
         self.places.len()
     }
 
-    /// Triangles from one corner to all edges that do not touch it, where one of the first corners sees all others.
+    /// Triangles from one corner to all edges that do not touch it, where one of the first corners
+    /// sees all others.
     fn fan(&self) -> Option<Vec<[usize; 3]>> {
         let n = self.len();
         if n < 3 {
@@ -133,8 +144,9 @@ impl Ring {
         Some((1..n - 1).map(|k| [corner(0), corner(k), corner(k + 1)]).collect())
     }
 
-    /// Whether the edges around a corner, taken in turn, stand one beside the other within the angle at it, which is below 180
-    /// degrees: then the triangles from it to them do not cover each other.
+    /// Whether the edges around a corner, taken in turn, stand one beside the other within the
+    /// angle at it, which is below 180 degrees: then the triangles from it to them do not cover
+    /// each other.
     fn sees_all(&self, first: usize) -> bool {
         let (n, last) = (self.len(), self.len() - 1);
         let at = |k: usize| self.places[(first + k) % n];
@@ -142,7 +154,8 @@ impl Ring {
         (1..last).all(|k| left(k, k + 1) && left(k, last) && (k == 1 || left(1, k)))
     }
 
-    /// About how often edges cross, from some pairs of them that are the same every time; 0 for polygons of few corners.
+    /// About how often edges cross, from some pairs of them that are the same every time; 0 for
+    /// polygons of few corners.
     fn crossings_expected(&self) -> usize {
         let n = self.len();
         let pairs = n * n / 2;
@@ -152,7 +165,9 @@ impl Ring {
         let mut state = 1_u64;
         let mut edge = || {
             // Knuth's MMIX generator; its upper bits are the random ones.
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             let from = (state >> 33) as usize % n;
             [self.places[from], self.places[(from + 1) % n]]
         };
@@ -163,16 +178,19 @@ impl Ring {
     /// Triangles by a sweep over the plane.
     fn swept(&self, corners: usize, plane: &Plane) -> Triangulation {
         let validation = Validation::with_fill_rule(FillRule::EvenOdd);
-        let found: IntTriangulation<i64, u32> = self.places.custom_triangulate(validation).into_triangulation();
+        let found: IntTriangulation<i64, u32> =
+            self.places.custom_triangulate(validation).into_triangulation();
         let named = Named::new(self);
         // The sweep states a crossing once for each of the parts that meet there.
         let (mut crossings, mut known) = (Vec::new(), BTreeMap::new());
         let mut area = 0;
         let mut triangles = Vec::with_capacity(found.indices.len() / 3);
         for &[a, b, c] in found.indices.as_chunks::<3>().0 {
-            let twice_area = turn(found.points[a as usize], found.points[b as usize], found.points[c as usize]);
+            let twice_area =
+                turn(found.points[a as usize], found.points[b as usize], found.points[c as usize]);
             area += twice_area.abs();
-            let places = if twice_area < 0 { [a, c, b] } else { [a, b, c] }.map(|k| found.points[k as usize]);
+            let places = if twice_area < 0 { [a, c, b] } else { [a, b, c] }
+                .map(|k| found.points[k as usize]);
             triangles.push(places.map(|place| {
                 named.corner(place, places).unwrap_or_else(|| {
                     *known.entry((place.x, place.y)).or_insert_with(|| {
@@ -183,24 +201,36 @@ impl Ring {
             }));
         }
         let difference = (area - self.twice_area().abs()).abs();
-        Triangulation { triangles, crossings, overlaps: difference > area.max(self.twice_area().abs()) / LEAST_DIFFERENCE }
+        Triangulation {
+            triangles,
+            crossings,
+            overlaps: difference > area.max(self.twice_area().abs()) / LEAST_DIFFERENCE,
+        }
     }
 
-    /// Twice the area that the ring turns around to the left, less what it turns around to the right.
+    /// Twice the area that the ring turns around to the left, less what it turns around to the
+    /// right.
     fn twice_area(&self) -> i128 {
         let edges = self.places.iter().zip(self.places.iter().cycle().skip(1));
         edges.map(|(&a, &b)| turn(Place::new(0, 0), a, b)).sum()
     }
 
-    /// Whether a triangle that has a corner of the ring lies in the angle there, to the left of the ring.
+    /// Whether a triangle that has a corner of the ring lies in the angle there, to the left of the
+    /// ring.
     fn has_in_angle(&self, position: usize, triangle: [Place; 3]) -> bool {
         let n = self.len();
-        let [before, here, after] = [position + n - 1, position, position + 1].map(|k| self.places[k % n]);
+        let [before, here, after] =
+            [position + n - 1, position, position + 1].map(|k| self.places[k % n]);
         // Three times the triangle's centre, from three times `here`: the same direction.
         let centre = triangle.iter().fold((0, 0), |(x, y), p| (x + p.x - here.x, y + p.y - here.y));
         let inside = Place::new(here.x + centre.0, here.y + centre.1);
-        let (after_left, before_right) = (turn(here, after, inside) >= 0, turn(here, inside, before) >= 0);
-        if turn(here, after, before) > 0 { after_left && before_right } else { after_left || before_right }
+        let (after_left, before_right) =
+            (turn(here, after, inside) >= 0, turn(here, inside, before) >= 0);
+        if turn(here, after, before) > 0 {
+            after_left && before_right
+        } else {
+            after_left || before_right
+        }
     }
 }
 
@@ -268,8 +298,10 @@ mod tests {
         let polygon = flat(&[&rim[..], &bridge].concat());
         let Triangulation { triangles, crossings, overlaps } = split(&polygon);
         assert!(crossings.is_empty() && !overlaps);
-        // The bridge lies on the diagonal: the first corner and the last are the rim's below it, the others those above it.
-        let centre_below = |t: &[usize; 3]| t.iter().map(|&k| polygon[k].x - polygon[k].y).sum::<f64>() > 0.0;
+        // The bridge lies on the diagonal: the first corner and the last are the rim's below it,
+        // the others those above it.
+        let centre_below =
+            |t: &[usize; 3]| t.iter().map(|&k| polygon[k].x - polygon[k].y).sum::<f64>() > 0.0;
         for triangle in &triangles {
             let above = [4, 5].iter().any(|k| triangle.contains(k));
             let below = [0, 9].iter().any(|k| triangle.contains(k));
@@ -300,8 +332,11 @@ mod tests {
     fn a_polygon_that_crosses_itself_everywhere_is_refused() {
         // A star whose every edge crosses about half of the others.
         let star = |corners: u32| {
-            let corner = |k: u32| f64::from(k * (corners / 2)) * std::f64::consts::TAU / f64::from(corners);
-            (0..corners).map(|k| DVec3::new(corner(k).cos(), corner(k).sin(), 0.0)).collect::<Vec<_>>()
+            let corner =
+                |k: u32| f64::from(k * (corners / 2)) * std::f64::consts::TAU / f64::from(corners);
+            (0..corners)
+                .map(|k| DVec3::new(corner(k).cos(), corner(k).sin(), 0.0))
+                .collect::<Vec<_>>()
         };
         assert!(triangulate(&star(501), DVec3::Z).is_some());
         assert_eq!(triangulate(&star(20_001), DVec3::Z), None);

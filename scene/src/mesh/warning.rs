@@ -47,7 +47,8 @@ struct Notice {
 }
 
 impl Notices {
-    /// Notes a thing on `line`, counted from 1; `text`, a sentence without its full stop, is told of the first of a `kind` alone.
+    /// Notes a thing on `line`, counted from 1; `text`, a sentence without its full stop, is told
+    /// of the first of a `kind` alone.
     pub fn add(&mut self, kind: &str, line: Option<usize>, text: impl FnOnce() -> String) {
         match self.kinds.get(kind) {
             Some(&index) => self.first[index].more += 1,
@@ -62,7 +63,8 @@ impl Notices {
     /// The warnings about the file `path`, in the order in which the kinds were met.
     pub fn into_warnings(self, path: &Path) -> Vec<Warning> {
         let path = path.display().to_string();
-        let rest = (self.untold > 0).then(|| (None, format!("{} things of other kinds are passed over", self.untold)));
+        let rest = (self.untold > 0)
+            .then(|| (None, format!("{} things of other kinds are passed over", self.untold)));
         let told = self.first.into_iter().map(|notice| (notice.line, notice.told()));
         told.chain(rest).map(|(line, text)| Warning { path: path.clone(), line, text }).collect()
     }
@@ -84,7 +86,8 @@ pub(super) fn quoted(words: &[u8]) -> String {
     // A character takes four bytes at most.
     let start = &words[..words.len().min(4 * LONGEST_QUOTE)];
     let plain = String::from_utf8_lossy(start);
-    let shown = plain.trim().chars().take(LONGEST_QUOTE).map(|c| if c.is_control() { ' ' } else { c });
+    let shown =
+        plain.trim().chars().take(LONGEST_QUOTE).map(|c| if c.is_control() { ' ' } else { c });
     format!("`{}`", shown.collect::<String>())
 }
 
@@ -120,7 +123,10 @@ mod tests {
         let mut notices = Notices::default();
         (0..1000).for_each(|kind| notices.add(&format!("{kind}"), None, || format!("kind {kind}")));
         let all = told(notices);
-        assert_eq!((all.len(), all[20].as_str()), (21, "a.obj: 980 things of other kinds are passed over"));
+        assert_eq!(
+            (all.len(), all[20].as_str()),
+            (21, "a.obj: 980 things of other kinds are passed over")
+        );
     }
 
     #[test]

@@ -3,8 +3,8 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-/// Gives vertices at exactly the same place one index: the distinct positions, in the order of their first use, and
-/// for each old index the new one. -0 and 0 are the same place.
+/// Gives vertices at exactly the same place one index: the distinct positions, in the order of
+/// their first use, and for each old index the new one. -0 and 0 are the same place.
 pub fn weld(positions: &[DVec3]) -> (Vec<DVec3>, Vec<u32>) {
     let mut known = HashMap::with_capacity(positions.len());
     let mut distinct = Vec::new();

@@ -18,14 +18,21 @@ pub struct Camera {
     pub target: Option<DVec3>,
     /// World units from the picture's bottom to its top; what the objects need if none.
     pub height: Option<f64>,
-    /// Where the eye is that sees highlights, in world coordinates; at infinity along `direction` if nowhere.
+    /// Where the eye is that sees highlights, in world coordinates; at infinity along `direction`
+    /// if nowhere.
     pub eye: Option<DVec3>,
 }
 
 impl Default for Camera {
     /// From the front, a little to the right and above; y up.
     fn default() -> Camera {
-        Camera { direction: DVec3::new(0.5, 0.45, 1.0), up: DVec3::Y, target: None, height: None, eye: None }
+        Camera {
+            direction: DVec3::new(0.5, 0.45, 1.0),
+            up: DVec3::Y,
+            target: None,
+            height: None,
+            eye: None,
+        }
     }
 }
 
@@ -35,7 +42,8 @@ impl Camera {
         self.target.is_none() && self.height.is_none()
     }
 
-    /// The rotation from world to view space; `None` if `up` points along `direction` or either has no direction.
+    /// The rotation from world to view space; `None` if `up` points along `direction` or either has
+    /// no direction.
     pub fn rotation(&self) -> Option<DMat3> {
         let backward = unit(self.direction)?;
         let across = unit(self.up)?.cross(backward);
@@ -67,9 +75,14 @@ pub struct Window {
 impl Window {
     /// The window of a picture of `size` pixels.
     ///
-    /// `bounds` are the smallest and largest view-space coordinates of all objects, `rotation` is the camera's. `None`
-    /// if the objects have no extent to take the height from.
-    pub fn new(camera: &Camera, rotation: DMat3, bounds: [DVec3; 2], size: (u32, u32)) -> Option<Window> {
+    /// `bounds` are the smallest and largest view-space coordinates of all objects, `rotation` is
+    /// the camera's. `None` if the objects have no extent to take the height from.
+    pub fn new(
+        camera: &Camera,
+        rotation: DMat3,
+        bounds: [DVec3; 2],
+        size: (u32, u32),
+    ) -> Option<Window> {
         let (width, height) = (f64::from(size.0), f64::from(size.1));
         let centre = match camera.target {
             Some(target) => rotation * target,
@@ -82,7 +95,8 @@ impl Window {
         (pixel > 0.0 && pixel.is_finite()).then_some(Window { centre, pixel })
     }
 
-    /// The window moved by half a pixel at most in either direction, so that a point of view space is at the middle of a pixel.
+    /// The window moved by half a pixel at most in either direction, so that a point of view space
+    /// is at the middle of a pixel.
     pub fn with_on_a_pixel(self, point: DVec3, size: (u32, u32)) -> Window {
         let [x, y] = self.place(point, size);
         let middle = |at: f64, pixels: u32| (at.floor() + 0.5).clamp(0.5, f64::from(pixels) - 0.5);
@@ -106,14 +120,20 @@ mod tests {
     #[test]
     fn the_default_camera_looks_from_the_front_with_y_up() {
         let rotation = Camera::default().rotation().unwrap_or_default();
-        assert!((rotation * DVec3::Y).y > 0.8 && (rotation * DVec3::Z).z > 0.8 && (rotation * DVec3::X).x > 0.8);
+        assert!(
+            (rotation * DVec3::Y).y > 0.8
+                && (rotation * DVec3::Z).z > 0.8
+                && (rotation * DVec3::X).x > 0.8
+        );
         assert!((rotation.determinant() - 1.0).abs() < 1e-15);
     }
 
     #[test]
     fn a_camera_without_direction_has_no_rotation() {
         let camera = |direction, up| Camera { direction, up, ..Camera::default() };
-        for (direction, up) in [(DVec3::ZERO, DVec3::Y), (DVec3::Y, DVec3::Y * 2.0), (DVec3::Z, DVec3::ZERO)] {
+        for (direction, up) in
+            [(DVec3::ZERO, DVec3::Y), (DVec3::Y, DVec3::Y * 2.0), (DVec3::Z, DVec3::ZERO)]
+        {
             assert_eq!(camera(direction, up).rotation(), None);
         }
         assert!(camera(DVec3::Z * 1e-200, DVec3::Y * 1e200).rotation().is_some());

@@ -1,18 +1,20 @@
-//! Cones about vertex normals that hold the normals of all faces around the vertex [Reshetov, Soupikov and Mark; METHODS.md D].
+//! Cones about vertex normals that hold the normals of all faces around the vertex [Reshetov,
+//! Soupikov and Mark; METHODS.md D].
 use std::collections::HashMap;
 
 use glam::DVec3;
 
 use crate::VertexCone;
 
-/// Places count as one when they agree in this share of the object's extent: corners computed on both sides of a seam do, but for
-/// rounding.
+/// Places count as one when they agree in this share of the object's extent: corners computed on
+/// both sides of a seam do, but for rounding.
 const PLACE: f64 = 1.0 / (1u64 << 32) as f64;
 
 /// Unit normals count as one when their components agree in this.
 const NORMAL: f64 = 1.0 / (1u64 << 20) as f64;
 
-/// Repair is given up after so many turns; 2 of 19 000 random fans were left over then (EXTREMES row 48).
+/// Repair is given up after so many turns; 2 of 19 000 random fans were left over then (EXTREMES
+/// row 48).
 const MOST_TURNS: usize = 200;
 
 /// A triangle as far as cones ask.
@@ -25,7 +27,8 @@ pub(super) struct Face {
     pub outward: Option<DVec3>,
 }
 
-/// What corners have in common that belong to one vertex with one normal: place and normal, in units of [`PLACE`] and [`NORMAL`].
+/// What corners have in common that belong to one vertex with one normal: place and normal, in
+/// units of [`PLACE`] and [`NORMAL`].
 type Key = [i64; 6];
 
 /// The faces around vertices.
@@ -35,8 +38,13 @@ pub(super) struct Fans {
 }
 
 impl Fans {
-    /// The faces around the corners of `wanted`, found among all `faces` of an object no coordinate of which exceeds `extent`.
-    pub fn around(wanted: impl Iterator<Item = Face>, faces: impl Iterator<Item = Face>, extent: f64) -> Fans {
+    /// The faces around the corners of `wanted`, found among all `faces` of an object no coordinate
+    /// of which exceeds `extent`.
+    pub fn around(
+        wanted: impl Iterator<Item = Face>,
+        faces: impl Iterator<Item = Face>,
+        extent: f64,
+    ) -> Fans {
         let mut fans = Fans { extent, fans: HashMap::new() };
         for face in wanted {
             for key in fans.keys(&face) {
@@ -71,14 +79,17 @@ impl Fans {
     }
 }
 
-/// The cone of a vertex with this normal, repaired if need be: while it is more than 90 degrees from a face, it is mirrored at the plane
-/// of the worst, N ← N - 2(N·n)n [METHODS.md D, with ε = 1].
+/// The cone of a vertex with this normal, repaired if need be: while it is more than 90 degrees
+/// from a face, it is mirrored at the plane of the worst, N ← N - 2(N·n)n [METHODS.md D, with ε =
+/// 1].
 fn cone(normal: DVec3, faces: &[DVec3]) -> VertexCone {
     let mut axis = normal;
     for _ in 0..MOST_TURNS {
         let worst = faces.iter().copied().min_by(|a, b| axis.dot(*a).total_cmp(&axis.dot(*b)));
         match worst {
-            Some(face) if axis.dot(face) < 0.0 => axis = (axis - 2.0 * axis.dot(face) * face).normalize(),
+            Some(face) if axis.dot(face) < 0.0 => {
+                axis = (axis - 2.0 * axis.dot(face) * face).normalize()
+            }
             _ => break,
         }
     }
@@ -129,7 +140,14 @@ mod tests {
         };
         let smooth = [DVec3::Z; 3];
         let tilted = DVec3::new(0.6, 0.0, 0.8);
-        let faces = || [corner(smooth, DVec3::Z, 0.0), corner(smooth, tilted, 1e-15), corner([tilted; 3], tilted, 0.0)].into_iter();
+        let faces = || {
+            [
+                corner(smooth, DVec3::Z, 0.0),
+                corner(smooth, tilted, 1e-15),
+                corner([tilted; 3], tilted, 0.0),
+            ]
+            .into_iter()
+        };
         let fans = Fans::around(faces(), faces(), 1.0);
         let cosines: Vec<f64> = faces().map(|face| fans.cones(&face)[0].cosine).collect();
         assert_eq!(cosines[..2], [0.8, 0.8]);

@@ -1,15 +1,16 @@
 //! Which pixels a triangle covers, exactly.
 //!
-//! Corners are snapped to a grid of 1/256 pixel; edge functions are integers, so that nothing rounds. A pixel is covered
-//! when its centre is inside, or on an edge that is the triangle's left or top one. Of two triangles on either side of an
-//! edge exactly one owns the centres on it: meshes have neither gaps nor pixels drawn twice.
+//! Corners are snapped to a grid of 1/256 pixel; edge functions are integers, so that nothing
+//! rounds. A pixel is covered when its centre is inside, or on an edge that is the triangle's left
+//! or top one. Of two triangles on either side of an edge exactly one owns the centres on it:
+//! meshes have neither gaps nor pixels drawn twice.
 use std::ops::Range;
 
 /// Grid steps a pixel.
 pub const STEPS: i64 = 256;
 
-/// Corners farther than this from the picture's corner, in grid steps, are refused: 2^21 pixels. Differences then have 30
-/// bits and edge functions 61, so `i64` holds them.
+/// Corners farther than this from the picture's corner, in grid steps, are refused: 2^21 pixels.
+/// Differences then have 30 bits and edge functions 61, so `i64` holds them.
 pub const FARTHEST_STEP: i64 = 1 << 29;
 
 /// A point on the grid: x to the right, y down, in 1/256 pixel from the picture's top left corner.
@@ -22,7 +23,8 @@ pub struct Point {
 }
 
 impl Point {
-    /// The grid point nearest to a place in pixels; `None` beyond [`FARTHEST_STEP`] and for what is not a number.
+    /// The grid point nearest to a place in pixels; `None` beyond [`FARTHEST_STEP`] and for what is
+    /// not a number.
     pub fn snap(x: f64, y: f64) -> Option<Point> {
         let step = |pixels: f64| {
             let steps = (pixels * STEPS as f64 + 0.5).floor();
@@ -38,7 +40,8 @@ impl Point {
     }
 }
 
-/// Twice the signed area of triangle a, b, p; above 0 where p is to the right of a → b as seen in the picture.
+/// Twice the signed area of triangle a, b, p; above 0 where p is to the right of a → b as seen in
+/// the picture.
 fn edge(a: Point, b: Point, p: Point) -> i64 {
     (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)
 }
@@ -107,8 +110,8 @@ impl Coverage {
         self.rows(height).map(run).filter(|(_, columns)| !columns.is_empty())
     }
 
-    /// Barycentric weights at a pixel's centre, in the order in which the corners were given. They are 0 or more at
-    /// covered pixels, and add up to 1 to within rounding.
+    /// Barycentric weights at a pixel's centre, in the order in which the corners were given. They
+    /// are 0 or more at covered pixels, and add up to 1 to within rounding.
     pub fn weights(&self, column: u32, row: u32) -> [f64; 3] {
         let p = Point::centre(column, row);
         let [a, b, c] = self.edges().map(|(from, to)| edge(from, to, p) as f64 / self.area as f64);
@@ -126,7 +129,8 @@ mod tests {
     use super::*;
 
     fn pixels(corners: [(i64, i64); 3]) -> Vec<(u32, u32)> {
-        let triangle = Coverage::new(corners.map(|(x, y)| Point { x: x * STEPS / 2, y: y * STEPS / 2 }));
+        let triangle =
+            Coverage::new(corners.map(|(x, y)| Point { x: x * STEPS / 2, y: y * STEPS / 2 }));
         let runs = triangle.iter().flat_map(|t| t.runs(10, 10).collect::<Vec<_>>());
         runs.flat_map(|(y, xs)| xs.map(move |x| (x, y))).collect()
     }
@@ -172,8 +176,10 @@ mod tests {
     fn the_farthest_corners_do_not_overflow() {
         let far = FARTHEST_STEP;
         let points = [(-far, -far), (far, -far), (far, far)].map(|(x, y)| Point { x, y });
-        let triangle = Coverage::new(points).map(|t| t.runs(8192, 8192).map(|(_, c)| c.len() as u64).sum::<u64>());
-        // The diagonal runs through pixel corners: below it lie 0 + 1 + ... , on it each centre belongs to the left edge.
+        let triangle = Coverage::new(points)
+            .map(|t| t.runs(8192, 8192).map(|(_, c)| c.len() as u64).sum::<u64>());
+        // The diagonal runs through pixel corners: below it lie 0 + 1 + ... , on it each centre
+        // belongs to the left edge.
         assert_eq!(triangle, Some(8192 * 8193 / 2));
     }
 

@@ -9,7 +9,9 @@ pub const MOST_PIXELS: u64 = 64 << 20;
 /// Whether a picture of that size can be made.
 pub fn is_allowed((width, height): (u32, u32)) -> bool {
     let side = 1..=LONGEST_SIDE;
-    side.contains(&width) && side.contains(&height) && u64::from(width) * u64::from(height) <= MOST_PIXELS
+    side.contains(&width)
+        && side.contains(&height)
+        && u64::from(width) * u64::from(height) <= MOST_PIXELS
 }
 
 /// The limits in words.

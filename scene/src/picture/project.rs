@@ -11,7 +11,10 @@ use crate::mesh::Mesh;
 use crate::mesh::normals::{direction, newell, normal_matrix};
 use crate::primitive::Primitive;
 use crate::surface::Surface;
-use crate::{Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone, defaults};
+use crate::{
+    Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone,
+    defaults,
+};
 
 /// A mesh put somewhere in the world.
 #[derive(Clone, Debug, PartialEq)]
@@ -129,23 +132,29 @@ impl PictureError {
 impl Scene {
     /// Projects the scene along parallel lines, settles what is visible and cuts it into spans.
     ///
-    /// Each pixel is sampled at its centre. Both sides of a surface are drawn, since meshes may have holes and turn
-    /// their faces either way; the normals of a triangle seen from behind (from where its vertex normals do not point)
-    /// are turned around, so that it is lit from the side that is seen.
+    /// Each pixel is sampled at its centre. Both sides of a surface are drawn, since meshes may
+    /// have holes and turn their faces either way; the normals of a triangle seen from behind (from
+    /// where its vertex normals do not point) are turned around, so that it is lit from the side
+    /// that is seen.
     ///
     /// # Errors
-    /// A [`PictureError`] if the picture's size is out of range, the camera cannot see, or nothing is visible.
+    /// A [`PictureError`] if the picture's size is out of range, the camera cannot see, or nothing
+    /// is visible.
     pub fn frame(&self) -> Result<Frame, PictureError> {
         if !limits::is_allowed(self.size) {
             return Err(PictureError::Size(self.size.0, self.size.1));
         }
         let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
-        let seen: Vec<Seen<'_>> = self.objects.iter().map(|object| Seen::new(object, rotation)).collect();
+        let seen: Vec<Seen<'_>> =
+            self.objects.iter().map(|object| Seen::new(object, rotation)).collect();
         let bounds = bounds(&seen).ok_or(PictureError::NothingVisible)?;
-        let window = Window::new(&self.camera, rotation, bounds, self.size).ok_or(PictureError::NoExtent)?;
+        let window =
+            Window::new(&self.camera, rotation, bounds, self.size).ok_or(PictureError::NoExtent)?;
         let (window, (kept, spans)) = self.visible(&seen, window)?;
-        let fans: Vec<Fans> = seen.iter().enumerate().map(|(object, seen)| seen.fans(object, &kept)).collect();
-        let triangles = kept.iter().map(|&name| seen[name.object].triangle(name, &fans[name.object])).collect();
+        let fans: Vec<Fans> =
+            seen.iter().enumerate().map(|(object, seen)| seen.fans(object, &kept)).collect();
+        let triangles =
+            kept.iter().map(|&name| seen[name.object].triangle(name, &fans[name.object])).collect();
         let view = View { rotation, centre: window.centre };
         Ok(Frame {
             width: self.size.0,
@@ -163,9 +172,14 @@ impl Scene {
 
     /// The triangles that can be seen and their spans, with the window that shows them.
     ///
-    /// Where a camera that frames the objects itself shows none, since they lie between the middles of pixels as in pictures a
-    /// pixel or two wide, the window is moved until the largest triangle is on one.
-    fn visible(&self, seen: &[Seen<'_>], window: Window) -> Result<(Window, Visible), PictureError> {
+    /// Where a camera that frames the objects itself shows none, since they lie between the middles
+    /// of pixels as in pictures a pixel or two wide, the window is moved until the largest triangle
+    /// is on one.
+    fn visible(
+        &self,
+        seen: &[Seen<'_>],
+        window: Window,
+    ) -> Result<(Window, Visible), PictureError> {
         if let Some(visible) = self.visible_in(seen, &window)? {
             return Ok((window, visible));
         }
@@ -176,21 +190,32 @@ impl Scene {
     }
 
     /// What a window shows, if anything.
-    fn visible_in(&self, seen: &[Seen<'_>], window: &Window) -> Result<Option<Visible>, PictureError> {
+    fn visible_in(
+        &self,
+        seen: &[Seen<'_>],
+        window: &Window,
+    ) -> Result<Option<Visible>, PictureError> {
         let (names, projected) = self.project(seen, window)?;
         let spans = visible_spans(&projected, self.size.0, self.size.1);
         Ok((!spans.is_empty()).then(|| keep_visible(spans, &names)))
     }
 
-    /// The surfaces that objects stand for, where known: one for each material of the [`Frame`]. None if the camera cannot see.
+    /// The surfaces that objects stand for, where known: one for each material of the [`Frame`].
+    /// None if the camera cannot see.
     pub fn surfaces(&self) -> Vec<Option<Surface>> {
         let Some(rotation) = self.camera.rotation() else { return vec![] };
-        let of = |object: &Object| Surface::of(object.primitive?, DAffine3::from_mat3(rotation) * object.place);
+        let of = |object: &Object| {
+            Surface::of(object.primitive?, DAffine3::from_mat3(rotation) * object.place)
+        };
         self.objects.iter().map(of).collect()
     }
 
     /// The triangles that may be in the picture, and which they are.
-    fn project(&self, seen: &[Seen<'_>], window: &Window) -> Result<(Vec<Name>, Vec<Projected>), PictureError> {
+    fn project(
+        &self,
+        seen: &[Seen<'_>],
+        window: &Window,
+    ) -> Result<(Vec<Name>, Vec<Projected>), PictureError> {
         let (mut names, mut projected) = (Vec::new(), Vec::new());
         for (object, seen) in seen.iter().enumerate() {
             for (triangle, corners) in seen.object.mesh.triangles.iter().enumerate() {
@@ -199,7 +224,10 @@ impl Scene {
                     continue;
                 }
                 let [a, b, c] = places.map(|[x, y]| Point::snap(x, y));
-                let points = [a, b, c].into_iter().collect::<Option<Vec<Point>>>().ok_or(PictureError::TooClose)?;
+                let points = [a, b, c]
+                    .into_iter()
+                    .collect::<Option<Vec<Point>>>()
+                    .ok_or(PictureError::TooClose)?;
                 if let Some(coverage) = Coverage::new([points[0], points[1], points[2]]) {
                     let nearness = corners.map(|k| seen.positions[k as usize].z);
                     names.push(Name { object, triangle });
@@ -254,9 +282,10 @@ impl View {
 impl Light {
     pub(super) fn at_infinity(&self, view: View) -> Option<DirectionalLight> {
         match self.source {
-            LightSource::Directional { direction } => {
-                Some(DirectionalLight { direction: view.direction(self.space, direction), colour: self.colour })
-            }
+            LightSource::Directional { direction } => Some(DirectionalLight {
+                direction: view.direction(self.space, direction),
+                colour: self.colour,
+            }),
             LightSource::Point { .. } | LightSource::Spot { .. } => None,
         }
     }
@@ -308,16 +337,22 @@ impl<'a> Seen<'a> {
         let places = self.object.mesh.triangles[triangle].map(|k| self.positions[k as usize]);
         let face = newell(&places);
         let fallback = face.unwrap_or(DVec3::Z);
-        let normals = self.object.mesh.normals[triangle].map(|n| direction_of(self.to_normals * n).unwrap_or(fallback));
-        let outward = face.map(|face| if face.dot(normals.iter().sum()) < 0.0 { -face } else { face });
+        let normals = self.object.mesh.normals[triangle]
+            .map(|n| direction_of(self.to_normals * n).unwrap_or(fallback));
+        let outward =
+            face.map(|face| if face.dot(normals.iter().sum()) < 0.0 { -face } else { face });
         Face { places, normals, outward }
     }
 
     /// The faces around the vertices of those of the visible triangles that belong to this object.
     fn fans(&self, object: usize, visible: &[Name]) -> Fans {
-        let wanted = visible.iter().filter(|name| name.object == object).map(|name| self.face(name.triangle));
+        let wanted = visible
+            .iter()
+            .filter(|name| name.object == object)
+            .map(|name| self.face(name.triangle));
         let all = (0..self.object.mesh.triangles.len()).map(|triangle| self.face(triangle));
-        let extent = self.corners().fold(f64::MIN_POSITIVE, |extent, p| extent.max(p.abs().max_element()));
+        let extent =
+            self.corners().fold(f64::MIN_POSITIVE, |extent, p| extent.max(p.abs().max_element()));
         Fans::around(wanted, all, extent)
     }
 
@@ -344,7 +379,8 @@ impl<'a> Seen<'a> {
         let facet = self.object.mesh.facets[triangle];
         let side = if self.place.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
         let of_triangle = newell(&face.places).map(|normal| normal * side);
-        let normal = direction_of(self.to_normals * facet.normal).or(of_triangle).unwrap_or(DVec3::Z);
+        let normal =
+            direction_of(self.to_normals * facet.normal).or(of_triangle).unwrap_or(DVec3::Z);
         let turn = if of_triangle.unwrap_or(normal).z < 0.0 { -1.0 } else { 1.0 };
         Facet { normal: normal * turn, middle: self.place.transform_point3(facet.middle) }
     }
@@ -363,9 +399,15 @@ pub struct ConedFace {
 
 /// The triangles of a whole mesh that have an area, with the cones of their vertices.
 pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
-    let object = Object { mesh: mesh.clone(), primitive: None, place: DAffine3::IDENTITY, material: defaults::material() };
+    let object = Object {
+        mesh: mesh.clone(),
+        primitive: None,
+        place: DAffine3::IDENTITY,
+        material: defaults::material(),
+    };
     let seen = Seen::new(&object, DMat3::IDENTITY);
-    let all: Vec<Name> = (0..mesh.triangles.len()).map(|triangle| Name { object: 0, triangle }).collect();
+    let all: Vec<Name> =
+        (0..mesh.triangles.len()).map(|triangle| Name { object: 0, triangle }).collect();
     let fans = seen.fans(0, &all);
     let coned = |name: &Name| {
         let face = seen.face(name.triangle);
@@ -382,8 +424,11 @@ fn direction_of(normal: DVec3) -> Option<DVec3> {
 
 /// The middle of the triangle that the camera sees largest.
 fn middle_of_largest(seen: &[Seen<'_>]) -> Option<DVec3> {
-    let corners = |seen: &Seen<'_>, triangle: &[u32; 3]| triangle.map(|k| seen.positions[k as usize]);
-    let all = seen.iter().flat_map(|seen| seen.object.mesh.triangles.iter().map(move |t| corners(seen, t)));
+    let corners =
+        |seen: &Seen<'_>, triangle: &[u32; 3]| triangle.map(|k| seen.positions[k as usize]);
+    let all = seen
+        .iter()
+        .flat_map(|seen| seen.object.mesh.triangles.iter().map(move |t| corners(seen, t)));
     let area = |&[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a).z.abs();
     let largest = all.max_by(|a, b| area(a).total_cmp(&area(b)))?;
     Some(largest.iter().sum::<DVec3>() / 3.0)
@@ -395,7 +440,8 @@ fn bounds(seen: &[Seen<'_>]) -> Option<[DVec3; 2]> {
     corners.reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
 }
 
-/// Keeps the triangles that spans name, in the order of their first use, and makes spans name them by it.
+/// Keeps the triangles that spans name, in the order of their first use, and makes spans name them
+/// by it.
 fn keep_visible(spans: Vec<Span>, names: &[Name]) -> (Vec<Name>, Vec<Span>) {
     let mut kept: Vec<Option<usize>> = vec![None; names.len()];
     let mut triangles = Vec::new();

@@ -38,14 +38,19 @@ impl Rows {
     /// [`PictureError::NothingVisible`] without spans.
     pub fn frame(&self) -> Result<Frame, PictureError> {
         let spans: Vec<Span> = self.rows.iter().map(|row| row.span.clone()).collect();
-        let width = spans.iter().map(|span| span.length).max().ok_or(PictureError::NothingVisible)?;
+        let width =
+            spans.iter().map(|span| span.length).max().ok_or(PictureError::NothingVisible)?;
         Ok(Frame {
             width,
             height: spans.len() as u32,
             background: self.background,
             ambient: self.ambient,
             lights: self.lights.iter().filter_map(|light| light.at_infinity(View::NONE)).collect(),
-            local_lights: self.lights.iter().filter_map(|light| light.at_a_place(View::NONE)).collect(),
+            local_lights: self
+                .lights
+                .iter()
+                .filter_map(|light| light.at_a_place(View::NONE))
+                .collect(),
             eye: self.eye,
             materials: self.rows.iter().map(|row| row.material.clone()).collect(),
             triangles: self.rows.iter().map(|row| row.triangle.clone()).collect(),

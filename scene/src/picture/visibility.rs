@@ -13,10 +13,11 @@ pub(super) struct Projected {
     pub nearness: [f64; 3],
 }
 
-/// The visible runs of `triangles`, from top to bottom and left to right; [`Span::triangle`] indexes `triangles`.
+/// The visible runs of `triangles`, from top to bottom and left to right; [`Span::triangle`]
+/// indexes `triangles`.
 ///
-/// At each pixel centre the nearest triangle wins, and of equally near ones the first. Works a row at a time on the
-/// triangles that reach it, so that memory does not grow with the picture.
+/// At each pixel centre the nearest triangle wins, and of equally near ones the first. Works a row
+/// at a time on the triangles that reach it, so that memory does not grow with the picture.
 pub(super) fn visible_spans(triangles: &[Projected], width: u32, height: u32) -> Vec<Span> {
     let by_row = triangles_by_first_row(triangles, height);
     let mut row = Row::new(width);
@@ -56,7 +57,10 @@ const NOTHING: usize = usize::MAX;
 
 impl Row {
     fn new(width: u32) -> Row {
-        Row { nearness: vec![f64::NEG_INFINITY; width as usize], seen: vec![NOTHING; width as usize] }
+        Row {
+            nearness: vec![f64::NEG_INFINITY; width as usize],
+            seen: vec![NOTHING; width as usize],
+        }
     }
 
     fn draw(&mut self, index: usize, triangle: &Projected, y: u32) {
@@ -118,7 +122,9 @@ mod tests {
     fn by_asking_all(triangles: &[Projected], column: u32, row: u32) -> Option<usize> {
         let mut best: Option<(f64, usize)> = None;
         for (index, triangle) in triangles.iter().enumerate() {
-            if !triangle.coverage.columns(row, SIZE).contains(&column) || !triangle.coverage.rows(SIZE).contains(&row) {
+            if !triangle.coverage.columns(row, SIZE).contains(&column)
+                || !triangle.coverage.rows(SIZE).contains(&row)
+            {
                 continue;
             }
             let weights = triangle.coverage.weights(column, row);
@@ -131,7 +137,8 @@ mod tests {
     }
 
     fn triangle(corners: [(i64, i64); 3], nearness: [f64; 3]) -> Option<Projected> {
-        Coverage::new(corners.map(|(x, y)| Point { x, y })).map(|coverage| Projected { coverage, nearness })
+        Coverage::new(corners.map(|(x, y)| Point { x, y }))
+            .map(|coverage| Projected { coverage, nearness })
     }
 
     proptest! {
@@ -163,7 +170,8 @@ mod tests {
         // The first starts in a later row, so that the second is drawn before it.
         let triangles: Vec<Projected> = [low, high].into_iter().flatten().collect();
         let spans = visible_spans(&triangles, SIZE, SIZE);
-        let at = |y: u32| spans.iter().find(|span| span.y == y && span.x == 0).map(|span| span.triangle);
+        let at =
+            |y: u32| spans.iter().find(|span| span.y == y && span.x == 0).map(|span| span.triangle);
         assert_eq!((triangles.len(), at(1), at(6)), (2, Some(1), Some(0)));
     }
 }

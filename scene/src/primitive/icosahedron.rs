@@ -6,7 +6,8 @@ use glam::DVec3;
 use crate::Facet;
 use crate::mesh::Mesh;
 
-/// The 12 vertices: (0, ±1, ±φ) and its cyclic permutations, brought to length 1; φ is the golden ratio.
+/// The 12 vertices: (0, ±1, ±φ) and its cyclic permutations, brought to length 1; φ is the golden
+/// ratio.
 fn corners() -> Vec<DVec3> {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let signs = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
@@ -21,7 +22,8 @@ fn corners() -> Vec<DVec3> {
 
 /// The 20 faces: vertices that are neighbours of each other, counter-clockwise seen from outside.
 fn faces(corners: &[DVec3]) -> Vec<[u32; 3]> {
-    // The cosine of the angle between neighbours is 1/sqrt 5; the next farther vertices have the opposite.
+    // The cosine of the angle between neighbours is 1/sqrt 5; the next farther vertices have the
+    // opposite.
     let near = |a: usize, b: usize| corners[a].dot(corners[b]) > 0.0;
     let mut faces = Vec::with_capacity(20);
     for a in 0..corners.len() {
@@ -36,16 +38,20 @@ fn faces(corners: &[DVec3]) -> Vec<[u32; 3]> {
     faces
 }
 
-/// The icosahedron with every triangle split in four `level` times, new vertices pushed out to the sphere.
+/// The icosahedron with every triangle split in four `level` times, new vertices pushed out to the
+/// sphere.
 pub(super) fn mesh(level: u32) -> Mesh {
     let mut positions = corners();
     let mut triangles = faces(&positions);
     for _ in 0..level {
         triangles = split(&triangles, &mut positions);
     }
-    let normals: Vec<[DVec3; 3]> = triangles.iter().map(|t| t.map(|k| positions[k as usize])).collect();
+    let normals: Vec<[DVec3; 3]> =
+        triangles.iter().map(|t| t.map(|k| positions[k as usize])).collect();
     // On the unit sphere, so that a vertex is its own normal; no triangle is without area.
-    let facet = |places: &[DVec3; 3]| Facet::of_polygon(places).unwrap_or(Facet::of_vertices(places, places));
+    let facet = |places: &[DVec3; 3]| {
+        Facet::of_polygon(places).unwrap_or(Facet::of_vertices(places, places))
+    };
     let facets = normals.iter().map(facet).collect();
     Mesh { positions, triangles, normals, facets }
 }

@@ -12,24 +12,28 @@ use crate::mesh::Mesh;
 /// A built-in shape, y up, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Primitive {
-    /// Newell's teapot of 32 bicubic patches, 3.15 high, standing on y = 0; `level` cells along each patch edge.
+    /// Newell's teapot of 32 bicubic patches, 3.15 high, standing on y = 0; `level` cells along
+    /// each patch edge.
     Teapot {
         /// 1 to 64.
         level: u32,
     },
-    /// The unit sphere, poles on the y axis: 4 `level` cells around and 2 `level` from pole to pole.
+    /// The unit sphere, poles on the y axis: 4 `level` cells around and 2 `level` from pole to
+    /// pole.
     Sphere {
         /// 1 to 256.
         level: u32,
     },
-    /// A torus around the y axis, radius 1 to the tube's middle: 4 `level` cells around and 2 `level` around the tube.
+    /// A torus around the y axis, radius 1 to the tube's middle: 4 `level` cells around and 2
+    /// `level` around the tube.
     Torus {
         /// 2 to 256.
         level: u32,
         /// Radius of the tube, above 0 and below 1.
         tube: f64,
     },
-    /// The icosahedron in the unit sphere with normals shared at vertices; each level splits every triangle in four.
+    /// The icosahedron in the unit sphere with normals shared at vertices; each level splits every
+    /// triangle in four.
     Icosahedron {
         /// 0 to 7.
         level: u32,
@@ -51,7 +55,8 @@ impl Primitive {
         }
     }
 
-    /// The same shape, tessellated at `level`; the range of levels that it can have if that is not one.
+    /// The same shape, tessellated at `level`; the range of levels that it can have if that is not
+    /// one.
     pub fn at_level(self, level: u32) -> Result<Primitive, std::ops::RangeInclusive<u32>> {
         let (range, shape) = match self {
             Primitive::Teapot { .. } => (1..=64, Primitive::Teapot { level }),
@@ -84,19 +89,24 @@ struct Grid {
 }
 
 impl Grid {
-    /// Samples a surface, given as place and unit normal, at the corners of `rows` times `columns` cells; the closure
-    /// is given the indices of a corner.
-    fn sample(rows: u32, columns: u32, mut surface: impl FnMut(u32, u32) -> (DVec3, DVec3)) -> Grid {
+    /// Samples a surface, given as place and unit normal, at the corners of `rows` times `columns`
+    /// cells; the closure is given the indices of a corner.
+    fn sample(
+        rows: u32,
+        columns: u32,
+        mut surface: impl FnMut(u32, u32) -> (DVec3, DVec3),
+    ) -> Grid {
         let corners = (0..=rows).flat_map(|i| (0..=columns).map(move |j| (i, j)));
         let (positions, normals) = corners.map(|(i, j)| surface(i, j)).unzip();
         Grid { columns, positions, normals }
     }
 
-    /// Appends the grid's triangles to a mesh: two a cell, those without area left out, each turned to the side its
-    /// normals point to.
+    /// Appends the grid's triangles to a mesh: two a cell, those without area left out, each turned
+    /// to the side its normals point to.
     fn append_to(self, mesh: &mut Mesh) {
         // Levels are bounded, so that indices fit.
-        let (across, rows) = (self.columns + 1, self.positions.len() as u32 / (self.columns + 1) - 1);
+        let (across, rows) =
+            (self.columns + 1, self.positions.len() as u32 / (self.columns + 1) - 1);
         let first = mesh.positions.len() as u32;
         for i in 0..rows {
             for j in 0..self.columns {
@@ -114,7 +124,8 @@ impl Grid {
         mesh.positions.extend(self.positions);
     }
 
-    /// The triangle turned so that its own normal agrees with its vertex normals, if it has an area.
+    /// The triangle turned so that its own normal agrees with its vertex normals, if it has an
+    /// area.
     fn outward(&self, triangle: [u32; 3]) -> Option<([u32; 3], Facet)> {
         let facet = Facet::of_polygon(&triangle.map(|k| self.positions[k as usize]))?;
         let normals: DVec3 = triangle.iter().map(|&k| self.normals[k as usize]).sum();

@@ -31,13 +31,17 @@ fn rows<T: std::str::FromStr>(table: &str) -> impl Iterator<Item = Vec<T>> {
 
 fn points() -> Vec<DVec3> {
     // From z up to y up, by a quarter turn about x.
-    rows::<f64>(POINTS).filter_map(|row| Some(DVec3::new(*row.first()?, *row.get(2)?, -*row.get(1)?))).collect()
+    rows::<f64>(POINTS)
+        .filter_map(|row| Some(DVec3::new(*row.first()?, *row.get(2)?, -*row.get(1)?)))
+        .collect()
 }
 
 fn patches() -> impl Iterator<Item = Patch> {
     let points = points();
     rows::<usize>(PATCHES).map(move |row| {
-        let point = |i: usize, j: usize| row.get(4 * i + j).and_then(|&k| points.get(k)).copied().unwrap_or_default();
+        let point = |i: usize, j: usize| {
+            row.get(4 * i + j).and_then(|&k| points.get(k)).copied().unwrap_or_default()
+        };
         Patch(std::array::from_fn(|i| std::array::from_fn(|j| point(i, j))))
     })
 }
@@ -52,7 +56,8 @@ struct Weights {
 }
 
 impl Weights {
-    /// At t = `part`/`whole`. 1 - t is taken from integers, so that an edge is the same whichever way it is run along.
+    /// At t = `part`/`whole`. 1 - t is taken from integers, so that an edge is the same whichever
+    /// way it is run along.
     fn new(part: u32, whole: u32) -> Weights {
         let t = f64::from(part) / f64::from(whole);
         let s = f64::from(whole - part) / f64::from(whole);
@@ -67,7 +72,8 @@ impl Patch {
     fn grid(&self, level: u32) -> Grid {
         Grid::sample(level, level, |i, j| {
             let (u, v) = (Weights::new(i, level), Weights::new(j, level));
-            // The lower half takes the mixed derivative as it is, the upper half looks back from u = 1 or v = 1.
+            // The lower half takes the mixed derivative as it is, the upper half looks back from
+            // u = 1 or v = 1.
             let toward = |k: u32| if 2 * k <= level { 1.0 } else { -1.0 };
             (self.combine(&u.value, &v.value), self.normal(&u, &v, [toward(i), toward(j)]))
         })
@@ -80,12 +86,13 @@ impl Patch {
 
     /// The outward unit normal, ∂P/∂v × ∂P/∂u: all 32 patches turn that way.
     ///
-    /// Where an edge has shrunk to a point (the tops of lid and bottom), the derivative along it is zero, and near it
-    /// grows as the distance times the mixed derivative, which then stands for it; `toward` is the sign of that
-    /// distance inside the patch.
+    /// Where an edge has shrunk to a point (the tops of lid and bottom), the derivative along it is
+    /// zero, and near it grows as the distance times the mixed derivative, which then stands for
+    /// it; `toward` is the sign of that distance inside the patch.
     fn normal(&self, u: &Weights, v: &Weights, toward: [f64; 2]) -> DVec3 {
         let mixed = self.combine(&u.slope, &v.slope);
-        let [mut along_u, mut along_v] = [self.combine(&u.slope, &v.value), self.combine(&u.value, &v.slope)];
+        let [mut along_u, mut along_v] =
+            [self.combine(&u.slope, &v.value), self.combine(&u.value, &v.slope)];
         if along_v.length() < SHORTEST_TANGENT {
             along_v = mixed * toward[0];
         }
@@ -111,7 +118,10 @@ mod tests {
     fn normals_are_unit_and_point_outwards() {
         for level in [1, 2, 5, 12] {
             for [a, b, c] in mesh(level).normals {
-                assert!([a, b, c].iter().all(|n| (n.length() - 1.0).abs() < 1e-12), "level {level}: {a} {b} {c}");
+                assert!(
+                    [a, b, c].iter().all(|n| (n.length() - 1.0).abs() < 1e-12),
+                    "level {level}: {a} {b} {c}"
+                );
             }
         }
     }
@@ -136,7 +146,8 @@ mod tests {
     fn normals_agree_with_the_triangles() {
         let mesh = mesh(12);
         for (triangle, normals) in mesh.triangles.iter().zip(&mesh.normals) {
-            let face = crate::mesh::normals::newell(&triangle.map(|k| mesh.positions[k as usize])).unwrap_or_default();
+            let face = crate::mesh::normals::newell(&triangle.map(|k| mesh.positions[k as usize]))
+                .unwrap_or_default();
             assert!(normals.iter().all(|n| n.dot(face) > 0.5), "{face} {normals:?}");
         }
     }

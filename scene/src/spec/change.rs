@@ -5,16 +5,21 @@ use super::{CoreSpec, SpecError};
 use crate::format::Format;
 
 impl CoreSpec {
-    /// This core for any scene, changed as `to` differs from `from`, all by one method: what is not the same in both is as in `to`, and a format
-    /// has as many bits more or fewer. So a core whose formats were narrowed keeps that.
+    /// This core for any scene, changed as `to` differs from `from`, all by one method: what is not
+    /// the same in both is as in `to`, and a format has as many bits more or fewer. So a core whose
+    /// formats were narrowed keeps that.
     ///
     /// # Errors
     /// [`SpecError`] if no such core can be built.
     pub fn changed(&self, from: &CoreSpec, to: &CoreSpec) -> Result<CoreSpec, SpecError> {
         let fail = |message: String| SpecError::Core { message };
-        let value = |spec: &CoreSpec| Value::try_from(spec.general()).map_err(|error| fail(error.to_string()));
+        let value = |spec: &CoreSpec| {
+            Value::try_from(spec.general()).map_err(|error| fail(error.to_string()))
+        };
         let changed = changed(value(self)?, &value(from)?, &value(to)?);
-        let spec: CoreSpec = changed.try_into().map_err(|error: toml::de::Error| fail(error.message().to_owned()))?;
+        let spec: CoreSpec = changed
+            .try_into()
+            .map_err(|error: toml::de::Error| fail(error.message().to_owned()))?;
         spec.check()?;
         Ok(spec)
     }
@@ -37,7 +42,8 @@ fn changed(own: Value, from: &Value, to: &Value) -> Value {
     }
 }
 
-/// A format with as many bits more as `to` has more than `from`; `None` if they are no formats, or a bit count would be negative.
+/// A format with as many bits more as `to` has more than `from`; `None` if they are no formats, or
+/// a bit count would be negative.
 fn wider(own: &Value, from: &Value, to: &Value) -> Option<Value> {
     let format = |value: &Value| value.as_str()?.parse::<Format>().ok();
     let (own, from, to) = (format(own)?, format(from)?, format(to)?);
@@ -64,7 +70,9 @@ mod tests {
         let from = of(&needs);
         let to = of(&Needs { longest_span: LONGEST_SPAN, uneven_shininess: Some(3), ..needs });
         assert_eq!(from.changed(&from, &to), Ok(to.clone()));
-        let base = |spec: &CoreSpec| spec.narrowing_points().iter().find(|point| point.name == "base").unwrap().format;
+        let base = |spec: &CoreSpec| {
+            spec.narrowing_points().iter().find(|point| point.name == "base").unwrap().format
+        };
         let narrow = Format { fraction_bits: base(&from).fraction_bits - 2, ..base(&from) };
         let changed = from.with_formats(&[("base", narrow)]).unwrap().changed(&from, &to).unwrap();
         assert_eq!((base(&changed), changed.longest_span), (narrow, LONGEST_SPAN));

@@ -1,11 +1,12 @@
-//! The spec for a scene: documented defaults, then what the user says in the scene file's `[core]` table.
+//! The spec for a scene: documented defaults, then what the user says in the scene file's `[core]`
+//! table.
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::narrowing::LARGEST_ROOT_REACH;
 use super::{
-    COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN, LightPipelines, MOST_LIGHTS,
-    Method, NarrowingPoint, SpecError, Specialisation,
+    COEFFICIENT_FRACTION_BITS, CoreOptions, CoreSpec, FULL_SCALE, LARGEST_SHININESS, LONGEST_SPAN,
+    LightPipelines, MOST_LIGHTS, Method, NarrowingPoint, SpecError, Specialisation,
 };
 use crate::format::Format;
 use crate::needs::{LocalKind, Needs};
@@ -16,12 +17,19 @@ const MOST_COEFFICIENT_BITS: f64 = 16.0;
 const MOST_BITS_FOR_HIGHLIGHTS: f64 = 2.0;
 
 impl CoreSpec {
-    /// The spec for a scene with these needs: the method asked for on the command line, else the scene file's, else `lyon`, with
-    /// and `phong` where a light or the eye is at a place, with the defaults of NUMERICS.md "Recommended formats", changed where the scene file's `[core]` table says so.
+    /// The spec for a scene with these needs: the method asked for on the command line, else the
+    /// scene file's, else `lyon`, with and `phong` where a light or the eye is at a place, with the
+    /// defaults of NUMERICS.md "Recommended formats", changed where the scene file's `[core]` table
+    /// says so.
     ///
     /// # Errors
-    /// [`SpecError`] if there is no such method, or the method or its formats cannot serve the scene.
-    pub fn for_scene(needs: &Needs, table: Option<&CoreOptions>, method: Option<Method>) -> Result<CoreSpec, SpecError> {
+    /// [`SpecError`] if there is no such method, or the method or its formats cannot serve the
+    /// scene.
+    pub fn for_scene(
+        needs: &Needs,
+        table: Option<&CoreOptions>,
+        method: Option<Method>,
+    ) -> Result<CoreSpec, SpecError> {
         let default = CoreOptions::default();
         let table = table.unwrap_or(&default);
         let named = table.method.as_deref().map(Method::from_name).transpose()?;
@@ -48,14 +56,18 @@ impl CoreSpec {
         Ok(spec)
     }
 
-    /// The same core with finer formats where a colour is brighter than full scale, but for those that `changes` names.
+    /// The same core with finer formats where a colour is brighter than full scale, but for those
+    /// that `changes` names.
     ///
-    /// NUMERICS.md recommends formats by errors of intensities times full scale. Twice as bright, and those errors are twice as large: a bit
-    /// more in every format. Two are the most, since what is four times full scale is white but for the highlight's edge.
+    /// NUMERICS.md recommends formats by errors of intensities times full scale. Twice as bright,
+    /// and those errors are twice as large: a bit more in every format. Two are the most, since
+    /// what is four times full scale is white but for the highlight's edge.
     fn for_highlights(self, needs: &Needs, changes: &toml::Table) -> CoreSpec {
-        let bits = needs.brightest_coefficient.max(1.0).log2().ceil().min(MOST_BITS_FOR_HIGHLIGHTS) as i32;
+        let bits =
+            needs.brightest_coefficient.max(1.0).log2().ceil().min(MOST_BITS_FOR_HIGHLIGHTS) as i32;
         let formats = changes.get("formats").and_then(toml::Value::as_table);
-        let kept: Vec<&str> = formats.into_iter().flat_map(toml::Table::keys).map(String::as_str).collect();
+        let kept: Vec<&str> =
+            formats.into_iter().flat_map(toml::Table::keys).map(String::as_str).collect();
         (1..=bits).rev().find_map(|added| self.finer(added, &kept)).unwrap_or(self)
     }
 
@@ -97,7 +109,13 @@ impl CoreSpec {
             let (name, given) = ("coefficient", self.coefficient);
             let wanted = Format::unsigned(integer_bits, COEFFICIENT_FRACTION_BITS).to_string();
             let bits = COEFFICIENT_FRACTION_BITS;
-            return Err(SpecError::WrongFormat { name, given, wanted, fewest_fraction_bits: bits, most_fraction_bits: bits });
+            return Err(SpecError::WrongFormat {
+                name,
+                given,
+                wanted,
+                fewest_fraction_bits: bits,
+                most_fraction_bits: bits,
+            });
         }
         Ok(())
     }
@@ -112,7 +130,10 @@ impl CoreSpec {
     /// # Errors
     /// [`SpecError`] if there is no such point, or it may not have the format.
     pub fn with_formats(&self, formats: &[(&str, Format)]) -> Result<CoreSpec, SpecError> {
-        let formats = formats.iter().map(|&(name, format)| (name.to_owned(), format.to_string().into())).collect();
+        let formats = formats
+            .iter()
+            .map(|&(name, format)| (name.to_owned(), format.to_string().into()))
+            .collect();
         let changes = [("formats".to_owned(), toml::Value::Table(formats))].into_iter().collect();
         let spec = CoreSpec { method: self.method.with(&changes)?, ..self.general() };
         spec.check()?;
@@ -131,10 +152,16 @@ impl CoreSpec {
             ("longest span", format!("{} pixels", self.longest_span)),
             ("largest exponent n", self.largest_shininess.to_string()),
             ("colour coefficients", format!("{}, in LSBs of the 8-bit output", self.coefficient)),
-            ("shortest interpolated normal", format!("{:.3} of the longer one at the ends of its span", self.shortest_normal)),
+            (
+                "shortest interpolated normal",
+                format!("{:.3} of the longer one at the ends of its span", self.shortest_normal),
+            ),
         ];
         if self.light_pipelines == LightPipelines::Shared {
-            options.push(("light pipelines", format!("one, in which the lights take turns: {} clocks a pixel", self.interval())));
+            options.push((
+                "light pipelines",
+                format!("one, in which the lights take turns: {} clocks a pixel", self.interval()),
+            ));
         }
         options.extend(self.method_options());
         options.push(("made for", self.specialisation.in_words()));
@@ -153,13 +180,14 @@ pub(super) fn span_bits(longest_span: u32) -> u32 {
     longest_span.next_power_of_two().ilog2()
 }
 
-/// Bits by which q = N·N falls short of 1 where normals are shortest; 8 at most, which spans of 165 degrees take.
+/// Bits by which q = N·N falls short of 1 where normals are shortest; 8 at most, which spans of 165
+/// degrees take.
 pub(super) fn small_q_bits(needs: &Needs) -> u32 {
     (-2.0 * needs.shortest_normal.max(0.0625).log2()).ceil() as u32
 }
 
-/// Integer bits m of 1/√q that reach twice as far as the shortest normal asks, so that rounding cannot lead past them; q of
-/// `operand` fraction bits tells 4^-m from 0.
+/// Integer bits m of 1/√q that reach twice as far as the shortest normal asks, so that rounding
+/// cannot lead past them; q of `operand` fraction bits tells 4^-m from 0.
 pub(super) fn root_reach(needs: &Needs, operand: u32) -> u32 {
     let shortest = needs.shortest_normal.max(0.5f64.powi(LARGEST_ROOT_REACH as i32));
     ((-shortest.log2()).ceil() as u32 + 1).min(operand / 2).min(LARGEST_ROOT_REACH)
@@ -171,7 +199,10 @@ pub(super) fn exponent_bits(needs: &Needs) -> u32 {
 }
 
 /// The default with the user's keys in place of its own.
-pub(super) fn merged<T: Serialize + DeserializeOwned>(default: &T, changes: &toml::Table) -> Result<T, SpecError> {
+pub(super) fn merged<T: Serialize + DeserializeOwned>(
+    default: &T,
+    changes: &toml::Table,
+) -> Result<T, SpecError> {
     let fail = |message: String| SpecError::Core { message };
     let mut table = toml::Table::try_from(default).map_err(|e| fail(e.to_string()))?;
     overlay(&mut table, changes);
@@ -191,5 +222,9 @@ fn overlay(table: &mut toml::Table, changes: &toml::Table) {
 
 /// Whether a number is one that cores can be built for.
 pub(super) fn within(name: &'static str, value: f64, low: f64, high: f64) -> Result<(), SpecError> {
-    if (low..=high).contains(&value) { Ok(()) } else { Err(SpecError::OutOfRange { name, value, low, high }) }
+    if (low..=high).contains(&value) {
+        Ok(())
+    } else {
+        Err(SpecError::OutOfRange { name, value, low, high })
+    }
 }

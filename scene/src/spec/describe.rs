@@ -23,7 +23,8 @@ pub trait Describe {
     /// The ports of a core with this method, in the order in which packets hold their values.
     fn ports(&self, core: &CoreSpec) -> Vec<InputPort>;
 
-    /// Every place where values are rounded, in the order of the data. `span_bits` number the pixels of the longest span.
+    /// Every place where values are rounded, in the order of the data. `span_bits` number the
+    /// pixels of the longest span.
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint>;
 
     /// What else the spec says: names and values, for people to read.

@@ -14,7 +14,9 @@ pub enum SpecError {
         known: String,
     },
     /// The power by squaring takes powers of two only.
-    #[error("the method `{method}` raises to n = 2^j by squaring, and a material has shininess {shininess}")]
+    #[error(
+        "the method `{method}` raises to n = 2^j by squaring, and a material has shininess {shininess}"
+    )]
     #[diagnostic(
         code(specula::spec::shininess),
         help(
@@ -66,7 +68,9 @@ pub enum SpecError {
     #[error("input `{name}` of the core: {wrong}")]
     #[diagnostic(
         code(specula::spec::specialisation),
-        help("give raw values, smallest and largest, or the name of an earlier input of the same format")
+        help(
+            "give raw values, smallest and largest, or the name of an earlier input of the same format"
+        )
     )]
     Specialisation {
         /// The input.
@@ -90,7 +94,10 @@ pub enum SpecError {
     },
     /// The `[core]` table of a scene file does not fit.
     #[error("the [core] table is wrong: {message}")]
-    #[diagnostic(code(specula::spec::core), help("docs/scene-format.md lists the keys of [core] and their values"))]
+    #[diagnostic(
+        code(specula::spec::core),
+        help("docs/scene-format.md lists the keys of [core] and their values")
+    )]
     Core {
         /// What is wrong.
         message: String,

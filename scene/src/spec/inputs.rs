@@ -1,4 +1,5 @@
-//! A core's inputs by name, for whatever belongs to each of them: its port, its signal, its raw value.
+//! A core's inputs by name, for whatever belongs to each of them: its port, its signal, its raw
+//! value.
 
 /// Inputs that go together: a struct that [`inputs`] defines.
 pub trait EachInput {
@@ -11,8 +12,8 @@ pub trait EachInput {
 
 /// Defines a struct of a core's inputs, in port order, with `map` over all of them.
 ///
-/// A field is `one` input, a `vector` of three, a `group(Type)` of inputs that is such a struct itself, any of these `_if_any`, or
-/// `many(Type)` of them.
+/// A field is `one` input, a `vector` of three, a `group(Type)` of inputs that is such a struct
+/// itself, any of these `_if_any`, or `many(Type)` of them.
 macro_rules! inputs {
     ($(#[$about:meta])* $name:ident { $($(#[$field_about:meta])* $field:ident: $kind:ident $(($inner:ident))?,)* }) => {
         $(#[$about])*

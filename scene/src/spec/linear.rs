@@ -17,7 +17,9 @@ inputs! {
 impl Linear<InputPort> {
     /// The ports of a cosine times a length up to 1: from -1 to 1 along the span.
     pub(super) fn ports(name: &str, format: Format) -> Linear<InputPort> {
-        let port = |part: &str, limit: f64| InputPort::between(format!("{name}_{part}"), format, -limit, limit);
+        let port = |part: &str, limit: f64| {
+            InputPort::between(format!("{name}_{part}"), format, -limit, limit)
+        };
         Linear { start: port("start", 1.0), step: port("step", 2.0) }
     }
 }

@@ -3,8 +3,8 @@ use serde::{Deserialize, Serialize};
 
 use super::choose::merged;
 use super::{
-    ConsistentSpec, Describe, DirectSpec, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec, ReflectionSpec, SlerpSpec,
-    SpecError,
+    ConsistentSpec, Describe, DirectSpec, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec,
+    ReflectionSpec, SlerpSpec, SpecError,
 };
 use crate::needs::Needs;
 
@@ -17,8 +17,8 @@ pub struct Choice {
     pub values: &'static [&'static str],
 }
 
-/// Defines the methods: a spec type each, the name users give it, one line on what it does, and its source: the paper and, where it numbers
-/// them, the equations.
+/// Defines the methods: a spec type each, the name users give it, one line on what it does, and its
+/// source: the paper and, where it numbers them, the equations.
 macro_rules! methods {
     ($($(#[$about:meta])* $method:ident($spec:ident) = $name:literal, $does:literal, [$paper:literal $(, $equations:literal)?];)*) => {
         /// How pixels are shaded.
@@ -59,7 +59,8 @@ macro_rules! methods {
                 }
             }
 
-            /// Numbers of the paper's equations, such as `3-8, 33`; none where the paper does not number them.
+            /// Numbers of the paper's equations, such as `3-8, 33`; none where the paper does not
+            /// number them.
             pub const fn equations(self) -> Option<&'static str> {
                 match self {
                     $(Method::$method => [$(Some($equations),)? None][0],)*
@@ -73,7 +74,8 @@ macro_rules! methods {
                 }
             }
 
-            /// Its options and formats for a scene with these needs, with `changes` in place of the defaults.
+            /// Its options and formats for a scene with these needs, with `changes` in place of the
+            /// defaults.
             pub(super) fn spec(self, needs: &Needs, changes: &toml::Table) -> Result<MethodSpec, SpecError> {
                 match self {
                     $(Method::$method => merged(&$spec::for_needs(needs), changes).map(MethodSpec::$method),)*
@@ -139,7 +141,10 @@ impl Method {
     /// [`SpecError::UnknownMethod`] if there is none.
     pub fn from_name(name: &str) -> Result<Method, SpecError> {
         let found = Method::ALL.into_iter().find(|m| m.name() == name);
-        found.ok_or_else(|| SpecError::UnknownMethod { name: name.to_owned(), known: Method::names() })
+        found.ok_or_else(|| SpecError::UnknownMethod {
+            name: name.to_owned(),
+            known: Method::names(),
+        })
     }
 
     /// Every method's name, for messages.

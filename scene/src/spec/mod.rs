@@ -1,10 +1,13 @@
-//! The hardware to build: methods, number formats, lights. What `golden` and `hdl` share, and all they share.
+//! The hardware to build: methods, number formats, lights. What `golden` and `hdl` share, and all
+//! they share.
 //!
-//! About arithmetic they share the *narrowing points*: each place where a value is rounded has a name and a [`Format`] here.
-//! Rounding is to nearest, ties up (add half a unit in the last place, then floor); between narrowing points arithmetic is exact.
+//! About arithmetic they share the *narrowing points*: each place where a value is rounded has a
+//! name and a [`Format`] here. Rounding is to nearest, ties up (add half a unit in the last place,
+//! then floor); between narrowing points arithmetic is exact.
 //!
-//! A method is a folder: `mod.rs` has its options and formats, `inputs` the ports of its cores, `choose` the formats for a scene and what
-//! may be asked for, `set_up` the host's work for a span. A line in [`method`] makes it known.
+//! A method is a folder: `mod.rs` has its options and formats, `inputs` the ports of its cores,
+//! `choose` the formats for a scene and what may be asked for, `set_up` the host's work for a span.
+//! A line in [`method`] makes it known.
 mod change;
 mod choose;
 pub mod consistent;
@@ -66,7 +69,8 @@ pub use specialise::{Given, Specialisation};
 pub use subject::Subject;
 pub use wrap::Wrap;
 
-/// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at most in each.
+/// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at
+/// most in each.
 pub const COEFFICIENT_FRACTION_BITS: u32 = 6;
 /// Full scale of the output, in LSBs.
 pub const FULL_SCALE: f64 = 255.0;
@@ -95,16 +99,20 @@ pub struct CoreSpec {
     pub largest_shininess: u32,
     /// Colour coefficients, in LSBs of the output: `U<i>.6`.
     pub coefficient: Format,
-    /// Length of the shortest interpolated normal, relative to the longer end of its span. Error bounds rest on it; widths do not.
+    /// Length of the shortest interpolated normal, relative to the longer end of its span. Error
+    /// bounds rest on it; widths do not.
     pub shortest_normal: f64,
-    /// Length of the shortest vector to a light or an eye at a place, relative to the longer one at the ends of its span. Error bounds
-    /// rest on it; widths do not.
+    /// Length of the shortest vector to a light or an eye at a place, relative to the longer one at
+    /// the ends of its span. Error bounds rest on it; widths do not.
     pub shortest_way: f64,
-    /// The same of vectors that have length 1 at both ends of their span. Error bounds rest on it; widths do not.
+    /// The same of vectors that have length 1 at both ends of their span. Error bounds rest on it;
+    /// widths do not.
     pub shortest_unit_way: f64,
-    /// Smallest cosine between a vertex normal and a face around the vertex. Error bounds rest on it; widths do not.
+    /// Smallest cosine between a vertex normal and a face around the vertex. Error bounds rest on
+    /// it; widths do not.
     pub least_cone_cosine: f64,
-    /// Smallest cosine between an interpolated normal and the direction to the eye. Error bounds rest on it; widths do not.
+    /// Smallest cosine between an interpolated normal and the direction to the eye. Error bounds
+    /// rest on it; widths do not.
     pub least_view_cosine: f64,
     /// How pixels are shaded.
     pub method: MethodSpec,
@@ -141,13 +149,15 @@ impl CoreSpec {
         self.method.describe().places_seen_from()
     }
 
-    /// The data inputs of the core in the order in which packets hold them; `valid` and `start` come beside them.
+    /// The data inputs of the core in the order in which packets hold them; `valid` and `start`
+    /// come beside them.
     pub fn inputs(&self) -> Vec<InputPort> {
         self.method.describe().ports(self)
     }
 
     /// Ports of the coefficients of the three channels.
     fn colour_ports(&self, name: &str) -> [InputPort; 3] {
-        ["r", "g", "b"].map(|channel| InputPort::whole(format!("{name}_{channel}"), self.coefficient))
+        ["r", "g", "b"]
+            .map(|channel| InputPort::whole(format!("{name}_{channel}"), self.coefficient))
     }
 }

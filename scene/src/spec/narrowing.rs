@@ -4,7 +4,8 @@ use crate::format::Format;
 
 /// The most fraction bits a user may ask for at any narrowing point, accumulators apart.
 pub(super) const MOST_FRACTION_BITS: u32 = 24;
-/// The most integer bits of a reciprocal root: 2^12 is that of the last place of an operand with the most fraction bits.
+/// The most integer bits of a reciprocal root: 2^12 is that of the last place of an operand with
+/// the most fraction bits.
 pub(super) const LARGEST_ROOT_REACH: u32 = MOST_FRACTION_BITS / 2;
 /// The fewest fraction bits at any narrowing point.
 pub(super) const FEWEST_FRACTION_BITS: u32 = 4;
@@ -37,7 +38,12 @@ pub struct NarrowingPoint {
 
 impl NarrowingPoint {
     /// A value that the core rounds; `shape` has the sign and the integer bits it needs.
-    pub(super) fn rounded(name: &'static str, format: Format, shape: Format, value: &'static str) -> NarrowingPoint {
+    pub(super) fn rounded(
+        name: &'static str,
+        format: Format,
+        shape: Format,
+        value: &'static str,
+    ) -> NarrowingPoint {
         NarrowingPoint {
             name,
             format,
@@ -49,9 +55,10 @@ impl NarrowingPoint {
         }
     }
 
-    /// An accumulator that the host rounds start value and steps into. `span_bits` number the pixels of the longest span, and errors grow
-    /// with it to the power of `order`: S steps, each off by half a unit of the last place, add up to S/2 units, second differences
-    /// to S²/4 (NUMERICS 3b), which must stay well below 1.
+    /// An accumulator that the host rounds start value and steps into. `span_bits` number the
+    /// pixels of the longest span, and errors grow with it to the power of `order`: S steps, each
+    /// off by half a unit of the last place, add up to S/2 units, second differences to S²/4
+    /// (NUMERICS 3b), which must stay well below 1.
     pub(super) fn accumulated(
         name: &'static str,
         format: Format,
@@ -109,7 +116,10 @@ impl NarrowingPoint {
         if fits {
             return Ok(());
         }
-        let fraction_bits = 14.clamp(self.fewest_fraction_bits, self.most_fraction_bits.max(self.fewest_fraction_bits));
+        let fraction_bits = 14.clamp(
+            self.fewest_fraction_bits,
+            self.most_fraction_bits.max(self.fewest_fraction_bits),
+        );
         Err(SpecError::WrongFormat {
             name: self.name,
             given,

@@ -7,7 +7,8 @@ use serde::de::{self, Deserializer, MapAccess, Visitor};
 
 use super::{LightPipelines, Method, SpecError};
 
-/// The `[core]` table of a scene file: a method's name, and a table of options for any of the methods.
+/// The `[core]` table of a scene file: a method's name, and a table of options for any of the
+/// methods.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CoreOptions {
     /// Name of the method.
@@ -23,7 +24,11 @@ pub struct CoreOptions {
 impl CoreOptions {
     /// The options of a method that differ from the defaults.
     pub fn of(&self, method: Method) -> toml::Table {
-        self.tables.iter().find(|(of, _)| *of == method).map(|(_, table)| table.clone()).unwrap_or_default()
+        self.tables
+            .iter()
+            .find(|(of, _)| *of == method)
+            .map(|(_, table)| table.clone())
+            .unwrap_or_default()
     }
 }
 
@@ -32,7 +37,8 @@ impl FromStr for CoreOptions {
 
     /// Reads the table's contents as TOML.
     fn from_str(text: &str) -> Result<CoreOptions, SpecError> {
-        toml::from_str(text).map_err(|error| SpecError::Core { message: error.message().to_owned() })
+        toml::from_str(text)
+            .map_err(|error| SpecError::Core { message: error.message().to_owned() })
     }
 }
 
@@ -70,7 +76,10 @@ impl<'de> Deserialize<'de> for Key {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Key, D::Error> {
         let name = String::deserialize(deserializer)?;
         let unknown = |_| {
-            let known = format!("expected `method`, `specialise`, `light_pipelines` or a method's name ({})", Method::names());
+            let known = format!(
+                "expected `method`, `specialise`, `light_pipelines` or a method's name ({})",
+                Method::names()
+            );
             de::Error::custom(format!("unknown field `{name}`, {known}"))
         };
         match name.as_str() {

@@ -10,23 +10,35 @@ pub struct InputPort {
     pub format: Format,
     /// Smallest and largest raw value it is given; ranges inside the core are proven from these.
     pub range: (i64, i64),
-    /// An earlier input of the same format whose value it always has, if there is one: then it is no input of the hardware.
+    /// An earlier input of the same format whose value it always has, if there is one: then it is
+    /// no input of the hardware.
     pub same_as: Option<String>,
 }
 
 impl InputPort {
     /// A port that takes every value of its format.
     pub fn whole(name: impl Into<String>, format: Format) -> InputPort {
-        InputPort { name: name.into(), format, range: (format.min_raw(), format.max_raw()), same_as: None }
+        InputPort {
+            name: name.into(),
+            format,
+            range: (format.min_raw(), format.max_raw()),
+            same_as: None,
+        }
     }
 
     /// A port that takes values from `low` to `high`.
     pub fn between(name: impl Into<String>, format: Format, low: f64, high: f64) -> InputPort {
-        InputPort { name: name.into(), format, range: (format.quantise(low), format.quantise(high)), same_as: None }
+        InputPort {
+            name: name.into(),
+            format,
+            range: (format.quantise(low), format.quantise(high)),
+            same_as: None,
+        }
     }
 
     /// Ports of a vector's components, each from -`limit` to `limit`.
     pub(super) fn vector(name: &str, format: Format, limit: f64) -> [InputPort; 3] {
-        ["x", "y", "z"].map(|axis| InputPort::between(format!("{name}_{axis}"), format, -limit, limit))
+        ["x", "y", "z"]
+            .map(|axis| InputPort::between(format!("{name}_{axis}"), format, -limit, limit))
     }
 }

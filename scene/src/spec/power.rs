@@ -31,7 +31,8 @@ pub struct PowerUnit {
 
 impl Power {
     /// The option that methods with the choice have.
-    pub(super) const CHOICE: Choice = Choice { key: "power", values: &["\"squaring\"", "\"tables\""] };
+    pub(super) const CHOICE: Choice =
+        Choice { key: "power", values: &["\"squaring\"", "\"tables\""] };
 
     /// By squaring where that reaches every exponent.
     pub(super) fn for_needs(needs: &Needs) -> Power {
@@ -73,7 +74,10 @@ impl PowerUnit {
 
     /// The narrowing point behind the base, if there is one.
     pub(super) fn narrowing_point(&self) -> Option<NarrowingPoint> {
-        let shape = || NarrowingPoint::rounded("shape", self.shape, UNIT, "the power of the base, by tables").with_at_most(16);
+        let shape = || {
+            NarrowingPoint::rounded("shape", self.shape, UNIT, "the power of the base, by tables")
+                .with_at_most(16)
+        };
         (self.power == Power::Tables).then(shape)
     }
 

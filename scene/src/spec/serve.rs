@@ -11,7 +11,8 @@ const DARK: Colour = [0.0; 3];
 pub struct Served {
     /// The frame, with dark lights where the core has more than the scene.
     pub frame: Frame,
-    /// The very same hardware. What is said of the frames that it is for, on which error bounds alone rest, is said of this one too.
+    /// The very same hardware. What is said of the frames that it is for, on which error bounds
+    /// alone rest, is said of this one too.
     pub spec: CoreSpec,
 }
 
@@ -41,19 +42,25 @@ impl CoreSpec {
     }
 
     fn check_lights(&self, needs: &Needs) -> Result<(), SpecError> {
-        let [here, there] = [self.lights - self.local_lights.len(), needs.lights - needs.local_lights.len()];
+        let [here, there] =
+            [self.lights - self.local_lights.len(), needs.lights - needs.local_lights.len()];
         if there > here {
             return lacks(format!("its lights at infinity are {here}"), format!("has {there}"));
         }
         let pairs = || self.local_lights.iter().zip(&needs.local_lights);
-        let alike = self.local_lights.len() == needs.local_lights.len() && pairs().all(|(core, scene)| core.takes(*scene));
+        let alike = self.local_lights.len() == needs.local_lights.len()
+            && pairs().all(|(core, scene)| core.takes(*scene));
         if !alike {
-            let [has, needs] = [&self.local_lights, &needs.local_lights].map(|lights| in_words(lights));
+            let [has, needs] =
+                [&self.local_lights, &needs.local_lights].map(|lights| in_words(lights));
             return lacks(format!("its lights at places are: {has}"), format!("has: {needs}"));
         }
         let eye = |local: bool| if local { "at a place" } else { "at infinity" };
         if self.local_eye != needs.local_eye {
-            return lacks(format!("its eye is {}", eye(self.local_eye)), format!("is seen from an eye {}", eye(needs.local_eye)));
+            return lacks(
+                format!("its eye is {}", eye(self.local_eye)),
+                format!("is seen from an eye {}", eye(needs.local_eye)),
+            );
         }
         Ok(())
     }
@@ -67,9 +74,15 @@ impl CoreSpec {
             let has = format!("it takes exponents up to {}", self.largest_shininess);
             return lacks(has, format!("has a material with {}", needs.largest_shininess));
         }
-        let (brightest, most) = (FULL_SCALE * needs.brightest_coefficient, self.coefficient.value(self.coefficient.max_raw()));
+        let (brightest, most) = (
+            FULL_SCALE * needs.brightest_coefficient,
+            self.coefficient.value(self.coefficient.max_raw()),
+        );
         if brightest > most + self.coefficient.ulp() / 2.0 {
-            return lacks(format!("its colours go up to {most} LSB"), format!("has one of {brightest:.1} LSB"));
+            return lacks(
+                format!("its colours go up to {most} LSB"),
+                format!("has one of {brightest:.1} LSB"),
+            );
         }
         Ok(())
     }
@@ -79,13 +92,17 @@ impl CoreSpec {
         let general = self.general();
         let ports = general.inputs();
         let seen = Seen::of(&general, &ports, frame);
-        let mut wrong = (0..ports.len()).filter_map(|input| Some((&ports[input], self.left_out(input, &ports, &seen)?)));
+        let mut wrong = (0..ports.len())
+            .filter_map(|input| Some((&ports[input], self.left_out(input, &ports, &seen)?)));
         let Some((port, (has, needs))) = wrong.next() else { return Ok(()) };
         let others = match wrong.count() {
             0 => String::new(),
             others => format!(", and {others} other inputs likewise"),
         };
-        lacks(format!("{}: its input `{}` {has}", Subject::of(&port.name).in_words(), port.name), format!("{needs}{others}"))
+        lacks(
+            format!("{}: its input `{}` {has}", Subject::of(&port.name).in_words(), port.name),
+            format!("{needs}{others}"),
+        )
     }
 
     /// What is known of an input and is not so over the frame.
@@ -100,13 +117,22 @@ impl CoreSpec {
         match self.specialisation.of(&port.name)? {
             &Given::Between([lowest, highest]) if lowest <= low && high <= highest => None,
             &Given::Between([lowest, highest]) => {
-                let kind = if lowest == highest { "was left out, being always" } else { "was narrowed to" };
+                let kind = if lowest == highest {
+                    "was left out, being always"
+                } else {
+                    "was narrowed to"
+                };
                 Some((format!("{kind} {}", values(lowest, highest)), format!("gives it {given}")))
             }
             Given::SameAs(twin) => {
                 let is_twin = |&earlier: &usize| ports[earlier].name == *twin;
                 let same = seen.twins(input).iter().any(is_twin);
-                (!same).then(|| (format!("was left out, being always what `{twin}` is"), format!("gives it {given}")))
+                (!same).then(|| {
+                    (
+                        format!("was left out, being always what `{twin}` is"),
+                        format!("gives it {given}"),
+                    )
+                })
             }
         }
     }
@@ -117,7 +143,9 @@ impl LocalKind {
     fn takes(self, other: LocalKind) -> bool {
         match (self, other) {
             (LocalKind::Point, LocalKind::Point) => true,
-            (LocalKind::Spot { exponent: largest }, LocalKind::Spot { exponent }) => exponent <= largest,
+            (LocalKind::Spot { exponent: largest }, LocalKind::Spot { exponent }) => {
+                exponent <= largest
+            }
             _ => false,
         }
     }
@@ -128,7 +156,11 @@ fn in_words(lights: &[LocalKind]) -> String {
         LocalKind::Point => "a point".to_owned(),
         LocalKind::Spot { exponent } => format!("a spot with exponents up to {exponent}"),
     };
-    if lights.is_empty() { "none".to_owned() } else { lights.iter().map(word).collect::<Vec<_>>().join(", ") }
+    if lights.is_empty() {
+        "none".to_owned()
+    } else {
+        lights.iter().map(word).collect::<Vec<_>>().join(", ")
+    }
 }
 
 fn lacks(has: String, needs: String) -> Result<(), SpecError> {

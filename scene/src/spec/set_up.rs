@@ -12,7 +12,8 @@ pub struct SpanPacket {
     pub inputs: Vec<i64>,
 }
 
-/// Sets up spans of one frame for a core; what does not change from span to span is worked out once.
+/// Sets up spans of one frame for a core; what does not change from span to span is worked out
+/// once.
 pub struct SetUp<'a> {
     core: &'a CoreSpec,
     frame: &'a Frame,
@@ -25,7 +26,8 @@ pub struct SetUp<'a> {
 
 /// A method's part of the set-up.
 pub trait SetUpSpan: Sync {
-    /// Raw values of the method's ports, in their order. They may lie outside the ports' ranges by what f64 rounds.
+    /// Raw values of the method's ports, in their order. They may lie outside the ports' ranges by
+    /// what f64 rounds.
     fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64>;
 }
 
@@ -52,7 +54,11 @@ impl<'a> SetUp<'a> {
             core,
             frame,
             ranges: core.inputs().iter().map(|port| port.range).collect(),
-            materials: frame.materials.iter().map(|material| MaterialInputs::new(core, frame, material)).collect(),
+            materials: frame
+                .materials
+                .iter()
+                .map(|material| MaterialInputs::new(core, frame, material))
+                .collect(),
             method: core.method.describe().set_up(frame),
         }
     }
@@ -60,7 +66,8 @@ impl<'a> SetUp<'a> {
     /// Sets up a span. Every value is within its port's range.
     pub fn packet(&self, span: &Span) -> SpanPacket {
         let mut inputs = self.inputs(span);
-        // In exact arithmetic nothing is out of range; f64 may be by some units of its own last place, as N·N of a unit vector is.
+        // In exact arithmetic nothing is out of range; f64 may be by some units of its own last
+        // place, as N·N of a unit vector is.
         for (value, &(low, high)) in inputs.iter_mut().zip(&self.ranges) {
             *value = (*value).clamp(low, high);
         }
@@ -68,7 +75,8 @@ impl<'a> SetUp<'a> {
     }
 
     fn inputs(&self, span: &Span) -> Vec<i64> {
-        if self.core.places_seen_from() == Viewpoint::Span && !self.frame.directions_are_constant() {
+        if self.core.places_seen_from() == Viewpoint::Span && !self.frame.directions_are_constant()
+        {
             return self.inputs_from_the_middle(span);
         }
         let material = &self.materials[self.frame.triangles[span.triangle].material];
@@ -78,7 +86,8 @@ impl<'a> SetUp<'a> {
     /// As the span's middle sees lights and eye.
     fn inputs_from_the_middle(&self, span: &Span) -> Vec<i64> {
         let parallel = ParallelSpan::new(self.frame, span);
-        let material = MaterialInputs::new(self.core, &parallel.frame, &parallel.frame.materials[0]);
+        let material =
+            MaterialInputs::new(self.core, &parallel.frame, &parallel.frame.materials[0]);
         self.core.method.describe().set_up(&parallel.frame).inputs(parallel.span(), &material)
     }
 }
@@ -87,13 +96,18 @@ impl MaterialInputs {
     fn new(core: &CoreSpec, frame: &Frame, material: &Material) -> MaterialInputs {
         // Light times reflectance, in LSBs.
         let product = |reflectance: Colour, light: Colour| {
-            std::array::from_fn(|c| core.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c]))
+            std::array::from_fn(|c| {
+                core.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c])
+            })
         };
         let under = |colour: Colour| Coefficients {
             diffuse: product(material.diffuse, colour),
             specular: product(material.specular, colour),
         };
-        MaterialInputs { ambient: product(material.ambient, frame.ambient), lights: frame.light_colours().map(under).collect() }
+        MaterialInputs {
+            ambient: product(material.ambient, frame.ambient),
+            lights: frame.light_colours().map(under).collect(),
+        }
     }
 }
 

@@ -8,7 +8,10 @@ use crate::frame::Frame;
 
 /// What an input is given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged, expecting = "expected two raw values, smallest and largest, or an earlier input's name")]
+#[serde(
+    untagged,
+    expecting = "expected two raw values, smallest and largest, or an earlier input's name"
+)]
 pub enum Given {
     /// Raw values from the first to the second.
     Between([i64; 2]),
@@ -16,8 +19,8 @@ pub enum Given {
     SameAs(String),
 }
 
-/// What inputs are given, by their names. One that is not named may be given whatever its format and its method allow; if none is, the
-/// core is general.
+/// What inputs are given, by their names. One that is not named may be given whatever its format
+/// and its method allow; if none is, the core is general.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Specialisation(BTreeMap<String, Given>);
@@ -37,7 +40,9 @@ impl Specialisation {
         let constant = count(|given| matches!(given, Given::Between([low, high]) if low == high));
         let same = count(|given| matches!(given, Given::SameAs(_)));
         let narrower = self.0.len() - constant - same;
-        format!("one scene: {constant} inputs are constants, {same} are the same as others, {narrower} are narrower")
+        format!(
+            "one scene: {constant} inputs are constants, {same} are the same as others, {narrower} are narrower"
+        )
     }
 
     /// What an input is given, if that is less than it could be.
@@ -47,7 +52,13 @@ impl Specialisation {
 
     /// What is known of some inputs alone.
     pub fn only(&self, keep: impl Fn(&str) -> bool) -> Specialisation {
-        Specialisation(self.0.iter().filter(|(name, _)| keep(name)).map(|(name, given)| (name.clone(), given.clone())).collect())
+        Specialisation(
+            self.0
+                .iter()
+                .filter(|(name, _)| keep(name))
+                .map(|(name, given)| (name.clone(), given.clone()))
+                .collect(),
+        )
     }
 }
 
@@ -57,12 +68,16 @@ impl CoreSpec {
         CoreSpec { specialisation: Specialisation::default(), ..self.clone() }
     }
 
-    /// The same core for this frame alone: it gives the same codes, and need not take inputs that the frame does not have.
+    /// The same core for this frame alone: it gives the same codes, and need not take inputs that
+    /// the frame does not have.
     pub fn specialised(&self, frame: &Frame) -> CoreSpec {
         let general = self.general();
         let ports = general.inputs();
         let seen = Seen::of(&general, &ports, frame);
-        let given = ports.iter().enumerate().filter_map(|(i, port)| Some((port.name.clone(), seen.given(i, &ports)?)));
+        let given = ports
+            .iter()
+            .enumerate()
+            .filter_map(|(i, port)| Some((port.name.clone(), seen.given(i, &ports)?)));
         CoreSpec { specialisation: Specialisation(given.collect()), ..general }
     }
 
@@ -79,19 +94,35 @@ impl CoreSpec {
     pub(super) fn check_specialisation(&self) -> Result<(), SpecError> {
         let ports = self.general().inputs();
         let place = |name: &str| ports.iter().position(|port| port.name == *name);
-        let fail = |name: &str, wrong: String| Err(SpecError::Specialisation { name: name.to_owned(), wrong });
+        let fail = |name: &str, wrong: String| {
+            Err(SpecError::Specialisation { name: name.to_owned(), wrong })
+        };
         for (name, given) in &self.specialisation.0 {
-            let Some(own) = place(name) else { return fail(name, "the core has no such input".to_owned()) };
+            let Some(own) = place(name) else {
+                return fail(name, "the core has no such input".to_owned());
+            };
             match given {
                 &Given::Between([low, high]) => {
                     let (lowest, highest) = ports[own].range;
                     if !(lowest <= low && low <= high && high <= highest) {
-                        return fail(name, format!("[{low}, {high}] is no range within {lowest} to {highest}"));
+                        return fail(
+                            name,
+                            format!("[{low}, {high}] is no range within {lowest} to {highest}"),
+                        );
                     }
                 }
                 Given::SameAs(other) => match place(other) {
-                    Some(earlier) if earlier < own && ports[earlier].format == ports[own].format => {}
-                    _ => return fail(name, format!("`{other}` is no earlier input of the format {}", ports[own].format)),
+                    Some(earlier)
+                        if earlier < own && ports[earlier].format == ports[own].format => {}
+                    _ => {
+                        return fail(
+                            name,
+                            format!(
+                                "`{other}` is no earlier input of the format {}",
+                                ports[own].format
+                            ),
+                        );
+                    }
                 },
             }
         }
@@ -111,14 +142,17 @@ impl Seen {
     /// Sets up every span of the frame.
     pub fn of(core: &CoreSpec, ports: &[InputPort], frame: &Frame) -> Seen {
         let set_up = SetUp::new(core, frame);
-        let earlier = |own: usize| (0..own).filter(|&other| ports[other].format == ports[own].format).collect();
+        let earlier = |own: usize| {
+            (0..own).filter(|&other| ports[other].format == ports[own].format).collect()
+        };
         let mut seen = Seen { ranges: None, twins: (0..ports.len()).map(earlier).collect() };
         frame.spans.iter().for_each(|span| seen.add(&set_up.packet(span).inputs));
         seen
     }
 
     fn add(&mut self, inputs: &[i64]) {
-        let ranges = self.ranges.get_or_insert_with(|| inputs.iter().map(|&raw| (raw, raw)).collect());
+        let ranges =
+            self.ranges.get_or_insert_with(|| inputs.iter().map(|&raw| (raw, raw)).collect());
         for (range, &raw) in ranges.iter_mut().zip(inputs) {
             *range = (range.0.min(raw), range.1.max(raw));
         }

@@ -19,14 +19,22 @@ pub enum Subject {
 
 impl Subject {
     /// Every subject.
-    pub const ALL: [Subject; 6] =
-        [Subject::Light, Subject::Exponent, Subject::Ambient, Subject::Diffuse, Subject::Specular, Subject::Surface];
+    pub const ALL: [Subject; 6] = [
+        Subject::Light,
+        Subject::Exponent,
+        Subject::Ambient,
+        Subject::Diffuse,
+        Subject::Specular,
+        Subject::Surface,
+    ];
 
     /// What the input `name` tells of.
     pub fn of(name: &str) -> Subject {
         let (stem, last) = name.rsplit_once('_').unwrap_or(("", name));
         let is_channel = matches!(last, "r" | "g" | "b");
-        let constant_vector = ["_direction", "_halfway", "_axis"].iter().any(|end| stem.ends_with(end)) && !is_channel;
+        let constant_vector =
+            ["_direction", "_halfway", "_axis"].iter().any(|end| stem.ends_with(end))
+                && !is_channel;
         let of_lights = constant_vector && matches!(last, "x" | "y" | "z");
         let scalar = ["dot_view", "halfway_gain"].iter().any(|end| name.ends_with(end));
         match name {
@@ -34,7 +42,11 @@ impl Subject {
             _ if is_channel && stem.ends_with("_diffuse") => Subject::Diffuse,
             _ if is_channel && stem.ends_with("_specular") => Subject::Specular,
             "shininess" | "root_shininess" | "exponent" | "log2_exponent" => Subject::Exponent,
-            _ if name.starts_with("light") && (of_lights || scalar || name.ends_with("_exponent")) => Subject::Light,
+            _ if name.starts_with("light")
+                && (of_lights || scalar || name.ends_with("_exponent")) =>
+            {
+                Subject::Light
+            }
             _ => Subject::Surface,
         }
     }

@@ -1,6 +1,7 @@
 //! A test for each method: they run side by side, and each has output of its own.
 
-/// Makes a module called as the function `$check` is, with a test for each method that calls the function with it.
+/// Makes a module called as the function `$check` is, with a test for each method that calls the
+/// function with it.
 macro_rules! each_method {
     ($check:ident) => {
         each_method! {

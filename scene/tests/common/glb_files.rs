@@ -51,13 +51,18 @@ impl Glb {
     /// Appends an accessor of a view; its number.
     pub fn accessor(&mut self, bytes: &[u8], component: u32, kind: &str, count: usize) -> usize {
         let view = self.view(bytes);
-        self.push("accessors", json!({"bufferView": view, "componentType": component, "type": kind, "count": count}))
+        self.push(
+            "accessors",
+            json!({"bufferView": view, "componentType": component, "type": kind, "count": count}),
+        )
     }
 
     /// Appends positions in floats with their bounds; the accessor's number.
     pub fn positions(&mut self, positions: &[[f32; 3]]) -> usize {
         let accessor = self.accessor(&floats(positions), F32, "VEC3", positions.len());
-        let bound = |pick: fn(f32, f32) -> f32| [0, 1, 2].map(|k| positions.iter().map(|p| p[k]).reduce(pick).unwrap_or(0.0));
+        let bound = |pick: fn(f32, f32) -> f32| {
+            [0, 1, 2].map(|k| positions.iter().map(|p| p[k]).reduce(pick).unwrap_or(0.0))
+        };
         self.root["accessors"][accessor]["min"] = json!(bound(f32::min));
         self.root["accessors"][accessor]["max"] = json!(bound(f32::max));
         accessor
@@ -70,7 +75,8 @@ impl Glb {
             U16 => 2,
             _ => 4,
         };
-        let bytes: Vec<u8> = indices.iter().flat_map(|index| index.to_le_bytes()[..size].to_vec()).collect();
+        let bytes: Vec<u8> =
+            indices.iter().flat_map(|index| index.to_le_bytes()[..size].to_vec()).collect();
         self.accessor(&bytes, component, "SCALAR", indices.len())
     }
 
@@ -97,7 +103,9 @@ impl Glb {
 /// A file of JSON text, padded with blanks, and other chunks, padded with zeros.
 pub fn written(json: &[u8], others: &[(&[u8; 4], &[u8])]) -> Vec<u8> {
     let mut chunks = Vec::new();
-    for (kind, data, padding) in std::iter::once((b"JSON", json, b' ')).chain(others.iter().map(|(kind, data)| (*kind, *data, 0))) {
+    for (kind, data, padding) in std::iter::once((b"JSON", json, b' '))
+        .chain(others.iter().map(|(kind, data)| (*kind, *data, 0)))
+    {
         let length = data.len().next_multiple_of(4);
         chunks.extend((length as u32).to_le_bytes());
         chunks.extend(kind);
@@ -121,7 +129,8 @@ pub fn base64(bytes: &[u8]) -> String {
     let digits = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::new();
     for three in bytes.chunks(3) {
-        let bits = (0..3).fold(0_u32, |bits, k| bits << 8 | u32::from(three.get(k).copied().unwrap_or(0)));
+        let bits =
+            (0..3).fold(0_u32, |bits, k| bits << 8 | u32::from(three.get(k).copied().unwrap_or(0)));
         for k in 0..4 {
             let digit = digits[(bits >> (18 - 6 * k) & 63) as usize];
             text.push(if k <= three.len() { char::from(digit) } else { '=' });
@@ -149,7 +158,8 @@ pub fn dialects(shape: &Shape) -> Vec<(String, Vec<u8>)> {
 const BESIDE: &[(&str, Change)] = &[
     ("plain", |_, _| {}),
     ("custom-attribute", |glb, shape| {
-        let ids: Vec<u8> = (0..shape.positions.len()).flat_map(|k| (k as f32).to_le_bytes()).collect();
+        let ids: Vec<u8> =
+            (0..shape.positions.len()).flat_map(|k| (k as f32).to_le_bytes()).collect();
         let accessor = glb.accessor(&ids, F32, "SCALAR", shape.positions.len());
         glb.primitive()["attributes"]["_BATCHID"] = json!(accessor);
     }),
@@ -179,11 +189,12 @@ const BESIDE: &[(&str, Change)] = &[
     }),
     ("texture-webp", |glb, _| requires(glb, "EXT_texture_webp")),
     ("texture-transform", |glb, _| requires(glb, "KHR_texture_transform")),
-    ("texture-empty", |glb, _| glb.root["textures"] = json!([{}, {"extensions": {"EXT_texture_webp": {"source": 0}}}])),
+    ("texture-empty", |glb, _| {
+        glb.root["textures"] = json!([{}, {"extensions": {"EXT_texture_webp": {"source": 0}}}])
+    }),
     ("materials", |glb, _| {
         requires(glb, "KHR_materials_unlit");
-        glb.root["materials"] =
-            json!([{"extensions": {"KHR_materials_unlit": {}}, "alphaMode": "FUZZY", "pbrMetallicRoughness": 1}]);
+        glb.root["materials"] = json!([{"extensions": {"KHR_materials_unlit": {}}, "alphaMode": "FUZZY", "pbrMetallicRoughness": 1}]);
         glb.primitive()["material"] = json!(0);
     }),
     ("lights", |glb, _| {
@@ -194,7 +205,8 @@ const BESIDE: &[(&str, Change)] = &[
     ("animation-pointer", |glb, _| {
         let target = json!({"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": "/nodes/0/scale"}}});
         let channels = json!([{"sampler": 0, "target": target}]);
-        glb.root["animations"] = json!([{"samplers": [{"input": 0, "output": 0}], "channels": channels}]);
+        glb.root["animations"] =
+            json!([{"samplers": [{"input": 0, "output": 0}], "channels": channels}]);
         requires(glb, "KHR_animation_pointer");
     }),
     ("cameras-and-names", |glb, _| {
@@ -249,14 +261,14 @@ const SCENES: &[(&str, Change)] = &[
     }),
     ("scaled", |glb, shape| {
         replace_positions(glb, &shape.scaled([0.5, 0.25, 2.0]));
-        glb.root["nodes"] =
-            json!([{"children": [1], "scale": [2, 4, 1]}, {"mesh": 0, "scale": [1, 1, 0.5], "rotation": [0, 0, 0, 1]}]);
+        glb.root["nodes"] = json!([{"children": [1], "scale": [2, 4, 1]}, {"mesh": 0, "scale": [1, 1, 0.5], "rotation": [0, 0, 0, 1]}]);
     }),
     ("matrices", |glb, shape| {
         replace_positions(glb, &shape.scaled([0.5, 0.5, 0.5]));
         let there = [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 8, 0, 0, 1];
         let back = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -4, 0, 0, 1];
-        glb.root["nodes"] = json!([{"children": [1], "matrix": there}, {"mesh": 0, "matrix": back}]);
+        glb.root["nodes"] =
+            json!([{"children": [1], "matrix": there}, {"mesh": 0, "matrix": back}]);
     }),
     ("mirrored", |glb, shape| {
         *glb = Glb::plain(&shape.scaled([-1.0, 1.0, 1.0]).turned_around());
@@ -273,7 +285,8 @@ const SCENES: &[(&str, Change)] = &[
         requires(glb, "EXT_mesh_gpu_instancing");
         let shift = glb.accessor(&floats(&[[1.0, 0.0, 0.0]]), F32, "VEC3", 1);
         let attributes = json!({"TRANSLATION": shift, "_ID": 99});
-        glb.root["nodes"][0]["extensions"] = json!({"EXT_mesh_gpu_instancing": {"attributes": attributes}});
+        glb.root["nodes"][0]["extensions"] =
+            json!({"EXT_mesh_gpu_instancing": {"attributes": attributes}});
         glb.root["nodes"][0]["translation"] = json!([-1, 0, 0]);
     }),
 ];
@@ -291,7 +304,9 @@ fn replace_positions(glb: &mut Glb, shape: &Shape) {
 const GEOMETRY: &[(&str, Change)] = &[
     ("bytes-as-indices", |glb, shape| replace_indices(glb, &shape.triangles.concat(), U8)),
     ("long-indices", |glb, shape| replace_indices(glb, &shape.triangles.concat(), U32)),
-    ("indices-left-over", |glb, shape| replace_indices(glb, &[shape.triangles.concat(), vec![0, 1]].concat(), U16)),
+    ("indices-left-over", |glb, shape| {
+        replace_indices(glb, &[shape.triangles.concat(), vec![0, 1]].concat(), U16)
+    }),
     ("unindexed", |glb, shape| *glb = unindexed(shape)),
     ("no-bounds", |glb, _| {
         take(&mut glb.root["accessors"][0], "min");
@@ -318,9 +333,14 @@ const GEOMETRY: &[(&str, Change)] = &[
         glb.root["meshes"][0]["primitives"].as_array_mut().expect("it is a list").insert(0, part);
     }),
     ("interleaved", |glb, shape| {
-        let bytes: Vec<u8> = shape.positions.iter().flat_map(|p| [&[7; 8][..], &floats(&[*p]), &[9; 4]].concat()).collect();
+        let bytes: Vec<u8> = shape
+            .positions
+            .iter()
+            .flat_map(|p| [&[7; 8][..], &floats(&[*p]), &[9; 4]].concat())
+            .collect();
         let accessor = glb.accessor(&bytes, F32, "VEC3", shape.positions.len());
-        let view = glb.root["accessors"][accessor]["bufferView"].as_u64().expect("it has one") as usize;
+        let view =
+            glb.root["accessors"][accessor]["bufferView"].as_u64().expect("it has one") as usize;
         glb.root["bufferViews"][view]["byteStride"] = json!(24);
         glb.root["accessors"][accessor]["byteOffset"] = json!(8);
         glb.primitive()["attributes"]["POSITION"] = json!(accessor);
@@ -336,7 +356,8 @@ const GEOMETRY: &[(&str, Change)] = &[
     }),
     ("all-sparse", |glb, shape| {
         let count = shape.positions.len();
-        let accessor = glb.push("accessors", json!({"componentType": F32, "type": "VEC3", "count": count}));
+        let accessor =
+            glb.push("accessors", json!({"componentType": F32, "type": "VEC3", "count": count}));
         glb.primitive()["attributes"]["POSITION"] = json!(accessor);
         replace_some(glb, &(0..count).collect::<Vec<usize>>(), &shape.positions);
     }),
@@ -354,8 +375,10 @@ const GEOMETRY: &[(&str, Change)] = &[
     }),
     ("two-buffers", |glb, shape| {
         let text = format!("data:;base64,{}", base64(&floats(&shape.positions)));
-        let buffer = glb.push("buffers", json!({"uri": text, "byteLength": 12 * shape.positions.len()}));
-        glb.root["bufferViews"][0] = json!({"buffer": buffer, "byteLength": 12 * shape.positions.len()});
+        let buffer =
+            glb.push("buffers", json!({"uri": text, "byteLength": 12 * shape.positions.len()}));
+        glb.root["bufferViews"][0] =
+            json!({"buffer": buffer, "byteLength": 12 * shape.positions.len()});
     }),
     ("compressed-beside", |glb, _| {
         glb.root["extensionsUsed"] = json!(["KHR_draco_mesh_compression"]);
@@ -363,11 +386,15 @@ const GEOMETRY: &[(&str, Change)] = &[
     }),
     ("unused-vertices", |glb, shape| {
         let unused = [[f32::NAN; 3], [1e35, 0.0, 0.0]];
-        replace_positions(glb, &Shape { positions: [&shape.positions[..], &unused].concat(), ..shape.clone() });
+        replace_positions(
+            glb,
+            &Shape { positions: [&shape.positions[..], &unused].concat(), ..shape.clone() },
+        );
     }),
     ("normals-without-direction", |glb, shape| {
         let count = shape.positions.len();
-        let normals: Vec<[f32; 3]> = (0..count).map(|k| [[f32::NAN; 3], [0.0; 3], [f32::INFINITY; 3]][k % 3]).collect();
+        let normals: Vec<[f32; 3]> =
+            (0..count).map(|k| [[f32::NAN; 3], [0.0; 3], [f32::INFINITY; 3]][k % 3]).collect();
         let accessor = glb.accessor(&floats(&normals), F32, "VEC3", count);
         glb.primitive()["attributes"]["NORMAL"] = json!(accessor);
     }),
@@ -411,12 +438,20 @@ fn containers(shape: &Shape) -> Vec<(String, Vec<u8>)> {
     let mut json = glb.root.to_string();
     let binary: (&[u8; 4], &[u8]) = (b"BIN\0", &glb.bytes);
     let plain = written(json.as_bytes(), &[binary]);
-    let named: Vec<u8> = json.replacen("\"mesh\":0", "\"mesh\":0,\"name\":\"caf?\"", 1).into_bytes();
-    let latin1: Vec<u8> = named.into_iter().map(|byte| if byte == b'?' { 0xe9 } else { byte }).collect();
+    let named: Vec<u8> =
+        json.replacen("\"mesh\":0", "\"mesh\":0,\"name\":\"caf?\"", 1).into_bytes();
+    let latin1: Vec<u8> =
+        named.into_iter().map(|byte| if byte == b'?' { 0xe9 } else { byte }).collect();
     let padded = format!("\u{feff}{json}{}", " ".repeat(41));
     json.push_str("\0\0\0\0");
     let files = [
-        ("chunks-behind", written(glb.root.to_string().as_bytes(), &[binary, (b"LOGO", b"?"), (b"BIN\0", b"again")])),
+        (
+            "chunks-behind",
+            written(
+                glb.root.to_string().as_bytes(),
+                &[binary, (b"LOGO", b"?"), (b"BIN\0", b"again")],
+            ),
+        ),
         ("chunk-between", written(glb.root.to_string().as_bytes(), &[(b"LOGO", b"?"), binary])),
         ("bytes-behind", [&plain[..], b"behind the stated length"].concat()),
         ("latin-1-name", written(&latin1, &[binary])),

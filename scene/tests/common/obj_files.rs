@@ -19,7 +19,8 @@ pub struct Obj {
 impl Obj {
     /// The file as most programs write it; faces may have any number of corners.
     pub fn plain(positions: &[[f32; 3]], faces: &[Vec<u32>]) -> Obj {
-        let indices = |face: &Vec<u32>| face.iter().map(|k| format!(" {}", k + 1)).collect::<String>();
+        let indices =
+            |face: &Vec<u32>| face.iter().map(|k| format!(" {}", k + 1)).collect::<String>();
         Obj {
             head: vec![],
             vertices: positions.iter().map(|[x, y, z]| format!("v {x} {y} {z}")).collect(),
@@ -33,20 +34,25 @@ impl Obj {
     /// Each word of each face's line replaced, all but the first.
     fn corners(&mut self, corner: impl Fn(usize) -> String) {
         for face in &mut self.faces {
-            let words = face.split_whitespace().skip(1).map(|word| corner(word.parse().expect("it is an index")));
+            let words = face
+                .split_whitespace()
+                .skip(1)
+                .map(|word| corner(word.parse().expect("it is an index")));
             *face = format!("f {}", words.collect::<Vec<_>>().join(" "));
         }
     }
 
     /// The text; a `?` stands for a byte that is not UTF-8.
     pub fn file(&self) -> Vec<u8> {
-        let lines = [&self.head[..], &self.vertices, &self.middle, &self.faces, &self.tail].concat();
+        let lines =
+            [&self.head[..], &self.vertices, &self.middle, &self.faces, &self.tail].concat();
         let text = lines.iter().map(|line| format!("{line}{}", self.end)).collect::<String>();
         text.bytes().map(|byte| if byte == b'?' { 0xe9 } else { byte }).collect()
     }
 }
 
-/// Files that show the shape, each in a dialect of its own, with its name. Vertices and triangles are those of the shape.
+/// Files that show the shape, each in a dialect of its own, with its name. Vertices and triangles
+/// are those of the shape.
 pub fn dialects(shape: &Shape) -> Vec<(String, Vec<u8>)> {
     let faces: Vec<Vec<u32>> = shape.triangles.iter().map(|t| t.to_vec()).collect();
     of_faces(&shape.positions, &faces)
@@ -85,14 +91,22 @@ const NUMBERS: &[(&str, Change)] = &[
     ("signs", |obj| obj.corners(|k| format!("+{k}"))),
     ("exponents", |obj| {
         for vertex in &mut obj.vertices {
-            let numbers = vertex.split_whitespace().skip(1).map(|word| format!("{:E}", word.parse::<f32>().expect("a number")));
+            let numbers = vertex
+                .split_whitespace()
+                .skip(1)
+                .map(|word| format!("{:E}", word.parse::<f32>().expect("a number")));
             *vertex = format!("v {}", numbers.collect::<Vec<_>>().join(" "));
         }
     }),
     ("bare-points", |obj| {
         for vertex in &mut obj.vertices {
-            let bare =
-                |word: &str| if word.contains('.') { word.replace("0.", ".") } else { format!("+{word}.").replace("+-", "-") };
+            let bare = |word: &str| {
+                if word.contains('.') {
+                    word.replace("0.", ".")
+                } else {
+                    format!("+{word}.").replace("+-", "-")
+                }
+            };
             let numbers = vertex.split_whitespace().skip(1).map(bare);
             *vertex = format!("v {}", numbers.collect::<Vec<_>>().join(" "));
         }
@@ -122,11 +136,18 @@ const LINES: &[(&str, Change)] = &[
 
 /// Lines that go on in the next.
 const CONTINUED: &[(&str, Change)] = &[
-    ("continued-faces", |obj| obj.faces.iter_mut().for_each(|face| *face = face.replace(' ', " \\\n "))),
-    ("continued-vertices", |obj| obj.vertices.iter_mut().for_each(|v| *v = v.replacen(' ', " \\\n", 1))),
+    ("continued-faces", |obj| {
+        obj.faces.iter_mut().for_each(|face| *face = face.replace(' ', " \\\n "))
+    }),
+    ("continued-vertices", |obj| {
+        obj.vertices.iter_mut().for_each(|v| *v = v.replacen(' ', " \\\n", 1))
+    }),
     ("continued-cr-lf", |obj| {
         obj.end = "\r\n";
-        obj.vertices.iter_mut().chain(&mut obj.faces).for_each(|line| *line = line.replace(' ', "\\\r\n "));
+        obj.vertices
+            .iter_mut()
+            .chain(&mut obj.faces)
+            .for_each(|line| *line = line.replace(' ', "\\\r\n "));
     }),
     ("continued-cr", |obj| {
         obj.end = "\r";
@@ -166,12 +187,21 @@ const BESIDE: &[(&str, Change)] = &[
     ("lines-and-points", |obj| obj.faces.extend(["l 1 2 3".into(), "p 1".into(), "l 2 3".into()])),
     ("unknown-words", |obj| obj.middle.extend(["ve 9 9 9".into(), "ve".into(), "? 1".into()])),
     ("unused-vertices", |obj| obj.tail.extend(["v nan 0 0".into(), "v 1e300 inf 0".into()])),
-    ("degenerate-faces", |obj| obj.faces.extend(["f 1 1 1".into(), "f 1 2 1".into(), "f 2 2 3 3".into()])),
+    ("degenerate-faces", |obj| {
+        obj.faces.extend(["f 1 1 1".into(), "f 1 2 1".into(), "f 2 2 3 3".into()])
+    }),
 ];
 
 /// Normals that cannot be used, so that those that the faces make are.
 const NORMALS: &[(&str, Change)] = &[
-    ("unused-normals", |obj| obj.middle.extend(["vn nan nan nan".into(), "vn -nan(ind) 0 0".into(), "vn 0 1".into(), "vn".into()])),
+    ("unused-normals", |obj| {
+        obj.middle.extend([
+            "vn nan nan nan".into(),
+            "vn -nan(ind) 0 0".into(),
+            "vn 0 1".into(),
+            "vn".into(),
+        ])
+    }),
     ("normals-of-zero", |obj| {
         obj.middle.push("vn 0 0 0".into());
         obj.corners(|k| format!("{k}//1"));
@@ -188,7 +218,9 @@ const NORMALS: &[(&str, Change)] = &[
 
 /// The plain file in encodings that a mark tells.
 fn encoded(plain: &[u8]) -> Vec<(&'static str, Vec<u8>)> {
-    let wide = |unit: fn(u16) -> [u8; 2]| plain.iter().flat_map(|&byte| unit(u16::from(byte))).collect::<Vec<u8>>();
+    let wide = |unit: fn(u16) -> [u8; 2]| {
+        plain.iter().flat_map(|&byte| unit(u16::from(byte))).collect::<Vec<u8>>()
+    };
     vec![
         ("mark", [b"\xef\xbb\xbf", plain].concat()),
         ("utf-16-le", [b"\xff\xfe".to_vec(), wide(u16::to_le_bytes)].concat()),

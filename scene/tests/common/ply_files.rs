@@ -18,13 +18,21 @@ impl Text {
 
     /// A file with these properties of vertices, each line of them written from a place.
     pub fn with(shape: &Shape, properties: &str, vertex: impl Fn([f32; 3]) -> String) -> Text {
-        let mut header = vec!["ply".into(), "format ascii 1.0".into(), format!("element vertex {}", shape.positions.len())];
+        let mut header = vec![
+            "ply".into(),
+            "format ascii 1.0".into(),
+            format!("element vertex {}", shape.positions.len()),
+        ];
         header.extend(properties.split('|').map(|property| format!("property {property}")));
         header.push(format!("element face {}", shape.triangles.len()));
         header.push("property list uchar int vertex_indices".into());
         header.push("end_header".into());
         let vertices = shape.positions.iter().map(|p| vertex(*p)).collect();
-        Text { header, vertices, faces: shape.triangles.iter().map(|[a, b, c]| format!("3 {a} {b} {c}")).collect() }
+        Text {
+            header,
+            vertices,
+            faces: shape.triangles.iter().map(|[a, b, c]| format!("3 {a} {b} {c}")).collect(),
+        }
     }
 
     /// Inserts a line of the header before line `at`, counted from 0.
@@ -58,7 +66,11 @@ pub fn binary(shape: &Shape, order: Order, end: &str) -> Vec<u8> {
         shape.positions.len(),
         shape.triangles.len()
     );
-    let mut file: Vec<u8> = header.replace('|', end).bytes().map(|byte| if byte == b'?' { 0xff } else { byte }).collect();
+    let mut file: Vec<u8> = header
+        .replace('|', end)
+        .bytes()
+        .map(|byte| if byte == b'?' { 0xff } else { byte })
+        .collect();
     let mut number = |bytes: &[u8]| match order {
         Order::Little => file.extend(bytes),
         Order::Big => file.extend(bytes.iter().rev()),
@@ -81,7 +93,8 @@ pub fn binary(shape: &Shape, order: Order, end: &str) -> Vec<u8> {
 /// Files that show the shape, each in a dialect of its own, with its name. Their vertices and
 /// triangles are those of the shape.
 pub fn dialects(shape: &Shape) -> Vec<(String, Vec<u8>)> {
-    let files = [numbers(shape), beside(shape), strips(shape), lines(shape), binaries(shape)].concat();
+    let files =
+        [numbers(shape), beside(shape), strips(shape), lines(shape), binaries(shape)].concat();
     files.into_iter().map(|(name, file)| (format!("{name}.ply"), file)).collect()
 }
 
@@ -94,9 +107,15 @@ fn numbers(shape: &Shape) -> Files {
         let text = Text::with(shape, places, |p| p.map(form).join(" "));
         (name.to_owned(), text.file("\n"))
     };
-    let doubles = Text::with(shape, "double x|float64 y|double z", |p| p.map(|x| f64::from(x).to_string()).join(" "));
+    let doubles = Text::with(shape, "double x|float64 y|double z", |p| {
+        p.map(|x| f64::from(x).to_string()).join(" ")
+    });
     let mut counts = Text::plain(shape);
-    counts.faces = shape.triangles.iter().map(|[a, b, c]| format!("3.0 +{a} {b}.000000e+00 0x{c:x}")).collect();
+    counts.faces = shape
+        .triangles
+        .iter()
+        .map(|[a, b, c]| format!("3.0 +{a} {b}.000000e+00 0x{c:x}"))
+        .collect();
     vec![
         file("plus-signs", |x| format!("{x:+}")),
         file("exponents", exponent),
@@ -104,7 +123,9 @@ fn numbers(shape: &Shape) -> Files {
             let text = x.to_string();
             text.strip_prefix("0.").map_or(text.clone(), |digits| format!(".{digits}"))
         }),
-        file("no-digit-behind-the-point", |x| if x.fract() == 0.0 { format!("{x}.") } else { format!("{x}") }),
+        file("no-digit-behind-the-point", |x| {
+            if x.fract() == 0.0 { format!("{x}.") } else { format!("{x}") }
+        }),
         file("hexadecimal", hexadecimal),
         file("decimal-commas", |x| x.to_string().replace('.', ",")),
         ("doubles".into(), doubles.file("\n")),
@@ -123,24 +144,42 @@ fn exponent(x: f32) -> String {
 /// As C's `%a` prints it, for normal numbers and 0.
 fn hexadecimal(x: f32) -> String {
     let bits = f64::from(x).to_bits();
-    let (sign, power, digits) = (if bits >> 63 == 1 { "-" } else { "" }, (bits >> 52 & 0x7ff) as i32, bits << 12 >> 12);
-    if power == 0 { format!("{sign}0x0p+0") } else { format!("{sign}0x1.{digits:013x}p{:+}", power - 1023) }
+    let (sign, power, digits) =
+        (if bits >> 63 == 1 { "-" } else { "" }, (bits >> 52 & 0x7ff) as i32, bits << 12 >> 12);
+    if power == 0 {
+        format!("{sign}0x0p+0")
+    } else {
+        format!("{sign}0x1.{digits:013x}p{:+}", power - 1023)
+    }
 }
 
 /// What stands beside what is needed.
 fn beside(shape: &Shape) -> Files {
     let places = "float x|float y|float z";
     let normals = format!("{places}|float nx|float ny|float nz");
-    let with = |properties: &str, behind: &'static str| Text::with(shape, properties, |[x, y, z]| format!("{x} {y} {z}{behind}"));
-    let before = |properties: &str, words: &'static str| Text::with(shape, properties, |[x, y, z]| format!("{words} {x} {y} {z}"));
+    let with = |properties: &str, behind: &'static str| {
+        Text::with(shape, properties, |[x, y, z]| format!("{x} {y} {z}{behind}"))
+    };
+    let before = |properties: &str, words: &'static str| {
+        Text::with(shape, properties, |[x, y, z]| format!("{words} {x} {y} {z}"))
+    };
     let file = |name: &str, text: Text| (name.to_owned(), text.file("\n"));
-    let mut files: Files = ["nan", "-nan", "nan(ind)", "-nan(ind)", "1.#QNAN", "-1.#IND00", "inf", "1.#INF", "0"]
-        .into_iter()
-        .map(|word| {
-            let text = Text::with(shape, &normals, |[x, y, z]| format!("{x} {y} {z} {word} {word} {word}"));
-            (format!("normals-{}", word.trim_end_matches(['(', ')']).replace(['#', '(', ')'], "-")), text.file("\n"))
-        })
-        .collect();
+    let mut files: Files =
+        ["nan", "-nan", "nan(ind)", "-nan(ind)", "1.#QNAN", "-1.#IND00", "inf", "1.#INF", "0"]
+            .into_iter()
+            .map(|word| {
+                let text = Text::with(shape, &normals, |[x, y, z]| {
+                    format!("{x} {y} {z} {word} {word} {word}")
+                });
+                (
+                    format!(
+                        "normals-{}",
+                        word.trim_end_matches(['(', ')']).replace(['#', '(', ')'], "-")
+                    ),
+                    text.file("\n"),
+                )
+            })
+            .collect();
     let mut ended = Text::plain(shape);
     ended.faces.push("and that is all".into());
     let mut blank = Text::plain(shape);
@@ -149,14 +188,21 @@ fn beside(shape: &Shape) -> Files {
     let mut words = Text::plain(shape);
     words.vertices[0].push_str("  255 0 0");
     let plain_faces = Text::plain(shape).faces;
-    let mut edges =
-        Text::plain(shape).insert(2, "element edge 2").insert(3, "property int a").insert(4, "property list int float ?");
+    let mut edges = Text::plain(shape)
+        .insert(2, "element edge 2")
+        .insert(3, "property int a")
+        .insert(4, "property list int float ?");
     edges.vertices.splice(0..0, ["0 2 nan some".to_owned(), "word 0".to_owned()]);
     let mut short = Text::plain(shape);
     short.header = short
         .header
         .iter()
-        .map(|line| line.replace(&format!("face {}", plain_faces.len()), &format!("face {}", plain_faces.len() + 2)))
+        .map(|line| {
+            line.replace(
+                &format!("face {}", plain_faces.len()),
+                &format!("face {}", plain_faces.len() + 2),
+            )
+        })
         .collect();
     short.faces.insert(0, "2 0 1".into());
     short.faces.push("0".into());
@@ -164,9 +210,19 @@ fn beside(shape: &Shape) -> Files {
         file("plain", Text::plain(shape)),
         file("quality-nan", with(&format!("{places}|float quality"), " nan")),
         file("quality-word", before(&format!("int quality|{places}"), "none")),
-        file("list-in-vertices", before(&format!("list uint8 float junk|uchar red|{places}"), "3 a nan 1e999 ???")),
+        file(
+            "list-in-vertices",
+            before(&format!("list uint8 float junk|uchar red|{places}"), "3 a nan 1e999 ???"),
+        ),
         file("two-normals", with(&format!("{places}|float nx|float ny"), " x y")),
-        file("comments", Text::plain(shape).insert(1, "comment ?t?").insert(2, "obj_info ?").insert(3, "comment").insert(4, "")),
+        file(
+            "comments",
+            Text::plain(shape)
+                .insert(1, "comment ?t?")
+                .insert(2, "obj_info ?")
+                .insert(3, "comment")
+                .insert(4, ""),
+        ),
         file("names", with(&format!("{places}|uchar ??"), " 7")),
         file("words-behind-the-last", words),
         file("lines-behind-the-last", ended),
@@ -175,7 +231,10 @@ fn beside(shape: &Shape) -> Files {
         file("short-faces", short),
         file(
             "empty-elements",
-            Text::plain(shape).insert(2, "element nothing 3").insert(3, "element none 0").insert(4, "property int a"),
+            Text::plain(shape)
+                .insert(2, "element nothing 3")
+                .insert(3, "element none 0")
+                .insert(4, "property int a"),
         ),
         file("trailing-blanks", with(places, "\t \u{b}")),
         file("unused-vertices", unused(shape)),
@@ -190,8 +249,11 @@ fn unused(shape: &Shape) -> Text {
     let count = shape.positions.len();
     let mut text = Text::plain(shape);
     text.vertices.push("nan 0 0".into());
-    text.header =
-        text.header.iter().map(|line| line.replace(&format!("vertex {count}"), &format!("vertex {}", count + 1))).collect();
+    text.header = text
+        .header
+        .iter()
+        .map(|line| line.replace(&format!("vertex {count}"), &format!("vertex {}", count + 1)))
+        .collect();
     text
 }
 
@@ -221,11 +283,15 @@ fn strips(shape: &Shape) -> Files {
         let count = shape.triangles.len();
         let mut text = Text::plain(shape);
         for line in &mut text.header {
-            *line = line.replace(&format!("element face {count}"), &format!("element tristrips {}", strips.len()));
+            *line = line.replace(
+                &format!("element face {count}"),
+                &format!("element tristrips {}", strips.len()),
+            );
             *line = line.replace("list uchar int vertex_indices", list);
         }
         let words = |strip: &Vec<i64>| strip.iter().map(|k| format!(" {k}")).collect::<String>();
-        text.faces = strips.iter().map(|strip| format!("{}{}", strip.len(), words(strip))).collect();
+        text.faces =
+            strips.iter().map(|strip| format!("{}{}", strip.len(), words(strip))).collect();
         (name.to_owned(), text.file("\n"))
     };
     let triangles = || shape.triangles.iter().map(|triangle| triangle.map(i64::from));
@@ -237,8 +303,16 @@ fn strips(shape: &Shape) -> Files {
         file("strip-restarted", "list int int vertex_indices", vec![joined]),
         file("strip-odd", "list int int vertex_index", vec![odd]),
         file("strip-unsigned", "list uint uint vertex_indices", vec![unsigned]),
-        file("strip-joined", "list int int vertex_indices", vec![shape.strip().into_iter().map(i64::from).collect()]),
-        file("strips", "list uint8 int32 vertex_indices", triangles().map(|triangle| triangle.to_vec()).collect()),
+        file(
+            "strip-joined",
+            "list int int vertex_indices",
+            vec![shape.strip().into_iter().map(i64::from).collect()],
+        ),
+        file(
+            "strips",
+            "list uint8 int32 vertex_indices",
+            triangles().map(|triangle| triangle.to_vec()).collect(),
+        ),
     ]
 }
 

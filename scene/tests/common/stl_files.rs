@@ -3,7 +3,10 @@ use super::shape::Shape;
 
 /// A text file of a shape: a solid for each range of triangles.
 fn solids(shape: &Shape, parts: &[&[[u32; 3]]]) -> String {
-    parts.iter().map(|triangles| format!("solid part\n{}endsolid part\n", facets(shape, triangles))).collect()
+    parts
+        .iter()
+        .map(|triangles| format!("solid part\n{}endsolid part\n", facets(shape, triangles)))
+        .collect()
 }
 
 fn facets(shape: &Shape, triangles: &[[u32; 3]]) -> String {
@@ -15,25 +18,34 @@ fn facets(shape: &Shape, triangles: &[[u32; 3]]) -> String {
     triangles.iter().map(facet).collect()
 }
 
-/// A binary file of a shape, its comment starting with `comment`, with two bytes of an attribute for each triangle.
+/// A binary file of a shape, its comment starting with `comment`, with two bytes of an attribute
+/// for each triangle.
 pub fn binary(shape: &Shape, comment: &[u8], attribute: [u8; 2]) -> Vec<u8> {
     let mut file = comment.to_vec();
     file.resize(80, b' ');
     file.extend((shape.triangles.len() as u32).to_le_bytes());
     for triangle in &shape.triangles {
         file.extend([f32::NAN; 3].iter().flat_map(|x| x.to_le_bytes()));
-        file.extend(triangle.iter().flat_map(|&k| shape.positions[k as usize]).flat_map(f32::to_le_bytes));
+        file.extend(
+            triangle.iter().flat_map(|&k| shape.positions[k as usize]).flat_map(f32::to_le_bytes),
+        );
         file.extend(attribute);
     }
     file
 }
 
-/// Files that show the shape, each in a dialect of its own, with its name. Vertices are stated with each triangle.
+/// Files that show the shape, each in a dialect of its own, with its name. Vertices are stated with
+/// each triangle.
 pub fn dialects(shape: &Shape) -> Vec<(String, Vec<u8>)> {
     let plain = solids(shape, &[&shape.triangles]);
     let changed = |&(name, change): &(&'static str, Change)| (name, latin1(&change(&plain)));
     let all = [WORDS, NAMES, LINES, NORMALS, BESIDE].concat();
-    let files = all.iter().map(changed).chain(parts(shape)).chain(encoded(plain.as_bytes())).chain(binaries(shape));
+    let files = all
+        .iter()
+        .map(changed)
+        .chain(parts(shape))
+        .chain(encoded(plain.as_bytes()))
+        .chain(binaries(shape));
     files.map(|(name, file)| (format!("{name}.stl"), file)).collect()
 }
 
@@ -49,7 +61,9 @@ fn latin1(text: &str) -> Vec<u8> {
 const WORDS: &[(&str, Change)] = &[
     ("plain", str::to_owned),
     ("capitals", str::to_uppercase),
-    ("mixed", |text| text.replace("solid", "SOLID").replace("endloop", "ENDLOOP").replace("vertex", "Vertex")),
+    ("mixed", |text| {
+        text.replace("solid", "SOLID").replace("endloop", "ENDLOOP").replace("vertex", "Vertex")
+    }),
 ];
 
 /// Names of solids.
@@ -75,7 +89,9 @@ const LINES: &[(&str, Change)] = &[
 
 /// Normals that are none.
 const NORMALS: &[(&str, Change)] = &[
-    ("normals-not-numbers", |text| text.replace("0 0 0\n    outer", "nan -nan(ind) 1.#QNAN\n    outer")),
+    ("normals-not-numbers", |text| {
+        text.replace("0 0 0\n    outer", "nan -nan(ind) 1.#QNAN\n    outer")
+    }),
     ("normals-left-out", |text| text.replace("facet normal 0 0 0", "facet")),
     ("normals-cut-off", |text| text.replace("facet normal 0 0 0", "facet normal")),
 ];
@@ -86,7 +102,8 @@ const BESIDE: &[(&str, Change)] = &[
     ("comment-before", |text| format!("# caf?\n{text}")),
     ("fourth-numbers", |text| text.replace("\n    endloop", " 1 0.5\n    endloop")),
     ("short-facets", |text| {
-        let short = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\n";
+        let short =
+            "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\n";
         text.replace("endsolid", &format!("{short}endsolid"))
     }),
 ];
@@ -100,7 +117,10 @@ fn parts(shape: &Shape) -> Vec<(&'static str, Vec<u8>)> {
         ("empty-first-solid", solids(shape, &[&[], &shape.triangles])),
         ("empty-last-solid", solids(shape, &[&shape.triangles, &[]])),
         ("many-solids", solids(shape, &each)),
-        ("blanks-between-solids", solids(shape, &each).replace("endsolid part\n", "ENDSOLID part \n\n \t\r\n")),
+        (
+            "blanks-between-solids",
+            solids(shape, &each).replace("endsolid part\n", "ENDSOLID part \n\n \t\r\n"),
+        ),
         ("solids-not-ended", solids(shape, &[some, others]).replacen("endsolid part\n", "", 1)),
         ("facets-alone", facets(shape, &shape.triangles)),
     ];
@@ -109,7 +129,9 @@ fn parts(shape: &Shape) -> Vec<(&'static str, Vec<u8>)> {
 
 /// The plain text in encodings that a mark tells.
 fn encoded(plain: &[u8]) -> Vec<(&'static str, Vec<u8>)> {
-    let wide = |unit: fn(u16) -> [u8; 2]| plain.iter().flat_map(|&byte| unit(u16::from(byte))).collect::<Vec<u8>>();
+    let wide = |unit: fn(u16) -> [u8; 2]| {
+        plain.iter().flat_map(|&byte| unit(u16::from(byte))).collect::<Vec<u8>>()
+    };
     vec![
         ("mark", [b"\xef\xbb\xbf", plain].concat()),
         ("mark-and-line-end", [b"\xef\xbb\xbf\r\n ", plain].concat()),
@@ -125,7 +147,10 @@ fn binaries(shape: &Shape) -> Vec<(&'static str, Vec<u8>)> {
         ("binary-solid", binary(shape, b"solid made by a test", [0; 2])),
         ("binary-colours", binary(shape, b"COLOR=????", [0xff, 0x7f])),
         ("binary-of-zeros", binary(shape, &[0; 80], [0; 2])),
-        ("binary-like-text", binary(shape, b"solid a\nfacet normal 0 0 0\nouter loop\n", [b' '; 2])),
+        (
+            "binary-like-text",
+            binary(shape, b"solid a\nfacet normal 0 0 0\nouter loop\n", [b' '; 2]),
+        ),
         ("binary-and-more", [&binary(shape, b"solid", [0; 2])[..], b"more"].concat()),
     ]
 }

@@ -17,7 +17,8 @@ fn seeds() -> Vec<(String, Vec<u8>)> {
 
 /// Seeds of formats that are, or may be, text.
 fn texts() -> Vec<(String, Vec<u8>)> {
-    [obj_files::dialects(&wedge()), ply_files::dialects(&wedge()), stl_files::dialects(&wedge())].concat()
+    [obj_files::dialects(&wedge()), ply_files::dialects(&wedge()), stl_files::dialects(&wedge())]
+        .concat()
 }
 
 fn try_to_read(name: &str, bytes: &[u8]) {
@@ -48,8 +49,12 @@ fn single_wrong_bytes_do_not_panic() {
 fn paths(value: &Value, path: &str, all: &mut Vec<String>) {
     all.push(path.to_owned());
     match value {
-        Value::Array(list) => list.iter().enumerate().for_each(|(k, value)| paths(value, &format!("{path}/{k}"), all)),
-        Value::Object(map) => map.iter().for_each(|(key, value)| paths(value, &format!("{path}/{key}"), all)),
+        Value::Array(list) => {
+            list.iter().enumerate().for_each(|(k, value)| paths(value, &format!("{path}/{k}"), all))
+        }
+        Value::Object(map) => {
+            map.iter().for_each(|(key, value)| paths(value, &format!("{path}/{key}"), all))
+        }
         _ => {}
     }
 }
@@ -116,7 +121,10 @@ fn wrong_words_in_text_do_not_panic() {
         let ends: Vec<usize> = (0..bytes.len()).filter(is_blank).collect();
         for word in ends.windows(2) {
             for wrong in hostile {
-                try_to_read(&name, &[&bytes[..word[0] + 1], wrong.as_bytes(), &bytes[word[1]..]].concat());
+                try_to_read(
+                    &name,
+                    &[&bytes[..word[0] + 1], wrong.as_bytes(), &bytes[word[1]..]].concat(),
+                );
             }
         }
     }
@@ -125,16 +133,21 @@ fn wrong_words_in_text_do_not_panic() {
 #[test]
 fn damaged_files_do_not_panic() {
     let seeds = seeds();
-    let strategy = (any::<Index>(), prop::collection::vec((any::<Index>(), any::<u8>()), 1..8), prop::option::of(any::<Index>()));
-    let tried = TestRunner::new(ProptestConfig::with_cases(2000)).run(&strategy, |(file, flips, cut)| {
-        let (name, mut bytes) = seeds[file.index(seeds.len())].clone();
-        for (at, byte) in flips {
-            let at = at.index(bytes.len());
-            bytes[at] = byte;
-        }
-        let length = cut.map_or(bytes.len(), |cut| cut.index(bytes.len()));
-        try_to_read(&name, &bytes[..length]);
-        Ok(())
-    });
+    let strategy = (
+        any::<Index>(),
+        prop::collection::vec((any::<Index>(), any::<u8>()), 1..8),
+        prop::option::of(any::<Index>()),
+    );
+    let tried =
+        TestRunner::new(ProptestConfig::with_cases(2000)).run(&strategy, |(file, flips, cut)| {
+            let (name, mut bytes) = seeds[file.index(seeds.len())].clone();
+            for (at, byte) in flips {
+                let at = at.index(bytes.len());
+                bytes[at] = byte;
+            }
+            let length = cut.map_or(bytes.len(), |cut| cut.index(bytes.len()));
+            try_to_read(&name, &bytes[..length]);
+            Ok(())
+        });
     tried.unwrap_or_else(|error| panic!("{error}"));
 }

@@ -54,10 +54,17 @@ fn positions_may_be_quantized() {
         let bytes: Vec<u8> = wedge()
             .positions
             .iter()
-            .flat_map(|p| p.map(|x| (x * 4.0) as i16).into_iter().chain([77]).flat_map(i16::to_le_bytes).collect::<Vec<u8>>())
+            .flat_map(|p| {
+                p.map(|x| (x * 4.0) as i16)
+                    .into_iter()
+                    .chain([77])
+                    .flat_map(i16::to_le_bytes)
+                    .collect::<Vec<u8>>()
+            })
             .collect();
         let accessor = glb.accessor(&bytes, I16, "VEC3", 5);
-        let view = glb.root["accessors"][accessor]["bufferView"].as_u64().expect("it has one") as usize;
+        let view =
+            glb.root["accessors"][accessor]["bufferView"].as_u64().expect("it has one") as usize;
         glb.root["bufferViews"][view]["byteStride"] = json!(8);
         glb.primitive()["attributes"]["POSITION"] = json!(accessor);
         glb.root["nodes"][0]["scale"] = json!([0.25, 0.25, 0.25]);
@@ -72,10 +79,12 @@ fn positions_may_be_quantized() {
 fn integers_may_stand_for_fractions() {
     let file = changed(|glb| {
         let bytes = [[127_i8, 0, 0], [0, 127, 0], [-127, 0, 0], [-128, 127, 0], [0, 0, -64]];
-        let padded: Vec<u8> = bytes.iter().flat_map(|[x, y, z]| [*x as u8, *y as u8, *z as u8, 0]).collect();
+        let padded: Vec<u8> =
+            bytes.iter().flat_map(|[x, y, z]| [*x as u8, *y as u8, *z as u8, 0]).collect();
         let accessor = glb.accessor(&padded, I8, "VEC3", 5);
         glb.root["accessors"][accessor]["normalized"] = json!(true);
-        let view = glb.root["accessors"][accessor]["bufferView"].as_u64().expect("it has one") as usize;
+        let view =
+            glb.root["accessors"][accessor]["bufferView"].as_u64().expect("it has one") as usize;
         glb.root["bufferViews"][view]["byteStride"] = json!(4);
         glb.primitive()["attributes"]["NORMAL"] = json!(accessor);
         glb.root["extensionsUsed"] = json!(["KHR_mesh_quantization"]);
@@ -87,7 +96,8 @@ fn integers_may_stand_for_fractions() {
     for (corners, normals) in mesh.triangles.iter().zip(&mesh.normals) {
         for (&corner, normal) in corners.iter().zip(normals) {
             let place = mesh.positions[corner as usize];
-            let vertex = wedge().positions.iter().position(|p| DVec3::from_array(p.map(f64::from)) == place);
+            let vertex =
+                wedge().positions.iter().position(|p| DVec3::from_array(p.map(f64::from)) == place);
             assert!(normal.distance(expected[vertex.expect("it is one of the wedge's")]) < 1e-12);
         }
     }
@@ -100,17 +110,25 @@ fn a_mesh_may_be_instanced() {
     let file = changed(|glb| {
         let shift = glb.accessor(&floats(&[[10.0, 0.0, 0.0], [-10.0, 0.0, 0.0]]), F32, "VEC3", 2);
         let scale = glb.accessor(&floats(&[[1.0; 3], [2.0; 3]]), F32, "VEC3", 2);
-        let quaternions: Vec<u8> = [0.0, 0.0, 2_f32.sqrt(), 2_f32.sqrt()].repeat(2).iter().flat_map(|x| x.to_le_bytes()).collect();
+        let quaternions: Vec<u8> = [0.0, 0.0, 2_f32.sqrt(), 2_f32.sqrt()]
+            .repeat(2)
+            .iter()
+            .flat_map(|x| x.to_le_bytes())
+            .collect();
         let turn = glb.accessor(&quaternions, F32, "VEC4", 2);
         let attributes = json!({"TRANSLATION": shift, "SCALE": scale, "ROTATION": turn});
-        glb.root["nodes"][0]["extensions"] = json!({"EXT_mesh_gpu_instancing": {"attributes": attributes}});
+        glb.root["nodes"][0]["extensions"] =
+            json!({"EXT_mesh_gpu_instancing": {"attributes": attributes}});
     });
     let (mesh, _) = read("a.glb", &file);
     assert_eq!(mesh.triangles.len(), 12);
     // (2, 0, 0) becomes (0, 2, 0) and (0, 4, 0), before it is shifted.
-    for expected in
-        [DVec3::new(10.0, 2.0, 0.0), DVec3::new(-10.0, 4.0, 0.0), DVec3::new(8.5, 0.0, 0.0), DVec3::new(-13.0, 0.0, 0.0)]
-    {
+    for expected in [
+        DVec3::new(10.0, 2.0, 0.0),
+        DVec3::new(-10.0, 4.0, 0.0),
+        DVec3::new(8.5, 0.0, 0.0),
+        DVec3::new(-13.0, 0.0, 0.0),
+    ] {
         assert!(mesh.positions.iter().any(|p| p.distance(expected) < 1e-6), "{expected}");
     }
 }
@@ -128,8 +146,11 @@ fn nodes_without_triangles_cost_nothing() {
         let attributes = json!({"TRANSLATION": 2});
         let extensions = json!({"EXT_mesh_gpu_instancing": {"attributes": attributes}});
         let node = json!({"mesh": 1, "extensions": extensions});
-        glb.root["nodes"] =
-            json!(std::iter::once(json!({"mesh": 0})).chain(std::iter::repeat_n(node, 1000)).collect::<Vec<Value>>());
+        glb.root["nodes"] = json!(
+            std::iter::once(json!({"mesh": 0}))
+                .chain(std::iter::repeat_n(node, 1000))
+                .collect::<Vec<Value>>()
+        );
         glb.root["scenes"][0]["nodes"] = json!((0..1001).collect::<Vec<usize>>());
     });
     check_same("no triangles", &read("a.glb", &file).0, &plain());
@@ -139,7 +160,8 @@ fn nodes_without_triangles_cost_nothing() {
 fn repeated(times: usize, nodes: usize) -> Vec<u8> {
     let shape = wedge();
     let mut glb = Glb::plain(&shape);
-    let corners: Vec<[f32; 3]> = (0..30_000).map(|k| [(k as f32).cos(), (k as f32).sin(), k as f32 / 30_000.0]).collect();
+    let corners: Vec<[f32; 3]> =
+        (0..30_000).map(|k| [(k as f32).cos(), (k as f32).sin(), k as f32 / 30_000.0]).collect();
     let accessor = glb.positions(&corners);
     let part = json!({"attributes": {"POSITION": accessor}});
     glb.root["meshes"] = json!([{"primitives": vec![part; times]}]);
@@ -151,11 +173,19 @@ fn repeated(times: usize, nodes: usize) -> Vec<u8> {
 /// The files take less than a megabyte; copied, their triangles would take more than 10 GB.
 #[test]
 fn triangles_are_counted_before_they_are_copied() {
-    for (times, nodes, triangles) in
-        [(20_000, 1, 200_000_000_usize), (1, 20_000, 200_000_000), (1000, 1000, 10_000_000_000), (1001, 1, 10_010_000)]
-    {
+    for (times, nodes, triangles) in [
+        (20_000, 1, 200_000_000_usize),
+        (1, 20_000, 200_000_000),
+        (1000, 1000, 10_000_000_000),
+        (1001, 1, 10_010_000),
+    ] {
         let said = refused("a.glb", &repeated(times, nodes));
-        assert_eq!(said, format!("mesh `a.glb`: it has {triangles} triangles; at most {MOST_TRIANGLES} are taken"));
+        assert_eq!(
+            said,
+            format!(
+                "mesh `a.glb`: it has {triangles} triangles; at most {MOST_TRIANGLES} are taken"
+            )
+        );
     }
 }
 
@@ -185,7 +215,8 @@ fn what_cannot_be_drawn_is_named() {
         changed(|glb| {
             glb.root["buffers"] = json!([{"byteLength": 9}, {"byteLength": 9}]);
             glb.root["bufferViews"][0]["buffer"] = json!(1);
-            glb.root["bufferViews"][0]["extensions"] = json!({"EXT_meshopt_compression": {"buffer": 0}});
+            glb.root["bufferViews"][0]["extensions"] =
+                json!({"EXT_meshopt_compression": {"buffer": 0}});
         }),
         changed(set("/buffers/0/uri", json!("wedge.bin"))),
         changed(set("/buffers/0/uri", json!("data:;base64,?"))),
@@ -204,7 +235,10 @@ fn what_cannot_be_drawn_is_named() {
         changed(set("/nodes/0/mesh", json!("x"))),
         changed(set("/meshes/0/primitives/0/mode", json!(9))),
         changed(set("/accessors/0/componentType", json!(U16))),
-        changed(set("/accessors/1", json!({"bufferView": 1, "componentType": F32, "type": "SCALAR", "count": 9}))),
+        changed(set(
+            "/accessors/1",
+            json!({"bufferView": 1, "componentType": F32, "type": "SCALAR", "count": 9}),
+        )),
         changed(set("/accessors/0/type", json!("VEC5"))),
         changed(set("/accessors/0/bufferView", json!(9))),
         changed(set("/accessors/0/byteOffset", json!(u64::MAX))),
@@ -217,7 +251,10 @@ fn what_cannot_be_drawn_is_named() {
             "/accessors/0/sparse",
             json!({"count": 9, "indices": {"bufferView": 1, "componentType": U16}, "values": {"bufferView": 0}}),
         )),
-        changed(|glb| glb.root["accessors"][0] = json!({"componentType": F32, "type": "VEC3", "count": u64::MAX})),
+        changed(|glb| {
+            glb.root["accessors"][0] =
+                json!({"componentType": F32, "type": "VEC3", "count": u64::MAX})
+        }),
         changed(|glb| glb.root["nodes"][0]["matrix"] = json!([1, 2, 3])),
         changed(|glb| glb.root["nodes"][0]["scale"] = json!([1e300, 1, 1])),
         written(&b"{".repeat(2_000_001), &[]),

@@ -27,7 +27,8 @@ use specula_scene::{Frame, load};
 
 /// The mesh of a file, and what is passed over in it.
 fn read(name: &str, bytes: &[u8]) -> (Mesh, Vec<String>) {
-    let (mesh, warnings) = Mesh::from_bytes(Path::new(name), bytes).unwrap_or_else(|error| panic!("{error}"));
+    let (mesh, warnings) =
+        Mesh::from_bytes(Path::new(name), bytes).unwrap_or_else(|error| panic!("{error}"));
     (mesh, warnings.iter().map(Warning::to_string).collect())
 }
 
@@ -50,10 +51,17 @@ fn triangles(mesh: &Mesh) -> Vec<Triangle> {
         .map(|(corners, normals)| {
             let corner = |k: usize| (mesh.positions[corners[k] as usize], normals[k]);
             let turns = [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(|turn| turn.map(corner));
-            turns.into_iter().min_by(|a, b| order(a).total_cmp(&order(b))).expect("there are three turns")
+            turns
+                .into_iter()
+                .min_by(|a, b| order(a).total_cmp(&order(b)))
+                .expect("there are three turns")
         })
         .collect();
-    all.sort_by(|a, b| a.iter().zip(b).fold(std::cmp::Ordering::Equal, |so_far, (a, b)| so_far.then(places(a.0, b.0))));
+    all.sort_by(|a, b| {
+        a.iter()
+            .zip(b)
+            .fold(std::cmp::Ordering::Equal, |so_far, (a, b)| so_far.then(places(a.0, b.0)))
+    });
     all
 }
 
@@ -85,7 +93,9 @@ fn silhouette(frame: &Frame) -> Vec<(u32, u32, u32)> {
     let mut runs: Vec<(u32, u32, u32)> = Vec::new();
     for span in &frame.spans {
         match runs.last_mut() {
-            Some((y, x, length)) if *y == span.y && *x + *length == span.x => *length += span.length,
+            Some((y, x, length)) if *y == span.y && *x + *length == span.x => {
+                *length += span.length
+            }
             _ => runs.push((span.y, span.x, span.length)),
         }
     }
@@ -96,13 +106,15 @@ fn silhouette(frame: &Frame) -> Vec<(u32, u32, u32)> {
 /// scene.
 fn check_dialects(files: &[(String, Vec<u8>)]) {
     let folder = tempfile::tempdir().expect("there is a place for temporary files");
-    let (plain_name, plain) = files.iter().find(|(name, _)| name.starts_with("plain.")).expect("there is a plain one");
+    let (plain_name, plain) =
+        files.iter().find(|(name, _)| name.starts_with("plain.")).expect("there is a plain one");
     let (expected, warnings) = read(plain_name, plain);
     assert!(warnings.is_empty(), "{warnings:?}");
     let picture = |name: &str, bytes: &[u8]| {
         let path = folder.path().join(name);
         fs::write(&path, bytes).expect("it can be written");
-        let scene = load(path.to_str().expect("it is a plain name"), Some((64, 48))).unwrap_or_else(|error| panic!("{error}"));
+        let scene = load(path.to_str().expect("it is a plain name"), Some((64, 48)))
+            .unwrap_or_else(|error| panic!("{error}"));
         silhouette(&scene.frame)
     };
     let shown = picture(plain_name, plain);

@@ -79,8 +79,10 @@ fn wrong_elements_of_binary_files_are_named() {
     let mut place = whole.clone();
     let at = whole.len() - 6 * face - 12;
     place[at..at + 4].copy_from_slice(&f32::NAN.to_le_bytes());
-    let said: Vec<String> =
-        [&whole[..whole.len() - 1], &whole[..at - 2], &index, &length, &place].iter().map(|file| refused("a.ply", file)).collect();
+    let said: Vec<String> = [&whole[..whole.len() - 1], &whole[..at - 2], &index, &length, &place]
+        .iter()
+        .map(|file| refused("a.ply", file))
+        .collect();
     insta::assert_snapshot!(said.join("\n"));
 }
 
@@ -106,6 +108,11 @@ fn strips_of_too_many_triangles_are_refused() {
     let header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\nproperty uchar z\n\
                   element tristrips 1\nproperty list uint uchar vertex_indices\nend_header\n";
     let corners: Vec<u8> = (0..30_000_000_u32).map(|k| (k % 3) as u8).collect();
-    let file = [header.as_bytes(), &[0, 0, 0, 1, 0, 0, 0, 1, 0], &30_000_000_u32.to_le_bytes(), &corners].concat();
-    assert_eq!(refused("a.ply", &file), "mesh `a.ply`: it has 29999998 triangles; at most 10000000 are taken");
+    let file =
+        [header.as_bytes(), &[0, 0, 0, 1, 0, 0, 0, 1, 0], &30_000_000_u32.to_le_bytes(), &corners]
+            .concat();
+    assert_eq!(
+        refused("a.ply", &file),
+        "mesh `a.ply`: it has 29999998 triangles; at most 10000000 are taken"
+    );
 }

@@ -2,23 +2,31 @@
 use super::random::Random;
 use super::shapes::{Place, edges, turn};
 
-/// Points nearer than this share of the polygon's extent to an edge say nothing: they are on it but for rounding.
+/// Points nearer than this share of the polygon's extent to an edge say nothing: they are on it but
+/// for rounding.
 const NEAR: f64 = 1e-6;
 
 /// Points over a polygon's bounds, none of them on an edge.
 pub fn probes(random: &mut Random, polygon: &[Place], count: usize) -> Vec<Place> {
-    let bound = |axis: usize, pick: fn(f64, f64) -> f64| polygon.iter().map(|p| p[axis]).reduce(pick).expect("it has corners");
-    let (low, high) = ([bound(0, f64::min), bound(1, f64::min)], [bound(0, f64::max), bound(1, f64::max)]);
+    let bound = |axis: usize, pick: fn(f64, f64) -> f64| {
+        polygon.iter().map(|p| p[axis]).reduce(pick).expect("it has corners")
+    };
+    let (low, high) =
+        ([bound(0, f64::min), bound(1, f64::min)], [bound(0, f64::max), bound(1, f64::max)]);
     let extent = (high[0] - low[0]).max(high[1] - low[1]);
     let mut point = || [0, 1].map(|axis| low[axis] + (high[axis] - low[axis]) * random.unit());
     let points: Vec<Place> = (0..count).map(|_| point()).collect();
-    points.into_iter().filter(|&p| edges(polygon).all(|edge| distance(p, edge) > NEAR * extent)).collect()
+    points
+        .into_iter()
+        .filter(|&p| edges(polygon).all(|edge| distance(p, edge) > NEAR * extent))
+        .collect()
 }
 
 /// Whether an odd number of a polygon's edges cross the ray from a point to the right.
 pub fn is_inside(polygon: &[Place], [x, y]: Place) -> bool {
-    let crossed =
-        edges(polygon).filter(|&[a, b]| (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+    let crossed = edges(polygon).filter(|&[a, b]| {
+        (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])
+    });
     crossed.count() % 2 == 1
 }
 

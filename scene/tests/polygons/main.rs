@@ -1,5 +1,5 @@
-//! Polygons of mesh files in triangles: what they cover is what an even-odd fill of the polygon covers, once, whichever corner
-//! is first and whichever way round the corners are given.
+//! Polygons of mesh files in triangles: what they cover is what an even-odd fill of the polygon
+//! covers, once, whichever corner is first and whichever way round the corners are given.
 mod fill;
 mod random;
 mod shapes;
@@ -30,7 +30,8 @@ impl Plane {
     }
 
     fn any(random: &mut Random) -> Plane {
-        let mut vector = || DVec3::new(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
+        let mut vector =
+            || DVec3::new(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
         let normal = vector().normalize_or(DVec3::Y);
         let (across, up) = normal.any_orthonormal_pair();
         Plane { axes: DMat3::from_cols(across, up, normal), origin: vector() * 100.0 }
@@ -46,7 +47,8 @@ impl Plane {
     }
 }
 
-/// An `.obj` file of one face; corners at the same place are one vertex if `shared`, else each has its own.
+/// An `.obj` file of one face; corners at the same place are one vertex if `shared`, else each has
+/// its own.
 fn obj(polygon: &[Place], plane: &Plane, shared: bool) -> String {
     let (mut vertices, mut text, mut face) = (Vec::<Place>::new(), String::new(), "f".to_owned());
     for &corner in polygon {
@@ -76,9 +78,11 @@ fn read(text: &str, plane: &Plane) -> (Vec<[Place; 3]>, Vec<Warning>) {
     }
 }
 
-/// Compares what a polygon's triangles cover with the even-odd fill, from every first corner and both ways round.
+/// Compares what a polygon's triangles cover with the even-odd fill, from every first corner and
+/// both ways round.
 fn check(name: &str, polygon: &[Place], plane: &Plane, random: &mut Random) {
-    let probes: Vec<(Place, bool)> = probes(random, polygon, PROBES).into_iter().map(|p| (p, is_inside(polygon, p))).collect();
+    let probes: Vec<(Place, bool)> =
+        probes(random, polygon, PROBES).into_iter().map(|p| (p, is_inside(polygon, p))).collect();
     let mut turned = polygon.to_vec();
     let mut areas = Vec::new();
     for round in 0..2 * polygon.len() {
@@ -93,16 +97,21 @@ fn check(name: &str, polygon: &[Place], plane: &Plane, random: &mut Random) {
         }
         areas.push(area(&triangles));
     }
-    let (least, most) = areas.iter().fold((f64::MAX, 0.0_f64), |(least, most), &a| (least.min(a), most.max(a)));
+    let (least, most) =
+        areas.iter().fold((f64::MAX, 0.0_f64), |(least, most), &a| (least.min(a), most.max(a)));
     assert!(most - least <= 1e-9 * most, "{name}: areas from {least} to {most} of {polygon:?}");
 }
 
-/// As `check`, of a polygon that does not cover itself: its area is known, and nothing is warned of.
+/// As `check`, of a polygon that does not cover itself: its area is known, and nothing is warned
+/// of.
 fn check_simple(name: &str, polygon: &[Place], plane: &Plane, random: &mut Random) {
     check(name, polygon, plane, random);
     let (triangles, warnings) = read(&obj(polygon, plane, true), plane);
     let (found, expected) = (area(&triangles), area_around(polygon));
-    assert!((found - expected).abs() <= 1e-9 * expected, "{name}: area {found}, not {expected}, of {polygon:?}");
+    assert!(
+        (found - expected).abs() <= 1e-9 * expected,
+        "{name}: area {found}, not {expected}, of {polygon:?}"
+    );
     assert_eq!(warnings, [], "{name}: {polygon:?}");
 }
 
@@ -172,12 +181,12 @@ fn polygons_that_cross_themselves_are_filled_by_the_even_odd_rule() {
     let (triangles, warnings) = read(&obj(&bow_tie, &Plane::flat(), true), &Plane::flat());
     assert_eq!(area(&triangles), 2.0);
     let told: Vec<String> = warnings.iter().map(Warning::to_string).collect();
-    let right =
-        "a.obj, line 5: a polygon of 4 corners crosses or covers itself; what an odd number of its edges surrounds is drawn";
+    let right = "a.obj, line 5: a polygon of 4 corners crosses or covers itself; what an odd number of its edges surrounds is drawn";
     assert_eq!(told, [right]);
 }
 
-/// The file of the fault that brought this about: a square with a square hole at the end of a bridge.
+/// The file of the fault that brought this about: a square with a square hole at the end of a
+/// bridge.
 #[test]
 fn a_square_with_a_bridge_to_a_hole_keeps_three_quarters() {
     let text = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -.5 -.5 0\nv -.5 .5 0\nv .5 .5 0\nv .5 -.5 0\nf 1 2 3 4 1 5 6 7 8 5\n";
@@ -185,7 +194,8 @@ fn a_square_with_a_bridge_to_a_hole_keeps_three_quarters() {
     assert_eq!((area(&triangles), warnings), (3.0, vec![]));
 }
 
-/// A file of one long polygon, and one of many, take a time that grows little faster than their corners.
+/// A file of one long polygon, and one of many, take a time that grows little faster than their
+/// corners.
 #[test]
 fn long_polygons_take_little_time() {
     let begun = Instant::now();

@@ -4,11 +4,13 @@ use super::random::Random;
 /// A place in the plane.
 pub type Place = [f64; 2];
 
-/// A polygon around the middle, its corners on a grid, so that edges may run through corners exactly.
+/// A polygon around the middle, its corners on a grid, so that edges may run through corners
+/// exactly.
 pub fn star(random: &mut Random, corners: usize, middle: Place, radius: f64) -> Vec<Place> {
     let turn = random.unit() * std::f64::consts::TAU;
     let corner = |k: usize, random: &mut Random| {
-        let angle = turn + (k as f64 + 0.8 * random.unit()) / corners as f64 * std::f64::consts::TAU;
+        let angle =
+            turn + (k as f64 + 0.8 * random.unit()) / corners as f64 * std::f64::consts::TAU;
         let length = radius * (0.3 + 0.7 * random.unit());
         on_grid([middle[0] + length * angle.cos(), middle[1] + length * angle.sin()])
     };
@@ -21,16 +23,21 @@ pub fn spiral(corners: usize, turns: f64, radius: f64) -> Vec<Place> {
     let between_turns = 0.8 * radius / turns;
     let place = |k: usize, inset: f64| {
         let along = k as f64 / half as f64;
-        let (angle, length) = (along * turns * std::f64::consts::TAU, radius * (0.2 + 0.8 * along) - inset);
+        let (angle, length) =
+            (along * turns * std::f64::consts::TAU, radius * (0.2 + 0.8 * along) - inset);
         [length * angle.cos(), length * angle.sin()]
     };
-    (0..half).map(|k| place(k, 0.0)).chain((0..half).rev().map(|k| place(k, 0.4 * between_turns))).collect()
+    (0..half)
+        .map(|k| place(k, 0.0))
+        .chain((0..half).rev().map(|k| place(k, 0.4 * between_turns)))
+        .collect()
 }
 
 /// A comb with its teeth upwards.
 pub fn comb(teeth: usize) -> Vec<Place> {
     let tooth = |k: usize| [[2 * k, 2], [2 * k, 9], [2 * k + 1, 9], [2 * k + 1, 2]];
-    let teeth = (0..teeth).rev().flat_map(|k| tooth(k).into_iter().rev()).map(|p| p.map(|x| x as f64));
+    let teeth =
+        (0..teeth).rev().flat_map(|k| tooth(k).into_iter().rev()).map(|p| p.map(|x| x as f64));
     let right = 2.0 * teeth.clone().count() as f64 / 4.0 - 1.0;
     [[0.0, 0.0], [right, 0.0]].into_iter().chain(teeth).collect()
 }
@@ -65,7 +72,8 @@ pub fn bridged(random: &mut Random, polygon: &[Place], hole: &[Place]) -> Vec<Pl
     polygon[..=i].iter().copied().chain(around).chain(polygon[i..].iter().copied()).collect()
 }
 
-/// Corners put on edges, corners stated twice in a row, and slits that go along an edge inwards and back.
+/// Corners put on edges, corners stated twice in a row, and slits that go along an edge inwards and
+/// back.
 pub fn roughened(random: &mut Random, polygon: &[Place]) -> Vec<Place> {
     let mut rough = Vec::new();
     for [a, b] in edges(polygon) {
@@ -110,6 +118,8 @@ fn meet_between(bridge: [Place; 2], edge: [Place; 2]) -> bool {
     let (from_bridge, from_edge) = ([turn(a, b, c), turn(a, b, d)], [turn(c, d, a), turn(c, d, b)]);
     let crosses = from_bridge[0] * from_bridge[1] < 0.0 && from_edge[0] * from_edge[1] < 0.0;
     // A corner of the edge on the bridge, its ends left out.
-    let on_bridge = |p: Place| turn(a, b, p) == 0.0 && (p[0] - a[0]) * (p[0] - b[0]) + (p[1] - a[1]) * (p[1] - b[1]) < 0.0;
+    let on_bridge = |p: Place| {
+        turn(a, b, p) == 0.0 && (p[0] - a[0]) * (p[0] - b[0]) + (p[1] - a[1]) * (p[1] - b[1]) < 0.0
+    };
     crosses || on_bridge(c) || on_bridge(d)
 }

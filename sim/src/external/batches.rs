@@ -17,7 +17,11 @@ pub struct Batches<'a> {
 
 impl<'a> Batches<'a> {
     /// Rows of the `watched` signals from `first_clock` on, for `sink`.
-    pub fn new(watched: &[NodeId], first_clock: u64, sink: &'a mut dyn FnMut(&Batch) -> Flow) -> Batches<'a> {
+    pub fn new(
+        watched: &[NodeId],
+        first_clock: u64,
+        sink: &'a mut dyn FnMut(&Batch) -> Flow,
+    ) -> Batches<'a> {
         let mut columns = Columns::new(watched);
         columns.restart(first_clock);
         Batches { columns, clock: first_clock, flow: Flow::Continue, sink }
@@ -45,13 +49,16 @@ impl<'a> Batches<'a> {
         self.flow
     }
 
-    /// Hands over what is left; there must have been rows up to the clock `end`, unless the sink stopped them.
+    /// Hands over what is left; there must have been rows up to the clock `end`, unless the sink
+    /// stopped them.
     ///
     /// # Errors
     /// [`SimError::TooFewClocks`] if there were not.
     pub fn finish(mut self, end: u64, tool: &'static str) -> Result<(), SimError> {
         match self.hand_over() {
-            Flow::Continue if self.clock < end => Err(SimError::TooFewClocks { tool, missing: self.clock, end }),
+            Flow::Continue if self.clock < end => {
+                Err(SimError::TooFewClocks { tool, missing: self.clock, end })
+            }
             _ => Ok(()),
         }
     }
@@ -79,6 +86,9 @@ mod tests {
         let mut sink = |_: &Batch| Flow::Continue;
         let mut batches = Batches::new(&[NodeId(0)], 10, &mut sink);
         batches.push([1]);
-        assert!(matches!(batches.finish(12, "a simulator"), Err(SimError::TooFewClocks { missing: 11, end: 12, .. })));
+        assert!(matches!(
+            batches.finish(12, "a simulator"),
+            Err(SimError::TooFewClocks { missing: 11, end: 12, .. })
+        ));
     }
 }

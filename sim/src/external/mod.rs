@@ -1,5 +1,5 @@
-//! What external simulators have in common: the emitted Verilog in a temporary directory, a file that holds the stimulus, and files
-//! from which values come back.
+//! What external simulators have in common: the emitted Verilog in a temporary directory, a file
+//! that holds the stimulus, and files from which values come back.
 mod batches;
 mod ports;
 mod results;

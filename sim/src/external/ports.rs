@@ -63,10 +63,14 @@ impl Ports {
 
     /// Inputs and outputs, clock and reset apart.
     pub fn all(&self) -> impl Iterator<Item = &Port> {
-        [&self.valid, &self.start].into_iter().chain(&self.inputs).chain(self.outputs.iter().filter(|port| !port.input))
+        [&self.valid, &self.start]
+            .into_iter()
+            .chain(&self.inputs)
+            .chain(self.outputs.iter().filter(|port| !port.input))
     }
 
-    /// The places among all ports of those that carry the `watched` signals; `None` if a signal is inside the core.
+    /// The places among all ports of those that carry the `watched` signals; `None` if a signal is
+    /// inside the core.
     pub fn numbers(&self, watched: &[NodeId]) -> Option<Vec<usize>> {
         watched.iter().map(|&node| self.all().position(|port| port.node == node)).collect()
     }

@@ -1,4 +1,5 @@
-//! Values of ports that come back: for each clock one little-endian 64-bit number for each watched port.
+//! Values of ports that come back: for each clock one little-endian 64-bit number for each watched
+//! port.
 use std::io::{BufReader, ErrorKind, Read};
 use std::ops::Range;
 
@@ -11,7 +12,8 @@ use crate::{Batch, Flow, SimError};
 /// Reads the `watched` ports of `clocks` and hands them to `sink` in batches.
 ///
 /// # Errors
-/// [`SimError::File`] if reading fails, [`SimError::TooFewClocks`] if the file of `tool` ends too early.
+/// [`SimError::File`] if reading fails, [`SimError::TooFewClocks`] if the file of `tool` ends too
+/// early.
 pub fn read_results(
     file: impl Read,
     tool: &'static str,
@@ -20,7 +22,8 @@ pub fn read_results(
     clocks: Range<u64>,
     sink: &mut dyn FnMut(&Batch) -> Flow,
 ) -> Result<(), SimError> {
-    let shapes: Vec<(u32, bool)> = watched.iter().map(|&n| (design.node(n).width(), design.node(n).range.signed())).collect();
+    let shapes: Vec<(u32, bool)> =
+        watched.iter().map(|&n| (design.node(n).width(), design.node(n).range.signed())).collect();
     let mut file = BufReader::new(file);
     let mut row = vec![0; 8 * watched.len()];
     let mut batches = Batches::new(watched, clocks.start, sink);
@@ -29,7 +32,10 @@ pub fn read_results(
             Err(error) if error.kind() == ErrorKind::UnexpectedEof => break,
             other => other.map_err(SimError::file("read a simulator's results"))?,
         }
-        let values = row.chunks_exact(8).zip(&shapes).map(|(bytes, &(width, signed))| wrapped(number(bytes), width, signed));
+        let values = row
+            .chunks_exact(8)
+            .zip(&shapes)
+            .map(|(bytes, &(width, signed))| wrapped(number(bytes), width, signed));
         if batches.push(values) == Flow::Stop {
             break;
         }

@@ -19,7 +19,8 @@ pub fn write_stimulus(out: impl Write, stimulus: &Stimulus, design: &Design) -> 
         write!(out, "{clocks:x} {:x} {:x}", u8::from(stretch.valid), u8::from(stretch.starts))?;
         for (index, node) in design.inputs.iter().enumerate() {
             let Some(node) = *node else { continue };
-            // Before the first span there are no inputs yet; registers hold 0 then, and so do the pins.
+            // Before the first span there are no inputs yet; registers hold 0 then, and so do the
+            // pins.
             let raw = stretch.inputs.get(index).copied().unwrap_or(0);
             write!(out, " {:x}", wrapped(raw, design.node(node).width(), false))?;
         }

@@ -30,7 +30,8 @@ impl Tool {
     /// # Errors
     /// [`SimError::ToolAbsent`] says how to install it.
     pub fn present(&self) -> Result<(), SimError> {
-        // What it prints or returns does not matter: Icarus tells its version and then complains that it has no sources.
+        // What it prints or returns does not matter: Icarus tells its version and then complains
+        // that it has no sources.
         self.version().map(drop)
     }
 
@@ -39,15 +40,19 @@ impl Tool {
     /// # Errors
     /// [`SimError::ToolAbsent`] says how to install it.
     pub fn version(&self) -> Result<String, SimError> {
-        let output = self.named(output(self.command.as_ref(), Path::new("."), &[self.version_argument.to_owned()]))?;
+        let output = self.named(output(
+            self.command.as_ref(),
+            Path::new("."),
+            &[self.version_argument.to_owned()],
+        ))?;
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())
     }
 
     /// Runs it in `directory`.
     ///
     /// # Errors
-    /// [`SimError::ToolAbsent`] if it is not installed, [`SimError::ToolFailed`] if it fails or writes anything to stderr, where
-    /// compilers put their warnings.
+    /// [`SimError::ToolAbsent`] if it is not installed, [`SimError::ToolFailed`] if it fails or
+    /// writes anything to stderr, where compilers put their warnings.
     pub fn run(&self, directory: &Path, arguments: &[String]) -> Result<(), SimError> {
         self.named(run(self.command.as_ref(), directory, arguments))
     }
@@ -67,13 +72,15 @@ impl Tool {
 /// Runs a program in `directory`.
 ///
 /// # Errors
-/// [`SimError::ToolFailed`] if it fails or writes anything to stderr, [`SimError::File`] if it cannot be started.
+/// [`SimError::ToolFailed`] if it fails or writes anything to stderr, [`SimError::File`] if it
+/// cannot be started.
 pub fn run(program: &OsStr, directory: &Path, arguments: &[String]) -> Result<(), SimError> {
     let output = output(program, directory, arguments)?;
     if output.status.success() && output.stderr.is_empty() {
         return Ok(());
     }
-    let texts = [&output.stderr, &output.stdout].map(|bytes| String::from_utf8_lossy(bytes).trim().to_owned());
+    let texts = [&output.stderr, &output.stdout]
+        .map(|bytes| String::from_utf8_lossy(bytes).trim().to_owned());
     Err(SimError::ToolFailed {
         command: format!("{} {}", program.to_string_lossy(), arguments.join(" ")),
         status: output.status.to_string(),
@@ -84,7 +91,8 @@ pub fn run(program: &OsStr, directory: &Path, arguments: &[String]) -> Result<()
 fn output(program: &OsStr, directory: &Path, arguments: &[String]) -> Result<Output, SimError> {
     let mut command = Command::new(program);
     command.current_dir(directory).args(arguments);
-    // Messages in one language, and none about the jobs of a `make` that Specula may have been started from.
+    // Messages in one language, and none about the jobs of a `make` that Specula may have been
+    // started from.
     command.env("LC_ALL", "C").env_remove("MAKEFLAGS").env_remove("MFLAGS").env_remove("MAKELEVEL");
     command.output().map_err(SimError::file(format!("run `{}`", program.to_string_lossy())))
 }
@@ -106,13 +114,18 @@ mod tests {
         };
         let error = tool.present().unwrap_err();
         assert!(matches!(error, SimError::ToolAbsent { .. }));
-        assert!(error.to_string().contains("Nothing") && error.help().unwrap().to_string() == "install nothing, or do without");
+        assert!(
+            error.to_string().contains("Nothing")
+                && error.help().unwrap().to_string() == "install nothing, or do without"
+        );
     }
 
     #[cfg(unix)]
     #[test]
     fn a_warning_is_an_error() {
-        let sh = |script: &str| run("sh".as_ref(), Path::new("."), &["-c".to_owned(), script.to_owned()]);
+        let sh = |script: &str| {
+            run("sh".as_ref(), Path::new("."), &["-c".to_owned(), script.to_owned()])
+        };
         assert!(sh("echo all is well").is_ok());
         assert!(sh("exit 3").unwrap_err().to_string().contains('3'));
         assert!(sh("echo a warning >&2").unwrap_err().to_string().contains("a warning"));

@@ -1,7 +1,8 @@
 //! Values of any signals that come back: a VCD that the simulator wrote.
 //!
-//! Bits that are X or Z are read as 0: a register whose pipeline is not filled yet holds X in a simulator with four values and 0 in
-//! the others. Values that belong to a valid pixel are never X in a correct design.
+//! Bits that are X or Z are read as 0: a register whose pipeline is not filled yet holds X in a
+//! simulator with four values and 0 in the others. Values that belong to a valid pixel are never X
+//! in a correct design.
 use std::collections::HashMap;
 use std::io::{BufReader, Read};
 use std::ops::Range;
@@ -13,7 +14,8 @@ use vcd::{Command, Header, IdCode, Parser, Value};
 use super::batches::Batches;
 use crate::{Batch, Flow, SimError};
 
-/// When a clock's values stand in a trace: clock number r of the run at time `first` + r · `period`.
+/// When a clock's values stand in a trace: clock number r of the run at time `first` + r ·
+/// `period`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
     /// Time of the run's first clock.
@@ -37,7 +39,8 @@ impl Trace<'_> {
     /// Reads the `watched` signals of `clocks` and hands them to `sink` in batches.
     ///
     /// # Errors
-    /// [`SimError::File`] if the trace cannot be read, [`SimError::Untraced`] if a signal is not in it.
+    /// [`SimError::File`] if the trace cannot be read, [`SimError::Untraced`] if a signal is not in
+    /// it.
     pub fn read(
         &self,
         file: impl Read,
@@ -76,7 +79,12 @@ impl Trace<'_> {
         time.saturating_sub(self.sampling.first).div_ceil(self.sampling.period)
     }
 
-    fn signals(&self, header: &Header, design: &Design, watched: &[NodeId]) -> Result<Signals, SimError> {
+    fn signals(
+        &self,
+        header: &Header,
+        design: &Design,
+        watched: &[NodeId],
+    ) -> Result<Signals, SimError> {
         let mut signals = Signals { columns: HashMap::new(), shapes: vec![], values: vec![] };
         for (column, &node) in watched.iter().enumerate() {
             let about = design.node(node);
@@ -88,9 +96,16 @@ impl Trace<'_> {
             }
             signals.values.push(0);
             let path = design.path(about.scope);
-            let path: Vec<&str> = self.root.iter().copied().chain(path.into_iter().skip(1)).chain([about.name.as_str()]).collect();
+            let path: Vec<&str> = self
+                .root
+                .iter()
+                .copied()
+                .chain(path.into_iter().skip(1))
+                .chain([about.name.as_str()])
+                .collect();
             let variable = header.find_var(&path);
-            let untraced = || SimError::Untraced { tool: self.tool, signal: design.full_name(node) };
+            let untraced =
+                || SimError::Untraced { tool: self.tool, signal: design.full_name(node) };
             signals.columns.entry(variable.ok_or_else(untraced)?.code).or_default().push(column);
         }
         Ok(signals)
@@ -129,7 +144,11 @@ impl Signals {
 mod tests {
     use super::*;
 
-    const TRACE: Trace = Trace { tool: "a simulator", root: &["TOP", "core"], sampling: Sampling { first: 6, period: 4 } };
+    const TRACE: Trace = Trace {
+        tool: "a simulator",
+        root: &["TOP", "core"],
+        sampling: Sampling { first: 6, period: 4 },
+    };
 
     #[test]
     fn clocks_are_counted_by_the_time_at_which_they_are_read() {
@@ -139,7 +158,11 @@ mod tests {
     #[test]
     fn unknown_bits_are_read_as_0() {
         let code = IdCode::FIRST;
-        let mut signals = Signals { columns: [(code, vec![0, 1])].into(), shapes: vec![(4, true), (4, false)], values: vec![0; 2] };
+        let mut signals = Signals {
+            columns: [(code, vec![0, 1])].into(),
+            shapes: vec![(4, true), (4, false)],
+            values: vec![0; 2],
+        };
         signals.change(code, &[Value::V1, Value::X, Value::Z, Value::V1]);
         assert_eq!(signals.values, [-7, 9]);
         signals.change(code, &[Value::X]);

@@ -22,7 +22,10 @@ pub const TRACE: &str = "trace.vcd";
 /// # Errors
 /// [`SimError::File`] if it cannot be made.
 pub fn temporary_directory() -> Result<TempDir, SimError> {
-    tempfile::Builder::new().prefix("specula-").tempdir().map_err(SimError::file("make a temporary directory"))
+    tempfile::Builder::new()
+        .prefix("specula-")
+        .tempdir()
+        .map_err(SimError::file("make a temporary directory"))
 }
 
 /// A temporary directory that holds a design's Verilog; it is gone when this is dropped.
@@ -44,7 +47,8 @@ impl Workshop {
         let ports = Ports::of(design);
         let source = format!("{}.v", ports.core);
         let workshop = Workshop { directory, ports, source };
-        workshop.write(&workshop.source, &verilog::print(&design.to_block(), &Header::default()))?;
+        workshop
+            .write(&workshop.source, &verilog::print(&design.to_block(), &Header::default()))?;
         Ok(workshop)
     }
 
@@ -58,7 +62,8 @@ impl Workshop {
     /// # Errors
     /// [`SimError::File`] if that fails.
     pub fn write(&self, name: &str, text: &str) -> Result<(), SimError> {
-        std::fs::write(self.path().join(name), text).map_err(SimError::file(format!("write {name} for a simulator")))
+        std::fs::write(self.path().join(name), text)
+            .map_err(SimError::file(format!("write {name} for a simulator")))
     }
 
     /// Writes the file of the stimulus.
@@ -67,7 +72,8 @@ impl Workshop {
     /// [`SimError::File`] if that fails.
     pub fn write_stimulus(&self, stimulus: &Stimulus, design: &Design) -> Result<(), SimError> {
         let doing = format!("write {STIMULUS} for a simulator");
-        let file = File::create(self.path().join(STIMULUS)).map_err(SimError::file(doing.clone()))?;
+        let file =
+            File::create(self.path().join(STIMULUS)).map_err(SimError::file(doing.clone()))?;
         write_stimulus(file, stimulus, design).map_err(SimError::file(doing))
     }
 
@@ -76,6 +82,7 @@ impl Workshop {
     /// # Errors
     /// [`SimError::File`] if it is not there.
     pub fn open(&self, name: &str) -> Result<File, SimError> {
-        File::open(self.path().join(name)).map_err(SimError::file(format!("read {name} from a simulator")))
+        File::open(self.path().join(name))
+            .map_err(SimError::file(format!("read {name} from a simulator")))
     }
 }

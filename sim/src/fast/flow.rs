@@ -5,7 +5,8 @@ use specula_hdl::Design;
 use specula_hdl::design::{Node, NodeId, Op, Register, WideRange};
 use specula_kernels::{Extreme, Second};
 
-/// A signal's value at clock c is `root`'s unregistered value at clock c - `delay`, and 0 before that.
+/// A signal's value at clock c is `root`'s unregistered value at clock c - `delay`, and 0 before
+/// that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Source {
     /// The signal whose operator is evaluated.
@@ -99,11 +100,15 @@ impl Fused {
 
     /// The signals that it reads.
     fn sources(&self) -> impl Iterator<Item = Source> {
-        self.factors().iter().filter_map(|factor| if let Factor::Variable(source) = factor { Some(*source) } else { None })
+        self.factors().iter().filter_map(|factor| {
+            if let Factor::Variable(source) = factor { Some(*source) } else { None }
+        })
     }
 
     fn sources_mut(&mut self) -> impl Iterator<Item = &mut Source> {
-        self.factors_mut().iter_mut().filter_map(|factor| if let Factor::Variable(source) = factor { Some(source) } else { None })
+        self.factors_mut().iter_mut().filter_map(|factor| {
+            if let Factor::Variable(source) = factor { Some(source) } else { None }
+        })
     }
 }
 
@@ -131,7 +136,11 @@ impl Flow {
         let mut recurrences = vec![];
         for (id, node) in design.iter() {
             let delay = u32::from(node.register != Register::None);
-            let copied = node.op.operands().next().filter(|_| keeps_value(design, node) && !looks_ahead(id, node));
+            let copied = node
+                .op
+                .operands()
+                .next()
+                .filter(|_| keeps_value(design, node) && !looks_ahead(id, node));
             let constant = |o: NodeId| design.node(o).op.constant().is_some();
             sources.push(match copied.filter(|&o| !constant(o)) {
                 Some(o) => {
@@ -172,7 +181,9 @@ impl Flow {
         let sources = |ids: &[NodeId]| ids.iter().map(|&id| self.source(id)).collect();
         match (self.fused.get(&root), self.recurrences[root.0 as usize]) {
             (Some(fused), _) => fused.sources().collect(),
-            (None, Some(Recurrence::Accumulate { first, start, step, .. })) => sources(&[first, start, step]),
+            (None, Some(Recurrence::Accumulate { first, start, step, .. })) => {
+                sources(&[first, start, step])
+            }
             (None, Some(Recurrence::Hold { enable, value })) => sources(&[enable, value]),
             (None, None) => design.node(root).op.operands().map(|id| self.source(id)).collect(),
         }
@@ -188,8 +199,14 @@ fn recurrence(design: &Design, id: NodeId, node: &Node) -> Option<Recurrence> {
     let Op::Wrap(next) = state.op else { return None };
     let Op::Add(value, step) = design.node(next).op else { return None };
     let plain = [id, next].iter().all(|&n| design.node(n).register == Register::None);
-    let closes = value == id && step != no && step != id && state.register == Register::Data && no < id;
-    (plain && closes).then_some(Recurrence::Accumulate { first: condition, start: yes, step, state: no })
+    let closes =
+        value == id && step != no && step != id && state.register == Register::Data && no < id;
+    (plain && closes).then_some(Recurrence::Accumulate {
+        first: condition,
+        start: yes,
+        step,
+        state: no,
+    })
 }
 
 /// Range of an operator's result before it is brought to the signal's width.

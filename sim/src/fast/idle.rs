@@ -6,9 +6,10 @@ use specula_hdl::design::{NodeId, Op, Register, wrapped};
 
 /// The sums, differences and products that overflow while a design is idle.
 ///
-/// Proven ranges hold where a pixel is. Before the first one, a register holds 0, which may lie outside its range, and idle inputs may
-/// contradict what units assume. A signal at stage s depends on no input in the first s clocks, so idle clocks from the first one on show
-/// all there is; its low bits, as many as it is wide, are then its value, as they are in hardware.
+/// Proven ranges hold where a pixel is. Before the first one, a register holds 0, which may lie
+/// outside its range, and idle inputs may contradict what units assume. A signal at stage s depends
+/// on no input in the first s clocks, so idle clocks from the first one on show all there is; its
+/// low bits, as many as it is wide, are then its value, as they are in hardware.
 pub fn overflowing(design: &Design) -> HashSet<NodeId> {
     let mut found = HashSet::new();
     let mut values = vec![0i64; design.nodes.len()];

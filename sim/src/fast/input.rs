@@ -52,14 +52,22 @@ pub struct InputFeed<'a> {
 
 impl<'a> InputFeed<'a> {
     /// The feed of a run.
-    pub fn new(design: &Design, stimulus: &'a Stimulus<'a>, places: &HashMap<NodeId, Place>) -> InputFeed<'a> {
+    pub fn new(
+        design: &Design,
+        stimulus: &'a Stimulus<'a>,
+        places: &HashMap<NodeId, Place>,
+    ) -> InputFeed<'a> {
         let place = |id: NodeId| places.get(&id).copied();
         let inputs = design.inputs.iter().enumerate();
         InputFeed {
             stimulus,
             valid: place(design.valid),
             start: place(design.start),
-            columns: inputs.filter_map(|(index, id)| Some(InputColumn { place: place((*id)?)?, index, uniform: None })).collect(),
+            columns: inputs
+                .filter_map(|(index, id)| {
+                    Some(InputColumn { place: place((*id)?)?, index, uniform: None })
+                })
+                .collect(),
             strides: stimulus.strides().peekable(),
             segments: vec![],
             inputs: vec![],
@@ -68,7 +76,8 @@ impl<'a> InputFeed<'a> {
         }
     }
 
-    /// Fills `lanes` lanes, the first of which stands for clock `position` of the run. Before the run's first clock inputs are 0.
+    /// Fills `lanes` lanes, the first of which stands for clock `position` of the run. Before the
+    /// run's first clock inputs are 0.
     pub fn fill(&mut self, memory: &mut Memory, position: i64, lanes: usize) {
         self.collect(position, lanes);
         self.fill_control(memory, lanes);
@@ -78,7 +87,8 @@ impl<'a> InputFeed<'a> {
         for column in &stale {
             memory.fill(column.place, 0, before, 0);
         }
-        let (wide, narrow): (Vec<Stale>, Vec<Stale>) = stale.into_iter().partition(|column| column.place.wide);
+        let (wide, narrow): (Vec<Stale>, Vec<Stale>) =
+            stale.into_iter().partition(|column| column.place.wide);
         self.spread(&mut memory.narrow, &narrow);
         self.spread(&mut memory.wide, &wide);
     }
@@ -101,10 +111,12 @@ impl<'a> InputFeed<'a> {
     fn collect(&mut self, position: i64, lanes: usize) {
         let (origin, end) = (self.stimulus.clocks().start, position + lanes as i64);
         let relative = |clock: u64| (clock - origin) as i64;
-        let done = self.segments.iter().take_while(|s| relative(s.stride.clocks.end) <= position).count();
+        let done =
+            self.segments.iter().take_while(|s| relative(s.stride.clocks.end) <= position).count();
         self.segments.drain(..done);
         self.inputs.drain(..done * self.inputs_per_stride);
-        while let Some(stride) = self.strides.next_if(|stride| relative(stride.clocks.start) < end) {
+        while let Some(stride) = self.strides.next_if(|stride| relative(stride.clocks.start) < end)
+        {
             self.stimulus.append_inputs(&stride, &mut self.inputs);
             // A run without spans has no inputs to hold.
             self.inputs.resize((self.segments.len() + 1) * self.inputs_per_stride, 0);
@@ -133,8 +145,8 @@ impl<'a> InputFeed<'a> {
         self.varying = varying;
     }
 
-    /// The columns whose lanes do not hold their values yet. What is constant over many spans costs next to nothing: it is there already.
-    /// The first `before` lanes are to be 0.
+    /// The columns whose lanes do not hold their values yet. What is constant over many spans costs
+    /// next to nothing: it is there already. The first `before` lanes are to be 0.
     fn stale(&mut self, before: usize) -> Vec<Stale> {
         let InputFeed { columns, inputs, varying, .. } = self;
         let mut stale = vec![];
@@ -148,16 +160,20 @@ impl<'a> InputFeed<'a> {
         stale
     }
 
-    /// Writes each segment's values to its lanes of the columns, some lanes at a time and beyond its end: the next segment overwrites what
-    /// is too much, and behind the batch there is padding.
+    /// Writes each segment's values to its lanes of the columns, some lanes at a time and beyond
+    /// its end: the next segment overwrites what is too much, and behind the batch there is
+    /// padding.
     fn spread<L: Lane>(&self, columns: &mut [Column<L>], stale: &[Stale]) {
-        let mut taken: Vec<Column<L>> = stale.iter().map(|stale| std::mem::take(&mut columns[stale.place.index])).collect();
+        let mut taken: Vec<Column<L>> =
+            stale.iter().map(|stale| std::mem::take(&mut columns[stale.place.index])).collect();
         for (segment, row) in self.segments.iter().zip(self.rows()) {
-            // A short segment's branches are the same for every column, and so are foreseen for all but the first.
+            // A short segment's branches are the same for every column, and so are foreseen for all
+            // but the first.
             for lane in segment.lanes.clone().step_by(PADDING) {
                 for (column, stale) in taken.iter_mut().zip(stale) {
                     let first = column.history + lane;
-                    column.lanes[first..first + PADDING].copy_from_slice(&[L::from_i64(row[stale.index]); PADDING]);
+                    column.lanes[first..first + PADDING]
+                        .copy_from_slice(&[L::from_i64(row[stale.index]); PADDING]);
                 }
             }
         }

@@ -26,7 +26,12 @@ enum Column {
 impl Kept {
     /// Room for these clocks, the first of which comes first.
     pub fn new(clocks: &Range<u64>) -> Kept {
-        Kept { first_clock: clocks.start, clocks: 0, room: (clocks.end - clocks.start) as usize, columns: vec![] }
+        Kept {
+            first_clock: clocks.start,
+            clocks: 0,
+            room: (clocks.end - clocks.start) as usize,
+            columns: vec![],
+        }
     }
 
     /// Appends a batch that follows on, of the signals of all the others.

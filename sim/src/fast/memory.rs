@@ -55,7 +55,8 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// A new column with lanes for `batch` clocks, all 0, that keeps at least `history` lanes of the batch before.
+    /// A new column with lanes for `batch` clocks, all 0, that keeps at least `history` lanes of
+    /// the batch before.
     pub fn add(&mut self, wide: bool, history: usize, batch: usize) -> Place {
         let history = history.next_multiple_of(PADDING);
         if wide {
@@ -103,15 +104,20 @@ impl Memory {
         }
     }
 
-    /// `clocks` lanes from lane `first` of this batch on, which is below 0 for lanes of the batch before.
+    /// `clocks` lanes from lane `first` of this batch on, which is below 0 for lanes of the batch
+    /// before.
     pub fn lanes(&self, place: Place, first: isize, clocks: usize) -> Lanes<'_> {
         let range = |history: usize| {
             let first = (history as isize + first) as usize;
             first..first + clocks
         };
         match place.wide {
-            true => Lanes::Wide(&self.wide[place.index].lanes[range(self.wide[place.index].history)]),
-            false => Lanes::Narrow(&self.narrow[place.index].lanes[range(self.narrow[place.index].history)]),
+            true => {
+                Lanes::Wide(&self.wide[place.index].lanes[range(self.wide[place.index].history)])
+            }
+            false => Lanes::Narrow(
+                &self.narrow[place.index].lanes[range(self.narrow[place.index].history)],
+            ),
         }
     }
 

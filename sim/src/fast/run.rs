@@ -10,7 +10,8 @@ use super::plan::{Plan, Watched};
 use crate::columns::Show;
 use crate::{Batch, Flow, Lanes, Stimulus};
 
-/// Clocks of reset before the first clock of a run, with all inputs 0: registers that hold data take one step in it.
+/// Clocks of reset before the first clock of a run, with all inputs 0: registers that hold data
+/// take one step in it.
 const RESET_CLOCKS: u64 = 1;
 
 /// A run under way. Lanes and clocks count from the clock of reset, in which every register is 0.
@@ -20,8 +21,8 @@ pub struct Run<'a> {
     batch: usize,
     first_clock: u64,
     clocks: u64,
-    /// The clock that the next batch's first lane stands for in a column that is not ahead; negative at first, so that columns that
-    /// are ahead begin with their clock 0.
+    /// The clock that the next batch's first lane stands for in a column that is not ahead;
+    /// negative at first, so that columns that are ahead begin with their clock 0.
     position: i64,
     /// Clocks of this batch.
     lanes: usize,
@@ -45,18 +46,22 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Runs to the end, or until `sink` stops it. `watched` are the signals that the plan was made for.
+    /// Runs to the end, or until `sink` stops it. `watched` are the signals that the plan was made
+    /// for.
     pub fn finish(mut self, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) {
         while let Some(rows) = self.evaluate() {
             let (first, shown) = (self.first_clock + rows.start - RESET_CLOCKS, self.shown(&rows));
-            if !rows.is_empty() && sink(&Batch::new(first, shown.clocks, watched, &shown)) == Flow::Stop {
+            if !rows.is_empty()
+                && sink(&Batch::new(first, shown.clocks, watched, &shown)) == Flow::Stop
+            {
                 break;
             }
             self.advance();
         }
     }
 
-    /// Evaluates a batch and says which clocks every watched column has reached with it; `None` when all clocks are done.
+    /// Evaluates a batch and says which clocks every watched column has reached with it; `None`
+    /// when all clocks are done.
     fn evaluate(&mut self) -> Option<Range<u64>> {
         let end = self.clocks as i64;
         if self.reported == self.clocks || self.position >= end {
@@ -66,7 +71,9 @@ impl<'a> Run<'a> {
         self.feed.fill(&mut self.plan.memory, self.position - RESET_CLOCKS as i64, self.lanes);
         for step in &mut self.plan.steps {
             // Lanes of clocks before reset.
-            let before = step.skew.map_or(0, |skew| (-(skew as i64) - self.position).clamp(0, self.lanes as i64) as usize);
+            let before = step.skew.map_or(0, |skew| {
+                (-(skew as i64) - self.position).clamp(0, self.lanes as i64) as usize
+            });
             step.run(&mut self.plan.memory, before, self.lanes);
         }
         let reached = match self.plan.least_shift {
@@ -85,7 +92,12 @@ impl<'a> Run<'a> {
     /// The watched signals at these clocks of the run.
     fn shown(&self, rows: &Range<u64>) -> Shown<'_> {
         let Plan { memory, watched, .. } = &self.plan;
-        Shown { memory, watched, lane: rows.start as isize - self.position as isize, clocks: (rows.end - rows.start) as usize }
+        Shown {
+            memory,
+            watched,
+            lane: rows.start as isize - self.position as isize,
+            clocks: (rows.end - rows.start) as usize,
+        }
     }
 
     /// Goes on to the next batch.
@@ -108,7 +120,9 @@ impl Show for Shown<'_> {
     fn lanes(&self, column: usize) -> Lanes<'_> {
         match self.watched[column] {
             Watched::Constant(value) => Lanes::Constant(value, self.clocks),
-            Watched::Column { place, shift } => self.memory.lanes(place, self.lane - shift as isize, self.clocks),
+            Watched::Column { place, shift } => {
+                self.memory.lanes(place, self.lane - shift as isize, self.clocks)
+            }
         }
     }
 }

@@ -32,7 +32,11 @@ fn is_constant(design: &Design, id: NodeId) -> bool {
 }
 
 fn operand_roots(design: &Design, flow: &Flow, root: NodeId) -> Vec<NodeId> {
-    flow.operands(design, root).into_iter().map(|source| source.root).filter(|&r| !is_constant(design, r)).collect()
+    flow.operands(design, root)
+        .into_iter()
+        .map(|source| source.root)
+        .filter(|&r| !is_constant(design, r))
+        .collect()
 }
 
 /// The roots that the watched signals depend on, in id order.
@@ -61,7 +65,8 @@ pub fn in_components(groups: &[Group]) -> HashSet<NodeId> {
 /// The groups of `roots`, operands first.
 pub fn groups(design: &Design, flow: &Flow, roots: &[NodeId]) -> Vec<Group> {
     let mut graph: DiGraph<NodeId, ()> = DiGraph::new();
-    let places: HashMap<NodeId, NodeIndex> = roots.iter().map(|&root| (root, graph.add_node(root))).collect();
+    let places: HashMap<NodeId, NodeIndex> =
+        roots.iter().map(|&root| (root, graph.add_node(root))).collect();
     for &root in roots {
         for operand in operand_roots(design, flow, root) {
             if let Some(&place) = places.get(&operand) {
@@ -86,7 +91,11 @@ pub fn groups(design: &Design, flow: &Flow, roots: &[NodeId]) -> Vec<Group> {
 fn in_evaluation_order(design: &Design, flow: &Flow, members: Vec<NodeId>) -> Vec<NodeId> {
     let reads_at_once = |id: NodeId| {
         let sources = flow.operands(design, id).into_iter();
-        sources.filter(|s| s.delay == 0).map(|s| s.root).filter(|root| members.contains(root)).collect::<Vec<_>>()
+        sources
+            .filter(|s| s.delay == 0)
+            .map(|s| s.root)
+            .filter(|root| members.contains(root))
+            .collect::<Vec<_>>()
     };
     let mut ordered = vec![];
     let mut left = members.clone();
@@ -105,14 +114,18 @@ fn in_evaluation_order(design: &Design, flow: &Flow, members: Vec<NodeId>) -> Ve
 
 /// For each root, by how many clocks its column runs ahead: lane p holds clock p + skew.
 ///
-/// In a pipeline whose operands are aligned the skew is the stage, and every operand is read in the lane of its reader.
+/// In a pipeline whose operands are aligned the skew is the stage, and every operand is read in the
+/// lane of its reader.
 pub fn skews(design: &Design, flow: &Flow, groups: &[Group]) -> HashMap<NodeId, u64> {
     let mut skews = HashMap::new();
     for group in groups {
         let members = group.members();
-        let ahead = |Source { root, delay }: Source| skews.get(&root).map(|&skew: &u64| skew + u64::from(delay));
+        let ahead = |Source { root, delay }: Source| {
+            skews.get(&root).map(|&skew: &u64| skew + u64::from(delay))
+        };
         let outside = members.iter().flat_map(|&m| flow.operands(design, m));
-        let skew = outside.filter(|s| !members.contains(&s.root)).filter_map(ahead).min().unwrap_or(0);
+        let skew =
+            outside.filter(|s| !members.contains(&s.root)).filter_map(ahead).min().unwrap_or(0);
         skews.extend(members.iter().map(|&m| (m, skew)));
     }
     skews

@@ -65,12 +65,20 @@ macro_rules! with_lanes {
 
 impl Serial {
     /// Evaluates lanes `from..clocks` of this batch.
-    pub fn run<L: Lane>(&mut self, memory: &Memory, out: &mut Column<L>, from: usize, clocks: usize) {
+    pub fn run<L: Lane>(
+        &mut self,
+        memory: &Memory,
+        out: &mut Column<L>,
+        from: usize,
+        clocks: usize,
+    ) {
         let out = out.write(from, clocks);
         match self {
             Serial::Accumulate(accumulator) => accumulator.run(memory, out, from, clocks),
             Serial::Hold(holder) => holder.run(memory, out, from, clocks),
-            Serial::LookUp(table, address) => look_up(out, &narrow(memory, *address, clocks)[from..], table),
+            Serial::LookUp(table, address) => {
+                look_up(out, &narrow(memory, *address, clocks)[from..], table)
+            }
         }
     }
 }

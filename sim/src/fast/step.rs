@@ -26,10 +26,16 @@ impl<const N: usize> Sum<N> {
     fn run(&self, memory: &mut Memory, out: usize, clocks: usize) {
         match self {
             Sum::Narrow(kernel, factors) => memory.write_narrow(out, |memory, out| {
-                kernel.run(out.write(0, clocks), factors.map(|pair| pair.map(|read| narrow(memory, read, clocks))));
+                kernel.run(
+                    out.write(0, clocks),
+                    factors.map(|pair| pair.map(|read| narrow(memory, read, clocks))),
+                );
             }),
             Sum::Wide(kernel, factors) => memory.write_wide(out, |memory, out| {
-                kernel.run(out.write(0, clocks), factors.map(|pair| pair.map(|read| narrow(memory, read, clocks))));
+                kernel.run(
+                    out.write(0, clocks),
+                    factors.map(|pair| pair.map(|read| narrow(memory, read, clocks))),
+                );
             }),
         }
     }
@@ -85,28 +91,45 @@ pub enum Work {
 pub struct Step {
     /// The column it writes; the first of several.
     pub out: Place,
-    /// How far ahead of the clock the column runs, so that lanes of clocks before 0 stay 0; `None` for a copy of a column in which they
-    /// do.
+    /// How far ahead of the clock the column runs, so that lanes of clocks before 0 stay 0; `None`
+    /// for a copy of a column in which they do.
     pub skew: Option<u64>,
     pub work: Work,
 }
 
 impl Step {
-    /// Evaluates lanes `from..clocks` of this batch; those below `from` belong to clocks before the first and become 0.
+    /// Evaluates lanes `from..clocks` of this batch; those below `from` belong to clocks before the
+    /// first and become 0.
     pub fn run(&mut self, memory: &mut Memory, from: usize, clocks: usize) {
         let out = self.out.index;
         match &mut self.work {
             Work::Narrow(kernel, a, b) => memory.write_narrow(out, |memory, out| {
-                kernel.run(out.write(0, clocks), narrow(memory, *a, clocks), narrow(memory, *b, clocks));
+                kernel.run(
+                    out.write(0, clocks),
+                    narrow(memory, *a, clocks),
+                    narrow(memory, *b, clocks),
+                );
             }),
             Work::Widening(kernel, a, b) => memory.write_wide(out, |memory, out| {
-                kernel.run(out.write(0, clocks), narrow(memory, *a, clocks), narrow(memory, *b, clocks));
+                kernel.run(
+                    out.write(0, clocks),
+                    narrow(memory, *a, clocks),
+                    narrow(memory, *b, clocks),
+                );
             }),
             Work::Wide(kernel, a, b) => memory.write_wide(out, |memory, out| {
-                kernel.run(out.write(0, clocks), wide(memory, *a, clocks), wide(memory, *b, clocks));
+                kernel.run(
+                    out.write(0, clocks),
+                    wide(memory, *a, clocks),
+                    wide(memory, *b, clocks),
+                );
             }),
             Work::Narrowing(kernel, a, b) => memory.write_narrow(out, |memory, out| {
-                kernel.run(out.write(0, clocks), wide(memory, *a, clocks), wide(memory, *b, clocks));
+                kernel.run(
+                    out.write(0, clocks),
+                    wide(memory, *a, clocks),
+                    wide(memory, *b, clocks),
+                );
             }),
             Work::Product(sum) => sum.run(memory, out, clocks),
             Work::Products2(sum) => sum.run(memory, out, clocks),
@@ -122,7 +145,9 @@ impl Step {
             Work::Serial(serial) if self.out.wide => {
                 memory.write_wide(out, |memory, out| serial.run(memory, out, from, clocks));
             }
-            Work::Serial(serial) => memory.write_narrow(out, |memory, out| serial.run(memory, out, from, clocks)),
+            Work::Serial(serial) => {
+                memory.write_narrow(out, |memory, out| serial.run(memory, out, from, clocks))
+            }
             Work::Component(members) => {
                 for at in from..clocks {
                     members.iter().for_each(|member| member.evaluate(memory, at));
@@ -136,7 +161,9 @@ impl Step {
 
     fn clear(&self, memory: &mut Memory, to: usize) {
         match &self.work {
-            Work::Component(members) => members.iter().for_each(|member| memory.fill(member.out, 0, to, 0)),
+            Work::Component(members) => {
+                members.iter().for_each(|member| memory.fill(member.out, 0, to, 0))
+            }
             _ => memory.fill(self.out, 0, to, 0),
         }
     }

@@ -3,12 +3,13 @@ use std::fmt::Write;
 
 use crate::external::{Port, Ports, RESULTS, STIMULUS, Sampling, TRACE};
 
-/// Name of the testbench's module. Names of cores and their ports begin with a letter, so its own begin with an underscore.
+/// Name of the testbench's module. Names of cores and their ports begin with a letter, so its own
+/// begin with an underscore.
 pub const NAME: &str = "_specula_bench";
 /// Name of the core in it.
 pub const INSTANCE: &str = "core";
-/// A clock takes four units of time: pins are set in the first, values are read at the end of the second, and the clock rises at the
-/// end of the third. The clock of reset comes first.
+/// A clock takes four units of time: pins are set in the first, values are read at the end of the
+/// second, and the clock rises at the end of the third. The clock of reset comes first.
 pub const SAMPLING: Sampling = Sampling { first: 6, period: 4 };
 
 /// What a testbench writes.
@@ -28,13 +29,17 @@ pub fn text(ports: &Ports, watch: &Watch) -> String {
             sample(&ports.all().collect::<Vec<_>>(), numbers),
             "$fclose(_results);".to_owned(),
         ),
-        Watch::Everything => {
-            (format!("$dumpfile(\"{TRACE}\");\n    $dumpvars(0, {INSTANCE});"), String::new(), "_results = 0;".to_owned())
-        }
+        Watch::Everything => (
+            format!("$dumpfile(\"{TRACE}\");\n    $dumpvars(0, {INSTANCE});"),
+            String::new(),
+            "_results = 0;".to_owned(),
+        ),
     };
     let (valid, start) = (&ports.valid.name, &ports.start.name);
-    let reads: String = ports.inputs.iter().map(|port| format!("      {}\n", read(&port.name))).collect();
-    let zeros: String = ports.inputs.iter().map(|port| format!("    {} = 0;\n", port.name)).collect();
+    let reads: String =
+        ports.inputs.iter().map(|port| format!("      {}\n", read(&port.name))).collect();
+    let zeros: String =
+        ports.inputs.iter().map(|port| format!("    {} = 0;\n", port.name)).collect();
     format!(
         "module {NAME};
 {declarations}
@@ -101,7 +106,8 @@ fn pins(ports: &Ports) -> String {
     names.map(|name| format!(".{name}({name})")).collect::<Vec<_>>().join(",\n    ")
 }
 
-/// `%u` writes 32 bits at a time, the low ones first, and X as 0; on the machines that Icarus runs on a word's low byte is first.
+/// `%u` writes 32 bits at a time, the low ones first, and X as 0; on the machines that Icarus runs
+/// on a word's low byte is first.
 fn sample(all: &[&Port], numbers: &[usize]) -> String {
     let format = "%u".repeat(numbers.len());
     let extended = |&number: &usize| {

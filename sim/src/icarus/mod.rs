@@ -12,14 +12,19 @@ use crate::{Batch, Engine, Flow, SimError, Stimulus};
 use bench::Watch;
 
 const INSTALL: &str = "install it with `apt install iverilog` (Debian, Ubuntu) or `brew install icarus-verilog` (macOS)";
-const COMPILER: Tool =
-    Tool { name: "Icarus Verilog", command: "iverilog", version_argument: "-V", install: INSTALL, otherwise: OTHER_ENGINE };
+const COMPILER: Tool = Tool {
+    name: "Icarus Verilog",
+    command: "iverilog",
+    version_argument: "-V",
+    install: INSTALL,
+    otherwise: OTHER_ENGINE,
+};
 const SIMULATOR: Tool = Tool { command: "vvp", ..COMPILER };
 
 /// Runs a design's Verilog in Icarus.
 ///
-/// Registers begin as X. What is still X when the pipeline is not filled yet is given as 0, bit by bit; from the first valid pixel
-/// on, values that belong to valid pixels equal rust-hdl's.
+/// Registers begin as X. What is still X when the pipeline is not filled yet is given as 0, bit by
+/// bit; from the first valid pixel on, values that belong to valid pixels equal rust-hdl's.
 pub struct Icarus<'a> {
     design: &'a Design,
     workshop: Workshop,
@@ -32,10 +37,16 @@ impl<'a> Icarus<'a> {
     /// An engine for `design`. Programs are built when they are needed.
     ///
     /// # Errors
-    /// [`SimError::ToolAbsent`] if Icarus is not installed, [`SimError::File`] if there is no room for the Verilog.
+    /// [`SimError::ToolAbsent`] if Icarus is not installed, [`SimError::File`] if there is no room
+    /// for the Verilog.
     pub fn new(design: &'a Design) -> Result<Icarus<'a>, SimError> {
         Icarus::present()?;
-        Ok(Icarus { design, workshop: Workshop::new(design)?, built: None, build_time: Duration::ZERO })
+        Ok(Icarus {
+            design,
+            workshop: Workshop::new(design)?,
+            built: None,
+            build_time: Duration::ZERO,
+        })
     }
 
     /// Whether Icarus is installed.
@@ -59,7 +70,16 @@ impl<'a> Icarus<'a> {
         let begin = Instant::now();
         self.built = None;
         self.workshop.write("bench.v", &bench::text(&self.workshop.ports, &watch))?;
-        let fixed = ["-g2001", "-Wall", "-s", bench::NAME, "-o", "run.vvp", "bench.v", &self.workshop.source];
+        let fixed = [
+            "-g2001",
+            "-Wall",
+            "-s",
+            bench::NAME,
+            "-o",
+            "run.vvp",
+            "bench.v",
+            &self.workshop.source,
+        ];
         COMPILER.run(self.workshop.path(), &fixed.map(str::to_owned))?;
         self.build_time += begin.elapsed();
         self.built = Some(watch);
@@ -77,7 +97,12 @@ impl Engine for Icarus<'_> {
         "icarus"
     }
 
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
+    fn run(
+        &mut self,
+        stimulus: &Stimulus,
+        watched: &[NodeId],
+        sink: &mut dyn FnMut(&Batch) -> Flow,
+    ) -> Result<(), SimError> {
         if watched.is_empty() {
             return Ok(());
         }
@@ -86,9 +111,20 @@ impl Engine for Icarus<'_> {
         SIMULATOR.run(self.workshop.path(), &["-n", "run.vvp"].map(str::to_owned))?;
         let clocks = stimulus.clocks();
         if self.built == Some(Watch::Everything) {
-            let trace = Trace { tool: COMPILER.name, root: &[bench::NAME, bench::INSTANCE], sampling: bench::SAMPLING };
+            let trace = Trace {
+                tool: COMPILER.name,
+                root: &[bench::NAME, bench::INSTANCE],
+                sampling: bench::SAMPLING,
+            };
             return trace.read(self.workshop.open(TRACE)?, self.design, watched, clocks, sink);
         }
-        read_results(self.workshop.open(RESULTS)?, COMPILER.name, self.design, watched, clocks, sink)
+        read_results(
+            self.workshop.open(RESULTS)?,
+            COMPILER.name,
+            self.design,
+            watched,
+            clocks,
+            sink,
+        )
     }
 }

@@ -26,13 +26,16 @@ const REGISTERS: [(&str, &str); 3] = [
 /// A module that instantiates all others, since Yosys wants one on top.
 const TOP: &str = "all";
 
-/// Letters of Verilog below which a module is put together with others, since a run takes half a second before it begins.
+/// Letters of Verilog below which a module is put together with others, since a run takes half a
+/// second before it begins.
 const FEWEST_LETTERS: usize = 30_000;
 
-/// Modules in jobs: the places of those that one run is to take, the longest run first. Time goes with the length of the text.
+/// Modules in jobs: the places of those that one run is to take, the longest run first. Time goes
+/// with the length of the text.
 pub fn shared_out(library: &Library, processors: usize) -> Vec<Vec<usize>> {
     let length = |place: usize| library.modules()[place].source().len();
-    let mut places: Vec<(usize, usize)> = (0..library.modules().len()).map(|place| (length(place), place)).collect();
+    let mut places: Vec<(usize, usize)> =
+        (0..library.modules().len()).map(|place| (length(place), place)).collect();
     places.sort_unstable_by(|a, b| b.cmp(a));
     let whole: usize = places.iter().map(|(length, _)| length).sum();
     let enough = FEWEST_LETTERS.min(whole / processors);
@@ -53,7 +56,8 @@ pub fn shared_out(library: &Library, processors: usize) -> Vec<Vec<usize>> {
 pub fn run(library: &Library, places: &[usize]) -> Result<Vec<Synthesised>, SimError> {
     let directory = temporary_directory()?;
     let write = |name: &str, text: &str| {
-        std::fs::write(directory.path().join(name), text).map_err(SimError::file(format!("write {name} for Yosys")))
+        std::fs::write(directory.path().join(name), text)
+            .map_err(SimError::file(format!("write {name} for Yosys")))
     };
     REGISTERS.iter().try_for_each(|(name, text)| write(name, text))?;
     write("modules.v", &source(library, places))?;
@@ -65,7 +69,8 @@ pub fn run(library: &Library, places: &[usize]) -> Result<Vec<Synthesised>, SimE
 /// What Yosys counted in a module.
 fn cells_of(directory: &Path, module: &str) -> Result<Synthesised, SimError> {
     let name = counts_file(module);
-    let text = std::fs::read_to_string(directory.join(&name)).map_err(SimError::file(format!("read {name} from Yosys")))?;
+    let text = std::fs::read_to_string(directory.join(&name))
+        .map_err(SimError::file(format!("read {name} from Yosys")))?;
     let [luts, carries, multipliers, flip_flops] =
         ["LUT4", "CCU2C", "MULT18X18D", "TRELLIS_FF"].map(|cell| counts::cells(&text, cell));
     Ok(Synthesised { luts: luts + 2 * carries, multipliers, flip_flops })
@@ -75,10 +80,12 @@ fn counts_file(module: &str) -> String {
     format!("{module}.txt")
 }
 
-/// The modules in these places, those that they instantiate as boxes, and one that instantiates them all.
+/// The modules in these places, those that they instantiate as boxes, and one that instantiates
+/// them all.
 fn source(library: &Library, places: &[usize]) -> String {
     let modules = library.modules();
-    let mut boxes: Vec<usize> = places.iter().flat_map(|&place| &modules[place].children).copied().collect();
+    let mut boxes: Vec<usize> =
+        places.iter().flat_map(|&place| &modules[place].children).copied().collect();
     boxes.sort_unstable();
     boxes.dedup();
     boxes.retain(|child| !places.contains(child));
@@ -93,8 +100,8 @@ fn source(library: &Library, places: &[usize]) -> String {
     text
 }
 
-/// Everything of `synth_ecp5` but flattening. Registers are boxes while gates are mapped: every pass looks at every cell, and most cells
-/// would be flip-flops, in which there is nothing to map.
+/// Everything of `synth_ecp5` but flattening. Registers are boxes while gates are mapped: every
+/// pass looks at every cell, and most cells would be flip-flops, in which there is nothing to map.
 fn script(names: &[String]) -> String {
     let synth = |labels: &str| format!("synth_ecp5 -noflatten -top {TOP} -run {labels}");
     let count = |name: &String| format!("tee -q -o {} stat {name}", counts_file(name));

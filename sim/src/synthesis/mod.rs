@@ -1,8 +1,10 @@
-//! What an FPGA tool makes of designs: Yosys, for the ECP5, whose cells it maps without any vendor's program.
+//! What an FPGA tool makes of designs: Yosys, for the ECP5, whose cells it maps without any
+//! vendor's program.
 //!
-//! Modules are synthesised one by one, without flattening, and each distinct one once, whichever designs it is in; the cells of
-//! a design are those of its modules, as often as they stand in it. So nothing is optimised across the borders of modules: where the builder has
-//! left out what is constant and unread there is little to be found.
+//! Modules are synthesised one by one, without flattening, and each distinct one once, whichever
+//! designs it is in; the cells of a design are those of its modules, as often as they stand in it.
+//! So nothing is optimised across the borders of modules: where the builder has left out what is
+//! constant and unread there is little to be found.
 mod counts;
 mod job;
 
@@ -45,12 +47,15 @@ pub struct Progress {
     pub modules: usize,
 }
 
-/// Synthesises designs by themselves, without pads, in as many runs of Yosys at a time as there are processors. A big design takes some
-/// ten seconds.
+/// Synthesises designs by themselves, without pads, in as many runs of Yosys at a time as there are
+/// processors. A big design takes some ten seconds.
 ///
 /// # Errors
 /// [`SimError::ToolAbsent`] if Yosys is not installed, [`SimError::ToolFailed`] if it fails.
-pub fn synthesise(designs: &[&Design], watch: &(dyn Fn(Progress) + Sync)) -> Result<Vec<Synthesised>, SimError> {
+pub fn synthesise(
+    designs: &[&Design],
+    watch: &(dyn Fn(Progress) + Sync),
+) -> Result<Vec<Synthesised>, SimError> {
     let mut library = Library::new("core");
     let tops: Vec<usize> = designs.iter().map(|design| library.add(&design.to_block())).collect();
     let modules = library.modules().len();
@@ -73,7 +78,11 @@ pub fn synthesise(designs: &[&Design], watch: &(dyn Fn(Progress) + Sync)) -> Res
 }
 
 /// Cells of the modules in the places `tops`, with all that is in them, from each module's own.
-fn with_children(library: &Library, mut cells: Vec<Synthesised>, tops: &[usize]) -> Vec<Synthesised> {
+fn with_children(
+    library: &Library,
+    mut cells: Vec<Synthesised>,
+    tops: &[usize],
+) -> Vec<Synthesised> {
     // Children come first, so that theirs are whole by then.
     for (place, module) in library.modules().iter().enumerate() {
         for &child in &module.children {

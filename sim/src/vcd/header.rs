@@ -55,13 +55,18 @@ impl Header {
 
 fn text(core: &str, entries: &[Entry], about: &str) -> String {
     // A comment ends where the file says `$end`.
-    let mut text = format!("$comment {} $end\n$timescale 1 ns $end\n$scope module {core} $end\n", about.replace('$', "_"));
+    let mut text = format!(
+        "$comment {} $end\n$timescale 1 ns $end\n$scope module {core} $end\n",
+        about.replace('$', "_")
+    );
     for (name, number) in [("clock", CLOCK), ("reset", RESET)] {
         line(&mut text, format_args!("$var wire 1 {} {name} $end", code(number)));
     }
     for entry in entries {
         match entry {
-            Entry::Unit(scope) => line(&mut text, format_args!("$scope module {} $end", scope.instance)),
+            Entry::Unit(scope) => {
+                line(&mut text, format_args!("$scope module {} $end", scope.instance))
+            }
             Entry::Signal(node, variable) => signal(&mut text, node, &code(FIRST + variable)),
             Entry::End => line(&mut text, format_args!("$upscope $end")),
         }

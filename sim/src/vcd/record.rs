@@ -1,5 +1,5 @@
-//! The line that says what a variable has become: `b` with the value's bits, a blank and the variable's code, or for a single bit the
-//! bit and the code.
+//! The line that says what a variable has become: `b` with the value's bits, a blank and the
+//! variable's code, or for a single bit the bit and the code.
 use crate::digits;
 
 /// Room that must be there for a line to be made in.
@@ -37,19 +37,21 @@ impl Record {
         1 + usize::from(self.tail_length)
     }
 
-    /// Puts the line that says `value` to the beginning of `room`, and gives its length; the rest of the room is spoilt. The value has
-    /// at least 2 bits and at most `BYTES` bytes.
+    /// Puts the line that says `value` to the beginning of `room`, and gives its length; the rest
+    /// of the room is spoilt. The value has at least 2 bits and at most `BYTES` bytes.
     ///
-    /// Zeros on the left are left out: readers put them back, as a value that is short is extended by zeros if it begins with a digit
-    /// [IEEE 1364-2005, table 18-1]. Ones on the left must stay.
+    /// Zeros on the left are left out: readers put them back, as a value that is short is extended
+    /// by zeros if it begins with a digit [IEEE 1364-2005, table 18-1]. Ones on the left must stay.
     #[inline(always)]
     pub fn vector<const BYTES: usize>(&self, value: i64, room: &mut [u8; ROOM]) -> usize {
         room[0] = b'b';
-        // The value's bits at the top, so that the digits come from the left; the last of them stays, whatever it is.
+        // The value's bits at the top, so that the digits come from the left; the last of them
+        // stays, whatever it is.
         let bits = (value as u64) << (64 - self.width);
         let left_out = (bits | 1 << (64 - self.width)).leading_zeros();
         let bits = (bits << left_out).to_be_bytes();
-        // All digits are made, wanted or not: to make only some costs more, in branches that are not foreseen.
+        // All digits are made, wanted or not: to make only some costs more, in branches that are
+        // not foreseen.
         for (place, &byte) in room[1..].chunks_exact_mut(8).zip(&bits[..BYTES]) {
             place.copy_from_slice(&digits::OF_BYTE[usize::from(byte)]);
         }
@@ -59,7 +61,8 @@ impl Record {
     }
 }
 
-/// The code of a variable: printable characters, the shortest first; up to five, as numbers of signals have 32 bits.
+/// The code of a variable: printable characters, the shortest first; up to five, as numbers of
+/// signals have 32 bits.
 pub fn code(number: usize) -> String {
     let mut code = String::new();
     let mut rest = Some(number);
@@ -89,14 +92,23 @@ mod tests {
 
     #[test]
     fn lines_say_the_value_without_zeros_on_the_left() {
-        assert_eq!((line(1, 0), line(1, 1), line(1, -1)), ("0~~~~~\n".into(), "1~~~~~\n".into(), "1~~~~~\n".into()));
+        assert_eq!(
+            (line(1, 0), line(1, 1), line(1, -1)),
+            ("0~~~~~\n".into(), "1~~~~~\n".into(), "1~~~~~\n".into())
+        );
         assert_eq!((line(2, 0), line(8, 0x25)), ("b0 ~~~~~\n".into(), "b100101 ~~~~~\n".into()));
-        assert_eq!((line(8, -1), line(8, -128)), ("b11111111 ~~~~~\n".into(), "b10000000 ~~~~~\n".into()));
+        assert_eq!(
+            (line(8, -1), line(8, -128)),
+            ("b11111111 ~~~~~\n".into(), "b10000000 ~~~~~\n".into())
+        );
         for width in [31, 32, 33, 40, 63, 64] {
             let highest = i64::MAX >> (64 - width);
             assert_eq!(line(width, highest), format!("b{highest:b} ~~~~~\n"));
             assert_eq!(line(width, -2), format!("b{}0 ~~~~~\n", "1".repeat(width as usize - 1)));
-            assert_eq!(line(width, i64::MIN >> (64 - width)), format!("b1{} ~~~~~\n", "0".repeat(width as usize - 1)));
+            assert_eq!(
+                line(width, i64::MIN >> (64 - width)),
+                format!("b1{} ~~~~~\n", "0".repeat(width as usize - 1))
+            );
         }
     }
 
@@ -105,7 +117,11 @@ mod tests {
         let numbers = (0..20_000).chain([0xFFFF_FFFE, 0xFFFF_FFFF]);
         let codes: HashSet<String> = numbers.map(code).collect();
         assert_eq!(codes.len(), 20_002);
-        assert!(codes.iter().all(|code| code.len() <= 5 && code.bytes().all(|byte| byte.is_ascii_graphic())));
+        assert!(
+            codes
+                .iter()
+                .all(|code| code.len() <= 5 && code.bytes().all(|byte| byte.is_ascii_graphic()))
+        );
         assert_eq!([0, 93, 94, 94 + 94 * 94].map(code), ["!", "~", "!!", "!!!"]);
     }
 }

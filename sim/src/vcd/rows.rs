@@ -1,7 +1,7 @@
 //! The lines of some clocks while they are made: a row of text for each clock.
 //!
-//! A signal's lines are made for all these clocks before the next signal's, and so its column is read from front to back, and what is
-//! known of the signal is at hand.
+//! A signal's lines are made for all these clocks before the next signal's, and so its column is
+//! read from front to back, and what is known of the signal is at hand.
 use std::io::{self, ErrorKind, IoSlice, Write};
 
 use super::record::{ROOM, Record};
@@ -39,7 +39,9 @@ impl Rows {
     /// Appends lines that say the values of a signal to the rows whose bits are set.
     pub fn values(&mut self, rows: u64, record: &Record, lanes: Lanes) {
         match record.width.div_ceil(8) {
-            1 if record.width == 1 => self.lines(rows, lanes, |value, room| record.bit(value, room)),
+            1 if record.width == 1 => {
+                self.lines(rows, lanes, |value, room| record.bit(value, room))
+            }
             1 => self.lines(rows, lanes, |value, room| record.vector::<1>(value, room)),
             2 => self.lines(rows, lanes, |value, room| record.vector::<2>(value, room)),
             3 => self.lines(rows, lanes, |value, room| record.vector::<3>(value, room)),
@@ -53,9 +55,15 @@ impl Rows {
 
     fn lines(&mut self, rows: u64, lanes: Lanes, line: impl Fn(i64, &mut [u8; ROOM]) -> usize) {
         match lanes {
-            Lanes::Narrow(lanes) => ones(rows).for_each(|row| self.append(row, |room| line(lanes[row].into(), room))),
-            Lanes::Wide(lanes) => ones(rows).for_each(|row| self.append(row, |room| line(lanes[row], room))),
-            Lanes::Constant(value, _) => ones(rows).for_each(|row| self.append(row, |room| line(value, room))),
+            Lanes::Narrow(lanes) => {
+                ones(rows).for_each(|row| self.append(row, |room| line(lanes[row].into(), room)))
+            }
+            Lanes::Wide(lanes) => {
+                ones(rows).for_each(|row| self.append(row, |room| line(lanes[row], room)))
+            }
+            Lanes::Constant(value, _) => {
+                ones(rows).for_each(|row| self.append(row, |room| line(value, room)))
+            }
         }
     }
 

@@ -14,7 +14,8 @@ use crate::changes::changes;
 
 /// Bytes that are gathered before they are written. More of them at a time are not copied first.
 const PIECE: usize = 64 << 10;
-/// Bytes of a clock beside its signals: two times of up to 20 digits, the clock twice, reset, and the words round the first values.
+/// Bytes of a clock beside its signals: two times of up to 20 digits, the clock twice, reset, and
+/// the words round the first values.
 const EDGES: usize = 128;
 
 /// Waveforms that are written a batch of clocks at a time.
@@ -37,7 +38,9 @@ impl<W: Write> Waves<W> {
         let Header { text, clock, reset, variables } = Header::new(design, nodes, about);
         let mut out = BufWriter::with_capacity(PIECE, out);
         out.write_all(text.as_bytes())?;
-        let rows = Rows::new(EDGES + variables.iter().map(|variable| variable.record.longest()).sum::<usize>());
+        let rows = Rows::new(
+            EDGES + variables.iter().map(|variable| variable.record.longest()).sum::<usize>(),
+        );
         Ok(Waves { out, clock, reset, variables, rows, next: None })
     }
 
@@ -57,7 +60,8 @@ impl<W: Write> Waves<W> {
         Ok(())
     }
 
-    /// The lines that begin so many clocks. All signals follow the first edge, since none has had a value before.
+    /// The lines that begin so many clocks. All signals follow the first edge, since none has had a
+    /// value before.
     fn rising_edges(&mut self, first: u64, count: usize) {
         for row in 0..count {
             self.time(row, PERIOD * (first + row as u64));

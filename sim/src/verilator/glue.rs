@@ -5,7 +5,8 @@ use crate::external::{Port, Ports};
 
 /// The text of `ports.h`.
 pub fn header(ports: &Ports) -> String {
-    let mut out = String::from("// The ports of the core.\n#include <cstdint>\n\n#include \"Vcore.h\"\n\n");
+    let mut out =
+        String::from("// The ports of the core.\n#include <cstdint>\n\n#include \"Vcore.h\"\n\n");
     // Writing to a String cannot fail, here and below.
     let _ = writeln!(out, "constexpr int INPUTS = {};\n", ports.inputs.len());
     setter(&mut out, "set_clock", ports.clock.then_some("clock"));
@@ -27,7 +28,11 @@ pub fn header(ports: &Ports) -> String {
 fn sums(out: &mut String, outputs: &[Port]) {
     let Some((valid, codes)) = outputs.split_first() else { return };
     let _ = writeln!(out, "\nconstexpr int CODES = {};\n", codes.len());
-    let _ = writeln!(out, "static inline bool leaves(const Vcore& core) {{ return core.{}; }}\n", valid.name);
+    let _ = writeln!(
+        out,
+        "static inline bool leaves(const Vcore& core) {{ return core.{}; }}\n",
+        valid.name
+    );
     let _ = writeln!(out, "static inline void add_codes(const Vcore& core, uint32_t* sums) {{");
     for (number, code) in codes.iter().enumerate() {
         let _ = writeln!(out, "  sums[{number}] += core.{};", code.name);
@@ -38,7 +43,10 @@ fn sums(out: &mut String, outputs: &[Port]) {
 /// A function that puts a bit to a pin, or does nothing where there is none.
 fn setter(out: &mut String, function: &str, pin: Option<&str>) {
     let _ = match pin {
-        Some(pin) => writeln!(out, "static inline void {function}(Vcore& core, uint64_t bit) {{ core.{pin} = bit; }}"),
+        Some(pin) => writeln!(
+            out,
+            "static inline void {function}(Vcore& core, uint64_t bit) {{ core.{pin} = bit; }}"
+        ),
         None => writeln!(out, "static inline void {function}(Vcore&, uint64_t) {{}}"),
     };
 }

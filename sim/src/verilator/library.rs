@@ -8,9 +8,11 @@ use super::common::{self, Common};
 use super::{Effort, HEADERS, Kind, VERILATOR};
 use crate::SimError;
 
-/// A folder that stays, for those who build many programs. Any number of threads and processes may use it at once.
+/// A folder that stays, for those who build many programs. Any number of threads and processes may
+/// use it at once.
 ///
-/// With a core of some hundred signals it is seven eighths of the time that [`Effort::FastBuild`] takes.
+/// With a core of some hundred signals it is seven eighths of the time that [`Effort::FastBuild`]
+/// takes.
 #[derive(Clone, Debug)]
 pub struct Library {
     folder: PathBuf,

@@ -10,7 +10,9 @@ use std::time::{Duration, Instant};
 use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 
-use crate::external::{OTHER_ENGINE, RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool};
+use crate::external::{
+    OTHER_ENGINE, RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool,
+};
 use crate::{Batch, Engine, Flow, SimError, Stimulus};
 
 use common::Common;
@@ -35,7 +37,8 @@ const HEADERS_FILE: &str = "headers.h";
 
 /// Runs a design's Verilog in Verilator.
 ///
-/// All registers begin as 0 and one clock of reset comes first, so every value at every clock equals rust-hdl's.
+/// All registers begin as 0 and one clock of reset comes first, so every value at every clock
+/// equals rust-hdl's.
 pub struct Verilator<'a> {
     design: &'a Design,
     workshop: Workshop,
@@ -64,9 +67,11 @@ impl Effort {
         }
     }
 
-    /// Variables of Verilator's makefile, which puts its own options behind those that it is given for all compilations.
+    /// Variables of Verilator's makefile, which puts its own options behind those that it is given
+    /// for all compilations.
     fn make_variables(self) -> [String; 3] {
-        ["OPT_FAST", "OPT_SLOW", "OPT_GLOBAL"].map(|variable| format!("{variable}={}", self.option()))
+        ["OPT_FAST", "OPT_SLOW", "OPT_GLOBAL"]
+            .map(|variable| format!("{variable}={}", self.option()))
     }
 }
 
@@ -99,17 +104,26 @@ impl<'a> Verilator<'a> {
     /// An engine for `design`. Programs are built when they are first needed.
     ///
     /// # Errors
-    /// [`SimError::ToolAbsent`] if Verilator is not installed, [`SimError::File`] if there is no room for the Verilog.
+    /// [`SimError::ToolAbsent`] if Verilator is not installed, [`SimError::File`] if there is no
+    /// room for the Verilog.
     pub fn new(design: &'a Design, effort: Effort) -> Result<Verilator<'a>, SimError> {
         Verilator::present()?;
         let workshop = Workshop::new(design)?;
         workshop.write("main.cpp", MAIN)?;
         workshop.write(HEADERS_FILE, HEADERS)?;
         workshop.write("ports.h", &glue::header(&workshop.ports))?;
-        Ok(Verilator { design, workshop, effort, library: None, built: [false; 2], build_time: Duration::ZERO })
+        Ok(Verilator {
+            design,
+            workshop,
+            effort,
+            library: None,
+            built: [false; 2],
+            build_time: Duration::ZERO,
+        })
     }
 
-    /// The engine with programs whose common parts are compiled once, for all that are given this library.
+    /// The engine with programs whose common parts are compiled once, for all that are given this
+    /// library.
     pub fn with_library(self, library: Library) -> Verilator<'a> {
         Verilator { library: Some(library), ..self }
     }
@@ -122,13 +136,14 @@ impl<'a> Verilator<'a> {
         VERILATOR.present()
     }
 
-    /// Builds the program that watching these signals needs, unless it is built already: ports are read directly, signals inside
-    /// the core from a trace.
+    /// Builds the program that watching these signals needs, unless it is built already: ports are
+    /// read directly, signals inside the core from a trace.
     ///
     /// # Errors
     /// [`SimError::ToolFailed`] with what Verilator or the C++ compiler printed, warnings included.
     pub fn prepare(&mut self, watched: &[NodeId]) -> Result<(), SimError> {
-        let kind = if self.workshop.ports.numbers(watched).is_some() { Kind::Ports } else { Kind::Trace };
+        let kind =
+            if self.workshop.ports.numbers(watched).is_some() { Kind::Ports } else { Kind::Trace };
         self.build(kind)
     }
 
@@ -142,9 +157,16 @@ impl<'a> Verilator<'a> {
             return Ok(());
         }
         let begin = Instant::now();
-        let common = self.library.as_ref().map(|library| library.common(kind, self.effort)).transpose()?;
+        let common =
+            self.library.as_ref().map(|library| library.common(kind, self.effort)).transpose()?;
         let (directory, options) = (kind.directory(), kind.options());
-        let program = Program { directory, main: "main.cpp", effort: self.effort, options, common: common.as_ref() };
+        let program = Program {
+            directory,
+            main: "main.cpp",
+            effort: self.effort,
+            options,
+            common: common.as_ref(),
+        };
         program.build(&self.workshop)?;
         self.build_time += begin.elapsed();
         self.built[kind as usize] = true;
@@ -152,12 +174,19 @@ impl<'a> Verilator<'a> {
     }
 
     /// Builds the program if need be and runs it.
-    fn execute(&mut self, kind: Kind, stimulus: &Stimulus, output: &str, ports: &[usize]) -> Result<(), SimError> {
+    fn execute(
+        &mut self,
+        kind: Kind,
+        stimulus: &Stimulus,
+        output: &str,
+        ports: &[usize],
+    ) -> Result<(), SimError> {
         self.build(kind)?;
         self.workshop.write_stimulus(stimulus, self.design)?;
         let program = self.workshop.path().join(kind.directory()).join(PROGRAM);
         let files = [STIMULUS, output].map(str::to_owned);
-        let arguments: Vec<String> = files.into_iter().chain(ports.iter().map(usize::to_string)).collect();
+        let arguments: Vec<String> =
+            files.into_iter().chain(ports.iter().map(usize::to_string)).collect();
         tool::run(program.as_os_str(), self.workshop.path(), &arguments)
     }
 }
@@ -167,7 +196,12 @@ impl Engine for Verilator<'_> {
         "verilator"
     }
 
-    fn run(&mut self, stimulus: &Stimulus, watched: &[NodeId], sink: &mut dyn FnMut(&Batch) -> Flow) -> Result<(), SimError> {
+    fn run(
+        &mut self,
+        stimulus: &Stimulus,
+        watched: &[NodeId],
+        sink: &mut dyn FnMut(&Batch) -> Flow,
+    ) -> Result<(), SimError> {
         if watched.is_empty() {
             return Ok(());
         }
@@ -175,12 +209,23 @@ impl Engine for Verilator<'_> {
         match self.workshop.ports.numbers(watched) {
             Some(ports) => {
                 self.execute(Kind::Ports, stimulus, RESULTS, &ports)?;
-                read_results(self.workshop.open(RESULTS)?, VERILATOR.name, self.design, watched, clocks, sink)
+                read_results(
+                    self.workshop.open(RESULTS)?,
+                    VERILATOR.name,
+                    self.design,
+                    watched,
+                    clocks,
+                    sink,
+                )
             }
             None => {
                 self.execute(Kind::Trace, stimulus, TRACE, &[])?;
                 let core = self.workshop.ports.core.clone();
-                let trace = Trace { tool: VERILATOR.name, root: &["TOP", &core], sampling: Sampling { first: 0, period: 1 } };
+                let trace = Trace {
+                    tool: VERILATOR.name,
+                    root: &["TOP", &core],
+                    sampling: Sampling { first: 0, period: 1 },
+                };
                 trace.read(self.workshop.open(TRACE)?, self.design, watched, clocks, sink)
             }
         }

@@ -30,11 +30,20 @@ impl Program<'_> {
     }
 
     fn arguments(&self, workshop: &Workshop) -> Vec<String> {
-        // Registers begin as rust-hdl's do, without a call for each that would ask at run time what they are to begin with.
+        // Registers begin as rust-hdl's do, without a call for each that would ask at run time what
+        // they are to begin with.
         let fixed = "--cc --exe --build -j 0 -O3 -Wall --x-initial 0 --prefix Vcore";
         let mut arguments: Vec<String> = fixed.split(' ').map(str::to_owned).collect();
-        arguments.extend(self.effort.make_variables().into_iter().flat_map(|variable| ["-MAKEFLAGS".to_owned(), variable]));
-        arguments.extend(["-o", PROGRAM, "--top-module", &workshop.ports.core, "-Mdir", self.directory].map(str::to_owned));
+        arguments.extend(
+            self.effort
+                .make_variables()
+                .into_iter()
+                .flat_map(|variable| ["-MAKEFLAGS".to_owned(), variable]),
+        );
+        arguments.extend(
+            ["-o", PROGRAM, "--top-module", &workshop.ports.core, "-Mdir", self.directory]
+                .map(str::to_owned),
+        );
         arguments.extend(self.options.iter().map(|&option| option.to_owned()));
         arguments.extend([workshop.source.clone(), self.main.to_owned()]);
         // ports.h stands beside the source, not in the directory of the object files.

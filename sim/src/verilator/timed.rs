@@ -1,4 +1,5 @@
-//! Verilator at its fastest, for measuring: a program that holds its stimulus in memory and times itself.
+//! Verilator at its fastest, for measuring: a program that holds its stimulus in memory and times
+//! itself.
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
@@ -20,7 +21,8 @@ const RESULT: &str = "result.txt";
 pub enum Keeping {
     /// The sums of the outputs, as all of them do.
     Outputs,
-    /// Every signal can be read and written by the program, so that Verilator may not optimise any away.
+    /// Every signal can be read and written by the program, so that Verilator may not optimise any
+    /// away.
     EverySignal,
     /// Every signal goes to a value change dump.
     Vcd,
@@ -50,7 +52,8 @@ pub struct Timing {
     pub sums: Vec<u32>,
 }
 
-/// A design and a frame compiled for measuring; both are verilated with `-O3` and compiled with `-O3`.
+/// A design and a frame compiled for measuring; both are verilated with `-O3` and compiled with
+/// `-O3`.
 pub struct TimedVerilator {
     workshop: Workshop,
     keeping: Keeping,
@@ -61,17 +64,26 @@ impl TimedVerilator {
     /// Builds the program for `design` and gives it the spans of `frame`.
     ///
     /// # Errors
-    /// [`SimError::ToolAbsent`] if Verilator is not installed, [`SimError::ToolFailed`] if it cannot build such a program,
-    /// [`SimError::File`] if there is no room.
-    pub fn build(design: &Design, frame: &Stimulus, keeping: Keeping) -> Result<TimedVerilator, SimError> {
+    /// [`SimError::ToolAbsent`] if Verilator is not installed, [`SimError::ToolFailed`] if it
+    /// cannot build such a program, [`SimError::File`] if there is no room.
+    pub fn build(
+        design: &Design,
+        frame: &Stimulus,
+        keeping: Keeping,
+    ) -> Result<TimedVerilator, SimError> {
         Verilator::present()?;
         let workshop = Workshop::new(design)?;
         workshop.write("timed.cpp", MAIN)?;
         workshop.write("ports.h", &glue::header(&workshop.ports))?;
         workshop.write_stimulus(frame, design)?;
         let begin = Instant::now();
-        let program =
-            Program { directory: "timed", main: "timed.cpp", effort: Effort::FastRun, options: keeping.options(), common: None };
+        let program = Program {
+            directory: "timed",
+            main: "timed.cpp",
+            effort: Effort::FastRun,
+            options: keeping.options(),
+            common: None,
+        };
         program.build(&workshop)?;
         Ok(TimedVerilator { workshop, keeping, build_seconds: begin.elapsed().as_secs_f64() })
     }
@@ -81,14 +93,16 @@ impl TimedVerilator {
         self.build_seconds
     }
 
-    /// Shades the first `spans` spans of an endless row of frames and writes `dump`, if the program is one that does.
+    /// Shades the first `spans` spans of an endless row of frames and writes `dump`, if the program
+    /// is one that does.
     ///
     /// # Errors
-    /// [`SimError::ToolFailed`] if the program fails, [`SimError::File`] if it does not say what it measured, or if `dump` is not a
-    /// file that the program may replace.
+    /// [`SimError::ToolFailed`] if the program fails, [`SimError::File`] if it does not say what it
+    /// measured, or if `dump` is not a file that the program may replace.
     pub fn run(&self, spans: usize, dump: &Path) -> Result<Timing, SimError> {
         if self.keeping == Keeping::Fst {
-            replaceable(dump).map_err(SimError::file(format!("replace `{}` by a waveform", dump.display())))?;
+            replaceable(dump)
+                .map_err(SimError::file(format!("replace `{}` by a waveform", dump.display())))?;
         }
         let program = self.workshop.path().join("timed").join(PROGRAM);
         let dump = dump.to_string_lossy().into_owned();
@@ -96,13 +110,16 @@ impl TimedVerilator {
         tool::run(program.as_os_str(), self.workshop.path(), &arguments)?;
         let mut text = String::new();
         let read = self.workshop.open(RESULT)?.read_to_string(&mut text);
-        let timing = read.and_then(|_| timing(&text).ok_or_else(|| io::Error::other(format!("`{text}` is no result"))));
+        let timing = read.and_then(|_| {
+            timing(&text).ok_or_else(|| io::Error::other(format!("`{text}` is no result")))
+        });
         timing.map_err(SimError::file("read what a simulator measured"))
     }
 }
 
-/// Refuses what is there and is not a file. Verilator's FST writer removes what has the file's name before it makes the file: given
-/// the null device by a privileged user, it would remove the device from the system.
+/// Refuses what is there and is not a file. Verilator's FST writer removes what has the file's name
+/// before it makes the file: given the null device by a privileged user, it would remove the device
+/// from the system.
 fn replaceable(dump: &Path) -> io::Result<()> {
     match fs::symlink_metadata(dump) {
         Ok(there) if !there.is_file() => Err(io::Error::other("it is there and is not a file")),

@@ -38,15 +38,21 @@ pub fn written(format: Format, design: &Design, columns: &Columns, piece: usize)
     file.into_inner()
 }
 
-/// What a waveform of a design holds of these signals at these clocks; the clock and reset are checked.
+/// What a waveform of a design holds of these signals at these clocks; the clock and reset are
+/// checked.
 pub fn read(file: Vec<u8>, design: &Design, nodes: &[NodeId], clocks: Range<u64>) -> Columns {
     let mut waveform = read_from_reader(Cursor::new(file)).unwrap();
     assert_eq!(waveform.time_table().last(), Some(&(PERIOD * clocks.end)));
     let core = design.path(specula_hdl::design::ScopeId::TOP)[0].to_owned();
-    let edges: Vec<u64> = clocks.clone().flat_map(|clock| [PERIOD * clock, PERIOD * clock + PERIOD / 2]).collect();
+    let edges: Vec<u64> =
+        clocks.clone().flat_map(|clock| [PERIOD * clock, PERIOD * clock + PERIOD / 2]).collect();
     let levels: Vec<i64> = clocks.clone().flat_map(|_| [1, 0]).collect();
     assert_eq!(values(&mut waveform, &[&core, "clock"], 1, false, edges.iter().copied()), levels);
-    assert!(values(&mut waveform, &[&core, "reset"], 1, false, edges.into_iter()).iter().all(|&level| level == 0));
+    assert!(
+        values(&mut waveform, &[&core, "reset"], 1, false, edges.into_iter())
+            .iter()
+            .all(|&level| level == 0)
+    );
     let mut columns = Columns::new(nodes);
     columns.first_clock = clocks.start;
     for (column, &id) in columns.values.iter_mut().zip(nodes) {
@@ -60,10 +66,17 @@ pub fn read(file: Vec<u8>, design: &Design, nodes: &[NodeId], clocks: Range<u64>
 }
 
 /// The values of a signal at some times.
-fn values(waveform: &mut Waveform, path: &[&str], width: u32, signed: bool, times: impl Iterator<Item = u64>) -> Vec<i64> {
+fn values(
+    waveform: &mut Waveform,
+    path: &[&str],
+    width: u32,
+    signed: bool,
+    times: impl Iterator<Item = u64>,
+) -> Vec<i64> {
     let (name, scopes) = path.split_last().unwrap();
     let hierarchy = waveform.hierarchy();
-    let variable = hierarchy.lookup_var(scopes, name).unwrap_or_else(|| panic!("{path:?} is missing"));
+    let variable =
+        hierarchy.lookup_var(scopes, name).unwrap_or_else(|| panic!("{path:?} is missing"));
     let variable = &hierarchy[variable];
     assert_eq!(variable.length(hierarchy), Some(width), "{path:?}");
     let bounds = variable.index().map(|index| (index.msb(), index.lsb()));
@@ -83,6 +96,7 @@ fn values(waveform: &mut Waveform, path: &[&str], width: u32, signed: bool, time
 }
 
 fn number(bits: &str, signed: bool) -> i64 {
-    let raw = i64::from_str_radix(bits, 2).unwrap_or_else(|_| panic!("`{bits}` has other bits than 0 and 1"));
+    let raw = i64::from_str_radix(bits, 2)
+        .unwrap_or_else(|_| panic!("`{bits}` has other bits than 0 and 1"));
     if signed && bits.starts_with('1') { raw - (1 << bits.len()) } else { raw }
 }

@@ -3,7 +3,8 @@ use glam::DVec3;
 use specula_hdl::{Design, SpanPacket};
 use specula_scene::spec::lyon::LyonSpec;
 use specula_scene::{
-    CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, MethodSpec, Needs, Span, Spot, Triangle, VertexCone,
+    CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, MethodSpec, Needs,
+    Span, Spot, Triangle, VertexCone,
 };
 
 use super::random::Random;
@@ -13,7 +14,12 @@ pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
     let mut random = Random(seed);
     let light = |_| DirectionalLight { direction: direction(&mut random), colour: [1.0, 0.9, 0.7] };
     let lights = (0..lights).map(light).collect();
-    let material = |shininess| Material { ambient: [0.1; 3], diffuse: [0.5, 0.3, 0.2], specular: [0.6; 3], shininess };
+    let material = |shininess| Material {
+        ambient: [0.1; 3],
+        diffuse: [0.5, 0.3, 0.2],
+        specular: [0.6; 3],
+        shininess,
+    };
     let mut frame = Frame {
         width: 64,
         height: spans as u32,
@@ -28,7 +34,8 @@ pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
     };
     for index in 0..spans {
         let normal = direction(&mut random);
-        let normals = [0.0, 0.3, -0.2].map(|tilt| (normal + tilt * direction(&mut random)).normalize());
+        let normals =
+            [0.0, 0.3, -0.2].map(|tilt| (normal + tilt * direction(&mut random)).normalize());
         let positions = [DVec3::ZERO; 3];
         frame.triangles.push(Triangle {
             normals,
@@ -37,7 +44,8 @@ pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
             cones: normals.map(VertexCone::flat),
             material: index % 2,
         });
-        // The first is long, so that cores for few spans differ little from those for many; single pixels are among the rest.
+        // The first is long, so that cores for few spans differ little from those for many; single
+        // pixels are among the rest.
         let length = if index == 0 { 32 } else { random.between(1, 9) as u32 };
         let (start, end) = ([1.0, 0.0, 0.0], [0.0, 0.5, 0.5]);
         frame.spans.push(Span { x: 0, y: index as u32, length, triangle: index, start, end });
@@ -45,7 +53,8 @@ pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
     frame
 }
 
-/// Makes a lamp of the second light and a spot of the third, near triangles that now lie apart, and brings the eye near.
+/// Makes a lamp of the second light and a spot of the third, near triangles that now lie apart, and
+/// brings the eye near.
 pub fn place_lights(frame: &mut Frame) {
     for (index, triangle) in (0..).zip(&mut frame.triangles) {
         let corner = DVec3::new(0.0, 0.2 * f64::from(index), 0.0);
@@ -54,7 +63,8 @@ pub fn place_lights(frame: &mut Frame) {
     let spot = Spot { axis: DVec3::new(0.1, 0.2, -1.0).normalize(), exponent: 9 };
     let light = |position, spot| LocalLight { position, spot, colour: [0.8, 0.9, 1.0] };
     frame.lights.truncate(1);
-    frame.local_lights = vec![light(DVec3::new(0.5, 0.0, 2.0), None), light(DVec3::new(0.2, 1.0, 3.0), Some(spot))];
+    frame.local_lights =
+        vec![light(DVec3::new(0.5, 0.0, 2.0), None), light(DVec3::new(0.2, 1.0, 3.0), Some(spot))];
     frame.eye = Some(DVec3::new(0.0, 0.5, 4.0));
 }
 

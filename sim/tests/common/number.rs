@@ -1,4 +1,5 @@
-//! Fixed-point numbers as they are meant, in 128 bits: the operators' meaning, written without looking at the hardware's.
+//! Fixed-point numbers as they are meant, in 128 bits: the operators' meaning, written without
+//! looking at the hardware's.
 
 /// `raw` · 2^-`fraction_bits`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +39,10 @@ impl Number {
     }
 
     pub fn times(self, other: Number) -> Number {
-        Number { raw: self.raw * other.raw, fraction_bits: self.fraction_bits + other.fraction_bits }
+        Number {
+            raw: self.raw * other.raw,
+            fraction_bits: self.fraction_bits + other.fraction_bits,
+        }
     }
 
     pub fn times_power_of_two(self, exponent: i32) -> Number {

@@ -1,4 +1,5 @@
-//! Programs: a list of steps that is described to the builder on one side and worked out in plain numbers on the other.
+//! Programs: a list of steps that is described to the builder on one side and worked out in plain
+//! numbers on the other.
 use std::rc::Rc;
 
 use specula_hdl::builder::{Builder, Sig, TooWide};
@@ -94,10 +95,12 @@ pub fn port(name: String, range: Range, fraction_bits: u32) -> InputPort {
 }
 
 impl Program {
-    /// Adds a step on inputs alone, unless a signal of it would need more than 63 bits; says whether it did.
+    /// Adds a step on inputs alone, unless a signal of it would need more than 63 bits; says
+    /// whether it did.
     pub fn push(&mut self, operation: Operation, operands: &[usize], place: Place) -> bool {
         let step = Step { operation, operands: operands.to_vec(), place };
-        let fits = Program { ports: self.ports.clone(), steps: vec![step.clone()] }.describe().is_ok();
+        let fits =
+            Program { ports: self.ports.clone(), steps: vec![step.clone()] }.describe().is_ok();
         if fits {
             self.steps.push(step);
         }
@@ -145,7 +148,10 @@ impl Program {
     }
 
     fn pixel(&self, described: &Described, inputs: &[i64], memories: &mut [Memory]) -> Vec<Number> {
-        let input = |(&raw, port): (&i64, &InputPort)| Number { raw: raw.into(), fraction_bits: port.format.fraction_bits };
+        let input = |(&raw, port): (&i64, &InputPort)| Number {
+            raw: raw.into(),
+            fraction_bits: port.format.fraction_bits,
+        };
         let mut values: Vec<Number> = inputs.iter().zip(&self.ports).map(input).collect();
         for (step, memory) in self.steps.iter().zip(memories) {
             let index = values.len();
@@ -153,8 +159,14 @@ impl Program {
             let operands: Vec<Number> = step.operands.iter().map(|&o| values[o]).collect();
             let value = meaning(step.operation, &operands, range, memory);
             let proven = matches!(step.operation, Operation::Assumed(..)) || fits(range, value.raw);
-            assert!(proven, "step {index} {step:?}: {value:?} is outside its proven range {range:?}");
-            assert_eq!(value.fraction_bits, described.fraction_bits[index], "step {index} {step:?}");
+            assert!(
+                proven,
+                "step {index} {step:?}: {value:?} is outside its proven range {range:?}"
+            );
+            assert_eq!(
+                value.fraction_bits, described.fraction_bits[index],
+                "step {index} {step:?}"
+            );
             values.push(value);
         }
         values
@@ -189,7 +201,8 @@ fn meaning(operation: Operation, operands: &[Number], range: Range, memory: &mut
         Operation::Or => Number::bit(operand(0).is_set() || operand(1).is_set()),
         Operation::Choose => Number::either(operand(0).is_set(), operand(1), operand(2)),
         Operation::WithBit => Number::integer(2).times(operand(0)).plus(operand(1)),
-        // Where the fact does not hold, the bits that it makes superfluous are missing; all of them where it leaves one value.
+        // Where the fact does not hold, the bits that it makes superfluous are missing; all of them
+        // where it leaves one value.
         Operation::Assumed(..) => match range.only() {
             Some(value) => Number { raw: value.into(), ..operand(0) },
             None => operand(0).low_bits(range.width(), range.signed()),
@@ -200,19 +213,28 @@ fn meaning(operation: Operation, operands: &[Number], range: Range, memory: &mut
             value
         }
         Operation::LookedUp(entries, fraction_bits) => {
-            let entry = usize::try_from(operand(0).raw).ok().and_then(|address| entries.get(address));
+            let entry =
+                usize::try_from(operand(0).raw).ok().and_then(|address| entries.get(address));
             Number { raw: entry.copied().unwrap_or(0).into(), fraction_bits }
         }
         Operation::Held => memory.take(operand(1).is_set().then_some(operand(0)), operand(0)),
         Operation::HeldOrLoaded => {
-            let taken = if operand(2).is_set() { Some(operand(3)) } else { operand(1).is_set().then_some(operand(0)) };
-            memory.take(taken, operand(0)).plus(Number { raw: 0, ..operand(3) }).plus(Number { raw: 0, ..operand(0) })
+            let taken = if operand(2).is_set() {
+                Some(operand(3))
+            } else {
+                operand(1).is_set().then_some(operand(0))
+            };
+            memory
+                .take(taken, operand(0))
+                .plus(Number { raw: 0, ..operand(3) })
+                .plus(Number { raw: 0, ..operand(0) })
         }
     }
 }
 
 impl Memory {
-    /// Takes a number over, if there is one, and gives what is then held; 0 in the unit of `unit` at first.
+    /// Takes a number over, if there is one, and gives what is then held; 0 in the unit of `unit`
+    /// at first.
     fn take(&mut self, taken: Option<Number>, unit: Number) -> Number {
         self.held = taken.or(self.held);
         self.held.unwrap_or(Number { raw: 0, ..unit })
@@ -224,11 +246,17 @@ fn described(b: &Builder, first: &Sig, step: &Step, operands: &[&Sig]) -> Sig {
         (Place::Core, _) | (_, []) => applied(b, first, step.operation, operands),
         (Place::OneClock, _) => b.in_one_clock(|| applied(b, first, step.operation, operands)),
         (Place::Unit, _) => {
-            // A port for each of three operands; those that the operator does not read are left open.
+            // A port for each of three operands; those that the operator does not read are left
+            // open.
             let [x, y, z] = [0, 1, 2].map(|i| operands[i % operands.len()]);
-            b.unit("unit", "one operator", (("first", first), ("x", x), ("y", y), ("z", z)), |b, (first, x, y, z)| {
-                applied(b, &first, step.operation, &[&x, &y, &z][..operands.len()])
-            })
+            b.unit(
+                "unit",
+                "one operator",
+                (("first", first), ("x", x), ("y", y), ("z", z)),
+                |b, (first, x, y, z)| {
+                    applied(b, &first, step.operation, &[&x, &y, &z][..operands.len()])
+                },
+            )
         }
     }
 }
@@ -264,7 +292,9 @@ fn applied(b: &Builder, first: &Sig, operation: Operation, operands: &[&Sig]) ->
             operand(0).assumed(low as f64 * ulp, high as f64 * ulp, "a fact")
         }
         Operation::Accumulated(longest) => accumulated(first, operand(0), operand(1), longest),
-        Operation::LookedUp(entries, fraction_bits) => operand(0).looked_up(entries.to_vec(), fraction_bits, 0.5),
+        Operation::LookedUp(entries, fraction_bits) => {
+            operand(0).looked_up(entries.to_vec(), fraction_bits, 0.5)
+        }
         Operation::Held => operand(0).held(operand(1)),
         Operation::HeldOrLoaded => operand(0).held_or_loaded(operand(1), operand(2), operand(3)),
     }

@@ -5,7 +5,8 @@ use std::process::Command;
 use specula_hdl::Design;
 use specula_sim::{Effort, Library, SimError, Verilator};
 
-/// Verilator for a short run; what all programs have in common is compiled once for all test programs.
+/// Verilator for a short run; what all programs have in common is compiled once for all test
+/// programs.
 pub fn verilator(design: &Design) -> Option<Verilator<'_>> {
     let library = Library::new(Path::new(env!("CARGO_TARGET_TMPDIR")).join("verilator"));
     Some(installed(Verilator::new(design, Effort::FastBuild))?.with_library(library))

@@ -1,4 +1,5 @@
-//! A core for one scene is the general core under what is known of the scene: Yosys proves it, for every input there is, at reduced widths.
+//! A core for one scene is the general core under what is known of the scene: Yosys proves it, for
+//! every input there is, at reduced widths.
 #[path = "../common/mod.rs"]
 mod common;
 mod miter;
@@ -10,7 +11,8 @@ use specula_scene::{CoreSpec, Method, parse};
 use common::tools;
 use miter::Miter;
 
-/// Faces that look at the viewer, in a light, without ambient light, in formats so coarse that a proof takes seconds.
+/// Faces that look at the viewer, in a light, without ambient light, in formats so coarse that a
+/// proof takes seconds.
 const SCENE: &str = r#"
 ambient = 0.0
 
@@ -34,8 +36,10 @@ shape = "U1.4"
 "#;
 
 /// Normals at the ends of spans of the scene.
-const FLAT: [[&str; 2]; 4] = [["0.28, 0, 0.96"; 2], ["-0.28, 0, 0.96"; 2], ["0, 0.28, 0.96"; 2], ["0, -0.6, 0.8"; 2]];
-const BENT: [[&str; 2]; 2] = [["0, 0.28, 0.96", "0, 0.6, 0.8"], ["0.28, 0, 0.96", "-0.28, 0, 0.96"]];
+const FLAT: [[&str; 2]; 4] =
+    [["0.28, 0, 0.96"; 2], ["-0.28, 0, 0.96"; 2], ["0, 0.28, 0.96"; 2], ["0, -0.6, 0.8"; 2]];
+const BENT: [[&str; 2]; 2] =
+    [["0, 0.28, 0.96", "0, 0.6, 0.8"], ["0.28, 0, 0.96", "-0.28, 0, 0.96"]];
 
 /// The core for the scene with these spans, whose materials take turns, by `method`.
 fn core(method: Method, normals: &[[&str; 2]], materials: &[&str]) -> CoreSpec {
@@ -56,9 +60,16 @@ fn proven(miter: &Miter, given: &[String]) -> bool {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
     let mut yosys = Command::new("yosys");
-    let output = yosys.current_dir(folder.path()).args(["-s", "prove.ys"]).env("LC_ALL", "C").output().unwrap();
-    let [said, complained] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
-    let proof = output.status.success() && said.contains("SAT proof finished - no model found: SUCCESS!");
+    let output = yosys
+        .current_dir(folder.path())
+        .args(["-s", "prove.ys"])
+        .env("LC_ALL", "C")
+        .output()
+        .unwrap();
+    let [said, complained] =
+        [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
+    let proof =
+        output.status.success() && said.contains("SAT proof finished - no model found: SUCCESS!");
     // What it says of a model may be lost as it ends with an error.
     let refuted = complained.contains("Called with -verify and proof did fail!");
     assert!(proof || refuted, "{said}{complained}");
@@ -83,13 +94,19 @@ fn assert_equivalent(spec: &CoreSpec, facts: &str, matters: &[&str]) {
 const YELLOW: &str = "diffuse = [0.5, 0.5, 0.3]\nspecular = 0.2";
 
 /// A normal is no longer than 1 + 2^-4: what both cores state of it.
-const UNIT_NORMAL: &str = "normal_x * normal_x + normal_y * normal_y + normal_z * normal_z <= 17 * 17";
+const UNIT_NORMAL: &str =
+    "normal_x * normal_x + normal_y * normal_y + normal_z * normal_z <= 17 * 17";
 
-/// Constants (the light, the exponent, the colours), ambient light that is left out, and narrowed normals.
+/// Constants (the light, the exponent, the colours), ambient light that is left out, and narrowed
+/// normals.
 #[test]
 fn flat_lyon() {
     let yellow = core(Method::Lyon, &FLAT, &[YELLOW]);
-    assert_equivalent(&yellow, UNIT_NORMAL, &["ambient_r", "light0_direction_y", "light0_diffuse_g", "normal_z"]);
+    assert_equivalent(
+        &yellow,
+        UNIT_NORMAL,
+        &["ambient_r", "light0_direction_y", "light0_diffuse_g", "normal_z"],
+    );
 }
 
 /// Highlights that no material has: their vectors and powers are left out.
@@ -103,7 +120,11 @@ fn matt_lyon() {
 #[test]
 fn grey_lyon() {
     // Faces of two greys, so that colours are no constants.
-    let grey = core(Method::Lyon, &FLAT, &["diffuse = 0.5\nspecular = 0.2", "diffuse = 0.4\nspecular = 0.2"]);
+    let grey = core(
+        Method::Lyon,
+        &FLAT,
+        &["diffuse = 0.5\nspecular = 0.2", "diffuse = 0.4\nspecular = 0.2"],
+    );
     assert_equivalent(&grey, UNIT_NORMAL, &["light0_diffuse_g == light0_diffuse_r"]);
 }
 

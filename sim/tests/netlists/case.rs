@@ -20,7 +20,8 @@ pub enum Subject {
 pub struct Case {
     pub design: Design,
     pub packets: Vec<SpanPacket>,
-    /// The clocks that the run leads to, as `Stimulus::leading_to` takes them; the whole run if there are none.
+    /// The clocks that the run leads to, as `Stimulus::leading_to` takes them; the whole run if
+    /// there are none.
     pub window: Option<Range<u64>>,
     pub watched: Vec<NodeId>,
     pub subject: Subject,
@@ -36,16 +37,21 @@ impl Case {
         }
     }
 
-    /// What goes in at each clock, from the packets: span after span, then idle clocks with the last inputs held and `start` high.
+    /// What goes in at each clock, from the packets: span after span, then idle clocks with the
+    /// last inputs held and `start` high.
     fn rows(&self) -> Vec<Row> {
         let mut rows: Vec<Row> = vec![];
         for packet in &self.packets {
             let row = |pixel| Row { valid: true, start: pixel == 0, inputs: packet.inputs.clone() };
             rows.extend((0..packet.length).map(row));
         }
-        let idle = rows.last().map_or_else(|| vec![0; self.design.inputs.len()], |row| row.inputs.clone());
+        let idle =
+            rows.last().map_or_else(|| vec![0; self.design.inputs.len()], |row| row.inputs.clone());
         let clocks = self.stimulus().clocks();
-        rows.resize(rows.len().max(clocks.end as usize), Row { valid: false, start: true, inputs: idle });
+        rows.resize(
+            rows.len().max(clocks.end as usize),
+            Row { valid: false, start: true, inputs: idle },
+        );
         rows[clocks.start as usize..clocks.end as usize].to_vec()
     }
 
@@ -57,7 +63,9 @@ impl Case {
     /// What the subject makes of it.
     pub fn run(&self) -> Result<Columns, SimError> {
         match self.subject {
-            Subject::Fast(settings) => self.collect(&mut Fast::with_settings(&self.design, settings)),
+            Subject::Fast(settings) => {
+                self.collect(&mut Fast::with_settings(&self.design, settings))
+            }
             Subject::RustHdl => self.collect(&mut RustHdl::new(&self.design)?),
         }
     }

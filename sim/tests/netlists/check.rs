@@ -46,7 +46,13 @@ pub fn failure(case: &Case) -> Option<Failure> {
         }
         if let Some(clock) = wanted.iter().zip(got).position(|(w, g)| w != g) {
             let (signal, op) = (case.design.full_name(node), case.design.node(node).op);
-            return Some(Failure::Value { signal, op, clock, wanted: wanted[clock], got: got[clock] });
+            return Some(Failure::Value {
+                signal,
+                op,
+                clock,
+                wanted: wanted[clock],
+                got: got[clock],
+            });
         }
     }
     None
@@ -78,10 +84,12 @@ fn quietly<T>(f: impl FnOnce() -> T) -> Result<T, String> {
 
 const BATCHES: [usize; 6] = [1, 2, 7, 64, 512, 1000];
 
-/// A netlist in several settings: all signals and some, short and long batches, both instruction sets, from the beginning and late.
+/// A netlist in several settings: all signals and some, short and long batches, both instruction
+/// sets, from the beginning and late.
 pub fn views(case: &Case, random: &mut Random) -> Vec<Case> {
     let all: Vec<NodeId> = (0..case.design.nodes.len() as u32).map(NodeId).collect();
-    let view = |watched: &[NodeId], subject| Case { watched: watched.to_vec(), subject, ..case.clone() };
+    let view =
+        |watched: &[NodeId], subject| Case { watched: watched.to_vec(), subject, ..case.clone() };
     let mut views = vec![view(&all, Subject::RustHdl)];
     for batch in BATCHES {
         let level = if random.below(2) == 0 { Level::BASELINE } else { Level::best() };
@@ -91,7 +99,10 @@ pub fn views(case: &Case, random: &mut Random) -> Vec<Case> {
         let few = 1 + random.below(3);
         views.push(view(&picked(&all, few, random), subject));
         let some = 1 + random.below(all.len());
-        let late = Case { window: Some(window(case, random)), ..view(&picked(&all, some, random), subject) };
+        let late = Case {
+            window: Some(window(case, random)),
+            ..view(&picked(&all, some, random), subject)
+        };
         views.push(late);
     }
     views.extend(threaded(case, &all, random));
@@ -102,8 +113,17 @@ pub fn views(case: &Case, random: &mut Random) -> Vec<Case> {
 fn threaded(case: &Case, all: &[NodeId], random: &mut Random) -> [Case; 2] {
     [all.len(), 1 + random.below(all.len())].map(|count| {
         let piece = [1, 3, 10, 50][random.below(4)];
-        let settings = Settings { batch: BATCHES[random.below(BATCHES.len())], threads: 2, piece, ..Settings::default() };
-        Case { watched: picked(all, count, random), subject: Subject::Fast(settings), ..case.clone() }
+        let settings = Settings {
+            batch: BATCHES[random.below(BATCHES.len())],
+            threads: 2,
+            piece,
+            ..Settings::default()
+        };
+        Case {
+            watched: picked(all, count, random),
+            subject: Subject::Fast(settings),
+            ..case.clone()
+        }
     })
 }
 

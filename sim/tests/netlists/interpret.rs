@@ -1,4 +1,5 @@
-//! What a netlist means, from the meaning of each operator, clock by clock and as plainly as can be.
+//! What a netlist means, from the meaning of each operator, clock by clock and as plainly as can
+//! be.
 use specula_hdl::Design;
 use specula_hdl::design::{Node, Op, Range, Register};
 
@@ -20,7 +21,8 @@ impl std::fmt::Display for Untrue {
     }
 }
 
-/// The value of every signal at every clock, after one clock of reset with all registers and inputs 0.
+/// The value of every signal at every clock, after one clock of reset with all registers and
+/// inputs 0.
 pub fn interpret(design: &Design, rows: &[Row]) -> Result<Vec<Vec<i64>>, Untrue> {
     let mut registers = vec![0; design.nodes.len()];
     let idle = Row { valid: false, start: false, inputs: vec![0; design.inputs.len()] };
@@ -35,7 +37,8 @@ pub fn interpret(design: &Design, rows: &[Row]) -> Result<Vec<Vec<i64>>, Untrue>
     Ok(columns)
 }
 
-/// The values of all signals in a clock. Signals without register read earlier ones or registers only.
+/// The values of all signals in a clock. Signals without register read earlier ones or registers
+/// only.
 fn settled(design: &Design, registers: &[i64], row: &Row) -> Result<Vec<i64>, Untrue> {
     let mut now = registers.to_vec();
     now[design.valid.0 as usize] = row.valid.into();
@@ -72,7 +75,11 @@ fn result(design: &Design, node: &Node, now: &[i64]) -> Result<i64, Untrue> {
     Err(Untrue(format!("{} = {:?} gives {exact}, not {low}..{high}", node.name, node.op)))
 }
 
-fn meaning(design: &Design, node: &Node, value: impl Fn(specula_hdl::design::NodeId) -> i128) -> i128 {
+fn meaning(
+    design: &Design,
+    node: &Node,
+    value: impl Fn(specula_hdl::design::NodeId) -> i128,
+) -> i128 {
     match node.op {
         Op::Input => 0,
         Op::Constant(constant) => constant.into(),
@@ -89,7 +96,9 @@ fn meaning(design: &Design, node: &Node, value: impl Fn(specula_hdl::design::Nod
         Op::Not(a) => 1 - value(a),
         Op::Select(c, a, _) if value(c) == 1 => value(a),
         Op::Select(_, _, b) => value(b),
-        Op::LookUp(at, table) => design.tables[table.0 as usize].entries.get(value(at) as usize).map_or(0, |&e| e.into()),
+        Op::LookUp(at, table) => {
+            design.tables[table.0 as usize].entries.get(value(at) as usize).map_or(0, |&e| e.into())
+        }
     }
 }
 

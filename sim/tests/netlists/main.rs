@@ -1,8 +1,9 @@
 //! Random netlists in every engine, on every signal and clock, against a plain interpreter.
 //!
-//! Netlists are drawn as `Design`s, not through the builder, so that engines see whatever the type allows: operands of different
-//! stages, registers that read later signals, ranges looser than need be. What fails is made small and printed as text; as a
-//! file in `sim/tests/regressions/` it is replayed first from then on.
+//! Netlists are drawn as `Design`s, not through the builder, so that engines see whatever the type
+//! allows: operands of different stages, registers that read later signals, ranges looser than need
+//! be. What fails is made small and printed as text; as a file in `sim/tests/regressions/` it is
+//! replayed first from then on.
 #[path = "../common/mod.rs"]
 mod common;
 
@@ -28,9 +29,12 @@ fn hunt(seed: u64, netlists: u64, profile: impl Fn(u64) -> Profile) {
         let own_seed = seed.wrapping_mul(1_000_003).wrapping_add(number);
         let mut random = Random(own_seed);
         let case = draw::case(&mut random, profile(number));
-        let expected = case.expected().unwrap_or_else(|untrue| panic!("netlist {number}: the drawn netlist is wrong: {untrue}"));
+        let expected = case.expected().unwrap_or_else(|untrue| {
+            panic!("netlist {number}: the drawn netlist is wrong: {untrue}")
+        });
         let views = check::views(&case, &mut random);
-        (nodes, clocks, runs) = (nodes + case.design.nodes.len(), clocks + expected[0].len(), runs + views.len());
+        (nodes, clocks, runs) =
+            (nodes + case.design.nodes.len(), clocks + expected[0].len(), runs + views.len());
         for view in views {
             if let Some(failure) = check::failure(&view) {
                 let small = minimise::minimised(view);
@@ -42,7 +46,8 @@ fn hunt(seed: u64, netlists: u64, profile: impl Fn(u64) -> Profile) {
     println!("{netlists} netlists, {nodes} signals, {clocks} clocks, {runs} runs");
 }
 
-/// The seed to begin with: the same every time, unless `SPECULA_SEED` names another to hunt further.
+/// The seed to begin with: the same every time, unless `SPECULA_SEED` names another to hunt
+/// further.
 fn seed(usual: u64) -> u64 {
     std::env::var("SPECULA_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
 }
@@ -73,10 +78,15 @@ fn known_failures() {
 fn text_is_read_as_it_was_written() {
     for seed in 0..200 {
         let mut random = Random(seed);
-        let case = Case { subject: Subject::RustHdl, ..draw::case(&mut random, Profile::small(seed)) };
+        let case =
+            Case { subject: Subject::RustHdl, ..draw::case(&mut random, Profile::small(seed)) };
         let written = text::print(&case);
         let read = text::parse(&written).unwrap();
         assert_eq!(text::print(&read), written, "seed {seed}");
-        assert_eq!((read.expected(), read.design.tables), (case.expected(), case.design.tables), "seed {seed}");
+        assert_eq!(
+            (read.expected(), read.design.tables),
+            (case.expected(), case.design.tables),
+            "seed {seed}"
+        );
     }
 }

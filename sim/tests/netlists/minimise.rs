@@ -55,7 +55,20 @@ fn pass(mut best: Case, reduction: &reduce::Reduction, wanted: &str, begin: Inst
 /// What is to become small: signals first, then operators, then the stimulus.
 fn size(case: &Case) -> (usize, usize, usize, u64) {
     let design = &case.design;
-    let operators = design.nodes.iter().map(|n| 1 + n.op.operands().count() + usize::from(n.registered())).sum();
-    let values: u64 = case.packets.iter().map(|p| u64::from(p.length) + p.inputs.iter().filter(|&&v| v != 0).count() as u64).sum();
-    (design.nodes.len() + case.watched.len() + design.scopes.len(), operators, case.packets.len(), values)
+    let operators = design
+        .nodes
+        .iter()
+        .map(|n| 1 + n.op.operands().count() + usize::from(n.registered()))
+        .sum();
+    let values: u64 = case
+        .packets
+        .iter()
+        .map(|p| u64::from(p.length) + p.inputs.iter().filter(|&&v| v != 0).count() as u64)
+        .sum();
+    (
+        design.nodes.len() + case.watched.len() + design.scopes.len(),
+        operators,
+        case.packets.len(),
+        values,
+    )
 }

@@ -12,19 +12,34 @@ pub struct Profile {
     pub longest: u32,
     /// Registers that read later signals.
     pub feedback: bool,
-    /// For a Verilog simulator: registers that are loaded often, nothing that a linter takes for a mistake.
+    /// For a Verilog simulator: registers that are loaded often, nothing that a linter takes for a
+    /// mistake.
     pub verilog: bool,
 }
 
 impl Profile {
     pub fn small(number: u64) -> Profile {
         let signals = 5 + (number as usize * 7) % 36;
-        Profile { signals, units: number as usize % 4, spans: 1 + number as usize % 9, longest: 6, feedback: true, verilog: false }
+        Profile {
+            signals,
+            units: number as usize % 4,
+            spans: 1 + number as usize % 9,
+            longest: 6,
+            feedback: true,
+            verilog: false,
+        }
     }
 
     pub fn large(number: u64) -> Profile {
         let signals = 200 + (number as usize * 37) % 401;
-        Profile { signals, units: number as usize % 9, spans: 10, longest: 8, feedback: !number.is_multiple_of(3), verilog: false }
+        Profile {
+            signals,
+            units: number as usize % 9,
+            spans: 10,
+            longest: 8,
+            feedback: !number.is_multiple_of(3),
+            verilog: false,
+        }
     }
 
     pub fn long(number: u64) -> Profile {

@@ -40,7 +40,8 @@ pub fn print(case: &Case) -> String {
         let _ = writeln!(out, "{} {}", id.0, signal(node));
     }
     let number = |id: &Option<NodeId>| id.map_or("-".to_owned(), |id| id.0.to_string());
-    let _ = writeln!(out, "inputs {}", joined(&design.inputs.iter().map(number).collect::<Vec<_>>()));
+    let _ =
+        writeln!(out, "inputs {}", joined(&design.inputs.iter().map(number).collect::<Vec<_>>()));
     let _ = writeln!(out, "outputs {}", numbers(&design.outputs));
     let _ = writeln!(out, "leaves {} after {}", design.valid_out.0, design.latency());
     for packet in &case.packets {
@@ -56,7 +57,9 @@ pub fn print(case: &Case) -> String {
 
 fn subject(subject: Subject) -> String {
     match subject {
-        Subject::Fast(Settings { batch, level, threads, piece }) => format!("fast {batch} {} {threads} {piece}", level.name()),
+        Subject::Fast(Settings { batch, level, threads, piece }) => {
+            format!("fast {batch} {} {threads} {piece}", level.name())
+        }
         Subject::RustHdl => "rust-hdl".to_owned(),
     }
 }
@@ -75,7 +78,8 @@ fn signal(node: &Node) -> String {
         Register::Data => "reg ",
         Register::Validity => "valid ",
     };
-    let unit = if node.scope == ScopeId::TOP { String::new() } else { format!(" @{}", node.scope.0) };
+    let unit =
+        if node.scope == ScopeId::TOP { String::new() } else { format!(" @{}", node.scope.0) };
     format!("{register}{} : {}..{}{unit}", operator(node.op), node.range.low, node.range.high)
 }
 

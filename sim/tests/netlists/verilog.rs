@@ -1,4 +1,5 @@
-//! Drawn netlists as Verilog, at every clock: every output in Verilator, every signal in Icarus, which compiles faster.
+//! Drawn netlists as Verilog, at every clock: every output in Verilator, every signal in Icarus,
+//! which compiles faster.
 //!
 //! They are few and large, since building one takes seconds; every signal of the core leaves it.
 mod known;
@@ -24,18 +25,22 @@ fn as_verilog() {
         let expected = case.expected().unwrap();
         let signals: Vec<NodeId> = case.design.variables();
         if let Some(mut verilator) = tools::verilator(&case.design) {
-            let outputs: Vec<NodeId> = [case.design.valid_out].iter().chain(&case.design.outputs).copied().collect();
+            let outputs: Vec<NodeId> =
+                [case.design.valid_out].iter().chain(&case.design.outputs).copied().collect();
             compare(&case, &expected, &outputs, &mut verilator, |_, _| true);
             println!("built in {:.1} s", verilator.build_seconds());
         }
         if let Some(mut icarus) = tools::installed(Icarus::new(&case.design)) {
             let known = known::known(&case.design, &expected);
-            compare(&case, &expected, &signals, &mut icarus, |node, clock| known[node.0 as usize][clock]);
+            compare(&case, &expected, &signals, &mut icarus, |node, clock| {
+                known[node.0 as usize][clock]
+            });
         }
     }
 }
 
-/// The netlist without the signals that no output needs, which a linter complains of and the builder leaves out.
+/// The netlist without the signals that no output needs, which a linter complains of and the
+/// builder leaves out.
 fn pruned(case: Case) -> Case {
     let outputs = case.design.outputs.iter().chain([&case.design.valid_out]);
     let watched = outputs.chain(case.design.inputs.iter().flatten()).copied().collect();
@@ -59,7 +64,12 @@ fn compare(
             if counts(node, clock) {
                 compared += 1;
                 let (name, op) = (case.design.full_name(node), case.design.node(node).op);
-                assert_eq!(column[clock], wanted[clock], "{}: {name} ({op:?}) at clock {clock}", engine.name());
+                assert_eq!(
+                    column[clock],
+                    wanted[clock],
+                    "{}: {name} ({op:?}) at clock {clock}",
+                    engine.name()
+                );
             }
         }
     }

@@ -7,7 +7,8 @@ pub(crate) trait Contestant {
     /// Which it is.
     fn entry(&self) -> Entry;
 
-    /// Seconds from the spec of a core to the first values. What takes long is measured once, what takes short anew each time.
+    /// Seconds from the spec of a core to the first values. What takes long is measured once, what
+    /// takes short anew each time.
     ///
     /// # Errors
     /// [`MeasureError`] if the engine fails.

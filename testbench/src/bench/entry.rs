@@ -20,7 +20,8 @@ pub enum Mode {
 
 impl Mode {
     /// Every mode.
-    pub const ALL: [Mode; 5] = [Mode::Outputs, Mode::EverySignal, Mode::Vcd, Mode::VcdNull, Mode::Fst];
+    pub const ALL: [Mode; 5] =
+        [Mode::Outputs, Mode::EverySignal, Mode::Vcd, Mode::VcdNull, Mode::Fst];
 
     /// Its name in tables.
     pub const fn name(self) -> &'static str {
@@ -41,7 +42,8 @@ pub struct Entry {
     pub engine: EngineKind,
     /// What it keeps.
     pub mode: Mode,
-    /// Where there are several of an engine, which of them: the instruction set that it uses, or the compiler's option.
+    /// Where there are several of an engine, which of them: the instruction set that it uses, or
+    /// the compiler's option.
     pub variant: Option<&'static str>,
     /// Threads that it works with.
     pub threads: usize,
@@ -62,7 +64,8 @@ impl Entry {
     pub fn describe(&self) -> String {
         let mut words = vec![self.engine.program(), self.mode.name()];
         words.extend(self.variant);
-        let threads = if self.threads > 1 { format!(" {} threads", self.threads) } else { String::new() };
+        let threads =
+            if self.threads > 1 { format!(" {} threads", self.threads) } else { String::new() };
         words.join(" ") + &threads
     }
 }

@@ -19,8 +19,13 @@ pub enum MeasureError {
     #[diagnostic(code(specula::measure::empty), help("choose a larger picture or another scene"))]
     NoPixels,
     /// An engine gave other pixels than the model.
-    #[error("{entry} is wrong: over {spans} spans the sums of its codes are {given:?}, and the model's are {expected:?}")]
-    #[diagnostic(code(specula::measure::sums), help("this is a fault of Specula's: please report it with the scene"))]
+    #[error(
+        "{entry} is wrong: over {spans} spans the sums of its codes are {given:?}, and the model's are {expected:?}"
+    )]
+    #[diagnostic(
+        code(specula::measure::sums),
+        help("this is a fault of Specula's: please report it with the scene")
+    )]
     WrongSums {
         /// What was measured.
         entry: String,
@@ -35,7 +40,9 @@ pub enum MeasureError {
     #[error("{entry} cannot write its waveform: {reason}")]
     #[diagnostic(
         code(specula::measure::file),
-        help("waveforms need some gigabytes in the temporary directory; the environment variable TMPDIR names another")
+        help(
+            "waveforms need some gigabytes in the temporary directory; the environment variable TMPDIR names another"
+        )
     )]
     Waveform {
         /// What was measured.
@@ -45,7 +52,10 @@ pub enum MeasureError {
     },
     /// There is no room for waveforms.
     #[error("cannot make a temporary directory: {0}")]
-    #[diagnostic(code(specula::measure::room), help("the environment variable TMPDIR names another"))]
+    #[diagnostic(
+        code(specula::measure::room),
+        help("the environment variable TMPDIR names another")
+    )]
     Scratch(io::Error),
 }
 

@@ -47,8 +47,8 @@ impl Contestant for Verilated<'_> {
     }
 }
 
-/// Icarus. Its program is started, reads the stimulus from a file and writes the outputs to another, and all of that is in its time: it
-/// is so slow that it does not matter.
+/// Icarus. Its program is started, reads the stimulus from a file and writes the outputs to
+/// another, and all of that is in its time: it is so slow that it does not matter.
 pub(crate) struct Interpreted<'a> {
     pub bench: &'a Bench<'a>,
     pub workload: &'a Workload,
@@ -71,7 +71,8 @@ impl Contestant for Interpreted<'_> {
         let source = self.workload.spans(spans);
         let stimulus = Stimulus::whole(&source, design);
         let keeper = keeper(entry.mode, design, &design.outputs, &self.scratch.file());
-        let keeper = keeper.map_err(|reason| MeasureError::Waveform { entry: entry.describe(), reason })?;
+        let keeper =
+            keeper.map_err(|reason| MeasureError::Waveform { entry: entry.describe(), reason })?;
         timed(entry, design, &mut self.engine, &stimulus, &design.outputs, keeper)
     }
 }

@@ -52,7 +52,10 @@ impl<'a> Field<'a> {
         }
         for mode in [Mode::Outputs, Mode::EverySignal] {
             if best != Level::BASELINE {
-                self.add_in_process(Entry::fast(mode, Level::BASELINE, 1), fast(Level::BASELINE, 1));
+                self.add_in_process(
+                    Entry::fast(mode, Level::BASELINE, 1),
+                    fast(Level::BASELINE, 1),
+                );
             }
             if thread::available_parallelism().is_ok_and(|cores| cores.get() >= THREADS) {
                 self.add_in_process(Entry::fast(mode, best, THREADS), fast(best, THREADS));
@@ -100,14 +103,20 @@ impl<'a> Field<'a> {
 
     fn add_verilated(&mut self, program: &Rc<TimedVerilator>, modes: &[Mode]) {
         for &mode in modes {
-            self.contestants.push(Box::new(Verilated { program: Rc::clone(program), scratch: self.scratch, mode }));
+            self.contestants.push(Box::new(Verilated {
+                program: Rc::clone(program),
+                scratch: self.scratch,
+                mode,
+            }));
         }
     }
 
     fn add_icarus(&mut self) -> Result<(), MeasureError> {
         let &mut Field { bench, workload, scratch, .. } = self;
         match Icarus::new(&bench.design) {
-            Ok(engine) => self.contestants.push(Box::new(Interpreted { bench, workload, engine, scratch })),
+            Ok(engine) => {
+                self.contestants.push(Box::new(Interpreted { bench, workload, engine, scratch }))
+            }
             Err(absent) => self.skip(EngineKind::Icarus, None, reason(absent)?),
         }
         Ok(())
@@ -125,13 +134,18 @@ fn fast(level: Level, threads: usize) -> Kind {
 /// Why a tool is not there and how to get it; any other error is one.
 fn reason(error: SimError) -> Result<String, MeasureError> {
     match error {
-        SimError::ToolAbsent { tool, install, .. } => Ok(format!("{tool} is not installed: {install}")),
+        SimError::ToolAbsent { tool, install, .. } => {
+            Ok(format!("{tool} is not installed: {install}"))
+        }
         other => Err(other.into()),
     }
 }
 
 /// Why a program with FST was not built, from what the compiler said.
 fn without_fst(output: &str) -> String {
-    let said = output.lines().find(|line| line.contains("error")).unwrap_or("no reason is given").trim();
-    format!("Verilator cannot build a program that writes FST ({said}): install zlib's headers, as with `apt install zlib1g-dev`")
+    let said =
+        output.lines().find(|line| line.contains("error")).unwrap_or("no reason is given").trim();
+    format!(
+        "Verilator cannot build a program that writes FST ({said}): install zlib's headers, as with `apt install zlib1g-dev`"
+    )
 }

@@ -20,7 +20,12 @@ pub(crate) trait Keeper {
 }
 
 /// What `mode` asks for, of these signals; files go to `file`.
-pub(crate) fn keeper(mode: Mode, design: &Design, nodes: &[NodeId], file: &Path) -> io::Result<Box<dyn Keeper>> {
+pub(crate) fn keeper(
+    mode: Mode,
+    design: &Design,
+    nodes: &[NodeId],
+    file: &Path,
+) -> io::Result<Box<dyn Keeper>> {
     const ABOUT: &str = "Specula, a measurement";
     Ok(match mode {
         Mode::Outputs => Box::new(Nothing),
@@ -44,8 +49,8 @@ impl Keeper for Nothing {
     }
 }
 
-/// Looks at one value of one signal after the other, batch by batch, so that nobody can know which of them are read. Verilator's signals,
-/// which anybody may read, are not read either.
+/// Looks at one value of one signal after the other, batch by batch, so that nobody can know which
+/// of them are read. Verilator's signals, which anybody may read, are not read either.
 struct Glance {
     /// Number of the signal that is next.
     column: usize,

@@ -26,7 +26,10 @@ impl Machine {
             cpu: cpu().unwrap_or_else(|| format!("unknown {}", std::env::consts::ARCH)),
             cores: thread::available_parallelism().map_or(1, usize::from),
             instruction_set: Level::best().name(),
-            tools: tools.into_iter().filter_map(|[tool, argument]| first_line(tool, &[argument])).collect(),
+            tools: tools
+                .into_iter()
+                .filter_map(|[tool, argument]| first_line(tool, &[argument]))
+                .collect(),
         }
     }
 }
@@ -39,7 +42,10 @@ fn cpu() -> Option<String> {
 
 /// From the text of Linux's `/proc/cpuinfo`.
 fn model_name(text: &str) -> Option<String> {
-    let (_, name) = text.lines().filter_map(|line| line.split_once(':')).find(|(key, _)| key.trim() == "model name")?;
+    let (_, name) = text
+        .lines()
+        .filter_map(|line| line.split_once(':'))
+        .find(|(key, _)| key.trim() == "model name")?;
     Some(name.trim().to_owned())
 }
 

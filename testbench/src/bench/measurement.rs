@@ -48,9 +48,12 @@ impl Row {
 }
 
 impl Measurement {
-    /// How many times as fast as Verilator with its outputs alone; `None` if that did not take part.
+    /// How many times as fast as Verilator with its outputs alone; `None` if that did not take
+    /// part.
     pub fn ratio_to_verilator(&self, row: &Row) -> Option<f64> {
-        let is_reference = |row: &&Row| row.entry.engine == EngineKind::Verilator && row.entry.mode == Mode::Outputs;
+        let is_reference = |row: &&Row| {
+            row.entry.engine == EngineKind::Verilator && row.entry.mode == Mode::Outputs
+        };
         self.rows.iter().find(is_reference).map(|reference| row.rate() / reference.rate())
     }
 }

@@ -50,7 +50,8 @@ pub enum Step {
 
 /// Spans of the first try.
 const FIRST_SPANS: usize = 16;
-/// At most so many times as many spans in the next try: what a short run says of a long one is not much.
+/// At most so many times as many spans in the next try: what a short run says of a long one is not
+/// much.
 const GROWTH: f64 = 8.0;
 /// A run is long enough if it takes so much of the time that it is to take.
 const ENOUGH: f64 = 0.8;
@@ -61,25 +62,41 @@ const MOST_SPANS: usize = 1 << 25;
 ///
 /// # Errors
 /// [`MeasureError`] if an engine fails or its pixels are wrong.
-pub fn measure(bench: &Bench, extent: Extent, progress: &mut dyn FnMut(&Step)) -> Result<Measurement, MeasureError> {
+pub fn measure(
+    bench: &Bench,
+    extent: Extent,
+    progress: &mut dyn FnMut(&Step),
+) -> Result<Measurement, MeasureError> {
     let workload = Workload::new(bench)?;
     let scratch = Scratch::new()?;
-    let Field { mut contestants, skipped, .. } = Field::gather(bench, &workload, &scratch, progress)?;
+    let Field { mut contestants, skipped, .. } =
+        Field::gather(bench, &workload, &scratch, progress)?;
     let mut records = vec![];
     for contestant in &mut contestants {
         progress(&Step::Trying { entry: contestant.entry() });
-        records.push(Record { spans: enough_spans(contestant.as_mut(), &workload, extent.seconds)?, ..Record::default() });
+        records.push(Record {
+            spans: enough_spans(contestant.as_mut(), &workload, extent.seconds)?,
+            ..Record::default()
+        });
     }
     level(&contestants, &mut records);
     let rounds = extent.rounds.max(1);
     let all = rounds * contestants.len();
     for round in 0..rounds {
         for (number, (contestant, record)) in contestants.iter_mut().zip(&mut records).enumerate() {
-            progress(&Step::Measuring { entry: contestant.entry(), done: round * all / rounds + number, all });
+            progress(&Step::Measuring {
+                entry: contestant.entry(),
+                done: round * all / rounds + number,
+                all,
+            });
             record.add(contestant.as_mut(), &workload)?;
         }
     }
-    let rows = contestants.iter().zip(&records).map(|(contestant, record)| record.row(contestant.entry())).collect();
+    let rows = contestants
+        .iter()
+        .zip(&records)
+        .map(|(contestant, record)| record.row(contestant.entry()))
+        .collect();
     let clocks_of_a_frame = bench.clocks();
     Ok(Measurement { machine: Machine::this(), clocks_of_a_frame, rows, skipped })
 }
@@ -94,7 +111,11 @@ struct Record {
 }
 
 impl Record {
-    fn add(&mut self, contestant: &mut dyn Contestant, workload: &Workload) -> Result<(), MeasureError> {
+    fn add(
+        &mut self,
+        contestant: &mut dyn Contestant,
+        workload: &Workload,
+    ) -> Result<(), MeasureError> {
         self.start_ups.push(contestant.start_up()?);
         let timed = checked(contestant, workload, self.spans)?;
         self.clocks = timed.clocks;
@@ -103,12 +124,21 @@ impl Record {
     }
 
     fn row(&self, entry: Entry) -> Row {
-        Row { entry, clocks: self.clocks, rates: self.rates.clone(), build_seconds: median(&self.start_ups) }
+        Row {
+            entry,
+            clocks: self.clocks,
+            rates: self.rates.clone(),
+            build_seconds: median(&self.start_ups),
+        }
     }
 }
 
 /// A run whose sums are right.
-fn checked(contestant: &mut dyn Contestant, workload: &Workload, spans: usize) -> Result<Timed, MeasureError> {
+fn checked(
+    contestant: &mut dyn Contestant,
+    workload: &Workload,
+    spans: usize,
+) -> Result<Timed, MeasureError> {
     let timed = contestant.run(spans)?;
     let expected = workload.sums(spans);
     if timed.sums == expected {
@@ -118,8 +148,8 @@ fn checked(contestant: &mut dyn Contestant, workload: &Workload, spans: usize) -
     Err(MeasureError::WrongSums { entry: contestant.entry().describe(), spans, given, expected })
 }
 
-/// Gives all that write waveforms the same spans, as many as the fastest of them needs: what a waveform costs depends on how many signals
-/// change, and that on the part of the frame.
+/// Gives all that write waveforms the same spans, as many as the fastest of them needs: what a
+/// waveform costs depends on how many signals change, and that on the part of the frame.
 fn level(contestants: &[Box<dyn Contestant + '_>], records: &mut [Record]) {
     for mode in [Mode::Vcd, Mode::VcdNull, Mode::Fst] {
         let of_mode = |number: &usize| contestants[*number].entry().mode == mode;
@@ -130,7 +160,11 @@ fn level(contestants: &[Box<dyn Contestant + '_>], records: &mut [Record]) {
 }
 
 /// How many spans take about `seconds`; trying warms up as well.
-fn enough_spans(contestant: &mut dyn Contestant, workload: &Workload, seconds: f64) -> Result<usize, MeasureError> {
+fn enough_spans(
+    contestant: &mut dyn Contestant,
+    workload: &Workload,
+    seconds: f64,
+) -> Result<usize, MeasureError> {
     contestant.start_up()?;
     let mut spans = FIRST_SPANS;
     loop {
@@ -171,7 +205,11 @@ mod tests {
         }
 
         fn run(&mut self, spans: usize) -> Result<Timed, MeasureError> {
-            Ok(Timed { seconds: spans as f64 / 1000.0, clocks: 7 * spans as u64, sums: self.workload.sums(spans + self.more) })
+            Ok(Timed {
+                seconds: spans as f64 / 1000.0,
+                clocks: 7 * spans as u64,
+                sums: self.workload.sums(spans + self.more),
+            })
         }
     }
 
@@ -210,7 +248,8 @@ mod tests {
     fn wrong_pixels_are_an_error() {
         with_workload(|workload| {
             assert_ne!(workload.sums(1), Sums::default());
-            let error = checked(&mut Fake { workload, more: 1, mode: Mode::Outputs }, workload, 20).unwrap_err();
+            let error = checked(&mut Fake { workload, more: 1, mode: Mode::Outputs }, workload, 20)
+                .unwrap_err();
             assert!(matches!(error, MeasureError::WrongSums { spans: 20, .. }), "{error}");
         });
     }

@@ -17,7 +17,8 @@ pub(crate) struct Scratch {
 }
 
 impl Scratch {
-    /// A directory in memory if there is one with enough room, so that no disk is measured; else where temporary files go.
+    /// A directory in memory if there is one with enough room, so that no disk is measured; else
+    /// where temporary files go.
     ///
     /// # Errors
     /// [`MeasureError::Scratch`] if none can be made.
@@ -26,7 +27,8 @@ impl Scratch {
         builder.prefix("specula-bench-");
         let in_memory = Path::new(IN_MEMORY);
         let made = if has_room(in_memory) { builder.tempdir_in(in_memory).ok() } else { None };
-        let directory = made.map_or_else(|| builder.tempdir(), Ok).map_err(MeasureError::Scratch)?;
+        let directory =
+            made.map_or_else(|| builder.tempdir(), Ok).map_err(MeasureError::Scratch)?;
         Ok(Scratch { directory })
     }
 
@@ -35,8 +37,8 @@ impl Scratch {
         self.directory.path().join("waveform")
     }
 
-    /// Removes the waveform, so that the next measurement does not have to. Not every one writes it, and a file that stays is
-    /// overwritten.
+    /// Removes the waveform, so that the next measurement does not have to. Not every one writes
+    /// it, and a file that stays is overwritten.
     pub fn clear(&self) {
         let _ = fs::remove_file(self.file());
     }
@@ -44,7 +46,8 @@ impl Scratch {
 
 #[cfg(unix)]
 fn has_room(directory: &Path) -> bool {
-    rustix::fs::statvfs(directory).is_ok_and(|system| system.f_bavail.saturating_mul(system.f_frsize) >= ROOM)
+    rustix::fs::statvfs(directory)
+        .is_ok_and(|system| system.f_bavail.saturating_mul(system.f_frsize) >= ROOM)
 }
 
 #[cfg(not(unix))]

@@ -5,7 +5,8 @@ use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 use specula_sim::{Batch, Lanes, Stimulus};
 
-/// The sum of each output over all pixels, modulo 2^32: as narrow as lanes are, so that adding up costs next to nothing.
+/// The sum of each output over all pixels, modulo 2^32: as narrow as lanes are, so that adding up
+/// costs next to nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Sums(pub [u32; 3]);
 
@@ -68,7 +69,9 @@ impl Summing {
 /// The sum of the lanes, modulo 2^32.
 fn added_up(lanes: Lanes) -> u32 {
     match lanes {
-        Lanes::Narrow(lanes) => lanes.iter().fold(0, |sum: u32, &lane| sum.wrapping_add(lane as u32)),
+        Lanes::Narrow(lanes) => {
+            lanes.iter().fold(0, |sum: u32, &lane| sum.wrapping_add(lane as u32))
+        }
         Lanes::Wide(lanes) => lanes.iter().fold(0, |sum: u32, &lane| sum.wrapping_add(lane as u32)),
         Lanes::Constant(value, clocks) => (value as u32).wrapping_mul(clocks as u32),
     }

@@ -24,7 +24,12 @@ impl Workload {
     pub fn new(bench: &Bench) -> Result<Workload, MeasureError> {
         let (spans, model) = (FrameSpans::new(bench.frame, bench.spec), Model::new(bench.spec));
         let inputs_per_span = bench.design.inputs.len();
-        let mut workload = Workload { lengths: vec![], inputs: vec![], inputs_per_span, sums: vec![Sums::default()] };
+        let mut workload = Workload {
+            lengths: vec![],
+            inputs: vec![],
+            inputs_per_span,
+            sums: vec![Sums::default()],
+        };
         let mut total = Sums::default();
         for index in 0..spans.count() {
             let packet = spans.packet(index);

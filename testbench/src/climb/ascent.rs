@@ -18,8 +18,8 @@ const RISE: f64 = 1e-4;
 /// What the rounding to 8 bits alone is off by at most, in LSBs.
 const OF_ROUNDING: f64 = 0.5;
 /// What is added to bounds, in LSBs, one of these in an ascent: with little, errors of fine formats
-/// count as much as those of coarse ones, and roundings of colours to 2^-7 LSB lead to a ratio of 1;
-/// with much, only large errors count.
+/// count as much as those of coarse ones, and roundings of colours to 2^-7 LSB lead to a ratio of
+/// 1; with much, only large errors count.
 const SLACKS: [f64; 3] = [0.002, 0.03, 0.3];
 /// Bounds above which an ascent does not go, one of these in LSBs: where formats are so coarse that
 /// the bound is all that a code can be off, it is reached easily.
@@ -58,8 +58,15 @@ pub struct Ascent {
 
 impl Ascent {
     /// Climbs by `method` until `scenes` are tried; `count` is told of each.
-    pub fn new(draw: &mut Draw, method: Method, scenes: u64, bound: &Bound, count: &(dyn Fn() + Sync)) -> Ascent {
-        let mut climber = Climber { draw, method, most: scenes, bound, count, ascent: Ascent::default() };
+    pub fn new(
+        draw: &mut Draw,
+        method: Method,
+        scenes: u64,
+        bound: &Bound,
+        count: &(dyn Fn() + Sync),
+    ) -> Ascent {
+        let mut climber =
+            Climber { draw, method, most: scenes, bound, count, ascent: Ascent::default() };
         while !climber.is_tired() {
             climber.climb();
         }
@@ -83,7 +90,8 @@ impl Climber<'_> {
 
     /// From the best of some random scenes on, until nothing gets better.
     fn climb(&mut self) {
-        let taste = Taste { slack: self.draw.one_of(&SLACKS), most_bound: self.draw.one_of(&MOST_BOUNDS) };
+        let taste =
+            Taste { slack: self.draw.one_of(&SLACKS), most_bound: self.draw.one_of(&MOST_BOUNDS) };
         let height = |measure: &Measure| taste.height(measure);
         let Some((mut genome, mut measure)) = self.beginning(&height) else { return };
         let mutation = Mutation::new(self.draw);
@@ -99,7 +107,10 @@ impl Climber<'_> {
                 (genome, measure) = (next, of_next);
             }
         }
-        if measure.ratio() <= 1.0 && measure.unrounded > measure.bound - OF_ROUNDING && measure.bound < NO_BOUND {
+        if measure.ratio() <= 1.0
+            && measure.unrounded > measure.bound - OF_ROUNDING
+            && measure.bound < NO_BOUND
+        {
             self.show(&genome);
         }
     }
@@ -162,7 +173,12 @@ impl Climber<'_> {
         if measure.ratio() > 1.0 {
             self.ascent.first_broken.get_or_insert(self.ascent.scenes);
         }
-        if self.ascent.largest.as_ref().is_none_or(|largest| measure.ratio() > largest.measure.ratio()) {
+        if self
+            .ascent
+            .largest
+            .as_ref()
+            .is_none_or(|largest| measure.ratio() > largest.measure.ratio())
+        {
             self.ascent.largest = Some(Found { genome: genome.clone(), measure });
         }
     }
@@ -178,10 +194,10 @@ struct Taste {
 }
 
 impl Taste {
-    /// How high a scene stands: the error of a sum before it is rounded to a code, by what is proven
-    /// of that. The codes' own ratio is near 1 wherever the rounding to 8 bits is most of it, and
-    /// does not move with small changes; it counts where a bound is broken, or where codes are
-    /// always the same, whose bound may be below what rounding takes.
+    /// How high a scene stands: the error of a sum before it is rounded to a code, by what is
+    /// proven of that. The codes' own ratio is near 1 wherever the rounding to 8 bits is most of
+    /// it, and does not move with small changes; it counts where a bound is broken, or where codes
+    /// are always the same, whose bound may be below what rounding takes.
     fn height(self, measure: &Measure) -> f64 {
         let ratio = measure.ratio();
         if measure.bound >= self.most_bound {

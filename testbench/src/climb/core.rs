@@ -59,7 +59,9 @@ impl CoreChoice {
     fn tables(&self, prefix: &str) -> String {
         let name = self.method.name();
         let (pipelines, specialise) = (self.light_pipelines.name(), self.specialise.name());
-        let mut text = format!("method = \"{name}\"\nlight_pipelines = \"{pipelines}\"\nspecialise = \"{specialise}\"\n");
+        let mut text = format!(
+            "method = \"{name}\"\nlight_pipelines = \"{pipelines}\"\nspecialise = \"{specialise}\"\n"
+        );
         // Writing to a String cannot fail.
         let _ = writeln!(text, "\n[{prefix}{name}]");
         self.options.iter().for_each(|(key, value)| _ = writeln!(text, "{key} = {value}"));
@@ -88,7 +90,13 @@ impl CoreChoice {
 
     fn repair(&mut self, error: &SpecError) -> Option<()> {
         match error {
-            SpecError::WrongFormat { name, given, wanted, fewest_fraction_bits, most_fraction_bits } => {
+            SpecError::WrongFormat {
+                name,
+                given,
+                wanted,
+                fewest_fraction_bits,
+                most_fraction_bits,
+            } => {
                 // The format is followed by the reason, if there is one.
                 let shape: Format = wanted.split(',').next()?.parse().ok()?;
                 let most = *most_fraction_bits.max(fewest_fraction_bits);

@@ -56,7 +56,8 @@ pub fn measure(text: String, bound: &Bound) -> Result<Measure, Unmeasured> {
     caught(|| {
         let (spec, frame) = read(text)?;
         let design = specula_hdl::elaborate(&spec, "core").map_err(|_| Unmeasured::Refused)?;
-        let [largest, unrounded] = errors(&spec, &frame).map_err(|error| Unmeasured::Fault(error.to_string()))?;
+        let [largest, unrounded] =
+            errors(&spec, &frame).map_err(|error| Unmeasured::Fault(error.to_string()))?;
         Ok(Measure { bound: bound(&design), largest, unrounded })
     })
 }
@@ -71,7 +72,9 @@ pub fn simulate(text: String) -> Result<(), Unmeasured> {
         let run = || Bench::new(&frame, &spec, "core")?.run(EngineKind::Fast, &mut |_, _| ());
         match run() {
             Ok(outcome) if outcome.agrees() => Ok(()),
-            Ok(_) => Err(Unmeasured::Fault("the simulated core does not do what the bit-true model says".to_owned())),
+            Ok(_) => Err(Unmeasured::Fault(
+                "the simulated core does not do what the bit-true model says".to_owned(),
+            )),
             Err(BenchError::TooWide(_)) => Err(Unmeasured::Refused),
             Err(error) => Err(Unmeasured::Fault(error.to_string())),
         }
@@ -87,7 +90,8 @@ fn read(text: String) -> Result<(CoreSpec, Frame), Unmeasured> {
 
 /// A panic is a fault like another, and must not end the search.
 fn caught<T>(body: impl FnOnce() -> Result<T, Unmeasured>) -> Result<T, Unmeasured> {
-    catch_unwind(AssertUnwindSafe(body)).unwrap_or_else(|_| Err(Unmeasured::Fault("a panic".to_owned())))
+    catch_unwind(AssertUnwindSafe(body))
+        .unwrap_or_else(|_| Err(Unmeasured::Fault("a panic".to_owned())))
 }
 
 /// The largest errors of codes and of sums of light against the method in exact arithmetic, in
@@ -101,7 +105,8 @@ fn errors(spec: &CoreSpec, frame: &Frame) -> Result<[f64; 2], PacketError> {
             for (sum, exact) in sums.into_iter().zip(method.pixel(pixel)) {
                 let sum = sum.min(FULL_SCALE);
                 let code = (sum + 0.5).floor();
-                largest = [largest[0].max((code - exact).abs()), largest[1].max((sum - exact).abs())];
+                largest =
+                    [largest[0].max((code - exact).abs()), largest[1].max((sum - exact).abs())];
             }
         }
     }

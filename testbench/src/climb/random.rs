@@ -32,7 +32,8 @@ pub(super) fn of_any_size(draw: &mut Draw, low: f64, high: f64) -> f64 {
 pub fn genome(draw: &mut Draw, method: Method) -> Option<Genome> {
     let scene = scene(draw);
     let mut core = CoreChoice::default_of(method);
-    core.light_pipelines = if happens(draw, 0.2) { LightPipelines::Shared } else { LightPipelines::Each };
+    core.light_pipelines =
+        if happens(draw, 0.2) { LightPipelines::Shared } else { LightPipelines::Each };
     core.specialise = if happens(draw, 0.1) { Specialise::General } else { Specialise::Scene };
     for choice in method.choices() {
         if happens(draw, 0.4) {
@@ -50,7 +51,8 @@ fn formats(draw: &mut Draw, core: &mut CoreChoice) {
     let is_coarse = happens(draw, 0.5);
     for point in core.points.clone() {
         if happens(draw, share) {
-            let format = if is_coarse { coarse_format(draw, &point) } else { any_format(draw, &point) };
+            let format =
+                if is_coarse { coarse_format(draw, &point) } else { any_format(draw, &point) };
             core.set_format(point.name, format);
         }
     }
@@ -58,17 +60,22 @@ fn formats(draw: &mut Draw, core: &mut CoreChoice) {
 
 /// A format that the narrowing point may have.
 pub(super) fn any_format(draw: &mut Draw, point: &NarrowingPoint) -> Format {
-    let (fewest, most) = (point.fewest_fraction_bits, point.most_fraction_bits.max(point.fewest_fraction_bits));
+    let (fewest, most) =
+        (point.fewest_fraction_bits, point.most_fraction_bits.max(point.fewest_fraction_bits));
     Format { fraction_bits: draw.between(fewest.into(), most.into()) as u32, ..point.format }
 }
 
 fn coarse_format(draw: &mut Draw, point: &NarrowingPoint) -> Format {
     let fraction_bits = point.fewest_fraction_bits + draw.between(0, COARSE) as u32;
-    Format { fraction_bits: fraction_bits.min(point.most_fraction_bits.max(point.fewest_fraction_bits)), ..point.format }
+    Format {
+        fraction_bits: fraction_bits.min(point.most_fraction_bits.max(point.fewest_fraction_bits)),
+        ..point.format
+    }
 }
 
 fn scene(draw: &mut Draw) -> SpanScene {
-    let lights: Vec<Light> = (0..draw.one_of(&[1, 1, 1, 2, 2, 3, 4])).map(|_| light(draw)).collect();
+    let lights: Vec<Light> =
+        (0..draw.one_of(&[1, 1, 1, 2, 2, 3, 4])).map(|_| light(draw)).collect();
     SpanScene {
         ambient: colour(draw),
         colours: lights.iter().map(|_| colour(draw)).collect(),
@@ -109,7 +116,11 @@ pub(super) fn colour(draw: &mut Draw) -> Colour {
 
 /// An exponent n, a power of two more often than not.
 pub(super) fn exponent(draw: &mut Draw) -> u32 {
-    if happens(draw, 0.6) { draw.even_shininess() } else { draw.length(specula_scene::spec::LARGEST_SHININESS) }
+    if happens(draw, 0.6) {
+        draw.even_shininess()
+    } else {
+        draw.length(specula_scene::spec::LARGEST_SHININESS)
+    }
 }
 
 /// Any material.

@@ -33,7 +33,8 @@ pub fn climb(search: &Search, count: &(dyn Fn() + Sync)) -> Vec<MethodReport> {
 
 /// Climbs with other bounds, to see whether broken ones are found.
 fn climb_against(search: &Search, bound: &Bound, count: &(dyn Fn() + Sync)) -> Vec<MethodReport> {
-    let climbers: Vec<(Method, u64, u64)> = search.methods.iter().flat_map(|&method| search.climbers(method)).collect();
+    let climbers: Vec<(Method, u64, u64)> =
+        search.methods.iter().flat_map(|&method| search.climbers(method)).collect();
     let one = |&(method, number, scenes): &(Method, u64, u64)| {
         let mut draw = Draw::new(search.seed, (method as u64) << 32 | number);
         Ascent::new(&mut draw, method, scenes, bound, count)
@@ -56,10 +57,12 @@ impl Search {
 }
 
 fn report(method: Method, ascents: &[&Ascent], bound: &Bound) -> MethodReport {
-    let mut highest: Vec<&Found> = ascents.iter().filter_map(|ascent| ascent.largest.as_ref()).collect();
+    let mut highest: Vec<&Found> =
+        ascents.iter().filter_map(|ascent| ascent.largest.as_ref()).collect();
     // The sort is stable, so that of equal ones the first counts.
     highest.sort_by(|a, b| b.measure.ratio().total_cmp(&a.measure.ratio()));
-    let broken: Vec<&Found> = highest.iter().copied().filter(|found| found.measure.ratio() > 1.0).collect();
+    let broken: Vec<&Found> =
+        highest.iter().copied().filter(|found| found.measure.ratio() > 1.0).collect();
     let told = broken.par_iter().take(MOST_TOLD).map(|found| made_small(found, bound));
     let intact = highest.par_iter().filter(|found| found.measure.ratio() <= 1.0);
     let simulated: Vec<Option<Peak>> = intact.map(|found| differing(found)).collect();
@@ -89,13 +92,21 @@ fn first_broken(ascents: &[&Ascent]) -> Option<u64> {
 }
 
 fn made_small(found: &Found, bound: &Bound) -> Peak {
-    let broken = |genome: &Genome| measure(genome.text(), bound).ok().filter(|measure| measure.ratio() > 1.0);
+    let broken = |genome: &Genome| {
+        measure(genome.text(), bound).ok().filter(|measure| measure.ratio() > 1.0)
+    };
     let (genome, measure) = shrunk(&found.genome, found.measure, &broken);
     peak(&genome, &measure)
 }
 
 fn peak(genome: &Genome, measure: &Measure) -> Peak {
-    Peak { ratio: measure.ratio(), quantisation_lsb: measure.largest, bound_lsb: measure.bound, fault: None, scene: genome.text() }
+    Peak {
+        ratio: measure.ratio(),
+        quantisation_lsb: measure.largest,
+        bound_lsb: measure.bound,
+        fault: None,
+        scene: genome.text(),
+    }
 }
 
 /// What is wrong with the hardware where a climber ended.
@@ -107,7 +118,13 @@ fn differing(found: &Found) -> Option<Peak> {
 }
 
 fn faulty(genome: &Genome, what: String) -> Peak {
-    Peak { ratio: 0.0, quantisation_lsb: 0.0, bound_lsb: 0.0, fault: Some(what), scene: genome.text() }
+    Peak {
+        ratio: 0.0,
+        quantisation_lsb: 0.0,
+        bound_lsb: 0.0,
+        fault: Some(what),
+        scene: genome.text(),
+    }
 }
 
 fn fault_of<T>(result: Result<T, Unmeasured>) -> Option<String> {
@@ -147,16 +164,25 @@ mod tests {
         for method in [Method::Hybrid, Method::Slerp] {
             let search = Search { seed: 1, scenes: SCENES, methods: vec![method] };
             let found = &climb_against(&search, &planted, &|| ())[0];
-            let (climbed, drawn) = (found.largest.as_ref().map_or(0.0, |peak| peak.ratio), drawn(method));
+            let (climbed, drawn) =
+                (found.largest.as_ref().map_or(0.0, |peak| peak.ratio), drawn(method));
             println!("{}: climbed {climbed:.4}, drawn {drawn:.4}", method.name());
-            assert!(drawn <= 1.0 && climbed > 1.0, "{}: climbed {climbed}, drawn {drawn}", method.name());
+            assert!(
+                drawn <= 1.0 && climbed > 1.0,
+                "{}: climbed {climbed}, drawn {drawn}",
+                method.name()
+            );
             assert!(found.first_broken_after.is_some() && !found.holds());
             // What is told is smaller than where it was found, and broken still.
             let small = &found.wrong[0];
             let of_small = measure(small.scene.clone(), &planted).expect("it has a core");
             assert_eq!((of_small.ratio(), of_small.bound), (small.ratio, small.bound_lsb));
             let largest = &found.largest.as_ref().expect("a bound was broken").scene;
-            assert!(small.ratio > 1.0 && small.scene.len() < largest.len(), "{largest}\n{}", small.scene);
+            assert!(
+                small.ratio > 1.0 && small.scene.len() < largest.len(),
+                "{largest}\n{}",
+                small.scene
+            );
         }
     }
 }

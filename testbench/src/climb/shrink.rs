@@ -12,7 +12,11 @@ const MOST_TRIED: usize = 300;
 ///
 /// `wrong` says what is wrong with a genome, if anything is. Each change is kept that leaves
 /// something wrong; they are gone through until none does, or too many were tried.
-pub(super) fn shrunk<T>(genome: &Genome, is_wrong: T, wrong: &dyn Fn(&Genome) -> Option<T>) -> (Genome, T) {
+pub(super) fn shrunk<T>(
+    genome: &Genome,
+    is_wrong: T,
+    wrong: &dyn Fn(&Genome) -> Option<T>,
+) -> (Genome, T) {
     let (mut best, mut tried) = ((genome.clone(), is_wrong), 0);
     loop {
         let text = best.0.text();
@@ -46,7 +50,10 @@ fn fewer(scene: &SpanScene) -> Vec<SpanScene> {
         fewer.extend((0..scene.lights.len()).map(|light| without_light(scene, light)));
     }
     for (span, length) in scene.spans.iter().map(|span| span.length).enumerate() {
-        for shorter in [1, length / 2, length - length / 8].into_iter().filter(|&shorter| (1..length).contains(&shorter)) {
+        for shorter in [1, length / 2, length - length / 8]
+            .into_iter()
+            .filter(|&shorter| (1..length).contains(&shorter))
+        {
             let mut changed = scene.clone();
             changed.spans[span].length = shorter;
             fewer.push(changed);

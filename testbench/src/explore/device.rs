@@ -26,10 +26,11 @@ impl Device {
         Device { name: "xc7a35t", block: [25, 18], blocks: 90, registers: 41_600 },
     ];
 
-    /// Blocks that a product of two signals takes, cut into parts that a block multiplies. Parts behind the first have no sign, and so
-    /// a bit less.
+    /// Blocks that a product of two signals takes, cut into parts that a block multiplies. Parts
+    /// behind the first have no sign, and so a bit less.
     fn blocks_for(&self, [a, b]: [u32; 2]) -> u64 {
-        let parts = |width: u32, port: u32| u64::from(width.saturating_sub(1).div_ceil(port - 1).max(1));
+        let parts =
+            |width: u32, port: u32| u64::from(width.saturating_sub(1).div_ceil(port - 1).max(1));
         let [long, short] = self.block;
         (parts(a, long) * parts(b, short)).min(parts(a, short) * parts(b, long))
     }
@@ -38,7 +39,8 @@ impl Device {
 /// What a core takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Cost {
-    /// Bit products of all multipliers of two variables; with a device, of all blocks that they take, used or not.
+    /// Bit products of all multipliers of two variables; with a device, of all blocks that they
+    /// take, used or not.
     pub multiplier_bits: u64,
     /// Multiplier blocks, if a device is given.
     pub blocks: Option<u64>,
@@ -54,8 +56,11 @@ impl Cost {
     /// What `design` takes, of a device if one is given.
     pub fn of(design: &Design, device: Option<&Device>) -> Cost {
         let size = design.size();
-        let blocks = device.map(|device| products(design).map(|widths| device.blocks_for(widths)).sum());
-        let of_blocks = |(blocks, device): (u64, &Device)| blocks * u64::from(device.block[0] * device.block[1]);
+        let blocks =
+            device.map(|device| products(design).map(|widths| device.blocks_for(widths)).sum());
+        let of_blocks = |(blocks, device): (u64, &Device)| {
+            blocks * u64::from(device.block[0] * device.block[1])
+        };
         Cost {
             multiplier_bits: blocks.zip(device).map_or(size.multiplier_bits, of_blocks),
             blocks,
@@ -65,12 +70,14 @@ impl Cost {
         }
     }
 
-    /// One number for all of it: a cell for each bit product, each bit of an adder, of a register and of read-only memory.
+    /// One number for all of it: a cell for each bit product, each bit of an adder, of a register
+    /// and of read-only memory.
     pub fn cells(&self) -> u64 {
         self.multiplier_bits + self.adder_bits + self.register_bits + self.table_bits
     }
 
-    /// Whether a device has as many multiplier blocks and registers. Nothing is said of its logic cells.
+    /// Whether a device has as many multiplier blocks and registers. Nothing is said of its logic
+    /// cells.
     pub fn fits(&self, device: &Device) -> bool {
         self.blocks.unwrap_or(0) <= device.blocks && self.register_bits <= device.registers
     }
@@ -92,9 +99,15 @@ mod tests {
     #[test]
     fn products_are_cut_into_what_blocks_multiply() {
         let device = Device { name: "", block: [25, 18], blocks: 1, registers: 0 };
-        for (widths, blocks) in
-            [([18, 25], 1), ([25, 18], 1), ([1, 1], 1), ([26, 18], 2), ([25, 25], 2), ([49, 35], 4), ([50, 35], 6)]
-        {
+        for (widths, blocks) in [
+            ([18, 25], 1),
+            ([25, 18], 1),
+            ([1, 1], 1),
+            ([26, 18], 2),
+            ([25, 25], 2),
+            ([49, 35], 4),
+            ([50, 35], 6),
+        ] {
             assert_eq!(device.blocks_for(widths), blocks, "{widths:?}");
         }
     }

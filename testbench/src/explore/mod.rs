@@ -1,8 +1,11 @@
-//! The search over methods, options and formats for the smallest core whose picture is near enough to exact shading.
+//! The search over methods, options and formats for the smallest core whose picture is near enough
+//! to exact shading.
 //!
-//! From each method's defaults one option after the other is changed as long as that helps; for each setting all formats are narrowed
-//! together; and at last, for the setting that was best, each by itself. This is a descent: what it finds is as good as stated and
-//! need not be the smallest there is. The search looks at a sample of the spans; what is reported is measured on every pixel.
+//! From each method's defaults one option after the other is changed as long as that helps; for
+//! each setting all formats are narrowed together; and at last, for the setting that was best, each
+//! by itself. This is a descent: what it finds is as good as stated and need not be the smallest
+//! there is. The search looks at a sample of the spans; what is reported is measured on every
+//! pixel.
 mod device;
 mod options;
 mod picture;
@@ -72,11 +75,16 @@ pub struct Exploration {
 ///
 /// # Errors
 /// [`BenchError`] if a core cannot be built.
-pub fn explore(frame: &Frame, wanted: &Wanted, progress: &(dyn Fn() + Sync)) -> Result<Exploration, BenchError> {
+pub fn explore(
+    frame: &Frame,
+    wanted: &Wanted,
+    progress: &(dyn Fn() + Sync),
+) -> Result<Exploration, BenchError> {
     let needs = Needs::of(frame);
     let sample = ExactPicture::new(sampled(frame, SAMPLE));
     let search = Search { frame, needs: &needs, sample: &sample, wanted, progress };
-    let searched: Vec<Searched> = wanted.methods.par_iter().map(|&method| search.method(method)).collect::<Result<_, _>>()?;
+    let searched: Vec<Searched> =
+        wanted.methods.par_iter().map(|&method| search.method(method)).collect::<Result<_, _>>()?;
     let refused = searched.iter().filter_map(|searched| searched.refused.clone()).collect();
     let tried: Vec<Explored> = searched.into_iter().flat_map(|searched| searched.tried).collect();
     let number = tried.len();
@@ -89,16 +97,21 @@ pub fn explore(frame: &Frame, wanted: &Wanted, progress: &(dyn Fn() + Sync)) -> 
 /// Those that no other one beats, the smallest first. Of equals the first counts.
 fn front(tried: Vec<Explored>) -> Vec<Explored> {
     // Far fewer cells than 2^53.
-    let places: Vec<(f64, f64)> = tried.iter().map(|core| (core.cost.cells() as f64, core.error)).collect();
+    let places: Vec<(f64, f64)> =
+        tried.iter().map(|core| (core.cost.cells() as f64, core.error)).collect();
     pareto_front(&places).into_iter().map(|number| tried[number].clone()).collect()
 }
 
 /// The front of cores whose errors are of a sample, by their errors over every pixel.
 fn measured(cores: Vec<Explored>, frame: &Frame) -> Result<Vec<Explored>, BenchError> {
     let whole = ExactPicture::new(frame.clone());
-    let measured = cores.into_iter().map(|core| Ok(Explored { error: whole.largest_error(&core.spec)?, ..core }));
+    let measured = cores
+        .into_iter()
+        .map(|core| Ok(Explored { error: whole.largest_error(&core.spec)?, ..core }));
     let front = front(measured.collect::<Result<_, BenchError>>()?);
-    let checked = front.into_iter().map(|core| Ok(Explored { quantisation: Some(largest_error(&core.spec, frame)?), ..core }));
+    let checked = front
+        .into_iter()
+        .map(|core| Ok(Explored { quantisation: Some(largest_error(&core.spec, frame)?), ..core }));
     checked.collect()
 }
 
@@ -147,7 +160,10 @@ impl Search<'_> {
     fn method(&self, method: Method) -> Result<Searched, BenchError> {
         let start = Options::default_of(method);
         if let Err(error) = start.spec(self.needs) {
-            return Ok(Searched { refused: Some(format!("{}: {error}", method.name())), ..Searched::default() });
+            return Ok(Searched {
+                refused: Some(format!("{}: {error}", method.name())),
+                ..Searched::default()
+            });
         }
         let tries = Tries { search: self, tried: RefCell::default(), known: RefCell::default() };
         if let Some(Setting { options, spec, rank: Rank::Within(_) }) = tries.best_options(start)? {
@@ -173,7 +189,8 @@ impl Tries<'_> {
             let Some(before) = best.as_ref().map(|setting| setting.options.clone()) else { break };
             for neighbour in before.neighbours() {
                 let setting = self.narrowed(neighbour)?;
-                let is_better = |old: &Setting| setting.as_ref().is_some_and(|new| new.rank < old.rank);
+                let is_better =
+                    |old: &Setting| setting.as_ref().is_some_and(|new| new.rank < old.rank);
                 if best.as_ref().is_some_and(is_better) {
                     best = setting;
                 }
@@ -205,9 +222,11 @@ impl Tries<'_> {
         search(&Goal { most: self.search.wanted.most, error: &error, cost: &cost })
     }
 
-    /// Error and size of a general core, specialised; beyond any error and any size where it cannot be built.
+    /// Error and size of a general core, specialised; beyond any error and any size where it cannot
+    /// be built.
     fn tried(&self, options: &Options, general: &CoreSpec) -> Result<Tried, BenchError> {
-        let known = self.known.borrow().iter().find(|(core, _)| core == general).map(|(_, tried)| *tried);
+        let known =
+            self.known.borrow().iter().find(|(core, _)| core == general).map(|(_, tried)| *tried);
         if let Some(known) = known {
             return Ok(known);
         }
@@ -223,12 +242,22 @@ impl Tries<'_> {
         if let Some(seen) = seen {
             return Ok(seen);
         }
-        let Ok(design) = specula_hdl::elaborate(&spec, "core") else { return Ok(Tried { error: f64::INFINITY, cells: u64::MAX }) };
+        let Ok(design) = specula_hdl::elaborate(&spec, "core") else {
+            return Ok(Tried { error: f64::INFINITY, cells: u64::MAX });
+        };
         let cost = Cost::of(&design, wanted.device.as_ref());
         let error = sample.largest_error(&spec)?;
         let (cycles, bound) = (FrameCycles::new(&design, frame), design.error_bound());
         let bound = bound.is_finite().then_some(bound);
-        let core = Explored { core: options.describe(), error, quantisation: None, bound, cost, cycles, spec };
+        let core = Explored {
+            core: options.describe(),
+            error,
+            quantisation: None,
+            bound,
+            cost,
+            cycles,
+            spec,
+        };
         let tried = Tried::of(&core);
         self.tried.borrow_mut().push(core);
         progress();

@@ -21,12 +21,18 @@ impl Options {
     /// All that have another value for one key.
     pub fn neighbours(&self) -> Vec<Options> {
         let choices = self.method.choices().iter();
-        choices.flat_map(|choice| choice.values.iter().map(|value| self.with(choice.key, value))).collect()
+        choices
+            .flat_map(|choice| choice.values.iter().map(|value| self.with(choice.key, value)))
+            .collect()
     }
 
     fn with(&self, key: &'static str, value: &'static str) -> Options {
         let of_key = |choice: &&specula_scene::spec::Choice| {
-            let old = self.changed.iter().find(|(changed, _)| *changed == choice.key).map(|(_, value)| *value);
+            let old = self
+                .changed
+                .iter()
+                .find(|(changed, _)| *changed == choice.key)
+                .map(|(_, value)| *value);
             (if choice.key == key { Some(value) } else { old }).map(|value| (choice.key, value))
         };
         let changed = self.method.choices().iter().filter_map(|choice| of_key(&choice)).collect();
@@ -59,8 +65,14 @@ mod tests {
         let first = start.with("squarings", "3");
         let second = first.with("normalisation", "\"g1\"");
         assert_eq!(second.describe(), "lyon (normalisation = \"g1\", squarings = 3)");
-        assert_eq!(second.with("squarings", "1").describe(), "lyon (normalisation = \"g1\", squarings = 1)");
+        assert_eq!(
+            second.with("squarings", "1").describe(),
+            "lyon (normalisation = \"g1\", squarings = 1)"
+        );
         assert!(second.neighbours().contains(&second));
-        assert_eq!(start.neighbours().len(), Method::Lyon.choices().iter().map(|choice| choice.values.len()).sum::<usize>());
+        assert_eq!(
+            start.neighbours().len(),
+            Method::Lyon.choices().iter().map(|choice| choice.values.len()).sum::<usize>()
+        );
     }
 }

@@ -25,7 +25,8 @@ impl ExactPicture {
         ExactPicture { frame, exact }
     }
 
-    /// Largest |code - exact| of a core over every pixel and channel, in LSBs, by the bit-true model.
+    /// Largest |code - exact| of a core over every pixel and channel, in LSBs, by the bit-true
+    /// model.
     pub fn largest_error(&self, spec: &CoreSpec) -> Result<f64, BenchError> {
         let (model, spans) = (Model::new(spec), FrameSpans::new(&self.frame, spec));
         let of_span = |(index, exact): (usize, &Vec<[f64; 3]>)| {
@@ -38,7 +39,8 @@ impl ExactPicture {
     }
 }
 
-/// A frame with some of the spans, spread evenly, of about so many pixels; the same frame where it has no more.
+/// A frame with some of the spans, spread evenly, of about so many pixels; the same frame where it
+/// has no more.
 pub(super) fn sampled(frame: &Frame, pixels: u64) -> Frame {
     let every = frame.shaded_pixels().div_ceil(pixels).max(1) as usize;
     Frame { spans: frame.spans.iter().step_by(every).cloned().collect(), ..frame.clone() }

@@ -49,13 +49,41 @@ pub struct Part {
 
 /// The parts that have multipliers; those of one unit stand in its order.
 pub const PARTS: [Part; 9] = [
-    part("7a", "(1 − a) N0 + a N1", "6, \"might merge\"", "interpolate", &[[13, 11]; 3], "N0 + a (N1 − N0)"),
+    part(
+        "7a",
+        "(1 − a) N0 + a N1",
+        "6, \"might merge\"",
+        "interpolate",
+        &[[13, 11]; 3],
+        "N0 + a (N1 − N0)",
+    ),
     part("7a", "N'·N', y², g N'", "3, 1, 3", "normalise", &[[12, 12]; 7], ""),
-    part("7b", "N·V, 2(N·V) N", "3, 3", "reflection_minus_light", &[[12, 12]; 3], "V = (0, 0, 1), so N·V is Nz"),
+    part(
+        "7b",
+        "N·V, 2(N·V) N",
+        "3, 3",
+        "reflection_minus_light",
+        &[[12, 12]; 3],
+        "V = (0, 0, 1), so N·V is Nz",
+    ),
     part("7c", "D·D", "three 12 × 12", "shape", &[[13, 13]; 3], "D = ±2.0 where L = −R: S2.10"),
-    part("7c", "n D·D", "one 14 × 22", "shape", &[[23, 13]], "4.0 = D·D has a bit more; n up to 8000 takes 13, without sign"),
+    part(
+        "7c",
+        "n D·D",
+        "one 14 × 22",
+        "shape",
+        &[[23, 13]],
+        "4.0 = D·D has a bit more; n up to 8000 takes 13, without sign",
+    ),
     part("7d", "squarings", "two", "shape", &[[11, 11]; 2], ""),
-    part("8", "m \\|D\\|", "three 7 × 11", "root_shape", &[[12, 7]; 3], "\\|D\\| = 2.0 has a bit more"),
+    part(
+        "8",
+        "m \\|D\\|",
+        "three 7 × 11",
+        "root_shape",
+        &[[12, 7]; 3],
+        "\\|D\\| = 2.0 has a bit more",
+    ),
     part("8", "m D·m D", "three 9 × 9", "root_shape", &[[9, 9]; 3], ""),
     part("8", "squaring", "one", "root_shape", &[[17, 17]], ""),
 ];

@@ -11,8 +11,9 @@ pub(super) struct Claim {
     pub quantity: &'static str,
     /// What measures it.
     pub on: Ground,
-    /// NUMERICS.md's number, and how far from it the measured one may be: half a unit of its last digit where both are computed in
-    /// f64 from the same formula, more where samples or a core's roundings differ, with the reason beside it.
+    /// NUMERICS.md's number, and how far from it the measured one may be: half a unit of its last
+    /// digit where both are computed in f64 from the same formula, more where samples or a core's
+    /// roundings differ, with the reason beside it.
     pub expected: (f64, f64),
     /// Measures it; NaN if it cannot.
     pub measure: fn() -> f64,

@@ -42,8 +42,15 @@ pub enum CurveKind {
 }
 
 impl Curve {
-    /// A formula at `steps` + 1 places from `low` to `high`, with its name beside the place that is `label` of the way, 0 to 1.
-    pub fn formula(name: &str, colour: usize, (low, high): (f64, f64), label: f64, f: impl Fn(f64) -> f64) -> Curve {
+    /// A formula at `steps` + 1 places from `low` to `high`, with its name beside the place that is
+    /// `label` of the way, 0 to 1.
+    pub fn formula(
+        name: &str,
+        colour: usize,
+        (low, high): (f64, f64),
+        label: f64,
+        f: impl Fn(f64) -> f64,
+    ) -> Curve {
         const STEPS: u32 = 200;
         let point = |k: u32| {
             let x = low + (high - low) * f64::from(k) / f64::from(STEPS);

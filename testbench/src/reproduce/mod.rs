@@ -1,4 +1,5 @@
-//! What the papers claim and show, computed by our own code: whether it holds, and whether NUMERICS.md's number comes out.
+//! What the papers claim and show, computed by our own code: whether it holds, and whether
+//! NUMERICS.md's number comes out.
 mod claim;
 pub mod figure;
 pub mod hast;
@@ -44,10 +45,16 @@ impl Paper {
     /// Its authors and title.
     pub const fn title(self) -> &'static str {
         match self {
-            Paper::Lyon => "R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification",
-            Paper::Hast => "A. Hast, T. Barrera and E. Bengtsson, Improved Shading Performance by Avoiding Vector Normalization",
+            Paper::Lyon => {
+                "R. F. Lyon, Phong Shading Reformulation for Hardware Renderer Simplification"
+            }
+            Paper::Hast => {
+                "A. Hast, T. Barrera and E. Bengtsson, Improved Shading Performance by Avoiding Vector Normalization"
+            }
             Paper::Lecture => "Lecture 21, Shading",
-            Paper::Reshetov => "A. Reshetov, A. Soupikov and W. R. Mark, Consistent Normal Interpolation",
+            Paper::Reshetov => {
+                "A. Reshetov, A. Soupikov and W. R. Mark, Consistent Normal Interpolation"
+            }
         }
     }
 

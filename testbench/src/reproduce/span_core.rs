@@ -21,7 +21,8 @@ pub fn frame(ends: [DVec3; 2], length: u32, light: DVec3, material: Material) ->
 }
 
 impl SpanCore {
-    /// The general core of a method with options, in the formats that `frame` needs where the options name no others.
+    /// The general core of a method with options, in the formats that `frame` needs where the
+    /// options name no others.
     pub fn new(frame: &Frame, variant: &Variant) -> Option<SpanCore> {
         let spec = variant.core_spec(&Needs::of(frame)).ok()?;
         Some(SpanCore { model: Model::new(&spec), spec })

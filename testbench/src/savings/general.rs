@@ -11,7 +11,8 @@ use super::needs::{EYE_AT_INFINITY, Fact, LIGHTS, LIGHTS_AT_INFINITY};
 pub enum Baseline {
     /// Anything: four lights, the longest spans and the largest exponent that there are.
     Nothing,
-    /// What a renderer would ask for: as many lights and of the same kinds as the scene's, spans as wide as the picture, exponents up to 128.
+    /// What a renderer would ask for: as many lights and of the same kinds as the scene's, spans as
+    /// wide as the picture, exponents up to 128.
     Renderer,
 }
 
@@ -35,13 +36,15 @@ impl Baseline {
         self == Baseline::Renderer && [LIGHTS, LIGHTS_AT_INFINITY, EYE_AT_INFINITY].contains(&need)
     }
 
-    /// The needs of scenes of which `facts` are not known but for what a core of this kind is built for.
+    /// The needs of scenes of which `facts` are not known but for what a core of this kind is built
+    /// for.
     pub(super) fn forget(self, needs: &Needs, frame: &Frame, facts: &[&Fact]) -> Needs {
         let mut unknown = needs.clone();
         facts.iter().for_each(|fact| (fact.forget)(&mut unknown));
         if self == Baseline::Renderer {
             unknown.longest_span = unknown.longest_span.min(frame.width.max(needs.longest_span));
-            unknown.largest_shininess = unknown.largest_shininess.min(USUAL_SHININESS.max(needs.largest_shininess));
+            unknown.largest_shininess =
+                unknown.largest_shininess.min(USUAL_SHININESS.max(needs.largest_shininess));
         }
         unknown
     }
@@ -62,7 +65,8 @@ impl General {
     pub fn built_for(&self) -> String {
         let Needs { lights, longest_span, largest_shininess, .. } = &self.needs;
         let plural = if *lights == 1 { "" } else { "s" };
-        let known: Vec<String> = self.known.iter().map(|need| format!("; it knows the {need}")).collect();
+        let known: Vec<String> =
+            self.known.iter().map(|need| format!("; it knows the {need}")).collect();
         format!(
             "against a general core for {lights} light{plural} at once, spans of {longest_span} pixels, n up to {largest_shininess}{}",
             known.concat()

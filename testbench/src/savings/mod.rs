@@ -1,7 +1,9 @@
-//! What a core for one scene saves, need by need: each is measured by elaborating the core without knowing it.
+//! What a core for one scene saves, need by need: each is measured by elaborating the core without
+//! knowing it.
 //!
-//! What is known of a scene comes in two kinds: facts from which options and formats are chosen before any input is looked at ([`needs`]), and what inputs
-//! are given over the frame ([`inputs`]).
+//! What is known of a scene comes in two kinds: facts from which options and formats are chosen
+//! before any input is looked at ([`needs`]), and what inputs are given over the frame
+//! ([`inputs`]).
 mod general;
 mod inputs;
 mod needs;
@@ -36,8 +38,8 @@ pub struct Saving {
 pub struct Savings {
     /// Need by need. They overlap, so they do not add up to the whole.
     pub needs: Vec<Saving>,
-    /// Of all of them together, against general cores: first the one that knows nothing of the scene, then the one that a renderer
-    /// would be built with.
+    /// Of all of them together, against general cores: first the one that knows nothing of the
+    /// scene, then the one that a renderer would be built with.
     pub together: Vec<AgainstGeneral>,
 }
 
@@ -60,17 +62,28 @@ pub struct AgainstGeneral {
     pub saves: Spared,
 }
 
-/// What the core of `spec` saves that is to shade a scene, with cells if `synthesis` makes them. A need that saves nothing has no line.
+/// What the core of `spec` saves that is to shade a scene, with cells if `synthesis` makes them. A
+/// need that saves nothing has no line.
 ///
 /// # Errors
-/// [`BenchError::TooWide`] if the core has too wide a signal, [`BenchError::Simulation`] if it cannot be synthesised.
-pub fn savings(scene: &LoadedScene, spec: &CoreSpec, synthesis: Option<Synthesis>) -> Result<Savings, BenchError> {
+/// [`BenchError::TooWide`] if the core has too wide a signal, [`BenchError::Simulation`] if it
+/// cannot be synthesised.
+pub fn savings(
+    scene: &LoadedScene,
+    spec: &CoreSpec,
+    synthesis: Option<Synthesis>,
+) -> Result<Savings, BenchError> {
     let special = specula_hdl::elaborate(spec, "core")?;
-    let (of_facts, of_inputs) = rayon::join(|| needs::ignorant(scene, spec), || inputs::of_inputs(spec));
+    let (of_facts, of_inputs) =
+        rayon::join(|| needs::ignorant(scene, spec), || inputs::of_inputs(spec));
     let (of_facts, generals) = of_facts?;
     let needs: Vec<Ignorant> = of_facts.into_iter().chain(of_inputs?).collect();
     let of_generals = generals.iter().map(|general| &general.design);
-    let designs: Vec<&Design> = [&special].into_iter().chain(of_generals).chain(needs.iter().map(|need| &need.design)).collect();
+    let designs: Vec<&Design> = [&special]
+        .into_iter()
+        .chain(of_generals)
+        .chain(needs.iter().map(|need| &need.design))
+        .collect();
     let built = Built::all(&designs, synthesis)?;
     let (special, (of_generals, of_needs)) = (&built[0], built[1..].split_at(generals.len()));
     let saving = |(without, core): (&Ignorant, &Built)| Saving {
@@ -79,7 +92,12 @@ pub fn savings(scene: &LoadedScene, spec: &CoreSpec, synthesis: Option<Synthesis
         saves: Spared::between(core, special),
         safe: without.safe,
     };
-    let needs = needs.iter().zip(of_needs).map(saving).filter(|saving| !saving.saves.is_nothing()).collect();
+    let needs = needs
+        .iter()
+        .zip(of_needs)
+        .map(saving)
+        .filter(|saving| !saving.saves.is_nothing())
+        .collect();
     let against = |(general, built): (&General, &Built)| AgainstGeneral {
         baseline: general.baseline,
         built_for: general.built_for(),

@@ -29,8 +29,12 @@ const FACTS: [Fact; 10] = [
         need: LIGHTS,
         safe: "the scene has no more lights",
         // Lights at places are the last ones, so more lights at infinity would have their names.
-        forget: |needs| needs.lights = if needs.local_lights.is_empty() { MOST_LIGHTS } else { needs.lights },
-        known: |needs| format!("{} of {MOST_LIGHTS} pipelines for lights", MOST_LIGHTS - needs.lights),
+        forget: |needs| {
+            needs.lights = if needs.local_lights.is_empty() { MOST_LIGHTS } else { needs.lights }
+        },
+        known: |needs| {
+            format!("{} of {MOST_LIGHTS} pipelines for lights", MOST_LIGHTS - needs.lights)
+        },
     },
     Fact {
         need: LIGHTS_AT_INFINITY,
@@ -39,7 +43,12 @@ const FACTS: [Fact; 10] = [
             let at_infinity = needs.lights - needs.local_lights.len();
             needs.local_lights.splice(0..0, vec![LocalKind::Point; at_infinity]);
         },
-        known: |needs| format!("directions to the places of {} lights", needs.lights - needs.local_lights.len()),
+        known: |needs| {
+            format!(
+                "directions to the places of {} lights",
+                needs.lights - needs.local_lights.len()
+            )
+        },
     },
     Fact {
         need: EYE_AT_INFINITY,
@@ -63,7 +72,12 @@ const FACTS: [Fact; 10] = [
         need: "angle between normals and faces",
         safe: "no triangle of this frame has a wider one",
         forget: |needs| needs.least_cone_cosine = -1.0,
-        known: |needs| format!("{:.1} degrees, not 180", needs.least_cone_cosine.clamp(-1.0, 1.0).acos().to_degrees()),
+        known: |needs| {
+            format!(
+                "{:.1} degrees, not 180",
+                needs.least_cone_cosine.clamp(-1.0, 1.0).acos().to_degrees()
+            )
+        },
     },
     Fact {
         need: "distance to places",
@@ -73,7 +87,12 @@ const FACTS: [Fact; 10] = [
                 (needs.shortest_way, needs.shortest_unit_way) = (0.0, 0.0);
             }
         },
-        known: |needs| format!("vectors to places of {:.3} of the longer end's length at least", needs.shortest_way),
+        known: |needs| {
+            format!(
+                "vectors to places of {:.3} of the longer end's length at least",
+                needs.shortest_way
+            )
+        },
     },
     Fact {
         need: "largest exponent",
@@ -98,14 +117,20 @@ const FACTS: [Fact; 10] = [
 /// An exponent that squaring does not reach.
 const UNEVEN: u32 = 3;
 
-/// The cores for scenes of which one fact is not known, where that makes another core and it can be built; and the general cores.
+/// The cores for scenes of which one fact is not known, where that makes another core and it can be
+/// built; and the general cores.
 ///
 /// # Errors
 /// [`TooWide`] if not even the scene's own general core can be built.
-pub fn ignorant(scene: &LoadedScene, spec: &CoreSpec) -> Result<(Vec<Ignorant>, Vec<General>), TooWide> {
+pub fn ignorant(
+    scene: &LoadedScene,
+    spec: &CoreSpec,
+) -> Result<(Vec<Ignorant>, Vec<General>), TooWide> {
     let chosen = Chosen::new(scene, spec);
     let one = || FACTS.par_iter().filter_map(|fact| chosen.ignorant(fact)).collect();
-    let general = || Baseline::ALL.par_iter().map(|&baseline| chosen.general(baseline)).collect::<Result<_, _>>();
+    let general = || {
+        Baseline::ALL.par_iter().map(|&baseline| chosen.general(baseline)).collect::<Result<_, _>>()
+    };
     let (needs, generals) = rayon::join(one, general);
     Ok((needs, generals?))
 }
@@ -134,18 +159,22 @@ impl Chosen<'_> {
         Some(Ignorant { need: fact.need, left_out, safe: fact.safe, design })
     }
 
-    /// The general core that forgets every fact as a baseline has it, or as many as one can be built without.
+    /// The general core that forgets every fact as a baseline has it, or as many as one can be
+    /// built without.
     fn general(&self, baseline: Baseline) -> Result<General, TooWide> {
         let (mut core, mut forgotten, mut known) = (self.spec.general(), vec![], vec![]);
         let mut design = specula_hdl::elaborate(&core, "core")?;
         for fact in FACTS.iter().filter(|fact| !baseline.knows(fact.need)) {
             forgotten.push(fact);
-            let ignorant = self.for_needs(&baseline.forget(&self.needs, &self.scene.frame, &forgotten));
+            let ignorant =
+                self.for_needs(&baseline.forget(&self.needs, &self.scene.frame, &forgotten));
             // Many facts make no other core, and that is built already.
             if ignorant.as_ref() == Some(&core) {
                 continue;
             }
-            let built = ignorant.and_then(|ignorant| Some((specula_hdl::elaborate(&ignorant, "core").ok()?, ignorant)));
+            let built = ignorant.and_then(|ignorant| {
+                Some((specula_hdl::elaborate(&ignorant, "core").ok()?, ignorant))
+            });
             match built {
                 Some(ignorant) => (design, core) = ignorant,
                 None => {
@@ -158,7 +187,8 @@ impl Chosen<'_> {
         Ok(General { baseline, needs, design, known })
     }
 
-    /// The general core for scenes of which these facts are not known; none where it cannot be described.
+    /// The general core for scenes of which these facts are not known; none where it cannot be
+    /// described.
     fn without(&self, facts: &[&Fact]) -> Option<CoreSpec> {
         self.for_needs(&Baseline::Nothing.forget(&self.needs, &self.scene.frame, facts))
     }
@@ -170,19 +200,22 @@ impl Chosen<'_> {
     }
 }
 
-/// The core with what is known of its inputs: over the frame, or, if it has other lights than the frame, of those inputs that the scene's core has too.
+/// The core with what is known of its inputs: over the frame, or, if it has other lights than the
+/// frame, of those inputs that the scene's core has too.
 fn knowing_inputs(core: CoreSpec, scene: &LoadedScene, spec: &CoreSpec) -> CoreSpec {
     let places = |core: &CoreSpec| (core.lights, core.local_lights.clone(), core.local_eye);
     if places(&core) == places(spec) {
         return core.specialised(&scene.frame);
     }
     let (own, theirs) = (core.inputs(), spec.general().inputs());
-    let port = |ports: &[InputPort], name: &str| ports.iter().find(|port| port.name == name).cloned();
+    let port =
+        |ports: &[InputPort], name: &str| ports.iter().find(|port| port.name == name).cloned();
     let known = |name: &str| port(&own, name).is_some_and(|own| Some(own) == port(&theirs, name));
     CoreSpec { specialisation: spec.specialisation.only(known), ..core }
 }
 
-/// What else the core for the scene has less, for the end of a line: options that are others, and formats that are narrower.
+/// What else the core for the scene has less, for the end of a line: options that are others, and
+/// formats that are narrower.
 fn differences(spec: &CoreSpec, core: &CoreSpec) -> String {
     let theirs = core.method_options();
     let option = |(name, own): (&str, String)| {
@@ -191,8 +224,17 @@ fn differences(spec: &CoreSpec, core: &CoreSpec) -> String {
     };
     let options: String = spec.method_options().into_iter().filter_map(option).collect();
     let (points, others) = (spec.narrowing_points(), core.narrowing_points());
-    let width = |name: &str| others.iter().find(|point| point.name == name).map(|point| point.format.width());
-    let narrower = points.iter().filter(|point| width(point.name).is_some_and(|other| other > point.format.width())).count();
-    let formats = if narrower > 0 { format!("; narrower formats: {narrower} of {}", points.len()) } else { String::new() };
+    let width = |name: &str| {
+        others.iter().find(|point| point.name == name).map(|point| point.format.width())
+    };
+    let narrower = points
+        .iter()
+        .filter(|point| width(point.name).is_some_and(|other| other > point.format.width()))
+        .count();
+    let formats = if narrower > 0 {
+        format!("; narrower formats: {narrower} of {}", points.len())
+    } else {
+        String::new()
+    };
     options + &formats
 }

@@ -8,7 +8,8 @@ use crate::BenchError;
 /// Makes cells of designs, if that is asked for: [`specula_sim::synthesise`].
 pub type Synthesis<'a> = &'a dyn Fn(&[&Design]) -> Result<Vec<Synthesised>, SimError>;
 
-/// What a hardware is spared; negative where a constant's shifts and sums are more than they stand for.
+/// What a hardware is spared; negative where a constant's shifts and sums are more than they stand
+/// for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Spared {
     /// Multipliers of two variables.
@@ -47,7 +48,10 @@ pub(super) struct Built<'a> {
 
 impl Built<'_> {
     /// These cores, and with `synthesis` their cells.
-    pub fn all<'a>(designs: &[&'a Design], synthesis: Option<Synthesis>) -> Result<Vec<Built<'a>>, BenchError> {
+    pub fn all<'a>(
+        designs: &[&'a Design],
+        synthesis: Option<Synthesis>,
+    ) -> Result<Vec<Built<'a>>, BenchError> {
         let cells = match synthesis {
             Some(synthesise) => synthesise(designs)?.into_iter().map(Some).collect(),
             None => vec![None; designs.len()],
@@ -59,7 +63,8 @@ impl Built<'_> {
 impl Spared {
     /// Whether neither the hardware nor its cells are any less, or any more.
     pub(super) fn is_nothing(&self) -> bool {
-        let nothing = Spared { cells: self.cells.map(|_| SparedCells::default()), ..Spared::default() };
+        let nothing =
+            Spared { cells: self.cells.map(|_| SparedCells::default()), ..Spared::default() };
         *self == nothing
     }
 

@@ -13,7 +13,8 @@ pub const QUANTISATION: &str = "LSB of quantisation, within the proven bound";
 pub enum Verdict {
     /// All that is asked happens, and no pixel is more than 1 LSB from exact shading.
     Holds,
-    /// The method is farther from exact shading, for a documented reason, and within the limit that this sets.
+    /// The method is farther from exact shading, for a documented reason, and within the limit that
+    /// this sets.
     Limit,
     /// Something that is asked does not happen.
     Fault,
@@ -63,7 +64,12 @@ impl Asked {
     }
 
     /// A quantity that `most` bounds, if anything does.
-    pub fn within(what: impl Into<String>, most: Option<f64>, came: f64, place: Option<Place>) -> Asked {
+    pub fn within(
+        what: impl Into<String>,
+        most: Option<f64>,
+        came: f64,
+        place: Option<Place>,
+    ) -> Asked {
         Asked {
             what: what.into(),
             of_row: false,
@@ -112,7 +118,8 @@ impl Asked {
         self.came / self.most.filter(|&most| most > 0.0).unwrap_or(1.0)
     }
 
-    /// The same thing, asked of other cores too: the one that comes nearest counts, and the first of two alike.
+    /// The same thing, asked of other cores too: the one that comes nearest counts, and the first
+    /// of two alike.
     fn merge(&mut self, other: Asked) {
         let cores = self.cores + other.cores;
         if other.share() > self.share() {

@@ -39,12 +39,17 @@ impl Draw {
         low + (high - low) * self.unit()
     }
 
-    /// A whole number from `low` to `high`, the ends more often than others: that is where faults are.
+    /// A whole number from `low` to `high`, the ends more often than others: that is where faults
+    /// are.
     pub fn between(&mut self, low: i64, high: i64) -> i64 {
         match self.bits() % 8 {
             0 => low,
             1 => high,
-            _ => (i128::from(low) + i128::from(self.bits()) % (i128::from(high) - i128::from(low) + 1)) as i64,
+            _ => {
+                (i128::from(low)
+                    + i128::from(self.bits()) % (i128::from(high) - i128::from(low) + 1))
+                    as i64
+            }
         }
     }
 
@@ -74,14 +79,16 @@ impl Draw {
         turned(DVec3::Z, libm::acos(height), azimuth)
     }
 
-    /// Unit vectors at the ends of a span that are `degrees` apart, the middle one no farther than `tilt` degrees from the eye.
+    /// Unit vectors at the ends of a span that are `degrees` apart, the middle one no farther than
+    /// `tilt` degrees from the eye.
     pub fn ends(&mut self, degrees: f64, tilt: f64) -> [DVec3; 2] {
         let middle = turned(EYE, (tilt * self.unit().sqrt()).to_radians(), self.unit());
         let (half, azimuth) = (degrees.to_radians() / 2.0, self.unit());
         [turned(middle, half, azimuth), turned(middle, -half, azimuth)]
     }
 
-    /// A light whose highlight for exponent `n` lies on a span between these normals: within 2/√n of the eye's reflection somewhere.
+    /// A light whose highlight for exponent `n` lies on a span between these normals: within 2/√n
+    /// of the eye's reflection somewhere.
     pub fn aimed(&mut self, ends: [DVec3; 2], n: u32) -> DVec3 {
         let normal = ends[0].lerp(ends[1], self.unit()).try_normalize().unwrap_or(ends[0]);
         let reflected = (2.0 * normal.dot(EYE) * normal - EYE).normalize();
@@ -90,7 +97,8 @@ impl Draw {
 }
 
 /// Both ways along each axis.
-pub const AXES: [DVec3; 6] = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
+pub const AXES: [DVec3; 6] =
+    [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
 
 /// The unit vector at `degrees` from the eye towards x.
 pub fn tilted(degrees: f64) -> DVec3 {

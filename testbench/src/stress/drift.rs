@@ -26,7 +26,8 @@ const LOOPS: [&str; 7] = ["duff", "hybrid", "reflection", "slerp", "direct", "ph
 /// 30 degrees and a highlight of n = 256: a span on which every recurrence moves.
 fn frame(steps: u32) -> Result<Frame, SceneError> {
     let span = RawSpan::between([tilted(-12.0), tilted(18.0)], steps + 1, lit(256));
-    parse("drift.toml", SpanScene::new(&[tilted(10.0)], vec![span]).text("")).map(|scene| scene.frame)
+    parse("drift.toml", SpanScene::new(&[tilted(10.0)], vec![span]).text(""))
+        .map(|scene| scene.frame)
 }
 
 /// What `error` says of every length at which it says something.
@@ -48,26 +49,39 @@ fn software_error(name: &str, frame: &Frame) -> Option<f64> {
     let mut shades = vec![[0.0; 3]; span.length as usize];
     by_name(name)?.shade(frame, span, &mut shades);
     let method = MethodSpan::new(&spec, frame, span);
-    let off = |(i, shade): (usize, &[f32; 3])| (f64::from(shade[1]) - method.pixel(i as u32)[1]).abs();
+    let off =
+        |(i, shade): (usize, &[f32; 3])| (f64::from(shade[1]) - method.pixel(i as u32)[1]).abs();
     Some(shades.iter().enumerate().map(off).fold(0.0, f64::max))
 }
 
 /// The bit-true models, with the formats that a span of 64 pixels would have been given.
 pub fn fixed(longest: u32) -> Vec<Drift> {
     let steps: Vec<u32> = STEPS.into_iter().filter(|&steps| steps < longest).collect();
-    Method::ALL.map(|method| over_lengths(method.name(), &steps, |frame| fixed_error(&short_spec(method, frame)?, frame))).into()
+    Method::ALL
+        .map(|method| {
+            over_lengths(method.name(), &steps, |frame| {
+                fixed_error(&short_spec(method, frame)?, frame)
+            })
+        })
+        .into()
 }
 
 /// The same with the formats that are chosen for the span.
 pub fn chosen(longest: u32) -> Vec<Drift> {
     let steps: Vec<u32> = STEPS.into_iter().filter(|&steps| steps < longest).collect();
-    let error = |method, frame: &Frame| fixed_error(&CoreSpec::for_scene(&Needs::of(frame), None, Some(method)).ok()?, frame);
-    Method::ALL.map(|method| over_lengths(method.name(), &steps, |frame| error(method, frame))).into()
+    let error = |method, frame: &Frame| {
+        fixed_error(&CoreSpec::for_scene(&Needs::of(frame), None, Some(method)).ok()?, frame)
+    };
+    Method::ALL
+        .map(|method| over_lengths(method.name(), &steps, |frame| error(method, frame)))
+        .into()
 }
 
 fn short_spec(method: Method, frame: &Frame) -> Option<CoreSpec> {
     let needs = Needs::of(frame);
-    let short = CoreSpec::for_scene(&Needs { longest_span: 64, ..needs.clone() }, None, Some(method)).ok()?;
+    let short =
+        CoreSpec::for_scene(&Needs { longest_span: 64, ..needs.clone() }, None, Some(method))
+            .ok()?;
     let line = |point: &NarrowingPoint| format!("formats.{} = \"{}\"\n", point.name, point.format);
     let table: String = short.narrowing_points().iter().map(line).collect();
     let options: CoreOptions = Variant { method, table }.options().ok()?;

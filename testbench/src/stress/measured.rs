@@ -78,7 +78,8 @@ impl Measured {
         measured.agreement(bench, outcome);
         measured.survey(&shaded, Rounding { bound, figure });
         let of_core = asks.iter().filter(|ask| (ask.of)(bench.spec));
-        measured.of_row = of_core.map(|ask| (ask.what, Counted::of((ask.fails)(&shaded)))).collect();
+        measured.of_row =
+            of_core.map(|ask| (ask.what, Counted::of((ask.fails)(&shaded)))).collect();
         measured
     }
 
@@ -88,7 +89,12 @@ impl Measured {
         self.mismatches = Counted {
             number: outcome.comparison.mismatches,
             first: first.map(|wrong| Place { span: wrong.span, pixel: wrong.pixel }),
-            detail: first.map(|wrong| format!("the code {:?}, and the bit-true model has {:?}", wrong.simulated, wrong.expected)),
+            detail: first.map(|wrong| {
+                format!(
+                    "the code {:?}, and the bit-true model has {:?}",
+                    wrong.simulated, wrong.expected
+                )
+            }),
         };
         let clock = outcome.wrong_clocks.first();
         self.wrong_clocks = Counted {
@@ -108,11 +114,15 @@ impl Measured {
     fn survey(&mut self, shaded: &Shaded, rounding: Rounding) {
         let image = &shaded.outcome.simulated;
         for (number, span) in shaded.frame.spans.iter().enumerate() {
-            let (method, exact) = (MethodSpan::new(shaded.spec, shaded.frame, span), PhongSpan::new(shaded.frame, span));
+            let (method, exact) = (
+                MethodSpan::new(shaded.spec, shaded.frame, span),
+                PhongSpan::new(shaded.frame, span),
+            );
             let mut limits = None;
             for i in 0..span.length {
                 let place = Place { span: number, pixel: i };
-                let code = image.pixels[(span.y * image.width + span.x + i) as usize].map(f64::from);
+                let code =
+                    image.pixels[(span.y * image.width + span.x + i) as usize].map(f64::from);
                 let (method, exact) = (method.pixel(i), exact.pixel(i));
                 if !method.iter().chain(&exact).all(|lsb| (0.0..=FULL_SCALE).contains(lsb)) {
                     self.no_shades.add(place);
@@ -123,10 +133,19 @@ impl Measured {
                 self.method.add(off(method, exact), place);
                 self.quantisation.add(off(code, method), place);
                 if total.iter().any(|&lsb| lsb > EXACT) {
-                    let limits = limits.get_or_insert_with(|| Limits::new(shaded.spec, shaded.frame, span, rounding));
+                    let limits = limits.get_or_insert_with(|| {
+                        Limits::new(shaded.spec, shaded.frame, span, rounding)
+                    });
                     let limit = limits.at(i);
-                    for (lsb, limit_lsb) in total.into_iter().zip(limit.lsb).filter(|(lsb, _)| *lsb > EXACT) {
-                        self.add_far(Far { lsb, limit: limit_lsb, reasons: limit.reasons.clone(), place });
+                    for (lsb, limit_lsb) in
+                        total.into_iter().zip(limit.lsb).filter(|(lsb, _)| *lsb > EXACT)
+                    {
+                        self.add_far(Far {
+                            lsb,
+                            limit: limit_lsb,
+                            reasons: limit.reasons.clone(),
+                            place,
+                        });
                     }
                 }
             }
@@ -138,14 +157,21 @@ impl Measured {
             if self.unlimited.as_ref().is_none_or(|before| far.lsb > before.lsb) {
                 self.unlimited = Some(far);
             }
-        } else if self.nearest.as_ref().is_none_or(|before| far.lsb / far.limit > before.lsb / before.limit) {
+        } else if self
+            .nearest
+            .as_ref()
+            .is_none_or(|before| far.lsb / far.limit > before.lsb / before.limit)
+        {
             self.nearest = Some(far);
         }
     }
 
     /// All that is asked of this core, and what came.
     pub fn asked(&self) -> Vec<Asked> {
-        let none_of = |what: &str, of: &Counted| Asked { detail: of.detail.clone(), ..Asked::none_of(what, of.number, of.first) };
+        let none_of = |what: &str, of: &Counted| Asked {
+            detail: of.detail.clone(),
+            ..Asked::none_of(what, of.number, of.first)
+        };
         let everywhere = [
             none_of("pixels other than the bit-true model's", &self.mismatches),
             none_of("clocks without their pixel", &self.wrong_clocks),
@@ -153,7 +179,8 @@ impl Measured {
             none_of("shades that are no number from 0 to 255", &self.no_shades),
             self.quantisation(),
         ];
-        let of_row = self.of_row.iter().map(|(what, of)| Asked { of_row: true, ..none_of(what, of) });
+        let of_row =
+            self.of_row.iter().map(|(what, of)| Asked { of_row: true, ..none_of(what, of) });
         everywhere.into_iter().chain(self.distances()).chain(of_row).collect()
     }
 
@@ -161,7 +188,9 @@ impl Measured {
         let (came, place) = (self.quantisation.lsb, Some(self.quantisation.place));
         match self.bound < FULL_SCALE {
             true => Asked::within(QUANTISATION, Some(self.bound), came, place),
-            false => Asked::within("LSB of quantisation, of cores without a bound", None, came, place),
+            false => {
+                Asked::within("LSB of quantisation, of cores without a bound", None, came, place)
+            }
         }
     }
 
@@ -171,11 +200,22 @@ impl Measured {
             reasons: far.reasons.clone(),
             ..Asked::within(what, most, far.lsb, Some(far.place))
         };
-        let nearest = self.nearest.as_ref().map(|near| far("LSB off, within the method's limit", near, Some(near.limit)));
-        let unlimited = self.unlimited.as_ref().map(|most| far("LSB off, where the method has no limit", most, None));
+        let nearest = self
+            .nearest
+            .as_ref()
+            .map(|near| far("LSB off, within the method's limit", near, Some(near.limit)));
+        let unlimited = self
+            .unlimited
+            .as_ref()
+            .map(|most| far("LSB off, where the method has no limit", most, None));
         let all: Vec<Asked> = nearest.into_iter().chain(unlimited).collect();
         if all.is_empty() {
-            return vec![Asked::within("LSB off", Some(EXACT), self.total.lsb, Some(self.total.place))];
+            return vec![Asked::within(
+                "LSB off",
+                Some(EXACT),
+                self.total.lsb,
+                Some(self.total.place),
+            )];
         }
         all
     }
@@ -205,7 +245,9 @@ impl Largest {
 fn pixel_of(bench: &Bench, clock: u64) -> Place {
     let mut left = clock.saturating_sub(u64::from(bench.design.latency()));
     let interval = u64::from(bench.design.interval);
-    for (span, clocks) in bench.frame.spans.iter().map(|span| u64::from(span.length) * interval).enumerate() {
+    for (span, clocks) in
+        bench.frame.spans.iter().map(|span| u64::from(span.length) * interval).enumerate()
+    {
         match left.checked_sub(clocks) {
             Some(rest) => left = rest,
             // Less than a span's length.
@@ -227,11 +269,15 @@ mod tests {
     use super::*;
     use crate::EngineKind;
 
-    /// A span on which every method has something to do, as a method shades it; `tamper` is given what came.
+    /// A span on which every method has something to do, as a method shades it; `tamper` is given
+    /// what came.
     fn measured(method: Method, tamper: impl FnOnce(&mut Outcome)) -> Measured {
         let span = RawSpan::between([tilted(-20.0), tilted(25.0)], 40, lit(16));
-        let frame = parse("span.toml", SpanScene::new(&[tilted(10.0)], vec![span]).text("")).expect("it is a scene").frame;
-        let spec: CoreSpec = Variant::default_of(method).core_spec(&Needs::of(&frame)).expect("it has a core");
+        let frame = parse("span.toml", SpanScene::new(&[tilted(10.0)], vec![span]).text(""))
+            .expect("it is a scene")
+            .frame;
+        let spec: CoreSpec =
+            Variant::default_of(method).core_spec(&Needs::of(&frame)).expect("it has a core");
         let bench = Bench::new(&frame, &spec, "core").expect("it can be built");
         let mut outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).expect("it runs");
         tamper(&mut outcome);
@@ -246,17 +292,27 @@ mod tests {
 
     fn faults(measured: &Measured) -> Vec<String> {
         let asked = measured.asked();
-        asked.iter().filter(|asked| asked.verdict() == Verdict::Fault).map(|asked| asked.what.clone()).collect()
+        asked
+            .iter()
+            .filter(|asked| asked.verdict() == Verdict::Fault)
+            .map(|asked| asked.what.clone())
+            .collect()
     }
 
     #[test]
     fn what_came_of_an_honest_core_is_no_fault() {
         for method in Method::ALL {
-            assert_eq!(faults(&measured(method, |_| ())), Vec::<String>::new(), "{}", method.name());
+            assert_eq!(
+                faults(&measured(method, |_| ())),
+                Vec::<String>::new(),
+                "{}",
+                method.name()
+            );
         }
     }
 
-    /// The picture itself is tampered with: one code is farther from the method than the bound, and from exact shading than an exact method may be.
+    /// The picture itself is tampered with: one code is farther from the method than the bound, and
+    /// from exact shading than an exact method may be.
     #[test]
     fn a_code_that_is_off_is_a_fault() {
         for method in Method::ALL {
@@ -298,7 +354,8 @@ mod tests {
             ("LSB off, within the method's limit", &|m| {
                 let limit = m.nearest.as_ref().map_or(1.0, |far| far.limit);
                 let place = Place::default();
-                m.nearest = Some(Far { lsb: limit + 1e-9, limit, reasons: vec![Reason::Lobe], place });
+                m.nearest =
+                    Some(Far { lsb: limit + 1e-9, limit, reasons: vec![Reason::Lobe], place });
             }),
             ("no black pixel", &|m| m.of_row = vec![("no black pixel", one())]),
         ];
@@ -307,7 +364,8 @@ mod tests {
             change(&mut measured);
             assert_eq!(faults(&measured), [what]);
         }
-        let nan = Measured { quantisation: Largest { lsb: f64::NAN, ..honest.quantisation }, ..honest };
+        let nan =
+            Measured { quantisation: Largest { lsb: f64::NAN, ..honest.quantisation }, ..honest };
         assert_eq!(faults(&nan), [QUANTISATION]);
     }
 
@@ -316,7 +374,13 @@ mod tests {
     fn a_bound_of_full_scale_is_none() {
         let unbounded = Measured { bound: FULL_SCALE, ..measured(Method::Phong, |_| ()) };
         let asked = unbounded.asked();
-        let of = asked.iter().find(|asked| asked.what.starts_with("LSB of quantisation")).expect("it is asked everywhere");
-        assert_eq!((of.what.as_str(), of.most), ("LSB of quantisation, of cores without a bound", None));
+        let of = asked
+            .iter()
+            .find(|asked| asked.what.starts_with("LSB of quantisation"))
+            .expect("it is asked everywhere");
+        assert_eq!(
+            (of.what.as_str(), of.most),
+            ("LSB of quantisation, of cores without a bound", None)
+        );
     }
 }

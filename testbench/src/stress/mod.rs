@@ -1,9 +1,12 @@
-//! The stress catalogue: EXTREMES.md row by row, through exact shading, the bit-true model and the simulated core of every method.
+//! The stress catalogue: EXTREMES.md row by row, through exact shading, the bit-true model and the
+//! simulated core of every method.
 //!
-//! A [`row::Row`] says what goes in and what is asked; a sweep runs all of them. Everywhere it is asked that the core gives the model's code
-//! in every clock in which it must and in no other, that stated facts hold, that no shade is other than a number from 0 to 255, that
-//! no error of quantisation is beyond its proven bound, and that no pixel is farther from exact shading than 1 LSB, or than the documented
-//! [`limits`] of the method. What came is told beside what is asked, of each method.
+//! A [`row::Row`] says what goes in and what is asked; a sweep runs all of them. Everywhere it is
+//! asked that the core gives the model's code in every clock in which it must and in no other, that
+//! stated facts hold, that no shade is other than a number from 0 to 255, that no error of
+//! quantisation is beyond its proven bound, and that no pixel is farther from exact shading than 1
+//! LSB, or than the documented [`limits`] of the method. What came is told beside what is asked, of
+//! each method.
 mod asked;
 mod catalogue;
 pub(crate) mod draw;

@@ -39,7 +39,9 @@ const ROWS: &str = "\n## Rows\n\n";
 /// The page, of a sweep of every method.
 pub fn page(cells: &[Cell]) -> String {
     let reason = |reason: &Reason| line(&[reason.name(), reason.text()]);
-    let reasons = [line(&["reason", "by how much"]), "|---|---|\n".to_owned()].into_iter().chain(Reason::ALL.iter().map(reason));
+    let reasons = [line(&["reason", "by how much"]), "|---|---|\n".to_owned()]
+        .into_iter()
+        .chain(Reason::ALL.iter().map(reason));
     let rows = CATALOGUE.iter().map(|row| (row.id, row.input)).chain([(raw::ID, raw::INPUT)]);
     let of_row = |(id, input)| {
         let cells: Vec<&Cell> = cells.iter().filter(|cell| cell.row == id).collect();
@@ -63,7 +65,8 @@ fn line(texts: &[&str]) -> String {
 pub fn besides(cells: &[&Cell]) -> String {
     let mut asked: Vec<(&str, Vec<&str>)> = Vec::new();
     for cell in cells {
-        for what in cell.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str()) {
+        for what in cell.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str())
+        {
             match asked.iter_mut().find(|(known, _)| *known == what) {
                 Some((_, methods)) => methods.extend(cell.method),
                 None => asked.push((what, cell.method.into_iter().collect())),
@@ -80,18 +83,32 @@ pub fn besides(cells: &[&Cell]) -> String {
 
 /// Methods that come to a verdict.
 pub fn named(cells: &[&Cell], verdict: Verdict) -> String {
-    let methods = cells.iter().filter(|cell| cell.verdict() == Some(verdict)).filter_map(|cell| cell.method);
-    let refused = cells.iter().filter(|cell| cell.verdict().is_none() && verdict == Verdict::Holds).filter_map(|cell| cell.method);
+    let methods =
+        cells.iter().filter(|cell| cell.verdict() == Some(verdict)).filter_map(|cell| cell.method);
+    let refused = cells
+        .iter()
+        .filter(|cell| cell.verdict().is_none() && verdict == Verdict::Holds)
+        .filter_map(|cell| cell.method);
     let methods: Vec<&str> = methods.collect();
     let refused: Vec<&str> = refused.collect();
-    let refused = if refused.is_empty() { String::new() } else { format!("refused: {}", refused.join(", ")) };
-    [methods.join(", "), refused].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join("; ")
+    let refused =
+        if refused.is_empty() { String::new() } else { format!("refused: {}", refused.join(", ")) };
+    [methods.join(", "), refused]
+        .into_iter()
+        .filter(|text| !text.is_empty())
+        .collect::<Vec<_>>()
+        .join("; ")
 }
 
 /// Methods at their limits, with the figures.
 pub fn limits(cells: &[&Cell]) -> String {
     let at = |cell: &&Cell| {
-        let figures: Vec<String> = cell.asked.iter().filter(|asked| asked.verdict() == Verdict::Limit).map(with_reasons).collect();
+        let figures: Vec<String> = cell
+            .asked
+            .iter()
+            .filter(|asked| asked.verdict() == Verdict::Limit)
+            .map(with_reasons)
+            .collect();
         let method = cell.method.filter(|_| cell.verdict() == Some(Verdict::Limit))?;
         Some(format!("{method} {}", figures.join(", ")))
     };

@@ -22,7 +22,11 @@ pub const INPUT: &str = "ports at 0, at all ones, at the ends of their ranges, a
 /// Runs a method's cores on patterns.
 pub fn cell(method: Method, draw: &mut Draw, extent: Extent) -> Cell {
     let mut cell = Cell::empty(ID, Some(method));
-    let variants = if extent.every_option { Variant::all_of(method) } else { vec![Variant::default_of(method)] };
+    let variants = if extent.every_option {
+        Variant::all_of(method)
+    } else {
+        vec![Variant::default_of(method)]
+    };
     for longest in [3, 200] {
         for variant in &variants {
             match spec(variant, longest) {
@@ -39,7 +43,9 @@ fn spec(variant: &Variant, longest: u32) -> Result<CoreSpec, SpecError> {
     let spans = vec![RawSpan::between([tilted(-40.0), tilted(45.0)], longest, lit(256))];
     let scene = SpanScene::new(&[tilted(10.0), tilted(-30.0)], spans);
     // The text is that of every other row's scenes.
-    let frame = parse("raw.toml", scene.text("")).map_err(|error| SpecError::Core { message: error.to_string() })?.frame;
+    let frame = parse("raw.toml", scene.text(""))
+        .map_err(|error| SpecError::Core { message: error.to_string() })?
+        .frame;
     variant.core_spec(&Needs::of(&frame))
 }
 
@@ -50,7 +56,8 @@ fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw
     };
     let model = Model::new(spec);
     let fits = |packet: &SpanPacket| model.shade(packet, &mut Vec::new()).is_ok();
-    let packets: Vec<SpanPacket> = patterns(spec, draw, extent.spans).into_iter().filter(fits).collect();
+    let packets: Vec<SpanPacket> =
+        patterns(spec, draw, extent.spans).into_iter().filter(fits).collect();
     cell.cores += 1;
     cell.pixels += packets.iter().map(|packet| u64::from(packet.length)).sum::<u64>();
     let core = variant.describe();
@@ -60,7 +67,10 @@ fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw
             cell.ask(&core, simulated.out_of_range(&design));
             cell.ask(&core, wrong_codes(&model, &packets, &simulated));
         }
-        Err(what) => cell.ask(&core, Asked { detail: Some(what), ..Asked::none_of("runs that break off", 1, None) }),
+        Err(what) => cell.ask(
+            &core,
+            Asked { detail: Some(what), ..Asked::none_of("runs that break off", 1, None) },
+        ),
     }
 }
 
@@ -69,7 +79,11 @@ fn patterns(spec: &CoreSpec, draw: &mut Draw, random: usize) -> Vec<SpanPacket> 
     let ports = spec.inputs();
     let of = |draw: &mut Draw, value: &mut dyn FnMut(usize, &InputPort) -> i64| SpanPacket {
         length: draw.length(spec.longest_span),
-        inputs: ports.iter().enumerate().map(|(k, port)| value(k, port).clamp(port.range.0, port.range.1)).collect(),
+        inputs: ports
+            .iter()
+            .enumerate()
+            .map(|(k, port)| value(k, port).clamp(port.range.0, port.range.1))
+            .collect(),
     };
     let low = |port: &InputPort| port.range.0;
     let high = |port: &InputPort| port.range.1;
@@ -106,11 +120,15 @@ struct Simulated {
 impl Simulated {
     /// Signals that left their ranges with a packet that breaks no fact.
     fn out_of_range(&self, design: &Design) -> Asked {
-        let out: Vec<&(NodeId, usize)> = self.leaves.iter().filter(|(_, span)| !self.breaks_a_fact[*span]).collect();
+        let out: Vec<&(NodeId, usize)> =
+            self.leaves.iter().filter(|(_, span)| !self.breaks_a_fact[*span]).collect();
         let first = out.first();
         let place = first.map(|(_, span)| Place { span: *span, pixel: 0 });
         let detail = first.map(|(signal, _)| format!("`{}`", design.full_name(*signal)));
-        Asked { detail, ..Asked::none_of("signals outside their proven ranges", out.len() as u64, place) }
+        Asked {
+            detail,
+            ..Asked::none_of("signals outside their proven ranges", out.len() as u64, place)
+        }
     }
 }
 
@@ -120,7 +138,10 @@ fn simulated(design: &Design, packets: &Vec<SpanPacket>) -> Result<Simulated, St
     let mut breaks_a_fact = vec![false; packets.len()];
     let (mut leaves, watched) = (Vec::new(), design.variables());
     // The first span begins with the first clock in which a pixel enters.
-    let span_of = |entry: u64| (1..packets.len()).find(|&span| stimulus.begin_of(span) > entry).unwrap_or(packets.len()) - 1;
+    let span_of = |entry: u64| {
+        (1..packets.len()).find(|&span| stimulus.begin_of(span) > entry).unwrap_or(packets.len())
+            - 1
+    };
     let run = Fast::new(design).run(&stimulus, &watched, &mut |batch| {
         arrivals.take(batch);
         for entry in assumptions::entries_that_violate(design, &stimulus, batch) {
@@ -146,7 +167,9 @@ fn wrong_codes(model: &Model, packets: &[SpanPacket], simulated: &Simulated) -> 
         let (given, later) = rest.split_at((packet.length as usize).min(rest.len()));
         rest = later;
         if !simulated.breaks_a_fact[span] {
-            wrong.extend(wrong_code(model, packet, given).map(|(pixel, what)| (Place { span, pixel }, what)));
+            wrong.extend(
+                wrong_code(model, packet, given).map(|(pixel, what)| (Place { span, pixel }, what)),
+            );
         }
     }
     let first = wrong.first();
@@ -163,5 +186,8 @@ fn wrong_code(model: &Model, packet: &SpanPacket, given: &[[u8; 3]]) -> Option<(
     }
     let pixel = (0..expected.len()).find(|&i| given.get(i) != Some(&expected[i]))?;
     let (got, wanted) = (given.get(pixel), expected[pixel]);
-    Some((pixel as u32, format!("the code {got:?}, and the model has {wanted:?}; inputs {:?}", packet.inputs)))
+    Some((
+        pixel as u32,
+        format!("the code {got:?}, and the model has {wanted:?}; inputs {:?}", packet.inputs),
+    ))
 }

@@ -116,7 +116,8 @@ impl Case {
         self.asking_frame(what, of, move |shaded| shaded.first_that_does_not(&holds))
     }
 
-    /// The same, with `what` asked of some cores and a whole frame; `fails` says where it does not happen first.
+    /// The same, with `what` asked of some cores and a whole frame; `fails` says where it does not
+    /// happen first.
     pub fn asking_frame(
         mut self,
         what: &'static str,
@@ -202,6 +203,9 @@ impl Pixel<'_> {
 
     /// The code of ambient light alone.
     pub fn ambient(&self) -> u8 {
-        (FULL_SCALE * self.shaded.frame.material(self.span).ambient[1] * self.shaded.frame.ambient[1]).round() as u8
+        (FULL_SCALE
+            * self.shaded.frame.material(self.span).ambient[1]
+            * self.shaded.frame.ambient[1])
+            .round() as u8
     }
 }

@@ -97,7 +97,13 @@ pub struct SpanScene {
 impl Default for SpanScene {
     /// Nothing in white ambient light.
     fn default() -> SpanScene {
-        SpanScene { ambient: WHITE, lights: Vec::new(), colours: Vec::new(), eye: None, spans: Vec::new() }
+        SpanScene {
+            ambient: WHITE,
+            lights: Vec::new(),
+            colours: Vec::new(),
+            eye: None,
+            spans: Vec::new(),
+        }
     }
 }
 
@@ -113,14 +119,20 @@ impl SpanScene {
         SpanScene { spans: self.spans.get(span).cloned().into_iter().collect(), ..self.clone() }
     }
 
-    /// The scene file, with `core` for its last tables. Numbers are written so that they are read to the last bit.
+    /// The scene file, with `core` for its last tables. Numbers are written so that they are read
+    /// to the last bit.
     pub fn text(&self, core: &str) -> String {
         let mut text = format!("ambient = {:?}\n", self.ambient);
         // Writing to a String cannot fail.
         if let Some(eye) = self.eye {
             // Neither at the eye nor above or below it.
             let target = eye - DVec3::new(1.0, 0.0, 1.0);
-            let _ = writeln!(text, "\n[camera]\nviewer = \"local\"\neye = {}\ntarget = {}", vector(eye), vector(target));
+            let _ = writeln!(
+                text,
+                "\n[camera]\nviewer = \"local\"\neye = {}\ntarget = {}",
+                vector(eye),
+                vector(target)
+            );
         }
         let colours = self.colours.iter().chain(std::iter::repeat(&WHITE));
         for (light, colour) in self.lights.iter().zip(colours) {
@@ -134,8 +146,12 @@ impl SpanScene {
 impl Light {
     fn text(&self) -> String {
         match *self {
-            Light::Towards(direction) => format!("\n[[light]]\ndirection = {}\n", vector(direction)),
-            Light::At(position) => format!("\n[[light]]\nkind = \"point\"\nposition = {}\n", vector(position)),
+            Light::Towards(direction) => {
+                format!("\n[[light]]\ndirection = {}\n", vector(direction))
+            }
+            Light::At(position) => {
+                format!("\n[[light]]\nkind = \"point\"\nposition = {}\n", vector(position))
+            }
             Light::Spot { position, target, exponent } => format!(
                 "\n[[light]]\nkind = \"spot\"\nposition = {}\ntarget = {}\nexponent = {exponent}\n",
                 vector(position),
@@ -148,12 +164,17 @@ impl Light {
 impl RawSpan {
     fn text(&self) -> String {
         let three = |vectors: [DVec3; 3]| vectors.map(vector).join(", ");
-        let mut text = format!("\n[[span]]\nlength = {}\nnormals = [{}]\n", self.length, three(self.normals));
+        let mut text =
+            format!("\n[[span]]\nlength = {}\nnormals = [{}]\n", self.length, three(self.normals));
         // Writing to a String cannot fail.
         if self.positions != [DVec3::ZERO; 3] {
             let _ = writeln!(text, "positions = [{}]", three(self.positions));
         }
-        let _ = writeln!(text, "cone_cosines = {:?}\nstart = {:?}\nend = {:?}", self.cone_cosines, self.start, self.end);
+        let _ = writeln!(
+            text,
+            "cone_cosines = {:?}\nstart = {:?}\nend = {:?}",
+            self.cone_cosines, self.start, self.end
+        );
         let m = &self.material;
         let _ = writeln!(
             text,

@@ -34,7 +34,8 @@ pub struct Cell {
     pub asked: Vec<Asked>,
     /// Largest total error, if any pixel was shaded that has an exact shade.
     pub worst: Option<Worst>,
-    /// The scene file in which the fault, or the largest error, is to be seen; none without a core that ran.
+    /// The scene file in which the fault, or the largest error, is to be seen; none without a core
+    /// that ran.
     #[serde(skip)]
     pub reproducer: Option<String>,
 }
@@ -54,13 +55,20 @@ pub struct Worst {
     pub bound: Option<f64>,
 }
 
-/// Tries the catalogue on `methods`, row by row; `progress` is told how many parts of how many are done.
-pub fn sweep(seed: u64, methods: &[Method], extent: Extent, progress: &(dyn Fn(usize, usize) + Sync)) -> Vec<Cell> {
+/// Tries the catalogue on `methods`, row by row; `progress` is told how many parts of how many are
+/// done.
+pub fn sweep(
+    seed: u64,
+    methods: &[Method],
+    extent: Extent,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<Cell> {
     let draws = |(number, row): (usize, &'static Row)| {
         let draw = Draw::new(seed, number as u64);
         parts(row, methods).into_iter().map(move |part| (draw.clone(), row, part))
     };
-    let parts: Vec<(Draw, &Row, Option<Method>)> = CATALOGUE.iter().copied().enumerate().flat_map(draws).collect();
+    let parts: Vec<(Draw, &Row, Option<Method>)> =
+        CATALOGUE.iter().copied().enumerate().flat_map(draws).collect();
     let (done, all) = (AtomicUsize::new(0), parts.len() + methods.len());
     let count = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, all);
     let one = |(mut draw, row, method): (Draw, &Row, Option<Method>)| {
@@ -70,7 +78,8 @@ pub fn sweep(seed: u64, methods: &[Method], extent: Extent, progress: &(dyn Fn(u
     };
     let mut cells: Vec<Cell> = parts.into_par_iter().map(one).collect();
     let patterns = |(number, &method): (usize, &Method)| {
-        let cell = raw::cell(method, &mut Draw::new(seed, (CATALOGUE.len() + number) as u64), extent);
+        let cell =
+            raw::cell(method, &mut Draw::new(seed, (CATALOGUE.len() + number) as u64), extent);
         count();
         cell
     };
@@ -93,11 +102,19 @@ fn tried(row: &Row, method: Option<Method>, draw: &mut Draw, extent: Extent) -> 
             let error = check().err();
             cell.ask(
                 "host",
-                Asked { detail: error.clone(), of_row: true, ..Asked::none_of(*what, u64::from(error.is_some()), None) },
+                Asked {
+                    detail: error.clone(),
+                    of_row: true,
+                    ..Asked::none_of(*what, u64::from(error.is_some()), None)
+                },
             );
         }
         (Trial::Scenes { cases, variants }, Some(method)) => {
-            let everywhere = if extent.every_option { Variant::all_of(method) } else { vec![Variant::default_of(method)] };
+            let everywhere = if extent.every_option {
+                Variant::all_of(method)
+            } else {
+                vec![Variant::default_of(method)]
+            };
             let of_row = variants().into_iter().filter(|variant| variant.method == method);
             let variants: Vec<Variant> = everywhere.into_iter().chain(of_row).collect();
             for case in cases(draw, extent) {
@@ -161,7 +178,10 @@ impl Cell {
 
     /// A core that gave nothing.
     fn breaks(&mut self, core: &str, detail: String) {
-        self.ask(core, Asked { detail: Some(detail), ..Asked::none_of("runs that break off", 1, None) });
+        self.ask(
+            core,
+            Asked { detail: Some(detail), ..Asked::none_of("runs that break off", 1, None) },
+        );
     }
 
     pub(super) fn refuse(&mut self, reason: String) {
@@ -171,14 +191,16 @@ impl Cell {
     }
 
     fn add(&mut self, prepared: &Prepared, variant: &Variant, measured: &Measured) {
-        let (total, core, had_fault) = (measured.total.lsb, variant.describe(), self.fault().is_some());
+        let (total, core, had_fault) =
+            (measured.total.lsb, variant.describe(), self.fault().is_some());
         let is_worst = self.worst.as_ref().is_none_or(|worst| total > worst.total);
         self.cores += 1;
         self.pixels += measured.pixels;
         for asked in measured.asked() {
             let is_first_fault = !had_fault && !asked.holds() && self.fault().is_none();
             if is_first_fault {
-                self.reproducer = Some(prepared.reproducer(variant, asked.place.unwrap_or_default(), true));
+                self.reproducer =
+                    Some(prepared.reproducer(variant, asked.place.unwrap_or_default(), true));
             }
             self.ask(&core, asked);
         }
@@ -198,18 +220,20 @@ mod tests {
     use super::super::limits::Reason;
     use super::*;
 
-    /// A light a quarter of a unit from a wall: wrapped directions are 191 LSB off, which is told as a limit, and what the row asks is said of
-    /// whom it is asked of.
+    /// A light a quarter of a unit from a wall: wrapped directions are 191 LSB off, which is told
+    /// as a limit, and what the row asks is said of whom it is asked of.
     #[test]
     fn places_wrapped_are_at_a_limit_near_a_wall() {
         let row = CATALOGUE.iter().find(|row| row.id == "40").expect("it is in the catalogue");
         let extent = Extent { every_option: true, ..Extent::SMALL };
         let cell = tried(row, Some(Method::Phong), &mut Draw::new(1, 0), extent);
         assert_eq!(cell.verdict(), Some(Verdict::Limit));
-        let wrapped = cell.asked.iter().filter(|asked| asked.reasons.contains(&Reason::WrappedPlaces));
+        let wrapped =
+            cell.asked.iter().filter(|asked| asked.reasons.contains(&Reason::WrappedPlaces));
         let worst = wrapped.map(|asked| asked.came).fold(0.0, f64::max);
         assert!((191.0..192.0).contains(&worst), "{worst}");
-        let besides = cell.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str());
+        let besides =
+            cell.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str());
         let besides: Vec<&str> = besides.collect();
         assert!(besides.iter().any(|what| what.starts_with("wrapped directions") && what.contains("at both ends")), "{besides:?}");
     }

@@ -39,7 +39,11 @@ impl<'a> Prepared<'a> {
         Prepared::of(&case.scene, &case.asks, case.figure)
     }
 
-    fn of(scene: &'a SpanScene, asks: &'a [Ask], figure: Option<Figure>) -> Result<Prepared<'a>, SceneError> {
+    fn of(
+        scene: &'a SpanScene,
+        asks: &'a [Ask],
+        figure: Option<Figure>,
+    ) -> Result<Prepared<'a>, SceneError> {
         let frame = parse("stress.toml", scene.text(""))?.frame;
         let needs = Needs::of(&frame);
         Ok(Prepared { scene, asks, figure, frame, needs })
@@ -62,10 +66,13 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// The scene file in which a fault at `place`, or the error there, is to be seen: of its span alone if that suffices.
+    /// The scene file in which a fault at `place`, or the error there, is to be seen: of its span
+    /// alone if that suffices.
     pub fn reproducer(&self, variant: &Variant, place: Place, is_fault: bool) -> String {
         let alone = self.scene.only(place.span);
-        let is_as_bad = match Prepared::of(&alone, self.asks, self.figure).map(|alone| alone.run(variant, &mut Vec::new())) {
+        let is_as_bad = match Prepared::of(&alone, self.asks, self.figure)
+            .map(|alone| alone.run(variant, &mut Vec::new()))
+        {
             Ok(Tried::Ran(alone)) => !is_fault || alone.map_or(true, |alone| has_fault(&alone)),
             _ => false,
         };
@@ -93,17 +100,25 @@ mod tests {
     use super::super::scene::{RawSpan, matt};
     use super::*;
 
-    /// What is not wanted is found where it is, and its scene file has its span alone, with the same core.
+    /// What is not wanted is found where it is, and its scene file has its span alone, with the
+    /// same core.
     #[test]
     fn a_fault_is_found_and_made_small() {
         let span = |normal| RawSpan::between([normal; 2], 3, matt());
-        let scene = SpanScene::new(&[DVec3::Z], vec![span(DVec3::Z), span(DVec3::X), span(DVec3::Z)]);
+        let scene =
+            SpanScene::new(&[DVec3::Z], vec![span(DVec3::Z), span(DVec3::X), span(DVec3::Z)]);
         let case = Case::new(scene).asking("white", all, |pixel| pixel.code() == 255);
-        let (prepared, variant) = (Prepared::new(&case).expect("it is a scene"), Variant::default_of(Method::Phong));
-        let Tried::Ran(Ok(measured)) = prepared.run(&variant, &mut Vec::new()) else { panic!("phong shades it") };
+        let (prepared, variant) =
+            (Prepared::new(&case).expect("it is a scene"), Variant::default_of(Method::Phong));
+        let Tried::Ran(Ok(measured)) = prepared.run(&variant, &mut Vec::new()) else {
+            panic!("phong shades it")
+        };
         let asked = measured.asked();
         let fault = asked.iter().find(|asked| !asked.holds()).expect("it is dark in the middle");
-        assert_eq!((fault.what.as_str(), fault.place), ("white", Some(Place { span: 1, pixel: 0 })));
+        assert_eq!(
+            (fault.what.as_str(), fault.place),
+            ("white", Some(Place { span: 1, pixel: 0 }))
+        );
         let text = prepared.reproducer(&variant, Place { span: 1, pixel: 0 }, true);
         let loaded = parse("reproducer.toml", text).expect("it is a scene");
         assert_eq!((loaded.frame.spans.len(), loaded.frame.triangles[0].normals[0]), (1, DVec3::X));
@@ -114,7 +129,9 @@ mod tests {
     #[test]
     fn scenes_are_read_as_they_are_written() {
         let mut draw = super::super::draw::Draw::new(5, 0);
-        let spans: Vec<RawSpan> = (0..50).map(|_| RawSpan::between(draw.ends(100.0, 80.0), draw.length(8192), matt())).collect();
+        let spans: Vec<RawSpan> = (0..50)
+            .map(|_| RawSpan::between(draw.ends(100.0, 80.0), draw.length(8192), matt()))
+            .collect();
         let case = Case::new(SpanScene::new(&[DVec3::Z], spans.clone()));
         let prepared = Prepared::new(&case).expect("it is a scene");
         for (triangle, span) in prepared.frame.triangles.iter().zip(&spans) {

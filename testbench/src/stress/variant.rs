@@ -19,7 +19,9 @@ impl Variant {
 
     /// The default, and each value of each option by itself.
     pub fn all_of(method: Method) -> Vec<Variant> {
-        let values = |choice: &'static specula_scene::spec::Choice| choice.values.iter().map(|value| (choice.key, *value));
+        let values = |choice: &'static specula_scene::spec::Choice| {
+            choice.values.iter().map(|value| (choice.key, *value))
+        };
         let one = |(key, value)| Variant { method, table: format!("{key} = {value}\n") };
         let changed = method.choices().iter().flat_map(values).map(one);
         [Variant::default_of(method)].into_iter().chain(changed).collect()

@@ -4,13 +4,14 @@ use std::str::FromStr;
 
 use specula_scene::{CoreSpec, LoadedScene, Method};
 
-/// Fraction bits by which all formats of a core are finer than those that its method recommends for the scene; fewer where a format
-/// cannot follow so far.
+/// Fraction bits by which all formats of a core are finer than those that its method recommends for
+/// the scene; fewer where a format cannot follow so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Formats(i32);
 
 /// Names that formats can be asked for by.
-const NAMED: [(&str, Formats); 3] = [("narrow", Formats(-4)), ("default", Formats::DEFAULT), ("wide", Formats(2))];
+const NAMED: [(&str, Formats); 3] =
+    [("narrow", Formats(-4)), ("default", Formats::DEFAULT), ("wide", Formats(2))];
 
 impl Formats {
     /// What the method recommends for the scene.
@@ -40,7 +41,10 @@ impl FromStr for Formats {
         if let Some((_, formats)) = NAMED.iter().find(|(name, _)| *name == text) {
             return Ok(*formats);
         }
-        let added = text.parse::<i32>().ok().filter(|added| (-Formats::MOST..=Formats::MOST).contains(added));
+        let added = text
+            .parse::<i32>()
+            .ok()
+            .filter(|added| (-Formats::MOST..=Formats::MOST).contains(added));
         added.map(Formats).ok_or_else(|| {
             let most = Formats::MOST;
             format!("write narrow, default, wide, or a number of fraction bits more than the default from -{most} to {most}")
@@ -64,10 +68,12 @@ impl Display for Configuration {
 }
 
 impl Configuration {
-    /// Its core for a scene, with the options that the scene file gives its method, specialised as the scene asks for.
+    /// Its core for a scene, with the options that the scene file gives its method, specialised as
+    /// the scene asks for.
     ///
     /// # Errors
-    /// Why there is none: the method does not serve the scene, or no format can be so much wider or narrower.
+    /// Why there is none: the method does not serve the scene, or no format can be so much wider or
+    /// narrower.
     pub fn spec(&self, scene: &LoadedScene) -> Result<CoreSpec, String> {
         let recommended = scene.core_spec(Some(self.method)).map_err(|error| error.to_string())?;
         if self.formats == Formats::DEFAULT {
@@ -75,7 +81,11 @@ impl Configuration {
         }
         let finer = recommended.general().finer(self.formats.added(), &[]);
         let spec = finer.ok_or("no format of it can differ so much from the one recommended")?;
-        Ok(if recommended.specialisation.is_general() { spec } else { spec.specialised(&scene.frame) })
+        Ok(if recommended.specialisation.is_general() {
+            spec
+        } else {
+            spec.specialised(&scene.frame)
+        })
     }
 }
 
@@ -100,7 +110,9 @@ mod tests {
     fn narrower_formats_make_smaller_cores() {
         let scene = specula_scene::load("icosahedron", Some((24, 18))).unwrap();
         let bits = |text: &str| {
-            let spec = Configuration { method: Method::Lyon, formats: text.parse().unwrap() }.spec(&scene).unwrap();
+            let spec = Configuration { method: Method::Lyon, formats: text.parse().unwrap() }
+                .spec(&scene)
+                .unwrap();
             specula_hdl::elaborate(&spec, "core").unwrap().size().multiplier_bits
         };
         assert!(bits("narrow") < bits("default") && bits("default") < bits("+1"));

@@ -2,18 +2,22 @@
 use specula_scene::CoreSpec;
 use specula_scene::spec::gouraud::Interpolation;
 use specula_scene::spec::lyon::{Difference, Halfway, LyonSpec, Normals};
-use specula_scene::spec::{ConsistentSpec, DirectSpec, MethodSpec, consistent, direct, duff, phong, reflection};
+use specula_scene::spec::{
+    ConsistentSpec, DirectSpec, MethodSpec, consistent, direct, duff, phong, reflection,
+};
 
 /// The loop that does what a core does, if there is one.
 pub fn counterpart(spec: &CoreSpec) -> Option<&'static str> {
     match &spec.method {
         MethodSpec::Lyon(lyon) => of_lyon(lyon),
-        MethodSpec::Phong(phong) if spec.local_lights.is_empty() && !spec.local_eye => Some(match phong.highlight {
-            phong::Highlight::Reflection => "phong",
-            phong::Highlight::Blinn => "phong-blinn",
-            phong::Highlight::TorranceSparrow => "phong-torrance-sparrow",
-            phong::Highlight::TrowbridgeReitz => "phong-trowbridge-reitz",
-        }),
+        MethodSpec::Phong(phong) if spec.local_lights.is_empty() && !spec.local_eye => {
+            Some(match phong.highlight {
+                phong::Highlight::Reflection => "phong",
+                phong::Highlight::Blinn => "phong-blinn",
+                phong::Highlight::TorranceSparrow => "phong-torrance-sparrow",
+                phong::Highlight::TrowbridgeReitz => "phong-trowbridge-reitz",
+            })
+        }
         MethodSpec::Phong(phong) => match (phong.highlight, phong.places) {
             (phong::Highlight::Reflection, phong::Places::Exact) => Some("phong-places"),
             (phong::Highlight::Reflection, phong::Places::Wrapped) => Some("phong-wrapped-places"),
@@ -57,7 +61,9 @@ fn of_lyon(lyon: &LyonSpec) -> Option<&'static str> {
         (Difference::UnitHalfwayProjection, Halfway::Unit, 2) => Some("lyon-unit-projection"),
         (Difference::UnitHalfwayProjection, Halfway::Half, 2) => Some("lyon-half-projection"),
         (Difference::UnitHalfwayProjection, Halfway::HalfG2, 2) => Some("lyon-half-g2-projection"),
-        (Difference::UnitHalfwayProjection, Halfway::HalfG2, 1) => Some("lyon-half-g2-projection-1"),
+        (Difference::UnitHalfwayProjection, Halfway::HalfG2, 1) => {
+            Some("lyon-half-g2-projection-1")
+        }
         _ => None,
     }
 }
@@ -66,7 +72,9 @@ fn of_consistent(spec: &ConsistentSpec) -> Option<&'static str> {
     use consistent::{Curve, Diffuse, Highlight};
     match (spec.curve, spec.diffuse, spec.highlight) {
         (Curve::Rational, Diffuse::Lambert, Highlight::Reflection) => Some("consistent"),
-        (Curve::Trigonometric, Diffuse::Lambert, Highlight::Reflection) => Some("consistent-trigonometric"),
+        (Curve::Trigonometric, Diffuse::Lambert, Highlight::Reflection) => {
+            Some("consistent-trigonometric")
+        }
         (Curve::Rational, Diffuse::Consistent, Highlight::Blinn) => Some("consistent-normal"),
         _ => None,
     }
@@ -94,8 +102,16 @@ mod tests {
         for variant in Method::ALL.into_iter().flat_map(Variant::all_of) {
             let spec = variant.core_spec(&needs).unwrap();
             let name = counterpart(&spec);
-            assert!(name.is_none_or(|name| by_name(name).is_some()), "{}: {name:?}", variant.describe());
-            assert!(!variant.table.is_empty() || name.is_some(), "{} has no loop", variant.describe());
+            assert!(
+                name.is_none_or(|name| by_name(name).is_some()),
+                "{}: {name:?}",
+                variant.describe()
+            );
+            assert!(
+                !variant.table.is_empty() || name.is_some(),
+                "{} has no loop",
+                variant.describe()
+            );
         }
     }
 

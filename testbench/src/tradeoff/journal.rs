@@ -81,13 +81,16 @@ struct Line {
 const LINE: &[u8] = b"{\"key\":{\"version\":";
 
 impl Journal {
-    /// Whether a file's bytes are a journal's: of one that was just begun none, of others those in which a line is a result or a part of one.
+    /// Whether a file's bytes are a journal's: of one that was just begun none, of others those in
+    /// which a line is a result or a part of one.
     pub fn has_written(bytes: &[u8]) -> bool {
-        let is_result = |line: &[u8]| !line.is_empty() && line.iter().zip(LINE).all(|(a, b)| a == b);
+        let is_result =
+            |line: &[u8]| !line.is_empty() && line.iter().zip(LINE).all(|(a, b)| a == b);
         bytes.is_empty() || bytes.split(|&byte| byte == b'\n').any(is_result)
     }
 
-    /// Opens the file, or begins it. Damaged lines are taken out of it, and told: what they held is measured again.
+    /// Opens the file, or begins it. Damaged lines are taken out of it, and told: what they held is
+    /// measured again.
     ///
     /// # Errors
     /// [`JournalError`] if the file cannot be read or written.
@@ -159,11 +162,15 @@ impl SceneKey {
         let mut hash = Hash(DefaultHasher::new());
         // Hashing cannot fail.
         let _ = write!(hash, "{:?}{:?}", scene.frame, scene.surfaces);
-        SceneKey { version: env!("CARGO_PKG_VERSION").to_owned(), scene: format!("{:016x}", hash.0.finish()) }
+        SceneKey {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            scene: format!("{:016x}", hash.0.finish()),
+        }
     }
 }
 
-/// Hashes what is written into it. Another release of Rust may hash otherwise; what was known is measured again then.
+/// Hashes what is written into it. Another release of Rust may hash otherwise; what was known is
+/// measured again then.
 struct Hash(DefaultHasher);
 
 impl fmt::Write for Hash {
@@ -202,7 +209,11 @@ fn parsed(line: &[u8]) -> serde_json::Result<(String, Measured)> {
 /// Writes the file anew: beside itself first, so that an interruption loses nothing.
 fn rewrite(path: &Path, results: &BTreeMap<String, Measured>) -> io::Result<()> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let mut beside = tempfile::NamedTempFile::new_in(if folder.as_os_str().is_empty() { Path::new(".") } else { folder })?;
+    let mut beside = tempfile::NamedTempFile::new_in(if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    })?;
     beside.write_all(text(results)?.as_bytes())?;
     beside.persist(path)?;
     Ok(())
@@ -230,8 +241,13 @@ mod tests {
 
     fn with_results(test: impl Fn(&LoadedScene, &Path, &[CoreSpec])) {
         let folder = tempfile::tempdir().unwrap();
-        let (path, scene) = (folder.path().join("results.jsonl"), specula_scene::load("icosahedron", Some((16, 12))).unwrap());
-        let spec = |method| Configuration { method, formats: "default".parse().unwrap() }.spec(&scene).unwrap();
+        let (path, scene) = (
+            folder.path().join("results.jsonl"),
+            specula_scene::load("icosahedron", Some((16, 12))).unwrap(),
+        );
+        let spec = |method| {
+            Configuration { method, formats: "default".parse().unwrap() }.spec(&scene).unwrap()
+        };
         let specs = [Method::Gouraud, Method::Hybrid].map(spec);
         let (journal, damaged) = Journal::open(&path, &scene).unwrap();
         assert_eq!(damaged, []);
@@ -283,7 +299,10 @@ mod tests {
             fs::write(path, format!("no result\n{cut}")).unwrap();
             let (journal, damaged) = Journal::open(path, scene).unwrap();
             assert_eq!(damaged.iter().map(|damaged| damaged.line).collect::<Vec<_>>(), [1, 3]);
-            assert!(journal.find(&specs[0]).unwrap().is_some() && journal.find(&specs[1]).unwrap().is_none());
+            assert!(
+                journal.find(&specs[0]).unwrap().is_some()
+                    && journal.find(&specs[1]).unwrap().is_none()
+            );
             journal.add(&specs[1], &Measured::new(scene, &specs[1]).unwrap()).unwrap();
             let (again, damaged) = Journal::open(path, scene).unwrap();
             assert_eq!((damaged, again.find(&specs[1]).unwrap().is_some()), (vec![], true));
@@ -298,6 +317,9 @@ mod tests {
         let path = folder.path().join("results.jsonl");
         std::os::unix::fs::symlink("/dev/zero", &path).unwrap();
         let error = Journal::open(&path, &scene).unwrap_err().to_string();
-        assert_eq!(error, format!("results cannot be kept in `{}`: it is not a regular file", path.display()));
+        assert_eq!(
+            error,
+            format!("results cannot be kept in `{}`: it is not a regular file", path.display())
+        );
     }
 }

@@ -15,7 +15,8 @@ pub struct Measured {
     pub agrees: bool,
     /// Against exact shading: of all, of the method, and of quantisation.
     pub errors: Errors,
-    /// The core's codes against exact shading with the true surface's normals, over the pixels of objects whose surface is known.
+    /// The core's codes against exact shading with the true surface's normals, over the pixels of
+    /// objects whose surface is known.
     pub surface: Option<ErrorFigures>,
     /// Proven bound on the quantisation error; none if no finite one can be proven.
     pub bound_lsb: Option<f64>,
@@ -56,12 +57,14 @@ impl Measured {
                 "a quantisation error of {largest:.3} LSB, above the proven bound of {bound:.3}: the set-up or the bound is wrong"
             )
         };
-        let otherwise = "pixels that are not the bit-true model's, or a stated fact that did not hold";
+        let otherwise =
+            "pixels that are not the bit-true model's, or a stated fact that did not hold";
         Some(beyond.map_or_else(|| otherwise.to_owned(), of_bound))
     }
 
-    /// Full adders that its arithmetic is made of: one for each bit of an adder, and w1·w2 for a product of w1 and w2 bits, as an array
-    /// multiplier has. One number for what multipliers and adders take; registers and tables stand apart.
+    /// Full adders that its arithmetic is made of: one for each bit of an adder, and w1·w2 for a
+    /// product of w1 and w2 bits, as an array multiplier has. One number for what multipliers and
+    /// adders take; registers and tables stand apart.
     pub fn full_adders(&self) -> u64 {
         self.size.multiplier_bits + self.size.adder_bits
     }
@@ -82,7 +85,10 @@ mod tests {
         let wrong = Measured { agrees: false, ..right.clone() };
         assert!(wrong.disagreement().is_some_and(|what| what.contains("bit-true model")));
         let beyond = Measured { bound_lsb: Some(0.25), ..wrong };
-        let said = format!("{:.3} LSB, above the proven bound of 0.250", right.errors.quantisation.max_lsb);
+        let said = format!(
+            "{:.3} LSB, above the proven bound of 0.250",
+            right.errors.quantisation.max_lsb
+        );
         assert!(beyond.disagreement().is_some_and(|what| what.contains(&said)), "{said}");
     }
 }

@@ -1,7 +1,9 @@
-//! Error against run time and size: methods × formats on one scene, in hardware, and the papers' loops in software.
+//! Error against run time and size: methods × formats on one scene, in hardware, and the papers'
+//! loops in software.
 //!
-//! A [`Configuration`] becomes a core; [`Measured`] is what every pixel of its simulation, its cycles and its design say of it.
-//! A [`Journal`] keeps results by spec, so that a sweep goes on where it was interrupted.
+//! A [`Configuration`] becomes a core; [`Measured`] is what every pixel of its simulation, its
+//! cycles and its design say of it. A [`Journal`] keeps results by spec, so that a sweep goes on
+//! where it was interrupted.
 mod configuration;
 mod counterpart;
 mod cycles;

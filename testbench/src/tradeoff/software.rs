@@ -18,11 +18,13 @@ pub struct Software {
     pub name: &'static str,
     /// Nanoseconds for each pixel, set-up apart: the median of the rounds.
     pub pixel_ns: f64,
-    /// Nanoseconds to set a span up, with its share of what is worked out once for the frame: the median of the rounds.
+    /// Nanoseconds to set a span up, with its share of what is worked out once for the frame: the
+    /// median of the rounds.
     pub set_up_ns: f64,
     /// Both for each pixel of the frame: the median of the rounds.
     pub total_ns: f64,
-    /// `total_ns` as a multiple of naive Phong shading's: the median of the ratios in each round, in which all run one after another.
+    /// `total_ns` as a multiple of naive Phong shading's: the median of the ratios in each round,
+    /// in which all run one after another.
     pub ratio_to_phong: f64,
     /// Against exact shading; before rounding to 8 bits.
     pub error: ErrorFigures,
@@ -47,14 +49,16 @@ impl Default for Extent {
     }
 }
 
-/// Spans that are set up before they are shaded: few enough to stay in the cache, enough for the clock, which takes some 300 ns to read.
+/// Spans that are set up before they are shaded: few enough to stay in the cache, enough for the
+/// clock, which takes some 300 ns to read.
 const BLOCK: usize = 512;
 
-/// Measures every loop on one thread, in time that it has a processor. Rounds are interleaved, so that what slows the machine down for a while
-/// slows down all of them. `done` is told after each round.
+/// Measures every loop on one thread, in time that it has a processor. Rounds are interleaved, so
+/// that what slows the machine down for a while slows down all of them. `done` is told after each
+/// round.
 ///
-/// Those are measured that do what the frame asks for: some have lights and eye at infinity alone, others are of interest only where
-/// they are not.
+/// Those are measured that do what the frame asks for: some have lights and eye at infinity alone,
+/// others are of interest only where they are not.
 pub fn measure(frame: &Frame, extent: Extent, done: &mut dyn FnMut()) -> Vec<Software> {
     let methods: Vec<Method> = METHODS.into_iter().filter(|method| method.serves(frame)).collect();
     let times = (extent.pixels / frame.shaded_pixels().max(1)).max(1);
@@ -69,15 +73,24 @@ pub fn measure(frame: &Frame, extent: Extent, done: &mut dyn FnMut()) -> Vec<Sof
     }
     let naive = methods.iter().position(|method| NAIVE.contains(&method.name));
     let naive = naive.map(|number| turns[number].clone()).unwrap_or_default();
-    let errors: Vec<ErrorFigures> = methods.par_iter().map(|method| errors(method, frame)).collect();
-    let row = |((method, turns), error): ((&Method, &Vec<Turn>), ErrorFigures)| row(method.name, (turns, &naive), frame, error);
+    let errors: Vec<ErrorFigures> =
+        methods.par_iter().map(|method| errors(method, frame)).collect();
+    let row = |((method, turns), error): ((&Method, &Vec<Turn>), ErrorFigures)| {
+        row(method.name, (turns, &naive), frame, error)
+    };
     methods.iter().zip(&turns).zip(errors).map(row).collect()
 }
 
-fn row(name: &'static str, (turns, naive): (&[Turn], &[Turn]), frame: &Frame, error: ErrorFigures) -> Software {
+fn row(
+    name: &'static str,
+    (turns, naive): (&[Turn], &[Turn]),
+    frame: &Frame,
+    error: ErrorFigures,
+) -> Software {
     let (pixels, spans) = (frame.shaded_pixels().max(1) as f64, frame.spans.len().max(1) as f64);
     let of = |part: fn(&Turn) -> f64| median(&turns.iter().map(part).collect::<Vec<f64>>());
-    let ratios: Vec<f64> = turns.iter().zip(naive).map(|(turn, naive)| turn.total() / naive.total()).collect();
+    let ratios: Vec<f64> =
+        turns.iter().zip(naive).map(|(turn, naive)| turn.total() / naive.total()).collect();
     Software {
         name,
         pixel_ns: of(|turn| turn.shading) * 1e9 / pixels,
@@ -155,14 +168,19 @@ mod tests {
         let mut rounds = 0;
         let rows = measure(&scene.frame, SHORT, &mut || rounds += 1);
         assert_eq!((rows.len(), rounds), (METHODS.len() - 2, 4));
-        assert!(rows.iter().all(|row| row.pixel_ns > 0.0 && row.set_up_ns > 0.0 && row.total_ns > row.pixel_ns), "{rows:?}");
+        assert!(
+            rows.iter().all(|row| row.pixel_ns > 0.0
+                && row.set_up_ns > 0.0
+                && row.total_ns > row.pixel_ns),
+            "{rows:?}"
+        );
         let of = |name: &str| rows.iter().find(|row| row.name == name).unwrap();
         assert_eq!(of("phong").ratio_to_phong, 1.0);
         assert!(of("phong").error.max_lsb < 0.05 && of("gouraud").error.max_lsb > 1.0, "{rows:?}");
     }
 
-    /// What the lecture teaches Gouraud's shading for: intensities are worked out at vertices alone. Triangles are large, as set-up of
-    /// spans of a pixel or two costs more than they do.
+    /// What the lecture teaches Gouraud's shading for: intensities are worked out at vertices
+    /// alone. Triangles are large, as set-up of spans of a pixel or two costs more than they do.
     #[test]
     fn gouraud_shading_is_faster_than_naive_phong_shading() {
         let scene = specula_scene::load("icosahedron", Some((160, 120))).unwrap();

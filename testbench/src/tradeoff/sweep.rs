@@ -56,11 +56,13 @@ pub enum SweepError {
 
 /// The cores of configurations for a scene.
 pub fn plan(scene: &LoadedScene, configurations: Vec<Configuration>) -> Vec<Planned> {
-    let planned = |configuration: Configuration| Planned { spec: configuration.spec(scene), configuration };
+    let planned =
+        |configuration: Configuration| Planned { spec: configuration.spec(scene), configuration };
     configurations.into_par_iter().map(planned).collect()
 }
 
-/// Measures every core that `journal` does not know yet. `done` is told of each one when its result is there.
+/// Measures every core that `journal` does not know yet. `done` is told of each one when its result
+/// is there.
 ///
 /// # Errors
 /// [`SweepError`] if a core cannot be simulated or a result cannot be written down.

@@ -5,7 +5,10 @@ use glam::DVec3;
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::{Difference, LyonSpec};
 use specula_scene::spec::reflection;
-use specula_scene::{CoreSpec, DirectionalLight, Facet, Frame, Material, Method, MethodSpec, Needs, Span, Triangle, VertexCone};
+use specula_scene::{
+    CoreSpec, DirectionalLight, Facet, Frame, Material, Method, MethodSpec, Needs, Span, Triangle,
+    VertexCone,
+};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 /// A span to be put on a row of its own.
@@ -82,12 +85,16 @@ pub fn lyon(frame: &Frame, change: impl FnOnce(&mut LyonSpec)) -> CoreSpec {
 
 /// `lyon` with D = R - L and k squarings.
 pub fn reflection_form(frame: &Frame, squarings: u32) -> CoreSpec {
-    lyon(frame, |lyon| (lyon.difference, lyon.squarings) = (Difference::ReflectionMinusLight, squarings))
+    lyon(frame, |lyon| {
+        (lyon.difference, lyon.squarings) = (Difference::ReflectionMinusLight, squarings)
+    })
 }
 
 /// `lyon` with D = H × N and k squarings.
 pub fn cross_form(frame: &Frame, squarings: u32) -> CoreSpec {
-    lyon(frame, |lyon| (lyon.difference, lyon.squarings) = (Difference::HalfwayCrossNormal, squarings))
+    lyon(frame, |lyon| {
+        (lyon.difference, lyon.squarings) = (Difference::HalfwayCrossNormal, squarings)
+    })
 }
 
 /// `duff` with one of its highlights.
@@ -102,7 +109,8 @@ pub fn duff(frame: &Frame, highlight: Highlight) -> CoreSpec {
 
 /// `duff` with each of its highlights.
 pub fn duffs(frame: &Frame) -> [CoreSpec; 4] {
-    [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34].map(|highlight| duff(frame, highlight))
+    [Highlight::Blinn, Highlight::Quotient, Highlight::Eq33, Highlight::Eq34]
+        .map(|highlight| duff(frame, highlight))
 }
 
 /// `reflection` with each of its highlights, and with both fixed normals.
@@ -120,21 +128,27 @@ pub fn reflections(frame: &Frame) -> [CoreSpec; 3] {
     [(span, Highlight::Blinn), (triangle, Highlight::Hybrid), (triangle, Highlight::Eq34)].map(with)
 }
 
-/// `lyon` with both differences, `duff` and `reflection` with each of their highlights, and the other methods.
+/// `lyon` with both differences, `duff` and `reflection` with each of their highlights, and the
+/// other methods.
 pub fn cores(frame: &Frame) -> Vec<CoreSpec> {
     let several = [Method::Lyon, Method::Duff, Method::Reflection];
-    let others = Method::ALL.into_iter().filter(|method| !several.contains(method)).map(|method| spec(frame, method));
+    let others = Method::ALL
+        .into_iter()
+        .filter(|method| !several.contains(method))
+        .map(|method| spec(frame, method));
     let lyons = [cross_form(frame, 2), reflection_form(frame, 2)];
     lyons.into_iter().chain(duffs(frame)).chain(reflections(frame)).chain(others).collect()
 }
 
-/// Runs a core. Every pixel must be the model's and leave in its clock, every stated fact hold, and no error exceed its bound.
+/// Runs a core. Every pixel must be the model's and leave in its clock, every stated fact hold, and
+/// no error exceed its bound.
 pub fn shade(core: &CoreSpec, frame: &Frame) -> Outcome {
     let bench = Bench::new(frame, core, "core").unwrap();
     let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();
     assert_eq!(outcome.comparison.first_mismatch, None, "{core:?}");
     assert_eq!((&outcome.violation, &outcome.wrong_clocks), (&None, &vec![]), "{core:?}");
-    let (error, bound) = (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
+    let (error, bound) =
+        (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
     assert!(error <= bound, "off by {error} LSB, bound {bound}: {core:?}");
     assert!(outcome.agrees());
     outcome

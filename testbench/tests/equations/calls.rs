@@ -1,4 +1,5 @@
-//! Who calls what in golden::exact: sources are parsed, and a function counts as called only where something does that is not a test.
+//! Who calls what in golden::exact: sources are parsed, and a function counts as called only where
+//! something does that is not a test.
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -23,11 +24,14 @@ const EXACT: &str = "golden/src/exact";
 impl Calls {
     /// Reads the sources under `root`.
     pub fn read(root: &Path) -> Calls {
-        let files: Vec<(PathBuf, syn::File)> = SOURCES.iter().flat_map(|folder| parsed(&root.join(folder))).collect();
+        let files: Vec<(PathBuf, syn::File)> =
+            SOURCES.iter().flat_map(|folder| parsed(&root.join(folder))).collect();
         let is_exact = |path: &Path| path.starts_with(root.join(EXACT));
         let exact = || files.iter().filter(|(path, _)| is_exact(path));
         let of = |is_wanted: fn(&syn::ItemFn) -> bool| -> BTreeSet<Function> {
-            exact().flat_map(|(path, file)| free_functions(&module(path), file, is_wanted)).collect()
+            exact()
+                .flat_map(|(path, file)| free_functions(&module(path), file, is_wanted))
+                .collect()
         };
         let (functions, all) = (of(is_public), of(|_| true));
         let mut callers: BTreeMap<Function, BTreeSet<Caller>> = BTreeMap::new();
@@ -59,8 +63,11 @@ fn reached(callers: &BTreeMap<Function, BTreeSet<Caller>>) -> BTreeSet<Function>
             Caller::Exact(function) => reached.contains(function),
             Caller::Other => true,
         };
-        let next: BTreeSet<Function> =
-            callers.iter().filter(|(_, callers)| callers.iter().any(is_reached)).map(|(called, _)| called.clone()).collect();
+        let next: BTreeSet<Function> = callers
+            .iter()
+            .filter(|(_, callers)| callers.iter().any(is_reached))
+            .map(|(called, _)| called.clone())
+            .collect();
         if next == reached {
             return reached;
         }
@@ -70,7 +77,9 @@ fn reached(callers: &BTreeMap<Function, BTreeSet<Caller>>) -> BTreeSet<Function>
 
 /// The name of a file's module: `mod.rs` is its folder's.
 fn module(path: &Path) -> String {
-    let name = |path: &Path| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let name = |path: &Path| {
+        path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
+    };
     match name(path) {
         stem if stem == "mod" => path.parent().map(name).unwrap_or_default(),
         stem => stem,
@@ -84,16 +93,23 @@ fn parsed(folder: &Path) -> Vec<(PathBuf, syn::File)> {
             files.extend(parsed(&entry));
         } else if entry.extension().is_some_and(|extension| extension == "rs") {
             let text = std::fs::read_to_string(&entry).unwrap();
-            let file = syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", entry.display()));
+            let file = syn::parse_file(&text)
+                .unwrap_or_else(|error| panic!("{}: {error}", entry.display()));
             files.push((entry, file));
         }
     }
     files
 }
 
-fn free_functions(module: &str, file: &syn::File, is_wanted: fn(&syn::ItemFn) -> bool) -> Vec<Function> {
+fn free_functions(
+    module: &str,
+    file: &syn::File,
+    is_wanted: fn(&syn::ItemFn) -> bool,
+) -> Vec<Function> {
     let free = |item: &syn::Item| match item {
-        syn::Item::Fn(function) if is_wanted(function) => Some((module.to_owned(), function.sig.ident.to_string())),
+        syn::Item::Fn(function) if is_wanted(function) => {
+            Some((module.to_owned(), function.sig.ident.to_string()))
+        }
         _ => None,
     };
     file.items.iter().filter_map(free).collect()
@@ -125,14 +141,16 @@ impl<'a> Scan<'a> {
         Scan { functions, own, imported, variables, within: None, calls: Vec::new() }
     }
 
-    /// The function that a path of an expression names; a bare name is one of the file's own, or imported.
+    /// The function that a path of an expression names; a bare name is one of the file's own, or
+    /// imported.
     fn named(&self, path: &syn::Path) -> Option<Function> {
         let mut segments = path.segments.iter().rev().map(|segment| segment.ident.to_string());
         let name = segments.next()?;
         let function = match segments.next() {
             Some(module) => (module, name),
             None => {
-                let imported = self.imported.iter().find(|(_, imported)| *imported == name).cloned();
+                let imported =
+                    self.imported.iter().find(|(_, imported)| *imported == name).cloned();
                 imported.or_else(|| self.own.clone().map(|own| (own, name)))?
             }
         };
@@ -149,10 +167,14 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// A function that is handed on. A variable of its name could be meant as well, and then counts for nothing.
+    /// A function that is handed on. A variable of its name could be meant as well, and then counts
+    /// for nothing.
     fn handed_on(&mut self, argument: &syn::Expr) {
         if let syn::Expr::Path(path) = argument {
-            let is_variable = path.path.get_ident().is_some_and(|name| self.variables.contains(&name.to_string()));
+            let is_variable = path
+                .path
+                .get_ident()
+                .is_some_and(|name| self.variables.contains(&name.to_string()));
             if let Some(function) = self.named(&path.path).filter(|_| !is_variable) {
                 self.add(function);
             }
@@ -189,7 +211,8 @@ impl<'ast> Visit<'ast> for Scan<'_> {
     }
 
     fn visit_macro(&mut self, called: &'ast syn::Macro) {
-        let arguments = called.parse_body_with(Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated);
+        let arguments =
+            called.parse_body_with(Punctuated::<syn::Expr, syn::Token![,]>::parse_terminated);
         for argument in arguments.into_iter().flatten() {
             Scan::visit_owned(self, &argument);
         }
@@ -204,7 +227,8 @@ impl Scan<'_> {
 
 fn is_test(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|attribute| {
-        attribute.path().is_ident("cfg") && attribute.parse_args::<syn::Path>().is_ok_and(|what| what.is_ident("test"))
+        attribute.path().is_ident("cfg")
+            && attribute.parse_args::<syn::Path>().is_ok_and(|what| what.is_ident("test"))
     })
 }
 
@@ -222,7 +246,9 @@ impl Names {
             syn::UseTree::Name(name) => {
                 self.imported.insert((module.to_owned(), name.ident.to_string()));
             }
-            syn::UseTree::Group(group) => group.items.iter().for_each(|tree| self.import(module, tree)),
+            syn::UseTree::Group(group) => {
+                group.items.iter().for_each(|tree| self.import(module, tree))
+            }
             syn::UseTree::Rename(_) | syn::UseTree::Glob(_) => (),
         }
     }
@@ -257,9 +283,11 @@ fn calls_are_told_from_names() {
         #[cfg(test)] mod tests { use super::wrap; fn t() { wrap(3); } }";
     let file = syn::parse_file(source).unwrap();
     let all = ["error", "wrap", "chained"].map(|name| ("wrap".to_owned(), name.to_owned()));
-    let functions: BTreeSet<Function> = all.into_iter().chain([("shape".to_owned(), "power".to_owned())]).collect();
+    let functions: BTreeSet<Function> =
+        all.into_iter().chain([("shape".to_owned(), "power".to_owned())]).collect();
     let mut scan = Scan::new(&functions, None, &file);
     scan.visit_file(&file);
-    let called: Vec<String> = scan.calls.into_iter().map(|((module, name), _)| format!("{module}::{name}")).collect();
+    let called: Vec<String> =
+        scan.calls.into_iter().map(|((module, name), _)| format!("{module}::{name}")).collect();
     assert_eq!(called, ["wrap::error", "shape::power"]);
 }

@@ -1,4 +1,5 @@
-//! docs/equations.md against the source: every equation of METHODS.md has a row, and what a row names is there, and is called.
+//! docs/equations.md against the source: every equation of METHODS.md has a row, and what a row
+//! names is there, and is called.
 mod calls;
 
 use std::path::Path;
@@ -7,9 +8,14 @@ use specula_scene::Method;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// Folders that a column's files are in, by the column's title, where they are not named from the repository's root.
-const FOLDERS: [(&str, &str); 4] =
-    [("exact", "golden/src/exact"), ("loop", "golden/src/recurrence"), ("fixed", "golden/src/fixed"), ("hdl", "hdl/src")];
+/// Folders that a column's files are in, by the column's title, where they are not named from the
+/// repository's root.
+const FOLDERS: [(&str, &str); 4] = [
+    ("exact", "golden/src/exact"),
+    ("loop", "golden/src/recurrence"),
+    ("fixed", "golden/src/fixed"),
+    ("hdl", "hdl/src"),
+];
 
 /// A cell of a table, with its column's title.
 struct Cell {
@@ -24,7 +30,8 @@ impl Cell {
 }
 
 fn read(path: &str) -> String {
-    std::fs::read_to_string(Path::new(ROOT).join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+    std::fs::read_to_string(Path::new(ROOT).join(path))
+        .unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
 /// The cells of a line of a table.
@@ -59,7 +66,12 @@ fn rows() -> Vec<Row> {
         } else if !line.starts_with("|---") && titles.iter().any(|title| title == "hdl") {
             let texts = split(line);
             assert_eq!(texts.len(), titles.len(), "{line}");
-            let cells = titles.iter().cloned().zip(texts).map(|(title, text)| Cell { title, text }).collect();
+            let cells = titles
+                .iter()
+                .cloned()
+                .zip(texts)
+                .map(|(title, text)| Cell { title, text })
+                .collect();
             rows.push(Row { section: section.clone(), cells });
         }
     }
@@ -69,13 +81,18 @@ fn rows() -> Vec<Row> {
 /// The numbers that a cell such as `17, 29` or `3.2–3.6` has, those between two included.
 fn numbers(cell: &str) -> Vec<String> {
     let parse = |number: &str| -> Option<(String, u32)> {
-        let (chapter, last) = number.rsplit_once('.').map_or(("", number), |(chapter, last)| (chapter, last));
+        let (chapter, last) =
+            number.rsplit_once('.').map_or(("", number), |(chapter, last)| (chapter, last));
         Some((chapter.to_owned(), last.parse().ok()?))
     };
-    let written = |(chapter, last): (&str, u32)| if chapter.is_empty() { last.to_string() } else { format!("{chapter}.{last}") };
+    let written = |(chapter, last): (&str, u32)| {
+        if chapter.is_empty() { last.to_string() } else { format!("{chapter}.{last}") }
+    };
     let all = |part: &str| {
         let (first, last) = part.split_once('–').unwrap_or((part, part));
-        let (Some((chapter, first)), Some((_, last))) = (parse(first), parse(last)) else { return Vec::new() };
+        let (Some((chapter, first)), Some((_, last))) = (parse(first), parse(last)) else {
+            return Vec::new();
+        };
         (first..=last).map(|last| written((&chapter, last))).collect()
     };
     cell.split(", ").flat_map(all).collect()
@@ -95,11 +112,16 @@ fn defines(source: &str, item: &str) -> bool {
     let begins = |line: &str, before: &str| {
         let rest = line.strip_prefix("pub ").unwrap_or(line);
         let rest = rest.strip_prefix("const ").unwrap_or(rest);
-        rest.strip_prefix(before).and_then(|rest| rest.strip_prefix(item)).is_some_and(|rest| !rest.starts_with(is_of_a_name))
+        rest.strip_prefix(before)
+            .and_then(|rest| rest.strip_prefix(item))
+            .is_some_and(|rest| !rest.starts_with(is_of_a_name))
     };
-    let visible = |line: &str| line.trim().replacen("pub(super) ", "pub ", 1).replacen("pub(crate) ", "pub ", 1);
+    let visible = |line: &str| {
+        line.trim().replacen("pub(super) ", "pub ", 1).replacen("pub(crate) ", "pub ", 1)
+    };
     source.lines().map(visible).any(|line| {
-        ["fn ", "struct ", "enum ", "trait ", "type "].iter().any(|kind| begins(&line, kind)) || line == format!("{item},")
+        ["fn ", "struct ", "enum ", "trait ", "type "].iter().any(|kind| begins(&line, kind))
+            || line == format!("{item},")
     })
 }
 
@@ -124,7 +146,9 @@ fn absent(cell: &Cell) -> Vec<String> {
             }
         } else {
             match &file {
-                Some((path, source)) if !defines(source, name) => absent.push(format!("{path} defines no `{name}`")),
+                Some((path, source)) if !defines(source, name) => {
+                    absent.push(format!("{path} defines no `{name}`"))
+                }
                 Some(_) => (),
                 None => absent.push(format!("`{name}` is in no file: {}", cell.text)),
             }
@@ -140,7 +164,8 @@ fn every_file_and_item_is_there() {
     assert!(rows.len() > 60 && absent.is_empty(), "{} rows\n{}", rows.len(), absent.join("\n"));
 }
 
-/// A formula that nothing runs says nothing about what is run: those in f64 are called by a method, a loop, a claim or a command.
+/// A formula that nothing runs says nothing about what is run: those in f64 are called by a method,
+/// a loop, a claim or a command.
 #[test]
 fn every_function_in_f64_is_called() {
     let calls = calls::Calls::read(Path::new(ROOT));
@@ -152,7 +177,8 @@ fn every_function_in_f64_is_called() {
     );
     let rows = rows();
     let exact = rows.iter().filter_map(|row| row.cells.iter().find(|cell| cell.is("exact")));
-    let named = exact.flat_map(functions_of).filter(|function| calls.functions.contains(function)).count();
+    let named =
+        exact.flat_map(functions_of).filter(|function| calls.functions.contains(function)).count();
     assert!(named > 40, "docs/equations.md names {named} of them");
 }
 
@@ -179,7 +205,10 @@ fn every_equation_of_methods_has_a_row() {
         assert!(absent.is_empty(), "no row for {absent:?}");
     }
     for formulation in 1..=12 {
-        assert!(ids.contains(&formulation.to_string().as_str()), "no row for formulation {formulation}");
+        assert!(
+            ids.contains(&formulation.to_string().as_str()),
+            "no row for formulation {formulation}"
+        );
     }
 }
 
@@ -188,11 +217,16 @@ fn every_equation_of_methods_has_a_row() {
 fn every_numbered_equation_has_a_row() {
     let rows = rows();
     let lecture = [(1, 1), (2, 1), (3, 6), (4, 12)];
-    let lecture = lecture.into_iter().flat_map(|(chapter, last)| (1..=last).map(move |n| format!("{chapter}.{n}")));
+    let lecture = lecture
+        .into_iter()
+        .flat_map(|(chapter, last)| (1..=last).map(move |n| format!("{chapter}.{n}")));
     let to = |last: u32| (1..=last).map(|n| n.to_string());
-    for (paper, wanted) in [("A.", lecture.collect::<Vec<_>>()), ("C.", to(38).collect()), ("D.", to(9).collect())] {
+    for (paper, wanted) in
+        [("A.", lecture.collect::<Vec<_>>()), ("C.", to(38).collect()), ("D.", to(9).collect())]
+    {
         let of_paper = rows.iter().filter(|row| row.section.starts_with(paper));
-        let there: Vec<String> = of_paper.filter_map(|row| row.text("equation")).flat_map(numbers).collect();
+        let there: Vec<String> =
+            of_paper.filter_map(|row| row.text("equation")).flat_map(numbers).collect();
         let absent: Vec<&String> = wanted.iter().filter(|number| !there.contains(number)).collect();
         assert!(absent.is_empty(), "{paper} has no row for {absent:?}");
     }
@@ -203,12 +237,23 @@ fn every_numbered_equation_has_a_row() {
 fn every_row_can_be_run_as_it_says() {
     let mut run = 0;
     for cell in rows().iter().flat_map(|row| &row.cells).filter(|cell| cell.is("run")) {
-        let methods: Vec<Method> = quoted(&cell.text).into_iter().filter_map(|name| Method::from_name(name).ok()).collect();
-        for (key, value) in quoted(&cell.text).into_iter().filter_map(|option| option.split_once(" = ")) {
-            let known = |method: &Method| method.choices().iter().any(|c| c.key == key && c.values.contains(&value));
+        let methods: Vec<Method> = quoted(&cell.text)
+            .into_iter()
+            .filter_map(|name| Method::from_name(name).ok())
+            .collect();
+        for (key, value) in
+            quoted(&cell.text).into_iter().filter_map(|option| option.split_once(" = "))
+        {
+            let known = |method: &Method| {
+                method.choices().iter().any(|c| c.key == key && c.values.contains(&value))
+            };
             let of_a_light = ["kind", "viewer"].contains(&key);
             let inherited = methods.is_empty() && Method::ALL.iter().any(known);
-            assert!(of_a_light || inherited || methods.iter().any(known), "{key} = {value}: {}", cell.text);
+            assert!(
+                of_a_light || inherited || methods.iter().any(known),
+                "{key} = {value}: {}",
+                cell.text
+            );
             run += 1;
         }
     }

@@ -5,17 +5,20 @@ use specula_scene::spec::reflection::Bisector;
 use specula_scene::{Method, Needs};
 
 use crate::common::{
-    codes, cores, cross_form, duffs, frame, lyon, material, mirror, reflection_form, reflections, shade, spec, tilted,
+    codes, cores, cross_form, duffs, frame, lyon, material, mirror, reflection_form, reflections,
+    shade, spec, tilted,
 };
 
 const AMBIENT: f64 = 0.2;
 const AMBIENT_CODE: u8 = 51;
 
-/// Rows 1 and 2: N0 = -N1, and t = 1/2 is a pixel, whose normal has no direction. `lyon` gives ambient light there.
+/// Rows 1 and 2: N0 = -N1, and t = 1/2 is a pixel, whose normal has no direction. `lyon` gives
+/// ambient light there.
 #[test]
 fn opposite_normals() {
     for (first, length) in [(DVec3::X, 3), (DVec3::Z, 5), (tilted(40.0), 33), (DVec3::Y, 257)] {
-        let frame = frame([first, -first], length, &[tilted(30.0)], material(AMBIENT, 0.5, 0.3, 16));
+        let frame =
+            frame([first, -first], length, &[tilted(30.0)], material(AMBIENT, 0.5, 0.3, 16));
         for core in cores(&frame) {
             let codes = codes(&core, &frame);
             if core.method() == Method::Lyon {
@@ -28,9 +31,11 @@ fn opposite_normals() {
 /// Row 1: an even number of pixels never meets t = 1/2.
 #[test]
 fn opposite_normals_without_a_middle() {
-    let frame = frame([tilted(20.0), -tilted(20.0)], 4, &[tilted(10.0)], material(0.0, 1.0, 0.0, 16));
+    let frame =
+        frame([tilted(20.0), -tilted(20.0)], 4, &[tilted(10.0)], material(0.0, 1.0, 0.0, 16));
     let lambert = (255.0 * tilted(20.0).dot(tilted(10.0))).round() as u8;
-    // At t = 1/3 the normal has length 1/3, which g2 and a Newton step bring no nearer to 1 than they can.
+    // At t = 1/3 the normal has length 1/3, which g2 and a Newton step bring no nearer to 1 than
+    // they can.
     let codes = codes(&spec(&frame, Method::Lyon), &frame);
     assert!((lambert / 2..=lambert).contains(&codes[1]), "{codes:?}");
     assert_eq!((codes[0], codes[2], codes[3]), (lambert, 0, 0));
@@ -45,22 +50,31 @@ fn hybrid_at_q_zero() {
         let middle = length as usize / 2;
         assert_eq!((codes[0], codes[middle], codes[length as usize - 1]), (255, 0, 255));
     }
-    // In the longest span rounding leaves something of q, and what p/q then is nobody knows: the bound says so.
+    // In the longest span rounding leaves something of q, and what p/q then is nobody knows: the
+    // bound says so.
     let longest = frame([DVec3::Z, -DVec3::Z], 8191, &[DVec3::Z], mirror(16));
     shade(&spec(&longest, Method::Hybrid), &longest);
 }
 
-/// Row 2: where q = 0 nobody knows a direction, and ambient light is all there is; the pixels beside it have theirs.
+/// Row 2: where q = 0 nobody knows a direction, and ambient light is all there is; the pixels
+/// beside it have theirs.
 #[test]
 fn duff_at_q_zero() {
     for length in [3, 5, 9, 257] {
-        let frame = frame([DVec3::Z, -DVec3::Z], length, &[DVec3::Z], material(AMBIENT, 0.5, 0.3, 16));
-        let lit = |diffuse: f64, highlight: f64| (255.0 * (AMBIENT + 0.5 * diffuse + 0.3 * highlight)).round() as u8;
+        let frame =
+            frame([DVec3::Z, -DVec3::Z], length, &[DVec3::Z], material(AMBIENT, 0.5, 0.3, 16));
+        let lit = |diffuse: f64, highlight: f64| {
+            (255.0 * (AMBIENT + 0.5 * diffuse + 0.3 * highlight)).round() as u8
+        };
         for core in duffs(&frame) {
             let codes = codes(&core, &frame);
             let middle = length as usize / 2;
-            // Behind the middle the light is behind the surface, and the highlight is not gated (row 32).
-            assert_eq!((codes[0], codes[middle], codes[length as usize - 1]), (lit(1.0, 1.0), AMBIENT_CODE, codes[middle + 1]));
+            // Behind the middle the light is behind the surface, and the highlight is not gated
+            // (row 32).
+            assert_eq!(
+                (codes[0], codes[middle], codes[length as usize - 1]),
+                (lit(1.0, 1.0), AMBIENT_CODE, codes[middle + 1])
+            );
             assert_eq!(codes[middle - 1], codes[0]);
         }
     }
@@ -69,7 +83,8 @@ fn duff_at_q_zero() {
     duffs(&longest).iter().for_each(|core| drop(shade(core, &longest)));
 }
 
-/// Row 12: L = -V leaves Blinn's half-way vector without a direction, and the highlight is 0; R·L is -N·L there, 0 as well.
+/// Row 12: L = -V leaves Blinn's half-way vector without a direction, and the highlight is 0; R·L
+/// is -N·L there, 0 as well.
 #[test]
 fn duff_with_the_light_opposite_the_eye() {
     let frame = frame([tilted(10.0), tilted(20.0)], 8, &[-DVec3::Z], mirror(16));
@@ -78,14 +93,16 @@ fn duff_with_the_light_opposite_the_eye() {
     }
 }
 
-/// Rows 1, 7 and 9: opposite ends have no normal half-way between them, nor do those that are opposite but for a millionth; the span
-/// gets no diffuse light, and a highlight of the hybrid's alone.
+/// Rows 1, 7 and 9: opposite ends have no normal half-way between them, nor do those that are
+/// opposite but for a millionth; the span gets no diffuse light, and a highlight of the hybrid's
+/// alone.
 #[test]
 fn reflection_between_opposite_normals() {
     let nearly = -(DVec3::Z + 5e-7 * DVec3::X).normalize();
     for end in [-DVec3::Z, nearly] {
         for length in [2, 3, 257] {
-            let frame = frame([DVec3::Z, end], length, &[tilted(10.0)], material(AMBIENT, 0.8, 0.0, 16));
+            let frame =
+                frame([DVec3::Z, end], length, &[tilted(10.0)], material(AMBIENT, 0.8, 0.0, 16));
             for core in reflections(&frame) {
                 assert_eq!(codes(&core, &frame), vec![AMBIENT_CODE; length as usize]);
             }
@@ -93,12 +110,15 @@ fn reflection_between_opposite_normals() {
     }
 }
 
-/// Row 8: the polygon's normal lies behind the normal at one end, and the span's own bisector is taken; no pixel is 180 degrees wrong.
+/// Row 8: the polygon's normal lies behind the normal at one end, and the span's own bisector is
+/// taken; no pixel is 180 degrees wrong.
 #[test]
 fn reflection_falls_back_to_the_spans_bisector() {
-    let mut frame = frame([tilted(0.0), tilted(110.0)], 20, &[tilted(55.0)], material(0.0, 1.0, 0.0, 1));
+    let mut frame =
+        frame([tilted(0.0), tilted(110.0)], 20, &[tilted(55.0)], material(0.0, 1.0, 0.0, 1));
     frame.triangles[0].facet.normal = tilted(10.0);
-    let [of_span, of_triangle] = [Bisector::Span, Bisector::Triangle].map(|bisector| bisector.of(&frame, &frame.spans[0]).unwrap());
+    let [of_span, of_triangle] = [Bisector::Span, Bisector::Triangle]
+        .map(|bisector| bisector.of(&frame, &frame.spans[0]).unwrap());
     assert_eq!(of_triangle, of_span);
     let at_the_ends = (255.0 * 55f64.to_radians().cos()).round() as u8;
     for core in reflections(&frame) {
@@ -133,19 +153,26 @@ fn largest_gain() {
     let frame = frame([DVec3::X, -DVec3::X], 3, &[DVec3::Z], material(AMBIENT, 0.5, 0.3, 8191));
     for newton_steps in 0..=3 {
         for difference in [Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight] {
-            let core = lyon(&frame, |lyon| (lyon.newton_steps, lyon.difference) = (newton_steps, difference));
+            let core = lyon(&frame, |lyon| {
+                (lyon.newton_steps, lyon.difference) = (newton_steps, difference)
+            });
             assert_eq!(codes(&core, &frame)[1], AMBIENT_CODE);
         }
     }
 }
 
-/// A normal that rounds to nothing though it has a direction: its highlight is lost whole, and the bound must say so.
+/// A normal that rounds to nothing though it has a direction: its highlight is lost whole, and the
+/// bound must say so.
 #[test]
 fn bound_knows_of_normals_that_round_away() {
     let frame = frame([tilted(90.0), tilted(-89.9)], 3, &[tilted(4.0)], mirror(1));
     let shortest = Needs::of(&frame).shortest_normal;
-    let (vanishes, squared_does_not) = (shortest < (-9f64).exp2(), shortest * shortest > (-24f64).exp2());
-    assert!(vanishes && squared_does_not, "{shortest} is to round to 0 in S1.8, and its square not to in U1.24");
+    let (vanishes, squared_does_not) =
+        (shortest < (-9f64).exp2(), shortest * shortest > (-24f64).exp2());
+    assert!(
+        vanishes && squared_does_not,
+        "{shortest} is to round to 0 in S1.8, and its square not to in U1.24"
+    );
     for squarings in 0..=3 {
         let core = lyon(&frame, |lyon| {
             (lyon.difference, lyon.squarings) = (Difference::HalfwayCrossNormal, squarings);
@@ -158,11 +185,17 @@ fn bound_knows_of_normals_that_round_away() {
     }
 }
 
-/// Row 50: a triangle whose normals are all 0 has ambient light alone in `lyon`, and no highlight in `hybrid`.
+/// Row 50: a triangle whose normals are all 0 has ambient light alone in `lyon`, and no highlight
+/// in `hybrid`.
 #[test]
 fn zero_normals() {
     for length in [1, 2, 100] {
-        let frame = frame([DVec3::ZERO; 2], length, &[DVec3::Z, tilted(50.0)], material(AMBIENT, 1.0, 1.0, 64));
+        let frame = frame(
+            [DVec3::ZERO; 2],
+            length,
+            &[DVec3::Z, tilted(50.0)],
+            material(AMBIENT, 1.0, 1.0, 64),
+        );
         for core in cores(&frame) {
             assert_eq!(codes(&core, &frame), vec![AMBIENT_CODE; length as usize]);
         }
@@ -180,7 +213,8 @@ fn a_zero_normal_at_one_end() {
     }
 }
 
-/// Row 12: L = -V makes H = 0, and H × N 0 for every normal: highlight everywhere. D = R - L and p/q know better.
+/// Row 12: L = -V makes H = 0, and H × N 0 for every normal: highlight everywhere. D = R - L and
+/// p/q know better.
 #[test]
 fn light_opposite_the_eye() {
     let frame = frame([tilted(10.0), tilted(20.0)], 8, &[-DVec3::Z], mirror(16));
@@ -195,7 +229,12 @@ fn light_opposite_the_eye() {
 #[test]
 fn light_nearly_opposite_the_eye() {
     for degrees in [170.0, 179.0, 179.9, 179.999] {
-        let frame = frame([tilted(degrees / 2.0 - 5.0), tilted(degrees / 2.0 + 4.0)], 50, &[tilted(degrees)], mirror(64));
+        let frame = frame(
+            [tilted(degrees / 2.0 - 5.0), tilted(degrees / 2.0 + 4.0)],
+            50,
+            &[tilted(degrees)],
+            mirror(64),
+        );
         cores(&frame).iter().for_each(|core| drop(shade(core, &frame)));
     }
 }

@@ -15,7 +15,9 @@ const CODES: [u8; 2] = [75, 204];
 /// The facets as triangles, or as quadrilaterals.
 fn faces(corners: usize) -> String {
     let corner = |k: usize| format!("{k}//1");
-    let face = |names: &[usize]| format!("f {}\n", names.iter().map(|&k| corner(k)).collect::<Vec<_>>().join(" "));
+    let face = |names: &[usize]| {
+        format!("f {}\n", names.iter().map(|&k| corner(k)).collect::<Vec<_>>().join(" "))
+    };
     let facet = |k: usize| {
         let [a, b, c, d] = [2 * k - 1, 2 * k + 1, 2 * k + 2, 2 * k];
         if corners == 3 { face(&[a, b, c]) + &face(&[a, c, d]) } else { face(&[a, b, c, d]) }
@@ -53,7 +55,8 @@ fn codes(core: &CoreSpec, frame: &Frame) -> Vec<u8> {
 }
 
 /// Methods that have the polygon's normal at every pixel.
-const FLAT: [(&str, &str); 2] = [("gouraud", "interpolation = \"uniform\""), ("lyon", "normals = \"flat\"")];
+const FLAT: [(&str, &str); 2] =
+    [("gouraud", "interpolation = \"uniform\""), ("lyon", "normals = \"flat\"")];
 
 #[test]
 fn facets_have_the_code_of_their_own_normal() {
@@ -83,7 +86,11 @@ fn facets_that_are_mirrored_turned_and_stretched_have_theirs() {
     for (method, options) in FLAT {
         for (place, wanted) in places {
             let roof = roof(4, place, method, options);
-            assert_eq!(codes(&roof.core_spec(None).unwrap(), &roof.frame), wanted, "{method}: {place}");
+            assert_eq!(
+                codes(&roof.core_spec(None).unwrap(), &roof.frame),
+                wanted,
+                "{method}: {place}"
+            );
         }
     }
 }
@@ -95,7 +102,13 @@ fn vertex_normals_that_are_not_the_polygons_are_shaded_by_methods_that_interpola
     let lit = (204.0 * (0.05 + 0.5f64.sqrt())).round() as u8;
     let reflection = "bisector = \"triangle\"";
     let wrapped = "normals = \"wrapped\"\naxis = \"face\"";
-    for (method, options) in [("lyon", ""), ("gouraud", ""), ("phong", ""), ("lyon", wrapped), ("reflection", reflection)] {
+    for (method, options) in [
+        ("lyon", ""),
+        ("gouraud", ""),
+        ("phong", ""),
+        ("lyon", wrapped),
+        ("reflection", reflection),
+    ] {
         let roof = roof(3, "", method, options);
         assert_eq!(codes(&roof.core_spec(None).unwrap(), &roof.frame), [lit], "{method} {options}");
     }

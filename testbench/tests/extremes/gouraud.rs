@@ -14,13 +14,18 @@ fn uniform(frame: &Frame) -> CoreSpec {
     core
 }
 
-/// Rows 37 and 52: one code from end to end, of the mean of the vertex normals (20, 40 and 20 degrees), which
-/// stands in for a polygon that is not known, and no step to divide for.
+/// Rows 37 and 52: one code from end to end, of the mean of the vertex normals (20, 40 and 20
+/// degrees), which stands in for a polygon that is not known, and no step to divide for.
 #[test]
 fn uniform_spans_have_one_code() {
     let mean = (2.0 * tilted(20.0) + tilted(40.0)).normalize();
     for (length, n) in [(1, 1), (2, 7), (1000, 100)] {
-        let frame = frame([tilted(20.0), tilted(40.0)], length, &[tilted(50.0)], material(0.1, 0.4, 0.5, n));
+        let frame = frame(
+            [tilted(20.0), tilted(40.0)],
+            length,
+            &[tilted(50.0)],
+            material(0.1, 0.4, 0.5, n),
+        );
         let core = uniform(&frame);
         assert!(core.inputs().iter().all(|port| !port.name.ends_with("step")));
         let base = (2.0 * mean.z * mean - DVec3::Z).dot(tilted(50.0));
@@ -39,20 +44,23 @@ fn normals_that_cancel_get_ambient_light() {
     assert_eq!(codes(&uniform(&frame), &frame), [51; 5]);
 }
 
-/// A square of two units with a corner at each place given, under a spot straight above the first of them.
+/// A square of two units with a corner at each place given, under a spot straight above the first
+/// of them.
 fn floor(exponent: u32, height: f64, eye: Option<DVec3>) -> Frame {
     let mut frame = frame([DVec3::Z, DVec3::Z], 3, &[], material(0.0, 0.5, 0.5, 2));
     let triangle = &mut frame.triangles[0];
     triangle.positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
     triangle.facet = Facet::of_vertices(&triangle.normals, &triangle.positions);
     let spot = Some(Spot { axis: -DVec3::Z, exponent });
-    frame.local_lights = vec![LocalLight { position: DVec3::new(0.0, 0.0, height), spot, colour: [1.0; 3] }];
+    frame.local_lights =
+        vec![LocalLight { position: DVec3::new(0.0, 0.0, height), spot, colour: [1.0; 3] }];
     frame.eye = eye;
     frame
 }
 
-/// Intensities of vertices are exact wherever light and eye are. At the far vertex L is 45 degrees off, where Lambert's cosine is √½ and
-/// Warn's factor its square ½; V = (-1, 0, 1)/√2 towards the eye above the other vertex makes R·L = 0, V = Z makes it √½, its square ½.
+/// Intensities of vertices are exact wherever light and eye are. At the far vertex L is 45 degrees
+/// off, where Lambert's cosine is √½ and Warn's factor its square ½; V = (-1, 0, 1)/√2 towards the
+/// eye above the other vertex makes R·L = 0, V = Z makes it √½, its square ½.
 #[test]
 fn vertices_see_lights_and_eyes_at_places() {
     let far = 0.5 * 0.5f64.sqrt();
@@ -64,7 +72,8 @@ fn vertices_see_lights_and_eyes_at_places() {
     }
 }
 
-/// Row 39: a light or an eye at the very vertex gives it nothing, and the other one what is due to it.
+/// Row 39: a light or an eye at the very vertex gives it nothing, and the other one what is due to
+/// it.
 #[test]
 fn a_light_at_a_vertex_does_not_light_it() {
     let frame = floor(1, 0.0, None);

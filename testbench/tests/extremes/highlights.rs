@@ -6,14 +6,16 @@ use specula_scene::spec::lyon::Difference;
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
 use crate::common::{
-    Row, codes, cores, cross_form, duff, duffs, frame, frame_of, lyon, material, mirror, reflection_form, shade, spec, tilted,
+    Row, codes, cores, cross_form, duff, duffs, frame, frame_of, lyon, material, mirror,
+    reflection_form, shade, spec, tilted,
 };
 
 fn flat(light: DVec3, shininess: u32) -> Frame {
     frame([DVec3::Z; 2], 1, &[light], mirror(shininess))
 }
 
-/// Rows 10, 22, 29 and 53: the centre of the highlight on an axis-aligned normal is 255. H·H is 4 there.
+/// Rows 10, 22, 29 and 53: the centre of the highlight on an axis-aligned normal is 255. H·H is 4
+/// there.
 #[test]
 fn centre_is_full_scale() {
     for squarings in 0..=3 {
@@ -44,13 +46,19 @@ fn end_of_the_shape_is_zero() {
     }
 }
 
-/// Row 21: with a light a little to either side of x = 2^k, the code falls to 0 and stays there; k = 0 is the steepest.
+/// Row 21: with a light a little to either side of x = 2^k, the code falls to 0 and stays there;
+/// k = 0 is the steepest.
 #[test]
 fn nothing_comes_back_behind_the_end() {
     for squarings in 0..=3 {
         let mut last = 255;
         for tenths in 880..=920 {
-            let frame = frame([DVec3::Z; 2], 1, &[tilted(f64::from(tenths) / 10.0)], mirror(1 << squarings));
+            let frame = frame(
+                [DVec3::Z; 2],
+                1,
+                &[tilted(f64::from(tenths) / 10.0)],
+                mirror(1 << squarings),
+            );
             let code = codes(&reflection_form(&frame, squarings), &frame)[0];
             assert!(code <= last, "{code} at {tenths} tenths of a degree comes after {last}");
             assert!(tenths < 900 || code == 0);
@@ -70,7 +78,8 @@ fn tails_are_the_methods() {
     }
 }
 
-/// Rows 24, 25 and 31: D as long as it can be, along one axis, with n = 8191: 0 and not wrapped around.
+/// Rows 24, 25 and 31: D as long as it can be, along one axis, with n = 8191: 0 and not wrapped
+/// around.
 #[test]
 fn longest_difference() {
     for squarings in 0..=3 {
@@ -85,7 +94,8 @@ fn longest_difference() {
     }
 }
 
-/// Rows 24 and 28: where z = 0.8 g2 overshoots by 0.176 %; 2 N·V is 2.0035 and R longer than 1, with the light opposite to it.
+/// Rows 24 and 28: where z = 0.8 g2 overshoots by 0.176 %; 2 N·V is 2.0035 and R longer than 1,
+/// with the light opposite to it.
 #[test]
 fn longest_difference_with_overshoot() {
     let half = 0.8f64.sqrt().acos().to_degrees();
@@ -116,7 +126,8 @@ fn negative_base_is_zero() {
     assert_eq!(codes(&duff(&behind, Highlight::Blinn), &behind), [0; 4]);
 }
 
-/// Row 6: with the light in the reflection p and q are the same but for rounding, and the base is 1, never more.
+/// Row 6: with the light in the reflection p and q are the same but for rounding, and the base is
+/// 1, never more.
 #[test]
 fn base_is_at_most_one() {
     for degrees in (0..900).step_by(7).map(|tenths| f64::from(tenths) / 10.0) {
@@ -124,7 +135,10 @@ fn base_is_at_most_one() {
         let hybrid = spec(&frame, Method::Hybrid);
         for core in duffs(&frame).iter().chain([&hybrid]) {
             let codes = codes(core, &frame);
-            assert!(codes.iter().all(|&code| code >= 254), "{codes:?} at {degrees} degrees: {core:?}");
+            assert!(
+                codes.iter().all(|&code| code >= 254),
+                "{codes:?} at {degrees} degrees: {core:?}"
+            );
         }
     }
 }
@@ -132,7 +146,9 @@ fn base_is_at_most_one() {
 /// Row 54: every kind of exponent that a method takes.
 #[test]
 fn exponents() {
-    let lit = |shininess| frame([tilted(-10.0), tilted(10.0)], 40, &[tilted(5.0)], material(0.1, 0.4, 0.5, shininess));
+    let lit = |shininess| {
+        frame([tilted(-10.0), tilted(10.0)], 40, &[tilted(5.0)], material(0.1, 0.4, 0.5, shininess))
+    };
     for shininess in [1, 2, 3, 5, 100, 255, 257, 4095, 4097, 8190, 8191] {
         let frame = lit(shininess);
         for core in [cross_form(&frame, 2), reflection_form(&frame, 2)] {
@@ -150,14 +166,32 @@ fn exponents() {
 #[test]
 fn squaring_alone_refuses_exponents() {
     let needs = Needs::of(&flat(DVec3::Z, 100));
-    for method in [Method::Hybrid, Method::Duff, Method::Reflection, Method::Slerp, Method::Direct, Method::Consistent] {
+    for method in [
+        Method::Hybrid,
+        Method::Duff,
+        Method::Reflection,
+        Method::Slerp,
+        Method::Direct,
+        Method::Consistent,
+    ] {
         let core = |options: &str| {
             let options = format!("{}.{options}", method.name()).parse().unwrap();
             CoreSpec::for_scene(&needs, Some(&options), Some(method))
         };
         let refused = core("power = \"squaring\"").unwrap_err();
-        assert_eq!(refused, SpecError::UnevenShininess { method: method.name(), shininess: 100, below: 64, above: 128 });
-        assert_eq!(core("power = \"tables\"").unwrap(), CoreSpec::for_scene(&needs, None, Some(method)).unwrap());
+        assert_eq!(
+            refused,
+            SpecError::UnevenShininess {
+                method: method.name(),
+                shininess: 100,
+                below: 64,
+                above: 128
+            }
+        );
+        assert_eq!(
+            core("power = \"tables\"").unwrap(),
+            CoreSpec::for_scene(&needs, None, Some(method)).unwrap()
+        );
     }
 }
 
@@ -177,7 +211,11 @@ fn exponents_without_a_core() {
 /// Many materials in one frame: the exponent changes from span to span, and the core follows.
 #[test]
 fn exponents_change_between_spans() {
-    let row = |j: u32| Row { normals: [tilted(-20.0), tilted(25.0)], length: 9, material: mirror(1 << j) };
+    let row = |j: u32| Row {
+        normals: [tilted(-20.0), tilted(25.0)],
+        length: 9,
+        material: mirror(1 << j),
+    };
     let rows: Vec<Row> = (0..=12).map(row).collect();
     let frame = frame_of(&rows, &[tilted(12.0)]);
     for core in cores(&frame) {

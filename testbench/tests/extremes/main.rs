@@ -1,8 +1,10 @@
-//! The rows of EXTREMES.md that concern the cores, through the hardware; numbers in names and comments are its rows.
+//! The rows of EXTREMES.md that concern the cores, through the hardware; numbers in names and
+//! comments are its rows.
 //!
-//! [`common::shade`] asserts in every one that pixels, clocks, stated facts and error bounds are right, so tests say only what else is
-//! wanted. Rows 7 to 9 and 11 are about other methods' normals, 18 to 20 about Newton's root, 30 about another data path, 36
-//! about an arc cosine that no core has.
+//! [`common::shade`] asserts in every one that pixels, clocks, stated facts and error bounds are
+//! right, so tests say only what else is wanted. Rows 7 to 9 and 11 are about other methods'
+//! normals, 18 to 20 about Newton's root, 30 about another data path, 36 about an arc cosine that
+//! no core has.
 #[path = "../common/mod.rs"]
 mod common;
 mod degenerate;

@@ -10,7 +10,12 @@ use crate::common::{codes, cores, frame, material, mirror, shade, spec, tilted};
 #[test]
 fn normals_longer_than_one() {
     for degrees in 1..90 {
-        let frame = frame([tilted(f64::from(degrees)); 2], 2, &[tilted(2.0 * f64::from(degrees))], mirror(256));
+        let frame = frame(
+            [tilted(f64::from(degrees)); 2],
+            2,
+            &[tilted(2.0 * f64::from(degrees))],
+            mirror(256),
+        );
         for core in cores(&frame) {
             shade(&core, &frame);
         }
@@ -39,7 +44,8 @@ fn bright(lights: usize, factor: f64) -> Frame {
     frame
 }
 
-/// All coefficients at full scale, then at the largest that a core takes: white, not wrapped around.
+/// All coefficients at full scale, then at the largest that a core takes: white, not wrapped
+/// around.
 #[test]
 fn saturation() {
     for (lights, factor) in [(1, 1.0), (MOST_LIGHTS, 1.0), (1, 256.0), (MOST_LIGHTS, 256.9)] {
@@ -75,7 +81,8 @@ fn all_ones() {
 /// Nothing reflects anything: black, and no code below it.
 #[test]
 fn black() {
-    let frame = frame([tilted(-40.0), tilted(40.0)], 20, &[tilted(10.0)], material(0.0, 0.0, 0.0, 1));
+    let frame =
+        frame([tilted(-40.0), tilted(40.0)], 20, &[tilted(10.0)], material(0.0, 0.0, 0.0, 1));
     for core in cores(&frame) {
         assert_eq!(codes(&core, &frame), [0; 20]);
     }

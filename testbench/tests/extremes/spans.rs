@@ -13,7 +13,8 @@ fn lit(shininess: u32) -> Material {
 #[test]
 fn shortest_spans() {
     for length in [1, 2, 3] {
-        let frame = frame([tilted(-20.0), tilted(20.0)], length, &[tilted(-38.0), tilted(39.0)], lit(64));
+        let frame =
+            frame([tilted(-20.0), tilted(20.0)], length, &[tilted(-38.0), tilted(39.0)], lit(64));
         for core in cores(&frame) {
             shade(&core, &frame);
         }
@@ -27,7 +28,11 @@ fn longest_span() {
     for core in cores(&frame) {
         let codes = codes(&core, &frame);
         // `gouraud` sees the vertices alone.
-        assert_eq!(codes.contains(&255), core.method() != Method::Gouraud, "the highlight lies on the span");
+        assert_eq!(
+            codes.contains(&255),
+            core.method() != Method::Gouraud,
+            "the highlight lies on the span"
+        );
     }
 }
 
@@ -53,11 +58,16 @@ fn mixed() -> Vec<Row> {
     MIXED
         .iter()
         .enumerate()
-        .map(|(number, &length)| Row { normals: tilts(number), length, material: lit(1 << (number % 8)) })
+        .map(|(number, &length)| Row {
+            normals: tilts(number),
+            length,
+            material: lit(1 << (number % 8)),
+        })
         .collect()
 }
 
-/// Spans of mixed lengths, one straight after the other: each pixel in its clock, and each span as if it were alone.
+/// Spans of mixed lengths, one straight after the other: each pixel in its clock, and each span as
+/// if it were alone.
 #[test]
 fn spans_leave_nothing_behind() {
     let rows = mixed();
@@ -68,7 +78,11 @@ fn spans_leave_nothing_behind() {
         assert_eq!(outcome.pixels, MIXED.iter().map(|&length| u64::from(length)).sum::<u64>());
         for (number, alone) in rows.iter().enumerate().filter(|(_, row)| row.length < 10) {
             let alone = frame_of(std::slice::from_ref(alone), &lights);
-            assert_eq!(row(&outcome, &together, number), row(&shade(core, &alone), &alone, 0), "{core:?}, span {number}");
+            assert_eq!(
+                row(&outcome, &together, number),
+                row(&shade(core, &alone), &alone, 0),
+                "{core:?}, span {number}"
+            );
         }
     });
 }

@@ -21,8 +21,12 @@ fn light_behind_keeps_its_highlight() {
 #[test]
 fn eye_behind() {
     for degrees in [85.0, 90.0, 95.0, 120.0, 180.0] {
-        let frame =
-            frame([tilted(degrees - 5.0), tilted(degrees + 5.0)], 33, &[tilted(2.0 * degrees)], material(0.1, 0.4, 0.5, 16));
+        let frame = frame(
+            [tilted(degrees - 5.0), tilted(degrees + 5.0)],
+            33,
+            &[tilted(2.0 * degrees)],
+            material(0.1, 0.4, 0.5, 16),
+        );
         for core in cores(&frame) {
             shade(&core, &frame);
         }
@@ -46,7 +50,12 @@ fn grazing_lights() {
 #[test]
 fn lights_in_the_plane() {
     for degrees in [89.9, 89.999, 90.0, 90.001, 90.1] {
-        let frame = frame([tilted(-1.0), tilted(1.0)], 21, &[tilted(degrees), tilted(-degrees)], material(0.0, 1.0, 0.0, 256));
+        let frame = frame(
+            [tilted(-1.0), tilted(1.0)],
+            21,
+            &[tilted(degrees), tilted(-degrees)],
+            material(0.0, 1.0, 0.0, 256),
+        );
         for core in cores(&frame) {
             shade(&core, &frame);
         }

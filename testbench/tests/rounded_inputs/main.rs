@@ -45,7 +45,10 @@ fn scenes_whose_bounds_were_broken_stay_within_them() {
         // A core that knows less of the scene has no smaller bound.
         let (general_error, general_bound) = measured(&loaded.frame, &special.general());
         assert_eq!(general_error, got);
-        assert!(general_bound >= bound, "{name}: {bound} LSB, and {general_bound} of the general core");
+        assert!(
+            general_bound >= bound,
+            "{name}: {bound} LSB, and {general_bound} of the general core"
+        );
     }
 }
 
@@ -54,7 +57,8 @@ struct Noise(u64);
 
 impl Noise {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
@@ -88,7 +92,10 @@ fn nearly_constant(noise: &mut Noise) -> Frame {
 
 /// The method with formats a bit or several coarser than its defaults, as far as each may be.
 fn coarser(frame: &Frame, method: Method, noise: &mut Noise) -> Option<CoreSpec> {
-    let table: CoreOptions = format!("light_pipelines = \"{}\"", ["each", "shared"][noise.below(2) as usize]).parse().unwrap();
+    let table: CoreOptions =
+        format!("light_pipelines = \"{}\"", ["each", "shared"][noise.below(2) as usize])
+            .parse()
+            .unwrap();
     let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(method)).ok()?;
     let spec = spec.finer(-(noise.below(9) as i32), &[]).unwrap_or(spec);
     Some(spec.specialised(frame))
@@ -126,16 +133,25 @@ fn bounds_hold_where_most_of_a_core_is_constant() {
 #[test]
 fn weights_finer_than_an_f64_are_no_untrue_fact() {
     for method in [Method::Lyon, Method::Phong, Method::Direct, Method::Consistent] {
-        for (bits, length) in (53..=56).flat_map(|bits| (2..=40).map(move |length| (bits, length))) {
+        for (bits, length) in (53..=56).flat_map(|bits| (2..=40).map(move |length| (bits, length)))
+        {
             let normals = [DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.6, 0.0, 0.8)];
             let look = || material(0.1, 0.5, 0.4, 16);
             let rows = [length, length - 1].map(|length| Row { normals, length, material: look() });
             let frame = frame_of(&rows, &[DVec3::new(0.0, 0.6, 0.8)]);
-            let table: CoreOptions = format!("[{}.formats]\nweight_accumulator = \"U1.{bits}\"", method.name()).parse().unwrap();
+            let table: CoreOptions =
+                format!("[{}.formats]\nweight_accumulator = \"U1.{bits}\"", method.name())
+                    .parse()
+                    .unwrap();
             let spec = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(method)).unwrap();
             for spec in [spec.specialised(&frame), spec] {
                 let outcome = outcome(&frame, &spec).unwrap();
-                assert!(outcome.agrees(), "{} U1.{bits}, {length} pixels: {:?}", method.name(), outcome.violation);
+                assert!(
+                    outcome.agrees(),
+                    "{} U1.{bits}, {length} pixels: {:?}",
+                    method.name(),
+                    outcome.violation
+                );
             }
         }
     }

@@ -135,5 +135,9 @@ fn row_facts(measured: &Measured, row: &Row) -> RowFacts {
 }
 
 fn skipped(skipped: &Skipped) -> SkippedFacts<'_> {
-    SkippedFacts { engine: skipped.engine.program(), mode: skipped.mode.map(|mode| mode.name()), reason: &skipped.reason }
+    SkippedFacts {
+        engine: skipped.engine.program(),
+        mode: skipped.mode.map(|mode| mode.name()),
+        reason: &skipped.reason,
+    }
 }

@@ -6,7 +6,9 @@ use crate::table;
 
 /// What `bench` prints.
 pub fn text(measured: &Measured) -> String {
-    let titles = ["engine", "mode", "variant", "threads", " Mcycles/s", " ns/cycle", "  ratio", "  build s"].map(str::to_owned);
+    let titles =
+        ["engine", "mode", "variant", "threads", " Mcycles/s", " ns/cycle", "  ratio", "  build s"]
+            .map(str::to_owned);
     let rows = measured.measurement.rows.iter().map(|row| cells(measured, row));
     let rows: Vec<[String; 8]> = [titles].into_iter().chain(rows).collect();
     let skipped: String = measured.measurement.skipped.iter().map(skipped).collect();
@@ -19,7 +21,15 @@ fn facts(measured: &Measured) -> Vec<[String; 2]> {
     let size = design.size();
     let cores = if machine.cores == 1 { "core" } else { "cores" };
     let rows = [
-        ("scene", format!("{scene}, {} x {}, {} spans", bench.frame.width, bench.frame.height, bench.frame.spans.len())),
+        (
+            "scene",
+            format!(
+                "{scene}, {} x {}, {} spans",
+                bench.frame.width,
+                bench.frame.height,
+                bench.frame.spans.len()
+            ),
+        ),
         ("method", bench.spec.method().name().to_owned()),
         (
             "design",
@@ -31,9 +41,15 @@ fn facts(measured: &Measured) -> Vec<[String; 2]> {
                 design.latency()
             ),
         ),
-        ("machine", format!("{}, {} {cores}, {}", machine.cpu, machine.cores, machine.instruction_set)),
+        (
+            "machine",
+            format!("{}, {} {cores}, {}", machine.cpu, machine.cores, machine.instruction_set),
+        ),
         ("tools", machine.tools.join("; ")),
-        ("rounds", format!("{}, interleaved; ratios of medians to Verilator's outputs", extent.rounds)),
+        (
+            "rounds",
+            format!("{}, interleaved; ratios of medians to Verilator's outputs", extent.rounds),
+        ),
     ];
     rows.map(|(name, value)| [name.to_owned(), value]).to_vec()
 }
@@ -47,7 +63,10 @@ fn cells(measured: &Measured, row: &Row) -> [String; 8] {
         format!("{:>7}", row.entry.threads),
         format!("{:>10.4}", rate / 1e6),
         format!("{:>9.2}", 1e9 / rate),
-        measured.measurement.ratio_to_verilator(row).map_or(String::new(), |ratio| format!("{ratio:>7.3}")),
+        measured
+            .measurement
+            .ratio_to_verilator(row)
+            .map_or(String::new(), |ratio| format!("{ratio:>7.3}")),
         format!("{:>9.4}", row.build_seconds),
     ]
 }

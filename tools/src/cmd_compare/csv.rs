@@ -1,4 +1,5 @@
-//! Figures of a comparison as CSV, a line for each core or loop. No field has a comma or a quotation mark in it.
+//! Figures of a comparison as CSV, a line for each core or loop. No field has a comma or a
+//! quotation mark in it.
 use specula_testbench::ErrorFigures;
 use specula_testbench::tradeoff::software::Software;
 
@@ -22,8 +23,12 @@ const CORES: [Column<Core>; 30] = [
     ("quantisation_rms_lsb", |core| core.measured().errors.quantisation.rms_lsb.to_string()),
     ("quantisation_psnr_db", |core| decibels(&core.measured().errors.quantisation)),
     ("bound_lsb", |core| optional(core.measured().bound_lsb)),
-    ("surface_max_lsb", |core| optional(core.measured().surface.as_ref().map(|figures| figures.max_lsb))),
-    ("surface_rms_lsb", |core| optional(core.measured().surface.as_ref().map(|figures| figures.rms_lsb))),
+    ("surface_max_lsb", |core| {
+        optional(core.measured().surface.as_ref().map(|figures| figures.max_lsb))
+    }),
+    ("surface_rms_lsb", |core| {
+        optional(core.measured().surface.as_ref().map(|figures| figures.rms_lsb))
+    }),
     ("latency_clocks", |core| core.measured().cycles.latency.to_string()),
     ("set_up_clocks_per_span", |core| core.measured().cycles.set_up.to_string()),
     ("frame_clocks", |core| core.measured().cycles.shading.to_string()),

@@ -23,11 +23,17 @@ pub fn names() -> Vec<String> {
 }
 
 /// Writes everything; gives the JSON report.
-pub fn write(destination: &Destination, compared: &Compared, journal: &Journal) -> Result<String, ToolError> {
+pub fn write(
+    destination: &Destination,
+    compared: &Compared,
+    journal: &Journal,
+) -> Result<String, ToolError> {
     let staging = destination.stage()?;
-    let drawn: Vec<&plots::Subject> = plots::SUBJECTS.iter().filter(|subject| subject.has_places(compared)).collect();
+    let drawn: Vec<&plots::Subject> =
+        plots::SUBJECTS.iter().filter(|subject| subject.has_places(compared)).collect();
     drawn.iter().try_for_each(|subject| draw(&staging, subject, compared))?;
-    let put = |name: &str, text: &str| fs::write(staging.file(name), text).map_err(staging.failed(name));
+    let put =
+        |name: &str, text: &str| fs::write(staging.file(name), text).map_err(staging.failed(name));
     let text = markdown::markdown(compared);
     put(MARKDOWN, &text)?;
     put(CORES, &csv::cores(compared))?;
@@ -37,7 +43,8 @@ pub fn write(destination: &Destination, compared: &Compared, journal: &Journal) 
     put(html::FILE, &page)?;
     let plots = drawn.iter().flat_map(|subject| subject.names());
     let files: Vec<String> = FIXED.map(str::to_owned).into_iter().chain(plots).collect();
-    let report = json::text(compared, &files).map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
+    let report = json::text(compared, &files)
+        .map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
     put(REPORT, &report)?;
     staging.publish()?;
     Ok(report)

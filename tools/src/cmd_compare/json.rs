@@ -25,7 +25,8 @@ struct Report<'a> {
     set_up_word_bits: u64,
     cores: Vec<OfCore<'a>>,
     not_built: &'a [String],
-    /// Exact shading with interpolated normals against that with the true surface's; none where no surface is known.
+    /// Exact shading with interpolated normals against that with the true surface's; none where no
+    /// surface is known.
     interpolation: Option<&'a ErrorFigures>,
     /// The papers' loops, measured on this processor.
     processor: &'a str,
@@ -67,7 +68,12 @@ pub fn text(compared: &Compared, files: &[String]) -> serde_json::Result<String>
         clock_mhz: compared.clock.mhz,
         clock_is_assumed: compared.clock.assumed,
         set_up_word_bits: WORD_BITS,
-        cores: compared.cores.iter().zip(small.iter().zip(&quick)).map(|(core, front)| of_core(compared, core, front)).collect(),
+        cores: compared
+            .cores
+            .iter()
+            .zip(small.iter().zip(&quick))
+            .map(|(core, front)| of_core(compared, core, front))
+            .collect(),
         not_built: &compared.refusals,
         interpolation: compared.interpolation.as_ref(),
         processor: &compared.machine.cpu,
@@ -79,7 +85,11 @@ pub fn text(compared: &Compared, files: &[String]) -> serde_json::Result<String>
     Ok(text)
 }
 
-fn of_core<'a>(compared: &'a Compared, core: &'a Core, (small, quick): (&bool, &bool)) -> OfCore<'a> {
+fn of_core<'a>(
+    compared: &'a Compared,
+    core: &'a Core,
+    (small, quick): (&bool, &bool),
+) -> OfCore<'a> {
     let measured = core.measured();
     OfCore {
         method: core.configuration.method.name(),

@@ -1,7 +1,9 @@
 //! The report of a comparison, for people.
 use super::plots::SUBJECTS;
 use super::result::Compared;
-use super::tables::{self, ERROR_TITLES, RUN_TIME_TITLES, SIZE_TITLES, SOFTWARE_TITLES, SURFACE_TITLES};
+use super::tables::{
+    self, ERROR_TITLES, RUN_TIME_TITLES, SIZE_TITLES, SOFTWARE_TITLES, SURFACE_TITLES,
+};
 use crate::table::markdown as table;
 
 /// How set-up is counted.
@@ -34,10 +36,16 @@ fn head(compared: &Compared) -> String {
     let verdict = if compared.agrees() {
         "Every pixel of every core is the bit-true model's, and no quantisation error is above its bound.\n".to_owned()
     } else {
-        let wrong = |core: &super::result::Core| Some(format!("- {}: {}\n", core.configuration, core.measured().disagreement()?));
-        format!("**These cores are not as they must be:**\n\n{}", compared.cores.iter().filter_map(wrong).collect::<String>())
+        let wrong = |core: &super::result::Core| {
+            Some(format!("- {}: {}\n", core.configuration, core.measured().disagreement()?))
+        };
+        format!(
+            "**These cores are not as they must be:**\n\n{}",
+            compared.cores.iter().filter_map(wrong).collect::<String>()
+        )
     };
-    let refusals: String = compared.refusals.iter().map(|refusal| format!("- not built: {refusal}\n")).collect();
+    let refusals: String =
+        compared.refusals.iter().map(|refusal| format!("- not built: {refusal}\n")).collect();
     format!(
         "# {}: methods and formats compared\n\n{} x {} pixels. Made by Specula {}. {verdict}\n\
          *Default* formats are those that each method recommends for the scene; numbers are fraction bits more or fewer at every narrowing\n\
@@ -51,7 +59,11 @@ fn head(compared: &Compared) -> String {
 
 fn plots(compared: &Compared) -> String {
     let of = |subject: &&super::plots::Subject| subject.has_places(compared);
-    SUBJECTS.iter().filter(of).map(|subject| format!("![{}]({}.svg)\n\n", subject.title, subject.file)).collect()
+    SUBJECTS
+        .iter()
+        .filter(of)
+        .map(|subject| format!("![{}]({}.svg)\n\n", subject.title, subject.file))
+        .collect()
 }
 
 fn errors(compared: &Compared) -> String {

@@ -5,8 +5,17 @@ use specula_testbench::tradeoff::software::Software;
 use super::result::{Compared, Core, size};
 
 /// Titles of [`errors`].
-pub const ERROR_TITLES: [&str; 9] =
-    ["core", "total: largest", "rms", "PSNR dB", "method: largest", "rms", "quantisation: largest", "rms", "proven bound"];
+pub const ERROR_TITLES: [&str; 9] = [
+    "core",
+    "total: largest",
+    "rms",
+    "PSNR dB",
+    "method: largest",
+    "rms",
+    "quantisation: largest",
+    "rms",
+    "proven bound",
+];
 
 /// Errors in LSBs.
 pub fn errors(compared: &Compared) -> Vec<[String; 9]> {
@@ -30,13 +39,19 @@ pub fn errors(compared: &Compared) -> Vec<[String; 9]> {
 /// Titles of [`surfaces`].
 pub const SURFACE_TITLES: [&str; 4] = ["", "largest", "rms", "PSNR dB"];
 
-/// Errors in LSBs against the true surface: interpolation's own, and the cores'. Nothing where no surface is known.
+/// Errors in LSBs against the true surface: interpolation's own, and the cores'. Nothing where no
+/// surface is known.
 pub fn surfaces(compared: &Compared) -> Vec<[String; 4]> {
-    let row = |name: String, figures: &ErrorFigures| [name, lsb(figures.max_lsb), lsb(figures.rms_lsb), decibels(figures)];
-    let interpolation =
-        compared.interpolation.iter().map(|figures| row("interpolated normals, shaded exactly".to_owned(), figures));
-    let cores =
-        compared.cores.iter().filter_map(|core| Some(row(core.configuration.to_string(), core.measured().surface.as_ref()?)));
+    let row = |name: String, figures: &ErrorFigures| {
+        [name, lsb(figures.max_lsb), lsb(figures.rms_lsb), decibels(figures)]
+    };
+    let interpolation = compared
+        .interpolation
+        .iter()
+        .map(|figures| row("interpolated normals, shaded exactly".to_owned(), figures));
+    let cores = compared.cores.iter().filter_map(|core| {
+        Some(row(core.configuration.to_string(), core.measured().surface.as_ref()?))
+    });
     interpolation.chain(cores).collect()
 }
 
@@ -77,8 +92,17 @@ pub fn run_times(compared: &Compared) -> Vec<[String; 11]> {
 }
 
 /// Titles of [`sizes`].
-pub const SIZE_TITLES: [&str; 9] =
-    ["core", "multipliers", "their bits", "adders", "their bits", "multiplexers", "register bits", "ROM bits", "full adders"];
+pub const SIZE_TITLES: [&str; 9] = [
+    "core",
+    "multipliers",
+    "their bits",
+    "adders",
+    "their bits",
+    "multiplexers",
+    "register bits",
+    "ROM bits",
+    "full adders",
+];
 
 /// What cores are made of.
 pub fn sizes(compared: &Compared) -> Vec<[String; 9]> {
@@ -101,8 +125,16 @@ pub fn sizes(compared: &Compared) -> Vec<[String; 9]> {
 }
 
 /// Titles of [`software`].
-pub const SOFTWARE_TITLES: [&str; 8] =
-    ["loop", "ns a pixel", "set-up ns a span", "both, ns a pixel", "ratio to naive Phong", "largest LSB", "rms LSB", "PSNR dB"];
+pub const SOFTWARE_TITLES: [&str; 8] = [
+    "loop",
+    "ns a pixel",
+    "set-up ns a span",
+    "both, ns a pixel",
+    "ratio to naive Phong",
+    "largest LSB",
+    "rms LSB",
+    "PSNR dB",
+];
 
 /// The papers' loops.
 pub fn software(compared: &Compared) -> Vec<[String; 8]> {
@@ -137,7 +169,8 @@ pub const SUMMARY_TITLES: [&str; 12] = [
     "registers",
 ];
 
-/// What matters most, in one line for each core; `s` and `t` mark those on the fronts of size and of time.
+/// What matters most, in one line for each core; `s` and `t` mark those on the fronts of size and
+/// of time.
 pub fn summary(compared: &Compared) -> Vec<[String; 12]> {
     let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
     let row = |(core, (small, quick)): (&Core, (&bool, &bool))| {

@@ -23,15 +23,15 @@ pub fn text(compared: &Compared, folder: &Path) -> String {
     if !compared.software.is_empty() {
         text += &format!("\n{}", with_titles(SOFTWARE_TITLES, tables::software(compared)));
     }
-    text.extend(
-        compared
-            .cores
-            .iter()
-            .filter_map(|core| Some(format!("DISAGREES: {}: {}\n", core.configuration, core.measured().disagreement()?))),
-    );
+    text.extend(compared.cores.iter().filter_map(|core| {
+        Some(format!("DISAGREES: {}: {}\n", core.configuration, core.measured().disagreement()?))
+    }));
     text += &format!("\n{}", markdown::SET_UP);
     if known > 0 {
-        text += &format!("{known} of {all} cores were known from {}; --fresh measures them again\n", JOURNAL);
+        text += &format!(
+            "{known} of {all} cores were known from {}; --fresh measures them again\n",
+            JOURNAL
+        );
     }
     text + &format!("tables and plots in {}\n", folder.display())
 }

@@ -69,8 +69,10 @@ struct FormatFacts {
 /// The methods as text.
 pub fn text() -> Result<String, ToolError> {
     let scene = specula_scene::load(SCENE, None)?;
-    let methods: Vec<MethodFacts> =
-        Method::ALL.into_iter().map(|method| facts(method, &scene)).collect::<Result<_, ToolError>>()?;
+    let methods: Vec<MethodFacts> = Method::ALL
+        .into_iter()
+        .map(|method| facts(method, &scene))
+        .collect::<Result<_, ToolError>>()?;
     let mut text = serde_json::to_string_pretty(&methods).map_err(ToolError::Json)?;
     text.push('\n');
     Ok(text)
@@ -78,7 +80,8 @@ pub fn text() -> Result<String, ToolError> {
 
 fn facts(method: Method, scene: &LoadedScene) -> Result<MethodFacts, ToolError> {
     let spec = scene.core_spec(Some(method))?.general();
-    let design = Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(SCENE, &spec))?.design;
+    let design =
+        Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(SCENE, &spec))?.design;
     let size = design.size();
     Ok(MethodFacts {
         name: method.name(),
@@ -106,11 +109,19 @@ fn scene_facts(places_seen_from: Viewpoint) -> SceneFacts {
 /// What each value of each option makes of the core.
 fn variants(method: Method, scene: &LoadedScene) -> Result<Vec<VariantFacts>, ToolError> {
     let needs = Needs::of(&scene.frame);
-    let values = method.choices().iter().flat_map(|choice| choice.values.iter().map(|value| (choice.key, *value)));
+    let values = method
+        .choices()
+        .iter()
+        .flat_map(|choice| choice.values.iter().map(|value| (choice.key, *value)));
     let facts = |(option, value): (&'static str, &str)| {
         let design = variant(&needs, &Variant { method, table: format!("{option} = {value}\n") })?;
         let value = serde_json::from_str(value).map_err(ToolError::Json)?;
-        Ok(VariantFacts { option, value, latency: design.latency(), operations: Contents::of(&design) })
+        Ok(VariantFacts {
+            option,
+            value,
+            latency: design.latency(),
+            operations: Contents::of(&design),
+        })
     };
     values.map(facts).collect()
 }
@@ -123,7 +134,9 @@ fn variant(needs: &Needs, variant: &Variant) -> Result<Design, BenchError> {
 
 /// TOML writes the values, strings and whole numbers, as JSON does.
 fn options(method: Method) -> serde_json::Result<BTreeMap<&'static str, Vec<Value>>> {
-    let values = |values: &[&str]| values.iter().map(|value| serde_json::from_str(value)).collect::<serde_json::Result<_>>();
+    let values = |values: &[&str]| {
+        values.iter().map(|value| serde_json::from_str(value)).collect::<serde_json::Result<_>>()
+    };
     method.choices().iter().map(|choice| Ok((choice.key, values(choice.values)?))).collect()
 }
 

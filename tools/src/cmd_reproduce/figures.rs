@@ -27,5 +27,9 @@ fn series(curve: &Curve) -> PlotSeries {
 }
 
 fn label(curve: &Curve) -> Option<Label> {
-    Some(Label { at: *curve.points.get(curve.label?)?, words: curve.name.clone(), colour: Series::new(curve.colour) })
+    Some(Label {
+        at: *curve.points.get(curve.label?)?,
+        words: curve.name.clone(),
+        colour: Series::new(curve.colour),
+    })
 }

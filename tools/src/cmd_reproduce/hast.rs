@@ -21,22 +21,38 @@ fn operations(section: &mut Section) -> Result<(), ToolError> {
         "As printed, in the inner loop, and in the core for one light: accumulators, products, dividers, units for 1/√. The power and the \
          materials' products are left out, as the paper does. [operations.md](operations.md) explains the products that are more.",
     );
-    let rows: Vec<[String; 5]> = schemes(&load("teapot", Some((160, 120)))?.frame)?.iter().map(row).collect();
-    section.table(["scheme", "paper: + − × ÷ √", "inner loop", "core: acc × ÷ 1/√", "verdict"], &rows);
+    let rows: Vec<[String; 5]> =
+        schemes(&load("teapot", Some((160, 120)))?.frame)?.iter().map(row).collect();
+    section
+        .table(["scheme", "paper: + − × ÷ √", "inner loop", "core: acc × ÷ 1/√", "verdict"], &rows);
     Ok(())
 }
 
 fn row(scheme: &Scheme) -> [String; 5] {
     let numbers = |o: &specula_testbench::reproduce::hast::operations::Operations| {
-        [o.adds, o.subtractions, o.multiplies, o.divisions, o.square_roots].map(|n| n.to_string()).join(" ")
+        [o.adds, o.subtractions, o.multiplies, o.divisions, o.square_roots]
+            .map(|n| n.to_string())
+            .join(" ")
     };
-    let core = [scheme.core.accumulators, scheme.core.multipliers, scheme.core.dividers, scheme.core.reciprocal_roots];
-    let verdict = match (scheme.counted == scheme.printed && scheme.core_agrees(), scheme.further_products) {
-        (false, _) => "does not hold: the core does others".to_owned(),
-        (true, 0) => "holds".to_owned(),
-        (true, further) => format!("holds within {further} product in place of a division"),
-    };
-    [scheme.source.to_owned(), numbers(&scheme.printed), numbers(&scheme.counted), core.map(|n| n.to_string()).join(" "), verdict]
+    let core = [
+        scheme.core.accumulators,
+        scheme.core.multipliers,
+        scheme.core.dividers,
+        scheme.core.reciprocal_roots,
+    ];
+    let verdict =
+        match (scheme.counted == scheme.printed && scheme.core_agrees(), scheme.further_products) {
+            (false, _) => "does not hold: the core does others".to_owned(),
+            (true, 0) => "holds".to_owned(),
+            (true, further) => format!("holds within {further} product in place of a division"),
+        };
+    [
+        scheme.source.to_owned(),
+        numbers(&scheme.printed),
+        numbers(&scheme.counted),
+        core.map(|n| n.to_string()).join(" "),
+        verdict,
+    ]
 }
 
 fn pictures(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
@@ -60,8 +76,17 @@ fn compare(section: &mut Section, name: &str, frame: &Frame) -> Result<(), ToolE
             Panel::new("Figure 3: reflection shaded", &drawn.reflection.image),
         ]),
     );
-    let map = error_map("|figure 3 - figure 2|, in LSB", (frame.width, frame.height), &drawn.map, &drawn.difference);
-    section.picture(&format!("Their difference on the {name}"), &format!("hast_difference_{name}"), map);
+    let map = error_map(
+        "|figure 3 - figure 2|, in LSB",
+        (frame.width, frame.height),
+        &drawn.map,
+        &drawn.difference,
+    );
+    section.picture(
+        &format!("Their difference on the {name}"),
+        &format!("hast_difference_{name}"),
+        map,
+    );
     let row = |name: &str, figures: &ErrorFigures| {
         [
             name.to_owned(),

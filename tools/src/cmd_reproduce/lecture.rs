@@ -35,6 +35,9 @@ pub fn add(section: &mut Section) -> Result<(), ToolError> {
         ])
     };
     let rows: Vec<[String; 6]> = ALGORITHMS.into_iter().map(row).collect::<Result<_, _>>()?;
-    section.table(["algorithm", "core", "cycles a pixel", "latency", "multipliers", "register bits"], &rows);
+    section.table(
+        ["algorithm", "core", "cycles a pixel", "latency", "multipliers", "register bits"],
+        &rows,
+    );
     Ok(())
 }

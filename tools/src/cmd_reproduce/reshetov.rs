@@ -1,4 +1,5 @@
-//! What there is of Reshetov's beside claims and plots: reflections that enter meshes, and what consistent normals cost.
+//! What there is of Reshetov's beside claims and plots: reflections that enter meshes, and what
+//! consistent normals cost.
 use specula_hdl::design::Size;
 use specula_scene::{Frame, load, parse};
 use specula_testbench::reproduce::reshetov::inward::{self, Inward};
@@ -20,8 +21,10 @@ pub fn add(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
 fn meshes(section: &mut Section, subject: &Subject) {
     section.heading(3, "Reflections into meshes");
     section.paragraph("As many rays for each face, about 200 000 in all, from everywhere before it, anywhere on it; in f64.");
-    let built_in = inward::MESHES.iter().map(|(name, shape)| row(name, &inward::count(&shape.mesh())));
-    let given = (subject.name != "teapot").then(|| row(&subject.name, &inward::count(&subject.mesh)));
+    let built_in =
+        inward::MESHES.iter().map(|(name, shape)| row(name, &inward::count(&shape.mesh())));
+    let given =
+        (subject.name != "teapot").then(|| row(&subject.name, &inward::count(&subject.mesh)));
     section.table(
         [
             "mesh",
@@ -54,7 +57,8 @@ fn row(name: &str, inward: &Inward) -> [String; 9] {
 }
 
 /// A sphere of 8 times 4 cells.
-const COARSE_SPHERE: &str = "[[object]]\nprimitive = \"sphere\"\nlevel = 2\n[object.material]\nshininess = 16\n";
+const COARSE_SPHERE: &str =
+    "[[object]]\nprimitive = \"sphere\"\nlevel = 2\n[object.material]\nshininess = 16\n";
 
 fn pictures(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
     section.paragraph(
@@ -64,22 +68,38 @@ fn pictures(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
     let scenes: [(&str, Frame); 3] = [
         (&subject.name, subject.frame.clone()),
         ("icosahedron", load("icosahedron", Some(SIZE))?.frame),
-        ("coarse_sphere", parse("sphere.toml", format!("size = [{}, {}]\n{COARSE_SPHERE}", SIZE.0, SIZE.1))?.frame),
+        (
+            "coarse_sphere",
+            parse("sphere.toml", format!("size = [{}, {}]\n{COARSE_SPHERE}", SIZE.0, SIZE.1))?
+                .frame,
+        ),
     ];
     let mut rows = vec![];
     for (name, frame) in &scenes {
         let seen = seen(frame)?;
         rows.push(counts(name, &seen));
-        let panels = [Panel::new("Phong's normals", &seen.phong), Panel::new("consistent normals (core)", &seen.consistent)];
-        section.picture(&format!("Reflections into the {name}"), &format!("reshetov_inward_{name}"), side_by_side(&panels));
+        let panels = [
+            Panel::new("Phong's normals", &seen.phong),
+            Panel::new("consistent normals (core)", &seen.consistent),
+        ];
+        section.picture(
+            &format!("Reflections into the {name}"),
+            &format!("reshetov_inward_{name}"),
+            side_by_side(&panels),
+        );
     }
-    section.table(["picture", "pixels", "Phong: into the surface", "core: into the surface", "verdict"], &rows);
+    section.table(
+        ["picture", "pixels", "Phong: into the surface", "core: into the surface", "verdict"],
+        &rows,
+    );
     Ok(())
 }
 
 fn counts(name: &str, seen: &Seen) -> [String; 5] {
     let [phong, core] = seen.inward;
-    let share = |count: usize| format!("{count} ({:.2} %)", 100.0 * count as f64 / seen.pixels.max(1) as f64);
+    let share = |count: usize| {
+        format!("{count} ({:.2} %)", 100.0 * count as f64 / seen.pixels.max(1) as f64)
+    };
     let verdict = if core == 0 { "holds: none is left" } else { "does not hold: some are left" };
     [name.to_owned(), seen.pixels.to_string(), share(phong), share(core), verdict.to_owned()]
 }
@@ -92,9 +112,15 @@ fn cost(section: &mut Section) -> Result<(), ToolError> {
     );
     let cores = sizes(&load("teapot", Some((640, 480)))?.frame)?;
     let rows: Vec<[String; 6]> = cores.iter().map(size_row).collect();
-    section.table(["core", "latency", "multipliers", "their bits", "adder bits", "register bits"], &rows);
-    let share = |core: &SizedCore| 100.0 * core.share.multiplier_bits as f64 / core.design.size().multiplier_bits as f64;
-    let shares: Vec<String> = cores.iter().skip(1).map(|core| format!("{} %", written(share(core).round()))).collect();
+    section.table(
+        ["core", "latency", "multipliers", "their bits", "adder bits", "register bits"],
+        &rows,
+    );
+    let share = |core: &SizedCore| {
+        100.0 * core.share.multiplier_bits as f64 / core.design.size().multiplier_bits as f64
+    };
+    let shares: Vec<String> =
+        cores.iter().skip(1).map(|core| format!("{} %", written(share(core).round()))).collect();
     section.paragraph(&format!(
         "In a pipeline nothing is free: the rational curve takes {} of its core's multiplier bits, the trigonometric one {}. Table 1 does not \
          hold for hardware of its own: a GPU that waits for memory has arithmetic to spare, a pipeline for one method has not.",

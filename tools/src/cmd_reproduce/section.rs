@@ -51,12 +51,22 @@ impl Section {
     /// The paper's claims, with a verdict each, and its plots.
     pub fn of(paper: Paper) -> Result<Section, ToolError> {
         let verdicts = paper.verdicts();
-        let mut section =
-            Section { text: String::new(), files: vec![], as_expected: verdicts.iter().all(|verdict| verdict.as_expected) };
+        let mut section = Section {
+            text: String::new(),
+            files: vec![],
+            as_expected: verdicts.iter().all(|verdict| verdict.as_expected),
+        };
         section.heading(2, paper.title());
-        section.table(["claim", "measured quantity", "on", "measured", "before", "verdict"], &rows(&verdicts));
+        section.table(
+            ["claim", "measured quantity", "on", "measured", "before", "verdict"],
+            &rows(&verdicts),
+        );
         for figure in paper.figures() {
-            section.plot(&figure.title, figure.name, drawing::svg(&figures::plot(&figure).sheet()?));
+            section.plot(
+                &figure.title,
+                figure.name,
+                drawing::svg(&figures::plot(&figure).sheet()?),
+            );
         }
         Ok(section)
     }
@@ -93,7 +103,8 @@ impl Section {
     }
 }
 
-/// A row for each; a claim is written once, and a verdict once where the next ones on the claim are the same.
+/// A row for each; a claim is written once, and a verdict once where the next ones on the claim are
+/// the same.
 fn rows(verdicts: &[Verdict]) -> Vec<[String; 6]> {
     let before = std::iter::once(None).chain(verdicts.iter().map(Some));
     let row = |(verdict, before): (&Verdict, Option<&Verdict>)| {
@@ -122,7 +133,11 @@ pub fn written(number: f64) -> String {
     }
     let decimals = (4 - libm::floor(libm::log10(number.abs())) as i32).clamp(0, 12) as usize;
     let text = format!("{number:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
 }
 
 #[cfg(test)]

@@ -26,7 +26,9 @@ impl Subject {
     pub fn load(file: Option<&Path>) -> Result<Subject, ToolError> {
         let (scene, mesh) = match file {
             // What is passed over is told where the mesh is loaded as a scene.
-            Some(path) => (path.display().to_string(), Mesh::read(path).map_err(SceneError::from)?.0),
+            Some(path) => {
+                (path.display().to_string(), Mesh::read(path).map_err(SceneError::from)?.0)
+            }
             None => ("teapot".to_owned(), Primitive::Teapot { level: 8 }.mesh()),
         };
         let scene = scene::load(&scene, Some(SIZE))?;

@@ -1,4 +1,5 @@
-//! `specula run figure9`: Lyon's figure 9, each row shaded by the core that has its formula [Lyon, TR 43].
+//! `specula run figure9`: Lyon's figure 9, each row shaded by the core that has its formula [Lyon,
+//! TR 43].
 mod picture;
 mod report;
 
@@ -35,16 +36,22 @@ struct Shaded {
 }
 
 /// Shades every row, writes everything, and prints the table or the report.
-pub fn execute(arguments: &Arguments, stdout: &mut dyn Write, interrupts: &Interrupts) -> Result<Verdict, ToolError> {
+pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
     let balls = balls(arguments)?;
     let folder = arguments.output.folder(NAME);
     let destination = Destination::check(&folder, &files(), interrupts)?;
     let frame = figure9::frame(balls);
     let numbered = ROWS.iter().zip(1..);
-    let rows: Vec<Shaded> =
-        numbered.map(|(row, number)| shaded(arguments, (row, number), balls, &frame)).collect::<Result<_, _>>()?;
+    let rows: Vec<Shaded> = numbered
+        .map(|(row, number)| shaded(arguments, (row, number), balls, &frame))
+        .collect::<Result<_, _>>()?;
     let json = write(&destination, arguments, balls, &rows)?;
-    let text = if arguments.json { json } else { report::summary(&rows, &files(), &destination.shown) };
+    let text =
+        if arguments.json { json } else { report::summary(&rows, &files(), &destination.shown) };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(&rows))
 }
@@ -68,17 +75,27 @@ fn balls(arguments: &Arguments) -> Result<Balls, ToolError> {
     let Some((width, height)) = scene.picture.size else { return Ok(Balls { radius: RADIUS }) };
     match Balls::within(width, height) {
         Some(balls) => Ok(balls),
-        None => Err(ToolError::Figure9 { wrong: format!("its balls have no room in {width}x{height} pixels") }),
+        None => Err(ToolError::Figure9 {
+            wrong: format!("its balls have no room in {width}x{height} pixels"),
+        }),
     }
 }
 
-fn shaded(arguments: &Arguments, (row, number): (&Row, usize), balls: Balls, frame: &Frame) -> Result<Shaded, ToolError> {
+fn shaded(
+    arguments: &Arguments,
+    (row, number): (&Row, usize),
+    balls: Balls,
+    frame: &Frame,
+) -> Result<Shaded, ToolError> {
     let spec = row.core(frame).map_err(SceneError::Spec)?;
     let module = module(number);
     let bench = Bench::new(frame, &spec, &module)?;
     let outcome = simulate(&bench, arguments.engine)?;
     let error = figure9::errors(row, balls, &outcome.simulated);
-    let origin = Origin { scene: format!("{NAME}, row {number}: {}", row.title), command: format!("specula run {NAME}") };
+    let origin = Origin {
+        scene: format!("{NAME}, row {number}: {}", row.title),
+        command: format!("specula run {NAME}"),
+    };
     Ok(Shaded {
         line: Line::new((row, number), &bench, &outcome, error),
         verilog: verilog::text(&origin, &spec, &bench.design),
@@ -98,11 +115,19 @@ fn files() -> Vec<String> {
 }
 
 /// Writes everything, and gives the JSON report.
-fn write(destination: &Destination, arguments: &Arguments, balls: Balls, rows: &[Shaded]) -> Result<String, ToolError> {
+fn write(
+    destination: &Destination,
+    arguments: &Arguments,
+    balls: Balls,
+    rows: &[Shaded],
+) -> Result<String, ToolError> {
     let staging = destination.stage()?;
     let exact = figure9::exact(balls);
     let simulated: Vec<Image> = rows.iter().map(|row| row.simulated.clone()).collect();
-    let figures = [(SIMULATED, figure9::simulated(balls, &simulated)), (FORMULAS, figure9::rounded(balls, &exact))];
+    let figures = [
+        (SIMULATED, figure9::simulated(balls, &simulated)),
+        (FORMULAS, figure9::rounded(balls, &exact)),
+    ];
     for (name, figure) in figures {
         let drawing = picture::labelled(balls, &figure);
         png::write_line_drawing(&staging.file(name), &drawing).map_err(staging.failed(name))?;
@@ -122,7 +147,8 @@ fn write(destination: &Destination, arguments: &Arguments, balls: Balls, rows: &
 fn verdict(rows: &[Shaded]) -> Verdict {
     let mut verdict = Verdict::Done;
     let mut stderr = io::stderr().lock();
-    for (row, disagreement) in rows.iter().filter_map(|row| Some((row, row.disagreement.as_ref()?))) {
+    for (row, disagreement) in rows.iter().filter_map(|row| Some((row, row.disagreement.as_ref()?)))
+    {
         verdict = Verdict::Disagrees;
         for line in disagreement.lines() {
             // The report says the same, and the exit status tells.

@@ -13,38 +13,49 @@ use super::*;
 use crate::cli::{Cli, Command};
 
 fn arguments(words: &[&str]) -> Arguments {
-    let cli =
-        Cli::try_parse_from([&["specula", "run", "icosahedron", "--size", "48x36"], words].concat()).expect("the words are right");
+    let cli = Cli::try_parse_from(
+        [&["specula", "run", "icosahedron", "--size", "48x36"], words].concat(),
+    )
+    .expect("the words are right");
     match cli.command {
         Command::Run(arguments) => arguments,
         other => panic!("{other:?}"),
     }
 }
 
-/// Runs the scene, spoils what came of it, and writes the files into `folder`. Gives the clock of what was spoilt, and the verdict.
-fn spoilt_run(words: &[&str], folder: &Path, spoil: impl FnOnce(&mut Outcome) -> u64) -> (u64, Verdict) {
+/// Runs the scene, spoils what came of it, and writes the files into `folder`. Gives the clock of
+/// what was spoilt, and the verdict.
+fn spoilt_run(
+    words: &[&str],
+    folder: &Path,
+    spoil: impl FnOnce(&mut Outcome) -> u64,
+) -> (u64, Verdict) {
     let arguments = arguments(words);
     let task = arguments.task().expect("the scene is built in");
-    let bench = Bench::new(&task.scene.frame, task.spec(), &task.module()).expect("the core can be built");
+    let bench =
+        Bench::new(&task.scene.frame, task.spec(), &task.module()).expect("the core can be built");
     let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
     let run = run_of(&arguments, &task, &bench, None, &outcome);
-    let destination =
-        Destination::check(folder, &file_names(&run.module), &Interrupts::default()).expect("the folder can be written");
+    let destination = Destination::check(folder, &file_names(&run.module), &Interrupts::default())
+        .expect("the folder can be written");
     write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))
 }
 
 fn report(folder: &Path) -> Value {
-    serde_json::from_slice(&fs::read(folder.join(REPORT)).expect("there is a report")).expect("it is JSON")
+    serde_json::from_slice(&fs::read(folder.join(REPORT)).expect("there is a report"))
+        .expect("it is JSON")
 }
 
-/// The first pixel of the frame's last span but one, spoilt; it leaves before all pixels of the last two.
+/// The first pixel of the frame's last span but one, spoilt; it leaves before all pixels of the
+/// last two.
 fn spoil_a_pixel(outcome: &mut Outcome) -> u64 {
     let c = &mut outcome.comparison;
     c.mismatches = 2;
-    c.first_mismatch = Some(Mismatch { x: 3, y: 4, span: 0, pixel: 0, simulated: [1, 2, 3], expected: [1, 2, 4] });
+    c.first_mismatch =
+        Some(Mismatch { x: 3, y: 4, span: 0, pixel: 0, simulated: [1, 2, 3], expected: [1, 2, 4] });
     // The first pixel of all leaves after the latency.
     outcome.cycles - outcome.pixels
 }
@@ -63,9 +74,12 @@ fn a_wrong_pixel_is_named_and_shown() {
     let first = clock.saturating_sub(100);
     assert_eq!(report["trace"], serde_json::json!([first, first + 200]));
     let text = fs::read_to_string(folder.join(MARKDOWN)).expect("there is a report");
-    let said = format!("2 pixels differ, first (3, 4) in cycle {clock}: simulated (1, 2, 3), expected (1, 2, 4)");
+    let said = format!(
+        "2 pixels differ, first (3, 4) in cycle {clock}: simulated (1, 2, 3), expected (1, 2, 4)"
+    );
     assert!(text.contains(&said), "{text}");
-    let save_file = fs::read_to_string(folder.join(waveform::SAVE_FILE)).expect("there is a save file");
+    let save_file =
+        fs::read_to_string(folder.join(waveform::SAVE_FILE)).expect("there is a save file");
     assert!(save_file.contains(&format!(" {} -1", clock * 10)), "{save_file}");
 }
 
@@ -91,7 +105,14 @@ fn wrong_clocks_and_facts_count_too() {
         outcome.wrong_clocks = vec![300, 301];
         let (fact, signal) = ("|N| <= 1".to_owned(), "core.n".to_owned());
         let (format, raw) = (Format::signed(1, 56), (1 << 56) + 7);
-        outcome.violation = Some(Violation { fact, signal, clock: 250, raw, limits: Range::new(0, 1 << 56), format });
+        outcome.violation = Some(Violation {
+            fact,
+            signal,
+            clock: 250,
+            raw,
+            limits: Range::new(0, 1 << 56),
+            format,
+        });
         250
     });
     assert_eq!(verdict, Verdict::Disagrees);
@@ -134,7 +155,8 @@ fn an_error_above_its_bound_is_named_and_shown() {
     assert_eq!((&broken["pixels"], &broken["bound_lsb"]), (&9.into(), &0.25.into()));
     assert!(broken["error_lsb"].as_f64() > Some(0.25) && broken["simulated"] == broken["expected"]);
     let cycle = broken["cycle"].as_u64().expect("it leaves in a clock");
-    let window = [report["trace"][0].as_u64(), report["trace"][1].as_u64()].map(|clock| clock.expect("a waveform is left"));
+    let window = [report["trace"][0].as_u64(), report["trace"][1].as_u64()]
+        .map(|clock| clock.expect("a waveform is left"));
     assert!(window[0] <= cycle && cycle < window[1]);
     let text = fs::read_to_string(folder.join(MARKDOWN)).expect("there is a report");
     let page = fs::read_to_string(folder.join(html::FILE)).expect("there is a page");
@@ -153,7 +175,8 @@ fn facts_have_limits_and_what_was_seen() {
     let folder = place.path().join("run");
     spoilt_run(&["--method", "lyon"], &folder, |_| 0);
     let facts = report(&folder)["facts"].as_array().expect("lyon rests on facts").clone();
-    let ends = |range: &Value| [&range[0], &range[1]].map(|end| end.as_f64().expect("it is a number"));
+    let ends =
+        |range: &Value| [&range[0], &range[1]].map(|end| end.as_f64().expect("it is a number"));
     let mut narrower = 0;
     for fact in &facts {
         let (limits, seen) = (ends(&fact["limits"]), ends(&fact["seen"]));
@@ -161,7 +184,8 @@ fn facts_have_limits_and_what_was_seen() {
         narrower += usize::from(seen != limits);
     }
     assert!(narrower > 0, "{facts:?}");
-    let weight = facts.iter().find(|fact| fact["fact"] == "0 <= a <= 1").expect("weights are interpolated");
+    let weight =
+        facts.iter().find(|fact| fact["fact"] == "0 <= a <= 1").expect("weights are interpolated");
     assert_eq!(weight["seen"][0], 0.0);
     let text = fs::read_to_string(folder.join(MARKDOWN)).expect("there is a report");
     assert!(text.contains("| fact | signal | must lie in | seen |"), "{text}");

@@ -35,7 +35,12 @@ struct OfMethod<'a> {
 }
 
 /// Climbs, writes the scenes and the report, and prints the table or the report.
-pub fn execute(search: &Search, destination: &Destination, json: bool, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+pub fn execute(
+    search: &Search,
+    destination: &Destination,
+    json: bool,
+    stdout: &mut dyn Write,
+) -> Result<Verdict, ToolError> {
     let begin = Instant::now();
     let bar = progress::steps();
     bar.set_length(search.scenes);
@@ -68,13 +73,22 @@ fn wrong_name(method: &str, number: usize) -> String {
 
 /// Names and texts of a method's scene files.
 fn scenes(report: &MethodReport) -> Vec<(String, &str)> {
-    let highest = report.largest.iter().map(|peak| (highest_name(report.method), peak.scene.as_str()));
-    let wrong = report.wrong.iter().enumerate().map(|(number, peak)| (wrong_name(report.method, number), peak.scene.as_str()));
+    let highest =
+        report.largest.iter().map(|peak| (highest_name(report.method), peak.scene.as_str()));
+    let wrong = report
+        .wrong
+        .iter()
+        .enumerate()
+        .map(|(number, peak)| (wrong_name(report.method, number), peak.scene.as_str()));
     highest.chain(wrong).collect()
 }
 
 /// Writes everything; gives the JSON report.
-fn write(destination: &Destination, seed: u64, methods: &[MethodReport]) -> Result<String, ToolError> {
+fn write(
+    destination: &Destination,
+    seed: u64,
+    methods: &[MethodReport],
+) -> Result<String, ToolError> {
     let staging = destination.stage()?;
     let mut files = vec![REPORT.to_owned()];
     for (name, scene) in methods.iter().flat_map(scenes) {
@@ -92,7 +106,10 @@ fn unwritten(staging: &Staging, error: serde_json::Error) -> ToolError {
 }
 
 fn json(seed: u64, methods: &[MethodReport], files: &[String]) -> serde_json::Result<String> {
-    let of_method = |report| OfMethod { report, scene_files: scenes(report).into_iter().map(|(name, _)| name).collect() };
+    let of_method = |report| OfMethod {
+        report,
+        scene_files: scenes(report).into_iter().map(|(name, _)| name).collect(),
+    };
     let report = Report {
         program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
@@ -107,8 +124,18 @@ fn json(seed: u64, methods: &[MethodReport], files: &[String]) -> serde_json::Re
 
 /// What is printed.
 fn text(seed: u64, methods: &[MethodReport], seconds: f64, destination: &Destination) -> String {
-    let titles = ["method", "scenes", "no core", "no bound", "largest ratio", "measured", "bound", "first broken after"];
-    let rows: Vec<[String; 8]> = [titles.map(str::to_owned)].into_iter().chain(methods.iter().map(line)).collect();
+    let titles = [
+        "method",
+        "scenes",
+        "no core",
+        "no bound",
+        "largest ratio",
+        "measured",
+        "bound",
+        "first broken after",
+    ];
+    let rows: Vec<[String; 8]> =
+        [titles.map(str::to_owned)].into_iter().chain(methods.iter().map(line)).collect();
     let wrong: String = methods.iter().flat_map(complaints).collect();
     let scenes: u64 = methods.iter().map(|method| method.scenes).sum();
     let rate = scenes as f64 / seconds.max(f64::MIN_POSITIVE);
@@ -124,7 +151,8 @@ fn text(seed: u64, methods: &[MethodReport], seconds: f64, destination: &Destina
 }
 
 fn line(report: &MethodReport) -> [String; 8] {
-    let figure = |number: Option<f64>| number.map_or(String::new(), |number| format!("{number:.4}"));
+    let figure =
+        |number: Option<f64>| number.map_or(String::new(), |number| format!("{number:.4}"));
     let largest = report.largest.as_ref();
     [
         report.method.to_owned(),
@@ -142,7 +170,10 @@ fn complaints(report: &MethodReport) -> impl Iterator<Item = String> + '_ {
     report.wrong.iter().enumerate().map(|(number, peak)| {
         let what = match &peak.fault {
             Some(fault) => fault.clone(),
-            None => format!("an error of {:.4} LSB, beyond the proven bound of {:.4}", peak.quantisation_lsb, peak.bound_lsb),
+            None => format!(
+                "an error of {:.4} LSB, beyond the proven bound of {:.4}",
+                peak.quantisation_lsb, peak.bound_lsb
+            ),
         };
         format!("{}: {what}; see {}\n", report.method, wrong_name(report.method, number))
     })

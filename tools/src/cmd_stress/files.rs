@@ -31,7 +31,8 @@ pub fn possible_names(methods: &[Method]) -> Vec<String> {
 /// Writes everything; gives the JSON report.
 pub fn write(destination: &Destination, stress: &Stress) -> Result<String, ToolError> {
     let staging = destination.stage()?;
-    let put = |name: &str, text: &str| fs::write(staging.file(name), text).map_err(staging.failed(name));
+    let put =
+        |name: &str, text: &str| fs::write(staging.file(name), text).map_err(staging.failed(name));
     let mut files = vec![MARKDOWN.to_owned(), REPORT.to_owned()];
     for (name, svg) in plots::all()? {
         put(&name, &svg)?;

@@ -74,6 +74,10 @@ pub fn text(stress: &Stress, files: &[String]) -> serde_json::Result<String> {
 }
 
 fn row(row: &RowResult) -> Row<'_> {
-    let methods = row.cells.iter().map(|cell| OfMethod { verdict: cell.verdict(), cell, scene: scene_of(cell) }).collect();
+    let methods = row
+        .cells
+        .iter()
+        .map(|cell| OfMethod { verdict: cell.verdict(), cell, scene: scene_of(cell) })
+        .collect();
     Row { row: row.id, input: row.input, verdict: row.verdict(), methods }
 }

@@ -13,13 +13,21 @@ struct Subject {
 }
 
 const SUBJECTS: [Subject; 3] = [
-    Subject { file: "drift_f32.svg", title: "The papers' loops in f32 against their methods in f64", drifts: drift::software },
+    Subject {
+        file: "drift_f32.svg",
+        title: "The papers' loops in f32 against their methods in f64",
+        drifts: drift::software,
+    },
     Subject {
         file: "drift_fixed.svg",
         title: "Cores with the formats that a span of 64 pixels is given, on longer ones",
         drifts: drift::fixed,
     },
-    Subject { file: "drift_chosen.svg", title: "Cores with the formats that are chosen for the span", drifts: drift::chosen },
+    Subject {
+        file: "drift_chosen.svg",
+        title: "Cores with the formats that are chosen for the span",
+        drifts: drift::chosen,
+    },
 ];
 
 /// Pixels of the longest span.
@@ -42,15 +50,24 @@ pub fn all() -> Result<Vec<(String, String)>, ToolError> {
 }
 
 fn plot(title: &str, drifts: &[Drift]) -> Plot {
-    let places =
-        |drift: &Drift| drift.points.iter().map(|&(steps, error)| (f64::from(steps), error.max(LEAST))).collect::<Vec<_>>();
+    let places = |drift: &Drift| {
+        drift
+            .points
+            .iter()
+            .map(|&(steps, error)| (f64::from(steps), error.max(LEAST)))
+            .collect::<Vec<_>>()
+    };
     let series = |(number, drift): (usize, &Drift)| PlotSeries {
         colour: Series::new(number),
         places: places(drift),
         shown: Shown::LineWithDots,
     };
     let label = |(number, drift): (usize, &Drift)| {
-        Some(Label { at: *places(drift).last()?, words: drift.name.clone(), colour: Series::new(number) })
+        Some(Label {
+            at: *places(drift).last()?,
+            words: drift.name.clone(),
+            colour: Series::new(number),
+        })
     };
     let axis = |title: &str| Axis { title: title.to_owned(), scale: Scale::Logarithmic };
     Plot {
@@ -60,6 +77,9 @@ fn plot(title: &str, drifts: &[Drift]) -> Plot {
         series: drifts.iter().enumerate().map(series).collect(),
         front: Vec::new(),
         labels: drifts.iter().enumerate().filter_map(label).collect(),
-        notes: vec!["30 degrees, n = 256. Up to half an LSB of a core's error is the rounding to 8 bits.".to_owned()],
+        notes: vec![
+            "30 degrees, n = 256. Up to half an LSB of a core's error is the rounding to 8 bits."
+                .to_owned(),
+        ],
     }
 }

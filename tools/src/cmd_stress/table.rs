@@ -11,8 +11,16 @@ use crate::table;
 
 /// What `stress` prints.
 pub fn text(stress: &Stress, folder: &Path) -> String {
-    let titles = ["row", "", "pixels", "of bound", "holds", "limit: LSB that came of the most; worst LSB where there is no limit"];
-    let rows: Vec<[String; 6]> = [titles.map(str::to_owned)].into_iter().chain(stress.rows.iter().map(line)).collect();
+    let titles = [
+        "row",
+        "",
+        "pixels",
+        "of bound",
+        "holds",
+        "limit: LSB that came of the most; worst LSB where there is no limit",
+    ];
+    let rows: Vec<[String; 6]> =
+        [titles.map(str::to_owned)].into_iter().chain(stress.rows.iter().map(line)).collect();
     let faults: String = stress.rows.iter().flat_map(faults).collect();
     format!(
         "{}\n{faults}{}\nWhat is asked of each method, and why it may be off, is in report.md.\n\
@@ -29,8 +37,12 @@ fn summary(stress: &Stress) -> String {
     let cells = || stress.rows.iter().flat_map(|row| &row.cells);
     let number = |verdict: Verdict| cells().filter(|cell| cell.verdict() == Some(verdict)).count();
     let [hold, limit, fault] = [Verdict::Holds, Verdict::Limit, Verdict::Fault].map(number);
-    let faults = if fault == 0 { "none is at fault".to_owned() } else { format!("{fault} ARE AT FAULT") };
-    format!("Of {} methods in rows {hold} hold, {limit} are at a documented limit, {faults}.", cells().count())
+    let faults =
+        if fault == 0 { "none is at fault".to_owned() } else { format!("{fault} ARE AT FAULT") };
+    format!(
+        "Of {} methods in rows {hold} hold, {limit} are at a documented limit, {faults}.",
+        cells().count()
+    )
 }
 
 fn line(row: &RowResult) -> [String; 6] {
@@ -48,21 +60,30 @@ fn line(row: &RowResult) -> [String; 6] {
 
 /// How much of a proven bound the error of quantisation takes.
 fn share_of_bound(cell: &Cell) -> Option<f64> {
-    let shares = cell.asked.iter().filter(|asked| asked.is_of_bound()).filter_map(|asked| Some(asked.came / asked.most?));
+    let shares = cell
+        .asked
+        .iter()
+        .filter(|asked| asked.is_of_bound())
+        .filter_map(|asked| Some(asked.came / asked.most?));
     shares.reduce(f64::max)
 }
 
 fn holding(row: &RowResult) -> String {
     let holding = row.cells.iter().filter(|cell| cell.verdict() == Some(Verdict::Holds));
     let methods: Vec<&str> = holding.map(|cell| cell.method.unwrap_or("host")).collect();
-    if methods.len() == row.cells.len() && methods.len() > 1 { "all".to_owned() } else { methods.join(" ") }
+    if methods.len() == row.cells.len() && methods.len() > 1 {
+        "all".to_owned()
+    } else {
+        methods.join(" ")
+    }
 }
 
 /// Methods at their limits, each with its figures.
 fn limits(row: &RowResult) -> String {
     let at = |cell: &Cell| {
         let figures: Vec<String> = of_verdict(cell, Verdict::Limit).map(Asked::figure).collect();
-        (!figures.is_empty()).then(|| format!("{} {}", cell.method.unwrap_or("host"), figures.join(", ")))
+        (!figures.is_empty())
+            .then(|| format!("{} {}", cell.method.unwrap_or("host"), figures.join(", ")))
     };
     row.cells.iter().filter_map(at).collect::<Vec<_>>().join("; ")
 }
@@ -74,18 +95,22 @@ fn of_verdict(cell: &Cell, verdict: Verdict) -> impl Iterator<Item = &Asked> {
 fn faults(row: &RowResult) -> impl Iterator<Item = String> + '_ {
     row.cells.iter().flat_map(move |cell| {
         let scene = scene_of(cell).map_or(String::new(), |scene| format!("; see {scene}"));
-        of_verdict(cell, Verdict::Fault).map(move |asked| format!("row {}, {}: {}{scene}\n", row.id, asked.core, fault(asked)))
+        of_verdict(cell, Verdict::Fault)
+            .map(move |asked| format!("row {}, {}: {}{scene}\n", row.id, asked.core, fault(asked)))
     })
 }
 
 fn fault(asked: &Asked) -> String {
-    let place = asked.place.map_or(String::new(), |place| format!(", span {} pixel {}", place.span, place.pixel));
+    let place = asked
+        .place
+        .map_or(String::new(), |place| format!(", span {} pixel {}", place.span, place.pixel));
     let detail = asked.detail.as_ref().map_or(String::new(), |detail| format!(" ({detail})"));
     format!("{}: {}{detail}{place}", asked.what, came_of_most(asked))
 }
 
 fn came_of_most(asked: &Asked) -> String {
-    let number = |value: f64| if value.fract() == 0.0 { format!("{value}") } else { format!("{value:.3}") };
+    let number =
+        |value: f64| if value.fract() == 0.0 { format!("{value}") } else { format!("{value:.3}") };
     match asked.most {
         Some(most) => format!("{} came, {} may", number(asked.came), number(most)),
         None => format!("{} came, nothing bounds it", number(asked.came)),
@@ -104,11 +129,20 @@ pub fn markdown(stress: &Stress) -> String {
         stress.spans,
         summary(stress)
     );
-    let titles = ["row", "input", "asked besides what is asked everywhere", "came to", "of bound", "holds", "limit"];
+    let titles = [
+        "row",
+        "input",
+        "asked besides what is asked everywhere",
+        "came to",
+        "of bound",
+        "holds",
+        "limit",
+    ];
     let rows: Vec<[String; 7]> = stress.rows.iter().map(overview).collect();
     text.push_str(&table::markdown(titles, &rows));
     text.push_str("\n## Limits\n\n");
-    let reasons: Vec<[String; 2]> = Reason::ALL.map(|reason| [reason.name(), reason.text()].map(str::to_owned)).into();
+    let reasons: Vec<[String; 2]> =
+        Reason::ALL.map(|reason| [reason.name(), reason.text()].map(str::to_owned)).into();
     text.push_str(&table::markdown(["reason", "by how much"], &reasons));
     stress.rows.iter().for_each(|row| text.push_str(&section(row)));
     text
@@ -124,8 +158,11 @@ fn overview(row: &RowResult) -> [String; 7] {
 fn section(row: &RowResult) -> String {
     let mut text = format!("\n## Row {}\n\n{}\n\n", row.id, row.input);
     let titles = ["method", "asked", "cores", "may come", "came", "verdict", "why", "core"];
-    let lines: Vec<[String; 8]> =
-        row.cells.iter().flat_map(|cell| cell.asked.iter().map(move |asked| asked_line(cell, asked))).collect();
+    let lines: Vec<[String; 8]> = row
+        .cells
+        .iter()
+        .flat_map(|cell| cell.asked.iter().map(move |asked| asked_line(cell, asked)))
+        .collect();
     text.push_str(&table::markdown(titles, &lines));
     for cell in &row.cells {
         let notes = notes(cell);
@@ -139,7 +176,8 @@ fn section(row: &RowResult) -> String {
 
 fn asked_line(cell: &Cell, asked: &Asked) -> [String; 8] {
     let reasons: Vec<&str> = asked.reasons.iter().map(|reason| reason.name()).collect();
-    let number = |value: f64| if value.fract() == 0.0 { format!("{value}") } else { format!("{value:.3}") };
+    let number =
+        |value: f64| if value.fract() == 0.0 { format!("{value}") } else { format!("{value:.3}") };
     [
         cell.method.unwrap_or("host").to_owned(),
         asked.what.clone(),
@@ -159,8 +197,9 @@ fn notes(cell: &Cell) -> Vec<String> {
         format!("worst {core}, {total:.2} LSB: {method:.2} of the method, {quantisation:.2} of quantisation ({bound})")
     });
     let scene = scene_of(cell).map(|scene| format!("[{scene}]({scene})"));
-    let reported =
-        (cell.reported > 0).then(|| format!("{} patterns break a fact that hosts keep, which the bench reported", cell.reported));
+    let reported = (cell.reported > 0).then(|| {
+        format!("{} patterns break a fact that hosts keep, which the bench reported", cell.reported)
+    });
     let refused = cell.refused.iter().map(|reason| format!("not built: {reason}"));
     worst.into_iter().chain(scene).chain(reported).chain(refused).collect()
 }

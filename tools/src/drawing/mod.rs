@@ -1,4 +1,5 @@
-//! Drawings of shapes and words: laid out once as a [`Sheet`], written as SVG, light and dark, or as PNG.
+//! Drawings of shapes and words: laid out once as a [`Sheet`], written as SVG, light and dark, or
+//! as PNG.
 mod palette;
 mod png;
 mod svg;

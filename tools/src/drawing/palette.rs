@@ -41,7 +41,8 @@ const INKS: [Ink; 17] = [
     Ink::Front,
 ];
 
-/// Colours of series on light paper and on dark: told apart by people who see colours in other ways too, and dark or light enough for words.
+/// Colours of series on light paper and on dark: told apart by people who see colours in other ways
+/// too, and dark or light enough for words.
 const OF_SERIES: [[u32; 2]; SERIES as usize] = [
     [0x05_50ae, 0x79_c0ff],
     [0xbc_4c00, 0xff_a657],

@@ -23,7 +23,11 @@ pub fn png(sheet: &Sheet) -> Option<RgbImage> {
     let mut pixels = Pixmap::new(width as u32, height as u32)?;
     light(Ink::Paper).fill.into_iter().for_each(|rgb| pixels.fill(colour(rgb)));
     marks.iter().for_each(|mark| draw(&mut pixels, mark));
-    let opaque = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
+    let opaque = pixels
+        .pixels()
+        .iter()
+        .flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()])
+        .collect();
     let image = RgbImage::from_raw(width as u32, height as u32, opaque)?;
     let mut canvas = Canvas::over(image, SCALE);
     // No words lie below a shape.
@@ -49,7 +53,11 @@ fn draw(pixels: &mut Pixmap, mark: &Mark) {
         }
         Mark::Dots(ink, places, radius) => {
             for &(x, y) in places {
-                fill(pixels, PathBuilder::from_circle(x as f32, y as f32, *radius as f32), light(*ink).fill);
+                fill(
+                    pixels,
+                    PathBuilder::from_circle(x as f32, y as f32, *radius as f32),
+                    light(*ink).fill,
+                );
             }
         }
         Mark::Words(..) | Mark::WordsBefore(..) | Mark::WordsAmid(..) | Mark::WordsUp(..) => {}
@@ -104,7 +112,9 @@ fn write(canvas: &mut Canvas, mark: &Mark) {
         Mark::Words(ink, place, text) => (ink, place, text, 0.0),
         Mark::WordsBefore(ink, place, text) => (ink, place, text, 1.0),
         Mark::WordsAmid(ink, place, text) => (ink, place, text, 0.5),
-        Mark::Box(..) | Mark::Lines(..) | Mark::Traces(..) | Mark::Areas(..) | Mark::Dots(..) => return,
+        Mark::Box(..) | Mark::Lines(..) | Mark::Traces(..) | Mark::Areas(..) | Mark::Dots(..) => {
+            return;
+        }
     };
     let left = x * f64::from(SCALE) - share * f64::from(Canvas::text_width(text, SCALE));
     let top = (y - CAPITAL) * f64::from(SCALE);

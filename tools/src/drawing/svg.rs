@@ -28,18 +28,24 @@ pub fn svg(sheet: &Sheet) -> String {
     text
 }
 
-/// Colours on light paper, then those for readers who ask for dark; programs that do not know the rule draw the light ones.
+/// Colours on light paper, then those for readers who ask for dark; programs that do not know the
+/// rule draw the light ones.
 fn colours(sheet: &Sheet) -> String {
     let used: HashSet<Ink> = sheet.marks.iter().map(Mark::ink).chain([Ink::Paper]).collect();
-    let rules =
-        |paint: fn(Ink) -> Paint| -> String { inks().filter(|ink| used.contains(ink)).map(|ink| rule(ink, paint(ink))).collect() };
+    let rules = |paint: fn(Ink) -> Paint| -> String {
+        inks().filter(|ink| used.contains(ink)).map(|ink| rule(ink, paint(ink))).collect()
+    };
     format!("{}@media (prefers-color-scheme:dark){{\n{}}}\n", rules(light), rules(dark))
 }
 
 fn rule(ink: Ink, paint: Paint) -> String {
-    let colour =
-        |colour: Option<Colour>| colour.map_or("none".to_owned(), |[red, green, blue]| format!("#{red:02x}{green:02x}{blue:02x}"));
-    let stroke = paint.stroke.map(|rgb| format!(";stroke:{}", colour(Some(rgb)))).unwrap_or_default();
+    let colour = |colour: Option<Colour>| {
+        colour.map_or("none".to_owned(), |[red, green, blue]| {
+            format!("#{red:02x}{green:02x}{blue:02x}")
+        })
+    };
+    let stroke =
+        paint.stroke.map(|rgb| format!(";stroke:{}", colour(Some(rgb)))).unwrap_or_default();
     format!(".{}{{fill:{}{stroke}}}\n", class(ink), colour(paint.fill))
 }
 
@@ -48,17 +54,31 @@ fn push(svg: &mut String, mark: &Mark) {
     let _ = match mark {
         Mark::Box(ink, (x, y), (width, height)) => {
             let (x, y, width, height) = (number(*x), number(*y), number(*width), number(*height));
-            writeln!(svg, "<rect class=\"{}\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/>", class(*ink))
+            writeln!(
+                svg,
+                "<rect class=\"{}\" x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/>",
+                class(*ink)
+            )
         }
-        Mark::Lines(ink, lines) => path(svg, *ink, lines.iter().map(|(from, to)| through(&[*from, *to]))),
+        Mark::Lines(ink, lines) => {
+            path(svg, *ink, lines.iter().map(|(from, to)| through(&[*from, *to])))
+        }
         Mark::Traces(ink, traces) => path(svg, *ink, traces.iter().map(|points| through(points))),
-        Mark::Areas(ink, areas) => path(svg, *ink, areas.iter().map(|points| through(points) + "Z")),
+        Mark::Areas(ink, areas) => {
+            path(svg, *ink, areas.iter().map(|points| through(points) + "Z"))
+        }
         Mark::Words(ink, place, words) => text(svg, *ink, "start", *place, words),
         Mark::WordsBefore(ink, place, words) => text(svg, *ink, "end", *place, words),
         Mark::WordsAmid(ink, place, words) => text(svg, *ink, "middle", *place, words),
         Mark::WordsUp(ink, place, words) => upwards(svg, *ink, *place, words),
         Mark::Dots(ink, places, radius) => places.iter().try_for_each(|&(x, y)| {
-            writeln!(svg, "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{radius}\"/>", class(*ink), number(x), number(y))
+            writeln!(
+                svg,
+                "<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{radius}\"/>",
+                class(*ink),
+                number(x),
+                number(y)
+            )
         }),
     };
 }
@@ -66,12 +86,24 @@ fn push(svg: &mut String, mark: &Mark) {
 /// One element for all pieces: a drawing has thousands.
 fn path(svg: &mut String, ink: Ink, pieces: impl Iterator<Item = String>) -> std::fmt::Result {
     let pieces: String = pieces.collect();
-    if pieces.is_empty() { Ok(()) } else { writeln!(svg, "<path class=\"{}\" d=\"{pieces}\"/>", class(ink)) }
+    if pieces.is_empty() {
+        Ok(())
+    } else {
+        writeln!(svg, "<path class=\"{}\" d=\"{pieces}\"/>", class(ink))
+    }
 }
 
 fn text(svg: &mut String, ink: Ink, anchor: &str, (x, y): Point, words: &str) -> std::fmt::Result {
-    let anchor = if anchor == "start" { String::new() } else { format!(" text-anchor=\"{anchor}\"") };
-    writeln!(svg, "<text class=\"{}\" x=\"{}\" y=\"{}\"{anchor}>{}</text>", class(ink), number(x), number(y), escaped(words))
+    let anchor =
+        if anchor == "start" { String::new() } else { format!(" text-anchor=\"{anchor}\"") };
+    writeln!(
+        svg,
+        "<text class=\"{}\" x=\"{}\" y=\"{}\"{anchor}>{}</text>",
+        class(ink),
+        number(x),
+        number(y),
+        escaped(words)
+    )
 }
 
 /// Turned about the place.

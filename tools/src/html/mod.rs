@@ -1,7 +1,9 @@
-//! Reports as one HTML file that needs nothing beside itself: pictures and drawings are in it, light or dark as the reader's system is.
+//! Reports as one HTML file that needs nothing beside itself: pictures and drawings are in it,
+//! light or dark as the reader's system is.
 //!
-//! The text is that of the Markdown report, rendered by `pulldown-cmark`; what a name brings along that looks like HTML is shown as it is
-//! written. A policy in the file keeps browsers from loading anything from elsewhere.
+//! The text is that of the Markdown report, rendered by `pulldown-cmark`; what a name brings along
+//! that looks like HTML is shown as it is written. A policy in the file keeps browsers from loading
+//! anything from elsewhere.
 mod render;
 mod viewer;
 
@@ -16,7 +18,8 @@ pub const FILE: &str = "report.html";
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("viewer.js");
 /// What browsers may load: what is in the file.
-const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+const POLICY: &str =
+    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 /// A whole page with this title and body.
 pub fn page(title: &str, body: &str) -> String {

@@ -13,7 +13,8 @@ pub trait Beside {
     fn file(&self, name: &str) -> Option<PathBuf>;
 }
 
-/// A report's Markdown as HTML. Pictures become data, drawings elements of the page; links to files beside it are left out, since the page stands alone.
+/// A report's Markdown as HTML. Pictures become data, drawings elements of the page; links to files
+/// beside it are left out, since the page stands alone.
 ///
 /// # Errors
 /// What the system says of a file that cannot be read.
@@ -31,9 +32,14 @@ pub fn render(markdown: &str, beside: &impl Beside) -> io::Result<String> {
             Event::Html(text) | Event::InlineHtml(text) => events.push(Event::Text(text)),
             // Wide tables are scrolled, not the page.
             Event::Start(Tag::Table(alignments)) => {
-                events.extend([Event::Html(CowStr::from("<div class=\"scroll\">")), Event::Start(Tag::Table(alignments))]);
+                events.extend([
+                    Event::Html(CowStr::from("<div class=\"scroll\">")),
+                    Event::Start(Tag::Table(alignments)),
+                ]);
             }
-            Event::End(TagEnd::Table) => events.extend([Event::End(TagEnd::Table), Event::Html(CowStr::from("</div>\n"))]),
+            Event::End(TagEnd::Table) => {
+                events.extend([Event::End(TagEnd::Table), Event::Html(CowStr::from("</div>\n"))])
+            }
             other => events.push(other),
         }
     }
@@ -46,7 +52,13 @@ pub fn render(markdown: &str, beside: &impl Beside) -> io::Result<String> {
 fn words<'a>(events: &mut impl Iterator<Item = Event<'a>>) -> String {
     let until_end = events.take_while(|event| !matches!(event, Event::End(TagEnd::Image)));
     until_end
-        .filter_map(|event| if let Event::Text(text) | Event::Code(text) = event { Some(text.to_string()) } else { None })
+        .filter_map(|event| {
+            if let Event::Text(text) | Event::Code(text) = event {
+                Some(text.to_string())
+            } else {
+                None
+            }
+        })
         .collect()
 }
 
@@ -54,8 +66,12 @@ fn figure(file: &str, alternative: &str, beside: &impl Beside) -> io::Result<Str
     let place = beside.file(file).filter(|place| place.is_file());
     let alternative = attribute(alternative);
     match place {
-        Some(place) if file.ends_with(".svg") => Ok(format!("<span class=\"drawing\">{}</span>", fs::read_to_string(place)?)),
-        Some(place) => Ok(format!("<img src=\"{}\" alt=\"{alternative}\">", data(&fs::read(place)?))),
+        Some(place) if file.ends_with(".svg") => {
+            Ok(format!("<span class=\"drawing\">{}</span>", fs::read_to_string(place)?))
+        }
+        Some(place) => {
+            Ok(format!("<img src=\"{}\" alt=\"{alternative}\">", data(&fs::read(place)?)))
+        }
         None => Ok(format!("<em>{alternative}</em>")),
     }
 }

@@ -15,7 +15,8 @@ impl Beside for Folder {
 fn folder() -> Folder {
     let folder = tempfile::tempdir().expect("there is room");
     std::fs::write(folder.path().join("a.png"), [1, 2, 3]).expect("there is room");
-    std::fs::write(folder.path().join("b.svg"), "<svg><title>x</title></svg>\n").expect("there is room");
+    std::fs::write(folder.path().join("b.svg"), "<svg><title>x</title></svg>\n")
+        .expect("there is room");
     Folder(folder)
 }
 
@@ -25,14 +26,25 @@ fn rendered(markdown: &str) -> String {
 
 #[test]
 fn what_is_shown_is_in_the_page() {
-    assert_eq!(rendered("![a \"name\"](a.png)"), "<p><img src=\"data:image/png;base64,AQID\" alt=\"a &quot;name&quot;\"></p>\n");
-    assert_eq!(rendered("[![b](b.svg)](b.svg)"), "<p><span class=\"drawing\"><svg><title>x</title></svg>\n</span></p>\n");
+    assert_eq!(
+        rendered("![a \"name\"](a.png)"),
+        "<p><img src=\"data:image/png;base64,AQID\" alt=\"a &quot;name&quot;\"></p>\n"
+    );
+    assert_eq!(
+        rendered("[![b](b.svg)](b.svg)"),
+        "<p><span class=\"drawing\"><svg><title>x</title></svg>\n</span></p>\n"
+    );
     assert_eq!(rendered("![gone](c.png)"), "<p><em>gone</em></p>\n");
 }
 
 #[test]
 fn nothing_is_loaded_from_elsewhere() {
-    let page = page("t", &rendered("![x](https://example.org/x.png) [y](https://example.org/y) <https://example.org/z>"));
+    let page = page(
+        "t",
+        &rendered(
+            "![x](https://example.org/x.png) [y](https://example.org/y) <https://example.org/z>",
+        ),
+    );
     assert!(!page.contains("src=\"http") && !page.contains("href="), "{page}");
 }
 
@@ -42,10 +54,15 @@ fn names_are_no_markup() {
     let body = rendered(&format!("# {name}\n\n{name}\n\n`{name}`\n\n<div>\n{name}\n</div>\n"));
     assert!(!body.contains("<script") && !body.contains("<b>") && !body.contains("<div"), "{body}");
     assert!(
-        body.contains("&lt;script&gt;") && body.contains("<code>&lt;script&gt;alert(1)&lt;/script&gt; &amp; &lt;b&gt;.obj</code>"),
+        body.contains("&lt;script&gt;")
+            && body
+                .contains("<code>&lt;script&gt;alert(1)&lt;/script&gt; &amp; &lt;b&gt;.obj</code>"),
         "{body}"
     );
-    assert!(page(name, "").contains("<title>&lt;script&gt;alert(1)&lt;/script&gt; &amp; &lt;b&gt;.obj</title>"));
+    assert!(
+        page(name, "")
+            .contains("<title>&lt;script&gt;alert(1)&lt;/script&gt; &amp; &lt;b&gt;.obj</title>")
+    );
 }
 
 #[test]

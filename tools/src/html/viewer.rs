@@ -11,7 +11,8 @@ pub struct Picture {
     pub png: Vec<u8>,
 }
 
-/// Two of the pictures in one place, divided where the reader wants, and all of them below. Without scripts only these are shown.
+/// Two of the pictures in one place, divided where the reader wants, and all of them below. Without
+/// scripts only these are shown.
 pub fn viewer(pictures: &[Picture]) -> String {
     let figures: String = pictures.iter().map(figure).collect();
     let side = |side: &str, chosen: usize| {

@@ -11,12 +11,22 @@ use super::own::Contents;
 use super::temporary::Temporary;
 use crate::error::OutputError;
 
-/// Writes files, by name and text, into `folder`, which is made if it is not there; every other file in it stays. Returns their paths.
+/// Writes files, by name and text, into `folder`, which is made if it is not there; every other
+/// file in it stays. Returns their paths.
 ///
 /// # Errors
-/// [`OutputError`] if the system refuses, somebody else's file has one of the names, or the folder is a run's and its core is another one.
-pub fn write_core(folder: &Path, files: &[(String, String)], interrupts: &Interrupts) -> Result<Vec<PathBuf>, OutputError> {
-    if let Some(at) = folder.ancestors().find(|path| path.symlink_metadata().is_ok()).filter(|path| !path.is_dir()) {
+/// [`OutputError`] if the system refuses, somebody else's file has one of the names, or the folder
+/// is a run's and its core is another one.
+pub fn write_core(
+    folder: &Path,
+    files: &[(String, String)],
+    interrupts: &Interrupts,
+) -> Result<Vec<PathBuf>, OutputError> {
+    if let Some(at) = folder
+        .ancestors()
+        .find(|path| path.symlink_metadata().is_ok())
+        .filter(|path| !path.is_dir())
+    {
         return Err(OutputError::NotAFolder { folder: folder.to_owned(), at: at.to_owned() });
     }
     settle_leftovers([folder]);

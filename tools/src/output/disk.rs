@@ -1,5 +1,5 @@
-//! What putting results in place does to the disk: one atomic step after the other, so that a test can look at what a kill
-//! before each of them would leave.
+//! What putting results in place does to the disk: one atomic step after the other, so that a test
+//! can look at what a kill before each of them would leave.
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -8,7 +8,8 @@ use std::path::Path;
 pub trait Disk {
     /// Moves a file or folder; a file replaces another.
     fn rename(&mut self, from: &Path, to: &Path) -> io::Result<()>;
-    /// Lets two folders change places. [`io::ErrorKind::Unsupported`] where the system or the file system cannot do that in one step.
+    /// Lets two folders change places. [`io::ErrorKind::Unsupported`] where the system or the file
+    /// system cannot do that in one step.
     fn exchange(&mut self, one: &Path, other: &Path) -> io::Result<()>;
     /// Gives a file a second name.
     fn link(&mut self, file: &Path, name: &Path) -> io::Result<()>;
@@ -50,7 +51,9 @@ fn exchange(one: &Path, other: &Path) -> io::Result<()> {
     use rustix::io::Errno;
     let cannot = |errno: Errno| match errno {
         // The file system, the kernel, or a place that something is mounted on.
-        Errno::INVAL | Errno::NOSYS | Errno::NOTSUP | Errno::BUSY | Errno::XDEV => io::ErrorKind::Unsupported.into(),
+        Errno::INVAL | Errno::NOSYS | Errno::NOTSUP | Errno::BUSY | Errno::XDEV => {
+            io::ErrorKind::Unsupported.into()
+        }
         errno => io::Error::from(errno),
     };
     renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE).map_err(cannot)

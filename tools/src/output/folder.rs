@@ -21,12 +21,17 @@ pub struct Destination {
 }
 
 impl Destination {
-    /// Checks that `folder` can be written; `files` are the names that may stand in it. What killed programs have left there or beside
-    /// it is settled first, and said.
+    /// Checks that `folder` can be written; `files` are the names that may stand in it. What killed
+    /// programs have left there or beside it is settled first, and said.
     ///
     /// # Errors
-    /// [`OutputError`] if something is in the way that Specula did not write, or the system does not let us write there.
-    pub fn check(folder: &Path, files: &[String], interrupts: &Interrupts) -> Result<Destination, OutputError> {
+    /// [`OutputError`] if something is in the way that Specula did not write, or the system does
+    /// not let us write there.
+    pub fn check(
+        folder: &Path,
+        files: &[String],
+        interrupts: &Interrupts,
+    ) -> Result<Destination, OutputError> {
         let place = place_of(folder)?;
         settle_leftovers(place.parent().into_iter().chain([place.as_path()]));
         if place.exists() {
@@ -55,25 +60,32 @@ pub fn settle_leftovers<'a>(folders: impl IntoIterator<Item = &'a Path>) {
 /// The absolute path of `folder`, which is a folder or is not there.
 fn place_of(folder: &Path) -> Result<PathBuf, OutputError> {
     let there = |path: &Path| path.symlink_metadata().is_ok();
-    // Each folder above must be one too; the last ancestor of a relative path is the empty one, the current folder.
+    // Each folder above must be one too; the last ancestor of a relative path is the empty one, the
+    // current folder.
     if let Some(at) = folder.ancestors().find(|path| there(path)).filter(|path| !path.is_dir()) {
         return Err(OutputError::NotAFolder { folder: folder.to_owned(), at: at.to_owned() });
     }
     let absolute = if there(folder) { folder.canonicalize() } else { std::path::absolute(folder) };
     let absolute = absolute.map_err(OutputError::system(folder))?;
     if absolute.file_name().is_none() {
-        return Err(OutputError::system(folder)(io::Error::new(io::ErrorKind::InvalidInput, "it has no name")));
+        return Err(OutputError::system(folder)(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            "it has no name",
+        )));
     }
     Ok(absolute)
 }
 
-/// Without a report of Specula's nothing may be there but what Specula wrote; with one, nothing of the names that may be written.
+/// Without a report of Specula's nothing may be there but what Specula wrote; with one, nothing of
+/// the names that may be written.
 fn refuse_foreign(folder: &Path, place: &Path, files: &[String]) -> Result<(), OutputError> {
     let contents = Contents::of(place).map_err(OutputError::system(folder))?;
     let folder = folder.to_owned();
     // The first of them by name, so that the same folder gives the same message.
     match contents.foreign.first() {
-        Some(foreign) if !contents.has_report => Err(OutputError::Foreign { folder, foreign: foreign.clone() }),
+        Some(foreign) if !contents.has_report => {
+            Err(OutputError::Foreign { folder, foreign: foreign.clone() })
+        }
         _ => match contents.clash(files) {
             Some(name) => Err(OutputError::InTheWay { folder, name: name.clone() }),
             None => Ok(()),
@@ -83,11 +95,18 @@ fn refuse_foreign(folder: &Path, place: &Path, files: &[String]) -> Result<(), O
 
 /// A shell that stands in a folder which is replaced stands in a deleted one afterwards.
 fn refuse_current(folder: &Path, place: &Path) -> Result<(), OutputError> {
-    let current = env::current_dir().and_then(|current| current.canonicalize()).map_err(OutputError::system(folder))?;
-    if current.starts_with(place) { Err(OutputError::Current { folder: folder.to_owned() }) } else { Ok(()) }
+    let current = env::current_dir()
+        .and_then(|current| current.canonicalize())
+        .map_err(OutputError::system(folder))?;
+    if current.starts_with(place) {
+        Err(OutputError::Current { folder: folder.to_owned() })
+    } else {
+        Ok(())
+    }
 }
 
-/// Tries to write where the folder's nearest existing ancestor is, so that a long run does not end in a refusal.
+/// Tries to write where the folder's nearest existing ancestor is, so that a long run does not end
+/// in a refusal.
 fn probe(folder: &Path, interrupts: &Interrupts) -> Result<(), OutputError> {
     let above = folder.parent().unwrap_or(folder);
     let there = above.ancestors().find(|path| path.exists()).unwrap_or(Path::new("."));

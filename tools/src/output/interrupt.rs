@@ -28,8 +28,9 @@ pub enum Undo {
 pub struct Held<'a>(MutexGuard<'a, Vec<Undo>>);
 
 impl Interrupts {
-    /// Undoes what is half done when SIGINT, SIGTERM or SIGHUP comes, and ends with status 128 + signal. Signals that whoever
-    /// started the program had it ignore, as `nohup` does, stay ignored.
+    /// Undoes what is half done when SIGINT, SIGTERM or SIGHUP comes, and ends with status 128 +
+    /// signal. Signals that whoever started the program had it ignore, as `nohup` does, stay
+    /// ignored.
     ///
     /// # Errors
     /// What the system says if it takes no handler.
@@ -107,13 +108,16 @@ fn remove_while_written(folder: &Path) {
 
 /// Signals that end a program and leave it time.
 #[cfg(unix)]
-const ENDING: [i32; 3] = [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM, signal_hook::consts::SIGHUP];
+const ENDING: [i32; 3] =
+    [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM, signal_hook::consts::SIGHUP];
 
-/// The signals that this process ignores, a bit each from signal 1 on; none where Linux does not tell.
+/// The signals that this process ignores, a bit each from signal 1 on; none where Linux does not
+/// tell.
 #[cfg(unix)]
 fn ignored_signals() -> u64 {
     const LONGEST: u64 = 1 << 16;
-    let status = specula_scene::regular::read_regular(Path::new("/proc/self/status"), LONGEST).unwrap_or_default();
+    let status = specula_scene::regular::read_regular(Path::new("/proc/self/status"), LONGEST)
+        .unwrap_or_default();
     let mask = |line: &str| u64::from_str_radix(line.strip_prefix("SigIgn:")?.trim(), 16).ok();
     String::from_utf8_lossy(&status).lines().find_map(mask).unwrap_or(0)
 }
@@ -125,11 +129,13 @@ mod tests {
     #[test]
     fn what_is_half_done_is_undone_and_nothing_else() {
         let place = tempfile::tempdir().unwrap();
-        let [kept, made, temporary] = ["kept", "kept/made", "kept/made/temporary"].map(|name| place.path().join(name));
+        let [kept, made, temporary] =
+            ["kept", "kept/made", "kept/made/temporary"].map(|name| place.path().join(name));
         fs::create_dir_all(temporary.join("folder/deep")).unwrap();
         fs::write(temporary.join("folder/deep/file"), "text").unwrap();
         let interrupts = Interrupts::default();
-        for undo in [Undo::Made(kept.clone()), Undo::Made(made.clone()), Undo::Temporary(temporary)] {
+        for undo in [Undo::Made(kept.clone()), Undo::Made(made.clone()), Undo::Temporary(temporary)]
+        {
             interrupts.hold().add(undo);
         }
         interrupts.forget(&Undo::Made(kept.clone()));

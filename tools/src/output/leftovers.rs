@@ -1,4 +1,5 @@
-//! What programs that were killed have left: what is the user's goes back, what is Specula's goes away.
+//! What programs that were killed have left: what is the user's goes back, what is Specula's goes
+//! away.
 use std::fmt;
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -24,26 +25,37 @@ pub enum Settled {
 impl fmt::Display for Settled {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Settled::Removed(path) => write!(f, "removed `{}`, which an interrupted program had left", path.display()),
+            Settled::Removed(path) => {
+                write!(f, "removed `{}`, which an interrupted program had left", path.display())
+            }
             Settled::Finished(path) => {
-                write!(f, "put everything in its place in `{}`, where a program had been interrupted", path.display())
+                write!(
+                    f,
+                    "put everything in its place in `{}`, where a program had been interrupted",
+                    path.display()
+                )
             }
             Settled::Left(path, reason) => {
-                write!(f, "an interrupted program has left `{}`, and it stays there: {reason}", path.display())
+                write!(
+                    f,
+                    "an interrupted program has left `{}`, and it stays there: {reason}",
+                    path.display()
+                )
             }
         }
     }
 }
 
-/// Settles everything that was left in a folder; what belongs to programs that still run is left alone. A folder that is not there, or
-/// cannot be listed, has nothing.
+/// Settles everything that was left in a folder; what belongs to programs that still run is left
+/// alone. A folder that is not there, or cannot be listed, has nothing.
 pub fn settle(place: &Path, disk: &mut dyn Disk) -> Vec<Settled> {
     let Ok(entries) = fs::read_dir(place) else { return vec![] };
     let is_leftover = |entry: &fs::DirEntry| {
         let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
         is_folder && entry.file_name().to_string_lossy().starts_with(PREFIX)
     };
-    let mut found: Vec<PathBuf> = entries.flatten().filter(is_leftover).map(|entry| entry.path()).collect();
+    let mut found: Vec<PathBuf> =
+        entries.flatten().filter(is_leftover).map(|entry| entry.path()).collect();
     found.sort();
     found.iter().filter_map(|leftover| settle_one(leftover, place, disk)).collect()
 }
@@ -52,10 +64,17 @@ fn settle_one(leftover: &Path, place: &Path, disk: &mut dyn Disk) -> Option<Sett
     let left = |reason: String| Some(Settled::Left(leftover.to_owned(), reason));
     let lock = match File::open(leftover.join(LOCK)) {
         Ok(lock) => lock,
-        // A program that was killed at once, or one that goes on in a moment and then takes another folder.
-        Err(error) if error.kind() == io::ErrorKind::NotFound && fs::remove_dir(leftover).is_ok() => return None,
+        // A program that was killed at once, or one that goes on in a moment and then takes another
+        // folder.
+        Err(error)
+            if error.kind() == io::ErrorKind::NotFound && fs::remove_dir(leftover).is_ok() =>
+        {
+            return None;
+        }
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            return left("nothing tells whose files are in it; look through it and remove it".to_owned());
+            return left(
+                "nothing tells whose files are in it; look through it and remove it".to_owned(),
+            );
         }
         // It is another user's.
         Err(error) if error.kind() == io::ErrorKind::PermissionDenied => return None,
@@ -70,7 +89,9 @@ fn settle_one(leftover: &Path, place: &Path, disk: &mut dyn Disk) -> Option<Sett
         None => Settled::Removed(leftover.to_owned()),
         Some(record) => match finished(leftover, place, &record, disk) {
             Ok(settled) => settled,
-            Err((path, reason)) => return left(format!("`{}` cannot be moved: {reason}", path.display())),
+            Err((path, reason)) => {
+                return left(format!("`{}` cannot be moved: {reason}", path.display()));
+            }
         },
     };
     match remove(leftover) {
@@ -80,7 +101,12 @@ fn settle_one(leftover: &Path, place: &Path, disk: &mut dyn Disk) -> Option<Sett
 }
 
 /// Finishes what was begun with the folder that is in a leftover.
-fn finished(leftover: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -> Result<Settled, (PathBuf, io::Error)> {
+fn finished(
+    leftover: &Path,
+    place: &Path,
+    record: &Record,
+    disk: &mut dyn Disk,
+) -> Result<Settled, (PathBuf, io::Error)> {
     let held = leftover.join(FOLDER);
     let failed = |reason| (held.clone(), reason);
     let mut settled = Settled::Removed(leftover.to_owned());
@@ -106,7 +132,8 @@ fn finished(leftover: &Path, place: &Path, record: &Record, disk: &mut dyn Disk)
 
 /// Whether there is something in the folder that has to go elsewhere.
 fn needs_finishing(from: &Path, record: &Record) -> io::Result<bool> {
-    let names = fs::read_dir(from)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
+    let names =
+        fs::read_dir(from)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
     let names: Vec<String> = names.collect::<io::Result<_>>()?;
     Ok(match record.step {
         Step::Exchange => names.iter().any(|name| !record.has(name)),

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::interrupt::{Interrupts, Undo};
 
-/// Folders that were made, outermost first. Unless they are kept, those that are still empty go again.
+/// Folders that were made, outermost first. Unless they are kept, those that are still empty go
+/// again.
 #[derive(Debug)]
 pub struct MadeFolders {
     made: Vec<PathBuf>,
@@ -16,7 +17,8 @@ impl MadeFolders {
     /// Makes `folder` and every missing one above it.
     pub fn make(folder: &Path, interrupts: &Interrupts) -> io::Result<MadeFolders> {
         let mut folders = MadeFolders { made: vec![], interrupts: interrupts.clone() };
-        let missing: Vec<&Path> = folder.ancestors().take_while(|f| !f.as_os_str().is_empty() && !f.exists()).collect();
+        let missing: Vec<&Path> =
+            folder.ancestors().take_while(|f| !f.as_os_str().is_empty() && !f.exists()).collect();
         for folder in missing.into_iter().rev() {
             let mut held = interrupts.hold();
             match fs::create_dir(folder) {

@@ -1,7 +1,8 @@
 //! Where results go: whole, or not at all.
 //!
-//! Everything is written into a temporary folder beside its place and moved there once it is complete. Whenever the program ends, by a
-//! signal, a kill or a power cut, the user's own files are in their place, or the next program that writes there brings them back.
+//! Everything is written into a temporary folder beside its place and moved there once it is
+//! complete. Whenever the program ends, by a signal, a kill or a power cut, the user's own files
+//! are in their place, or the next program that writes there brings them back.
 mod core_files;
 mod disk;
 mod folder;

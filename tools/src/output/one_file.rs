@@ -9,13 +9,23 @@ use super::made::MadeFolders;
 use super::temporary::Temporary;
 use crate::error::OutputError;
 
-/// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder is made if it is not there.
+/// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder is
+/// made if it is not there.
 ///
 /// # Errors
 /// [`OutputError`] if the system refuses.
-pub fn write_file(path: &Path, interrupts: &Interrupts, write: impl FnOnce(&Path) -> io::Result<()>) -> Result<(), OutputError> {
-    let beside = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    if let Some(at) = beside.ancestors().find(|path| path.symlink_metadata().is_ok()).filter(|path| !path.is_dir()) {
+pub fn write_file(
+    path: &Path,
+    interrupts: &Interrupts,
+    write: impl FnOnce(&Path) -> io::Result<()>,
+) -> Result<(), OutputError> {
+    let beside =
+        path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    if let Some(at) = beside
+        .ancestors()
+        .find(|path| path.symlink_metadata().is_ok())
+        .filter(|path| !path.is_dir())
+    {
         return Err(OutputError::NotAFolder { folder: beside.to_owned(), at: at.to_owned() });
     }
     settle_leftovers([beside]);

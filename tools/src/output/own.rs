@@ -1,4 +1,5 @@
-//! What of a folder Specula wrote: what its report lists or, where it has none, what begins as Specula's files do.
+//! What of a folder Specula wrote: what its report lists or, where it has none, what begins as
+//! Specula's files do.
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
@@ -104,8 +105,11 @@ mod tests {
         let foreign = contents("{\"version\":\"1\",\"files\":[\"thesis.tex\",\"report.json\"]}");
         assert!(!foreign.has_report && foreign.own.is_empty() && foreign.foreign.len() == 2);
         let ours = contents("{\"program\":\"Specula\",\"files\":[\"report.json\"]}");
-        assert!(ours.has_report && ours.own.contains(REPORT) && ours.foreign.contains("thesis.tex"));
-        for damaged in ["", "{", "[]", "{\"program\":\"Specula\"}", "{\"program\":1,\"files\":[]}"] {
+        assert!(
+            ours.has_report && ours.own.contains(REPORT) && ours.foreign.contains("thesis.tex")
+        );
+        for damaged in ["", "{", "[]", "{\"program\":\"Specula\"}", "{\"program\":1,\"files\":[]}"]
+        {
             assert!(!contents(damaged).has_report, "{damaged}");
         }
     }
@@ -121,7 +125,10 @@ mod tests {
         assert!(!is_own("spec.toml", "[package]\nname = \"mine\"\n"));
         assert!(is_own("teapot.v", "// Specula 0.1.0: the shading core for the scene teapot.\n"));
         assert!(!is_own("teapot.v", "module teapot;\nendmodule\n"));
-        assert!(is_own("results.jsonl", "") && is_own("results.jsonl", "damaged\n{\"key\":{\"version\":\"0"));
+        assert!(
+            is_own("results.jsonl", "")
+                && is_own("results.jsonl", "damaged\n{\"key\":{\"version\":\"0")
+        );
         assert!(!is_own("results.jsonl", "{\"accuracy\":1}\n"));
         assert!(!is_own("report.md", "# teapot\n"));
     }

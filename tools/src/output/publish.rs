@@ -19,7 +19,8 @@ use crate::html::Beside;
 #[derive(Debug)]
 pub struct Staging {
     destination: Destination,
-    /// A folder inside the temporary one, since that is private to the user and the result need not be. It has its final name.
+    /// A folder inside the temporary one, since that is private to the user and the result need not
+    /// be. It has its final name.
     new: PathBuf,
     // Dropped in this order: first what is in the folders that were made.
     temporary: Temporary,
@@ -33,7 +34,8 @@ impl Destination {
         let begin = || {
             let made = MadeFolders::make(self.parent(), self.interrupts())?;
             let temporary = Temporary::new_in(self.parent(), self.interrupts())?;
-            let new = temporary.path().join(FOLDER).join(self.place.file_name().unwrap_or_default());
+            let new =
+                temporary.path().join(FOLDER).join(self.place.file_name().unwrap_or_default());
             fs::create_dir_all(&new)?;
             Ok(Staging { destination: self.clone(), new, temporary, made })
         };
@@ -74,7 +76,9 @@ impl Staging {
         let held = interrupts.hold();
         let published = match destination.place.exists() {
             true => replace(&destination, &new, temporary.path(), disk),
-            false => disk.rename(&new, &destination.place).map_err(OutputError::system(&destination.shown)),
+            false => disk
+                .rename(&new, &destination.place)
+                .map_err(OutputError::system(&destination.shown)),
         };
         match published {
             // It must not be deleted with the temporary folder.
@@ -99,11 +103,20 @@ impl Beside for Staging {
     }
 }
 
-fn replace(destination: &Destination, new: &Path, temporary: &Path, disk: &mut dyn Disk) -> Result<(), OutputError> {
+fn replace(
+    destination: &Destination,
+    new: &Path,
+    temporary: &Path,
+    disk: &mut dyn Disk,
+) -> Result<(), OutputError> {
     let (shown, place) = (&destination.shown, &destination.place);
     let refused = || OutputError::system(shown);
     let contents = Contents::of(place).map_err(refused())?;
-    let record = Record { step: Step::Exchange, old: contents.own.clone(), new: names_in(new).map_err(refused())? };
+    let record = Record {
+        step: Step::Exchange,
+        old: contents.own.clone(),
+        new: names_in(new).map_err(refused())?,
+    };
     // Somebody may have put it there while the results were computed.
     if let Some(name) = contents.clash(&record.new) {
         return Err(OutputError::InTheWay { folder: shown.clone(), name: name.clone() });
@@ -111,41 +124,62 @@ fn replace(destination: &Destination, new: &Path, temporary: &Path, disk: &mut d
     record.write(temporary, disk).map_err(refused())?;
     let linked = link_others(place, new, &record, disk).map_err(refused())?;
     match disk.exchange(new, place) {
-        Ok(()) => finish(new, place, &record, disk).map_err(|(path, reason)| OutputError::Kept { path, reason }),
+        Ok(()) => finish(new, place, &record, disk)
+            .map_err(|(path, reason)| OutputError::Kept { path, reason }),
         Err(error) if error.kind() == io::ErrorKind::Unsupported => {
-            linked.iter().try_for_each(|name| disk.remove_file(&new.join(name))).map_err(refused())?;
+            linked
+                .iter()
+                .try_for_each(|name| disk.remove_file(&new.join(name)))
+                .map_err(refused())?;
             let record = Record { step: Step::FileByFile, ..record };
             record.write(temporary, disk).map_err(refused())?;
-            finish(new, place, &record, disk).map_err(|(path, reason)| OutputError::Kept { path, reason })
+            finish(new, place, &record, disk)
+                .map_err(|(path, reason)| OutputError::Kept { path, reason })
         }
         Err(reason) => Err(refused()(reason)),
     }
 }
 
 fn names_in(folder: &Path) -> io::Result<BTreeSet<String>> {
-    fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect()
+    fs::read_dir(folder)?
+        .map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()))
+        .collect()
 }
 
-/// Gives what is somebody else's a second name in the new folder, so that it is never away. What cannot have one, such as a folder, comes
-/// after the exchange.
-fn link_others(place: &Path, new: &Path, record: &Record, disk: &mut dyn Disk) -> io::Result<Vec<OsString>> {
+/// Gives what is somebody else's a second name in the new folder, so that it is never away. What
+/// cannot have one, such as a folder, comes after the exchange.
+fn link_others(
+    place: &Path,
+    new: &Path,
+    record: &Record,
+    disk: &mut dyn Disk,
+) -> io::Result<Vec<OsString>> {
     let mut linked = vec![];
     for entry in fs::read_dir(place)? {
         let (entry_type, name) = entry.map(|entry| (entry.file_type(), entry.file_name()))?;
         let is_others = !record.has(&name.to_string_lossy());
-        if is_others && entry_type?.is_file() && disk.link(&place.join(&name), &new.join(&name)).is_ok() {
+        if is_others
+            && entry_type?.is_file()
+            && disk.link(&place.join(&name), &new.join(&name)).is_ok()
+        {
             linked.push(name);
         }
     }
     Ok(linked)
 }
 
-/// Does what is left to do of replacing `place`: after the exchange `from` holds what was there before, and file by file it holds what is
-/// new. However often it is done, and whatever was done of it, the result is the same.
+/// Does what is left to do of replacing `place`: after the exchange `from` holds what was there
+/// before, and file by file it holds what is new. However often it is done, and whatever was done
+/// of it, the result is the same.
 ///
 /// # Errors
 /// A path that could not be moved, and why. It is where it was.
-pub fn finish(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
+pub fn finish(
+    from: &Path,
+    place: &Path,
+    record: &Record,
+    disk: &mut dyn Disk,
+) -> Result<(), (PathBuf, io::Error)> {
     match record.step {
         Step::Exchange => bring_back(from, place, record, disk),
         Step::FileByFile => file_by_file(from, place, record, disk),
@@ -153,7 +187,12 @@ pub fn finish(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -
 }
 
 /// Moves what is somebody else's.
-fn bring_back(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
+fn bring_back(
+    from: &Path,
+    place: &Path,
+    record: &Record,
+    disk: &mut dyn Disk,
+) -> Result<(), (PathBuf, io::Error)> {
     let unlisted = |reason| (from.to_owned(), reason);
     for entry in fs::read_dir(from).map_err(unlisted)? {
         let name = entry.map_err(unlisted)?.file_name();
@@ -164,14 +203,23 @@ fn bring_back(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -
         if to.symlink_metadata().is_err() {
             disk.rename(&path, &to).map_err(|reason| (path, reason))?;
         } else if !is_same_file(&path, &to) {
-            return Err((path, io::Error::new(io::ErrorKind::AlreadyExists, "another of its name is there")));
+            return Err((
+                path,
+                io::Error::new(io::ErrorKind::AlreadyExists, "another of its name is there"),
+            ));
         }
     }
     Ok(())
 }
 
-/// Puts new files in the places of old ones, and removes old ones that have no successor. The report goes last: with it everything is done.
-fn file_by_file(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
+/// Puts new files in the places of old ones, and removes old ones that have no successor. The
+/// report goes last: with it everything is done.
+fn file_by_file(
+    from: &Path,
+    place: &Path,
+    record: &Record,
+    disk: &mut dyn Disk,
+) -> Result<(), (PathBuf, io::Error)> {
     for name in record.new.iter().filter(|name| *name != REPORT && from.join(name).exists()) {
         put(name, from, place, disk)?;
     }
@@ -183,7 +231,12 @@ fn file_by_file(from: &Path, place: &Path, record: &Record, disk: &mut dyn Disk)
     put(REPORT, from, place, disk)
 }
 
-fn put(name: &str, from: &Path, place: &Path, disk: &mut dyn Disk) -> Result<(), (PathBuf, io::Error)> {
+fn put(
+    name: &str,
+    from: &Path,
+    place: &Path,
+    disk: &mut dyn Disk,
+) -> Result<(), (PathBuf, io::Error)> {
     let path = from.join(name);
     disk.rename(&path, &place.join(name)).map_err(|reason| (path, reason))
 }
@@ -191,7 +244,8 @@ fn put(name: &str, from: &Path, place: &Path, disk: &mut dyn Disk) -> Result<(),
 #[cfg(unix)]
 fn is_same_file(one: &Path, other: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
-    let identity = |path: &Path| path.symlink_metadata().map(|about| (about.dev(), about.ino())).ok();
+    let identity =
+        |path: &Path| path.symlink_metadata().map(|about| (about.dev(), about.ino())).ok();
     identity(one).is_some() && identity(one) == identity(other)
 }
 

@@ -5,13 +5,15 @@ use std::path::{Path, PathBuf};
 
 use super::interrupt::{Held, Interrupts, Undo};
 
-/// Beginning of the names of temporary folders. The next program that writes beside one looks after what is left of it.
+/// Beginning of the names of temporary folders. The next program that writes beside one looks after
+/// what is left of it.
 pub const PREFIX: &str = ".specula-";
 /// In a temporary folder: locked as long as its program runs.
 pub const LOCK: &str = "lock";
 /// In a temporary folder: what the folder that is replaced holds, once it is being replaced.
 pub const RECORD: &str = "record.json";
-/// In a temporary folder: the folder of results, under the name that it has or will have beside the temporary one.
+/// In a temporary folder: the folder of results, under the name that it has or will have beside the
+/// temporary one.
 pub const FOLDER: &str = "folder";
 
 /// A temporary folder of this program. Nothing of it remains once it is dropped.
@@ -31,7 +33,12 @@ impl Temporary {
         loop {
             let path = hidden_folder(place, interrupts)?;
             let lock = locked(&path);
-            let temporary = |lock| Temporary { path: path.clone(), lock, interrupts: interrupts.clone(), kept: false };
+            let temporary = |lock| Temporary {
+                path: path.clone(),
+                lock,
+                interrupts: interrupts.clone(),
+                kept: false,
+            };
             match lock {
                 Ok(Locked::Ours(lock)) => return Ok(temporary(Some(lock))),
                 Ok(Locked::Impossible) => return Ok(temporary(None)),
@@ -94,7 +101,8 @@ fn locked(folder: &Path) -> io::Result<Locked> {
     })
 }
 
-/// Removes a temporary folder. What tells what it is goes last: a kill leaves what the next program understands.
+/// Removes a temporary folder. What tells what it is goes last: a kill leaves what the next program
+/// understands.
 pub fn remove(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;

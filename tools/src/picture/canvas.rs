@@ -52,14 +52,18 @@ impl Canvas {
     pub fn write(&mut self, (x, y): (u32, u32), text: &str, colour: Rgb<u8>) {
         let (left, base) = (i64::from(x), i64::from(y) + i64::from(CHARACTER * self.dot));
         let image = &mut self.image;
-        self.typeface.ink(text, |along, down, share| blend(image, (left + along, base + down), colour, share));
+        self.typeface.ink(text, |along, down, share| {
+            blend(image, (left + along, base + down), colour, share)
+        });
     }
 
     /// Writes text that runs upwards, with the lower left corner of its capitals at (x, y).
     pub fn write_upwards(&mut self, (x, y): (u32, u32), text: &str, colour: Rgb<u8>) {
         let (base, bottom) = (i64::from(x) + i64::from(CHARACTER * self.dot), i64::from(y));
         let image = &mut self.image;
-        self.typeface.ink(text, |along, down, share| blend(image, (base + down, bottom - 1 - along), colour, share));
+        self.typeface.ink(text, |along, down, share| {
+            blend(image, (base + down, bottom - 1 - along), colour, share)
+        });
     }
 
     /// The drawing.
@@ -87,7 +91,11 @@ mod tests {
 
     fn inked(canvas: Canvas) -> Vec<(u32, u32)> {
         let image = canvas.finish();
-        image.enumerate_pixels().filter(|(_, _, pixel)| **pixel != WHITE).map(|(x, y, _)| (x, y)).collect()
+        image
+            .enumerate_pixels()
+            .filter(|(_, _, pixel)| **pixel != WHITE)
+            .map(|(x, y, _)| (x, y))
+            .collect()
     }
 
     #[test]
@@ -95,7 +103,8 @@ mod tests {
         let (mut along, mut up) = (Canvas::new(40, 40, WHITE, 1), Canvas::new(40, 40, WHITE, 1));
         along.write((10, 10), "R 4", BLACK);
         up.write_upwards((10, 40 - 10), "R 4", BLACK);
-        let mut turned: Vec<(u32, u32)> = inked(along).into_iter().map(|(x, y)| (y, 39 - x)).collect();
+        let mut turned: Vec<(u32, u32)> =
+            inked(along).into_iter().map(|(x, y)| (y, 39 - x)).collect();
         turned.sort_by_key(|&(x, y)| (y, x));
         assert_eq!(turned, inked(up));
     }

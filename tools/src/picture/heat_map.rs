@@ -39,21 +39,37 @@ impl Layout {
         let height = picture.1.max(FEWEST_LINES * unit);
         let bar = (2 * unit, height);
         let bar_corner = (corner.0 + picture.0 + 2 * unit, corner.1);
-        let labels = ticks.iter().map(|(_, label)| Canvas::text_width(label, dot)).max().unwrap_or(0);
+        let labels =
+            ticks.iter().map(|(_, label)| Canvas::text_width(label, dot)).max().unwrap_or(0);
         let widest = words.map(|text| Canvas::text_width(text, dot)).into_iter().max().unwrap_or(0);
         let width = (bar_corner.0 + bar.0 + 2 * unit + labels).max(corner.0 + widest);
-        Layout { dot, unit, picture, corner, bar, bar_corner, size: (width + unit, corner.1 + height + 4 * unit) }
+        Layout {
+            dot,
+            unit,
+            picture,
+            corner,
+            bar,
+            bar_corner,
+            size: (width + unit, corner.1 + height + 4 * unit),
+        }
     }
 }
 
 /// The total error of each pixel as a colour, with a legend.
 pub fn heat_map(comparison: &Comparison) -> RgbImage {
-    let (picture, total) = ((comparison.exact.width, comparison.exact.height), &comparison.errors.total);
+    let (picture, total) =
+        ((comparison.exact.width, comparison.exact.height), &comparison.errors.total);
     error_map("Total error |core - exact shading|, in LSB", picture, &comparison.error_map, total)
 }
 
-/// Errors of a picture's pixels as colours, with a title and a legend; negative ones stand for pixels in which nothing is shaded.
-pub fn error_map(title: &str, picture: (u32, u32), errors: &[f32], total: &ErrorFigures) -> RgbImage {
+/// Errors of a picture's pixels as colours, with a title and a legend; negative ones stand for
+/// pixels in which nothing is shaded.
+pub fn error_map(
+    title: &str,
+    picture: (u32, u32),
+    errors: &[f32],
+    total: &ErrorFigures,
+) -> RgbImage {
     let scale = Scale::reaching(total.max_lsb);
     let figures = figures(total);
     let layout = Layout::new(picture, [title, &figures, KEY], &scale.ticks());
@@ -100,8 +116,13 @@ fn draw_bar(canvas: &mut Canvas, layout: &Layout, scale: &Scale) {
     }
     for (number, label) in scale.ticks() {
         let y = top + ((1.0 - scale.place(number)) * f64::from(height - 1)).round() as u32;
-        canvas.fill((left + width, y.min(top + height - layout.dot)), (layout.unit / 2, layout.dot), INK);
-        // There is room above and below for half a character, so that labels are as far apart as their ticks.
+        canvas.fill(
+            (left + width, y.min(top + height - layout.dot)),
+            (layout.unit / 2, layout.dot),
+            INK,
+        );
+        // There is room above and below for half a character, so that labels are as far apart as
+        // their ticks.
         canvas.write((left + width + layout.unit, y - layout.unit / 2), &label, INK);
     }
 }

@@ -27,7 +27,8 @@ pub fn write_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
     write_png(path, drawing.as_raw(), drawing.dimensions())
 }
 
-/// Writes a drawing of lines and words as PNG: without filters, which spoil its long runs of one colour.
+/// Writes a drawing of lines and words as PNG: without filters, which spoil its long runs of one
+/// colour.
 pub fn write_line_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
     encode(drawing, BufWriter::new(File::create(path)?), FilterType::NoFilter)
 }
@@ -46,7 +47,14 @@ fn encode(drawing: &RgbImage, to: impl Write, filter: FilterType) -> io::Result<
 }
 
 fn write_png(path: &Path, bytes: &[u8], (width, height): (u32, u32)) -> io::Result<()> {
-    let saved = image::save_buffer_with_format(path, bytes, width, height, ExtendedColorType::Rgb8, ImageFormat::Png);
+    let saved = image::save_buffer_with_format(
+        path,
+        bytes,
+        width,
+        height,
+        ExtendedColorType::Rgb8,
+        ImageFormat::Png,
+    );
     saved.map_err(io_error)
 }
 

@@ -56,8 +56,10 @@ mod tests {
     #[test]
     fn panels_stand_beside_each_other_whole() {
         let (red, blue) = ([255, 0, 0], [0, 0, 255]);
-        let sheet =
-            side_by_side(&[Panel::new("a long title", &Image::filled(4, 3, red)), Panel::new("", &Image::filled(20, 5, blue))]);
+        let sheet = side_by_side(&[
+            Panel::new("a long title", &Image::filled(4, 3, red)),
+            Panel::new("", &Image::filled(20, 5, blue)),
+        ]);
         let count = |colour: [u8; 3]| sheet.pixels().filter(|pixel| pixel.0 == colour).count();
         assert_eq!((count(red), count(blue)), (12, 100));
         assert_eq!(sheet.dimensions(), (8 + 7 * 12 + 8 + 20 + 8, 24 + 5 + 8));

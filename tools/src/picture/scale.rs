@@ -1,4 +1,5 @@
-//! A scale for errors: its colours grow with the square root, so that a small error shows beside a large one.
+//! A scale for errors: its colours grow with the square root, so that a small error shows beside a
+//! large one.
 
 /// A scale from 0 to a round number.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,7 +71,10 @@ mod tests {
         for k in 1..2000 {
             let largest = f64::from(k) * 0.13;
             let scale = Scale::reaching(largest);
-            assert!(scale.top >= largest && scale.top <= 1.5 * largest.max(SMALLEST), "{largest}: {scale:?}");
+            assert!(
+                scale.top >= largest && scale.top <= 1.5 * largest.max(SMALLEST),
+                "{largest}: {scale:?}"
+            );
             assert!((0.0..1.01).contains(&scale.place(largest)));
         }
         assert_eq!(Scale::reaching(f64::NAN), Scale::reaching(0.0));

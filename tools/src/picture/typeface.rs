@@ -1,4 +1,5 @@
-//! The typeface of words in pictures: DejaVu Sans Mono, which is in the program, so that pictures are the same bytes everywhere.
+//! The typeface of words in pictures: DejaVu Sans Mono, which is in the program, so that pictures
+//! are the same bytes everywhere.
 use ab_glyph::{Font, FontRef, GlyphId, PxScale, point};
 
 const FILE: &[u8] = include_bytes!("../../fonts/dejavu-sans-mono.ttf");
@@ -12,20 +13,24 @@ pub struct Typeface {
 }
 
 impl Typeface {
-    /// The size in which characters are `advance` pixels apart: whole pixels, so that equal characters look equal. Capitals are then
-    /// 1.21 times as high.
+    /// The size in which characters are `advance` pixels apart: whole pixels, so that equal
+    /// characters look equal. Capitals are then 1.21 times as high.
     pub fn new(advance: u32) -> Typeface {
-        let font = FontRef::try_from_slice(FILE).expect("the file is in the program, and a test reads it");
+        let font =
+            FontRef::try_from_slice(FILE).expect("the file is in the program, and a test reads it");
         let per_pixel = font.height_unscaled() / font.h_advance_unscaled(font.glyph_id('0'));
         Typeface { font, scale: PxScale::from(per_pixel * advance as f32), advance }
     }
 
-    /// Gives the pixels of a text: how far along from its beginning, how far down from its base line, and which share of the pixel is
-    /// inked, from 0 to 1. Characters that the typeface lacks are boxes.
+    /// Gives the pixels of a text: how far along from its beginning, how far down from its base
+    /// line, and which share of the pixel is inked, from 0 to 1. Characters that the typeface lacks
+    /// are boxes.
     pub fn ink(&self, text: &str, mut put: impl FnMut(i64, i64, f32)) {
         for (number, character) in text.chars().enumerate() {
             let begin = number as i64 * i64::from(self.advance);
-            self.ink_glyph(self.font.glyph_id(character), &mut |along, down, share| put(begin + along, down, share));
+            self.ink_glyph(self.font.glyph_id(character), &mut |along, down, share| {
+                put(begin + along, down, share)
+            });
         }
     }
 
@@ -58,7 +63,10 @@ mod tests {
     fn characters_stand_on_their_base_line_within_their_cells() {
         for character in (' '..='~').chain(['\u{d7}', '\u{b7}', '\u{2212}', '\u{3b1}', '\u{e4}']) {
             for (along, down, _) in drawn(&character.to_string()) {
-                assert!((0..7).contains(&along) && (-11..3).contains(&down), "{character}: {along}, {down}");
+                assert!(
+                    (0..7).contains(&along) && (-11..3).contains(&down),
+                    "{character}: {along}, {down}"
+                );
             }
         }
         // A capital's top and foot.
@@ -68,7 +76,8 @@ mod tests {
 
     #[test]
     fn equal_characters_are_equal_and_edges_are_smooth() {
-        let moved: Vec<_> = drawn("o").into_iter().map(|(along, down, share)| (along + 14, down, share)).collect();
+        let moved: Vec<_> =
+            drawn("o").into_iter().map(|(along, down, share)| (along + 14, down, share)).collect();
         assert!(drawn("  o") == moved);
         assert!(drawn("o").iter().any(|&(_, _, share)| (2..9).contains(&share)));
     }

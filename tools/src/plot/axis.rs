@@ -65,7 +65,8 @@ const FREE: f64 = 0.06;
 /// Steps of ticks, times a power of ten.
 const STEPS: [f64; 4] = [1.0, 2.0, 5.0, 10.0];
 /// Ticks within a decade, from many to few.
-const DECADES: [&[f64]; 3] = [&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0], &[1.0, 2.0, 5.0], &[1.0]];
+const DECADES: [&[f64]; 3] =
+    [&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0], &[1.0, 2.0, 5.0], &[1.0]];
 
 impl Scale {
     /// Where a number is, in units of the axis; none if it cannot be shown.
@@ -88,7 +89,10 @@ impl Scale {
 
     /// A range of places that holds all of `places`, with some room.
     pub fn range(places: impl Iterator<Item = f64> + Clone) -> Range<f64> {
-        let (low, high) = (places.clone().fold(f64::INFINITY, f64::min), places.fold(f64::NEG_INFINITY, f64::max));
+        let (low, high) = (
+            places.clone().fold(f64::INFINITY, f64::min),
+            places.fold(f64::NEG_INFINITY, f64::max),
+        );
         if low > high {
             return 0.0..1.0;
         }
@@ -103,7 +107,8 @@ impl Scale {
             Scale::Linear => linear(range),
             Scale::Logarithmic => {
                 let [all, some, few] = DECADES.map(|digits| logarithmic(range, digits));
-                let ticks = [all, some].into_iter().find(|ticks| ticks.len() <= MOST_TICKS).unwrap_or(few);
+                let ticks =
+                    [all, some].into_iter().find(|ticks| ticks.len() <= MOST_TICKS).unwrap_or(few);
                 if ticks.len() > MOST_TICKS { thinned(&ticks) } else { ticks }
             }
         }
@@ -113,7 +118,8 @@ impl Scale {
 fn linear(range: &Range<f64>) -> Vec<f64> {
     let least = (range.end - range.start) / MOST_TICKS as f64;
     let power = libm::pow(10.0, libm::floor(libm::log10(least)));
-    let step = STEPS.iter().map(|step| step * power).find(|step| *step >= least).unwrap_or(10.0 * power);
+    let step =
+        STEPS.iter().map(|step| step * power).find(|step| *step >= least).unwrap_or(10.0 * power);
     let first = (range.start / step).ceil() as i64;
     let last = (range.end / step).floor() as i64;
     (first..=last).map(|k| k as f64 * step).collect()
@@ -121,7 +127,8 @@ fn linear(range: &Range<f64>) -> Vec<f64> {
 
 fn logarithmic(range: &Range<f64>, digits: &[f64]) -> Vec<f64> {
     let powers = range.start.floor() as i32..=range.end.floor() as i32;
-    let places = powers.flat_map(|power| digits.iter().map(move |&digit| libm::log10(digit) + f64::from(power)));
+    let places = powers
+        .flat_map(|power| digits.iter().map(move |&digit| libm::log10(digit) + f64::from(power)));
     places.filter(|place| range.contains(place)).collect()
 }
 
@@ -138,5 +145,9 @@ pub fn written(number: f64) -> String {
     let digits_left = libm::floor(libm::log10(number.abs()) + 1e-9) as i32;
     let decimals = (3 - digits_left).clamp(0, 9) as usize;
     let text = format!("{number:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
 }

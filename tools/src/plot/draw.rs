@@ -28,7 +28,10 @@ type Failure = DrawingAreaErrorKind<Infallible>;
 
 /// Everything in its place.
 pub fn sheet(plot: &Plot) -> Result<Sheet, String> {
-    let size = (f64::from(SIZE.0) + 2.0 * MARGIN, f64::from(SIZE.1) + LINE * (1 + plot.notes.len()) as f64 + 2.0 * MARGIN);
+    let size = (
+        f64::from(SIZE.0) + 2.0 * MARGIN,
+        f64::from(SIZE.1) + LINE * (1 + plot.notes.len()) as f64 + 2.0 * MARGIN,
+    );
     let mut marks = vec![Mark::Box(Ink::Paper, (0.0, 0.0), size)];
     marks.push(Mark::Words(Ink::Title, (MARGIN, MARGIN + CAPITAL), plot.title.clone()));
     let (axes, area) = axes(plot, &mut marks).map_err(|error| error.to_string())?;
@@ -37,7 +40,12 @@ pub fn sheet(plot: &Plot) -> Result<Sheet, String> {
         let base = f64::from(SIZE.1) + MARGIN + LINE * (number + 2) as f64 - CAPITAL / 2.0;
         marks.push(Mark::Words(Ink::Aside, (MARGIN, base), note.clone()));
     }
-    let below = |mark: &Mark| !matches!(mark, Mark::Words(..) | Mark::WordsAmid(..) | Mark::WordsBefore(..) | Mark::WordsUp(..));
+    let below = |mark: &Mark| {
+        !matches!(
+            mark,
+            Mark::Words(..) | Mark::WordsAmid(..) | Mark::WordsBefore(..) | Mark::WordsUp(..)
+        )
+    };
     // Words lie above shapes.
     let (shapes, words): (Vec<Mark>, Vec<Mark>) = marks.into_iter().partition(below);
     Ok(Sheet { title: plot.title.clone(), size, marks: shapes.into_iter().chain(words).collect() })
@@ -64,10 +72,16 @@ impl Axes {
 fn axes(plot: &Plot, marks: &mut Vec<Mark>) -> Result<(Axes, Area), Failure> {
     let scales = [plot.x.scale, plot.y.scale];
     let of_series = plot.series.iter().flat_map(|series| series.places.iter().copied());
-    let places: Vec<Place> =
-        of_series.chain(plot.front.iter().copied()).filter_map(|(x, y)| Some((scales[0].place(x)?, scales[1].place(y)?))).collect();
-    let [x, y] = [Scale::range(places.iter().map(|place| place.0)), Scale::range(places.iter().map(|place| place.1))];
-    let shown = |scale: Scale, range: &std::ops::Range<f64>| axis::Shown { scale, range: range.clone() };
+    let places: Vec<Place> = of_series
+        .chain(plot.front.iter().copied())
+        .filter_map(|(x, y)| Some((scales[0].place(x)?, scales[1].place(y)?)))
+        .collect();
+    let [x, y] = [
+        Scale::range(places.iter().map(|place| place.0)),
+        Scale::range(places.iter().map(|place| place.1)),
+    ];
+    let shown =
+        |scale: Scale, range: &std::ops::Range<f64>| axis::Shown { scale, range: range.clone() };
     let mut drawn = vec![];
     let corners = {
         let area = Recorder::new(SIZE, &mut drawn).into_drawing_area();
@@ -91,7 +105,8 @@ fn axes(plot: &Plot, marks: &mut Vec<Mark>) -> Result<(Axes, Area), Failure> {
     };
     let shift = (MARGIN, MARGIN + LINE);
     marks.extend(drawn.into_iter().map(|mark| moved(mark, shift)));
-    let [low, high] = corners.map(|(x, y)| (f64::from(x) + 0.5 + shift.0, f64::from(y) + 0.5 + shift.1));
+    let [low, high] =
+        corners.map(|(x, y)| (f64::from(x) + 0.5 + shift.0, f64::from(y) + 0.5 + shift.1));
     let line = |low: f64, high: f64, range: &std::ops::Range<f64>| {
         let unit = (high - low) / (range.end - range.start);
         (low - unit * range.start, unit)
@@ -104,7 +119,9 @@ fn axes(plot: &Plot, marks: &mut Vec<Mark>) -> Result<(Axes, Area), Failure> {
 fn moved(mark: Mark, (dx, dy): (f64, f64)) -> Mark {
     let to = |(x, y): Point| (x + dx, y + dy);
     match mark {
-        Mark::Lines(ink, lines) => Mark::Lines(ink, lines.into_iter().map(|(from, end)| (to(from), to(end))).collect()),
+        Mark::Lines(ink, lines) => {
+            Mark::Lines(ink, lines.into_iter().map(|(from, end)| (to(from), to(end))).collect())
+        }
         Mark::Words(ink, place, words) => Mark::Words(ink, to(place), words),
         Mark::WordsBefore(ink, place, words) => Mark::WordsBefore(ink, to(place), words),
         Mark::WordsAmid(ink, place, words) => Mark::WordsAmid(ink, to(place), words),
@@ -116,12 +133,20 @@ fn moved(mark: Mark, (dx, dy): (f64, f64)) -> Mark {
 
 /// Front, series and labels.
 fn draw(plot: &Plot, axes: &Axes, area: &Area, marks: &mut Vec<Mark>) {
-    let points = |places: &[Place]| places.iter().filter_map(|&place| axes.point(place)).collect::<Vec<Point>>();
+    let points = |places: &[Place]| {
+        places.iter().filter_map(|&place| axes.point(place)).collect::<Vec<Point>>()
+    };
     let front = points(&plot.front);
     let mut drawn: Vec<Area> = samples(&front);
-    marks.push(Mark::Traces(Ink::Front, vec![front].into_iter().filter(|line| line.len() > 1).collect()));
-    let all: Vec<(&super::PlotSeries, Vec<Point>)> = plot.series.iter().map(|series| (series, points(&series.places))).collect();
-    for (series, points) in all.iter().filter(|(series, points)| series.shown != Shown::Dots && points.len() > 1) {
+    marks.push(Mark::Traces(
+        Ink::Front,
+        vec![front].into_iter().filter(|line| line.len() > 1).collect(),
+    ));
+    let all: Vec<(&super::PlotSeries, Vec<Point>)> =
+        plot.series.iter().map(|series| (series, points(&series.places))).collect();
+    for (series, points) in
+        all.iter().filter(|(series, points)| series.shown != Shown::Dots && points.len() > 1)
+    {
         marks.push(Mark::Traces(Ink::SeriesLine(series.colour), vec![points.clone()]));
         drawn.extend(samples(points));
     }
@@ -134,8 +159,10 @@ fn draw(plot: &Plot, axes: &Axes, area: &Area, marks: &mut Vec<Mark>) {
 }
 
 fn write_labels(plot: &Plot, axes: &Axes, (area, drawn): (&Area, &[Area]), marks: &mut Vec<Mark>) {
-    let labels: Vec<(Point, &super::Label)> = plot.labels.iter().filter_map(|label| Some((axes.point(label.at)?, label))).collect();
-    let asked: Vec<(Point, &str)> = labels.iter().map(|(point, label)| (*point, label.words.as_str())).collect();
+    let labels: Vec<(Point, &super::Label)> =
+        plot.labels.iter().filter_map(|label| Some((axes.point(label.at)?, label))).collect();
+    let asked: Vec<(Point, &str)> =
+        labels.iter().map(|(point, label)| (*point, label.words.as_str())).collect();
     for ((_, label), place) in labels.iter().zip(placed(&asked, drawn, area)) {
         let Some(place) = place else { continue };
         marks.extend(place.leader.map(|leader| Mark::Lines(Ink::Axis, vec![leader])));

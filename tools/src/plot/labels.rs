@@ -1,4 +1,5 @@
-//! Words beside places, so that they overlap neither each other nor, where there is room, what is drawn.
+//! Words beside places, so that they overlap neither each other nor, where there is room, what is
+//! drawn.
 use crate::drawing::{CAPITAL, CHARACTER, Point};
 
 /// A rectangle: left, top, right, bottom.
@@ -17,11 +18,17 @@ impl Area {
     }
 
     fn overlaps(&self, other: &Area) -> bool {
-        self.left < other.right && other.left < self.right && self.top < other.bottom && other.top < self.bottom
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
     }
 
     fn is_within(&self, outer: &Area) -> bool {
-        self.left >= outer.left && self.right <= outer.right && self.top >= outer.top && self.bottom <= outer.bottom
+        self.left >= outer.left
+            && self.right <= outer.right
+            && self.top >= outer.top
+            && self.bottom <= outer.bottom
     }
 
     /// Its point nearest to another one.
@@ -50,17 +57,25 @@ const ROOM: f64 = 2.0;
 /// What it costs to cover something drawn, in pixels of distance.
 const COVERING: f64 = 30.0;
 
-/// Places words beside `places`, the first ones first, within an area; `drawn` is what they should not cover. Words for which there is no room
-/// are left out.
+/// Places words beside `places`, the first ones first, within an area; `drawn` is what they should
+/// not cover. Words for which there is no room are left out.
 pub fn placed(labels: &[(Point, &str)], drawn: &[Area], within: &Area) -> Vec<Option<Placed>> {
     let mut taken: Vec<Area> = vec![];
     labels
         .iter()
         .map(|&(place, words)| {
             let best = candidates(place, words)
-                .filter(|(_, area)| area.is_within(within) && !taken.iter().any(|other| other.overlaps(area)))
+                .filter(|(_, area)| {
+                    area.is_within(within) && !taken.iter().any(|other| other.overlaps(area))
+                })
                 .map(|(distance, area)| {
-                    (distance + COVERING * drawn.iter().filter(|shape| shape.overlaps(&area)).count() as f64, distance, area)
+                    (
+                        distance
+                            + COVERING
+                                * drawn.iter().filter(|shape| shape.overlaps(&area)).count() as f64,
+                        distance,
+                        area,
+                    )
                 })
                 .min_by(|one, other| one.0.total_cmp(&other.0));
             let (_, distance, area) = best?;
@@ -73,7 +88,8 @@ pub fn placed(labels: &[(Point, &str)], drawn: &[Area], within: &Area) -> Vec<Op
 
 /// Areas that words could take round a place, and how far they are from it.
 fn candidates((x, y): Point, words: &str) -> impl Iterator<Item = (f64, Area)> {
-    let (width, height) = (CHARACTER * words.chars().count() as f64 + 2.0 * ROOM, CAPITAL + 2.0 * ROOM);
+    let (width, height) =
+        (CHARACTER * words.chars().count() as f64 + 2.0 * ROOM, CAPITAL + 2.0 * ROOM);
     let area = move |distance: f64, direction: u32| {
         let turn = std::f64::consts::TAU * f64::from(direction) / f64::from(DIRECTIONS);
         let (sin, cos) = (libm::sin(turn), libm::cos(turn));
@@ -81,5 +97,7 @@ fn candidates((x, y): Point, words: &str) -> impl Iterator<Item = (f64, Area)> {
         let (left, top) = ((middle.0 - width / 2.0).round(), (middle.1 - height / 2.0).round());
         Area { left, top, right: left + width, bottom: top + height }
     };
-    DISTANCES.into_iter().flat_map(move |distance| (0..DIRECTIONS).map(move |direction| (distance, area(distance, direction))))
+    DISTANCES.into_iter().flat_map(move |distance| {
+        (0..DIRECTIONS).map(move |direction| (distance, area(distance, direction)))
+    })
 }

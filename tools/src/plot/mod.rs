@@ -1,7 +1,8 @@
 //! Plots: dots and lines over two axes, with words beside them that do not overlap.
 //!
-//! `plotters` draws the axes, on a [`Recorder`](recorder::Recorder) that takes down what it draws; the result is a [`Sheet`], as a
-//! waveform's drawing is, so that SVG (light and dark) and PNG come from the same code and need no font.
+//! `plotters` draws the axes, on a [`Recorder`](recorder::Recorder) that takes down what it draws;
+//! the result is a [`Sheet`], as a waveform's drawing is, so that SVG (light and dark) and PNG come
+//! from the same code and need no font.
 mod axis;
 mod draw;
 mod labels;
@@ -75,7 +76,8 @@ pub struct PlotError {
 }
 
 impl Plot {
-    /// Lays the plot out. What an axis cannot show (numbers that are not finite; on logarithmic axes those not above 0) is left out.
+    /// Lays the plot out. What an axis cannot show (numbers that are not finite; on logarithmic
+    /// axes those not above 0) is left out.
     ///
     /// # Errors
     /// [`PlotError`] if the axes do not fit.

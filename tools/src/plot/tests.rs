@@ -9,7 +9,8 @@ fn axis(title: &str, scale: Scale) -> Axis {
 
 fn plot(scale: Scale, places: Vec<Place>) -> Plot {
     let front = specula_testbench::pareto_front(&places).into_iter().map(|k| places[k]).collect();
-    let label = |&at: &Place| Label { at, words: format!("{} {}", at.0, at.1), colour: Series::new(0) };
+    let label =
+        |&at: &Place| Label { at, words: format!("{} {}", at.0, at.1), colour: Series::new(0) };
     Plot {
         title: "Error against <size>".to_owned(),
         x: axis("size in bits", scale),
@@ -66,7 +67,10 @@ fn labels_do_not_overlap() {
     assert!(areas.len() > 12, "{} of 24 have room", areas.len());
     for (k, one) in areas.iter().enumerate() {
         for other in &areas[..k] {
-            let apart = one.right <= other.left || other.right <= one.left || one.bottom <= other.top || other.bottom <= one.top;
+            let apart = one.right <= other.left
+                || other.right <= one.left
+                || one.bottom <= other.top
+                || other.bottom <= one.top;
             assert!(apart, "{one:?} {other:?}");
         }
     }
@@ -79,7 +83,10 @@ fn ticks_are_round_and_few() {
         scale.ticks(&range).into_iter().map(|place| axis::written(scale.number(place))).collect()
     };
     assert_eq!(ticks(Scale::Linear, 0.0, 10.0), ["0", "2", "4", "6", "8", "10"]);
-    assert_eq!(ticks(Scale::Logarithmic, 0.9, 250.0), ["1", "2", "5", "10", "20", "50", "100", "200"]);
+    assert_eq!(
+        ticks(Scale::Logarithmic, 0.9, 250.0),
+        ["1", "2", "5", "10", "20", "50", "100", "200"]
+    );
     assert_eq!(ticks(Scale::Logarithmic, 0.25, 0.45), ["0.3", "0.4"]);
     assert!(ticks(Scale::Logarithmic, 1e-300, 1e300).len() <= 9);
 }

@@ -45,11 +45,15 @@ pub fn facts(design: &Design, outcome: &Outcome) -> Vec<Fact> {
 fn is_same(design: &Design, one: &Assumption, other: &Assumption) -> bool {
     let unit = |assumption: &Assumption| &design.scope(design.node(assumption.node).scope).unit;
     let format = |assumption: &Assumption| design.node(assumption.node).fraction_bits;
-    one.fact == other.fact && one.range == other.range && unit(one) == unit(other) && format(one) == format(other)
+    one.fact == other.fact
+        && one.range == other.range
+        && unit(one) == unit(other)
+        && format(one) == format(other)
 }
 
 fn fact(design: &Design, kind: &Kind) -> Fact {
-    let values = |range: Range, format: Format| [range.low, range.high].map(|raw| format.value(raw));
+    let values =
+        |range: Range, format: Format| [range.low, range.high].map(|raw| format.value(raw));
     let format = design.node(kind.first.node).format();
     Fact {
         fact: kind.first.fact.clone(),
@@ -63,7 +67,11 @@ fn fact(design: &Design, kind: &Kind) -> Fact {
 impl Fact {
     /// For people: the fact, its signals, their limits, and what was seen of them.
     pub fn row(&self) -> [String; 4] {
-        let others = if self.signals == 1 { String::new() } else { format!(" and {} more", self.signals - 1) };
+        let others = if self.signals == 1 {
+            String::new()
+        } else {
+            format!(" and {} more", self.signals - 1)
+        };
         let between = |[low, high]: [f64; 2]| format!("{low:.6} to {high:.6}");
         let seen = self.seen.map_or("no pixel".to_owned(), between);
         [self.fact.clone(), format!("`{}`{others}", self.signal), between(self.limits), seen]

@@ -140,7 +140,11 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
         wrong_clocks: outcome.wrong_clocks.len(),
         violation: outcome.violation.as_ref().map(violated_fact),
         first_mismatch: run.disagreement.as_ref().and_then(first_mismatch),
-        beyond_bound: run.disagreement.as_ref().and_then(|disagreement| disagreement.beyond_bound).map(broken_bound),
+        beyond_bound: run
+            .disagreement
+            .as_ref()
+            .and_then(|disagreement| disagreement.beyond_bound)
+            .map(broken_bound),
         cycles: outcome.cycles,
         latency: bench.design.latency(),
         cycles_per_pixel: run.cycles_per_pixel(),
@@ -171,15 +175,38 @@ fn report<'a>(run: &'a Run<'a>, written: &'a Written) -> Report<'a> {
 
 fn violated_fact(violation: &Violation) -> ViolatedFact<'_> {
     let Violation { fact, signal, clock, .. } = violation;
-    ViolatedFact { fact, signal, cycle: *clock, value: violation.value(), in_words: violation.in_words() }
+    ViolatedFact {
+        fact,
+        signal,
+        cycle: *clock,
+        value: violation.value(),
+        in_words: violation.in_words(),
+    }
 }
 
 fn broken_bound(BeyondBound { worst, clock, bound_lsb, pixels }: BeyondBound) -> BrokenBound {
     let WorstQuantisation { x, y, channel, simulated, expected, method, error_lsb, .. } = worst;
-    BrokenBound { pixels, x, y, cycle: clock, channel: CHANNELS[channel], simulated, expected, method, error_lsb, bound_lsb }
+    BrokenBound {
+        pixels,
+        x,
+        y,
+        cycle: clock,
+        channel: CHANNELS[channel],
+        simulated,
+        expected,
+        method,
+        error_lsb,
+        bound_lsb,
+    }
 }
 
 fn first_mismatch(disagreement: &Disagreement) -> Option<FirstMismatch> {
     let (m, cycle) = disagreement.first_mismatch.as_ref()?;
-    Some(FirstMismatch { x: m.x, y: m.y, cycle: *cycle, simulated: m.simulated, expected: m.expected })
+    Some(FirstMismatch {
+        x: m.x,
+        y: m.y,
+        cycle: *cycle,
+        simulated: m.simulated,
+        expected: m.expected,
+    })
 }

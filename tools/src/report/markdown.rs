@@ -81,7 +81,8 @@ fn result(run: &Run) -> String {
         ["engine", run.engine.name()],
     ];
     let device = run.fitted.map(|fitted| ["device".to_owned(), fitted.in_words()]);
-    let rows: Vec<[String; 2]> = rows.into_iter().map(|row| row.map(str::to_owned)).chain(device).collect();
+    let rows: Vec<[String; 2]> =
+        rows.into_iter().map(|row| row.map(str::to_owned)).chain(device).collect();
     format!("## Result\n\n{verdict}\n{}", table(["", ""], &rows))
 }
 
@@ -102,7 +103,10 @@ fn errors(run: &Run) -> String {
     let rows = [
         figures("total: the core against exact shading", &errors.total),
         figures("method: its method in exact arithmetic against exact shading", &errors.method),
-        figures("quantisation: the core against its method in exact arithmetic", &errors.quantisation),
+        figures(
+            "quantisation: the core against its method in exact arithmetic",
+            &errors.quantisation,
+        ),
     ];
     let worst = comparison.worst_pixel.zip(run.outcome.worst_cycle).map(|(worst, cycle)| {
         format!(
@@ -120,11 +124,15 @@ fn errors(run: &Run) -> String {
     )
 }
 
-/// How the proven bound compares with what was measured, and where it comes from; nothing where there is no bound.
+/// How the proven bound compares with what was measured, and where it comes from; nothing where
+/// there is no bound.
 fn bound_shares(run: &Run) -> String {
     let Some(ratio) = run.bound_ratio() else { return String::new() };
-    let row = |share: &Share| [format!("`{}`", share.name), format!("{:.3}", share.lsb), format!("`{}`", share.value)];
-    let rows: Vec<[String; 3]> = run.bound_shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
+    let row = |share: &Share| {
+        [format!("`{}`", share.name), format!("{:.3}", share.lsb), format!("`{}`", share.value)]
+    };
+    let rows: Vec<[String; 3]> =
+        run.bound_shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
     let text = format!(
         "The bound is {ratio:.1} times the largest quantisation error of this picture. It is for every scene with the same ranges; where formats were\n\
          narrowed for this picture (`--max-error`, `explore`), only what was measured is within that goal.\n"
@@ -133,7 +141,9 @@ fn bound_shares(run: &Run) -> String {
         return text;
     }
     let table = table(["narrowing point", "share in LSB", "what is rounded"], &rows);
-    format!("{text}\nBy how much the bound would be smaller if one place rounded far finer; shares overlap.\n\n{table}")
+    format!(
+        "{text}\nBy how much the bound would be smaller if one place rounded far finer; shares overlap.\n\n{table}"
+    )
 }
 
 fn figures(name: &str, figures: &ErrorFigures) -> [String; 5] {
@@ -143,7 +153,13 @@ fn figures(name: &str, figures: &ErrorFigures) -> [String; 5] {
 }
 
 fn built(run: &Run) -> String {
-    let options: Vec<[String; 2]> = run.bench.spec.options().into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
+    let options: Vec<[String; 2]> = run
+        .bench
+        .spec
+        .options()
+        .into_iter()
+        .map(|(name, value)| [name.to_owned(), value])
+        .collect();
     let points: Vec<[String; 4]> = run
         .bench
         .spec
@@ -151,7 +167,12 @@ fn built(run: &Run) -> String {
         .iter()
         .map(|point| {
             let name = format!("`{}`", point.name);
-            [name, point.format.to_string(), point.format.width().to_string(), format!("`{}`", point.value)]
+            [
+                name,
+                point.format.to_string(),
+                point.format.width().to_string(),
+                format!("`{}`", point.value),
+            ]
         })
         .collect();
     format!(
@@ -185,7 +206,16 @@ fn units(run: &Run) -> String {
         "## Units\n\nCounted in the design, before any FPGA tool has seen it; figures are of one unit, without the units inside it. Multiplier\n\
          bits are the sum of the products of both operands' widths: 18 x 18 is 324.\n\n{}",
         table(
-            ["unit", "number", "latency", "multipliers", "multiplier bits", "adders", "multiplexers", "register bits"],
+            [
+                "unit",
+                "number",
+                "latency",
+                "multipliers",
+                "multiplier bits",
+                "adders",
+                "multiplexers",
+                "register bits"
+            ],
             &units::rows(&run.bench.design)
         )
     )
@@ -207,10 +237,13 @@ fn needs(run: &Run) -> String {
 fn left_out(run: &Run) -> String {
     let left_out = &run.bench.design.left_out;
     if left_out.is_empty() {
-        return "## Left out\n\nNothing: this scene makes use of everything that its method has.\n".to_owned();
+        return "## Left out\n\nNothing: this scene makes use of everything that its method has.\n"
+            .to_owned();
     }
-    let rows: Vec<[String; 3]> =
-        left_out.iter().map(|left| [format!("`{}`", left.unit), left.what.clone(), left.why.clone()]).collect();
+    let rows: Vec<[String; 3]> = left_out
+        .iter()
+        .map(|left| [format!("`{}`", left.unit), left.what.clone(), left.why.clone()])
+        .collect();
     format!(
         "## Left out\n\nHardware that a general core has and this one does not.\n\n{}",
         table(["unit", "what", "why nothing is lost"], &rows)
@@ -218,7 +251,8 @@ fn left_out(run: &Run) -> String {
 }
 
 fn facts(run: &Run) -> String {
-    let rows: Vec<[String; 4]> = facts::facts(&run.bench.design, run.outcome).iter().map(Fact::row).collect();
+    let rows: Vec<[String; 4]> =
+        facts::facts(&run.bench.design, run.outcome).iter().map(Fact::row).collect();
     if rows.is_empty() {
         return "## Facts that were checked\n\nNone had to be assumed: intervals prove every width.\n".to_owned();
     }
@@ -251,7 +285,9 @@ fn way(run: &Run, written: &Written) -> String {
     }
     let pixel = match &run.disagreement {
         None => "the pixel with the largest error",
-        Some(disagreement) if disagreement.is_of_bound_alone() => "the pixel whose error is furthest above its bound",
+        Some(disagreement) if disagreement.is_of_bound_alone() => {
+            "the pixel whose error is furthest above its bound"
+        }
         Some(_) => "the first disagreement",
     };
     format!(

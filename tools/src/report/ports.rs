@@ -3,7 +3,8 @@ use specula_hdl::Design;
 use specula_hdl::design::NodeId;
 use specula_scene::CoreSpec;
 
-/// Rows of name, direction, width, format and meaning: control, what a span brings, and the pixel that leaves.
+/// Rows of name, direction, width, format and meaning: control, what a span brings, and the pixel
+/// that leaves.
 pub fn rows(spec: &CoreSpec, design: &Design) -> Vec<[String; 5]> {
     let control = |name: &str, direction: &str, meaning: &str| {
         [name.to_owned(), direction.to_owned(), "1".to_owned(), String::new(), meaning.to_owned()]
@@ -15,19 +16,32 @@ pub fn rows(spec: &CoreSpec, design: &Design) -> Vec<[String; 5]> {
         control(&name(design.valid), "in", "a pixel enters"),
         control(&name(design.start), "in", "it is the first of its span"),
     ];
-    let built = spec.inputs().into_iter().zip(&design.inputs).filter_map(|(port, node)| node.map(|node| (port, node)));
+    let built = spec
+        .inputs()
+        .into_iter()
+        .zip(&design.inputs)
+        .filter_map(|(port, node)| node.map(|node| (port, node)));
     rows.extend(built.map(|(port, node)| {
-        let range = format!("{} to {}", port.format.value(port.range.0), port.format.value(port.range.1));
+        let range =
+            format!("{} to {}", port.format.value(port.range.0), port.format.value(port.range.1));
         data(design, node, "in", range)
     }));
     rows.push(control(&name(design.valid_out), "out", "a pixel leaves"));
-    rows.extend(design.outputs.iter().map(|&node| data(design, node, "out", "8-bit code".to_owned())));
+    rows.extend(
+        design.outputs.iter().map(|&node| data(design, node, "out", "8-bit code".to_owned())),
+    );
     rows
 }
 
 fn data(design: &Design, node: NodeId, direction: &str, meaning: String) -> [String; 5] {
     let node = design.node(node);
-    [code(&node.name), direction.to_owned(), node.width().to_string(), node.format().to_string(), meaning]
+    [
+        code(&node.name),
+        direction.to_owned(),
+        node.width().to_string(),
+        node.format().to_string(),
+        meaning,
+    ]
 }
 
 fn code(name: &str) -> String {

@@ -2,8 +2,8 @@
 use specula_hdl::Design;
 use specula_hdl::design::{Scope, Size, UnitSize};
 
-/// Rows of name, number, and what each one has: latency, multipliers, multiplier bits, adders, multiplexers, register bits.
-/// Equal units that stand one after the other share a row.
+/// Rows of name, number, and what each one has: latency, multipliers, multiplier bits, adders,
+/// multiplexers, register bits. Equal units that stand one after the other share a row.
 pub fn rows(design: &Design) -> Vec<[String; 8]> {
     let sizes = design.unit_sizes();
     let units: Vec<(&Scope, &UnitSize)> = design.scopes.iter().zip(&sizes).collect();

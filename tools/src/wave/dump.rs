@@ -37,16 +37,25 @@ impl Dump {
     ///
     /// # Errors
     /// [`WaveError`] if it is not there, not a dump, damaged, or without signals or times.
-    pub fn open(path: &Path, marker: Option<u64>, warnings: &mut Warnings) -> Result<Dump, WaveError> {
+    pub fn open(
+        path: &Path,
+        marker: Option<u64>,
+        warnings: &mut Warnings,
+    ) -> Result<Dump, WaveError> {
         let input = Input::open(path, warnings).map_err(|error| refused(path, error))?;
         let survey = Survey::new(marker);
         let (reader, contents) = match input.format {
-            Format::Vcd => Vcd::read(input.bytes, survey, warnings).map(|(vcd, contents)| (Reader::Vcd(Box::new(vcd)), contents)),
-            Format::Fst => Fst::read(input.bytes, survey, warnings).map(|(fst, contents)| (Reader::Fst(Box::new(fst)), contents)),
+            Format::Vcd => Vcd::read(input.bytes, survey, warnings)
+                .map(|(vcd, contents)| (Reader::Vcd(Box::new(vcd)), contents)),
+            Format::Fst => Fst::read(input.bytes, survey, warnings)
+                .map(|(fst, contents)| (Reader::Fst(Box::new(fst)), contents)),
         }
         .map_err(|reason| unreadable(path, reason))?;
-        let passed_over = || warnings.lines(&file_name(path)).iter().map(|line| format!("\n{line}")).collect();
-        let empty = |missing| Err(WaveError::Empty { path: path.to_owned(), missing, passed_over: passed_over() });
+        let passed_over =
+            || warnings.lines(&file_name(path)).iter().map(|line| format!("\n{line}")).collect();
+        let empty = |missing| {
+            Err(WaveError::Empty { path: path.to_owned(), missing, passed_over: passed_over() })
+        };
         match (contents.variables.is_empty(), contents.survey.is_empty()) {
             (true, _) => empty("signals"),
             (_, true) => empty("values"),
@@ -96,9 +105,15 @@ impl Dump {
     ///
     /// # Errors
     /// [`WaveError`] if they cannot be read, or are far too many.
-    pub fn segments(&mut self, variables: &[usize], window: &Range<u64>, end: u64) -> Result<Vec<Vec<Segment>>, WaveError> {
+    pub fn segments(
+        &mut self,
+        variables: &[usize],
+        window: &Range<u64>,
+        end: u64,
+    ) -> Result<Vec<Vec<Segment>>, WaveError> {
         let all = &self.contents.variables;
-        let mut collectors: Vec<Collector> = variables.iter().map(|&index| Collector::new(&all[index], window)).collect();
+        let mut collectors: Vec<Collector> =
+            variables.iter().map(|&index| Collector::new(&all[index], window)).collect();
         let mut places: HashMap<u32, Vec<usize>> = HashMap::new();
         for (place, &index) in variables.iter().enumerate() {
             places.entry(all[index].signal).or_default().push(place);
@@ -116,11 +131,16 @@ impl Dump {
         };
         match &mut self.reader {
             Reader::Vcd(vcd) => vcd.changes(window.end, &mut take),
-            Reader::Fst(fst) => fst.changes(&places.keys().copied().collect::<Vec<_>>(), window.end, &mut take),
+            Reader::Fst(fst) => {
+                fst.changes(&places.keys().copied().collect::<Vec<_>>(), window.end, &mut take)
+            }
         }
         .map_err(|reason| unreadable(&self.path, reason))?;
         if values > MOST_VALUES || bytes > MOST_BYTES {
-            return Err(WaveError::Large { signals: variables.len(), amount: format!("more than {values} values") });
+            return Err(WaveError::Large {
+                signals: variables.len(),
+                amount: format!("more than {values} values"),
+            });
         }
         Ok(collectors.into_iter().map(|collector| collector.finish(end)).collect())
     }
@@ -147,7 +167,9 @@ fn unreadable(path: &Path, reason: io::Error) -> WaveError {
     let path = path.to_owned();
     match reason.kind() {
         io::ErrorKind::InvalidData => WaveError::Damaged { path, reason: reason.to_string() },
-        io::ErrorKind::UnexpectedEof => WaveError::Damaged { path, reason: "it ends too early".to_owned() },
+        io::ErrorKind::UnexpectedEof => {
+            WaveError::Damaged { path, reason: "it ends too early".to_owned() }
+        }
         _ => WaveError::Unreadable { path, reason },
     }
 }

@@ -10,7 +10,10 @@ use thiserror::Error;
 pub enum WaveError {
     /// The system does not give the file.
     #[error("`{}` cannot be read: {reason}", path.display())]
-    #[diagnostic(code(specula::wave::unreadable), help("check the path; `specula run` writes its waveform as `trace.vcd`"))]
+    #[diagnostic(
+        code(specula::wave::unreadable),
+        help("check the path; `specula run` writes its waveform as `trace.vcd`")
+    )]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -21,7 +24,9 @@ pub enum WaveError {
     #[error("`{}` is neither a VCD nor an FST file", path.display())]
     #[diagnostic(
         code(specula::wave::kind),
-        help("give what a simulator dumped: `trace.vcd` of `specula run`, or what `$dumpfile` names in a Verilog simulator")
+        help(
+            "give what a simulator dumped: `trace.vcd` of `specula run`, or what `$dumpfile` names in a Verilog simulator"
+        )
     )]
     Kind {
         /// The file.
@@ -31,7 +36,9 @@ pub enum WaveError {
     #[error("`{}` is damaged or incomplete: {reason}", path.display())]
     #[diagnostic(
         code(specula::wave::damaged),
-        help("let the simulation end before its dump is read, copy the file again, or convert it with another tool")
+        help(
+            "let the simulation end before its dump is read, copy the file again, or convert it with another tool"
+        )
     )]
     Damaged {
         /// The file.
@@ -41,7 +48,10 @@ pub enum WaveError {
     },
     /// There is nothing in the file that could be drawn.
     #[error("`{}` holds no {missing}{passed_over}", path.display())]
-    #[diagnostic(code(specula::wave::empty), help("dump at least one signal over some time, in Verilog with `$dumpvars`"))]
+    #[diagnostic(
+        code(specula::wave::empty),
+        help("dump at least one signal over some time, in Verilog with `$dumpvars`")
+    )]
     Empty {
         /// The file.
         path: PathBuf,
@@ -54,7 +64,9 @@ pub enum WaveError {
     #[error("no signal is named `{pattern}`")]
     #[diagnostic(
         code(specula::wave::signals),
-        help("{near}`*` and `?` match in full names, `top.unit.signal`, dots too; there are, for example, {there}")
+        help(
+            "{near}`*` and `?` match in full names, `top.unit.signal`, dots too; there are, for example, {there}"
+        )
     )]
     Signals {
         /// What was asked for.
@@ -66,7 +78,10 @@ pub enum WaveError {
     },
     /// No unit has the name.
     #[error("no unit is named `{unit}`")]
-    #[diagnostic(code(specula::wave::unit), help("{near}there are {there}; a signal's full name is that of `--signals`"))]
+    #[diagnostic(
+        code(specula::wave::unit),
+        help("{near}there are {there}; a signal's full name is that of `--signals`")
+    )]
     Unit {
         /// What was asked for.
         unit: String,
@@ -77,7 +92,10 @@ pub enum WaveError {
     },
     /// The window is empty or outside of the file.
     #[error("`{asked}` leaves nothing to draw: the file has {there}")]
-    #[diagnostic(code(specula::wave::window), help("choose among those, with `--to` not before `--from`"))]
+    #[diagnostic(
+        code(specula::wave::window),
+        help("choose among those, with `--to` not before `--from`")
+    )]
     Window {
         /// What was asked for.
         asked: String,
@@ -98,7 +116,10 @@ pub enum WaveError {
     },
     /// The picture's file name does not say what to write.
     #[error("`{}` is the name of no picture that can be written", path.display())]
-    #[diagnostic(code(specula::wave::picture), help("end it in `.svg` or `.png`, or leave `-o` out to have the waveform as text"))]
+    #[diagnostic(
+        code(specula::wave::picture),
+        help("end it in `.svg` or `.png`, or leave `-o` out to have the waveform as text")
+    )]
     Picture {
         /// The name.
         path: PathBuf,

@@ -80,7 +80,8 @@ impl Axis {
     /// Where a time stands, in columns.
     pub fn place(&self, time: u64) -> f64 {
         // The difference first: a time in femtoseconds may need more digits than a number has.
-        let distance = time.saturating_sub(self.begin) as f64 - self.begin.saturating_sub(time) as f64;
+        let distance =
+            time.saturating_sub(self.begin) as f64 - self.begin.saturating_sub(time) as f64;
         distance / self.step as f64
     }
 
@@ -105,10 +106,19 @@ impl Figure {
     /// than `most`, and none that can be rounded more than `rounded`. A value that lasts several
     /// columns has the room of all.
     pub fn longest_value(&self, rounded: usize, most: usize) -> usize {
-        let columns = |segment: &Segment| self.axis.place(segment.time.end) - self.axis.place(segment.time.start);
-        let share = |length: usize, columns: f64| ((length as f64 + 1.0) / columns.max(1.0)).ceil() as usize - 1;
-        let wish = |row: &Row, segment: &Segment| share(row.wish(&segment.value, rounded, most), columns(segment));
-        self.rows().flat_map(|row| row.segments.iter().map(move |segment| wish(row, segment))).max().unwrap_or(0)
+        let columns = |segment: &Segment| {
+            self.axis.place(segment.time.end) - self.axis.place(segment.time.start)
+        };
+        let share = |length: usize, columns: f64| {
+            ((length as f64 + 1.0) / columns.max(1.0)).ceil() as usize - 1
+        };
+        let wish = |row: &Row, segment: &Segment| {
+            share(row.wish(&segment.value, rounded, most), columns(segment))
+        };
+        self.rows()
+            .flat_map(|row| row.segments.iter().map(move |segment| wish(row, segment)))
+            .max()
+            .unwrap_or(0)
     }
 }
 

@@ -88,7 +88,12 @@ fn open_pipe(path: &Path) -> io::Result<File> {
     let path: PathBuf = path.to_owned();
     // If nobody comes, the thread waits until the program ends.
     thread::spawn(move || sender.send(File::open(path)));
-    let nobody = || io::Error::other(format!("it is a pipe into which nobody wrote for {} s", PATIENCE.as_secs()));
+    let nobody = || {
+        io::Error::other(format!(
+            "it is a pipe into which nobody wrote for {} s",
+            PATIENCE.as_secs()
+        ))
+    };
     receiver.recv_timeout(PATIENCE).map_err(|_| nobody())?
 }
 
@@ -129,7 +134,9 @@ fn wrapping(head: &[u8]) -> Result<Wrapping, InputError> {
     const GZIP: [u8; 2] = [0x1f, 0x8b];
     match head {
         // The length is set when all has been compressed.
-        [254, rest @ ..] if rest.len() >= 16 && rest[..8] == [0; 8] => damaged("it is still being compressed"),
+        [254, rest @ ..] if rest.len() >= 16 && rest[..8] == [0; 8] => {
+            damaged("it is still being compressed")
+        }
         [254, rest @ ..] if rest.get(16..18) == Some(&GZIP) => Ok(Wrapping::FstBlock),
         _ if head.starts_with(&FST_HEADER) => Ok(Wrapping::None(Format::Fst)),
         _ if head.starts_with(&GZIP) => Ok(Wrapping::Gzip),
@@ -140,10 +147,12 @@ fn wrapping(head: &[u8]) -> Result<Wrapping, InputError> {
 
 /// Whether a file begins as VCD files do: with a section, or with one among its first words.
 fn is_vcd(head: &[u8]) -> bool {
-    const SECTIONS: [&str; 7] = ["$date", "$version", "$timescale", "$scope", "$var", "$comment", "$enddefinitions"];
+    const SECTIONS: [&str; 7] =
+        ["$date", "$version", "$timescale", "$scope", "$var", "$comment", "$enddefinitions"];
     let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
     let mut words = text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-    !text.contains(&0) && words.any(|word| SECTIONS.iter().any(|section| word == section.as_bytes()))
+    !text.contains(&0)
+        && words.any(|word| SECTIONS.iter().any(|section| word == section.as_bytes()))
 }
 
 fn damaged<T>(what: &str) -> Result<T, InputError> {
@@ -165,8 +174,13 @@ fn unpacked(mut bytes: Box<dyn Bytes>, warnings: &mut Warnings) -> Result<Input,
 }
 
 /// Unpacks an FST file that is compressed as a whole, after a look at the lengths that it states.
-fn unwrapped(mut bytes: Box<dyn Bytes>, head: &[u8], warnings: &mut Warnings) -> Result<Box<dyn Bytes>, InputError> {
-    let number = |at: usize| head[at..at + 8].iter().fold(0, |number, &byte| number << 8 | u64::from(byte));
+fn unwrapped(
+    mut bytes: Box<dyn Bytes>,
+    head: &[u8],
+    warnings: &mut Warnings,
+) -> Result<Box<dyn Bytes>, InputError> {
+    let number =
+        |at: usize| head[at..at + 8].iter().fold(0, |number, &byte| number << 8 | u64::from(byte));
     let (block, length) = (number(1), number(9));
     let there = bytes.seek(SeekFrom::End(0))?;
     if block.checked_add(1).is_none_or(|end| end < FST_WRAPPER || end > there) {
@@ -178,11 +192,19 @@ fn unwrapped(mut bytes: Box<dyn Bytes>, head: &[u8], warnings: &mut Warnings) ->
     bytes.seek(SeekFrom::Start(FST_WRAPPER))?;
     let packed = bytes.take(block + 1 - FST_WRAPPER);
     let mut unpacked = keep_unpacked(packed, length, warnings)?;
-    if unpacked.seek(SeekFrom::End(0))? < length { damaged("what is compressed in it ends too early") } else { Ok(unpacked) }
+    if unpacked.seek(SeekFrom::End(0))? < length {
+        damaged("what is compressed in it ends too early")
+    } else {
+        Ok(unpacked)
+    }
 }
 
 /// Keeps at most `most` bytes of what is compressed, up to where it is damaged.
-fn keep_unpacked(packed: impl Read, most: u64, warnings: &mut Warnings) -> Result<Box<dyn Bytes>, InputError> {
+fn keep_unpacked(
+    packed: impl Read,
+    most: u64,
+    warnings: &mut Warnings,
+) -> Result<Box<dyn Bytes>, InputError> {
     let mut unpacker = MultiGzDecoder::new(packed);
     let mut first = [0];
     if !matches!(unpacker.read(&mut first), Ok(1)) {
@@ -205,7 +227,9 @@ fn keep(from: impl Read, most: u64, warnings: &mut Warnings) -> Result<Box<dyn B
             Err(reason) if reason.kind() == io::ErrorKind::Interrupted => {}
             // What is compressed is shown up to where it is damaged, as other files are.
             Err(_) => {
-                warnings.of_file("cut off", || "it cannot be read to its end, and is drawn up to there".to_owned());
+                warnings.of_file("cut off", || {
+                    "it cannot be read to its end, and is drawn up to there".to_owned()
+                });
                 break;
             }
         }

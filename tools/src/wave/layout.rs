@@ -42,18 +42,35 @@ impl Layout {
     pub fn new(figure: &Figure, width: Option<u32>) -> Layout {
         let columns = figure.axis.numbers.len();
         let label = |row: &Row| row.name.chars().count() + row.format().chars().count() + 2;
-        let names = figure.rows().map(label).max().unwrap_or(0).max(figure.axis.unit.chars().count() + 1);
+        let names =
+            figure.rows().map(label).max().unwrap_or(0).max(figure.axis.unit.chars().count() + 1);
         let left = (MARGIN + CHARACTER * names as f64 + 2.0 * SLANT).round();
         let column = match width {
-            Some(width) => ((f64::from(width) - left - MARGIN) / columns.max(1) as f64).max(*COLUMN.start()).floor(),
+            Some(width) => ((f64::from(width) - left - MARGIN) / columns.max(1) as f64)
+                .max(*COLUMN.start())
+                .floor(),
             None => column(figure, columns),
         };
         let top = MARGIN + ROW + CAPITAL + ROW / 2.0;
         let bottom = top + ROW * (figure.groups.len() + figure.rows().count()) as f64;
-        let words = figure.notes.iter().chain([&figure.title]).map(|text| text.chars().count()).max().unwrap_or(0);
+        let words = figure
+            .notes
+            .iter()
+            .chain([&figure.title])
+            .map(|text| text.chars().count())
+            .max()
+            .unwrap_or(0);
         let right = (left + column * columns as f64).max(MARGIN + CHARACTER * words as f64);
         let height = bottom + MARGIN + ROW * figure.notes.len() as f64;
-        Layout { left, column, columns, top, bottom, width: (right + MARGIN).ceil(), height: height.ceil() }
+        Layout {
+            left,
+            column,
+            columns,
+            top,
+            bottom,
+            width: (right + MARGIN).ceil(),
+            height: height.ceil(),
+        }
     }
 
     /// Where a place in columns is.

@@ -30,7 +30,8 @@ pub fn is_clock(name: &str) -> bool {
 /// The outermost variable that may be a clock, by its number.
 pub fn clock(variables: &[Variable], scopes: &Scopes) -> Option<usize> {
     let numbered = variables.iter().enumerate();
-    let clocks = numbered.filter(|(_, variable)| variable.width == Some(1) && is_clock(&variable.name));
+    let clocks =
+        numbered.filter(|(_, variable)| variable.width == Some(1) && is_clock(&variable.name));
     clocks.min_by_key(|(_, variable)| scopes.depth(variable.scope)).map(|(index, _)| index)
 }
 
@@ -38,7 +39,8 @@ impl Ruler {
     /// The ruler of a dump: the outermost signal named `clock` or `clk` gives it, if it rises at a
     /// constant pace.
     pub fn of(dump: &Dump) -> Ruler {
-        let clock = clock(dump.variables(), dump.scopes()).map(|clock| dump.variables()[clock].signal);
+        let clock =
+            clock(dump.variables(), dump.scopes()).map(|clock| dump.variables()[clock].signal);
         let pace = clock.and_then(|clock| dump.survey().pace(clock));
         pace.map_or(Ruler::Time, |(first, period)| Ruler::Clocks { phase: first % period, period })
     }
@@ -71,7 +73,9 @@ impl Ruler {
     /// When a clock begins, or the time itself.
     pub fn time(&self, number: u64) -> u64 {
         match self {
-            Ruler::Clocks { phase, period } => number.saturating_mul(*period).saturating_add(*phase),
+            Ruler::Clocks { phase, period } => {
+                number.saturating_mul(*period).saturating_add(*phase)
+            }
             Ruler::Time => number,
         }
     }

@@ -52,7 +52,9 @@ impl SaveFile {
             Ok(text) => Some(SaveFile::parse(&text)),
             Err(reason) if reason.kind() == io::ErrorKind::NotFound => None,
             Err(reason) => {
-                warnings.of_file("save file", || format!("the save file beside it is passed over: {reason}"));
+                warnings.of_file("save file", || {
+                    format!("the save file beside it is passed over: {reason}")
+                });
                 None
             }
         }
@@ -120,10 +122,15 @@ impl Reader {
     }
 
     fn notation(&self) -> Notation {
-        let fraction_bits = if self.flags & flag::FIXED_POINT != 0 { self.fraction_bits } else { 0 };
+        let fraction_bits =
+            if self.flags & flag::FIXED_POINT != 0 { self.fraction_bits } else { 0 };
         match self.flags {
-            flags if flags & flag::SIGNED_DECIMAL != 0 => Notation::Decimal { signed: true, fraction_bits },
-            flags if flags & flag::DECIMAL != 0 => Notation::Decimal { signed: false, fraction_bits },
+            flags if flags & flag::SIGNED_DECIMAL != 0 => {
+                Notation::Decimal { signed: true, fraction_bits }
+            }
+            flags if flags & flag::DECIMAL != 0 => {
+                Notation::Decimal { signed: false, fraction_bits }
+            }
             flags if flags & flag::BINARY != 0 => Notation::Binary,
             _ => Notation::Hexadecimal,
         }
@@ -141,8 +148,12 @@ fn marker(line: &str) -> Option<u64> {
 
 /// The name without `[7:0]` at its end.
 fn without_range(name: &str) -> &str {
-    let Some((base, range)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) else { return name };
-    let is_range = range.split_once(':').is_some_and(|(high, low)| high.parse::<i64>().is_ok() && low.parse::<i64>().is_ok());
+    let Some((base, range)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) else {
+        return name;
+    };
+    let is_range = range
+        .split_once(':')
+        .is_some_and(|(high, low)| high.parse::<i64>().is_ok() && low.parse::<i64>().is_ok());
     if is_range { base.trim_end() } else { name }
 }
 
@@ -187,14 +198,22 @@ top.mem[3]
             ("top.red", decimal(false, 0), true),
             ("top.mem[3]", Notation::Hexadecimal, true),
         ];
-        let expected = expected.map(|(name, notation, visible)| SavedSignal { name: name.to_owned(), notation, visible });
-        assert_eq!(SaveFile::parse(TEXT), SaveFile { signals: expected.to_vec(), marker: Some(552_760) });
+        let expected = expected.map(|(name, notation, visible)| SavedSignal {
+            name: name.to_owned(),
+            notation,
+            visible,
+        });
+        assert_eq!(
+            SaveFile::parse(TEXT),
+            SaveFile { signals: expected.to_vec(), marker: Some(552_760) }
+        );
     }
 
     #[test]
     fn odd_lines_do_no_harm() {
         let text = "@zz\n@\n[fpshift_count] x\n[fpshift_count] 99999999999\n*\n*1\n*1 -1\n-\n@1000200\n-\n]\n[\nx]\n\u{e9}[1:0]\n";
-        let names: Vec<String> = SaveFile::parse(text).signals.into_iter().map(|signal| signal.name).collect();
+        let names: Vec<String> =
+            SaveFile::parse(text).signals.into_iter().map(|signal| signal.name).collect();
         assert_eq!(names, ["]", "x]", "\u{e9}"]);
         assert_eq!(SaveFile::parse("*1 -1"), SaveFile::default());
     }

@@ -46,7 +46,8 @@ impl Collector {
         if change.time < self.window.start || change.checkpoint || again || !happens {
             return 0;
         }
-        self.segments.push(Segment { time: change.time..change.time, value: Value::Text(String::new()) });
+        self.segments
+            .push(Segment { time: change.time..change.time, value: Value::Text(String::new()) });
         1
     }
 
@@ -111,7 +112,9 @@ impl Collector {
     fn fitted(&self, bits: &[u8]) -> String {
         let width = self.width.map_or(bits.len(), |width| width as usize);
         let bits = &bits[bits.len().saturating_sub(width)..];
-        let state = |bit: &u8| Some(bit.to_ascii_lowercase()).filter(|bit| STATES.contains(bit)).unwrap_or(b'x');
+        let state = |bit: &u8| {
+            Some(bit.to_ascii_lowercase()).filter(|bit| STATES.contains(bit)).unwrap_or(b'x')
+        };
         let above = match bits.first().map_or(b'x', state) {
             b'1' => b'0',
             other => other,
@@ -161,7 +164,11 @@ mod tests {
         for (time, bits) in [(0, b"0"), (5, b"1"), (12, b"0"), (12, b"1"), (15, b"0"), (30, b"1")] {
             collector.take(&Change { time, signal: 0, value: Raw::Bits(bits), checkpoint: false });
         }
-        let segments: Vec<_> = collector.finish(100).into_iter().map(|segment| (segment.time, segment.value)).collect();
+        let segments: Vec<_> = collector
+            .finish(100)
+            .into_iter()
+            .map(|segment| (segment.time, segment.value))
+            .collect();
         let bits = |bits: &str| Value::Bits(bits.to_owned());
         assert_eq!(segments, [(10..15, bits("1")), (15..20, bits("0"))]);
     }

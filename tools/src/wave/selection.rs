@@ -55,10 +55,16 @@ impl Selection {
         let (variables, left_out) = match (&self.patterns[..], within) {
             ([], None) => or_first_few(saved.visible(), || outermost(dump)),
             ([], Some(unit)) => or_first_few(saved.among(&unit.all), || unit.direct),
-            (patterns, None) => (matching(dump, patterns, &(0..dump.variables().len()).collect::<Vec<_>>())?, 0),
+            (patterns, None) => {
+                (matching(dump, patterns, &(0..dump.variables().len()).collect::<Vec<_>>())?, 0)
+            }
             (patterns, Some(unit)) => (matching(dump, patterns, &unit.all)?, 0),
         };
-        let signal = |variable| Chosen { variable, notation: saved.notation(dump, variable), highlight: None };
+        let signal = |variable| Chosen {
+            variable,
+            notation: saved.notation(dump, variable),
+            highlight: None,
+        };
         Ok(Choice { signals: variables.into_iter().map(signal).collect(), left_out })
     }
 }
@@ -67,8 +73,13 @@ impl Selection {
 /// the dump does not hold are left out.
 pub fn named(dump: &Dump, save_file: Option<&SaveFile>, names: &[(String, u64)]) -> Choice {
     let (saved, numbers) = (Saved::of(dump, save_file), numbers(dump));
-    let there = names.iter().filter_map(|(name, highlight)| Some((*numbers.get(name)?, *highlight)));
-    let signal = |(variable, highlight)| Chosen { variable, notation: saved.notation(dump, variable), highlight: Some(highlight) };
+    let there =
+        names.iter().filter_map(|(name, highlight)| Some((*numbers.get(name)?, *highlight)));
+    let signal = |(variable, highlight)| Chosen {
+        variable,
+        notation: saved.notation(dump, variable),
+        highlight: Some(highlight),
+    };
     Choice { signals: there.map(signal).collect(), left_out: 0 }
 }
 
@@ -91,15 +102,24 @@ fn or_first_few(chosen: Vec<usize>, others: impl FnOnce() -> Vec<usize>) -> (Vec
 /// The signals of the outermost scope that has any; of its ports alone if the file says which are.
 fn outermost(dump: &Dump) -> Vec<usize> {
     let depth = |variable: &Variable| dump.scopes().depth(variable.scope);
-    let Some(first) = dump.variables().iter().min_by_key(|variable| depth(variable)) else { return vec![] };
-    let here = |wanted: &dyn Fn(&Variable) -> bool| numbers_of(dump, &|variable| variable.scope == first.scope && wanted(variable));
+    let Some(first) = dump.variables().iter().min_by_key(|variable| depth(variable)) else {
+        return vec![];
+    };
+    let here = |wanted: &dyn Fn(&Variable) -> bool| {
+        numbers_of(dump, &|variable| variable.scope == first.scope && wanted(variable))
+    };
     let ports = here(&|variable| variable.port);
     if ports.is_empty() { here(&|_| true) } else { ports }
 }
 
 /// The numbers of the variables that are wanted.
 fn numbers_of(dump: &Dump, wanted: &dyn Fn(&Variable) -> bool) -> Vec<usize> {
-    dump.variables().iter().enumerate().filter(|(_, variable)| wanted(variable)).map(|(index, _)| index).collect()
+    dump.variables()
+        .iter()
+        .enumerate()
+        .filter(|(_, variable)| wanted(variable))
+        .map(|(index, _)| index)
+        .collect()
 }
 
 /// The signals of units with a name.
@@ -113,14 +133,17 @@ struct Inside {
 /// The units of that name, or the one of that full name.
 fn inside(dump: &Dump, unit: &str) -> Result<Inside, WaveError> {
     let scopes = dump.scopes();
-    let meant = |scope: ScopeId| scopes.name(scope) == unit || (unit.contains('.') && scopes.path(scope) == unit);
+    let meant = |scope: ScopeId| {
+        scopes.name(scope) == unit || (unit.contains('.') && scopes.path(scope) == unit)
+    };
     let all = numbers_of(dump, &|variable| scopes.outwards(variable.scope).any(meant));
     if all.is_empty() {
         let names = distinct(scopes.names().map(str::to_owned));
         let (near, there) = (near(unit, &names), examples(&names));
         return Err(WaveError::Unit { unit: unit.to_owned(), near, there });
     }
-    let direct = numbers_of(dump, &|variable| scopes.outwards(variable.scope).next().is_some_and(meant));
+    let direct =
+        numbers_of(dump, &|variable| scopes.outwards(variable.scope).next().is_some_and(meant));
     Ok(Inside { direct, all })
 }
 
@@ -130,8 +153,9 @@ fn matching(dump: &Dump, patterns: &[String], among: &[usize]) -> Result<Vec<usi
     let mut wanted = vec![false; names.len()];
     for pattern in patterns {
         let glob = WildMatch::new(pattern);
-        let spelt =
-            |(&index, name): (&usize, &String)| spellings(&dump.variables()[index], name).iter().any(|name| glob.matches(name));
+        let spelt = |(&index, name): (&usize, &String)| {
+            spellings(&dump.variables()[index], name).iter().any(|name| glob.matches(name))
+        };
         let matches: Vec<bool> = among.iter().zip(&names).map(spelt).collect();
         if !matches.contains(&true) {
             let (near, there) = (near(pattern, &names), examples(&names));
@@ -158,7 +182,8 @@ fn spellings(variable: &Variable, name: &str) -> Vec<String> {
 
 /// The first names of many, in words.
 fn examples(names: &[String]) -> String {
-    let mut shown: Vec<String> = names.iter().take(EXAMPLES).map(|name| format!("`{name}`")).collect();
+    let mut shown: Vec<String> =
+        names.iter().take(EXAMPLES).map(|name| format!("`{name}`")).collect();
     if names.len() > EXAMPLES {
         shown.push(format!("and {} more", names.len() - EXAMPLES));
     }
@@ -169,12 +194,14 @@ fn examples(names: &[String]) -> String {
 fn near(asked: &str, names: &[String]) -> String {
     let likeness = |name: &String| {
         let last = name.rsplit('.').next().unwrap_or(name);
-        let whole = strsim::normalized_damerau_levenshtein(&asked.to_lowercase(), &name.to_lowercase());
+        let whole =
+            strsim::normalized_damerau_levenshtein(&asked.to_lowercase(), &name.to_lowercase());
         // Who leaves out the scopes means the signal all the same.
         whole.max(if last.eq_ignore_ascii_case(asked) { 1.0 } else { 0.0 })
     };
     let short = names.iter().filter(|name| name.len() <= LONGEST_COMPARED).take(MOST_COMPARED);
-    let likely = short.map(|name| (likeness(name), name)).filter(|(likeness, _)| *likeness >= LIKELY);
+    let likely =
+        short.map(|name| (likeness(name), name)).filter(|(likeness, _)| *likeness >= LIKELY);
     let best = likely.min_by(|(one, _), (other, _)| other.total_cmp(one));
     best.map_or(String::new(), |(_, name)| format!("did you mean `{name}`? "))
 }
@@ -220,11 +247,19 @@ impl Saved {
 
     fn among(&self, variables: &[usize]) -> Vec<usize> {
         let variables: HashSet<&usize> = variables.iter().collect();
-        self.order.iter().map(|&(index, _)| index).filter(|index| variables.contains(index)).collect()
+        self.order
+            .iter()
+            .map(|&(index, _)| index)
+            .filter(|index| variables.contains(index))
+            .collect()
     }
 
     fn notation(&self, dump: &Dump, variable: usize) -> Notation {
         let known = self.notations.get(&variable).copied();
-        known.unwrap_or(if dump.variables()[variable].width == Some(1) { Notation::Binary } else { Notation::Hexadecimal })
+        known.unwrap_or(if dump.variables()[variable].width == Some(1) {
+            Notation::Binary
+        } else {
+            Notation::Hexadecimal
+        })
     }
 }

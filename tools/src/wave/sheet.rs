@@ -57,7 +57,12 @@ impl Pen<'_> {
     fn columns(&mut self, axis: &Axis) {
         let layout = self.layout;
         let base = layout.top - ROW / 2.0;
-        let border = |column: usize| ((layout.x(column as f64), base + CAPITAL / 2.0), (layout.x(column as f64), layout.bottom));
+        let border = |column: usize| {
+            (
+                (layout.x(column as f64), base + CAPITAL / 2.0),
+                (layout.x(column as f64), layout.bottom),
+            )
+        };
         if let Some(marker) = &axis.marker {
             self.marker(axis.place(marker.start), axis.place(marker.end));
         }
@@ -65,8 +70,15 @@ impl Pen<'_> {
         self.words(Ink::Aside, (MARGIN, base), &axis.unit);
         let widest = axis.numbers.last().map_or(1, |number| number.to_string().len() + 1);
         let every = (CHARACTER * widest as f64 / layout.column).ceil().max(1.0) as usize;
-        let is_marked = |column: usize| axis.marker.as_ref().is_some_and(|marker| axis.place(marker.start) == column as f64);
-        for (column, number) in axis.numbers.iter().enumerate().filter(|(column, _)| column % every == 0 || is_marked(*column)) {
+        let is_marked = |column: usize| {
+            axis.marker.as_ref().is_some_and(|marker| axis.place(marker.start) == column as f64)
+        };
+        for (column, number) in axis
+            .numbers
+            .iter()
+            .enumerate()
+            .filter(|(column, _)| column % every == 0 || is_marked(*column))
+        {
             let ink = if is_marked(column) { Ink::MarkerNumber } else { Ink::Aside };
             self.words(ink, (layout.x(column as f64) + SLANT, base), &number.to_string());
         }
@@ -76,7 +88,11 @@ impl Pen<'_> {
         let layout = self.layout;
         let (from, to) = (layout.x(from), layout.x(to).max(layout.x(from) + SLANT / 2.0));
         if from < layout.right() && to > layout.left {
-            let (from, to, top) = (from.max(layout.left), to.min(layout.right()), layout.top - ROW / 2.0 - CAPITAL - SLANT);
+            let (from, to, top) = (
+                from.max(layout.left),
+                to.min(layout.right()),
+                layout.top - ROW / 2.0 - CAPITAL - SLANT,
+            );
             self.marks.push(Mark::Box(Ink::Marker, (from, top), (to - from, layout.bottom - top)));
         }
     }
@@ -91,13 +107,28 @@ impl Pen<'_> {
         let base = top + (ROW + CAPITAL) / 2.0;
         self.words(Ink::Name, (MARGIN + CHARACTER, base), &row.name);
         if !row.format().is_empty() {
-            self.marks.push(Mark::WordsBefore(Ink::Aside, (layout.left - 2.0 * SLANT, base), row.format().to_owned()));
+            self.marks.push(Mark::WordsBefore(
+                Ink::Aside,
+                (layout.left - 2.0 * SLANT, base),
+                row.format().to_owned(),
+            ));
         }
         let (high, low) = (top + (ROW - WAVE) / 2.0, top + (ROW + WAVE) / 2.0);
         let clamp = |time| layout.x(figure.axis.place(time)).clamp(layout.left, layout.right());
-        let extent = |segment: &Segment| Extent { from: clamp(segment.time.start), to: clamp(segment.time.end), high, low };
-        let pieces: Vec<Piece> = row.segments.iter().map(|segment| (extent(segment), segment)).collect();
-        let highlight = row.highlight.as_ref().map(|time| Extent { from: clamp(time.start), to: clamp(time.end), high, low });
+        let extent = |segment: &Segment| Extent {
+            from: clamp(segment.time.start),
+            to: clamp(segment.time.end),
+            high,
+            low,
+        };
+        let pieces: Vec<Piece> =
+            row.segments.iter().map(|segment| (extent(segment), segment)).collect();
+        let highlight = row.highlight.as_ref().map(|time| Extent {
+            from: clamp(time.start),
+            to: clamp(time.end),
+            high,
+            low,
+        });
         let highlight = highlight.filter(|place| place.to > place.from);
         match row.shape {
             Shape::Levels => self.levels(&pieces, highlight.as_ref()),
@@ -118,19 +149,25 @@ impl Pen<'_> {
                 continue;
             };
             match traces.last_mut() {
-                Some(trace) if connected => trace.push((place.from + SLANT.min(place.to - place.from), y)),
+                Some(trace) if connected => {
+                    trace.push((place.from + SLANT.min(place.to - place.from), y))
+                }
                 _ => traces.push(vec![(place.from, y)]),
             }
             traces.last_mut().into_iter().for_each(|trace| trace.push((place.to, y)));
             connected = true;
         }
-        let high = pieces.iter().filter(|(place, segment)| level(place, &segment.value) == Some(place.high));
+        let high = pieces
+            .iter()
+            .filter(|(place, segment)| level(place, &segment.value) == Some(place.high));
         self.marks.push(Mark::Areas(Ink::High, high.map(|(place, _)| below(place)).collect()));
         self.marks.push(Mark::Areas(Ink::Highlight, highlight.into_iter().map(hexagon).collect()));
         self.marks.push(Mark::Areas(Ink::Unknown, unknown));
         self.marks.push(Mark::Traces(Ink::Level, traces));
         // An x is told by its colour; VHDL has more states.
-        for (place, segment) in pieces.iter().filter(|(place, _)| place.to - place.from >= CHARACTER + 2.0 * SLANT) {
+        for (place, segment) in
+            pieces.iter().filter(|(place, _)| place.to - place.from >= CHARACTER + 2.0 * SLANT)
+        {
             if let Some(letter) = letter(&segment.value) {
                 self.marks.push(Mark::WordsAmid(Ink::Value, middle(place), letter.to_owned()));
             }
@@ -141,7 +178,10 @@ impl Pen<'_> {
     fn events(&mut self, pieces: &[Piece]) {
         let arrow = |(place, _): &Piece| {
             let (x, neck) = (place.from, place.high + 2.0 * SLANT);
-            [vec![(x, place.low), (x, place.high)], vec![(x - SLANT, neck), (x, place.high), (x + SLANT, neck)]]
+            [
+                vec![(x, place.low), (x, place.high)],
+                vec![(x - SLANT, neck), (x, place.high), (x + SLANT, neck)],
+            ]
         };
         self.marks.push(Mark::Traces(Ink::Level, pieces.iter().flat_map(arrow).collect()));
     }
@@ -154,7 +194,9 @@ impl Pen<'_> {
         }
         self.marks.push(Mark::Areas(Ink::Highlight, highlight.into_iter().map(hexagon).collect()));
         for (place, segment) in pieces {
-            match highlight.filter(|highlight| highlight.from < place.to && place.from < highlight.to) {
+            match highlight
+                .filter(|highlight| highlight.from < place.to && place.from < highlight.to)
+            {
                 Some(highlight) => self.value(Ink::HighlightValue, highlight, row, segment),
                 None => self.value(Ink::Value, place, row, segment),
             }
@@ -211,5 +253,12 @@ fn below(place: &Extent) -> Vec<Point> {
 fn hexagon(place: &Extent) -> Vec<Point> {
     let Extent { from, to, high, low } = *place;
     let (slant, middle) = (SLANT.min((to - from) / 2.0), (high + low) / 2.0);
-    vec![(from, middle), (from + slant, high), (to - slant, high), (to, middle), (to - slant, low), (from + slant, low)]
+    vec![
+        (from, middle),
+        (from + slant, high),
+        (to - slant, high),
+        (to, middle),
+        (to - slant, low),
+        (from + slant, low),
+    ]
 }

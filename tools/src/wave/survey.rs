@@ -109,10 +109,15 @@ impl Survey {
 }
 
 /// `length` numbers around `middle`, or from the begin, that are within `extent`.
-pub fn around_middle(extent: &RangeInclusive<u64>, middle: Option<u64>, length: u64) -> RangeInclusive<u64> {
+pub fn around_middle(
+    extent: &RangeInclusive<u64>,
+    middle: Option<u64>,
+    length: u64,
+) -> RangeInclusive<u64> {
     let (first, last) = (*extent.start(), *extent.end());
     let latest = last.saturating_sub(length.max(1) - 1).max(first);
-    let begin = middle.map_or(first, |middle| middle.saturating_sub(length / 2)).clamp(first, latest);
+    let begin =
+        middle.map_or(first, |middle| middle.saturating_sub(length / 2)).clamp(first, latest);
     begin..=begin.saturating_add(length.max(1) - 1).min(last)
 }
 
@@ -176,8 +181,9 @@ mod tests {
 
     #[test]
     fn a_clock_needs_a_constant_pace() {
-        let rises =
-            |times: &[u64]| -> Vec<(u64, bool)> { times.iter().flat_map(|&time| [(time, true), (time + 1, false)]).collect() };
+        let rises = |times: &[u64]| -> Vec<(u64, bool)> {
+            times.iter().flat_map(|&time| [(time, true), (time + 1, false)]).collect()
+        };
         assert_eq!(clock(&rises(&[25, 35, 45])), Some((25, 10)));
         assert_eq!(clock(&rises(&[0, 10, 21])), None);
         assert_eq!(clock(&rises(&[7])), None);
@@ -186,7 +192,10 @@ mod tests {
 
     #[test]
     fn what_a_clock_does_within_an_instant_does_not_count() {
-        assert_eq!(clock(&[(0, true), (5, false), (5, true), (5, false), (10, true), (20, true)]), Some((0, 10)));
+        assert_eq!(
+            clock(&[(0, true), (5, false), (5, true), (5, false), (10, true), (20, true)]),
+            Some((0, 10))
+        );
     }
 
     #[test]

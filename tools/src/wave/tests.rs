@@ -57,7 +57,8 @@ fn whole_dumps_are_drawn() {
 fn dumps_may_end_anywhere() {
     let scratch = Scratch::new();
     for whole in [VCD, FST, PACKED, DIALECTS] {
-        let drawn = (0..whole.len()).filter(|&length| scratch.draw(&whole[..length]).is_ok()).count();
+        let drawn =
+            (0..whole.len()).filter(|&length| scratch.draw(&whole[..length]).is_ok()).count();
         assert!(drawn < whole.len());
     }
 }
@@ -166,10 +167,14 @@ fn names_do_not_reach_the_terminal_with_control_characters() {
 #[test]
 fn huge_times_are_no_trouble() {
     let scratch = Scratch::new();
-    for times in [[0, 1, u64::MAX], [u64::MAX - 2, u64::MAX - 1, u64::MAX], [0, u64::MAX / 2, u64::MAX - 1]] {
+    for times in
+        [[0, 1, u64::MAX], [u64::MAX - 2, u64::MAX - 1, u64::MAX], [0, u64::MAX / 2, u64::MAX - 1]]
+    {
         for name in ["clock", "other"] {
             let [a, b, c] = times;
-            let dump = format!("$var wire 1 ! {name} $end\n$enddefinitions $end\n#{a}\n0!\n#{b}\n1!\n#{c}\n0!\n");
+            let dump = format!(
+                "$var wire 1 ! {name} $end\n$enddefinitions $end\n#{a}\n0!\n#{b}\n1!\n#{c}\n0!\n"
+            );
             scratch.draw(dump.as_bytes()).expect("times may be as large as they like");
         }
     }
@@ -180,7 +185,9 @@ fn huge_times_are_no_trouble() {
 fn small_files_that_say_much_are_refused_or_drawn_soon() {
     let scratch = Scratch::new();
     let header = "$timescale 1ns $end\n$scope module top $end\n";
-    let deep: String = (0..20_000).map(|number| format!("$scope module s{number} $end $var wire 1 ! a{number} $end\n")).collect();
+    let deep: String = (0..20_000)
+        .map(|number| format!("$scope module s{number} $end $var wire 1 ! a{number} $end\n"))
+        .collect();
     assert!(scratch.draw(format!("{header}{deep}#0\n1!\n#1\n").as_bytes()).is_ok());
     let wide = format!("{header}$var wire 1048576 ! w $end\n$var wire 1 \" a $end\n#0\n1\"\n");
     let toggles: String = (0..2_000).map(|time| format!("#{time}\nb{} !\n", time % 2)).collect();

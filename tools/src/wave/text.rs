@@ -43,17 +43,21 @@ struct Page {
 
 impl Page {
     fn new(figure: &Figure, width: usize) -> Page {
-        let label = |row: &Row| INDENT + row.name.chars().count() + 1 + row.format().chars().count();
+        let label =
+            |row: &Row| INDENT + row.name.chars().count() + 1 + row.format().chars().count();
         let names = figure.rows().map(label).max().unwrap_or(0) + 1;
         let room = width.saturating_sub(names + 1).max(NARROWEST);
         let number = figure.axis.numbers.last().map_or(0, |number| number.to_string().len());
         let all = figure.axis.numbers.len().max(1);
         // A short window has room for values of any length.
         let beside = (room / all).saturating_sub(1);
-        let longest = |rounded: usize, most: usize| figure.longest_value(rounded.max(beside), most.max(beside));
+        let longest = |rounded: usize, most: usize| {
+            figure.longest_value(rounded.max(beside), most.max(beside))
+        };
         let wanted = (longest(LONGEST_ROUNDED, LONGEST_VALUE).max(number) + 1).max(NARROWEST);
         // Values shorter by a few decimals are better than a second panel, but not too short.
-        let least = (figure.longest_value(NARROWEST + 1, LONGEST_VALUE) + 1).max(NARROWEST + 2).min(wanted);
+        let least =
+            (figure.longest_value(NARROWEST + 1, LONGEST_VALUE) + 1).max(NARROWEST + 2).min(wanted);
         let column = (room / all).clamp(least, wanted).min(room);
         Page { names, column, columns: (room / column).clamp(1, all) }
     }
@@ -85,7 +89,12 @@ pub fn most_columns(width: usize) -> u64 {
 }
 
 fn panel(text: &mut String, figure: &Figure, page: &Page, columns: &Range<usize>) {
-    let heading = format!("{:width$}{}", figure.axis.unit, numbers(&figure.axis, page, columns), width = page.names);
+    let heading = format!(
+        "{:width$}{}",
+        figure.axis.unit,
+        numbers(&figure.axis, page, columns),
+        width = page.names
+    );
     push_line(text, &heading);
     for group in &figure.groups {
         // Not every dump has scopes.
@@ -112,13 +121,16 @@ fn numbers(axis: &Axis, page: &Page, columns: &Range<usize>) -> String {
     let mut line = Line::new(room);
     let every = widest.div_ceil(page.column).max(1);
     for column in columns.clone().filter(|column| column % every == 0) {
-        let (at, number) = ((column - columns.start) * page.column + 1, axis.numbers[column].to_string());
+        let (at, number) =
+            ((column - columns.start) * page.column + 1, axis.numbers[column].to_string());
         // A piece of a number would be another number.
         if at + number.len() <= room {
             line.write(at, &number);
         }
     }
-    if let Some(place) = axis.marker.as_ref().map(|marker| character(axis, page, columns, marker.start)) {
+    if let Some(place) =
+        axis.marker.as_ref().map(|marker| character(axis, page, columns, marker.start))
+    {
         line.put(place, MARKER);
     }
     line.finish()

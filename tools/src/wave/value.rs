@@ -57,7 +57,8 @@ impl Notation {
             Notation::Hexadecimal => "hex".to_owned(),
             Notation::Binary => "bin".to_owned(),
             Notation::Decimal { signed, fraction_bits } => {
-                let integer_bits = (width - u32::from(signed).min(width)).saturating_sub(fraction_bits);
+                let integer_bits =
+                    (width - u32::from(signed).min(width)).saturating_sub(fraction_bits);
                 let sign = if signed { 'S' } else { 'U' };
                 format!("{sign}{integer_bits}.{fraction_bits}")
             }
@@ -77,8 +78,12 @@ impl Notation {
         let text = match (value, self) {
             (Value::Text(text), _) => text.clone(),
             (Value::Real(digits), _) => return rounded(digits, room),
-            (Value::Bits(bits), _) if !bits.bytes().all(|bit| matches!(bit, b'0' | b'1')) => unknown(bits, self),
-            (Value::Bits(bits), Notation::Decimal { signed, fraction_bits }) if bits.len() <= WIDEST => {
+            (Value::Bits(bits), _) if !bits.bytes().all(|bit| matches!(bit, b'0' | b'1')) => {
+                unknown(bits, self)
+            }
+            (Value::Bits(bits), Notation::Decimal { signed, fraction_bits })
+                if bits.len() <= WIDEST =>
+            {
                 return fixed_point(raw(bits, signed), fraction_bits, room);
             }
             (Value::Bits(bits), Notation::Binary) => bits.clone(),
@@ -92,7 +97,9 @@ impl Notation {
 fn can_be_rounded(value: &Value, notation: Notation) -> bool {
     match (value, notation) {
         (Value::Real(_), _) => true,
-        (Value::Bits(bits), Notation::Decimal { fraction_bits, .. }) => fraction_bits > 0 && bits.len() <= WIDEST,
+        (Value::Bits(bits), Notation::Decimal { fraction_bits, .. }) => {
+            fraction_bits > 0 && bits.len() <= WIDEST
+        }
         _ => false,
     }
 }

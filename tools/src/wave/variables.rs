@@ -198,7 +198,10 @@ pub fn arrange(variables: &mut [Variable], scopes: &Scopes) {
             ranges.push(variable.range.as_deref());
         }
     }
-    let parts: Vec<bool> = variables.iter().map(|variable| ranges[&(variable.scope, variable.name.as_str())].len() > 1).collect();
+    let parts: Vec<bool> = variables
+        .iter()
+        .map(|variable| ranges[&(variable.scope, variable.name.as_str())].len() > 1)
+        .collect();
     for (variable, _) in variables.iter_mut().zip(parts).filter(|(_, part)| *part) {
         variable.name.push_str(variable.range.as_deref().unwrap_or_default());
     }
@@ -266,7 +269,13 @@ mod tests {
 
     #[test]
     fn values_are_named_whatever_their_leading_zeros() {
-        let names = ValueNames::new([("00".to_owned(), "idle".to_owned()), ("01".to_owned(), "run".to_owned())]);
-        assert_eq!((names.name("0"), names.name("0001"), names.name("10")), (Some("idle"), Some("run"), None));
+        let names = ValueNames::new([
+            ("00".to_owned(), "idle".to_owned()),
+            ("01".to_owned(), "run".to_owned()),
+        ]);
+        assert_eq!(
+            (names.name("0"), names.name("0001"), names.name("10")),
+            (Some("idle"), Some("run"), None)
+        );
     }
 }

@@ -37,7 +37,9 @@ impl Asked {
     /// As it was asked for.
     fn described(&self) -> String {
         let ends = [("--from", self.from), ("--to", self.to)];
-        let ends = ends.iter().filter_map(|(name, number)| number.map(|number| format!("{name} {number}")));
+        let ends = ends
+            .iter()
+            .filter_map(|(name, number)| number.map(|number| format!("{name} {number}")));
         ends.collect::<Vec<_>>().join(" ")
     }
 }
@@ -104,7 +106,11 @@ impl View {
             Ruler::Time => 0,
         };
         let large = clocks.saturating_mul(signals as u64) > MOST_VALUES as u64;
-        if large { Err(WaveError::Large { signals, amount: format!("{clocks} clocks") }) } else { Ok(()) }
+        if large {
+            Err(WaveError::Large { signals, amount: format!("{clocks} clocks") })
+        } else {
+            Ok(())
+        }
     }
 
     /// Whether the window ends with the file, which ends with a time at which nothing changes any
@@ -127,7 +133,12 @@ impl View {
         let mut row = |signal: &Chosen| self.row(signal, segments.next().unwrap_or_default());
         let groups = signals.chunk_by(|one, next| scope(one) == scope(next));
         let unit = |signals: &[Chosen]| self.dump.scopes().path(scope(&signals[0]));
-        groups.map(|signals| Group { unit: unit(signals), rows: signals.iter().map(&mut row).collect() }).collect()
+        groups
+            .map(|signals| Group {
+                unit: unit(signals),
+                rows: signals.iter().map(&mut row).collect(),
+            })
+            .collect()
     }
 
     /// What is drawn, in the ruler's numbers.
@@ -140,9 +151,16 @@ impl View {
             Some(to) => (*usual.start()).min(to.saturating_sub(length)).max(first),
             None => *usual.start(),
         });
-        let to = asked.to.unwrap_or(if asked.from.is_some() { from.saturating_add(length).min(last) } else { *usual.end() });
+        let to = asked.to.unwrap_or(if asked.from.is_some() {
+            from.saturating_add(length).min(last)
+        } else {
+            *usual.end()
+        });
         if from > to || from > last || to < first {
-            return Err(WaveError::Window { asked: asked.described(), there: self.ruler.described(&extent, &self.dump) });
+            return Err(WaveError::Window {
+                asked: asked.described(),
+                there: self.ruler.described(&extent, &self.dump),
+            });
         }
         Ok(from.max(first)..=to.min(last))
     }
@@ -151,7 +169,9 @@ impl View {
     fn usual_window(&self, columns: u64) -> RangeInclusive<u64> {
         let extent = self.ruler.extent(&self.dump);
         match self.ruler {
-            Ruler::Clocks { .. } => around_middle(&extent, self.marker().map(|time| self.ruler.at(time)), columns),
+            Ruler::Clocks { .. } => {
+                around_middle(&extent, self.marker().map(|time| self.ruler.at(time)), columns)
+            }
             // As many instants at which something happens as there would be clocks.
             Ruler::Time => self.dump.survey().usual(columns),
         }
@@ -177,7 +197,8 @@ impl View {
                 let step = round_step((last - first) / COLUMNS);
                 let begin = first - first % step;
                 let end = if idle { last - 1 } else { last };
-                let numbers = (begin..=end).step_by(usize::try_from(step).unwrap_or(usize::MAX)).collect();
+                let numbers =
+                    (begin..=end).step_by(usize::try_from(step).unwrap_or(usize::MAX)).collect();
                 Axis { unit, begin, step, numbers, marker: marker.map(|time| time..time) }
             }
         }
@@ -191,7 +212,12 @@ impl View {
     fn row(&self, signal: &Chosen, segments: Vec<Segment>) -> Row {
         let variable = &self.dump.variables()[signal.variable];
         let shape = shape(variable, signal, &segments);
-        Row { name: variable.name.clone(), shape, segments, highlight: signal.highlight.map(|number| self.clock(number)) }
+        Row {
+            name: variable.name.clone(),
+            shape,
+            segments,
+            highlight: signal.highlight.map(|number| self.clock(number)),
+        }
     }
 
     fn title(&self, window: &RangeInclusive<u64>) -> String {
@@ -200,8 +226,14 @@ impl View {
 
     fn notes(&self, choice: &Choice, window: &RangeInclusive<u64>) -> Vec<String> {
         let extent = self.ruler.extent(&self.dump);
-        let more = |number| format!("{number} more signals are left out: choose with --signals or --unit");
-        let longer = || format!("the file has {}: choose with --from and --to", self.ruler.described(&extent, &self.dump));
+        let more =
+            |number| format!("{number} more signals are left out: choose with --signals or --unit");
+        let longer = || {
+            format!(
+                "the file has {}: choose with --from and --to",
+                self.ruler.described(&extent, &self.dump)
+            )
+        };
         let more = (choice.left_out > 0).then(|| more(choice.left_out));
         more.into_iter().chain((extent != *window).then(longer)).collect()
     }
@@ -214,8 +246,12 @@ fn shape(variable: &Variable, signal: &Chosen, segments: &[Segment]) -> Shape {
         (_, Some(1)) if segments.iter().all(|segment| segment.value.is_bit()) => Shape::Levels,
         (_, width) => {
             // Real numbers and text have no format.
-            let bits = segments.is_empty() || segments.iter().any(|segment| matches!(segment.value, Value::Bits(_)));
-            let format = width.filter(|_| bits).map(|width| signal.notation.label(width)).unwrap_or_default();
+            let bits = segments.is_empty()
+                || segments.iter().any(|segment| matches!(segment.value, Value::Bits(_)));
+            let format = width
+                .filter(|_| bits)
+                .map(|width| signal.notation.label(width))
+                .unwrap_or_default();
             Shape::Cells { notation: signal.notation, format }
         }
     }

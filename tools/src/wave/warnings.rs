@@ -39,8 +39,11 @@ impl Warnings {
     /// Each warning in a line of its own, of the file with that name.
     pub fn lines(&self, name: &str) -> Vec<String> {
         let place = |line: Option<u64>| line.map_or(String::new(), |line| format!("line {line}: "));
-        let more = |more: u64| if more > 0 { format!(" ({more} more like it)") } else { String::new() };
-        let line = |found: &Found| format!("`{name}`: {}{}{}", place(found.line), found.said, more(found.more));
+        let more =
+            |more: u64| if more > 0 { format!(" ({more} more like it)") } else { String::new() };
+        let line = |found: &Found| {
+            format!("`{name}`: {}{}{}", place(found.line), found.said, more(found.more))
+        };
         self.found.iter().map(line).collect()
     }
 }
@@ -75,7 +78,10 @@ mod tests {
         warnings.of_file("cut", || "it is cut off".to_owned());
         warnings.in_line(5, "type", || "`b` is no type".to_owned());
         let lines = warnings.lines("x.vcd");
-        assert_eq!(lines, ["`x.vcd`: line 3: `a` is no type (1 more like it)", "`x.vcd`: it is cut off"]);
+        assert_eq!(
+            lines,
+            ["`x.vcd`: line 3: `a` is no type (1 more like it)", "`x.vcd`: it is cut off"]
+        );
     }
 
     #[test]

@@ -5,7 +5,16 @@ use serde_json::Value;
 
 use crate::program::Place;
 
-const SMALL: [&str; 8] = ["compare", "icosahedron", "--size", "48x36", "--methods", "lyon,gouraud", "--formats", "-4,default"];
+const SMALL: [&str; 8] = [
+    "compare",
+    "icosahedron",
+    "--size",
+    "48x36",
+    "--methods",
+    "lyon,gouraud",
+    "--formats",
+    "-4,default",
+];
 
 fn compare(place: &Place, folder: &str, more: &[&str]) -> String {
     place.succeeds(&[&SMALL[..], &["-o", folder], more].concat())
@@ -19,7 +28,12 @@ fn text(place: &Place, file: &str) -> String {
 fn it_measures_errors_run_times_and_sizes() {
     let place = Place::new();
     let table = compare(&place, "c", &["--clock", "200"]);
-    assert!(table.contains("a given 200 MHz") && table.contains("gouraud -4") && table.contains("fast-phong"), "{table}");
+    assert!(
+        table.contains("a given 200 MHz")
+            && table.contains("gouraud -4")
+            && table.contains("fast-phong"),
+        "{table}"
+    );
     let report = place.report("c");
     assert_eq!((&report["agrees"], &report["clock_is_assumed"]), (&true.into(), &false.into()));
     for file in report["files"].as_array().expect("a list") {
@@ -29,10 +43,20 @@ fn it_measures_errors_run_times_and_sizes() {
     assert_eq!(cores.len(), 4);
     for core in cores {
         let number = |key: &str| core[key].as_f64().expect("a number");
-        assert!(core["surface"]["rms_lsb"].as_f64() > Some(0.0), "an icosahedron stands for a sphere: {core}");
+        assert!(
+            core["surface"]["rms_lsb"].as_f64() > Some(0.0),
+            "an icosahedron stands for a sphere: {core}"
+        );
         // 200 MHz: 5 ns a clock.
-        assert!((number("ns_per_pixel") - 5.0 * number("cycles_per_pixel_with_set_up")).abs() < 1e-9, "{core}");
-        assert!(number("cycles_per_pixel_with_set_up") > number("cycles_per_pixel") && number("cycles_per_pixel") > 1.0, "{core}");
+        assert!(
+            (number("ns_per_pixel") - 5.0 * number("cycles_per_pixel_with_set_up")).abs() < 1e-9,
+            "{core}"
+        );
+        assert!(
+            number("cycles_per_pixel_with_set_up") > number("cycles_per_pixel")
+                && number("cycles_per_pixel") > 1.0,
+            "{core}"
+        );
     }
     assert_eq!(text(&place, "c/cores.csv").lines().count(), 5);
     assert_eq!(report["interpolation"]["rms_lsb"].as_f64().map(|rms| rms > 0.0), Some(true));
@@ -50,8 +74,16 @@ fn the_same_comparison_gives_the_same_bytes() {
         report["software"] = Value::Null;
     }
     assert_eq!(once, again);
-    for file in ["cores.csv", "results.jsonl", "error-size.svg", "error-size.png", "error-time.svg", "error-time.png"] {
-        let [once, again] = ["once", "again"].map(|folder| fs::read(place.path(&format!("{folder}/{file}"))).expect("it is there"));
+    for file in [
+        "cores.csv",
+        "results.jsonl",
+        "error-size.svg",
+        "error-size.png",
+        "error-time.svg",
+        "error-time.png",
+    ] {
+        let [once, again] = ["once", "again"]
+            .map(|folder| fs::read(place.path(&format!("{folder}/{file}"))).expect("it is there"));
         assert!(once == again, "{file}");
     }
 }
@@ -62,14 +94,20 @@ fn an_interrupted_sweep_goes_on_where_it_stopped() {
     compare(&place, "whole", &[]);
     let whole = text(&place, "whole/results.jsonl");
     let lines: Vec<&str> = whole.lines().collect();
-    // One result is known (and marked, so that it can be told from one that is measured again), one is damaged, two are missing.
+    // One result is known (and marked, so that it can be told from one that is measured again), one
+    // is damaged, two are missing.
     let marked = lines[0].replacen("\"latency\":", "\"latency\":9", 1);
     fs::create_dir(place.path("part")).expect("there is room");
     place.write("part/results.jsonl", format!("{marked}\n{}", &lines[1][..80]));
     let ended = place.specula(&[&SMALL[..], &["-o", "part"]].concat());
-    let said = "part/results.jsonl, line 2: it has no end; what it held is measured again\n".to_owned();
+    let said =
+        "part/results.jsonl, line 2: it has no end; what it held is measured again\n".to_owned();
     assert_eq!((ended.status, ended.stderr), (Some(0), said));
-    assert!(ended.stdout.contains("1 of 4 cores were known from results.jsonl"), "{}", ended.stdout);
+    assert!(
+        ended.stdout.contains("1 of 4 cores were known from results.jsonl"),
+        "{}",
+        ended.stdout
+    );
     let part = text(&place, "part/results.jsonl");
     assert_eq!(part.lines().collect::<Vec<_>>(), [&[marked.as_str()], &lines[1..]].concat());
     compare(&place, "part", &["--fresh"]);
@@ -84,9 +122,22 @@ const THREE: &str = "[[object]]\nprimitive = \"torus\"\n[object.material]\nshini
 fn where_no_method_serves_nothing_is_written() {
     let place = Place::new();
     place.write("three.toml", THREE);
-    let ended = place.specula(&["compare", "three.toml", "--size", "32x24", "--methods", "slerp,duff", "-o", "c"]);
+    let ended = place.specula(&[
+        "compare",
+        "three.toml",
+        "--size",
+        "32x24",
+        "--methods",
+        "slerp,duff",
+        "-o",
+        "c",
+    ]);
     assert_eq!(ended.status, Some(2), "{ended:?}");
-    assert!(ended.stderr.contains("there is nothing to compare") && ended.stderr.contains("slerp -8: "), "{}", ended.stderr);
+    assert!(
+        ended.stderr.contains("there is nothing to compare") && ended.stderr.contains("slerp -8: "),
+        "{}",
+        ended.stderr
+    );
     assert_eq!(place.names("."), ["three.toml"]);
 }
 
@@ -95,16 +146,42 @@ fn where_no_method_serves_nothing_is_written() {
 fn what_cannot_be_built_is_told() {
     let place = Place::new();
     place.write("three.toml", THREE);
-    let words = ["compare", "three.toml", "--size", "32x24", "--methods", "slerp,phong", "--formats", "default", "-o", "c"];
+    let words = [
+        "compare",
+        "three.toml",
+        "--size",
+        "32x24",
+        "--methods",
+        "slerp,phong",
+        "--formats",
+        "default",
+        "-o",
+        "c",
+    ];
     let table = place.succeeds(&words);
-    assert!(table.contains("not built: slerp default: ") && table.contains("phong default"), "{table}");
+    assert!(
+        table.contains("not built: slerp default: ") && table.contains("phong default"),
+        "{table}"
+    );
 }
 
-/// Where lights are at places, the loops that have them are timed, and those that have not left out.
+/// Where lights are at places, the loops that have them are timed, and those that have not left
+/// out.
 #[test]
 fn loops_for_lights_at_places_are_timed_where_there_are_some() {
     let place = Place::new();
-    let words = ["compare", "lamps", "--size", "32x24", "--methods", "phong", "--formats", "default", "-o", "c"];
+    let words = [
+        "compare",
+        "lamps",
+        "--size",
+        "32x24",
+        "--methods",
+        "phong",
+        "--formats",
+        "default",
+        "-o",
+        "c",
+    ];
     let table = place.succeeds(&words);
     let report = fs::read_to_string(place.path("c/report.md")).expect("a report");
     for text in [&table, &report] {

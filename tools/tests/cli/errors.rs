@@ -7,9 +7,18 @@ use crate::program::Place;
 fn refusal(place: &Place, arguments: &[&str]) -> String {
     let before = place.names(".");
     let ended = place.specula(arguments);
-    assert_eq!((ended.status, ended.stdout.as_str()), (Some(2), ""), "{arguments:?}: {}", ended.stderr);
+    assert_eq!(
+        (ended.status, ended.stdout.as_str()),
+        (Some(2), ""),
+        "{arguments:?}: {}",
+        ended.stderr
+    );
     assert_eq!(place.names("."), before, "{arguments:?} left something");
-    format!("$ specula {}\n{}\n", arguments.join(" ").escape_debug(), ended.stderr.replace('\\', "/"))
+    format!(
+        "$ specula {}\n{}\n",
+        arguments.join(" ").escape_debug(),
+        ended.stderr.replace('\\', "/")
+    )
 }
 
 fn refusals(place: &Place, all: &[&[&str]]) -> String {
@@ -38,7 +47,16 @@ fn wrong_words() {
             &["run", "teapot", "--colour", "red"],
             &["run", "teapot", "--max-error", "-1lsb"],
             &["run", "icosahedron", "--size", "16x12", "--max-error", "0.01lsb"],
-            &["explore", "icosahedron", "--size", "16x12", "--methods", "gouraud", "--max-error", "0.6lsb"],
+            &[
+                "explore",
+                "icosahedron",
+                "--size",
+                "16x12",
+                "--methods",
+                "gouraud",
+                "--max-error",
+                "0.6lsb",
+            ],
             &["explore", "icosahedron", "--max-error", "1lsb", "--device", "abacus"],
             &["explore", "icosahedron"],
         ],
@@ -53,7 +71,10 @@ fn wrong_scenes() {
     place.write("typo.toml", "[[object]]\nprimitve = \"torus\"\n");
     let three = "[[object]]\nprimitive = \"torus\"\n[object.material]\nshininess = 3\n[core.hybrid]\npower = \"squaring\"\n";
     place.write("three.toml", three);
-    place.write("wide.toml", "[[object]]\nprimitive = \"torus\"\n[core.lyon.formats]\nvector = \"S1.60\"\n");
+    place.write(
+        "wide.toml",
+        "[[object]]\nprimitive = \"torus\"\n[core.lyon.formats]\nvector = \"S1.60\"\n",
+    );
     place.write("empty.obj", "");
     let said = refusals(
         &place,
@@ -108,10 +129,24 @@ fn paths_in_messages_are_whole() {
 #[test]
 fn names_that_no_module_can_have() {
     let place = Place::new();
-    let name = |name: &str| refusal(&place, &["generate", "teapot", "--size", "16x12", "--name", name]);
+    let name =
+        |name: &str| refusal(&place, &["generate", "teapot", "--size", "16x12", "--name", name]);
     let long = "a".repeat(49);
-    let said: String =
-        ["red", "normal_start_x", "reg", "entity", "Shader", "a b", "../a", "1st", "a__b", "", &long].map(name).concat();
+    let said: String = [
+        "red",
+        "normal_start_x",
+        "reg",
+        "entity",
+        "Shader",
+        "a b",
+        "../a",
+        "1st",
+        "a__b",
+        "",
+        &long,
+    ]
+    .map(name)
+    .concat();
     insta::assert_snapshot!(said);
     let row = refusal(&place, &["run", "figure9", "--name", "shader"]);
     assert!(row.contains("--name is for one core"), "{row}");
@@ -120,7 +155,8 @@ fn names_that_no_module_can_have() {
 #[test]
 fn wrong_windows() {
     let place = Place::new();
-    let small = |trace: &str| refusal(&place, &["run", "icosahedron", "--size", "16x12", "--trace", trace]);
+    let small =
+        |trace: &str| refusal(&place, &["run", "icosahedron", "--size", "16x12", "--trace", trace]);
     let spans = small("span=18446744073709551615");
     let cycles = small("cycles=100000..100001");
     let said = spans + &cycles;
@@ -136,11 +172,15 @@ fn wrong_folders() {
     fs::create_dir(place.path("foreign")).unwrap();
     place.write("foreign/report.json", "{}");
     let folders = ["file", "file/below", "full", "foreign", ".", "/"];
-    let run = |folder: &&str| refusal(&place, &["run", "icosahedron", "--size", "16x12", "-o", folder]);
+    let run =
+        |folder: &&str| refusal(&place, &["run", "icosahedron", "--size", "16x12", "-o", folder]);
     let generate = refusal(&place, &["generate", "icosahedron", "-o", "file"]);
     let said = folders.iter().map(run).collect::<String>() + &generate;
     insta::assert_snapshot!(said);
-    assert_eq!((place.names("full"), place.names("foreign")), (vec!["thesis.tex".to_owned()], vec!["report.json".to_owned()]));
+    assert_eq!(
+        (place.names("full"), place.names("foreign")),
+        (vec!["thesis.tex".to_owned()], vec!["report.json".to_owned()])
+    );
 }
 
 #[cfg(target_os = "linux")]
@@ -148,7 +188,10 @@ fn wrong_folders() {
 fn places_where_nothing_can_be_written() {
     let place = Place::new();
     for command in ["run", "generate"] {
-        let said = refusal(&place, &[command, "icosahedron", "--size", "16x12", "-o", "/proc/specula/out"]);
+        let said = refusal(
+            &place,
+            &[command, "icosahedron", "--size", "16x12", "-o", "/proc/specula/out"],
+        );
         assert!(said.contains("cannot write `/proc/specula/out"), "{said}");
     }
 }
@@ -163,8 +206,12 @@ fn words_that_are_not_utf8() {
     assert_eq!(ended.status, Some(2));
     insta::assert_snapshot!(ended.stderr);
     // A folder may have any name.
-    let ended =
-        place.specula(&[OsStr::new("generate"), OsStr::new("icosahedron"), OsStr::new("-o"), OsStr::from_bytes(b"caf\xe9")]);
+    let ended = place.specula(&[
+        OsStr::new("generate"),
+        OsStr::new("icosahedron"),
+        OsStr::new("-o"),
+        OsStr::from_bytes(b"caf\xe9"),
+    ]);
     assert_eq!(ended.status, Some(0), "{}", ended.stderr);
 }
 

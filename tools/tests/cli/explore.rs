@@ -3,7 +3,8 @@ use serde_json::Value;
 
 use crate::program::Place;
 
-const SMALL: [&str; 8] = ["explore", "torus", "--size", "48x36", "--methods", "phong,gouraud", "--max-error", "2lsb"];
+const SMALL: [&str; 8] =
+    ["explore", "torus", "--size", "48x36", "--methods", "phong,gouraud", "--max-error", "2lsb"];
 
 #[test]
 fn the_best_core_is_written_and_runs() {
@@ -12,7 +13,10 @@ fn the_best_core_is_written_and_runs() {
     assert!(said.ends_with("out/torus-explored/spec.toml\n"), "{said}");
     place.succeeds(&["run", "torus", "--size", "48x36", "--core", "out/torus-explored"]);
     let report = place.report("out/torus");
-    assert!(report["error"]["total"]["max_lsb"].as_f64().is_some_and(|error| error <= 2.0), "{said}");
+    assert!(
+        report["error"]["total"]["max_lsb"].as_f64().is_some_and(|error| error <= 2.0),
+        "{said}"
+    );
     assert_eq!(report["method"], "phong");
 }
 

@@ -24,7 +24,8 @@ fn every_row_agrees_and_is_its_formula() {
         let (error, bound) = (number(&row["error"]["max_lsb"]), number(&row["bound_lsb"]));
         assert!(error <= bound && error < 1.5, "{title}: off by {error} LSB, bound {bound}");
     }
-    let files: Vec<&str> = report["files"].as_array().expect("files").iter().filter_map(Value::as_str).collect();
+    let files: Vec<&str> =
+        report["files"].as_array().expect("files").iter().filter_map(Value::as_str).collect();
     let mut names = files.clone();
     names.sort_unstable();
     assert_eq!(place.names("out/figure9"), names);
@@ -33,8 +34,9 @@ fn every_row_agrees_and_is_its_formula() {
 
 /// Where a picture stands in another one, as column and row; it has to be there once.
 fn place_of(figure: &image::GrayImage, page: &image::GrayImage) -> (u32, u32) {
-    let inside =
-        |(left, top): &(u32, u32)| figure.enumerate_pixels().all(|(x, y, pixel)| page.get_pixel(left + x, top + y) == pixel);
+    let inside = |(left, top): &(u32, u32)| {
+        figure.enumerate_pixels().all(|(x, y, pixel)| page.get_pixel(left + x, top + y) == pixel)
+    };
     let room = (page.width() - figure.width(), page.height() - figure.height());
     let places = (0..=room.0).flat_map(|x| (0..=room.1).map(move |y| (x, y)));
     let found: Vec<(u32, u32)> = places.filter(inside).collect();
@@ -47,7 +49,9 @@ fn place_of(figure: &image::GrayImage, page: &image::GrayImage) -> (u32, u32) {
 fn the_upper_part_of_a_row_lies_over_the_next() {
     let (place, balls) = (Place::new(), Balls { radius: 16 });
     place.succeeds(&SMALL);
-    let picture = |name: &str| image::open(place.path(&format!("out/figure9/{name}"))).expect("a picture").to_luma8();
+    let picture = |name: &str| {
+        image::open(place.path(&format!("out/figure9/{name}"))).expect("a picture").to_luma8()
+    };
     let codes: Vec<u8> = exact(balls).iter().map(|value| value.min(255.0).round() as u8).collect();
     let figure = image::GrayImage::from_raw(balls.width(), balls.height_of_all(), codes);
     let figure = figure.expect("as many pixels");

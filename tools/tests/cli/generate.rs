@@ -6,11 +6,15 @@ use crate::program::Place;
 #[test]
 fn the_verilog_is_that_of_run() {
     let place = Place::new();
-    assert_eq!(place.succeeds(&["generate", "teapot", "--size", "64x48", "-o", "rtl"]), "rtl/teapot.v\nrtl/spec.toml\n");
+    assert_eq!(
+        place.succeeds(&["generate", "teapot", "--size", "64x48", "-o", "rtl"]),
+        "rtl/teapot.v\nrtl/spec.toml\n"
+    );
     assert_eq!(place.names("rtl"), ["spec.toml", "teapot.v"]);
     place.succeeds(&["run", "teapot", "--size", "64x48"]);
     for file in ["teapot.v", "spec.toml"] {
-        let [alone, run] = ["rtl", "out/teapot"].map(|folder| fs::read_to_string(place.path(folder).join(file)).unwrap());
+        let [alone, run] = ["rtl", "out/teapot"]
+            .map(|folder| fs::read_to_string(place.path(folder).join(file)).unwrap());
         assert!(alone == run, "{file}");
     }
 }
@@ -30,7 +34,10 @@ fn headers_say_what_the_core_is() {
 fn names_that_verilog_keeps_are_avoided() {
     let place = Place::new();
     place.write("module.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    assert_eq!(place.succeeds(&["generate", "module.obj"]), "out/module/module_core.v\nout/module/spec.toml\n");
+    assert_eq!(
+        place.succeeds(&["generate", "module.obj"]),
+        "out/module/module_core.v\nout/module/spec.toml\n"
+    );
 }
 
 #[test]
@@ -51,8 +58,14 @@ fn a_core_may_be_called_otherwise() {
     let said = place.succeeds(&[&["generate", "teapot"], &size[..]].concat());
     assert_eq!(said, "out/shader_2/shader_2.v\nout/shader_2/spec.toml\n");
     let text = fs::read_to_string(place.path("out/shader_2/shader_2.v")).unwrap();
-    assert!(text.contains("\nmodule shader_2 (\n") && text.contains("\nmodule shader_2_normalise (\n"), "{text}");
-    assert!(text.contains("//   specula generate teapot --size 64x48 --method lyon --name shader_2\n"), "{text}");
+    assert!(
+        text.contains("\nmodule shader_2 (\n") && text.contains("\nmodule shader_2_normalise (\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("//   specula generate teapot --size 64x48 --method lyon --name shader_2\n"),
+        "{text}"
+    );
     place.succeeds(&[&["run", "teapot", "-o", "run"], &size[..]].concat());
     let report = place.report("run");
     assert_eq!((&report["scene"], &report["module"]), (&"teapot".into(), &"shader_2".into()));
@@ -60,14 +73,21 @@ fn a_core_may_be_called_otherwise() {
     // A core that is there is given another name, and its spec has it.
     let said = place.succeeds(&["generate", "--spec", "run", "--name", "shader_3", "-o", "again"]);
     assert_eq!(said, "again/shader_3.v\nagain/spec.toml\n");
-    assert!(fs::read_to_string(place.path("again/spec.toml")).unwrap().contains("name = \"shader_3\"\n"));
+    assert!(
+        fs::read_to_string(place.path("again/spec.toml"))
+            .unwrap()
+            .contains("name = \"shader_3\"\n")
+    );
 }
 
 #[test]
 fn modules_are_not_called_as_their_ports() {
     let place = Place::new();
-    for name in ["red", "green", "blue", "valid", "valid_out", "start", "clock", "normal_start_x", "entity"] {
-        place.write(&format!("{name}.toml"), "size = [32, 24]\n[[object]]\nprimitive = \"torus\"\n");
+    for name in
+        ["red", "green", "blue", "valid", "valid_out", "start", "clock", "normal_start_x", "entity"]
+    {
+        place
+            .write(&format!("{name}.toml"), "size = [32, 24]\n[[object]]\nprimitive = \"torus\"\n");
         let said = place.succeeds(&["generate", &format!("{name}.toml"), "-o", name]);
         assert_eq!(said, format!("{name}/{name}_core.v\n{name}/spec.toml\n"));
     }
@@ -88,7 +108,8 @@ fn the_verilog_of_a_run_is_not_exchanged() {
     let place = Place::new();
     place.succeeds(&["run", "teapot", "--size", "64x48", "-o", "run"]);
     place.succeeds(&["generate", "teapot", "--size", "64x48", "-o", "run"]);
-    let ended = place.specula(&["generate", "teapot", "--size", "64x48", "--method", "hybrid", "-o", "run"]);
+    let ended = place
+        .specula(&["generate", "teapot", "--size", "64x48", "--method", "hybrid", "-o", "run"]);
     assert_eq!(ended.status, Some(2));
     insta::assert_snapshot!(ended.stderr);
     // A folder with nothing but a generated core can become a run's.

@@ -4,7 +4,19 @@ use crate::program::Place;
 #[test]
 fn every_command_has_help() {
     let place = Place::new();
-    for command in ["run", "generate", "needs", "explore", "bench", "compare", "wave", "stress", "reproduce", "scenes", "methods"] {
+    for command in [
+        "run",
+        "generate",
+        "needs",
+        "explore",
+        "bench",
+        "compare",
+        "wave",
+        "stress",
+        "reproduce",
+        "scenes",
+        "methods",
+    ] {
         let text = place.succeeds(&[command, "--help"]);
         assert!(text.contains("Example: specula"), "{text}");
         insta::assert_snapshot!(format!("help_of_{command}"), text);

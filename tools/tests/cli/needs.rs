@@ -17,11 +17,21 @@ fn every_built_in_scene_is_spared_hardware() {
         let report: Value = serde_json::from_str(&text).expect("it prints JSON");
         // Against both general cores, each with a name.
         let together = report["savings"]["together"].as_array().expect("general cores");
-        assert_eq!(together.iter().map(|general| &general["baseline"]).collect::<Vec<_>>(), ["nothing", "renderer"]);
+        assert_eq!(
+            together.iter().map(|general| &general["baseline"]).collect::<Vec<_>>(),
+            ["nothing", "renderer"]
+        );
         for saves in together.iter().map(|general| &general["saves"]) {
-            assert!(saves["multiplier_bits"].as_i64() > Some(0) && saves["register_bits"].as_i64() > Some(0), "{scene}: {text}");
+            assert!(
+                saves["multiplier_bits"].as_i64() > Some(0)
+                    && saves["register_bits"].as_i64() > Some(0),
+                "{scene}: {text}"
+            );
         }
-        assert!(report["needs"]["ranges"]["normal"].as_array().is_some_and(|axes| axes.len() == 3), "{scene}: {text}");
+        assert!(
+            report["needs"]["ranges"]["normal"].as_array().is_some_and(|axes| axes.len() == 3),
+            "{scene}: {text}"
+        );
     }
 }
 
@@ -42,7 +52,10 @@ fn flat_meshes_are_not_interpolated() {
     place.write("flat.obj", two_triangles("-0.5 -0.5 1"));
     place.succeeds(&["run", "flat.obj", "--size", "64x48"]);
     let report = place.report("out/flat");
-    assert_eq!((&report["agrees"], &report["spec"]["method"]["lyon"]["normals"]), (&true.into(), &"flat".into()));
+    assert_eq!(
+        (&report["agrees"], &report["spec"]["method"]["lyon"]["normals"]),
+        (&true.into(), &"flat".into())
+    );
     let report = place.succeeds(&["needs", "flat.obj", "--size", "64x48", "--json"]);
     let report: Value = serde_json::from_str(&report).expect("it prints JSON");
     assert_eq!(report["needs"]["flat"], Value::Bool(true));
@@ -52,15 +65,24 @@ fn flat_meshes_are_not_interpolated() {
 #[test]
 fn cells_are_counted_if_asked_for() {
     let place = Place::new();
-    let arguments = ["needs", "icosahedron", "--size", "24x18", "--method", "gouraud", "--synthesis", "--json"];
+    let arguments =
+        ["needs", "icosahedron", "--size", "24x18", "--method", "gouraud", "--synthesis", "--json"];
     let ended = place.specula(&arguments);
     if ended.stderr.contains("Yosys is not installed") && std::env::var_os("CI").is_none() {
-        assert!(ended.status == Some(2) && ended.stderr.contains("leave out `--synthesis`"), "{}", ended.stderr);
+        assert!(
+            ended.status == Some(2) && ended.stderr.contains("leave out `--synthesis`"),
+            "{}",
+            ended.stderr
+        );
         return;
     }
     assert_eq!(ended.status, Some(0), "{}", ended.stderr);
     let report: Value = serde_json::from_str(&ended.stdout).expect("it prints JSON");
     let cells = &report["savings"]["together"][0]["saves"]["cells"];
-    assert!(cells["luts"].as_i64() > Some(0) && cells["flip_flops"].as_i64() > Some(0), "{}", ended.stdout);
+    assert!(
+        cells["luts"].as_i64() > Some(0) && cells["flip_flops"].as_i64() > Some(0),
+        "{}",
+        ended.stdout
+    );
     assert!(place.succeeds(&arguments[..7]).contains("MULT18X18D"));
 }

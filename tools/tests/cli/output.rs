@@ -29,7 +29,8 @@ fn a_refused_run_leaves_the_earlier_one_as_it_was() {
     let place = Place::new();
     run(&place, "teapot", "run");
     let before = fs::read(place.path("run/report.json")).unwrap();
-    let ended = place.specula(&["run", "teapot", "--size", "16x12", "-o", "run", "--trace", "span=100000"]);
+    let ended =
+        place.specula(&["run", "teapot", "--size", "16x12", "-o", "run", "--trace", "span=100000"]);
     assert_eq!(ended.status, Some(2));
     assert_eq!(fs::read(place.path("run/report.json")).unwrap(), before);
     assert_eq!(place.names("."), ["run"]);
@@ -70,11 +71,17 @@ fn results_can_be_read_by_others_as_the_user_has_it() {
     assert_eq!(mode("run"), mode("usual"));
 }
 
-/// What every command says of a folder in which somebody's file has the name of one that it would write.
+/// What every command says of a folder in which somebody's file has the name of one that it would
+/// write.
 fn refused(place: &Place, arguments: &[&str], file: &str) {
     let before = fs::read(place.path(file)).unwrap();
     let ended = place.specula(arguments);
-    assert_eq!((ended.status, ended.stdout.as_str()), (Some(2), ""), "{arguments:?}: {}", ended.stderr);
+    assert_eq!(
+        (ended.status, ended.stdout.as_str()),
+        (Some(2), ""),
+        "{arguments:?}: {}",
+        ended.stderr
+    );
     let name = file.rsplit_once('/').unwrap().1;
     assert!(ended.stderr.contains(&format!("`{name}`")), "{arguments:?}: {}", ended.stderr);
     assert!(fs::read(place.path(file)).unwrap() == before, "{arguments:?}");
@@ -91,14 +98,33 @@ fn no_command_replaces_what_specula_did_not_write() {
     let package = "[package]\nname = \"mine\"\n";
     let spec = foreign("a", "spec.toml", package);
     refused(&place, &["generate", "teapot", "-o", "a"], &spec);
-    let explore = ["explore", "icosahedron", "--size", "16x12", "--methods", "gouraud", "--max-error", "255lsb", "-o", "a"];
+    let explore = [
+        "explore",
+        "icosahedron",
+        "--size",
+        "16x12",
+        "--methods",
+        "gouraud",
+        "--max-error",
+        "255lsb",
+        "-o",
+        "a",
+    ];
     refused(&place, &explore, &spec);
     let verilog = foreign("b", "teapot.v", "module teapot;\nendmodule\n");
     refused(&place, &["generate", "teapot", "-o", "b"], &verilog);
     // Without a report that is Specula's the folder is somebody's, whatever its files are called.
-    for (name, text) in [("report.md", "# mine\n"), ("spec.toml", package), ("report.json", "{\"files\":[\"report.json\"]}")] {
+    for (name, text) in [
+        ("report.md", "# mine\n"),
+        ("spec.toml", package),
+        ("report.json", "{\"files\":[\"report.json\"]}"),
+    ] {
         let file = foreign(&format!("run-{name}"), name, text);
-        refused(&place, &["run", "teapot", "--size", "16x12", "-o", file.rsplit_once('/').unwrap().0], &file);
+        refused(
+            &place,
+            &["run", "teapot", "--size", "16x12", "-o", file.rsplit_once('/').unwrap().0],
+            &file,
+        );
     }
     let results = foreign("c", "results.jsonl", "{\"accuracy\":1}\n");
     refused(&place, &["compare", "icosahedron", "--size", "16x12", "-o", "c"], &results);
@@ -128,7 +154,16 @@ fn every_command_knows_the_folder_that_it_wrote() {
     for arguments in [
         &["run", "icosahedron", "--size", "16x12"][..],
         &["run", "figure9", "--size", "28x76"],
-        &["compare", "icosahedron", "--size", "16x12", "--methods", "gouraud", "--formats", "default"],
+        &[
+            "compare",
+            "icosahedron",
+            "--size",
+            "16x12",
+            "--methods",
+            "gouraud",
+            "--formats",
+            "default",
+        ],
         &["stress", "--method", "gouraud", "--spans", "1"],
         &["stress", "--method", "gouraud", "--climb", "--scenes", "20"],
     ] {
@@ -173,12 +208,18 @@ fn reports_and_results_are_read_if_they_are_regular_files() {
         for command in ["run", "compare"] {
             let ended = place.specula(&[command, "icosahedron", "--size", "16x12", "-o", folder]);
             assert_eq!(ended.status, Some(2), "{command} {folder}");
-            assert!(ended.stderr.contains(&format!("holds `{name}`")), "{command} {folder}: {}", ended.stderr);
+            assert!(
+                ended.stderr.contains(&format!("holds `{name}`")),
+                "{command} {folder}: {}",
+                ended.stderr
+            );
         }
     }
     // Beside a report that lists it, too.
     run(&place, "icosahedron", "run");
-    let listing = fs::read_to_string(place.path("run/report.json")).unwrap().replace("\"report.json\"", "\"results.jsonl\"");
+    let listing = fs::read_to_string(place.path("run/report.json"))
+        .unwrap()
+        .replace("\"report.json\"", "\"results.jsonl\"");
     fs::create_dir(place.path("listed")).unwrap();
     place.write("listed/report.json", listing.replace("\"simulated.png\"", "\"report.json\""));
     symlink("/dev/zero", place.path("listed/results.jsonl")).unwrap();
@@ -197,7 +238,12 @@ mod interrupted {
     fn writing(place: &Place) -> Child {
         let mut program = Command::new(env!("CARGO_BIN_EXE_specula"));
         program.args(["run", "teapot", "--size", "1600x1200", "--trace", "all", "-o", "here/out"]);
-        let child = program.current_dir(place.path(".")).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let child = program
+            .current_dir(place.path("."))
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
         let begin = Instant::now();
         let writes = || {
             let hidden = fs::read_dir(place.path("here")).into_iter().flatten().flatten();
@@ -211,7 +257,13 @@ mod interrupted {
     }
 
     fn signal(child: &Child, name: &str) {
-        assert!(Command::new("kill").args([format!("-{name}"), child.id().to_string()]).status().unwrap().success());
+        assert!(
+            Command::new("kill")
+                .args([format!("-{name}"), child.id().to_string()])
+                .status()
+                .unwrap()
+                .success()
+        );
     }
 
     #[test]
@@ -221,7 +273,11 @@ mod interrupted {
             let child = writing(&place);
             signal(&child, name);
             let ended = child.wait_with_output().unwrap();
-            assert_eq!((ended.status.code(), ended.stderr.as_slice()), (Some(128 + number), &b""[..]), "{name}");
+            assert_eq!(
+                (ended.status.code(), ended.stderr.as_slice()),
+                (Some(128 + number), &b""[..]),
+                "{name}"
+            );
             assert!(place.names(".").is_empty(), "{name}: {:?}", place.names("."));
         }
     }
@@ -236,7 +292,11 @@ mod interrupted {
         assert_eq!(left.len(), 1, "{left:?}");
         let ended = place.specula(&["generate", "icosahedron", "-o", "here"]);
         assert_eq!(ended.status, Some(0), "{}", ended.stderr);
-        assert!(ended.stderr.starts_with("removed `") && ended.stderr.contains(&left[0]), "{}", ended.stderr);
+        assert!(
+            ended.stderr.starts_with("removed `") && ended.stderr.contains(&left[0]),
+            "{}",
+            ended.stderr
+        );
         assert_eq!(place.names("here"), ["icosahedron.v", "spec.toml"]);
     }
 

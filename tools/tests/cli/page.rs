@@ -15,7 +15,11 @@ fn assert_well_formed(page: &str) {
     while let Some((_, from)) = rest.split_once('<') {
         let (tag, behind) = from.split_once('>').expect("a tag has an end");
         rest = behind;
-        let name = tag.trim_start_matches('/').split(|c: char| c.is_whitespace() || c == '/').next().unwrap_or_default();
+        let name = tag
+            .trim_start_matches('/')
+            .split(|c: char| c.is_whitespace() || c == '/')
+            .next()
+            .unwrap_or_default();
         if tag.starts_with('/') {
             assert_eq!(open.pop(), Some(name), "before {}", &behind[..behind.len().min(60)]);
         } else if !tag.ends_with('/') && !VOID.contains(&name) {
@@ -33,7 +37,11 @@ fn assert_stands_alone(page: &str) {
     for reference in ["src=\"", "href=\"", "url(", "@import"] {
         for (place, _) in page.match_indices(reference) {
             let to = &page[place + reference.len()..];
-            assert!(to.starts_with("data:image/png;base64,"), "{reference}{}", &to[..to.len().min(60)]);
+            assert!(
+                to.starts_with("data:image/png;base64,"),
+                "{reference}{}",
+                &to[..to.len().min(60)]
+            );
         }
     }
 }
@@ -59,13 +67,27 @@ fn the_page_of_a_run_has_everything_in_it() {
 #[test]
 fn the_page_of_a_comparison_has_its_plots_in_it() {
     let place = Place::new();
-    let words = ["compare", "icosahedron", "--size", "48x36", "--methods", "gouraud,hybrid", "--formats", "default", "-o", "c"];
+    let words = [
+        "compare",
+        "icosahedron",
+        "--size",
+        "48x36",
+        "--methods",
+        "gouraud,hybrid",
+        "--formats",
+        "default",
+        "-o",
+        "c",
+    ];
     place.succeeds(&words);
     let page = page(&place, "c");
     assert_well_formed(&page);
     assert_stands_alone(&page);
     assert_eq!(page.matches("<svg ").count(), 3);
-    assert!(page.contains("hybrid default") && page.contains("Errors against the true surface"), "{page}");
+    assert!(
+        page.contains("hybrid default") && page.contains("Errors against the true surface"),
+        "{page}"
+    );
 }
 
 /// Names of files are the user's.

@@ -53,13 +53,19 @@ impl Place {
     /// Runs the program, which reads a file of this folder from its standard input.
     pub fn specula_reading(&self, file: &str, arguments: &[&str]) -> Ended {
         let input = File::open(self.path(file)).expect("the file is there");
-        Ended::of(self.program(".").args(arguments).stdin(input).output().expect("the program runs"))
+        Ended::of(
+            self.program(".").args(arguments).stdin(input).output().expect("the program runs"),
+        )
     }
 
     fn program(&self, folder: &str) -> Command {
         let mut program = Command::new(env!("CARGO_BIN_EXE_specula"));
         // The same words on every machine.
-        program.env("LC_ALL", "C").env("NO_COLOR", "1").env_remove("NO_GRAPHICS").env_remove("CLICOLOR_FORCE");
+        program
+            .env("LC_ALL", "C")
+            .env("NO_COLOR", "1")
+            .env_remove("NO_GRAPHICS")
+            .env_remove("CLICOLOR_FORCE");
         program.env_remove("FORCE_COLOR").env_remove("COLUMNS").current_dir(self.path(folder));
         program
     }
@@ -67,7 +73,12 @@ impl Place {
     /// Runs the program, which has to succeed and say nothing but its result.
     pub fn succeeds(&self, arguments: &[&str]) -> String {
         let ended = self.specula(arguments);
-        assert_eq!((ended.status, ended.stderr.as_str()), (Some(0), ""), "{arguments:?}: {}", ended.stdout);
+        assert_eq!(
+            (ended.status, ended.stderr.as_str()),
+            (Some(0), ""),
+            "{arguments:?}: {}",
+            ended.stdout
+        );
         ended.stdout
     }
 
@@ -84,8 +95,11 @@ impl Place {
 
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("the folder can be read");
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.expect("the folder can be read").file_name().to_string_lossy().into_owned()).collect();
+    let mut names: Vec<String> = entries
+        .map(|entry| {
+            entry.expect("the folder can be read").file_name().to_string_lossy().into_owned()
+        })
+        .collect();
     names.sort();
     names
 }

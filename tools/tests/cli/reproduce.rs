@@ -17,14 +17,20 @@ fn the_document_is_what_it_writes() {
     for name in names {
         assert!(printed.contains(&format!("(images/{name})")), "{name} is not shown");
         let written = fs::read(place.path(&format!("out/images/{name}"))).unwrap();
-        assert!(fs::read(format!("../docs/images/{name}")).unwrap() == written, "docs/images/{name} differs");
+        assert!(
+            fs::read(format!("../docs/images/{name}")).unwrap() == written,
+            "docs/images/{name} differs"
+        );
     }
 }
 
 #[test]
 fn a_paper_and_a_mesh_can_be_chosen() {
     let place = Place::new();
-    place.write("roof.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nv 0 1 0.3\nv 0 2 0\nv 1 2 0\nf 1 2 3 4\nf 4 3 6 5\n");
+    place.write(
+        "roof.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nv 0 1 0.3\nv 0 2 0\nv 1 2 0\nf 1 2 3 4\nf 4 3 6 5\n",
+    );
     let text = place.succeeds(&["reproduce", "hast", "--mesh", "roof.obj", "-o", "out"]);
     assert!(text.contains("figures 2 and 3 on the roof") && !text.contains("Lyon"), "{text}");
     assert!(place.names("out/images").contains(&"hast_figures_2_3_roof.png".to_owned()));
@@ -34,8 +40,13 @@ fn a_paper_and_a_mesh_can_be_chosen() {
 fn what_is_no_mesh_is_refused() {
     let place = Place::new();
     place.write("not.obj", "nothing");
-    for (mesh, reason) in [("not.obj", "not.obj"), ("absent.ply", "absent.ply"), ("teapot", "teapot")] {
+    for (mesh, reason) in
+        [("not.obj", "not.obj"), ("absent.ply", "absent.ply"), ("teapot", "teapot")]
+    {
         let ended = place.specula(&["reproduce", "hast", "--mesh", mesh]);
-        assert!(ended.status == Some(2) && ended.stderr.contains(reason) && ended.stdout.is_empty(), "{mesh}: {ended:?}");
+        assert!(
+            ended.status == Some(2) && ended.stderr.contains(reason) && ended.stdout.is_empty(),
+            "{mesh}: {ended:?}"
+        );
     }
 }

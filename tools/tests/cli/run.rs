@@ -40,7 +40,9 @@ fn everything_is_written_into_the_folder_of_the_scenes_name() {
     }
     let (simulated, expected) = ("out/teapot/simulated.png", "out/teapot/expected.png");
     assert_eq!(fs::read(place.path(simulated)).unwrap(), fs::read(place.path(expected)).unwrap());
-    assert!(fs::read_to_string(place.path("out/teapot/report.md")).unwrap().contains("(worst.svg)"));
+    assert!(
+        fs::read_to_string(place.path("out/teapot/report.md")).unwrap().contains("(worst.svg)")
+    );
 }
 
 #[test]
@@ -53,8 +55,10 @@ fn the_report_has_its_keys() {
         assert_eq!(report["method"], method);
         assert_eq!((&report["scene"], &report["engine"]), (&"teapot".into(), &"fast".into()));
         assert_eq!((&report["mismatches"], &report["agrees"]), (&0.into(), &true.into()));
-        let number = |value: &Value| value.as_f64().unwrap_or_else(|| panic!("{value} in {printed}"));
-        let (pixels, cycles, latency) = (number(&report["pixels"]), number(&report["cycles"]), number(&report["latency"]));
+        let number =
+            |value: &Value| value.as_f64().unwrap_or_else(|| panic!("{value} in {printed}"));
+        let (pixels, cycles, latency) =
+            (number(&report["pixels"]), number(&report["cycles"]), number(&report["latency"]));
         assert_eq!(cycles, pixels + latency);
         // Text is read back to within a few units in the last place.
         assert!((number(&report["cycles_per_pixel"]) - cycles / pixels).abs() < 1e-12);
@@ -64,7 +68,9 @@ fn the_report_has_its_keys() {
                 number(&report["error"][part][figure]);
             }
         }
-        assert!(number(&report["error"]["quantisation"]["max_lsb"]) <= number(&report["bound_lsb"]));
+        assert!(
+            number(&report["error"]["quantisation"]["max_lsb"]) <= number(&report["bound_lsb"])
+        );
         for coordinate in ["x", "y", "cycle"] {
             number(&report["worst_pixel"][coordinate]);
         }
@@ -77,13 +83,17 @@ fn the_same_run_gives_the_same_bytes() {
     place.succeeds(&small(&["-o", "one"]));
     place.succeeds(&small(&["-o", "other"]));
     for file in FILES.iter().filter(|name| **name != "report.json") {
-        let [one, other] = ["one", "other"].map(|folder| fs::read(place.path(folder).join(file)).unwrap());
+        let [one, other] =
+            ["one", "other"].map(|folder| fs::read(place.path(folder).join(file)).unwrap());
         assert!(one == other, "{file} differs");
     }
     let timeless = |folder: &str| {
         let mut report = place.report(folder);
         let object = report.as_object_mut().unwrap();
-        assert!(object.remove("wall_seconds").is_some() && object.remove("simulation_seconds").is_some());
+        assert!(
+            object.remove("wall_seconds").is_some()
+                && object.remove("simulation_seconds").is_some()
+        );
         report
     };
     assert_eq!(timeless("one"), timeless("other"));
@@ -96,7 +106,8 @@ fn engines_give_the_same_files() {
         place.succeeds(&small(&["--engine", engine, "--trace", "all", "-o", engine]));
     }
     for file in FILES.iter().filter(|name| !name.starts_with("report")) {
-        let [one, other] = ["fast", "rust-hdl"].map(|folder| fs::read(place.path(folder).join(file)).unwrap());
+        let [one, other] =
+            ["fast", "rust-hdl"].map(|folder| fs::read(place.path(folder).join(file)).unwrap());
         assert!(one == other, "{file} differs");
     }
 }
@@ -125,7 +136,12 @@ fn the_window_is_the_one_asked_for() {
     let cycle = place.report("out/teapot")["worst_pixel"]["cycle"].as_u64().unwrap();
     assert!((worst[0].as_u64().unwrap()..worst[1].as_u64().unwrap()).contains(&cycle));
     assert_eq!(trace("none"), Value::Null);
-    assert!(place.names("out/teapot").iter().all(|name| !name.starts_with("trace") && name != "worst.svg"));
+    assert!(
+        place
+            .names("out/teapot")
+            .iter()
+            .all(|name| !name.starts_with("trace") && name != "worst.svg")
+    );
 }
 
 #[test]
@@ -153,12 +169,20 @@ fn the_time_counts_pictures() {
     let said = place.succeeds(&["run", "icosahedron", "--size", "1600x1200", "--trace", "none"]);
     let whole = begin.elapsed().as_secs_f64();
     let line = said.lines().find(|line| line.starts_with("time ")).expect("it is said");
-    let told: f64 = line.split_whitespace().nth(1).and_then(|seconds| seconds.parse().ok()).expect("it is a number");
+    let told: f64 = line
+        .split_whitespace()
+        .nth(1)
+        .and_then(|seconds| seconds.parse().ok())
+        .expect("it is a number");
     // What is left is the program's start and end.
     assert!(told <= whole && told > 0.8 * whole, "{line}; {whole} s");
     let report = place.report("out/icosahedron");
-    let [wall, simulation] = ["wall_seconds", "simulation_seconds"].map(|key| report[key].as_f64().expect("it is a number"));
-    assert!(simulation < wall && wall <= told + 0.001 && wall > 0.5 * whole, "{simulation} {wall} {told} {whole}");
+    let [wall, simulation] = ["wall_seconds", "simulation_seconds"]
+        .map(|key| report[key].as_f64().expect("it is a number"));
+    assert!(
+        simulation < wall && wall <= told + 0.001 && wall > 0.5 * whole,
+        "{simulation} {wall} {told} {whole}"
+    );
 }
 
 #[test]
@@ -189,7 +213,10 @@ fn meshes_and_scene_files_are_scenes_too() {
     assert!(place.names("out/tri_angle").contains(&"tri_angle.v".to_owned()));
     place.succeeds(&["run", "./scene.toml", "--size", "32x32"]);
     assert_eq!(place.report("out/scene")["method"], "hybrid");
-    assert_eq!(place.report("out/scene")["command"], "specula generate scene.toml --size 32x32 --method hybrid");
+    assert_eq!(
+        place.report("out/scene")["command"],
+        "specula generate scene.toml --size 32x32 --method hybrid"
+    );
 }
 
 #[test]
@@ -204,8 +231,12 @@ fn the_smallest_picture_has_a_heat_map_with_its_legend() {
 #[test]
 fn a_reader_may_stop_reading() {
     use std::process::{Command, Stdio};
-    let mut child =
-        Command::new(env!("CARGO_BIN_EXE_specula")).arg("scenes").stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_specula"))
+        .arg("scenes")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
     drop(child.stdout.take());
     let ended = child.wait_with_output().unwrap();
     assert_eq!((ended.status.code(), ended.stderr.as_slice()), (Some(0), &b""[..]));
@@ -216,7 +247,13 @@ fn a_core_must_fit_its_device() {
     let place = Place::new();
     let refused = place.specula(&["run", "torus", "--size", "64x48", "--device", "ice40up5k"]);
     assert_eq!(refused.status, Some(2));
-    for part in ["does not fit ice40up5k", "of 8 multiplier blocks", "of 5280", "specula explore", "`ecp5-25` has enough"] {
+    for part in [
+        "does not fit ice40up5k",
+        "of 8 multiplier blocks",
+        "of 5280",
+        "specula explore",
+        "`ecp5-25` has enough",
+    ] {
         assert!(refused.stderr.contains(part), "{part}: {}", refused.stderr);
     }
     assert!(!place.path("out").exists());
@@ -224,10 +261,25 @@ fn a_core_must_fit_its_device() {
     assert!(said.contains("of 90 multiplier blocks"), "{said}");
     let report = place.report("out/torus");
     assert_eq!(report["device"]["name"], "xc7a35t");
-    assert!(report["cost"]["blocks"].as_u64().is_some_and(|blocks| blocks > 8 && blocks <= 90), "{report}");
-    assert!(fs::read_to_string(place.path("out/torus/report.md")).unwrap().contains("| device | xc7a35t: "));
+    assert!(
+        report["cost"]["blocks"].as_u64().is_some_and(|blocks| blocks > 8 && blocks <= 90),
+        "{report}"
+    );
+    assert!(
+        fs::read_to_string(place.path("out/torus/report.md"))
+            .unwrap()
+            .contains("| device | xc7a35t: ")
+    );
     // The core that was made is asked too.
-    let refused = place.specula(&["generate", "--spec", "out/torus/spec.toml", "--device", "ice40up5k", "-o", "rtl"]);
+    let refused = place.specula(&[
+        "generate",
+        "--spec",
+        "out/torus/spec.toml",
+        "--device",
+        "ice40up5k",
+        "-o",
+        "rtl",
+    ]);
     assert!(refused.status == Some(2) && !place.path("rtl").exists(), "{}", refused.stderr);
 }
 
@@ -240,6 +292,14 @@ fn frames_per_second_are_said_at_a_clock() {
     };
     let (slow, fast) = (at("50"), at("200"));
     assert!((fast / slow - 4.0).abs() < 1e-9, "{slow} {fast}");
-    assert!(fs::read_to_string(place.path("out/torus/report.md")).unwrap().contains("at a given 200 MHz that is not proven"));
-    assert!(place.succeeds(&["run", "torus", "--size", "32x24"]).contains("at an assumed 100 MHz that is not proven"));
+    assert!(
+        fs::read_to_string(place.path("out/torus/report.md"))
+            .unwrap()
+            .contains("at a given 200 MHz that is not proven")
+    );
+    assert!(
+        place
+            .succeeds(&["run", "torus", "--size", "32x24"])
+            .contains("at an assumed 100 MHz that is not proven")
+    );
 }

@@ -65,7 +65,10 @@ fn a_foreign_dump_is_drawn_as_text() {
     let place = place();
     let vcd = place.succeeds(&["wave", "counter.vcd"]);
     insta::assert_snapshot!("text_of_a_foreign_dump", vcd);
-    assert_eq!(sorted(&place.succeeds(&["wave", "counter.fst"])), sorted(&vcd.replace("vcd", "fst")));
+    assert_eq!(
+        sorted(&place.succeeds(&["wave", "counter.fst"])),
+        sorted(&vcd.replace("vcd", "fst"))
+    );
 }
 
 /// The lines of a drawing, in the same order for tools that order signals differently.
@@ -93,18 +96,39 @@ fn signals_are_chosen_by_pattern_and_unit() {
         rows.map(|line| line.split_whitespace().next().unwrap_or_default().to_owned()).collect()
     };
     assert_eq!(names(&["--signals", "bench.*e"]), ["wave", "enable", "enable", "wave"]);
-    assert_eq!(names(&["--signals", "*.full", "--signals", "bench.c????"]), ["count", "clock", "full"]);
+    assert_eq!(
+        names(&["--signals", "*.full", "--signals", "bench.c????"]),
+        ["count", "clock", "full"]
+    );
     assert_eq!(names(&["--unit", "dut"]), ["clock", "enable", "reset", "full", "count", "wave"]);
     assert_eq!(names(&["--unit", "dut", "--signals", "*count"]), ["count"]);
 }
 
 #[test]
 fn long_windows_are_drawn_in_panels() {
-    let text = place().succeeds(&["wave", "counter.vcd", "--signals", "bench.dut.*", "--from", "0", "--to", "1000"]);
+    let text = place().succeeds(&[
+        "wave",
+        "counter.vcd",
+        "--signals",
+        "bench.dut.*",
+        "--from",
+        "0",
+        "--to",
+        "1000",
+    ]);
     assert!(text.contains("clocks 0 to 15"), "{text}");
     let place = Place::new();
     place.succeeds(&["run", "icosahedron", "--size", "16x12", "-o", "run"]);
-    let text = place.succeeds(&["wave", "run/trace.vcd", "--unit", "normalise", "--from", "10", "--to", "40"]);
+    let text = place.succeeds(&[
+        "wave",
+        "run/trace.vcd",
+        "--unit",
+        "normalise",
+        "--from",
+        "10",
+        "--to",
+        "40",
+    ]);
     assert!(text.lines().filter(|line| line.starts_with("clocks ")).count() > 1, "{text}");
     assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
 }
@@ -150,14 +174,20 @@ fn what_cannot_be_drawn_is_refused() {
     fs::create_dir(place.path("folder")).unwrap();
     fs::create_dir(place.path("folder.svg")).unwrap();
     place.write("empty.vcd", "");
-    place.write("noise.vcd", (0..4096u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect::<Vec<_>>());
+    place.write(
+        "noise.vcd",
+        (0..4096u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect::<Vec<_>>(),
+    );
     place.write("words.vcd", "clock = 1\n");
     place.write("header.vcd", &VCD[..200]);
     place.write("still.vcd", &VCD[..VCD.windows(3).position(|three| three == b"#0\n").unwrap()]);
     place.write("bare.vcd", "$timescale 1 ns $end\n$enddefinitions $end\n#0\n#10\n");
     place.write("half.fst", &FST[..FST.len() / 2]);
     place.write("wide.vcd", "$var wire 4000000000 ! w $end\n$enddefinitions $end\n#0\nb1 !\n#1\n");
-    place.write("long.vcd", "$var wire 1 ! clock $end\n$enddefinitions $end\n#0\n1!\n#1\n0!\n#2\n1!\n#99999999999\n");
+    place.write(
+        "long.vcd",
+        "$var wire 1 ! clock $end\n$enddefinitions $end\n#0\n1!\n#1\n0!\n#2\n1!\n#99999999999\n",
+    );
     let before = place.names(".");
     let wrong: &[&[&str]] = &[
         &["missing.vcd"],
@@ -185,7 +215,12 @@ fn what_cannot_be_drawn_is_refused() {
     ];
     let refused = |arguments: &&[&str]| {
         let ended = place.specula(&[&["wave"], *arguments].concat());
-        assert_eq!((ended.status, ended.stdout.as_str()), (Some(2), ""), "{arguments:?}: {}", ended.stderr);
+        assert_eq!(
+            (ended.status, ended.stdout.as_str()),
+            (Some(2), ""),
+            "{arguments:?}: {}",
+            ended.stderr
+        );
         format!("$ specula wave {}\n{}\n", arguments.join(" "), ended.stderr)
     };
     insta::assert_snapshot!("refusals", wrong.iter().map(refused).collect::<String>());

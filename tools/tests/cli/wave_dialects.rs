@@ -26,7 +26,8 @@ fn drawn(bytes: impl AsRef<[u8]>) -> String {
 /// The one warning of a file that is drawn as the others here are.
 fn warning(bytes: impl AsRef<[u8]>) -> String {
     let drawn = drawn(bytes);
-    let (warnings, drawing): (Vec<&str>, Vec<&str>) = drawn.lines().partition(|line| line.starts_with("warning: "));
+    let (warnings, drawing): (Vec<&str>, Vec<&str>) =
+        drawn.lines().partition(|line| line.starts_with("warning: "));
     let steps = drawing.iter().find(|line| line.starts_with("  a "));
     let steps = steps.unwrap_or_else(|| panic!("a is drawn: {drawn}"));
     assert!(steps.contains("__\u{2594}\u{2594}"), "{drawn}");
@@ -47,7 +48,10 @@ fn what_is_passed_over_is_told_with_its_line() {
     };
     let cases = [
         ("nothing odd", whole.clone()),
-        ("upscopes that end nothing", with("$upscope $end\n", "$upscope $end\n$upscope $end\n$upscope $end\n")),
+        (
+            "upscopes that end nothing",
+            with("$upscope $end\n", "$upscope $end\n$upscope $end\n$upscope $end\n"),
+        ),
         ("missing upscopes", with("$upscope $end\n", "")),
         ("undeclared identifier", with("1!\n", "1!\n1%\nb101 %\nr1.5 %\nsTEXT %\n")),
         ("scope without a type", with("module top", "dump")),
@@ -78,14 +82,23 @@ fn what_is_passed_over_is_told_with_its_line() {
         ("an unknown section", with("#10", "$mystery what is this $end\n#10")),
         ("an unknown section without an end", with("#10", "$mystery what is this\n#10")),
         ("a section without an end", with("$scope", "$version Simulator 1.0\n$scope")),
-        ("dumping switched off and on", with("#10", "#5\n$dumpoff\nx!\nbx \"\n$end\n#6\n$dumpon\n0!\nb0 \"\n$end\n#10")),
+        (
+            "dumping switched off and on",
+            with("#10", "#5\n$dumpoff\nx!\nbx \"\n$end\n#6\n$dumpon\n0!\nb0 \"\n$end\n#10"),
+        ),
         ("a checkpoint", with("#10", "#5\n$dumpall\n0!\nb0 \"\n$end\n#10")),
         ("no unit of time", with("$timescale 1ns $end\n", "")),
         ("a unit of time that is none", with("1ns", "3 hours")),
         ("a unit of time without a blank behind it", with("1ns $end", "1 ns$end")),
-        ("sections without a blank before their end", whole.replace("top $end", "top$end").replace("scope $end", "scope$end")),
+        (
+            "sections without a blank before their end",
+            whole.replace("top $end", "top$end").replace("scope $end", "scope$end"),
+        ),
         ("a time zero", with("$scope", "$timezero 100 $end\n$scope")),
-        ("values on the line of the definitions' end", with("$enddefinitions $end\n", "$enddefinitions $end ")),
+        (
+            "values on the line of the definitions' end",
+            with("$enddefinitions $end\n", "$enddefinitions $end "),
+        ),
         ("lines that end as under DOS", whole.replace('\n', "\r\n")),
         ("lines that end as on a Macintosh", whole.replace('\n', "\r")),
         ("a byte order mark", format!("\u{feff}{whole}")),
@@ -96,7 +109,10 @@ fn what_is_passed_over_is_told_with_its_line() {
         ("a port of an extended dump", with("b0 \"", "pDDDDUUUD 00000000 66666666 \"")),
         ("a last line without an end", whole.trim_end().to_owned()),
         ("a section cut off", format!("{whole}$comment and then")),
-        ("variables behind values", format!("{whole}$scope module more $end $var wire 1 ~ b $end $upscope $end\n1~\n")),
+        (
+            "variables behind values",
+            format!("{whole}$scope module more $end $var wire 1 ~ b $end $upscope $end\n1~\n"),
+        ),
         ("empty scopes", with("$upscope", "$scope module none $end $upscope $end\n$upscope")),
     ];
     let told = cases.map(|(name, text)| format!("{name}: {}", warning(text)));
@@ -106,7 +122,11 @@ fn what_is_passed_over_is_told_with_its_line() {
 #[test]
 fn times_that_are_too_large_are_the_last() {
     let drawn = drawn(format!("{HEADER}#0\n0!\nb0 \"\n#99999999999999999999\n1!\n"));
-    assert!(drawn.starts_with("warning: `x.vcd`: line 10: the time `99999999999999999999` is too large"), "{drawn}");
+    assert!(
+        drawn
+            .starts_with("warning: `x.vcd`: line 10: the time `99999999999999999999` is too large"),
+        "{drawn}"
+    );
     assert!(drawn.contains("x.vcd, 0 to 18446744073709551614, in ns"), "{drawn}");
 }
 
@@ -114,7 +134,8 @@ fn times_that_are_too_large_are_the_last() {
 fn vectors_are_extended_and_cut_as_the_standard_says() {
     let shown = |bits: &str| {
         let text = drawn(format!("{HEADER}#0\n0!\nb{bits} \"\n#1\n1!\n#2\n"));
-        let row = text.lines().find(|line| line.starts_with("  d ")).expect("it is drawn").to_owned();
+        let row =
+            text.lines().find(|line| line.starts_with("  d ")).expect("it is drawn").to_owned();
         row.split('\u{2502}').nth(1).expect("it has a value").trim().to_owned()
     };
     let cases = [
@@ -136,14 +157,24 @@ fn vectors_are_extended_and_cut_as_the_standard_says() {
 fn a_file_is_drawn_up_to_where_it_is_cut_off() {
     let text = format!("{HEADER}#0\n0!\nb0 \"\n#10\n1!\nb1010");
     let drawn = drawn(&text);
-    assert!(drawn.starts_with("warning: `x.vcd`: line 12: the value `b1010` has no identifier"), "{drawn}");
-    assert!(drawn.contains("line 12: the file ends within a line: `b1010` may be cut off"), "{drawn}");
-    assert!(drawn.contains("  a     __________________________________________________\u{2594}"), "{drawn}");
+    assert!(
+        drawn.starts_with("warning: `x.vcd`: line 12: the value `b1010` has no identifier"),
+        "{drawn}"
+    );
+    assert!(
+        drawn.contains("line 12: the file ends within a line: `b1010` may be cut off"),
+        "{drawn}"
+    );
+    assert!(
+        drawn.contains("  a     __________________________________________________\u{2594}"),
+        "{drawn}"
+    );
 }
 
 #[test]
 fn states_of_myhdl_are_drawn_as_text() {
-    let text = HEADER.replace("wire 1 !", "real 1 !") + "#0\nsIDLE !\nb0 \"\n#10\nsRUN !\nb1 \"\n#20\n";
+    let text =
+        HEADER.replace("wire 1 !", "real 1 !") + "#0\nsIDLE !\nb0 \"\n#10\nsRUN !\nb1 \"\n#20\n";
     insta::assert_snapshot!("myhdl", drawn(text));
 }
 
@@ -154,11 +185,19 @@ fn signals_are_found_by_the_names_that_the_file_has() {
                   $var wire 8 # d\t[7:0] $end\n$var wire 1 $ \\esc.a[0] $end\n$var wire 4 % v [7:4] $end\n\
                   $var wire 4 & v [3:0] $end\n$var wire 1 ' bit [2] $end\n$scope module u.v $end\n\
                   $var wire 1 ( in.ner $end\n$upscope $end\n$upscope $end\n$enddefinitions $end\n";
-    place.write("names.vcd", format!("{header}#0\nb1 !\nb10 \"\nb11 #\n1$\nb100 %\nb101 &\n0'\n1(\n#10\n"));
+    place.write(
+        "names.vcd",
+        format!("{header}#0\nb1 !\nb10 \"\nb11 #\n1$\nb100 %\nb101 &\n0'\n1(\n#10\n"),
+    );
     let rows = |pattern: &str| -> String {
         let text = place.succeeds(&["wave", "names.vcd", "--signals", pattern]);
-        let rows = text.lines().filter(|line| line.starts_with("  ")).map(|line| line.split(" hex").next().unwrap_or(line));
-        rows.map(|row| row.split_whitespace().next().unwrap_or_default()).collect::<Vec<_>>().join(" ")
+        let rows = text
+            .lines()
+            .filter(|line| line.starts_with("  "))
+            .map(|line| line.split(" hex").next().unwrap_or(line));
+        rows.map(|row| row.split_whitespace().next().unwrap_or_default())
+            .collect::<Vec<_>>()
+            .join(" ")
     };
     let cases = [
         ("top.m[0]", "m[0]"),
@@ -179,10 +218,15 @@ fn signals_are_found_by_the_names_that_the_file_has() {
     }
     let unit = place.succeeds(&["wave", "names.vcd", "--unit", "top.u.v"]);
     assert!(unit.contains("in.ner") && !unit.contains("m[0]"), "{unit}");
-    for (asked, meant) in [("top.esc.a[1]", "top.\\esc.a[0]"), ("top.m[2]", "top.m[0]"), ("D", "top.d")] {
+    for (asked, meant) in
+        [("top.esc.a[1]", "top.\\esc.a[0]"), ("top.m[2]", "top.m[0]"), ("D", "top.d")]
+    {
         let ended = place.specula(&["wave", "names.vcd", "--signals", asked]);
         let said = ended.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(ended.status == Some(2) && said.contains(&format!("did you mean `{meant}`?")), "{asked}: {said}");
+        assert!(
+            ended.status == Some(2) && said.contains(&format!("did you mean `{meant}`?")),
+            "{asked}: {said}"
+        );
     }
 }
 
@@ -193,6 +237,7 @@ fn no_words_of_a_library_are_on_standard_output() {
     let ended = place.specula(&["wave", "back.vcd"]);
     assert_eq!(ended.status, Some(0));
     assert!(ended.stdout.starts_with("back.vcd, 0 to 30, in ns\n"), "{}", ended.stdout);
-    let told = "warning: `back.vcd`: line 12: time goes back from 20 to 10: what follows is drawn at 20\n";
+    let told =
+        "warning: `back.vcd`: line 12: time goes back from 20 to 10: what follows is drawn at 20\n";
     assert_eq!(ended.stderr, told);
 }

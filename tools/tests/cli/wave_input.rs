@@ -48,7 +48,10 @@ fn files_that_are_compressed_as_a_whole_are_unpacked() {
     let packed = gzip(FST);
     place.write("counter.fst", wrapped(&packed, packed.len() as u64 + 16, FST.len() as u64));
     place.write("counter.vcd", gzip(VCD));
-    assert_eq!([place.succeeds(&["wave", "counter.fst"]), place.succeeds(&["wave", "counter.vcd"])], open);
+    assert_eq!(
+        [place.succeeds(&["wave", "counter.fst"]), place.succeeds(&["wave", "counter.vcd"])],
+        open
+    );
 }
 
 #[test]
@@ -75,7 +78,11 @@ fn wrappers_that_state_wrong_lengths_are_refused() {
         place.write("x.fst", bytes);
         let ended = place.specula(&["wave", "x.fst"]);
         assert_eq!((ended.status, ended.stdout.as_str()), (Some(2), ""), "{name}");
-        let said: Vec<&str> = ended.stderr.split_whitespace().filter(|word| !"\u{d7}\u{2502}".contains(word)).collect();
+        let said: Vec<&str> = ended
+            .stderr
+            .split_whitespace()
+            .filter(|word| !"\u{d7}\u{2502}".contains(word))
+            .collect();
         format!("{name}: {}", said.join(" "))
     });
     insta::assert_snapshot!("wrappers", refused.join("\n"));
@@ -141,7 +148,9 @@ fn save_files_are_read_if_they_are_files() {
     for name in ["device", "pipe", "folder"] {
         let ended = place.specula(&["wave", &format!("{name}.vcd")]);
         assert_eq!(ended.status, Some(0), "{name}");
-        let told = format!("warning: `{name}.vcd`: the save file beside it is passed over: it is not a regular file\n");
+        let told = format!(
+            "warning: `{name}.vcd`: the save file beside it is passed over: it is not a regular file\n"
+        );
         assert_eq!(ended.stderr, told);
         assert!(ended.stdout.contains("count hex"), "{}", ended.stdout);
     }

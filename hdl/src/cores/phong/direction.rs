@@ -5,7 +5,9 @@ use super::super::unit_vector;
 use super::Pixel;
 use super::lamp::Lamp;
 use crate::builder::{Sig, Vector};
-use crate::units::{self, ExactNormalisation, Interpolation, ReciprocalRoot, ToPlace, WrapFormats, WrappedPlace};
+use crate::units::{
+    self, ExactNormalisation, Interpolation, ReciprocalRoot, ToPlace, WrapFormats, WrappedPlace,
+};
 
 /// A unit vector, and whether there is one.
 pub(super) struct Direction {
@@ -37,7 +39,8 @@ impl Pixel<'_> {
             (Some(way), None) => self.to_place(&name, way, &lamp.spot),
             (None, Some(direction)) => self.at_infinity(direction),
             (Some(way), Some(direction)) => {
-                let (near, far) = (self.to_place(&name, way, &lamp.spot), self.at_infinity(direction));
+                let (near, far) =
+                    (self.to_place(&name, way, &lamp.spot), self.at_infinity(direction));
                 Direction {
                     vector: Vector::choose(&lamp.local, &near.vector, &far.vector),
                     exists: lamp.local.choose(&near.exists, &far.exists),
@@ -62,7 +65,9 @@ impl Pixel<'_> {
             reciprocal: self.reciprocal(),
             vector_fraction_bits: f.vector.fraction_bits,
         };
-        let (vector, exists) = b.instance(&format!("{name}_normalise"), || units::normalise_exactly(b, &vector, to, shortest));
+        let (vector, exists) = b.instance(&format!("{name}_normalise"), || {
+            units::normalise_exactly(b, &vector, to, shortest)
+        });
         Direction::new(vector, exists)
     }
 
@@ -76,12 +81,15 @@ impl Pixel<'_> {
 
     fn wrapped(&self, name: &str, way: &Way<Sig>, axis: &[Sig; 3], spot: &Sig) -> Direction {
         let (b, f, shortest) = (self.b, &self.phong.formats, self.spec.shortest_unit_way);
-        let interpolation = Interpolation { longest: 2.0, apart: units::chord(shortest), ..self.interpolation };
+        let interpolation =
+            Interpolation { longest: 2.0, apart: units::chord(shortest), ..self.interpolation };
         let h = self.interpolated(name, way, interpolation);
         let axis = unit_vector(axis, f.vector);
-        let formats = WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
+        let formats =
+            WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
         let to = ToPlace { formats, cosine_bits: f.base.fraction_bits, shortest };
-        let place = b.instance(&format!("{name}_wrapped"), || units::wrapped_place(b, &h, &axis, spot, to));
+        let place =
+            b.instance(&format!("{name}_wrapped"), || units::wrapped_place(b, &h, &axis, spot, to));
         let WrappedPlace { direction: vector, cosine, exists, most_at_edge } = place;
         Direction { vector, exists, wrap: Some(Wrap { cosine, most_at_edge }) }
     }

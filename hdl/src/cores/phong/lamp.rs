@@ -16,7 +16,9 @@ pub(super) struct Lamp {
 /// The lights of each pipeline.
 pub(super) fn lamps(b: &Builder, turns: &Turns, lights: &[PhongLight<Sig>]) -> Vec<Lamp> {
     let bit = |is: bool| b.integer(i64::from(is));
-    let bits = |is: fn(&PhongLight<Sig>) -> bool| lights.iter().map(|light| bit(is(light))).collect::<Vec<Sig>>();
+    let bits = |is: fn(&PhongLight<Sig>) -> bool| {
+        lights.iter().map(|light| bit(is(light))).collect::<Vec<Sig>>()
+    };
     let (local, spot) = (bits(|light| light.way.is_some()), bits(|light| light.exponent.is_some()));
     if turns.count() == 1 {
         let lamp = |((light, local), spot)| Lamp { light, local, spot };
@@ -31,7 +33,11 @@ fn alike(b: &Builder, lights: &[PhongLight<Sig>]) -> Vec<PhongLight<Sig>> {
     let zero = || b.integer(0);
     let zeros = || [zero(), zero(), zero()];
     let way = lights.iter().find_map(|light| light.way.as_ref());
-    let still = way.map(|way| Way { start: zeros(), delta: zeros(), axis: way.axis.as_ref().map(|_| zeros()) });
+    let still = way.map(|way| Way {
+        start: zeros(),
+        delta: zeros(),
+        axis: way.axis.as_ref().map(|_| zeros()),
+    });
     let any = |has: fn(&PhongLight<Sig>) -> bool| lights.iter().any(has);
     let has_direction = any(|light| light.direction.is_some());
     let has_axis = any(|light| light.axis.is_some());

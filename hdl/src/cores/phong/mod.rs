@@ -13,8 +13,8 @@ use crate::units::{self, Interpolation, Light};
 use direction::Direction;
 use lamp::{Lamp, lamps};
 
-/// Interpolated vectors, true normalisation or wraps, and for each light N·L and a power or a distribution. [lecture, eq. 2.1, 4.1, 4.2; Hast
-/// et al., eq. 35 to 38]
+/// Interpolated vectors, true normalisation or wraps, and for each light N·L and a power or a
+/// distribution. [lecture, eq. 2.1, 4.1, 4.2; Hast et al., eq. 35 to 38]
 pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Design, TooWide> {
     let turns = turns(&b, spec);
     let inputs = phong.inputs(spec).map(|port| b.input(port));
@@ -28,7 +28,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Des
         steps: spec.longest_span - 1,
     };
     let weight = units::weight(&b, &turns.first_pixel, &inputs.weight_step, interpolation);
-    let pixel = Pixel { b: &b, spec, phong, interpolation, weight: &weight, shininess: &inputs.shininess };
+    let pixel =
+        Pixel { b: &b, spec, phong, interpolation, weight: &weight, shininess: &inputs.shininess };
     let lights = pixel.lights(&turns, &inputs);
     finish(&b, &turns, &inputs.ambient, &lights)
 }
@@ -65,7 +66,14 @@ impl Pixel<'_> {
         let shade = |(index, lamp): (usize, &Lamp)| {
             let direction = self.direction(index, lamp);
             let n_dot_l = self.cosine(&format!("light{index}_n_dot_l"), &normal, &direction);
-            let arrival = Arrival { index, lamp, direction: &direction, view: &view, n_dot_v: &n_dot_v, n_dot_l };
+            let arrival = Arrival {
+                index,
+                lamp,
+                direction: &direction,
+                view: &view,
+                n_dot_v: &n_dot_v,
+                n_dot_l,
+            };
             self.shade(&arrival, &normal.exists.and(&direction.exists))
         };
         lamps(b, turns, &inputs.lights).iter().enumerate().map(shade).collect()
@@ -95,11 +103,14 @@ impl Pixel<'_> {
         let (b, f) = (self.b, &self.phong.formats);
         let called = |unit: &str| format!("light{}_{unit}", at.index);
         let base_bits = f.base.fraction_bits;
-        let gain = || self.unless_sent(at, at.lamp.light.halfway_gain.as_ref(), || self.halfway_gain(at));
+        let gain =
+            || self.unless_sent(at, at.lamp.light.halfway_gain.as_ref(), || self.halfway_gain(at));
         let base = match self.phong.highlight {
             Highlight::Reflection => {
-                let l_dot_v = self.unless_sent(at, at.lamp.light.light_dot_view.as_ref(), || self.l_dot_v(at));
-                let base = || units::reflected_cosine(b, at.n_dot_v, &at.n_dot_l, &l_dot_v, base_bits);
+                let l_dot_v = self
+                    .unless_sent(at, at.lamp.light.light_dot_view.as_ref(), || self.l_dot_v(at));
+                let base =
+                    || units::reflected_cosine(b, at.n_dot_v, &at.n_dot_l, &l_dot_v, base_bits);
                 b.instance(&called("reflected_cosine"), base)
             }
             Highlight::Blinn | Highlight::TrowbridgeReitz => {
@@ -107,27 +118,34 @@ impl Pixel<'_> {
                 b.instance(&called("halfway_cosine"), base)
             }
             Highlight::TorranceSparrow => {
-                let base = || units::halfway_versine(b, at.n_dot_v, &at.n_dot_l, &gain(), base_bits);
+                let base =
+                    || units::halfway_versine(b, at.n_dot_v, &at.n_dot_l, &gain(), base_bits);
                 b.instance(&called("halfway_versine"), base)
             }
         };
         let shape_bits = f.shape.fraction_bits;
         match self.phong.highlight {
-            Highlight::Reflection | Highlight::Blinn => {
-                b.instance(&called("power"), || units::any_power(b, &base, self.shininess, shape_bits))
-            }
-            Highlight::TorranceSparrow => {
-                b.instance(&called("distribution"), || units::gaussian(b, &base, self.shininess, shape_bits))
-            }
+            Highlight::Reflection | Highlight::Blinn => b.instance(&called("power"), || {
+                units::any_power(b, &base, self.shininess, shape_bits)
+            }),
+            Highlight::TorranceSparrow => b.instance(&called("distribution"), || {
+                units::gaussian(b, &base, self.shininess, shape_bits)
+            }),
             Highlight::TrowbridgeReitz => {
-                let distribution = || units::trowbridge_reitz(b, &base, self.shininess, base_bits, shape_bits);
+                let distribution =
+                    || units::trowbridge_reitz(b, &base, self.shininess, base_bits, shape_bits);
                 b.instance(&called("distribution"), distribution)
             }
         }
     }
 
     /// What the host sends of lights at infinity, and what is worked out here of those at places.
-    fn unless_sent(&self, at: &Arrival, sent: Option<&Sig>, worked_out: impl FnOnce() -> Sig) -> Sig {
+    fn unless_sent(
+        &self,
+        at: &Arrival,
+        sent: Option<&Sig>,
+        worked_out: impl FnOnce() -> Sig,
+    ) -> Sig {
         match sent {
             Some(sent) if at.lamp.light.way.is_none() => sent.clone(),
             Some(sent) => at.lamp.local.choose(&worked_out(), sent),
@@ -149,7 +167,8 @@ impl Pixel<'_> {
     /// What a spot leaves of a light.
     fn spotted(&self, at: &Arrival, amounts: [Sig; 2]) -> [Sig; 2] {
         let Some(exponent) = &at.lamp.light.exponent else { return amounts };
-        let (b, shape_bits, largest) = (self.b, self.phong.formats.shape.fraction_bits, self.spec.largest_spot_exponent());
+        let (b, shape_bits, largest) =
+            (self.b, self.phong.formats.shape.fraction_bits, self.spec.largest_spot_exponent());
         let cosine = self.spot_cosine(at);
         let share = || units::any_power_up_to(b, &cosine, exponent, largest.into(), shape_bits);
         let share = b.instance(&format!("light{}_spot", at.index), share);
@@ -163,7 +182,8 @@ impl Pixel<'_> {
             (Some(wrap), _) => wrap.cosine.clone(),
             (None, Some(axis)) => {
                 let axis = unit_vector(axis, f.vector);
-                let cosine = || units::spot_cosine(b, &at.direction.vector, &axis, f.base.fraction_bits);
+                let cosine =
+                    || units::spot_cosine(b, &at.direction.vector, &axis, f.base.fraction_bits);
                 b.instance(&format!("light{}_spot_cosine", at.index), cosine)
             }
             (None, None) => unreachable!("`PhongSpec::inputs` gives each spot an axis or a wrap"),

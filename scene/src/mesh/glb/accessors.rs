@@ -36,7 +36,11 @@ impl Component {
             Some(5123) => Component::U16,
             Some(5125) => Component::U32,
             Some(5126) => Component::F32,
-            Some(code) => return Err(syntax(format!("the component type of {whose} is {code}, which is none"))),
+            Some(code) => {
+                return Err(syntax(format!(
+                    "the component type of {whose} is {code}, which is none"
+                )));
+            }
             None => return Err(syntax(format!("{whose} has no component type"))),
         })
     }
@@ -122,19 +126,39 @@ impl<'a> Elements<'a> {
     /// # Errors
     /// An accessor, view or buffer that is not there or too short, or of a type that glTF does not
     /// have.
-    pub fn new(document: &'a Document, buffers: &'a Buffers<'a>, Whole(number): Whole) -> Result<Elements<'a>, MeshProblem> {
-        let missing = || syntax(format!("accessor {number} is named, but there are only {}", document.accessors.len()));
+    pub fn new(
+        document: &'a Document,
+        buffers: &'a Buffers<'a>,
+        Whole(number): Whole,
+    ) -> Result<Elements<'a>, MeshProblem> {
+        let missing = || {
+            syntax(format!(
+                "accessor {number} is named, but there are only {}",
+                document.accessors.len()
+            ))
+        };
         let accessor = document.accessors.get(number).ok_or_else(missing)?;
         let whose = format!("accessor {number}");
         let component = Component::of(accessor.component_type, &whose)?;
         let kind = accessor.kind.as_deref().unwrap_or_default();
-        let parts = parts(kind).ok_or_else(|| syntax(format!("the type of {whose} is {}", quoted(kind.as_bytes()))))?;
+        let parts = parts(kind)
+            .ok_or_else(|| syntax(format!("the type of {whose} is {}", quoted(kind.as_bytes()))))?;
         let size = parts * component.size();
         let Whole(count) = accessor.count.ok_or_else(|| syntax(format!("{whose} has no count")))?;
         let base = base(accessor, buffers, count, size, &whose)?;
         let sparse = accessor.sparse.as_deref().filter(|sparse| sparse.count.0 > 0);
-        let replaced = sparse.map(|sparse| Replaced::new(sparse, buffers, count, size, &whose)).transpose()?;
-        Ok(Elements { number, count, component, kind, normalized: accessor.normalized, size, base, replaced })
+        let replaced =
+            sparse.map(|sparse| Replaced::new(sparse, buffers, count, size, &whose)).transpose()?;
+        Ok(Elements {
+            number,
+            count,
+            component,
+            kind,
+            normalized: accessor.normalized,
+            size,
+            base,
+            replaced,
+        })
     }
 
     /// How many of the elements are replaced.
@@ -188,9 +212,9 @@ fn base<'a>(
 ) -> Result<Option<Spaced<'a>>, MeshProblem> {
     match accessor.buffer_view {
         Some(view) => spaced(buffers, view, accessor.byte_offset, count, size, whose).map(Some),
-        None if count > MOST_WITHOUT_BYTES => {
-            Err(syntax(format!("{whose} has {count} elements without bytes; at most {MOST_WITHOUT_BYTES} are read")))
-        }
+        None if count > MOST_WITHOUT_BYTES => Err(syntax(format!(
+            "{whose} has {count} elements without bytes; at most {MOST_WITHOUT_BYTES} are read"
+        ))),
         None => Ok(None),
     }
 }
@@ -235,7 +259,9 @@ impl<'a> Replaced<'a> {
             return Err(syntax(format!("the sparse indices of {whose} are not unsigned integers")));
         }
         let part = |part: &SparsePart, size| {
-            let view = part.buffer_view.ok_or_else(|| syntax(format!("{whose} is sparse, but names no view for it")))?;
+            let view = part
+                .buffer_view
+                .ok_or_else(|| syntax(format!("{whose} is sparse, but names no view for it")))?;
             spaced(buffers, view, part.byte_offset, count, size, whose)
         };
         let places = part(&sparse.indices, component.size())?;
@@ -243,7 +269,9 @@ impl<'a> Replaced<'a> {
         for k in 0..count {
             let index = component.value(places.get(k, component.size()).unwrap_or_default()) as u32;
             if indices.last().is_some_and(|&last| last >= index) || index as usize >= elements {
-                return Err(syntax(format!("the sparse indices of {whose} do not rise, or reach beyond its {elements} elements")));
+                return Err(syntax(format!(
+                    "the sparse indices of {whose} do not rise, or reach beyond its {elements} elements"
+                )));
             }
             indices.push(index);
         }

@@ -20,7 +20,11 @@ pub struct Buffers<'a> {
 impl<'a> Buffers<'a> {
     /// The buffers of a document; `binary` is what stands beside the JSON.
     pub fn new(document: &'a Document, binary: Option<&'a [u8]>) -> Buffers<'a> {
-        Buffers { document, binary, decoded: document.buffers.iter().map(|_| OnceCell::new()).collect() }
+        Buffers {
+            document,
+            binary,
+            decoded: document.buffers.iter().map(|_| OnceCell::new()).collect(),
+        }
     }
 
     /// The bytes of a view, and from the start of one element to the next, if it says.
@@ -29,17 +33,27 @@ impl<'a> Buffers<'a> {
     /// A view that is not there, reaches beyond its buffer, or is of a buffer that is not in the
     /// file.
     pub fn view(&self, Whole(number): Whole) -> Result<(&[u8], Option<usize>), MeshProblem> {
-        let missing = || MeshProblem::Syntax(format!("an accessor names buffer view {number}, which is not there"));
+        let missing = || {
+            MeshProblem::Syntax(format!(
+                "an accessor names buffer view {number}, which is not there"
+            ))
+        };
         let view = self.document.buffer_views.get(number).ok_or_else(missing)?;
         let bytes = self.bytes(view)?;
         let rest = bytes.get(view.byte_offset.0..).and_then(|rest| rest.get(..view.byte_length.0));
-        let beyond = || MeshProblem::Truncated(format!("buffer view {number} reaches beyond its buffer"));
-        Ok((rest.ok_or_else(beyond)?, view.byte_stride.map(|stride| stride.0).filter(|stride| *stride > 0)))
+        let beyond =
+            || MeshProblem::Truncated(format!("buffer view {number} reaches beyond its buffer"));
+        Ok((
+            rest.ok_or_else(beyond)?,
+            view.byte_stride.map(|stride| stride.0).filter(|stride| *stride > 0),
+        ))
     }
 
     fn bytes(&self, view: &BufferView) -> Result<&[u8], MeshProblem> {
         let Whole(number) = view.buffer;
-        let missing = || MeshProblem::Syntax(format!("a buffer view names buffer {number}, which is not there"));
+        let missing = || {
+            MeshProblem::Syntax(format!("a buffer view names buffer {number}, which is not there"))
+        };
         let buffer = self.document.buffers.get(number).ok_or_else(missing)?;
         match (&buffer.uri, self.binary) {
             (Some(uri), _) => {
@@ -47,7 +61,9 @@ impl<'a> Buffers<'a> {
                 decoded.as_deref().map_err(MeshProblem::clone)
             }
             (None, Some(binary)) if number == 0 => Ok(binary),
-            (None, _) if view.extensions.meshopt.is_some() => Err(unread("EXT_meshopt_compression")),
+            (None, _) if view.extensions.meshopt.is_some() => {
+                Err(unread("EXT_meshopt_compression"))
+            }
             (None, _) => Err(MeshProblem::Truncated(format!("buffer {number} has no bytes"))),
         }
     }
@@ -56,17 +72,24 @@ impl<'a> Buffers<'a> {
 /// The bytes of a data URI, `data:TYPE;base64,BYTES` [RFC 2397].
 fn decode(uri: &str, number: usize) -> Result<Vec<u8>, MeshProblem> {
     let Some((kind, text)) = uri.strip_prefix("data:").and_then(|rest| rest.split_once(',')) else {
-        return Err(MeshProblem::Unsupported(format!("geometry in another file, {}", quoted(uri.as_bytes()))));
+        return Err(MeshProblem::Unsupported(format!(
+            "geometry in another file, {}",
+            quoted(uri.as_bytes())
+        )));
     };
     if !kind.ends_with(";base64") {
         return Err(MeshProblem::Syntax(format!("the data of buffer {number} are not in base64")));
     }
     // Some programs leave the padding out.
-    let config = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
+    let config =
+        GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let bytes = GeneralPurpose::new(&STANDARD, config).decode(text);
     bytes.map_err(|error| {
         let error = error.to_string();
-        MeshProblem::Syntax(format!("the base64 of buffer {number} is wrong: {}", error.trim_end_matches('.')))
+        MeshProblem::Syntax(format!(
+            "the base64 of buffer {number} is wrong: {}",
+            error.trim_end_matches('.')
+        ))
     })
 }
 

@@ -35,7 +35,9 @@ impl<'a> Container<'a> {
             if kind == b"BIN\0" && binary.is_none() {
                 binary = Some(data);
             } else {
-                notices.add("chunk", None, || "a chunk beside JSON and the first of bytes is passed over".into());
+                notices.add("chunk", None, || {
+                    "a chunk beside JSON and the first of bytes is passed over".into()
+                });
             }
         }
         Ok(Container { json, binary })
@@ -48,7 +50,9 @@ fn chunks(bytes: &[u8]) -> Result<&[u8], MeshProblem> {
         return Err(syntax("it does not start with `glTF`".into()));
     }
     let header = MeshProblem::Truncated(format!("a .glb has a header of {HEADER} bytes"));
-    let (Some(version), Some(stated)) = (number(bytes, 4), number(bytes, 8)) else { return Err(header) };
+    let (Some(version), Some(stated)) = (number(bytes, 4), number(bytes, 8)) else {
+        return Err(header);
+    };
     if version != 2 {
         return Err(syntax(format!("it is version {version} of binary glTF; version 2 is read")));
     }
@@ -69,9 +73,9 @@ fn next_chunk<'a>(rest: &mut &'a [u8]) -> Result<Option<Chunk<'a>>, MeshProblem>
     // Fewer bytes than a chunk has before its data are padding.
     let Some((header, behind)) = rest.split_at_checked(CHUNK_HEADER) else { return Ok(None) };
     let stated = number(header, 0).unwrap_or_default() as usize;
-    let (data, behind) = behind
-        .split_at_checked(stated)
-        .ok_or_else(|| MeshProblem::Truncated(format!("a chunk states {stated} bytes; {} follow", behind.len())))?;
+    let (data, behind) = behind.split_at_checked(stated).ok_or_else(|| {
+        MeshProblem::Truncated(format!("a chunk states {stated} bytes; {} follow", behind.len()))
+    })?;
     *rest = behind;
     Ok(Some((&header[4..], data)))
 }

@@ -20,18 +20,26 @@ use crate::mesh::{FARTHEST, MOST_TRIANGLES};
 /// # Errors
 /// More triangles than are taken, indices and coordinates that are out of range, accessors of wrong
 /// types.
-pub fn draw(placed: &[Placed<'_>], accessors: &Accessors<'_>, notices: &mut Notices) -> Result<Polygons, MeshProblem> {
+pub fn draw(
+    placed: &[Placed<'_>],
+    accessors: &Accessors<'_>,
+    notices: &mut Notices,
+) -> Result<Polygons, MeshProblem> {
     let mut meshes = BTreeMap::new();
     for one in placed {
         if let std::collections::btree_map::Entry::Vacant(entry) = meshes.entry(one.mesh) {
             entry.insert(accessors.drawables(one.mesh)?);
         }
     }
-    let parts = placed.iter().map(|one| Ok((one, &meshes[&one.mesh], Instances::new(one.instancing, accessors)?)));
+    let parts = placed
+        .iter()
+        .map(|one| Ok((one, &meshes[&one.mesh], Instances::new(one.instancing, accessors)?)));
     // A mesh without triangles may be instanced as often as it likes.
     let parts = parts.filter(|part| !matches!(part, Ok((_, drawables, _)) if drawables.is_empty()));
     let parts = parts.collect::<Result<Vec<_>, MeshProblem>>()?;
-    let triangles = parts.iter().map(|(_, drawables, instances)| triangles(drawables).saturating_mul(instances.count));
+    let triangles = parts
+        .iter()
+        .map(|(_, drawables, instances)| triangles(drawables).saturating_mul(instances.count));
     let triangles = triangles.fold(0, usize::saturating_add);
     if triangles > MOST_TRIANGLES {
         return Err(MeshProblem::TooManyTriangles(triangles));
@@ -59,21 +67,30 @@ struct Instances<'p, 'a> {
 
 impl<'p, 'a> Instances<'p, 'a> {
     /// Once where the node says nothing about it [EXT_mesh_gpu_instancing].
-    fn new(instancing: Option<&Instancing>, accessors: &'p Accessors<'a>) -> Result<Instances<'p, 'a>, MeshProblem> {
+    fn new(
+        instancing: Option<&Instancing>,
+        accessors: &'p Accessors<'a>,
+    ) -> Result<Instances<'p, 'a>, MeshProblem> {
         let attributes = instancing.map(|instancing| &instancing.attributes);
-        let named = |number: Option<Whole>, kind: &str| match number.and_then(|number| accessors.get(number)) {
-            Some(elements) if elements.kind != kind => {
-                Err(MeshProblem::Syntax(format!("accessor {} of instances is not of type `{kind}`", elements.number)))
-            }
+        let named = |number: Option<Whole>, kind: &str| match number
+            .and_then(|number| accessors.get(number))
+        {
+            Some(elements) if elements.kind != kind => Err(MeshProblem::Syntax(format!(
+                "accessor {} of instances is not of type `{kind}`",
+                elements.number
+            ))),
             found => Ok(found),
         };
         let translations = named(attributes.and_then(|all| all.translation), "VEC3")?;
         let rotations = named(attributes.and_then(|all| all.rotation), "VEC4")?;
         let scales = named(attributes.and_then(|all| all.scale), "VEC3")?;
-        let mut counts = [translations, rotations, scales].into_iter().flatten().map(|elements| elements.count);
+        let mut counts =
+            [translations, rotations, scales].into_iter().flatten().map(|elements| elements.count);
         let count = counts.next().unwrap_or(1);
         if counts.any(|other| other != count) {
-            return Err(MeshProblem::Syntax("the accessors of instances have different counts".into()));
+            return Err(MeshProblem::Syntax(
+                "the accessors of instances have different counts".into(),
+            ));
         }
         Ok(Instances { count, translations, rotations, scales })
     }
@@ -82,8 +99,10 @@ impl<'p, 'a> Instances<'p, 'a> {
         let vector = |elements: Option<&Elements<'_>>, otherwise| {
             elements.map_or(otherwise, |elements| DVec3::from_array(elements.numbers(k)))
         };
-        let turn = rotation(self.rotations.map_or([0.0, 0.0, 0.0, 1.0], |elements| elements.numbers(k)));
-        let (scale, shift) = (vector(self.scales, DVec3::ONE), vector(self.translations, DVec3::ZERO));
+        let turn =
+            rotation(self.rotations.map_or([0.0, 0.0, 0.0, 1.0], |elements| elements.numbers(k)));
+        let (scale, shift) =
+            (vector(self.scales, DVec3::ONE), vector(self.translations, DVec3::ZERO));
         DMat4::from_scale_rotation_translation(scale, turn, shift)
     }
 }
@@ -96,13 +115,23 @@ struct Drawing {
 }
 
 impl Drawing {
-    fn mesh(&mut self, drawables: &[Drawable<'_, '_>], place: DMat4, notices: &mut Notices) -> Result<(), MeshProblem> {
+    fn mesh(
+        &mut self,
+        drawables: &[Drawable<'_, '_>],
+        place: DMat4,
+        notices: &mut Notices,
+    ) -> Result<(), MeshProblem> {
         self.copied.forget();
         let place = Place::new(place);
         drawables.iter().try_for_each(|drawable| self.part(drawable, &place, notices))
     }
 
-    fn part(&mut self, drawable: &Drawable<'_, '_>, place: &Place, notices: &mut Notices) -> Result<(), MeshProblem> {
+    fn part(
+        &mut self,
+        drawable: &Drawable<'_, '_>,
+        place: &Place,
+        notices: &mut Notices,
+    ) -> Result<(), MeshProblem> {
         self.copied.begin(drawable);
         for number in 0..drawable.triangles {
             let [a, b, c] = drawable.triangle(number)?;
@@ -132,8 +161,11 @@ impl Drawing {
         place: &Place,
         notices: &mut Notices,
     ) -> Result<Corner, MeshProblem> {
-        let position = place.whole.transform_point3(DVec3::from_array(drawable.positions.numbers(vertex)));
-        if let Some(value) = position.to_array().into_iter().find(|x| x.is_nan() || x.abs() > FARTHEST) {
+        let position =
+            place.whole.transform_point3(DVec3::from_array(drawable.positions.numbers(vertex)));
+        if let Some(value) =
+            position.to_array().into_iter().find(|x| x.is_nan() || x.abs() > FARTHEST)
+        {
             return Err(MeshProblem::Coordinate { what: "vertex", index: vertex, value });
         }
         // Three times the most triangles at most: indices fit.
@@ -194,7 +226,8 @@ impl Copied {
 
     /// Forgets what was copied of other accessors than those of `drawable`.
     fn begin(&mut self, drawable: &Drawable<'_, '_>) {
-        let accessors = Some((drawable.positions.number, drawable.normals.map(|normals| normals.number)));
+        let accessors =
+            Some((drawable.positions.number, drawable.normals.map(|normals| normals.number)));
         if self.accessors != accessors {
             self.forget();
             self.accessors = accessors;

@@ -27,7 +27,8 @@ pub fn check(document: &Document, notices: &mut Notices) -> Result<(), MeshProbl
     if let Some(name) = REFUSED.into_iter().find(|name| required.contains(*name)) {
         return Err(unread(name));
     }
-    let left_out: Vec<&str> = used.union(required).map(String::as_str).filter(|name| !READ.contains(name)).collect();
+    let left_out: Vec<&str> =
+        used.union(required).map(String::as_str).filter(|name| !READ.contains(name)).collect();
     if !left_out.is_empty() {
         notices.add("extensions", None, || format!("extensions are left out: {}", told(&left_out)));
     }

@@ -31,7 +31,8 @@ pub fn parse(bytes: &[u8]) -> Result<Document, MeshProblem> {
     // Names in other encodings are not needed. Some programs pad with zeros.
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}').trim_end_matches(['\0', ' ']);
-    serde_json::from_str(text).map_err(|error| MeshProblem::Syntax(format!("its JSON is wrong: {error}")))
+    serde_json::from_str(text)
+        .map_err(|error| MeshProblem::Syntax(format!("its JSON is wrong: {error}")))
 }
 
 /// The whole file.
@@ -275,13 +276,19 @@ impl<'de> Deserialize<'de> for Whole {
             }
 
             fn visit_u64<E: de::Error>(self, value: u64) -> Result<Whole, E> {
-                usize::try_from(value).map(Whole).map_err(|_| E::invalid_value(de::Unexpected::Unsigned(value), &self))
+                usize::try_from(value)
+                    .map(Whole)
+                    .map_err(|_| E::invalid_value(de::Unexpected::Unsigned(value), &self))
             }
 
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<Whole, E> {
                 // 2^53: whole numbers up to there are exact.
                 let is_whole = value.fract() == 0.0 && (0.0..=9007199254740992.0).contains(&value);
-                if is_whole { Ok(Whole(value as usize)) } else { Err(E::invalid_value(de::Unexpected::Float(value), &self)) }
+                if is_whole {
+                    Ok(Whole(value as usize))
+                } else {
+                    Err(E::invalid_value(de::Unexpected::Float(value), &self))
+                }
             }
         }
         deserializer.deserialize_any(Reader)
@@ -384,7 +391,9 @@ impl<'de> Deserialize<'de> for Names {
                 let mut names = BTreeSet::new();
                 while let Some(Text(name)) = list.next_element()? {
                     if names.len() == MOST_EXTENSIONS {
-                        return Err(de::Error::custom(format!("more than {MOST_EXTENSIONS} extensions")));
+                        return Err(de::Error::custom(format!(
+                            "more than {MOST_EXTENSIONS} extensions"
+                        )));
                     }
                     if !names.contains(&*name) {
                         names.insert(name.into_owned());
@@ -407,7 +416,8 @@ mod tests {
             "animations": [{"channels": [{"target": {}}]}], "nodes": [{"mesh": 0.0, "name": "caf?", "extras": "x"}],
             "accessors": [{"count": 3e0, "type": "VEC3", "min": "?"}], "materials": "\ud800", "scenes": [{}]}"#;
         // A name in Latin-1.
-        let text: Vec<u8> = text.bytes().map(|byte| if byte == b'?' { 0xe9 } else { byte }).collect();
+        let text: Vec<u8> =
+            text.bytes().map(|byte| if byte == b'?' { 0xe9 } else { byte }).collect();
         let document = parse(&text).expect("it is JSON");
         assert_eq!(document.nodes[0].mesh, Some(Whole(0)));
         assert_eq!(document.accessors[0].count, Some(Whole(3)));
@@ -427,7 +437,10 @@ mod tests {
             ("{", "EOF while parsing an object"),
         ] {
             let problem = parse(text.as_bytes()).expect_err("it is wrong").to_string();
-            assert!(problem.starts_with("its JSON is wrong: ") && problem.contains(said), "{text}: {problem}");
+            assert!(
+                problem.starts_with("its JSON is wrong: ") && problem.contains(said),
+                "{text}: {problem}"
+            );
         }
     }
 }

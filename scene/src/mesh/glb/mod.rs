@@ -52,10 +52,14 @@ fn polygons(bytes: &[u8], notices: &mut Notices) -> Result<Polygons, MeshProblem
 /// have to.
 fn check_version(document: &Document) -> Result<(), MeshProblem> {
     let asset = &document.asset;
-    let (version, least) = (asset.version.as_deref().unwrap_or("2.0"), asset.min_version.as_deref().unwrap_or("2.0"));
+    let (version, least) =
+        (asset.version.as_deref().unwrap_or("2.0"), asset.min_version.as_deref().unwrap_or("2.0"));
     if version.split('.').next() != Some("2") || least != "2.0" {
         let version = if least == "2.0" { version } else { least };
-        return Err(MeshProblem::Syntax(format!("it is for version {} of glTF; 2.0 is read", quoted(version.as_bytes()))));
+        return Err(MeshProblem::Syntax(format!(
+            "it is for version {} of glTF; 2.0 is read",
+            quoted(version.as_bytes())
+        )));
     }
     Ok(())
 }
@@ -63,20 +67,28 @@ fn check_version(document: &Document) -> Result<(), MeshProblem> {
 /// Notes what would move the mesh.
 fn note_movement(document: &Document, placed: &[Placed<'_>], notices: &mut Notices) {
     if !document.animations.is_empty() {
-        notices.add("animations", None, || "animations are left out; the mesh stands as its nodes place it".into());
+        notices.add("animations", None, || {
+            "animations are left out; the mesh stands as its nodes place it".into()
+        });
     }
     for one in placed.iter().filter(|one| one.has_skin) {
-        notices.add("skins", None, || format!("mesh {} has a skin; it is drawn without it", one.mesh));
+        notices
+            .add("skins", None, || format!("mesh {} has a skin; it is drawn without it", one.mesh));
     }
 }
 
 /// Looks up the accessors of meshes and their places.
-fn look_up(placed: &[Placed<'_>], accessors: &mut Accessors<'_>, notices: &mut Notices) -> Result<(), MeshProblem> {
+fn look_up(
+    placed: &[Placed<'_>],
+    accessors: &mut Accessors<'_>,
+    notices: &mut Notices,
+) -> Result<(), MeshProblem> {
     let meshes: BTreeSet<usize> = placed.iter().map(|one| one.mesh).collect();
     meshes.into_iter().try_for_each(|mesh| accessors.look_up_mesh(mesh, notices))?;
     for instancing in placed.iter().filter_map(|one| one.instancing) {
         let attributes = &instancing.attributes;
-        let numbers: [Option<Whole>; 3] = [attributes.translation, attributes.rotation, attributes.scale];
+        let numbers: [Option<Whole>; 3] =
+            [attributes.translation, attributes.rotation, attributes.scale];
         numbers.into_iter().flatten().try_for_each(|number| accessors.look_up(number))?;
     }
     Ok(())

@@ -24,10 +24,12 @@ pub struct Placed<'a> {
 pub fn placed(document: &Document) -> Result<Vec<Placed<'_>>, MeshProblem> {
     if document.scene.is_none() && document.scenes.is_empty() && document.nodes.is_empty() {
         let meshes = 0..document.meshes.len();
-        let as_it_is = |mesh| Placed { mesh, place: DMat4::IDENTITY, instancing: None, has_skin: false };
+        let as_it_is =
+            |mesh| Placed { mesh, place: DMat4::IDENTITY, instancing: None, has_skin: false };
         return Ok(meshes.map(as_it_is).collect());
     }
-    let mut forest = Forest { document, met: vec![false; document.nodes.len()], placed: Vec::new() };
+    let mut forest =
+        Forest { document, met: vec![false; document.nodes.len()], placed: Vec::new() };
     for root in roots(document)? {
         forest.tree(root)?;
     }
@@ -38,7 +40,12 @@ pub fn placed(document: &Document) -> Result<Vec<Placed<'_>>, MeshProblem> {
 fn roots(document: &Document) -> Result<Vec<usize>, MeshProblem> {
     let scenes = match document.scene {
         Some(Whole(scene)) => {
-            let missing = || syntax(format!("scene {scene} is to be shown, but there are only {}", document.scenes.len()));
+            let missing = || {
+                syntax(format!(
+                    "scene {scene} is to be shown, but there are only {}",
+                    document.scenes.len()
+                ))
+            };
             std::slice::from_ref(document.scenes.get(scene).ok_or_else(missing)?)
         }
         None if document.scenes.is_empty() => return orphans(document),
@@ -62,7 +69,11 @@ fn orphans(document: &Document) -> Result<Vec<usize>, MeshProblem> {
         *is_below.get_mut(child).ok_or_else(|| no_such_node(document, child))? = true;
     }
     let orphans: Vec<usize> = (0..is_below.len()).filter(|node| !is_below[*node]).collect();
-    if orphans.is_empty() { Err(syntax("every node is below another: they go round in circles".into())) } else { Ok(orphans) }
+    if orphans.is_empty() {
+        Err(syntax("every node is below another: they go round in circles".into()))
+    } else {
+        Ok(orphans)
+    }
 }
 
 struct Forest<'a> {
@@ -77,7 +88,11 @@ impl Forest<'_> {
     fn tree(&mut self, root: usize) -> Result<(), MeshProblem> {
         let mut waiting = vec![(root, DMat4::IDENTITY)];
         while let Some((number, parent)) = waiting.pop() {
-            let node = self.document.nodes.get(number).ok_or_else(|| no_such_node(self.document, number))?;
+            let node = self
+                .document
+                .nodes
+                .get(number)
+                .ok_or_else(|| no_such_node(self.document, number))?;
             // The format asks for trees; a node met twice could be its own ancestor.
             if std::mem::replace(&mut self.met[number], true) {
                 return Err(syntax(format!("node {number} is in the scene twice")));
@@ -102,15 +117,25 @@ fn transform(node: &Node) -> DMat4 {
     if let Some(matrix) = &node.matrix {
         return DMat4::from_cols_array(&matrix.map(|Number(x)| x));
     }
-    let vector = |given: Option<[Number; 3]>, otherwise| given.map_or(otherwise, |v| DVec3::from_array(v.map(|Number(x)| x)));
+    let vector = |given: Option<[Number; 3]>, otherwise| {
+        given.map_or(otherwise, |v| DVec3::from_array(v.map(|Number(x)| x)))
+    };
     let rotation = node.rotation.map_or(DQuat::IDENTITY, |q| rotation(q.map(|Number(x)| x)));
-    DMat4::from_scale_rotation_translation(vector(node.scale, DVec3::ONE), rotation, vector(node.translation, DVec3::ZERO))
+    DMat4::from_scale_rotation_translation(
+        vector(node.scale, DVec3::ONE),
+        rotation,
+        vector(node.translation, DVec3::ZERO),
+    )
 }
 
 /// A turn by a quaternion x, y, z, w, brought to unit length; none by 0.
 pub fn rotation(quaternion: [f64; 4]) -> DQuat {
     let length = DQuat::from_array(quaternion).length();
-    if length > 0.0 && length.is_finite() { DQuat::from_array(quaternion.map(|x| x / length)) } else { DQuat::IDENTITY }
+    if length > 0.0 && length.is_finite() {
+        DQuat::from_array(quaternion.map(|x| x / length))
+    } else {
+        DQuat::IDENTITY
+    }
 }
 
 fn no_such_node(document: &Document, node: usize) -> MeshProblem {

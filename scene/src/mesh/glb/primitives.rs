@@ -72,7 +72,11 @@ impl Drawable<'_, '_> {
             None => Ok(vertices),
             Some(k) => Err(MeshProblem::Syntax(format!(
                 "element {} of accessor {} names vertex {}, but accessor {} has only {} (all counted from 0)",
-                corners[k], indices.number, vertices[k], self.positions.number, self.positions.count
+                corners[k],
+                indices.number,
+                vertices[k],
+                self.positions.number,
+                self.positions.count
             ))),
         }
     }
@@ -104,7 +108,10 @@ impl<'a> Accessors<'a> {
         let elements = Elements::new(self.document, self.buffers, number)?;
         self.replaced += elements.replaced_count();
         if self.replaced > MOST_REPLACED {
-            let text = format!("its accessors replace {} elements; at most {MOST_REPLACED} are read", self.replaced);
+            let text = format!(
+                "its accessors replace {} elements; at most {MOST_REPLACED} are read",
+                self.replaced
+            );
             return Err(MeshProblem::Syntax(text));
         }
         self.known.insert(number.0, elements);
@@ -120,17 +127,30 @@ impl<'a> Accessors<'a> {
     ///
     /// # Errors
     /// A mesh or accessor that is not there.
-    pub fn look_up_mesh(&mut self, number: usize, notices: &mut Notices) -> Result<(), MeshProblem> {
+    pub fn look_up_mesh(
+        &mut self,
+        number: usize,
+        notices: &mut Notices,
+    ) -> Result<(), MeshProblem> {
         let document = self.document;
-        let missing = || MeshProblem::Syntax(format!("mesh {number} is named, but there are only {}", document.meshes.len()));
+        let missing = || {
+            MeshProblem::Syntax(format!(
+                "mesh {number} is named, but there are only {}",
+                document.meshes.len()
+            ))
+        };
         for primitive in &document.meshes.get(number).ok_or_else(missing)?.primitives {
             note(primitive, number, notices);
             if mode(primitive)?.is_none() {
-                notices.add("mode", None, || format!("a part of mesh {number} is points or lines; it is left out"));
+                notices.add("mode", None, || {
+                    format!("a part of mesh {number} is points or lines; it is left out")
+                });
                 continue;
             }
             let Some(positions) = primitive.attributes.position else {
-                notices.add("position", None, || format!("a part of mesh {number} has no positions; it is left out"));
+                notices.add("position", None, || {
+                    format!("a part of mesh {number} has no positions; it is left out")
+                });
                 continue;
             };
             self.look_up(positions)?;
@@ -145,8 +165,12 @@ impl<'a> Accessors<'a> {
     fn note_bounds(&self, positions: Whole, notices: &mut Notices) {
         let accessor = self.document.accessors.get(positions.0);
         if accessor.is_some_and(|accessor| accessor.min.is_none() || accessor.max.is_none()) {
-            let text =
-                || format!("accessor {} of positions has no `min` and `max`; its numbers are taken as they are", positions.0);
+            let text = || {
+                format!(
+                    "accessor {} of positions has no `min` and `max`; its numbers are taken as they are",
+                    positions.0
+                )
+            };
             notices.add("bounds", None, text);
         }
     }
@@ -166,21 +190,33 @@ impl<'a> Accessors<'a> {
 
     fn drawable(&self, primitive: &Primitive) -> Result<Option<Drawable<'_, 'a>>, MeshProblem> {
         let Some(mode) = mode(primitive)? else { return Ok(None) };
-        let Some(positions) = primitive.attributes.position.and_then(|number| self.get(number)) else { return Ok(None) };
+        let Some(positions) = primitive.attributes.position.and_then(|number| self.get(number))
+        else {
+            return Ok(None);
+        };
         if primitive.extensions.draco.is_some() && positions.has_no_bytes() {
             return Err(unread("KHR_draco_mesh_compression"));
         }
         let is_quantized = self.document.extensions_used.0.contains(QUANTIZATION);
-        let may_be = |component| component == Component::F32 || (is_quantized && component != Component::U32);
+        let may_be = |component| {
+            component == Component::F32 || (is_quantized && component != Component::U32)
+        };
         let normals = primitive.attributes.normal.and_then(|number| self.get(number));
         for vectors in [Some(positions), normals].into_iter().flatten() {
             if vectors.kind != "VEC3" || !may_be(vectors.component) {
-                return Err(MeshProblem::Unsupported("positions or normals that are not three 32-bit floats".into()));
+                return Err(MeshProblem::Unsupported(
+                    "positions or normals that are not three 32-bit floats".into(),
+                ));
             }
         }
         let indices = primitive.indices.and_then(|number| self.get(number));
-        if let Some(indices) = indices.filter(|indices| indices.kind != "SCALAR" || !is_index(indices.component)) {
-            return Err(MeshProblem::Syntax(format!("the indices of accessor {} are not unsigned integers", indices.number)));
+        if let Some(indices) =
+            indices.filter(|indices| indices.kind != "SCALAR" || !is_index(indices.component))
+        {
+            return Err(MeshProblem::Syntax(format!(
+                "the indices of accessor {} are not unsigned integers",
+                indices.number
+            )));
         }
         let triangles = mode.triangles(indices.unwrap_or(positions).count);
         Ok(Some(Drawable { mode, positions, normals, indices, triangles }))
@@ -194,16 +230,22 @@ fn mode(primitive: &Primitive) -> Result<Option<Mode>, MeshProblem> {
         4 => Ok(Some(Mode::List)),
         5 => Ok(Some(Mode::Strip)),
         6 => Ok(Some(Mode::Fan)),
-        other => Err(MeshProblem::Syntax(format!("the mode of a primitive is {other}; modes are 0 to 6"))),
+        other => Err(MeshProblem::Syntax(format!(
+            "the mode of a primitive is {other}; modes are 0 to 6"
+        ))),
     }
 }
 
 /// Notes what stands beside the geometry of a part.
 fn note(primitive: &Primitive, mesh: usize, notices: &mut Notices) {
     if let Some(name) = &primitive.attributes.custom {
-        notices.add("attribute", None, || format!("the attribute {} of mesh {mesh} is left out", quoted(name.as_bytes())));
+        notices.add("attribute", None, || {
+            format!("the attribute {} of mesh {mesh} is left out", quoted(name.as_bytes()))
+        });
     }
     if !primitive.targets.is_empty() {
-        notices.add("targets", None, || format!("mesh {mesh} has morph targets; it is drawn without them"));
+        notices.add("targets", None, || {
+            format!("mesh {mesh} has morph targets; it is drawn without them")
+        });
     }
 }

@@ -29,7 +29,12 @@ pub trait Body {
     ///
     /// # Errors
     /// The element or the file ends.
-    fn skip(&mut self, property: &Property<'_>, scalar: Scalar, count: usize) -> Result<(), Located>;
+    fn skip(
+        &mut self,
+        property: &Property<'_>,
+        scalar: Scalar,
+        count: usize,
+    ) -> Result<(), Located>;
 
     /// Leaves the element; what stands in it beyond its properties is noted.
     fn finish(&mut self, notices: &mut Notices);
@@ -61,7 +66,9 @@ impl<'a> Text<'a> {
     }
 
     fn word(&mut self, property: &Property<'_>) -> Result<&'a [u8], Located> {
-        self.rest.next().ok_or_else(|| self.wrong(format!("the line ends where property {} is needed", quoted(property.name))))
+        self.rest.next().ok_or_else(|| {
+            self.wrong(format!("the line ends where property {} is needed", quoted(property.name)))
+        })
     }
 }
 
@@ -79,15 +86,32 @@ impl Body for Text<'_> {
     fn number(&mut self, property: &Property<'_>, scalar: Scalar) -> Result<f64, Located> {
         let word = self.word(property)?;
         let value = if scalar == Scalar::F32 { single(word) } else { number(word) };
-        value.ok_or_else(|| self.wrong(format!("{} is no number (property {})", quoted(word), quoted(property.name))))
+        value.ok_or_else(|| {
+            self.wrong(format!(
+                "{} is no number (property {})",
+                quoted(word),
+                quoted(property.name)
+            ))
+        })
     }
 
     fn whole(&mut self, property: &Property<'_>, _scalar: Scalar) -> Result<i64, Located> {
         let word = self.word(property)?;
-        whole(word).ok_or_else(|| self.wrong(format!("{} is no whole number (property {})", quoted(word), quoted(property.name))))
+        whole(word).ok_or_else(|| {
+            self.wrong(format!(
+                "{} is no whole number (property {})",
+                quoted(word),
+                quoted(property.name)
+            ))
+        })
     }
 
-    fn skip(&mut self, property: &Property<'_>, _scalar: Scalar, count: usize) -> Result<(), Located> {
+    fn skip(
+        &mut self,
+        property: &Property<'_>,
+        _scalar: Scalar,
+        count: usize,
+    ) -> Result<(), Located> {
         for _ in 0..count {
             self.word(property)?;
         }
@@ -96,14 +120,17 @@ impl Body for Text<'_> {
 
     fn finish(&mut self, notices: &mut Notices) {
         if let Some(word) = self.rest.next() {
-            let text = || format!("what stands behind the last property, {}, is passed over", quoted(word));
+            let text = || {
+                format!("what stands behind the last property, {}, is passed over", quoted(word))
+            };
             notices.add("behind the last property", self.line(), text);
         }
     }
 
     fn finish_all(&mut self, notices: &mut Notices) {
         if let Some(line) = self.next_full_line() {
-            let text = || format!("what follows the last element, {}, is passed over", quoted(line));
+            let text =
+                || format!("what follows the last element, {}, is passed over", quoted(line));
             notices.add("behind the last element", self.line(), text);
         }
     }
@@ -139,7 +166,11 @@ impl<'a> Binary<'a> {
                 Ok(taken)
             }
             None => {
-                let text = format!("the file ends in property {} of {}", quoted(property.name), self.place());
+                let text = format!(
+                    "the file ends in property {} of {}",
+                    quoted(property.name),
+                    self.place()
+                );
                 Err(MeshProblem::Truncated(text).into())
             }
         }
@@ -169,7 +200,12 @@ impl Body for Binary<'_> {
         self.number(property, scalar).map(|value| value as i64)
     }
 
-    fn skip(&mut self, property: &Property<'_>, scalar: Scalar, count: usize) -> Result<(), Located> {
+    fn skip(
+        &mut self,
+        property: &Property<'_>,
+        scalar: Scalar,
+        count: usize,
+    ) -> Result<(), Located> {
         self.take(property, count.checked_mul(scalar.size())).map(drop)
     }
 
@@ -177,7 +213,8 @@ impl Body for Binary<'_> {
 
     fn finish_all(&mut self, notices: &mut Notices) {
         if !self.rest.is_empty() {
-            let text = || format!("{} bytes behind the last element are passed over", self.rest.len());
+            let text =
+                || format!("{} bytes behind the last element are passed over", self.rest.len());
             notices.add("behind the last element", None, text);
         }
     }

@@ -40,18 +40,23 @@ impl Part {
 
 fn coordinates(vertex: &Element<'_>) -> Vec<Option<usize>> {
     let used = if has_normals(vertex) { [PLACE, NORMAL].concat() } else { PLACE.to_vec() };
-    let coordinate = |property: &Property<'_>| used.iter().position(|name| name.as_bytes() == property.name);
+    let coordinate =
+        |property: &Property<'_>| used.iter().position(|name| name.as_bytes() == property.name);
     vertex.properties.iter().map(coordinate).collect()
 }
 
 fn has_normals(vertex: &Element<'_>) -> bool {
-    let is_number = |name: &str| vertex.property(name).is_some_and(|property| matches!(property.kind, Kind::Number(_)));
+    let is_number = |name: &str| {
+        vertex.property(name).is_some_and(|property| matches!(property.kind, Kind::Number(_)))
+    };
     NORMAL.into_iter().all(is_number)
 }
 
 /// Where the list of vertices stands among the properties.
 fn indices(element: &Element<'_>) -> Option<usize> {
-    let is_named = |name: &str| element.properties.iter().position(|property| property.name == name.as_bytes());
+    let is_named = |name: &str| {
+        element.properties.iter().position(|property| property.name == name.as_bytes())
+    };
     INDICES.into_iter().find_map(is_named)
 }
 
@@ -87,7 +92,10 @@ impl Content {
             let line = element.line;
             move |problem: MeshProblem| problem.at_line(line)
         };
-        PLACE.into_iter().try_for_each(|name| check_coordinate(vertex, name)).map_err(at(vertex))?;
+        PLACE
+            .into_iter()
+            .try_for_each(|name| check_coordinate(vertex, name))
+            .map_err(at(vertex))?;
         let faces = [face?, strips?];
         if faces == [None, None] {
             return Err(syntax("the header has no element `face`".into()).into());
@@ -117,7 +125,11 @@ impl Content {
             Part::Vertex(coordinates) => self.vertex(coordinates, element, body, notices),
             Part::Face(list) => {
                 for (k, property) in element.properties.iter().enumerate() {
-                    if k == *list { self.face(index, property, body, notices)? } else { skip(property, body)? }
+                    if k == *list {
+                        self.face(index, property, body, notices)?
+                    } else {
+                        skip(property, body)?
+                    }
                 }
                 Ok(())
             }
@@ -140,7 +152,9 @@ impl Content {
         let mut values = [0.0; 6];
         for (property, coordinate) in element.properties.iter().zip(coordinates) {
             match (coordinate, property.kind) {
-                (Some(coordinate), Kind::Number(scalar)) => values[*coordinate] = body.number(property, scalar)?,
+                (Some(coordinate), Kind::Number(scalar)) => {
+                    values[*coordinate] = body.number(property, scalar)?
+                }
                 _ => skip(property, body)?,
             }
         }
@@ -168,12 +182,19 @@ impl Content {
         }
     }
 
-    fn face(&mut self, face: usize, property: &Property<'_>, body: &mut impl Body, notices: &mut Notices) -> Result<(), Located> {
+    fn face(
+        &mut self,
+        face: usize,
+        property: &Property<'_>,
+        body: &mut impl Body,
+        notices: &mut Notices,
+    ) -> Result<(), Located> {
         let (length, item) = list(property, body)?;
         let mut corners = Vec::new();
         for _ in 0..length {
             let number = body.whole(property, item)?;
-            let index = index(number, self.vertices).ok_or_else(|| self.no_such_vertex(face, number, body))?;
+            let index = index(number, self.vertices)
+                .ok_or_else(|| self.no_such_vertex(face, number, body))?;
             corners.push(index);
         }
         if corners.len() < 3 {
@@ -189,10 +210,13 @@ impl Content {
         let below = (number < 0).then_some(u32::MAX);
         match below.or(u32::try_from(number).ok().filter(|index| *index < u32::MAX)) {
             Some(index) => {
-                let problem = MeshProblem::Index { face, what: "vertex", index, count: self.vertices };
+                let problem =
+                    MeshProblem::Index { face, what: "vertex", index, count: self.vertices };
                 Located { line: body.line(), problem }
             }
-            None => body.wrong(format!("face {face} names vertex {number} (both counted from 0), which is not there")),
+            None => body.wrong(format!(
+                "face {face} names vertex {number} (both counted from 0), which is not there"
+            )),
         }
     }
 
@@ -207,7 +231,12 @@ impl Content {
                 continue;
             }
             let index = index(number, self.vertices);
-            let text = || format!("a strip names vertex {number}, but there are only {} (counted from 0)", self.vertices);
+            let text = || {
+                format!(
+                    "a strip names vertex {number}, but there are only {} (counted from 0)",
+                    self.vertices
+                )
+            };
             if let Some(triangle) = strip.next(index.ok_or_else(|| body.wrong(text()))?) {
                 self.faces.push(&triangle, body.line());
             }
@@ -224,10 +253,14 @@ impl Content {
         let Content { positions, normals, faces, .. } = self;
         let mut polygons = Polygons::default();
         (polygons.positions, polygons.normals) = (positions, normals);
-        let has_normal: Vec<bool> = polygons.normals.iter().map(|normal| *normal != DVec3::ZERO).collect();
+        let has_normal: Vec<bool> =
+            polygons.normals.iter().map(|normal| *normal != DVec3::ZERO).collect();
         let given = |vertex: u32| has_normal.get(vertex as usize).is_some_and(|has| *has);
         for face in faces.all() {
-            polygons.push(face.iter().map(|&vertex| Corner { vertex, normal: given(vertex).then_some(vertex) }));
+            polygons.push(
+                face.iter()
+                    .map(|&vertex| Corner { vertex, normal: given(vertex).then_some(vertex) }),
+            );
         }
         let line = |item| match item {
             Item::Face(index) => faces.lines.get(index).copied(),
@@ -244,9 +277,10 @@ impl Content {
         let mut used = vec![false; self.positions.len()];
         self.faces.corners.iter().for_each(|&vertex| used[vertex as usize] = true);
         match self.misplaced.iter().find(|misplaced| used[misplaced.vertex]) {
-            Some(&Misplaced { vertex: index, line, value }) => {
-                Err(Located { line, problem: MeshProblem::Coordinate { what: "vertex", index, value } })
-            }
+            Some(&Misplaced { vertex: index, line, value }) => Err(Located {
+                line,
+                problem: MeshProblem::Coordinate { what: "vertex", index, value },
+            }),
             None => Ok(()),
         }
     }
@@ -304,7 +338,9 @@ impl Strip {
 /// A list's length and the type of what is in it.
 fn list(property: &Property<'_>, body: &mut impl Body) -> Result<(usize, Scalar), Located> {
     match property.kind {
-        Kind::List { length, item } => Ok((list_length(body.whole(property, length)?, property, body)?, item)),
+        Kind::List { length, item } => {
+            Ok((list_length(body.whole(property, length)?, property, body)?, item))
+        }
         // The header was checked for it where there are any.
         Kind::Number(scalar) => Ok((0, scalar)),
     }
@@ -326,7 +362,9 @@ fn only<'a, 'h>(header: &'h Header<'a>, name: &str) -> Result<Option<&'h Element
     let mut all = header.elements.iter().filter(|element| element.name == name.as_bytes());
     let first = all.next();
     match all.next() {
-        Some(second) => Err(syntax(format!("the header has the element `{name}` twice")).at_line(second.line)),
+        Some(second) => {
+            Err(syntax(format!("the header has the element `{name}` twice")).at_line(second.line))
+        }
         None => Ok(first),
     }
 }
@@ -334,7 +372,9 @@ fn only<'a, 'h>(header: &'h Header<'a>, name: &str) -> Result<Option<&'h Element
 fn check_coordinate(vertex: &Element<'_>, name: &str) -> Result<(), MeshProblem> {
     match vertex.property(name).map(|property| property.kind) {
         Some(Kind::Number(_)) => Ok(()),
-        Some(Kind::List { .. }) => Err(syntax(format!("property `{name}` of `vertex` is a list; it has to be a number"))),
+        Some(Kind::List { .. }) => {
+            Err(syntax(format!("property `{name}` of `vertex` is a list; it has to be a number")))
+        }
         None => Err(syntax(format!("element `vertex` has no property `{name}`"))),
     }
 }
@@ -343,8 +383,12 @@ fn check_indices(element: &Element<'_>) -> Result<(), MeshProblem> {
     let name = String::from_utf8_lossy(element.name);
     match indices(element).map(|k| element.properties[k].kind) {
         Some(Kind::List { item, .. }) if item.is_whole() => Ok(()),
-        Some(Kind::List { .. }) => Err(syntax(format!("the vertex indices of `{name}` are fractions; they have to be integers"))),
-        Some(Kind::Number(_)) => Err(syntax(format!("the vertex indices of `{name}` are a single number; they have to be a list"))),
+        Some(Kind::List { .. }) => Err(syntax(format!(
+            "the vertex indices of `{name}` are fractions; they have to be integers"
+        ))),
+        Some(Kind::Number(_)) => Err(syntax(format!(
+            "the vertex indices of `{name}` are a single number; they have to be a list"
+        ))),
         None => Err(syntax(format!("element `{name}` has no list `vertex_indices`"))),
     }
 }

@@ -132,7 +132,11 @@ impl<'a> Header<'a> {
         let mut lines = Lines::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
         let first = lines.next().unwrap_or_default();
         if first.trim_ascii_end() != b"ply" {
-            return Err(syntax(format!("it does not start with `ply`, but with {}", quoted(first))).at_line(1));
+            return Err(syntax(format!(
+                "it does not start with `ply`, but with {}",
+                quoted(first)
+            ))
+            .at_line(1));
         }
         let end = lines.end();
         let mut draft = Draft::default();
@@ -165,10 +169,17 @@ impl<'a> Draft<'a> {
             Some(b"property") => {
                 let property = property(&mut rest)?;
                 let last = self.elements.last_mut();
-                last.ok_or_else(|| syntax("a property stands before the first element".into()))?.properties.push(property);
+                last.ok_or_else(|| syntax("a property stands before the first element".into()))?
+                    .properties
+                    .push(property);
             }
             Some(b"end_header") => return Ok(true),
-            Some(word) => return Err(syntax(format!("{} is no word that a line of the header starts with", quoted(word)))),
+            Some(word) => {
+                return Err(syntax(format!(
+                    "{} is no word that a line of the header starts with",
+                    quoted(word)
+                )));
+            }
         }
         Ok(false)
     }
@@ -203,7 +214,8 @@ fn element<'a>(rest: &mut Words<'a>, line: usize) -> Result<Element<'a>, MeshPro
     let name = needed(rest, "an element's name")?;
     let word = needed(rest, "how many of it there are")?;
     let count = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
-    let count = count.ok_or_else(|| syntax(format!("{} is no number of elements", quoted(word))))?;
+    let count =
+        count.ok_or_else(|| syntax(format!("{} is no number of elements", quoted(word))))?;
     Ok(Element { name, line, count, properties: Vec::new() })
 }
 
@@ -214,7 +226,12 @@ fn property<'a>(rest: &mut Words<'a>) -> Result<Property<'a>, MeshProblem> {
             let length = needed(rest, "the type of the list's length")?;
             let length = match scalar(length)? {
                 whole if whole.is_whole() => whole,
-                _ => return Err(syntax(format!("a list's length is a whole number, it cannot be {}", quoted(length)))),
+                _ => {
+                    return Err(syntax(format!(
+                        "a list's length is a whole number, it cannot be {}",
+                        quoted(length)
+                    )));
+                }
             };
             Kind::List { length, item: scalar(needed(rest, "the type of what is in the list")?)? }
         }
@@ -225,7 +242,8 @@ fn property<'a>(rest: &mut Words<'a>) -> Result<Property<'a>, MeshProblem> {
 
 fn scalar(name: &[u8]) -> Result<Scalar, MeshProblem> {
     let known = "`char`, `uchar`, `short`, `ushort`, `int`, `uint`, `float`, `double`, and `int8` to `float64`";
-    Scalar::named(name).ok_or_else(|| syntax(format!("{} is no type; known are {known}", quoted(name))))
+    Scalar::named(name)
+        .ok_or_else(|| syntax(format!("{} is no type; known are {known}", quoted(name))))
 }
 
 fn needed<'a>(rest: &mut Words<'a>, what: &str) -> Result<&'a [u8], MeshProblem> {
@@ -245,12 +263,18 @@ mod tests {
         for end in ["\n", "\r\n", "\r"] {
             let text = "ply|format binary_big_endian 1.0|comment ?|obj_info ?|element ? 3|property list uint8 int32 a|\
                         property float64 ?|end_header|\nx";
-            let bytes: Vec<u8> = text.replace('|', end).bytes().map(|byte| if byte == b'?' { 0xe9 } else { byte }).collect();
+            let bytes: Vec<u8> = text
+                .replace('|', end)
+                .bytes()
+                .map(|byte| if byte == b'?' { 0xe9 } else { byte })
+                .collect();
             let header = Header::read(&bytes).expect("it is right");
             assert_eq!(header.encoding, Encoding::BigEndian);
-            let list = Property { name: b"a", kind: Kind::List { length: Scalar::U8, item: Scalar::I32 } };
+            let list =
+                Property { name: b"a", kind: Kind::List { length: Scalar::U8, item: Scalar::I32 } };
             let number = Property { name: b"\xe9", kind: Kind::Number(Scalar::F64) };
-            let element = Element { name: b"\xe9", line: 5, count: 3, properties: vec![list, number] };
+            let element =
+                Element { name: b"\xe9", line: 5, count: 3, properties: vec![list, number] };
             assert_eq!(header.elements, [element]);
             assert_eq!(header.data, b"\nx", "{end:?}");
         }
@@ -265,7 +289,10 @@ mod tests {
         };
         for (line, text) in [
             ("property floaty x", "`floaty` is no type; known are"),
-            ("property list float int x", "a list's length is a whole number, it cannot be `float`"),
+            (
+                "property list float int x",
+                "a list's length is a whole number, it cannot be `float`",
+            ),
             ("property float", "the line ends where a property's name is needed"),
             ("element face many", "`many` is no number of elements"),
             ("element face -1", "`-1` is no number of elements"),

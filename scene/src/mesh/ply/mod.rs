@@ -40,7 +40,12 @@ fn check_counts(header: &Header<'_>, length: usize) -> Result<(), Located> {
     Ok(())
 }
 
-fn read(header: &Header<'_>, mut body: impl Body, mut content: Content, notices: &mut Notices) -> Result<Mesh, Located> {
+fn read(
+    header: &Header<'_>,
+    mut body: impl Body,
+    mut content: Content,
+    notices: &mut Notices,
+) -> Result<Mesh, Located> {
     for element in &header.elements {
         if element.properties.is_empty() {
             continue;
@@ -79,5 +84,7 @@ fn skip(property: &Property<'_>, body: &mut impl Body) -> Result<(), Located> {
 
 /// A list's length, which was read as a whole number.
 fn list_length(length: i64, property: &Property<'_>, body: &impl Body) -> Result<usize, Located> {
-    usize::try_from(length).map_err(|_| body.wrong(format!("the list {} has the length {length}", quoted(property.name))))
+    usize::try_from(length).map_err(|_| {
+        body.wrong(format!("the list {} has the length {length}", quoted(property.name)))
+    })
 }

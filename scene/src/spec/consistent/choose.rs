@@ -25,9 +25,10 @@ impl ConsistentSpec {
         Power::CHOICE,
     ];
 
-    /// NUMERICS.md "Recommended formats" and 3e: 14 bits, 2 more for wide angles, and as many more as the power n multiplies what
-    /// rounding adds to the length of r. ρ² has twice the bits of ρ where α comes near a quarter turn, where its root is steep, and
-    /// else as many more as ρ ≥ q asks for.
+    /// NUMERICS.md "Recommended formats" and 3e: 14 bits, 2 more for wide angles, and as many more
+    /// as the power n multiplies what rounding adds to the length of r. ρ² has twice the bits of ρ
+    /// where α comes near a quarter turn, where its root is steep, and else as many more as ρ ≥ q
+    /// asks for.
     pub fn for_needs(needs: &Needs) -> ConsistentSpec {
         let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs));
         let curve = Curve::Rational;
@@ -44,8 +45,8 @@ impl ConsistentSpec {
             highlight: Highlight::Reflection,
             power: Power::for_needs(needs),
             formats: ConsistentFormats {
-                // A step is off by half an ulp, and so is S times that at the end of the span: log2 S + 1 more bits keep the
-                // weight within half an ulp of its own format.
+                // A step is off by half an ulp, and so is S times that at the end of the span: log2
+                // S + 1 more bits keep the weight within half an ulp of its own format.
                 weight_accumulator: unit(fine + s + 1),
                 weight: unit(fine),
                 vector: Format::signed(1, fine),
@@ -92,24 +93,45 @@ impl Describe for ConsistentSpec {
             base,
             shape: _,
         } = &self.formats;
-        let (point, accumulated, linear) = (NarrowingPoint::rounded, NarrowingPoint::accumulated, (1, span_bits));
-        let (weights, angles) =
-            ("step of the interpolation weight, rounded by the host", "start and step of t, rounded up by the host");
+        let (point, accumulated, linear) =
+            (NarrowingPoint::rounded, NarrowingPoint::accumulated, (1, span_bits));
+        let (weights, angles) = (
+            "step of the interpolation weight, rounded by the host",
+            "start and step of t, rounded up by the host",
+        );
         let points = vec![
             accumulated("weight_accumulator", weight_accumulator, UNIT, linear, weights),
-            point("weight", weight, UNIT, "interpolation weight a").no_finer_than(weight_accumulator),
-            point("vector", vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0), of n = N'/|N'| and of r"),
+            point("weight", weight, UNIT, "interpolation weight a")
+                .no_finer_than(weight_accumulator),
+            point(
+                "vector",
+                vector,
+                SIGNED_UNIT,
+                "components of N' = N0 + a (N1 - N0), of n = N'/|N'| and of r",
+            ),
             point("length_squared", length_squared, UNIT, "z = N'.N'"),
             point("gain", gain, Format::unsigned(LARGEST_GAIN_BITS, 0), "1/sqrt(z), at most 16"),
             accumulated("angle_accumulator", angle_accumulator, SIGNED_UNIT, linear, angles),
-            point("angle", angle, UNIT, "t = 2 alpha/pi, rounded up, at most 1").no_finer_than(angle_accumulator),
-            point("tangent", tangent, UNIT, "tan(pi (1 - t)/4) and the steps of its polynomial (curve = trigonometric)"),
+            point("angle", angle, UNIT, "t = 2 alpha/pi, rounded up, at most 1")
+                .no_finer_than(angle_accumulator),
+            point(
+                "tangent",
+                tangent,
+                UNIT,
+                "tan(pi (1 - t)/4) and the steps of its polynomial (curve = trigonometric)",
+            ),
             point("contraction", contraction, UNIT, "q, rounded down"),
             point("cosine", cosine, SIGNED_UNIT, "b = n.I, g = 1 + q (b - 1), and g + rho b"),
-            point("sine_ratio_squared", sine_ratio_squared, UNIT, "rho^2 = q (1 + g)/(1 + b)").up_to(MOST_SQUARED_FRACTION_BITS),
+            point("sine_ratio_squared", sine_ratio_squared, UNIT, "rho^2 = q (1 + g)/(1 + b)")
+                .up_to(MOST_SQUARED_FRACTION_BITS),
             point("sine_ratio", sine_ratio, UNIT, "rho"),
             point("diffuse", diffuse, UNIT, "n.L or |L + r|/2, clamped to 0..1"),
-            point("base", base, UNIT, "r.L or N_c.H, clamped to 0..1, and each square of it where power = squaring"),
+            point(
+                "base",
+                base,
+                UNIT,
+                "r.L or N_c.H, clamped to 0..1, and each square of it where power = squaring",
+            ),
         ];
         points.into_iter().chain(self.power_unit().narrowing_point()).collect()
     }
@@ -128,7 +150,11 @@ impl Describe for ConsistentSpec {
             Highlight::Blinn => "N_c.H with H = (L + V)/|L + V|, to the power 4n",
         };
         let options = [("curve", curve), ("diffuse", diffuse), ("base of the highlight", base)];
-        options.map(|(name, value)| (name, value.to_owned())).into_iter().chain([self.power.option()]).collect()
+        options
+            .map(|(name, value)| (name, value.to_owned()))
+            .into_iter()
+            .chain([self.power.option()])
+            .collect()
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {

@@ -3,7 +3,8 @@ use super::{ConsistentSpec, Highlight};
 use crate::spec::inputs::inputs;
 use crate::spec::{CoreSpec, InputPort};
 
-/// t at a vertex is 1.06097 at most, which is 1.06097 quarter turns with the trigonometric curve and less with the rational one.
+/// t at a vertex is 1.06097 at most, which is 1.06097 quarter turns with the trigonometric curve
+/// and less with the rational one.
 pub const LARGEST_ANGLE: f64 = 1.0625;
 
 inputs! {
@@ -50,8 +51,18 @@ impl ConsistentSpec {
             normal_start: InputPort::vector("normal_start", f.vector, 1.0),
             normal_delta: InputPort::vector("normal_delta", f.vector_sum(), 2.0),
             weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
-            angle_start: InputPort::between("angle_start", f.angle_accumulator, 0.0, LARGEST_ANGLE + f.angle_accumulator.ulp()),
-            angle_step: InputPort::between("angle_step", f.angle_accumulator, -LARGEST_ANGLE, LARGEST_ANGLE),
+            angle_start: InputPort::between(
+                "angle_start",
+                f.angle_accumulator,
+                0.0,
+                LARGEST_ANGLE + f.angle_accumulator.ulp(),
+            ),
+            angle_step: InputPort::between(
+                "angle_step",
+                f.angle_accumulator,
+                -LARGEST_ANGLE,
+                LARGEST_ANGLE,
+            ),
             exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
@@ -60,7 +71,9 @@ impl ConsistentSpec {
     }
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> ConsistentLight<InputPort> {
-        let vector = |part: &str| InputPort::vector(&format!("light{index}_{part}"), self.formats.vector, 1.0);
+        let vector = |part: &str| {
+            InputPort::vector(&format!("light{index}_{part}"), self.formats.vector, 1.0)
+        };
         ConsistentLight {
             direction: vector("direction"),
             halfway: (self.highlight == Highlight::Blinn).then(|| vector("halfway")),

@@ -1,8 +1,9 @@
 //! Consistent normal interpolation [Reshetov, Soupikov and Mark, SIGGRAPH Asia 2010], METHODS.md D.
 //!
-//! A direction I is reflected about the interpolated normal N in such a way that the reflection r never points into the surface. How far
-//! it departs from 2(N·I)N - I depends on α, the angle between N and the faces around: g = N·r = 1 + q(N·I - 1), with q = 1 (the plain
-//! reflection) for α = 0 and q = 0 (r = N) for a quarter turn.
+//! A direction I is reflected about the interpolated normal N in such a way that the reflection r
+//! never points into the surface. How far it departs from 2(N·I)N - I depends on α, the angle
+//! between N and the faces around: g = N·r = 1 + q(N·I - 1), with q = 1 (the plain reflection) for
+//! α = 0 and q = 0 (r = N) for a quarter turn.
 mod choose;
 mod inputs;
 mod set_up;
@@ -39,11 +40,13 @@ pub enum Diffuse {
 pub enum Highlight {
     /// r·L, r the consistent reflection of the eye.
     Reflection,
-    /// N_c·H, N_c half-way between H = (L + V)/|L + V| and its consistent reflection, to the power 4n: Blinn's.
+    /// N_c·H, N_c half-way between H = (L + V)/|L + V| and its consistent reflection, to the power
+    /// 4n: Blinn's.
     Blinn,
 }
 
-/// m: normals shorter than 2^-m = 1/16 of the longer one at the ends of their span are lengthened by 2^m and stay short.
+/// m: normals shorter than 2^-m = 1/16 of the longer one at the ends of their span are lengthened
+/// by 2^m and stay short.
 pub const LARGEST_GAIN_BITS: u32 = 4;
 
 /// Options of the method.
@@ -70,8 +73,8 @@ pub struct ConsistentFormats {
     pub weight_accumulator: Format,
     /// The weight a, rounded from the accumulator: `U1.f`.
     pub weight: Format,
-    /// Components of normals and light directions, of N' after interpolation and of n after normalisation: `S1.f`; of the reflection r:
-    /// `S2.f`.
+    /// Components of normals and light directions, of N' after interpolation and of n after
+    /// normalisation: `S1.f`; of the reflection r: `S2.f`.
     pub vector: Format,
     /// z = N'·N': `U1.f`.
     pub length_squared: Format,
@@ -81,7 +84,8 @@ pub struct ConsistentFormats {
     pub angle_accumulator: Format,
     /// t = 2α/π, rounded up from the accumulator and clamped to 1: `U1.f`.
     pub angle: Format,
-    /// tan(π(1 - t)/4), rounded down, and the steps of its polynomial (with the trigonometric curve only): `U1.f`.
+    /// tan(π(1 - t)/4), rounded down, and the steps of its polynomial (with the trigonometric curve
+    /// only): `U1.f`.
     pub tangent: Format,
     /// q, rounded down: `U1.f`.
     pub contraction: Format,
@@ -100,25 +104,29 @@ pub struct ConsistentFormats {
 }
 
 impl ConsistentFormats {
-    /// Format of N1 - N0: the vector's with one more integer bit, since the difference of two vectors is up to twice as long.
+    /// Format of N1 - N0: the vector's with one more integer bit, since the difference of two
+    /// vectors is up to twice as long.
     pub fn vector_sum(&self) -> Format {
         Format::signed(self.vector.integer_bits + 1, self.vector.fraction_bits)
     }
 }
 
 impl Highlight {
-    /// log2 of what the exponent is of n: 4 with Blinn's half-way vector, whose angle to N is half as wide as R's to L, else 1.
+    /// log2 of what the exponent is of n: 4 with Blinn's half-way vector, whose angle to N is half
+    /// as wide as R's to L, else 1.
     pub fn log2_exponent_factor(self) -> u32 {
         if self == Highlight::Blinn { 2 } else { 0 }
     }
 }
 
 impl Curve {
-    /// t at a vertex whose normal has the least cosine `m` with the faces around it: α = acos(m)(1 + c(1 - m)^e) in quarter turns, 0 to
-    /// 1.0625. α is not clamped to a quarter turn here, so that it is not too small between vertices (EXTREMES row 45).
+    /// t at a vertex whose normal has the least cosine `m` with the faces around it: α =
+    /// acos(m)(1 + c(1 - m)^e) in quarter turns, 0 to 1.0625. α is not clamped to a quarter turn
+    /// here, so that it is not too small between vertices (EXTREMES row 45).
     ///
-    /// c and e are such that the interpolated α suffices everywhere in a triangle: the paper's for the rational curve; for the
-    /// trigonometric one the paper's e = 2 does not do, and e = 1 with c = 0.06097 does (NUMERICS.md 1).
+    /// c and e are such that the interpolated α suffices everywhere in a triangle: the paper's for
+    /// the rational curve; for the trigonometric one the paper's e = 2 does not do, and e = 1 with
+    /// c = 0.06097 does (NUMERICS.md 1).
     pub fn quarter_turns(self, m: f64) -> f64 {
         let m = m.clamp(0.0, 1.0);
         let excess = match self {

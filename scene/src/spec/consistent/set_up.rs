@@ -19,7 +19,8 @@ struct Vectors {
     direction: [i64; 3],
     /// H, where the highlight asks for it.
     halfway: Option<[i64; 3]>,
-    /// Whether there is what the highlight asks for: not where L = -V and Blinn's asks for H (EXTREMES row 12).
+    /// Whether there is what the highlight asks for: not where L = -V and Blinn's asks for H
+    /// (EXTREMES row 12).
     has_highlight: bool,
 }
 
@@ -43,15 +44,26 @@ impl<'a> ConsistentSetUp<'a> {
 
     /// t at the first pixel and its step, from the angles at the triangle's vertices.
     fn angle(&self, span: &Span) -> [f64; 2] {
-        let at_vertices = self.frame.triangles[span.triangle].cones.map(|cone| self.consistent.curve.quarter_turns(cone.cosine));
+        let at_vertices = self.frame.triangles[span.triangle]
+            .cones
+            .map(|cone| self.consistent.curve.quarter_turns(cone.cosine));
         let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
         let (start, end) = (at(span.start), at(span.end));
         [start, (end - start) / f64::from(span.steps().max(1))]
     }
 
-    fn light(&self, index: usize, &Coefficients { diffuse, specular }: &Coefficients) -> ConsistentLight<i64> {
+    fn light(
+        &self,
+        index: usize,
+        &Coefficients { diffuse, specular }: &Coefficients,
+    ) -> ConsistentLight<i64> {
         let &Vectors { direction, halfway, has_highlight } = &self.lights[index];
-        ConsistentLight { direction, halfway, diffuse, specular: if has_highlight { specular } else { [0; 3] } }
+        ConsistentLight {
+            direction,
+            halfway,
+            diffuse,
+            specular: if has_highlight { specular } else { [0; 3] },
+        }
     }
 }
 
@@ -60,7 +72,8 @@ impl SetUpSpan for ConsistentSetUp<'_> {
         let f = &self.consistent.formats;
         let [start, end] = self.frame.end_axes(span).map(|n| f.vector.quantise_vector(n));
         let step = span.weight_step();
-        let [angle_start, angle_step] = self.angle(span).map(|t| rounded_up(f.angle_accumulator, t));
+        let [angle_start, angle_step] =
+            self.angle(span).map(|t| rounded_up(f.angle_accumulator, t));
         let inputs = ConsistentInputs {
             normal_start: start,
             normal_delta: std::array::from_fn(|i| end[i] - start[i]),
@@ -69,13 +82,19 @@ impl SetUpSpan for ConsistentSetUp<'_> {
             angle_step,
             exponent: self.consistent.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
-            lights: material.lights.iter().enumerate().map(|(index, coefficients)| self.light(index, coefficients)).collect(),
+            lights: material
+                .lights
+                .iter()
+                .enumerate()
+                .map(|(index, coefficients)| self.light(index, coefficients))
+                .collect(),
         };
         inputs.to_vec()
     }
 }
 
-/// The smallest raw value above `value`, at most one unit of the last place away: a larger angle is the safe side.
+/// The smallest raw value above `value`, at most one unit of the last place away: a larger angle is
+/// the safe side.
 fn rounded_up(format: Format, value: f64) -> i64 {
     format.quantise(value + 0.5 * format.ulp())
 }

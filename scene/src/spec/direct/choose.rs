@@ -21,8 +21,9 @@ impl DirectSpec {
         Choice { key: "newton_steps", values: &["1", "2"] },
     ];
 
-    /// NUMERICS.md 3b, direct evaluation: 12 + log2 n for what enters the base, whatever the length of the span, and as many more as q can
-    /// be small; t turns the normal alone, which shows by √n. Two of Newton's steps serve spans of any length up to 90 degrees (NUMERICS 3c).
+    /// NUMERICS.md 3b, direct evaluation: 12 + log2 n for what enters the base, whatever the length
+    /// of the span, and as many more as q can be small; t turns the normal alone, which shows by
+    /// √n. Two of Newton's steps serve spans of any length up to 90 degrees (NUMERICS 3c).
     pub fn for_needs(needs: &Needs) -> DirectSpec {
         let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs).max(4));
         let reach = (-needs.shortest_normal.max(0.0625).log2()).ceil() as u32;
@@ -76,23 +77,43 @@ impl Describe for DirectSpec {
         // `check_options` limits the integer bits.
         let reach = Format::unsigned(reciprocal.integer_bits, 0);
         let mut points = vec![
-            NarrowingPoint::accumulated("weight_accumulator", weight_accumulator, UNIT, (1, span_bits), accumulated),
+            NarrowingPoint::accumulated(
+                "weight_accumulator",
+                weight_accumulator,
+                UNIT,
+                (1, span_bits),
+                accumulated,
+            ),
             point("weight", weight, UNIT, "t").no_finer_than(weight_accumulator),
             point("product", product, UNIT, "t (1 - t)"),
             point("spread", spread, Format::unsigned(3, 0), "|B - A|^2, rounded by the host"),
-            point("component", component, SIGNED_UNIT, "A.L, A.V, their differences to B's, and L.V, rounded by the host"),
+            point(
+                "component",
+                component,
+                SIGNED_UNIT,
+                "A.L, A.V, their differences to B's, and L.V, rounded by the host",
+            ),
             // A reciprocal root tells 4^-m from 0.
-            point("length_squared", length_squared, UNIT, "q = N.N").with_at_least(2 * LARGEST_REACH),
+            point("length_squared", length_squared, UNIT, "q = N.N")
+                .with_at_least(2 * LARGEST_REACH),
         ];
         if self.root == Root::Newton {
             // 4^-m has the root 2^-m.
-            points.push(point("length", length, UNIT, "q/d, and d = sqrt(q) by Newton's method").with_at_least(LARGEST_REACH));
+            points.push(
+                point("length", length, UNIT, "q/d, and d = sqrt(q) by Newton's method")
+                    .with_at_least(LARGEST_REACH),
+            );
         }
         points.extend([
             point("reciprocal", reciprocal, reach, "1/sqrt(q)"),
             point("cosine", cosine, SIGNED_UNIT, "N.L and N.V, and both times 1/sqrt(q)"),
             point("diffuse", diffuse, UNIT, "N.L/sqrt(q), clamped to 0..1").no_finer_than(cosine),
-            point("base", base, UNIT, "2 J K - L.V, clamped to 0..1, and each square of it where power = squaring"),
+            point(
+                "base",
+                base,
+                UNIT,
+                "2 J K - L.V, clamped to 0..1, and each square of it where power = squaring",
+            ),
         ]);
         points.extend(self.power_unit().narrowing_point());
         points
@@ -112,7 +133,12 @@ impl Describe for DirectSpec {
 
     fn check_options(&self) -> Result<(), SpecError> {
         within("newton_steps", self.newton_steps.into(), 1.0, 2.0)?;
-        within("reciprocal integer bits", self.formats.reciprocal.integer_bits.into(), 0.0, LARGEST_REACH.into())
+        within(
+            "reciprocal integer bits",
+            self.formats.reciprocal.integer_bits.into(),
+            0.0,
+            LARGEST_REACH.into(),
+        )
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {

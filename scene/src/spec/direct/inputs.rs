@@ -63,7 +63,12 @@ impl DirectSpec {
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> DirectLight<InputPort> {
         DirectLight {
             light: self.ends(&format!("light{index}")),
-            light_dot_view: InputPort::between(format!("light{index}_dot_view"), self.formats.component, -1.0, 1.0),
+            light_dot_view: InputPort::between(
+                format!("light{index}_dot_view"),
+                self.formats.component,
+                -1.0,
+                1.0,
+            ),
             diffuse: core.colour_ports(&format!("light{index}_diffuse")),
             specular: core.colour_ports(&format!("light{index}_specular")),
         }
@@ -72,7 +77,12 @@ impl DirectSpec {
     fn ends(&self, name: &str) -> Ends<InputPort> {
         Ends {
             start: InputPort::between(format!("{name}_start"), self.formats.component, -1.0, 1.0),
-            delta: InputPort::between(format!("{name}_delta"), self.formats.component_sum(), -2.0, 2.0),
+            delta: InputPort::between(
+                format!("{name}_delta"),
+                self.formats.component_sum(),
+                -2.0,
+                2.0,
+            ),
         }
     }
 }

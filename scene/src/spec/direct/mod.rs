@@ -1,7 +1,9 @@
-//! The fast Phong formulas evaluated anew at every pixel [lecture, eq. 4.3 to 4.6], METHODS.md A6, A7; NUMERICS.md 3b.
+//! The fast Phong formulas evaluated anew at every pixel [lecture, eq. 4.3 to 4.6], METHODS.md A6,
+//! A7; NUMERICS.md 3b.
 //!
-//! With A and B the unit normals at the ends of a span, N = A + t (B - A) has the squared length q = 1 - κ t (1 - t), κ = |B - A|². So
-//! J = N·L and K = N·V are linear in t, and q needs no forward differences, whose errors grow with the square of the span's length.
+//! With A and B the unit normals at the ends of a span, N = A + t (B - A) has the squared length
+//! q = 1 - κ t (1 - t), κ = |B - A|². So J = N·L and K = N·V are linear in t, and q needs no
+//! forward differences, whose errors grow with the square of the span's length.
 mod choose;
 mod inputs;
 mod set_up;
@@ -18,7 +20,8 @@ pub use inputs::{DirectInputs, DirectLight, Ends};
 pub enum Root {
     /// 1/√q, correctly rounded.
     Exact,
-    /// d = √q by Newton's d ← (d + q/d)/2, which begins with the d of the pixel before, and 1 at the first (§4.2 of the lecture).
+    /// d = √q by Newton's d ← (d + q/d)/2, which begins with the d of the pixel before, and 1 at
+    /// the first (§4.2 of the lecture).
     Newton,
 }
 
@@ -48,7 +51,8 @@ pub struct DirectFormats {
     pub product: Format,
     /// κ: `U3.f`, rounded by the host.
     pub spread: Format,
-    /// A·L, A·V and L·V: `S1.f`, rounded by the host. Differences between the ends have one more integer bit.
+    /// A·L, A·V and L·V: `S1.f`, rounded by the host. Differences between the ends have one more
+    /// integer bit.
     pub component: Format,
     /// q: `U1.f`.
     pub length_squared: Format,
@@ -76,6 +80,11 @@ impl DirectFormats {
 impl DirectSpec {
     /// The power of the highlight.
     pub fn power_unit(&self) -> PowerUnit {
-        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
+        PowerUnit {
+            power: self.power,
+            log2_factor: 0,
+            base: self.formats.base,
+            shape: self.formats.shape,
+        }
     }
 }

@@ -23,7 +23,9 @@ impl SetUpSpan for DirectSetUp<'_> {
             view: self.ends(normals, EYE),
             exponent: self.direct.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
-            lights: lights.map(|(light, coefficients)| self.light(normals, light, coefficients)).collect(),
+            lights: lights
+                .map(|(light, coefficients)| self.light(normals, light, coefficients))
+                .collect(),
         };
         inputs.to_vec()
     }

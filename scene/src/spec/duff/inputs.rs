@@ -42,7 +42,8 @@ inputs! {
 impl DuffSpec {
     /// The ports of a core with this method.
     ///
-    /// With |N| ≤ 1 along the span every linear value lies from -1 to 1, and q from 0 to 1; for numerators see `hybrid`.
+    /// With |N| ≤ 1 along the span every linear value lies from -1 to 1, and q from 0 to 1; for
+    /// numerators see `hybrid`.
     pub fn inputs(&self, core: &CoreSpec) -> DuffInputs<InputPort> {
         let f = &self.formats;
         let view = || Linear::ports("view", f.linear_accumulator);

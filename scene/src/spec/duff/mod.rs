@@ -1,7 +1,8 @@
-//! Duff's Phong shading by forward differences with the highlights that Hast adds [Hast, Barrera and Bengtsson, eq. 3 to 8, 17, 33 and 34],
-//! METHODS.md C2 and C8 to C11.
+//! Duff's Phong shading by forward differences with the highlights that Hast adds [Hast, Barrera
+//! and Bengtsson, eq. 3 to 8, 17, 33 and 34], METHODS.md C2 and C8 to C11.
 //!
-//! Along a span N(i) = m + k i, so that p = N·L is linear and q = N·N quadratic in the pixel number i, and N·L of the unit normal is p/√q.
+//! Along a span N(i) = m + k i, so that p = N·L is linear and q = N·N quadratic in the pixel number
+//! i, and N·L of the unit normal is p/√q.
 mod choose;
 mod inputs;
 mod set_up;
@@ -44,12 +45,13 @@ pub struct DuffSpec {
 pub struct DuffFormats {
     /// Accumulators of p, N·V and N·H: `S1.f`. The host rounds start values and steps into it.
     pub linear_accumulator: Format,
-    /// Accumulators of q, of the numerator of the quotient, and their differences: `S3.f`. The host rounds start values and differences
-    /// into it.
+    /// Accumulators of q, of the numerator of the quotient, and their differences: `S3.f`. The host
+    /// rounds start values and differences into it.
     pub accumulator: Format,
     /// p, q, N·V, N·H and the numerator, rounded from their accumulators: `S1.f`.
     pub operand: Format,
-    /// s = 1/√q: `U<m>.f`. The integer bits m, 1 to 12, say how far it reaches: 2^m, for normals no shorter than 2^-m.
+    /// s = 1/√q: `U<m>.f`. The integer bits m, 1 to 12, say how far it reaches: 2^m, for normals no
+    /// shorter than 2^-m.
     pub root: Format,
     /// p/q (with eq. 33 only), as large as s at most: `S2.f`.
     pub quotient: Format,
@@ -69,7 +71,8 @@ impl Highlight {
         matches!(self, Highlight::Eq33 | Highlight::Eq34)
     }
 
-    /// log2 of what the exponent is of n: 4 with Blinn's half-way vector, whose angle to N is half as wide as R's to L, else 1.
+    /// log2 of what the exponent is of n: 4 with Blinn's half-way vector, whose angle to N is half
+    /// as wide as R's to L, else 1.
     pub fn log2_exponent_factor(self) -> u32 {
         if self == Highlight::Blinn { 2 } else { 0 }
     }

@@ -19,11 +19,14 @@ impl SetUpSpan for DuffSetUp<'_> {
         let [m, k] = normal;
         let lights = self.frame.lights.iter().zip(&material.lights);
         let inputs = DuffInputs {
-            denominator: Quadratic::squared_length(span, m, k).quantised(self.duff.formats.accumulator),
+            denominator: Quadratic::squared_length(span, m, k)
+                .quantised(self.duff.formats.accumulator),
             view: highlight.looks_at_the_eye().then(|| self.linear(span, normal, EYE)),
             exponent: self.duff.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
-            lights: lights.map(|(light, coefficients)| self.light(span, normal, light, coefficients)).collect(),
+            lights: lights
+                .map(|(light, coefficients)| self.light(span, normal, light, coefficients))
+                .collect(),
         };
         inputs.to_vec()
     }

@@ -11,10 +11,12 @@ use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint};
 
 impl GouraudSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[Choice { key: "interpolation", values: &["\"linear\"", "\"uniform\""] }];
+    pub const CHOICES: &'static [Choice] =
+        &[Choice { key: "interpolation", values: &["\"linear\"", "\"uniform\""] }];
 
-    /// 12 fraction bits leave 0.03 LSB in each intensity. A step is off by half a unit in the last place, and so is S times that at the
-    /// end of the span: log2 S + 1 more bits keep that within half a unit of the intensity's.
+    /// 12 fraction bits leave 0.03 LSB in each intensity. A step is off by half a unit in the last
+    /// place, and so is S times that at the end of the span: log2 S + 1 more bits keep that within
+    /// half a unit of the intensity's.
     pub fn for_needs(needs: &Needs) -> GouraudSpec {
         GouraudSpec {
             interpolation: Interpolation::Linear,
@@ -37,12 +39,28 @@ impl Describe for GouraudSpec {
         let sums = "start and step of the intensities, rounded by the host";
         match self.interpolation {
             Interpolation::Linear => vec![
-                NarrowingPoint::accumulated("accumulator", accumulator, SIGNED_UNIT, (1, span_bits), sums),
-                NarrowingPoint::rounded("intensity", intensity, UNIT, "diffuse and specular intensity, clamped to 0..1")
-                    .no_finer_than(accumulator),
+                NarrowingPoint::accumulated(
+                    "accumulator",
+                    accumulator,
+                    SIGNED_UNIT,
+                    (1, span_bits),
+                    sums,
+                ),
+                NarrowingPoint::rounded(
+                    "intensity",
+                    intensity,
+                    UNIT,
+                    "diffuse and specular intensity, clamped to 0..1",
+                )
+                .no_finer_than(accumulator),
             ],
             Interpolation::Uniform => {
-                vec![NarrowingPoint::rounded("intensity", intensity, UNIT, "diffuse and specular intensity, rounded by the host")]
+                vec![NarrowingPoint::rounded(
+                    "intensity",
+                    intensity,
+                    UNIT,
+                    "diffuse and specular intensity, rounded by the host",
+                )]
             }
         }
     }

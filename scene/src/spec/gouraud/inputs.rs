@@ -32,7 +32,8 @@ inputs! {
     Intensity {
         /// At the first pixel, 0 to 1.
         start: one,
-        /// What it grows by with each pixel, 0 in a span of one pixel; with linear interpolation only.
+        /// What it grows by with each pixel, 0 in a span of one pixel; with linear interpolation
+        /// only.
         step: one_if_any,
     }
 }
@@ -63,7 +64,10 @@ impl GouraudSpec {
                 start: InputPort::between(format!("{name}_start"), accumulator, 0.0, 1.0),
                 step: Some(InputPort::between(format!("{name}_step"), accumulator, -1.0, 1.0)),
             },
-            Interpolation::Uniform => Intensity { start: InputPort::between(name, self.formats.intensity, 0.0, 1.0), step: None },
+            Interpolation::Uniform => Intensity {
+                start: InputPort::between(name, self.formats.intensity, 0.0, 1.0),
+                step: None,
+            },
         }
     }
 }

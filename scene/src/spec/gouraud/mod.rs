@@ -1,6 +1,8 @@
-//! Intensities of a polygon's vertices, or of the polygon as a whole [lecture, eq. 2.1 and 3.2 to 3.6], METHODS.md A3 and A4.
+//! Intensities of a polygon's vertices, or of the polygon as a whole [lecture, eq. 2.1 and 3.2 to
+//! 3.6], METHODS.md A3 and A4.
 //!
-//! The host works out Phong's formula, max(N·L, 0) and max(R·L, 0)^n with R = 2(N·V)N - V; the core sees nothing of n.
+//! The host works out Phong's formula, max(N·L, 0) and max(R·L, 0)^n with R = 2(N·V)N - V; the core
+//! sees nothing of n.
 mod choose;
 mod inputs;
 mod set_up;
@@ -16,7 +18,8 @@ pub use inputs::{GouraudInputs, GouraudLight, Intensity};
 pub enum Interpolation {
     /// At the vertices, and linear between them (A4).
     Linear,
-    /// Once for each polygon, from the polygon's own normal (A3, lecture eq. 2.1); no accumulator is built.
+    /// Once for each polygon, from the polygon's own normal (A3, lecture eq. 2.1); no accumulator
+    /// is built.
     Uniform,
 }
 
@@ -34,8 +37,10 @@ pub struct GouraudSpec {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GouraudFormats {
-    /// Accumulators of the intensities: `S1.f`. The host rounds start and step into it; with linear interpolation only.
+    /// Accumulators of the intensities: `S1.f`. The host rounds start and step into it; with linear
+    /// interpolation only.
     pub accumulator: Format,
-    /// Diffuse and specular intensity, rounded from the accumulator, or by the host where they are uniform: `U1.f`.
+    /// Diffuse and specular intensity, rounded from the accumulator, or by the host where they are
+    /// uniform: `U1.f`.
     pub intensity: Format,
 }

@@ -20,13 +20,18 @@ enum Points {
 impl SetUpSpan for GouraudSetUp<'_> {
     fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
         let (points, n) = (self.points(span), self.frame.material(span).shininess);
-        let light = |(index, &Coefficients { diffuse, specular }): (usize, &Coefficients)| GouraudLight {
-            diffuse_intensity: self.intensity(span, &points, |point| point.diffuse(index)),
-            specular_intensity: self.intensity(span, &points, |point| point.highlight(index, n)),
-            diffuse,
-            specular,
+        let light =
+            |(index, &Coefficients { diffuse, specular }): (usize, &Coefficients)| GouraudLight {
+                diffuse_intensity: self.intensity(span, &points, |point| point.diffuse(index)),
+                specular_intensity: self
+                    .intensity(span, &points, |point| point.highlight(index, n)),
+                diffuse,
+                specular,
+            };
+        let inputs = GouraudInputs {
+            ambient: material.ambient,
+            lights: material.lights.iter().enumerate().map(light).collect(),
         };
-        let inputs = GouraudInputs { ambient: material.ambient, lights: material.lights.iter().enumerate().map(light).collect() };
         inputs.to_vec()
     }
 }
@@ -34,7 +39,8 @@ impl SetUpSpan for GouraudSetUp<'_> {
 impl GouraudSetUp<'_> {
     fn points(&self, span: &Span) -> Points {
         let triangle = &self.frame.triangles[span.triangle];
-        let vertex = |v: usize| LitPoint::new(self.frame, triangle.normals[v], triangle.positions[v]);
+        let vertex =
+            |v: usize| LitPoint::new(self.frame, triangle.normals[v], triangle.positions[v]);
         match self.gouraud.interpolation {
             Interpolation::Linear => Points::Vertices([0, 1, 2].map(vertex)),
             Interpolation::Uniform => {
@@ -44,15 +50,25 @@ impl GouraudSetUp<'_> {
         }
     }
 
-    fn intensity(&self, span: &Span, points: &Points, of: impl Fn(&LitPoint) -> f64) -> Intensity<i64> {
+    fn intensity(
+        &self,
+        span: &Span,
+        points: &Points,
+        of: impl Fn(&LitPoint) -> f64,
+    ) -> Intensity<i64> {
         let formats = &self.gouraud.formats;
         match points {
             Points::Vertices(vertices) => {
                 let at_vertices = vertices.each_ref().map(of);
-                let [start, step] = self.frame.interpolated(span, at_vertices).map(|x| formats.accumulator.quantise(x));
+                let [start, step] = self
+                    .frame
+                    .interpolated(span, at_vertices)
+                    .map(|x| formats.accumulator.quantise(x));
                 Intensity { start, step: Some(step) }
             }
-            Points::Middle(point) => Intensity { start: formats.intensity.quantise(of(point)), step: None },
+            Points::Middle(point) => {
+                Intensity { start: formats.intensity.quantise(of(point)), step: None }
+            }
         }
     }
 }

@@ -14,9 +14,9 @@ impl HybridSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] = &[Power::CHOICE];
 
-    /// NUMERICS.md 3b: accumulators for half an LSB, 2 log2 S + 8 + log2 n; the base's bits alone and one more for its
-    /// squares, 9 + log2 n; p and q as in direct
-    /// evaluation, 12 + log2 n, and as many more as q can be small.
+    /// NUMERICS.md 3b: accumulators for half an LSB, 2 log2 S + 8 + log2 n; the base's bits alone
+    /// and one more for its squares, 9 + log2 n; p and q as in direct evaluation, 12 + log2 n, and
+    /// as many more as q can be small.
     pub fn for_needs(needs: &Needs) -> HybridSpec {
         let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs));
         let small_q = small_q_bits(needs);
@@ -43,16 +43,19 @@ impl Describe for HybridSpec {
 
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
-        let &HybridFormats { diffuse_accumulator, diffuse, accumulator, operand, base, shape: _ } = &self.formats;
+        let &HybridFormats { diffuse_accumulator, diffuse, accumulator, operand, base, shape: _ } =
+            &self.formats;
         let (point, accumulated) = (NarrowingPoint::rounded, NarrowingPoint::accumulated);
         let (linear, quadratic) = ((1, span_bits), (2, span_bits));
         let intensity = "start and step of the diffuse intensity, rounded by the host";
         let differences = "start and differences of p and q, rounded by the host";
         let points = vec![
             accumulated("diffuse_accumulator", diffuse_accumulator, SIGNED_UNIT, linear, intensity),
-            point("diffuse", diffuse, UNIT, "diffuse intensity, clamped to 0..1").no_finer_than(diffuse_accumulator),
+            point("diffuse", diffuse, UNIT, "diffuse intensity, clamped to 0..1")
+                .no_finer_than(diffuse_accumulator),
             accumulated("accumulator", accumulator, Format::signed(3, 0), quadratic, differences),
-            point("operand", operand, SIGNED_UNIT, "p and q as they enter the divider").no_finer_than(accumulator),
+            point("operand", operand, SIGNED_UNIT, "p and q as they enter the divider")
+                .no_finer_than(accumulator),
             point("base", base, UNIT, "p/q, and each square of it where power = squaring"),
         ];
         points.into_iter().chain(self.power_unit().narrowing_point()).collect()

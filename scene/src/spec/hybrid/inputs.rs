@@ -49,9 +49,22 @@ impl HybridSpec {
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> HybridLight<InputPort> {
         let accumulator = self.formats.diffuse_accumulator;
         HybridLight {
-            numerator: Quadratic::reflected_ports(&format!("light{index}_numerator"), self.formats.accumulator),
-            intensity_start: InputPort::between(format!("light{index}_intensity_start"), accumulator, 0.0, 1.0),
-            intensity_step: InputPort::between(format!("light{index}_intensity_step"), accumulator, -1.0, 1.0),
+            numerator: Quadratic::reflected_ports(
+                &format!("light{index}_numerator"),
+                self.formats.accumulator,
+            ),
+            intensity_start: InputPort::between(
+                format!("light{index}_intensity_start"),
+                accumulator,
+                0.0,
+                1.0,
+            ),
+            intensity_step: InputPort::between(
+                format!("light{index}_intensity_step"),
+                accumulator,
+                -1.0,
+                1.0,
+            ),
             diffuse: core.colour_ports(&format!("light{index}_diffuse")),
             specular: core.colour_ports(&format!("light{index}_specular")),
         }

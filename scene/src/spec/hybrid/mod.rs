@@ -1,7 +1,8 @@
-//! Gouraud diffuse with Hast's specular recurrence [Hast, Barrera and Bengtsson, eq. 17 to 26], METHODS.md C3.
+//! Gouraud diffuse with Hast's specular recurrence [Hast, Barrera and Bengtsson, eq. 17 to 26],
+//! METHODS.md C3.
 //!
-//! Along a span N(i) = m + k i, so that both p = 2(N·V)(N·L) - (L·V)(N·N) and q = N·N are quadratic in the pixel number i, and the
-//! base of the highlight is R·L = p/q for a normal of any length.
+//! Along a span N(i) = m + k i, so that both p = 2(N·V)(N·L) - (L·V)(N·N) and q = N·N are quadratic
+//! in the pixel number i, and the base of the highlight is R·L = p/q for a normal of any length.
 mod choose;
 mod inputs;
 mod set_up;
@@ -30,7 +31,8 @@ pub struct HybridFormats {
     pub diffuse_accumulator: Format,
     /// Diffuse intensity, rounded from the accumulator: `U1.f`.
     pub diffuse: Format,
-    /// Accumulators of p and q and their differences: `S3.f`. The host rounds start values and differences into it.
+    /// Accumulators of p and q and their differences: `S3.f`. The host rounds start values and
+    /// differences into it.
     pub accumulator: Format,
     /// p and q as they enter the divider: `S1.f`.
     pub operand: Format,
@@ -43,6 +45,11 @@ pub struct HybridFormats {
 impl HybridSpec {
     /// The power of the highlight.
     pub fn power_unit(&self) -> PowerUnit {
-        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
+        PowerUnit {
+            power: self.power,
+            log2_factor: 0,
+            base: self.formats.base,
+            shape: self.formats.shape,
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Options and formats of `lyon`: defaults for a scene, and what may be asked for.
-use super::{Difference, Halfway, LyonFormats, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis};
+use super::{
+    Difference, Halfway, LyonFormats, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis,
+};
 use crate::format::Format;
 use crate::frame::Frame;
 use crate::needs::Needs;
@@ -35,7 +37,8 @@ impl LyonSpec {
         Choice { key: "squarings", values: &["0", "1", "2", "3"] },
     ];
 
-    /// NUMERICS.md "Recommended formats": the typical column up to 30 degrees and n = 256, else the extreme column.
+    /// NUMERICS.md "Recommended formats": the typical column up to 30 degrees and n = 256, else the
+    /// extreme column.
     pub fn for_needs(needs: &Needs) -> LyonSpec {
         let typical = needs.widest_angle <= 30.0 && needs.largest_shininess <= 256;
         let (vector, fine, shape) = if typical { (14, 14, 12) } else { (17, 19, 14) };
@@ -49,8 +52,8 @@ impl LyonSpec {
             shape: ShapeDatapath::FK,
             squarings: 2,
             formats: LyonFormats {
-                // A step is off by half an ulp, and so is S times that at the end of the span: log2 S + 1 more bits keep the
-                // weight within half an ulp of its own format.
+                // A step is off by half an ulp, and so is S times that at the end of the span: log2
+                // S + 1 more bits keep the weight within half an ulp of its own format.
                 weight_accumulator: Format::unsigned(1, vector + span_bits(needs.longest_span) + 1),
                 weight: Format::unsigned(1, vector),
                 vector: Format::signed(1, vector),
@@ -70,10 +73,12 @@ impl LyonSpec {
     }
 }
 
-/// The cheapest normalisation that makes the shortest normal long enough, or g2, of which NUMERICS.md says when it takes a Newton step.
+/// The cheapest normalisation that makes the shortest normal long enough, or g2, of which
+/// NUMERICS.md says when it takes a Newton step.
 ///
-/// A normal of length r is r g1 = (3r - r³)/2 long after g1. Where it is too short by 2^-11, N·L at full scale is 1/8 LSB too small. D = R - L, which takes
-/// it worst, is off by twice as much along itself, and f_2 moves with it by 0.67 √n: that is to be half an LSB at most.
+/// A normal of length r is r g1 = (3r - r³)/2 long after g1. Where it is too short by 2^-11, N·L at
+/// full scale is 1/8 LSB too small. D = R - L, which takes it worst, is off by twice as much along
+/// itself, and f_2 moves with it by 0.67 √n: that is to be half an LSB at most.
 fn cheapest_normalisation(needs: &Needs) -> Normalisation {
     let r = needs.shortest_normal;
     let steepest = 0.67 * f64::from(needs.largest_shininess).sqrt();
@@ -96,7 +101,10 @@ impl Describe for LyonSpec {
         let mut points = self.normal_points(span_bits);
         points.push(point("diffuse", f.diffuse, UNIT, "n.L, clamped at 0"));
         // D·D has twice the fraction bits, n another 13, and all of it must fit 63 bits.
-        points.push(point("difference", f.difference, Format::signed(2, 0), "components of D").with_at_most(20));
+        points.push(
+            point("difference", f.difference, Format::signed(2, 0), "components of D")
+                .with_at_most(20),
+        );
         points.extend(self.shape_points());
         points
     }
@@ -140,18 +148,44 @@ impl LyonSpec {
         // What is carried from pixel to pixel stays near unit length only where rounding is fine.
         let fewest = if self.follows() { FEWEST_TO_FOLLOW } else { FEWEST_FRACTION_BITS };
         let mut points = vec![
-            NarrowingPoint::accumulated("weight_accumulator", f.weight_accumulator, UNIT, (1, span_bits), accumulated)
+            NarrowingPoint::accumulated(
+                "weight_accumulator",
+                f.weight_accumulator,
+                UNIT,
+                (1, span_bits),
+                accumulated,
+            )
+            .with_at_least(fewest),
+            point("weight", f.weight, UNIT, "interpolation weight a")
+                .no_finer_than(f.weight_accumulator)
                 .with_at_least(fewest),
-            point("weight", f.weight, UNIT, "interpolation weight a").no_finer_than(f.weight_accumulator).with_at_least(fewest),
-            point("vector", f.vector, SIGNED_UNIT, "components of N' = N0 + a (N1 - N0) and of n = g N'").with_at_least(fewest),
+            point(
+                "vector",
+                f.vector,
+                SIGNED_UNIT,
+                "components of N' = N0 + a (N1 - N0) and of n = g N'",
+            )
+            .with_at_least(fewest),
         ];
         if self.follows() {
-            points.push(point("length_squared", f.length_squared, UNIT, "z = N'.N'").with_at_least(fewest));
+            points.push(
+                point("length_squared", f.length_squared, UNIT, "z = N'.N'").with_at_least(fewest),
+            );
             let q = "H.H, H = N' + n of the pixel before, or + w";
-            points.push(point("wrap_operand", f.wrap_operand, Format::unsigned(3, 0), q).with_at_least(fewest));
-            points.push(point("wrap_ratio", f.wrap_ratio, UNIT, "u = (1 - z) / H.H").with_at_least(fewest));
+            points.push(
+                point("wrap_operand", f.wrap_operand, Format::unsigned(3, 0), q)
+                    .with_at_least(fewest),
+            );
+            points.push(
+                point("wrap_ratio", f.wrap_ratio, UNIT, "u = (1 - z) / H.H").with_at_least(fewest),
+            );
         } else if self.normals == Normals::Wrapped {
-            points.push(point("wrap_operand", f.wrap_operand, Format::unsigned(3, 0), "H.w and H.H, H = N' + w"));
+            points.push(point(
+                "wrap_operand",
+                f.wrap_operand,
+                Format::unsigned(3, 0),
+                "H.w and H.H, H = N' + w",
+            ));
             points.push(point("wrap_ratio", f.wrap_ratio, UNIT, "v = H.w / H.H"));
         } else if self.normalisation != Normalisation::None {
             points.push(point("length_squared", f.length_squared, UNIT, "z = N'.N'"));
@@ -174,8 +208,19 @@ impl LyonSpec {
                 vec![point("shape", f.shape, UNIT, x)]
             }
             ShapeDatapath::Root => vec![
-                point("root_shininess", f.root_shininess, Format::unsigned(7, 0), "m, rounded by the host").down_to(0),
-                point("scaled_difference", f.scaled_difference, Format::unsigned(8, 0), "u_c = m |D_c| / 2^h"),
+                point(
+                    "root_shininess",
+                    f.root_shininess,
+                    Format::unsigned(7, 0),
+                    "m, rounded by the host",
+                )
+                .down_to(0),
+                point(
+                    "scaled_difference",
+                    f.scaled_difference,
+                    Format::unsigned(8, 0),
+                    "u_c = m |D_c| / 2^h",
+                ),
                 point("shape", f.shape, UNIT, "x = u.u, and each square of 1 - x"),
             ],
         }

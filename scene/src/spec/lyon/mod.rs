@@ -16,10 +16,11 @@ pub use wrap::NormalWrap;
 pub enum Normals {
     /// N' = N0 + a (N1 - N0), which is then brought near unit length (B12).
     Linear,
-    /// The polygon's own normal, the same at every pixel: neither interpolated nor normalised (lecture 21, eq. 2.1).
+    /// The polygon's own normal, the same at every pixel: neither interpolated nor normalised
+    /// (lecture 21, eq. 2.1).
     Flat,
-    /// n = 2v H - w with H = (N0 + w) + a (N1 - N0) and v = H·w / H·H: of unit length, whatever H is
-    /// [Hast, Barrera and Bengtsson, eq. 27 and 28; C4, C5].
+    /// n = 2v H - w with H = (N0 + w) + a (N1 - N0) and v = H·w / H·H: of unit length, whatever H
+    /// is [Hast, Barrera and Bengtsson, eq. 27 and 28; C4, C5].
     Wrapped,
 }
 
@@ -29,10 +30,12 @@ pub enum Normals {
 pub enum WrapAxis {
     /// The bisector of the end normals.
     Bisector,
-    /// The polygon's own normal; the bisector where an end normal is 90 degrees or more from it (EXTREMES row 8).
+    /// The polygon's own normal; the bisector where an end normal is 90 degrees or more from it
+    /// (EXTREMES row 8).
     Face,
-    /// The wrapped normal of the pixel before, and N0 at the first; the bisector in spans of more than 30 degrees that take fewer than 16 steps,
-    /// and in those of more than 120 degrees (EXTREMES row 11).
+    /// The wrapped normal of the pixel before, and N0 at the first; the bisector in spans of more
+    /// than 30 degrees that take fewer than 16 steps, and in those of more than 120 degrees
+    /// (EXTREMES row 11).
     Previous,
 }
 
@@ -46,7 +49,8 @@ pub enum Normalisation {
     G1,
     /// g2 = 1 + (y + y²)/2 (B9).
     G2,
-    /// g = 1/√max(z, 4^-4), correctly rounded: exact for normals no shorter than 1/16, those of spans up to 172 degrees. No Newton steps.
+    /// g = 1/√max(z, 4^-4), correctly rounded: exact for normals no shorter than 1/16, those of
+    /// spans up to 172 degrees. No Newton steps.
     Exact,
 }
 
@@ -56,7 +60,8 @@ pub enum Normalisation {
 pub enum Difference {
     /// D = R - L with R = 2(N·V)N - V (B1, B2; figure 7). It is D1 = 2(N·V)N - H (B3; figure 5).
     ReflectionMinusLight,
-    /// D2 = 2(N·L)N - H with H = L + V: the light reflected, less V (B4; figure 5). For a unit normal as long as R - L.
+    /// D2 = 2(N·L)N - H with H = L + V: the light reflected, less V (B4; figure 5). For a unit
+    /// normal as long as R - L.
     LightReflection,
     /// D3 = (H·N)N - H (B5; figure 5). For a unit normal |H| sin of the angle between H and N.
     HalfwayProjection,
@@ -76,12 +81,14 @@ impl Difference {
 
     /// Whether D is made of a half-way vector of about unit length.
     ///
-    /// The angle between H and N is half of that between R and L, so such a D is half as long as R - L and goes with 4n (B6, B7).
+    /// The angle between H and N is half of that between R and L, so such a D is half as long as
+    /// R - L and goes with 4n (B6, B7).
     pub const fn takes_unit_halfway(self) -> bool {
         matches!(self, Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection)
     }
 
-    /// log2 of the factor of the exponent that gives D the highlight of cos^n: 2 where D is half as long as R - L, else 0.
+    /// log2 of the factor of the exponent that gives D the highlight of cos^n: 2 where D is half as
+    /// long as R - L, else 0.
     pub const fn log2_exponent_factor(self) -> u32 {
         if self.takes_unit_halfway() { 2 } else { 0 }
     }
@@ -105,7 +112,8 @@ pub enum Halfway {
 pub enum ShapeDatapath {
     /// x = (n/2) D·D: one wide product (figure 7).
     FK,
-    /// x = mD·mD/2 with m = √n: small squares of fractions, and a comparator that also sees the integer parts (figure 8).
+    /// x = mD·mD/2 with m = √n: small squares of fractions, and a comparator that also sees the
+    /// integer parts (figure 8).
     Root,
 }
 
@@ -141,8 +149,9 @@ pub struct LyonFormats {
     pub weight_accumulator: Format,
     /// The weight a, rounded from the accumulator: `U1.f`.
     pub weight: Format,
-    /// Components of normals and light directions, of N' after interpolation and of n after normalisation: `S1.f`.
-    /// Differences of normals and half-way vectors have the same fraction bits and one more integer bit.
+    /// Components of normals and light directions, of N' after interpolation and of n after
+    /// normalisation: `S1.f`. Differences of normals and half-way vectors have the same fraction
+    /// bits and one more integer bit.
     pub vector: Format,
     /// H·w and H·H of wrapped normals: `U3.f`, since H·H reaches 4.
     pub wrap_operand: Format,
@@ -165,7 +174,8 @@ pub struct LyonFormats {
 }
 
 impl LyonFormats {
-    /// Format of N1 - N0 and of H: the vector's with one more integer bit, since the sum of two vectors is up to twice as long.
+    /// Format of N1 - N0 and of H: the vector's with one more integer bit, since the sum of two
+    /// vectors is up to twice as long.
     pub fn vector_sum(&self) -> Format {
         Format::signed(self.vector.integer_bits + 1, self.vector.fraction_bits)
     }
@@ -175,13 +185,14 @@ impl LyonFormats {
 pub const LOG2_LARGEST_GAIN: u32 = 4;
 
 impl LyonSpec {
-    /// h of the root shape, u_c = m|D_c| 2^-h: 1, 1, 2, 2 for k = 0 to 3, and one less where D goes with 4n.
+    /// h of the root shape, u_c = m|D_c| 2^-h: 1, 1, 2, 2 for k = 0 to 3, and one less where D goes
+    /// with 4n.
     pub const fn root_shift(&self) -> u32 {
         self.squarings / 2 + 1 - self.difference.log2_exponent_factor() / 2
     }
 
-    /// m² of the root shape for an exponent n, so that u·u = n D·D / 2^(k+1): n for odd k, and 2n for even k, whose shift is a half too
-    /// far. Where D goes with 4n, the shift has the factor.
+    /// m² of the root shape for an exponent n, so that u·u = n D·D / 2^(k+1): n for odd k, and 2n
+    /// for even k, whose shift is a half too far. Where D goes with 4n, the shift has the factor.
     pub const fn squared_root_shininess(&self, shininess: u32) -> u32 {
         if self.squarings.is_multiple_of(2) { 2 * shininess } else { shininess }
     }

@@ -21,14 +21,19 @@ struct LightInputs {
 
 impl<'a> LyonSetUp<'a> {
     pub fn new(lyon: &'a LyonSpec, frame: &'a Frame) -> LyonSetUp<'a> {
-        LyonSetUp { lyon, frame, lights: frame.lights.iter().map(|light| LightInputs::new(lyon, light)).collect() }
+        LyonSetUp {
+            lyon,
+            frame,
+            lights: frame.lights.iter().map(|light| LightInputs::new(lyon, light)).collect(),
+        }
     }
 }
 
 impl LightInputs {
     fn new(lyon: &LyonSpec, light: &DirectionalLight) -> LightInputs {
         let (f, l) = (&lyon.formats, light.direction);
-        let (takes_h, takes_unit) = (lyon.difference.takes_halfway(), lyon.difference.takes_unit_halfway());
+        let (takes_h, takes_unit) =
+            (lyon.difference.takes_halfway(), lyon.difference.takes_unit_halfway());
         let sum = takes_h.then(|| f.vector_sum().quantise_vector(l + EYE));
         let unit = takes_unit.then(|| unit_halfway(lyon.halfway, l));
         LightInputs {
@@ -70,10 +75,12 @@ impl LyonSetUp<'_> {
     fn normals(&self, span: &Span) -> NormalInputs {
         let f = &self.lyon.formats;
         // The difference of what is sent, so that the end is met as it was quantised.
-        let between = |start: [i64; 3], end: [i64; 3]| Some(std::array::from_fn(|i| end[i] - start[i]));
+        let between =
+            |start: [i64; 3], end: [i64; 3]| Some(std::array::from_fn(|i| end[i] - start[i]));
         match self.lyon.normals {
             Normals::Linear => {
-                let [start, end] = self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
+                let [start, end] =
+                    self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
                 NormalInputs { start, delta: between(start, end), axis: None, follows: None }
             }
             Normals::Flat => {
@@ -87,7 +94,12 @@ impl LyonSetUp<'_> {
                     Some(_) => wrap.ends.map(|n| f.vector.quantise_vector(n)),
                     None => wrap.ends.map(|n| f.vector_sum().quantise_vector(n + wrap.axis)),
                 };
-                NormalInputs { start, delta: between(start, end), axis: Some(f.vector.quantise_vector(wrap.axis)), follows }
+                NormalInputs {
+                    start,
+                    delta: between(start, end),
+                    axis: Some(f.vector.quantise_vector(wrap.axis)),
+                    follows,
+                }
             }
         }
     }
@@ -119,7 +131,12 @@ impl SetUpSpan for LyonSetUp<'_> {
             wrap_follows: normals.follows,
             shininess: self.shininess(self.frame.material(span).shininess),
             ambient: material.ambient,
-            lights: self.lights.iter().zip(&material.lights).map(|(light, coefficients)| light.with(coefficients)).collect(),
+            lights: self
+                .lights
+                .iter()
+                .zip(&material.lights)
+                .map(|(light, coefficients)| light.with(coefficients))
+                .collect(),
         };
         inputs.to_vec()
     }

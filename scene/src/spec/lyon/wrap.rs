@@ -6,14 +6,15 @@ use crate::spec::Wrap;
 /// How the normals of a span are wrapped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalWrap {
-    /// Their ends, and what they are wrapped around; the normal of the first pixel where they follow.
+    /// Their ends, and what they are wrapped around; the normal of the first pixel where they
+    /// follow.
     pub wrap: Wrap,
     /// Whether each pixel but the first is wrapped around what the one before came to.
     pub follows: bool,
 }
 
-/// What it takes to follow: a wrapped normal lags behind by what it is short of N, which is little in narrow spans and in those of many steps
-/// (NUMERICS 2b).
+/// What it takes to follow: a wrapped normal lags behind by what it is short of N, which is little
+/// in narrow spans and in those of many steps (NUMERICS 2b).
 const NARROW: f64 = 30.0;
 const WIDE: f64 = 120.0;
 const MANY_STEPS: u32 = 16;
@@ -34,7 +35,9 @@ impl LyonSpec {
         let [start, end] = wrap.ends;
         // Not a number where there is no normal, so that nothing follows.
         let degrees = start.angle_between(end).to_degrees();
-        match self.follows() && (degrees <= NARROW || (degrees <= WIDE && span.steps() >= MANY_STEPS)) {
+        match self.follows()
+            && (degrees <= NARROW || (degrees <= WIDE && span.steps() >= MANY_STEPS))
+        {
             true => NormalWrap { wrap: Wrap { axis: start, ..wrap }, follows: true },
             false => NormalWrap { wrap, follows: false },
         }

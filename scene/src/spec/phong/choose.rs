@@ -12,16 +12,27 @@ use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint};
 impl PhongSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] = &[
-        Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\"", "\"torrance-sparrow\"", "\"trowbridge-reitz\""] },
+        Choice {
+            key: "highlight",
+            values: &[
+                "\"reflection\"",
+                "\"blinn\"",
+                "\"torrance-sparrow\"",
+                "\"trowbridge-reitz\"",
+            ],
+        },
         Choice { key: "places", values: &["\"exact\"", "\"wrapped\""] },
     ];
 
-    /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits of it (NUMERICS 3b, "power base bits
-    /// alone", has 16 for n = 256 and 21 for 8000), and two more of the cosines and vectors it is made of, whose errors add up; short vectors
-    /// lose bits as they are made long. Wrapped vectors are off by up to 4 units of the last place of H·w and H·H.
+    /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits
+    /// of it (NUMERICS 3b, "power base bits alone", has 16 for n = 256 and 21 for 8000), and two
+    /// more of the cosines and vectors it is made of, whose errors add up; short vectors lose bits
+    /// as they are made long. Wrapped vectors are off by up to 4 units of the last place of H·w and
+    /// H·H.
     pub fn for_needs(needs: &Needs) -> PhongSpec {
         let exponent_bits = needs.largest_shininess.max(1).next_power_of_two().ilog2();
-        let short = (-needs.shortest_normal.min(needs.shortest_way).max(0.0625).log2()).ceil() as u32;
+        let short =
+            (-needs.shortest_normal.min(needs.shortest_way).max(0.0625).log2()).ceil() as u32;
         let base = (exponent_bits.max(4) + 9).min(22);
         let vector = (base + 2 + short).min(22);
         PhongSpec {
@@ -65,14 +76,32 @@ impl Describe for PhongSpec {
         let point = NarrowingPoint::rounded;
         let accumulated = "step of the interpolation weight, rounded by the host";
         let mut points = vec![
-            NarrowingPoint::accumulated("weight_accumulator", weight_accumulator, UNIT, (1, span_bits), accumulated),
-            point("weight", weight, UNIT, "interpolation weight a").no_finer_than(weight_accumulator),
-            point("vector", vector, SIGNED_UNIT, "components of interpolated vectors, and of n, l and v").with_at_most(22),
+            NarrowingPoint::accumulated(
+                "weight_accumulator",
+                weight_accumulator,
+                UNIT,
+                (1, span_bits),
+                accumulated,
+            ),
+            point("weight", weight, UNIT, "interpolation weight a")
+                .no_finer_than(weight_accumulator),
+            point(
+                "vector",
+                vector,
+                SIGNED_UNIT,
+                "components of interpolated vectors, and of n, l and v",
+            )
+            .with_at_most(22),
             point("length_squared", length_squared, Format::unsigned(2, 0), "squared lengths"),
             point("gain", gain, Format::unsigned(4, 0), "1 over a length, saturated"),
         ];
         if self.places == Places::Wrapped {
-            points.push(point("wrap_operand", wrap_operand, Format::unsigned(3, 0), "H.w and H.H, H = w + (F - P)"));
+            points.push(point(
+                "wrap_operand",
+                wrap_operand,
+                Format::unsigned(3, 0),
+                "H.w and H.H, H = w + (F - P)",
+            ));
             points.push(point("wrap_ratio", wrap_ratio, UNIT, "v = H.w / H.H"));
         }
         points.extend([
@@ -92,7 +121,10 @@ impl Describe for PhongSpec {
         };
         let mut options = vec![("highlight", highlight.to_owned())];
         if self.places == Places::Wrapped {
-            options.push(("directions to places", "2v H - w, H = w + (F - P), v = H.w / H.H".to_owned()));
+            options.push((
+                "directions to places",
+                "2v H - w, H = w + (F - P), v = H.w / H.H".to_owned(),
+            ));
         }
         options
     }

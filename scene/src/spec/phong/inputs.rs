@@ -48,7 +48,8 @@ inputs! {
         exponent: one_if_any,
         /// V·L; there where light and eye are at infinity.
         light_dot_view: one_if_any,
-        /// 1/|L + V|; there where light and eye are at infinity and the highlight is in the angle to H*.
+        /// 1/|L + V|; there where light and eye are at infinity and the highlight is in the angle
+        /// to H*.
         halfway_gain: one_if_any,
         /// Diffuse coefficient, in LSBs.
         diffuse: vector,
@@ -63,7 +64,8 @@ impl PhongSpec {
         let largest = self.highlight.exponent_factor() * core.largest_shininess;
         let (integer, f) = (Format::unsigned(bits(largest), 0), &self.formats);
         let at_infinity = core.lights - core.local_lights.len();
-        let kinds = (0..core.lights).map(|i| i.checked_sub(at_infinity).map(|local| core.local_lights[local]));
+        let kinds = (0..core.lights)
+            .map(|i| i.checked_sub(at_infinity).map(|local| core.local_lights[local]));
         let whole = PhongInputs {
             normal: self.straight("normal"),
             weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
@@ -89,20 +91,44 @@ impl PhongSpec {
         match self.places {
             Places::Exact => self.straight(name),
             Places::Wrapped => Way {
-                start: InputPort::vector(&format!("{name}_wrap_start"), self.formats.vector_sum(), 2.0),
-                delta: InputPort::vector(&format!("{name}_wrap_delta"), self.formats.vector_sum(), 2.0),
-                axis: Some(InputPort::vector(&format!("{name}_wrap_axis"), self.formats.vector, 1.0)),
+                start: InputPort::vector(
+                    &format!("{name}_wrap_start"),
+                    self.formats.vector_sum(),
+                    2.0,
+                ),
+                delta: InputPort::vector(
+                    &format!("{name}_wrap_delta"),
+                    self.formats.vector_sum(),
+                    2.0,
+                ),
+                axis: Some(InputPort::vector(
+                    &format!("{name}_wrap_axis"),
+                    self.formats.vector,
+                    1.0,
+                )),
             },
         }
     }
 
-    fn light_inputs(&self, core: &CoreSpec, index: usize, kind: Option<LocalKind>) -> PhongLight<InputPort> {
+    fn light_inputs(
+        &self,
+        core: &CoreSpec,
+        index: usize,
+        kind: Option<LocalKind>,
+    ) -> PhongLight<InputPort> {
         let f = &self.formats;
         let name = |part: &str| format!("light{index}_{part}");
         let vector = |part: &str| InputPort::vector(&name(part), f.vector, 1.0);
         let is_spot = matches!(kind, Some(LocalKind::Spot { .. }));
         let largest = core.largest_spot_exponent();
-        let exponent = || InputPort::between(name("exponent"), Format::unsigned(bits(largest), 0), 1.0, f64::from(largest));
+        let exponent = || {
+            InputPort::between(
+                name("exponent"),
+                Format::unsigned(bits(largest), 0),
+                1.0,
+                f64::from(largest),
+            )
+        };
         let constant = kind.is_none() && !core.local_eye;
         PhongLight {
             direction: kind.is_none().then(|| vector("direction")),

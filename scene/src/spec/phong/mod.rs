@@ -1,5 +1,6 @@
-//! Phong shading with the normal brought to unit length at each pixel [lecture, eq. 2.1, 4.1, 4.2], METHODS.md A3, A5, and Blinn's
-//! distributions [Lyon, TR 43, appendix], with lights and eye at infinity or at places [Hast et al., eq. 35 to 38], METHODS.md C15 to C18.
+//! Phong shading with the normal brought to unit length at each pixel [lecture, eq. 2.1, 4.1, 4.2],
+//! METHODS.md A3, A5, and Blinn's distributions [Lyon, TR 43, appendix], with lights and eye at
+//! infinity or at places [Hast et al., eq. 35 to 38], METHODS.md C15 to C18.
 mod choose;
 mod inputs;
 mod set_up;
@@ -25,13 +26,15 @@ pub enum Highlight {
     TrowbridgeReitz,
 }
 
-/// How the direction to a light or an eye at a place F comes out of F - P, which is linear along a span.
+/// How the direction to a light or an eye at a place F comes out of F - P, which is linear along a
+/// span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Places {
     /// (F - P)/|F - P|, by a reciprocal root (C15).
     Exact,
-    /// 2v H - w with H = w + (F - P) and v = H·w / H·H, without a root; F - P has length 1 at both ends of the span (C16 to C18).
+    /// 2v H - w with H = w + (F - P) and v = H·w / H·H, without a root; F - P has length 1 at both
+    /// ends of the span (C16 to C18).
     Wrapped,
 }
 
@@ -55,8 +58,8 @@ pub struct PhongFormats {
     pub weight_accumulator: Format,
     /// The weight a, rounded from the accumulator: `U1.f`.
     pub weight: Format,
-    /// Components of normals and of vectors to lights and eye, before and after normalisation: `S1.f`. Differences over a span have the
-    /// same fraction bits and one more integer bit.
+    /// Components of normals and of vectors to lights and eye, before and after normalisation:
+    /// `S1.f`. Differences over a span have the same fraction bits and one more integer bit.
     pub vector: Format,
     /// Squared lengths: `U2.f`.
     pub length_squared: Format,
@@ -82,7 +85,8 @@ impl PhongFormats {
 }
 
 impl Highlight {
-    /// What the host multiplies the exponent n by: Blinn's lobe in the angle to H* is as wide as Phong's in the angle to R with 4n.
+    /// What the host multiplies the exponent n by: Blinn's lobe in the angle to H* is as wide as
+    /// Phong's in the angle to R with 4n.
     pub fn exponent_factor(self) -> u32 {
         match self {
             Highlight::Reflection | Highlight::TorranceSparrow | Highlight::TrowbridgeReitz => 1,

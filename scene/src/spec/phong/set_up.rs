@@ -1,7 +1,10 @@
 //! Set-up of a span for `phong`.
 use glam::DVec3;
 
-use super::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Places, Way, wrap_to_eye, wrap_to_light};
+use super::{
+    Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Places, Way, wrap_to_eye,
+    wrap_to_light,
+};
 use crate::frame::{DirectionalLight, EYE, Frame, LocalLight, Span};
 use crate::spec::Wrap;
 use crate::spec::set_up::{Coefficients, MaterialInputs, SetUpSpan};
@@ -17,12 +20,16 @@ impl SetUpSpan for PhongSetUp<'_> {
         let (f, frame) = (&self.phong.formats, self.frame);
         let step = span.weight_step();
         let (at_infinity, local) = material.lights.split_at(frame.lights.len());
-        let at_infinity = frame.lights.iter().zip(at_infinity).map(|(light, c)| self.at_infinity(light, c));
-        let local = frame.local_lights.iter().zip(local).map(|(light, c)| self.at_a_place(span, light, c));
+        let at_infinity =
+            frame.lights.iter().zip(at_infinity).map(|(light, c)| self.at_infinity(light, c));
+        let local =
+            frame.local_lights.iter().zip(local).map(|(light, c)| self.at_a_place(span, light, c));
         let inputs = PhongInputs {
             normal: straight(f, frame.end_normals(span)),
             weight_step: f.weight_accumulator.quantise(step),
-            shininess: i64::from(frame.material(span).shininess * self.phong.highlight.exponent_factor()),
+            shininess: i64::from(
+                frame.material(span).shininess * self.phong.highlight.exponent_factor(),
+            ),
             eye: frame.eye.map(|eye| self.to_eye(span, eye)),
             ambient: material.ambient,
             lights: at_infinity.chain(local).collect(),
@@ -32,7 +39,11 @@ impl SetUpSpan for PhongSetUp<'_> {
 }
 
 impl PhongSetUp<'_> {
-    fn at_infinity(&self, light: &DirectionalLight, &Coefficients { diffuse, specular }: &Coefficients) -> PhongLight<i64> {
+    fn at_infinity(
+        &self,
+        light: &DirectionalLight,
+        &Coefficients { diffuse, specular }: &Coefficients,
+    ) -> PhongLight<i64> {
         let (f, l) = (&self.phong.formats, light.direction);
         let constant = self.frame.eye.is_none();
         let in_reflection = self.phong.highlight == Highlight::Reflection;
@@ -43,7 +54,8 @@ impl PhongSetUp<'_> {
             exponent: None,
             light_dot_view: (constant && in_reflection).then(|| f.cosine.quantise(l.dot(EYE))),
             // Where L = -V the gain saturates, and H = 0 makes nothing of it (EXTREMES row 12).
-            halfway_gain: (constant && !in_reflection).then(|| f.gain.quantise((l + EYE).length().recip())),
+            halfway_gain: (constant && !in_reflection)
+                .then(|| f.gain.quantise((l + EYE).length().recip())),
             diffuse,
             specular,
         }
@@ -57,7 +69,12 @@ impl PhongSetUp<'_> {
         }
     }
 
-    fn at_a_place(&self, span: &Span, light: &LocalLight, &Coefficients { diffuse, specular }: &Coefficients) -> PhongLight<i64> {
+    fn at_a_place(
+        &self,
+        span: &Span,
+        light: &LocalLight,
+        &Coefficients { diffuse, specular }: &Coefficients,
+    ) -> PhongLight<i64> {
         let (f, frame) = (&self.phong.formats, self.frame);
         let exact = self.phong.places == Places::Exact;
         PhongLight {
@@ -66,7 +83,11 @@ impl PhongSetUp<'_> {
                 Places::Exact => straight(f, frame.end_vectors_to(span, light.position)),
                 Places::Wrapped => wrapped(f, wrap_to_light(frame, span, light)),
             }),
-            axis: light.spot.as_ref().filter(|_| exact).map(|spot| f.vector.quantise_vector(spot.axis)),
+            axis: light
+                .spot
+                .as_ref()
+                .filter(|_| exact)
+                .map(|spot| f.vector.quantise_vector(spot.axis)),
             exponent: light.spot.as_ref().map(|spot| i64::from(spot.exponent)),
             light_dot_view: None,
             halfway_gain: None,
@@ -85,5 +106,9 @@ fn straight(formats: &PhongFormats, ends: [DVec3; 2]) -> Way<i64> {
 /// H along the span, and what it is wrapped around.
 fn wrapped(formats: &PhongFormats, Wrap { ends, axis }: Wrap) -> Way<i64> {
     let [start, end] = ends.map(|v| formats.vector_sum().quantise_vector(v + axis));
-    Way { start, delta: std::array::from_fn(|i| end[i] - start[i]), axis: Some(formats.vector.quantise_vector(axis)) }
+    Way {
+        start,
+        delta: std::array::from_fn(|i| end[i] - start[i]),
+        axis: Some(formats.vector.quantise_vector(axis)),
+    }
 }

@@ -1,11 +1,13 @@
-//! What the host wraps directions to places around [Hast, Barrera and Bengtsson, eq. 36 and 38; METHODS.md C16 to C18].
+//! What the host wraps directions to places around [Hast, Barrera and Bengtsson, eq. 36 and 38;
+//! METHODS.md C16 to C18].
 use glam::DVec3;
 
 use crate::frame::{EYE, Frame, LocalLight, Span};
 use crate::spec::Wrap;
 
-/// The wrap of the directions from a span to a light: around the way back along a spot's axis, as the paper has it, which leaves dark what is
-/// 90 degrees or more from it; around the bisector for a light without an axis.
+/// The wrap of the directions from a span to a light: around the way back along a spot's axis, as
+/// the paper has it, which leaves dark what is 90 degrees or more from it; around the bisector for
+/// a light without an axis.
 pub fn wrap_to_light(frame: &Frame, span: &Span, light: &LocalLight) -> Wrap {
     let ends = frame.end_vectors_to(span, light.position);
     match &light.spot {

@@ -5,7 +5,9 @@ use crate::frame::Frame;
 use crate::needs::Needs;
 use crate::spec::choose::{exponent_bits, small_q_bits, span_bits};
 use crate::spec::describe::Describe;
-use crate::spec::narrowing::{MOST_ACCUMULATOR_FRACTION_BITS, MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::spec::narrowing::{
+    MOST_ACCUMULATOR_FRACTION_BITS, MOST_FRACTION_BITS, SIGNED_UNIT, UNIT,
+};
 use crate::spec::power::Power;
 use crate::spec::set_up::SetUpSpan;
 use crate::spec::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
@@ -18,8 +20,9 @@ impl ReflectionSpec {
         Power::CHOICE,
     ];
 
-    /// NUMERICS.md 3b, for half an LSB with the dearest highlight: as `duff`, and a bit more in accumulators and operands, since q of H is
-    /// 1/2 or more up to 90 degrees; as many more as q of N can be small, for the hybrid's highlight.
+    /// NUMERICS.md 3b, for half an LSB with the dearest highlight: as `duff`, and a bit more in
+    /// accumulators and operands, since q of H is 1/2 or more up to 90 degrees; as many more as q
+    /// of N can be small, for the hybrid's highlight.
     pub fn for_needs(needs: &Needs) -> ReflectionSpec {
         let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs).max(4));
         let small_q = small_q_bits(needs);
@@ -31,7 +34,10 @@ impl ReflectionSpec {
             power: Power::for_needs(needs),
             formats: ReflectionFormats {
                 // In short spans the operand asks for more than the sums do.
-                accumulator: Format::signed(3, (2 * s + 10 + j + small_q).clamp(operand, MOST_ACCUMULATOR_FRACTION_BITS)),
+                accumulator: Format::signed(
+                    3,
+                    (2 * s + 10 + j + small_q).clamp(operand, MOST_ACCUMULATOR_FRACTION_BITS),
+                ),
                 operand: Format::signed(1, operand),
                 reciprocal: Format::unsigned(3, at_most(12 + j)),
                 cosine: Format::signed(1, at_most(11 + j)),
@@ -50,16 +56,37 @@ impl Describe for ReflectionSpec {
 
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
-        let &ReflectionFormats { accumulator, operand, reciprocal, cosine, diffuse, base, shape: _ } = &self.formats;
+        let &ReflectionFormats {
+            accumulator,
+            operand,
+            reciprocal,
+            cosine,
+            diffuse,
+            base,
+            shape: _,
+        } = &self.formats;
         let point = NarrowingPoint::rounded;
         let differences = "start and differences of squares and numerators, rounded by the host";
         let points = vec![
-            NarrowingPoint::accumulated("accumulator", accumulator, Format::signed(3, 0), (2, span_bits), differences),
-            point("operand", operand, SIGNED_UNIT, "q = H.H and the numerators").no_finer_than(accumulator),
+            NarrowingPoint::accumulated(
+                "accumulator",
+                accumulator,
+                Format::signed(3, 0),
+                (2, span_bits),
+                differences,
+            ),
+            point("operand", operand, SIGNED_UNIT, "q = H.H and the numerators")
+                .no_finer_than(accumulator),
             point("reciprocal", reciprocal, Format::unsigned(3, 0), "1/q"),
             point("cosine", cosine, SIGNED_UNIT, "N'.L, N'.V and N'.H, clamped to -1..1, and L.V"),
             point("diffuse", diffuse, UNIT, "N'.L, clamped at 0").no_finer_than(cosine),
-            point("base", base, UNIT, "base of the highlight, and each square of it where power = squaring").no_finer_than(cosine),
+            point(
+                "base",
+                base,
+                UNIT,
+                "base of the highlight, and each square of it where power = squaring",
+            )
+            .no_finer_than(cosine),
         ];
         points.into_iter().chain(self.power_unit().narrowing_point()).collect()
     }
@@ -74,7 +101,11 @@ impl Describe for ReflectionSpec {
             Highlight::Hybrid => "R.L = (2(N.V)(N.L) - (L.V)(N.N))/(N.N)",
             Highlight::Eq34 => "R.L = 2(N'.V)(N'.L) - L.V",
         };
-        vec![("fixed normal", n.to_owned()), ("base of the highlight", base.to_owned()), self.power.option()]
+        vec![
+            ("fixed normal", n.to_owned()),
+            ("base of the highlight", base.to_owned()),
+            self.power.option(),
+        ]
     }
 
     fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {

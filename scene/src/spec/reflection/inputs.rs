@@ -41,13 +41,17 @@ inputs! {
 }
 
 impl ReflectionSpec {
-    /// The ports of a core with this method. With |H| ≤ 1 and |N| ≤ 1 along the span, squares lie from 0 to 1 and numerators from -1 to 1.
+    /// The ports of a core with this method. With |H| ≤ 1 and |N| ≤ 1 along the span, squares lie
+    /// from 0 to 1 and numerators from -1 to 1.
     pub fn inputs(&self, core: &CoreSpec) -> ReflectionInputs<InputPort> {
         let accumulator = self.formats.accumulator;
         let whole = ReflectionInputs {
             denominator: Quadratic::squared_length_ports("denominator", accumulator),
-            view: self.only_with(Highlight::Eq34, || Quadratic::reflected_ports("view", accumulator)),
-            normal_squared: self.only_with(Highlight::Hybrid, || Quadratic::squared_length_ports("normal_squared", accumulator)),
+            view: self
+                .only_with(Highlight::Eq34, || Quadratic::reflected_ports("view", accumulator)),
+            normal_squared: self.only_with(Highlight::Hybrid, || {
+                Quadratic::squared_length_ports("normal_squared", accumulator)
+            }),
             exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
@@ -57,12 +61,15 @@ impl ReflectionSpec {
 
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> ReflectionLight<InputPort> {
         let called = |input: &str| format!("light{index}_{input}");
-        let reflected = |input: &str| Quadratic::reflected_ports(&called(input), self.formats.accumulator);
+        let reflected =
+            |input: &str| Quadratic::reflected_ports(&called(input), self.formats.accumulator);
         ReflectionLight {
             cosine: reflected("cosine"),
             halfway: self.only_with(Highlight::Blinn, || reflected("halfway")),
             numerator: self.only_with(Highlight::Hybrid, || reflected("numerator")),
-            dot_view: self.only_with(Highlight::Eq34, || InputPort::between(called("dot_view"), self.formats.cosine, -1.0, 1.0)),
+            dot_view: self.only_with(Highlight::Eq34, || {
+                InputPort::between(called("dot_view"), self.formats.cosine, -1.0, 1.0)
+            }),
             diffuse: core.colour_ports(&called("diffuse")),
             specular: core.colour_ports(&called("specular")),
         }

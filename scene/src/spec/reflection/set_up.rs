@@ -24,7 +24,12 @@ impl<'a> Halfway<'a> {
     fn new(reflection: &ReflectionSpec, frame: &Frame, span: &'a Span) -> Halfway<'a> {
         let [start, end] = frame.unit_end_normals(span);
         match reflection.bisector.of(frame, span) {
-            Some(n) => Halfway { span, m: (start + n) / 2.0, k: (end - start) / (2.0 * f64::from(span.steps().max(1))), n },
+            Some(n) => Halfway {
+                span,
+                m: (start + n) / 2.0,
+                k: (end - start) / (2.0 * f64::from(span.steps().max(1))),
+                n,
+            },
             None => Halfway { span, m: DVec3::ZERO, k: DVec3::ZERO, n: DVec3::ZERO },
         }
     }
@@ -44,10 +49,14 @@ impl SetUpSpan for ReflectionSetUp<'_> {
         let inputs = ReflectionInputs {
             denominator: Quadratic::squared_length(span, h.m, h.k).quantised(accumulator),
             view: spec.only_with(Highlight::Eq34, || h.times(EYE).quantised(accumulator)),
-            normal_squared: spec.only_with(Highlight::Hybrid, || Quadratic::squared_length(span, m, k).quantised(accumulator)),
+            normal_squared: spec.only_with(Highlight::Hybrid, || {
+                Quadratic::squared_length(span, m, k).quantised(accumulator)
+            }),
             exponent: spec.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
-            lights: lights.map(|(light, coefficients)| self.light(&h, [m, k], light, coefficients)).collect(),
+            lights: lights
+                .map(|(light, coefficients)| self.light(&h, [m, k], light, coefficients))
+                .collect(),
         };
         inputs.to_vec()
     }
@@ -66,7 +75,9 @@ impl ReflectionSetUp<'_> {
         ReflectionLight {
             cosine: quantised(h.times(l)),
             halfway: spec.only_with(Highlight::Blinn, || quantised(h.times(halfway(l)))),
-            numerator: spec.only_with(Highlight::Hybrid, || quantised(Quadratic::reflected(h.span, normal, EYE, l))),
+            numerator: spec.only_with(Highlight::Hybrid, || {
+                quantised(Quadratic::reflected(h.span, normal, EYE, l))
+            }),
             dot_view: spec.only_with(Highlight::Eq34, || f.cosine.quantise(l.dot(EYE))),
             diffuse,
             specular,

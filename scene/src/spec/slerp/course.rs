@@ -1,18 +1,22 @@
-//! Which weights the ends of a span get, and how they turn from pixel to pixel [lecture, eq. 4.7 to 4.12; METHODS.md A8 to A11].
+//! Which weights the ends of a span get, and how they turn from pixel to pixel [lecture, eq. 4.7 to
+//! 4.12; METHODS.md A8 to A11].
 use glam::DVec3;
 
 use super::{Basis, Form, SlerpSpec};
 use crate::frame::{Frame, Span};
 
-/// Below so many degrees interpolation is linear: off by 0.0049 degrees at most (EXTREMES rows 13 and 15).
+/// Below so many degrees interpolation is linear: off by 0.0049 degrees at most (EXTREMES rows 13
+/// and 15).
 const NARROW: f64 = 10.0;
-/// From so many degrees on the frame is orthonormal: sin f would enlarge every error by as much as below 10 (row 14).
+/// From so many degrees on the frame is orthonormal: sin f would enlarge every error by as much as
+/// below 10 (row 14).
 const WIDE: f64 = 170.0;
 
 /// 1/sin 10° = 1/sin 170°: no weight between the ends, nor its cosine, is larger.
 pub const LARGEST_WEIGHT: f64 = 5.758_770_483_143_634;
 
-/// How the normal goes from the first pixel to the last: N = u P + v Q with u and v of two rotations,
+/// How the normal goes from the first pixel to the last: N = u P + v Q with u and v of two
+/// rotations,
 ///
 /// - v from 0 on: v ← v cos δ + v' sin δ, v' ← v' cos δ - v b,
 /// - u from 1 on: u ← u cos δ - u' sin δ, u' ← u' cos δ + u b,
@@ -46,7 +50,13 @@ impl SlerpSpec {
         let [start, end] = frame.unit_end_normals(span);
         if !self.between_ends() || arc.angle >= WIDE.to_radians() {
             let axes = [arc.start, arc.across];
-            return Course { axes, turn: [cosine, sine, sine], rising_cosine: 1.0, falling_cosine: 0.0, is_linear: false };
+            return Course {
+                axes,
+                turn: [cosine, sine, sine],
+                rising_cosine: 1.0,
+                falling_cosine: 0.0,
+                is_linear: false,
+            };
         }
         let axes = [start, end];
         if arc.angle < NARROW.to_radians() {

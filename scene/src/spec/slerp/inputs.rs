@@ -10,11 +10,14 @@ inputs! {
         turn_cosine: one,
         /// sin(f/S); 0 in a span of one pixel, and 1/S where normals are interpolated linearly.
         turn_sine: one,
-        /// The sine by which cosines turn, between the ends themselves: the same, or 0 where normals are interpolated linearly.
+        /// The sine by which cosines turn, between the ends themselves: the same, or 0 where
+        /// normals are interpolated linearly.
         turn_back: one_if_any,
-        /// The cosine that goes with the weight of the end, at the first pixel, between the ends themselves.
+        /// The cosine that goes with the weight of the end, at the first pixel, between the ends
+        /// themselves.
         rising_cosine: one_if_any,
-        /// The cosine that goes with the weight of the start, at the first pixel, between the ends themselves.
+        /// The cosine that goes with the weight of the start, at the first pixel, between the ends
+        /// themselves.
         falling_cosine: one_if_any,
         /// N·V, of scalars.
         view: group_if_any(OnArc),
@@ -68,17 +71,23 @@ inputs! {
 impl SlerpSpec {
     /// The ports of a core with this method. Angles are 0 to 180 degrees, so no sine is negative.
     pub fn inputs(&self, core: &CoreSpec) -> SlerpInputs<InputPort> {
-        let (turn, state, ends) = (self.formats.turn, self.formats.scaled_state, self.between_ends());
+        let (turn, state, ends) =
+            (self.formats.turn, self.formats.scaled_state, self.between_ends());
         let vector = |name: &str| InputPort::vector(name, self.formats.vector, 1.0);
         let whole = SlerpInputs {
             turn_cosine: InputPort::between("turn_cosine", turn, -1.0, 1.0),
             turn_sine: InputPort::between("turn_sine", turn, 0.0, 1.0),
             turn_back: ends.then(|| InputPort::between("turn_back", turn, 0.0, 1.0)),
-            rising_cosine: ends.then(|| InputPort::between("rising_cosine", state, 0.0, LARGEST_WEIGHT)),
-            falling_cosine: ends.then(|| InputPort::between("falling_cosine", state, -LARGEST_WEIGHT, LARGEST_WEIGHT)),
+            rising_cosine: ends
+                .then(|| InputPort::between("rising_cosine", state, 0.0, LARGEST_WEIGHT)),
+            falling_cosine: ends.then(|| {
+                InputPort::between("falling_cosine", state, -LARGEST_WEIGHT, LARGEST_WEIGHT)
+            }),
             view: self.on_arc("view"),
-            normal: (self.form == Form::Vector)
-                .then(|| Axes { start: vector("normal_start"), other: vector(if ends { "normal_end" } else { "normal_across" }) }),
+            normal: (self.form == Form::Vector).then(|| Axes {
+                start: vector("normal_start"),
+                other: vector(if ends { "normal_end" } else { "normal_across" }),
+            }),
             exponent: self.power_unit().port(core),
             ambient: core.colour_ports("ambient"),
             lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
@@ -89,8 +98,9 @@ impl SlerpSpec {
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> SlerpLight<InputPort> {
         SlerpLight {
             light: self.on_arc(&format!("light{index}")),
-            direction: (self.form == Form::Vector)
-                .then(|| InputPort::vector(&format!("light{index}_direction"), self.formats.vector, 1.0)),
+            direction: (self.form == Form::Vector).then(|| {
+                InputPort::vector(&format!("light{index}_direction"), self.formats.vector, 1.0)
+            }),
             light_dot_view: self.component(&format!("light{index}_dot_view")),
             diffuse: core.colour_ports(&format!("light{index}_diffuse")),
             specular: core.colour_ports(&format!("light{index}_specular")),
@@ -99,7 +109,8 @@ impl SlerpSpec {
 
     fn on_arc(&self, name: &str) -> Option<OnArc<InputPort>> {
         let component = |end: &str| self.component(&format!("{name}_{end}"));
-        (self.form == Form::Scalar).then(|| OnArc { start: component("start"), across: component("across") })
+        (self.form == Form::Scalar)
+            .then(|| OnArc { start: component("start"), across: component("across") })
     }
 
     fn component(&self, name: &str) -> InputPort {

@@ -1,8 +1,10 @@
-//! Spherical interpolation along the scan line, of the scalars that shading needs [lecture, eq. 4.7 and 4.9 to 4.12], METHODS.md A9 to A11.
+//! Spherical interpolation along the scan line, of the scalars that shading needs [lecture, eq. 4.7
+//! and 4.9 to 4.12], METHODS.md A9 to A11.
 //!
-//! With A and B the unit normals at the ends of a span, f the angle between them and T the unit vector across A towards B,
-//! N(i) = cos(i f/S) A + sin(i f/S) T. So J = N·L and K = N·V are what one rotation makes of four scalars, whatever the number of lights,
-//! and the base of the highlight is 2 J K - L·V. Nothing is divided by sin f: a span of no angle is one like others.
+//! With A and B the unit normals at the ends of a span, f the angle between them and T the unit
+//! vector across A towards B, N(i) = cos(i f/S) A + sin(i f/S) T. So J = N·L and K = N·V are what
+//! one rotation makes of four scalars, whatever the number of lights, and the base of the highlight
+//! is 2 J K - L·V. Nothing is divided by sin f: a span of no angle is one like others.
 mod choose;
 mod course;
 mod inputs;
@@ -21,7 +23,8 @@ pub use inputs::{Axes, OnArc, SlerpInputs, SlerpLight};
 pub enum Form {
     /// J = N·L of each light and K = N·V, in an orthonormal frame (A10).
     Scalar,
-    /// N itself, brought near unit length by the factor (3 - N·N)/2, and from it N·L and N·V (A8, A9, A11).
+    /// N itself, brought near unit length by the factor (3 - N·N)/2, and from it N·L and N·V (A8,
+    /// A9, A11).
     Vector,
 }
 
@@ -31,8 +34,8 @@ pub enum Form {
 pub enum Basis {
     /// A and the unit vector T across it: N = cos(i f/S) A + sin(i f/S) T, one rotation (A11).
     Orthonormal,
-    /// A and B, with the sines of (1 - t) f and t f over sin f: two rotations (A8, A9). Below 10 degrees 1 - t and t stand for them, and from 170
-    /// degrees on the basis is orthonormal.
+    /// A and B, with the sines of (1 - t) f and t f over sin f: two rotations (A8, A9). Below 10
+    /// degrees 1 - t and t stand for them, and from 170 degrees on the basis is orthonormal.
     Ends,
 }
 
@@ -58,7 +61,8 @@ pub struct SlerpFormats {
     pub turn: Format,
     /// Cosine and sine of the angle from the first pixel, rounded at every pixel: `S1.f`.
     pub state: Format,
-    /// Cosines and sines of both angles over sin f, between the ends themselves: `S3.f`, since 1/sin f reaches 5.76.
+    /// Cosines and sines of both angles over sin f, between the ends themselves: `S3.f`, since
+    /// 1/sin f reaches 5.76.
     pub scaled_state: Format,
     /// The same, as they are multiplied with: `S1.f`, and `S3.f` between the ends themselves.
     pub weight: Format,
@@ -79,6 +83,11 @@ pub struct SlerpFormats {
 impl SlerpSpec {
     /// The power of the highlight.
     pub fn power_unit(&self) -> PowerUnit {
-        PowerUnit { power: self.power, log2_factor: 0, base: self.formats.base, shape: self.formats.shape }
+        PowerUnit {
+            power: self.power,
+            log2_factor: 0,
+            base: self.formats.base,
+            shape: self.formats.shape,
+        }
     }
 }

@@ -26,10 +26,13 @@ impl SetUpSpan for SlerpSetUp<'_> {
             rising_cosine: ends.then(|| f.scaled_state.quantise(course.rising_cosine)),
             falling_cosine: ends.then(|| f.scaled_state.quantise(course.falling_cosine)),
             view: self.on_arc(&course, EYE),
-            normal: (self.slerp.form == Form::Vector).then_some(Axes { start: axes[0], other: axes[1] }),
+            normal: (self.slerp.form == Form::Vector)
+                .then_some(Axes { start: axes[0], other: axes[1] }),
             exponent: self.slerp.power_unit().input(self.frame.material(span).shininess),
             ambient: material.ambient,
-            lights: lights.map(|(light, coefficients)| self.light(&course, light, coefficients)).collect(),
+            lights: lights
+                .map(|(light, coefficients)| self.light(&course, light, coefficients))
+                .collect(),
         };
         inputs.to_vec()
     }
@@ -46,7 +49,8 @@ impl SlerpSetUp<'_> {
         let l_dot_v = if course.axes[0] == DVec3::ZERO { 1.0 } else { light.direction.dot(EYE) };
         SlerpLight {
             light: self.on_arc(course, light.direction),
-            direction: (self.slerp.form == Form::Vector).then(|| f.vector.quantise_vector(light.direction)),
+            direction: (self.slerp.form == Form::Vector)
+                .then(|| f.vector.quantise_vector(light.direction)),
             light_dot_view: f.component.quantise(l_dot_v),
             diffuse,
             specular,
@@ -54,7 +58,8 @@ impl SlerpSetUp<'_> {
     }
 
     fn on_arc(&self, course: &Course, x: DVec3) -> Option<OnArc<i64>> {
-        let [start, across] = course.axes.map(|axis| self.slerp.formats.component.quantise(axis.dot(x)));
+        let [start, across] =
+            course.axes.map(|axis| self.slerp.formats.component.quantise(axis.dot(x)));
         (self.slerp.form == Form::Scalar).then_some(OnArc { start, across })
     }
 }

@@ -1,4 +1,5 @@
-//! Meshes in every dialect of every format, made here, against the silhouettes that an independent rasteriser finds.
+//! Meshes in every dialect of every format, made here, against the silhouettes that an independent
+//! rasteriser finds.
 //!
 //! Adding a dialect is adding a change to one of the tables in `common/*_files.rs`.
 mod raster;
@@ -14,7 +15,8 @@ use solids::{Solid, all};
 
 use crate::{glb_files, obj_files, ply_files, stl_files};
 
-/// The views that each mesh is seen from. Their targets are no round numbers, so that few edges run through middles of pixels.
+/// The views that each mesh is seen from. Their targets are no round numbers, so that few edges run
+/// through middles of pixels.
 const VIEWS: [View; 2] = [
     View { direction: [0.0, 0.0, 1.0], target: [0.813, 0.629, 0.0], height: 4.37 },
     View { direction: [0.5, 0.45, 1.0], target: [0.713, 0.529, 0.2], height: 4.91 },
@@ -40,7 +42,8 @@ fn drawn(folder: &Path, view: View, mesh: &str, bytes: &[u8]) -> Vec<bool> {
     );
     let path = folder.join("scene.toml");
     fs::write(&path, scene).expect("it can be written");
-    let loaded = load(path.to_str().expect("it is a plain name"), None).unwrap_or_else(|error| panic!("{mesh}: {error}"));
+    let loaded = load(path.to_str().expect("it is a plain name"), None)
+        .unwrap_or_else(|error| panic!("{mesh}: {error}"));
     let mut covered = vec![false; (SIZE[0] * SIZE[1]) as usize];
     for span in &loaded.frame.spans {
         let first = (span.y * SIZE[0] + span.x) as usize;
@@ -57,7 +60,10 @@ fn shown(found: &[bool], expected: &[Option<bool>]) -> String {
         (false, _) => '.',
     };
     let marks: Vec<char> = found.iter().zip(expected).map(mark).collect();
-    marks.chunks(SIZE[0] as usize).map(|row| row.iter().chain(&['\n']).collect::<String>()).collect()
+    marks
+        .chunks(SIZE[0] as usize)
+        .map(|row| row.iter().chain(&['\n']).collect::<String>())
+        .collect()
 }
 
 #[test]
@@ -67,10 +73,17 @@ fn every_dialect_covers_what_the_rasteriser_does() {
         for view in VIEWS {
             let expected = view.covered(&solid.shape.positions, &solid.faces);
             let known = expected.iter().flatten().count();
-            assert!(known * 10 > expected.len() * 9 && expected.contains(&Some(true)), "{}: {known} pixels", solid.name);
+            assert!(
+                known * 10 > expected.len() * 9 && expected.contains(&Some(true)),
+                "{}: {known} pixels",
+                solid.name
+            );
             for (name, bytes) in files(&solid) {
                 let found = drawn(folder.path(), view, &name, &bytes);
-                let right = found.iter().zip(&expected).all(|(found, right)| right.is_none_or(|right| right == *found));
+                let right = found
+                    .iter()
+                    .zip(&expected)
+                    .all(|(found, right)| right.is_none_or(|right| right == *found));
                 assert!(right, "{} as {name}:\n{}", solid.name, shown(&found, &expected));
             }
         }
@@ -83,8 +96,14 @@ fn solids_are_cut_as_they_should_be() {
     for Solid { name, shape, faces } in all() {
         let triangles: Vec<Vec<u32>> = shape.triangles.iter().map(|t| t.to_vec()).collect();
         for view in VIEWS {
-            let (whole, cut) = (view.covered(&shape.positions, &faces), view.covered(&shape.positions, &triangles));
-            assert!(whole.iter().zip(&cut).all(|(a, b)| a.is_none() || b.is_none() || a == b), "{name}");
+            let (whole, cut) = (
+                view.covered(&shape.positions, &faces),
+                view.covered(&shape.positions, &triangles),
+            );
+            assert!(
+                whole.iter().zip(&cut).all(|(a, b)| a.is_none() || b.is_none() || a == b),
+                "{name}"
+            );
         }
     }
 }

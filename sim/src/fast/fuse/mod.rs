@@ -1,6 +1,8 @@
-//! Puts operators into the kernel of the operator behind or before them, where nothing else reads in between.
+//! Puts operators into the kernel of the operator behind or before them, where nothing else reads
+//! in between.
 //!
-//! All that is fused over a register maps 0 to 0, so that registers in between, which hold 0 at first, change nothing.
+//! All that is fused over a register maps 0 to 0, so that registers in between, which hold 0 at
+//! first, change nothing.
 mod extreme;
 mod post;
 mod products;
@@ -69,7 +71,15 @@ pub fn fuse(
 ) -> Fusion {
     let readers = Readers::of(design, flow, needed, watched);
     let (fusion, half_rounded) = (Fusion::default(), HashSet::new());
-    let mut fuser = Fuser { design, flow, readers, in_component, overflowing: overflowing(design), fusion, half_rounded };
+    let mut fuser = Fuser {
+        design,
+        flow,
+        readers,
+        in_component,
+        overflowing: overflowing(design),
+        fusion,
+        half_rounded,
+    };
     for &id in needed {
         fuser.look_at(id);
     }
@@ -120,10 +130,13 @@ impl Fuser<'_> {
         (self.in_component)(id) || self.flow.recurrences[id.0 as usize].is_some()
     }
 
-    /// Whether nobody but `reader` reads a root, and so its operator can be evaluated with the reader's. A register may read a later signal
-    /// without being feedback; what has not been looked at yet cannot be taken in.
+    /// Whether nobody but `reader` reads a root, and so its operator can be evaluated with the
+    /// reader's. A register may read a later signal without being feedback; what has not been
+    /// looked at yet cannot be taken in.
     fn serves(&self, root: NodeId, reader: NodeId) -> bool {
-        root < reader && self.readers.only(self.fusion.stored(root)) == Some(reader) && !self.stands_apart(root)
+        root < reader
+            && self.readers.only(self.fusion.stored(root)) == Some(reader)
+            && !self.stands_apart(root)
     }
 
     /// Whether a root's column holds the exact result of its operator.

@@ -8,7 +8,8 @@ use super::{Fused, Fuser, Source};
 const MOST_BEFORE_ROUNDING: u32 = 61;
 
 impl Fuser<'_> {
-    /// Puts a shift, a wrap or the 1 of a rounding into the kernel of its operand, and says whether it could.
+    /// Puts a shift, a wrap or the 1 of a rounding into the kernel of its operand, and says whether
+    /// it could.
     pub(super) fn narrow(&mut self, id: NodeId) -> bool {
         let Some(operand) = narrowed_operand(self, id) else { return false };
         let Source { root, delay } = self.flow.source(operand);
@@ -17,9 +18,14 @@ impl Fuser<'_> {
         }
         let post = self.fusion.post(root);
         let fused = match self.op(id) {
-            Op::Add(..) => before_shift(post).filter(|post| self.rounds_next(id) && self.has_room(root, *post)),
-            Op::ShiftRight(_, bits) => before_shift(post).and_then(|post| shifted(post, bits, self.half_rounded.contains(&root))),
-            _ if post.wrap == Wrap::None => Some(Post { wrap: wrap_to(self.design.node(id).range), ..post }),
+            Op::Add(..) => {
+                before_shift(post).filter(|post| self.rounds_next(id) && self.has_room(root, *post))
+            }
+            Op::ShiftRight(_, bits) => before_shift(post)
+                .and_then(|post| shifted(post, bits, self.half_rounded.contains(&root))),
+            _ if post.wrap == Wrap::None => {
+                Some(Post { wrap: wrap_to(self.design.node(id).range), ..post })
+            }
             _ => None,
         };
         let Some(post) = fused else { return false };
@@ -39,7 +45,10 @@ impl Fuser<'_> {
         match self.flow.fused.get(&root) {
             Some(Fused::Products(..)) => true,
             Some(Fused::Extreme(..)) => matches!(op, Op::Wrap(_)),
-            None => matches!(self.op(root), Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::ShiftRight(..) | Op::Wrap(_)),
+            None => matches!(
+                self.op(root),
+                Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::ShiftRight(..) | Op::Wrap(_)
+            ),
         }
     }
 
@@ -78,7 +87,9 @@ fn highest(range: Range) -> i64 {
 /// What a shift or wrap that stands alone does to its operand.
 pub(super) fn own(node: &Node) -> Option<Post> {
     match node.op {
-        Op::ShiftRight(_, bits) => Some(Post { shift: Shift::Floor(bits.min(63)), ..Post::default() }),
+        Op::ShiftRight(_, bits) => {
+            Some(Post { shift: Shift::Floor(bits.min(63)), ..Post::default() })
+        }
         Op::Wrap(_) => Some(Post { wrap: wrap_to(node.range), ..Post::default() }),
         _ => None,
     }
@@ -101,7 +112,9 @@ fn narrowed_operand(fuser: &Fuser, id: NodeId) -> Option<NodeId> {
 fn before_shift(post: Post) -> Option<Post> {
     match post {
         Post { wrap: Wrap::None, .. } => Some(post),
-        Post { first: Wrap::None, shift: Shift::None, wrap, .. } => Some(Post { first: wrap, wrap: Wrap::None, ..post }),
+        Post { first: Wrap::None, shift: Shift::None, wrap, .. } => {
+            Some(Post { first: wrap, wrap: Wrap::None, ..post })
+        }
         _ => None,
     }
 }

@@ -35,10 +35,12 @@ impl Sum {
         Some(Sum { added: self.subtracted, subtracted: self.added, plus: self.plus.checked_neg()? })
     }
 
-    /// The same, some clocks later. Registers hold 0 at first, so what is not 0 for operands of 0 cannot be.
+    /// The same, some clocks later. Registers hold 0 at first, so what is not 0 for operands of 0
+    /// cannot be.
     fn later(mut self, clocks: u32) -> Option<Sum> {
         let mut pairs = self.added.iter().chain(&self.subtracted);
-        let starts_at_0 = self.plus == 0 && !pairs.any(|pair| pair.iter().all(|factor| matches!(factor, Factor::Constant(_))));
+        let starts_at_0 = self.plus == 0
+            && !pairs.any(|pair| pair.iter().all(|factor| matches!(factor, Factor::Constant(_))));
         if clocks > 0 && !starts_at_0 {
             return None;
         }
@@ -88,7 +90,9 @@ impl Fuser<'_> {
         let source = self.flow.source(operand);
         match self.op(source.root) {
             Op::Constant(plus) => Some(Sum { plus, ..Sum::default() }),
-            _ => self.inner(id, source).or_else(|| Some(Sum::product(self.factor(source)?, Factor::Constant(1)))),
+            _ => self
+                .inner(id, source)
+                .or_else(|| Some(Sum::product(self.factor(source)?, Factor::Constant(1)))),
         }
     }
 
@@ -100,10 +104,13 @@ impl Fuser<'_> {
         let sum = match (self.flow.fused.get(&root), self.op(root)) {
             (Some(Fused::Products(products, second)), _) => {
                 let mut added = products.clone();
-                let subtracted = if *second == Second::Subtracted { vec![added.remove(1)] } else { vec![] };
+                let subtracted =
+                    if *second == Second::Subtracted { vec![added.remove(1)] } else { vec![] };
                 Sum { added, subtracted, plus: self.fusion.post(root).plus }
             }
-            (None, Op::Mul(a, b)) => Sum::product(self.factor(self.flow.source(a))?, self.factor(self.flow.source(b))?),
+            (None, Op::Mul(a, b)) => {
+                Sum::product(self.factor(self.flow.source(a))?, self.factor(self.flow.source(b))?)
+            }
             (None, Op::ShiftLeft(a, bits)) if bits <= MOST_LEFT => {
                 Sum::product(self.factor(self.flow.source(a))?, Factor::Constant(1 << bits))
             }

@@ -8,7 +8,8 @@ use crate::fast::memory::Place;
 use crate::fast::schedule::Group;
 
 impl Planner<'_> {
-    /// Gives every root a column; those that are read in their own lane only, and not watched, share memory.
+    /// Gives every root a column; those that are read in their own lane only, and not watched,
+    /// share memory.
     pub(super) fn allocate(&mut self, order: &[Group], watched: &[NodeId]) {
         let (history, last_use) = self.uses(order, watched);
         let keeps = |root: NodeId| history.get(&root).copied().unwrap_or(0);
@@ -21,8 +22,10 @@ impl Planner<'_> {
         for (number, group) in order.iter().enumerate() {
             for &root in group.members() {
                 let wide = self.is_wide(root);
-                let reused = if sharing.contains(&root) { free[usize::from(wide)].pop() } else { None };
-                let place = reused.unwrap_or_else(|| self.memory.add(wide, keeps(root), self.batch));
+                let reused =
+                    if sharing.contains(&root) { free[usize::from(wide)].pop() } else { None };
+                let place =
+                    reused.unwrap_or_else(|| self.memory.add(wide, keeps(root), self.batch));
                 self.places.insert(root, place);
             }
             let mut ended = ending.remove(&number).unwrap_or_default();
@@ -34,15 +37,27 @@ impl Planner<'_> {
     }
 
     /// The roots whose columns may be used again once they have been read.
-    fn sharing(&self, order: &[Group], watched: &[NodeId], keeps: &dyn Fn(NodeId) -> usize) -> HashSet<NodeId> {
+    fn sharing(
+        &self,
+        order: &[Group],
+        watched: &[NodeId],
+        keeps: &dyn Fn(NodeId) -> usize,
+    ) -> HashSet<NodeId> {
         let lasting: HashSet<NodeId> = watched.iter().map(|&w| self.flow.source(w).root).collect();
-        let column = |group: &Group| if let Group::Column(root) = group { Some(*root) } else { None };
-        let shares = |root: &NodeId| self.node(*root).op != Op::Input && keeps(*root) == 0 && !lasting.contains(root);
+        let column =
+            |group: &Group| if let Group::Column(root) = group { Some(*root) } else { None };
+        let shares = |root: &NodeId| {
+            self.node(*root).op != Op::Input && keeps(*root) == 0 && !lasting.contains(root)
+        };
         order.iter().filter_map(column).filter(shares).collect()
     }
 
     /// For each root, the clocks that readers look back, and the last group that reads it.
-    fn uses(&self, order: &[Group], watched: &[NodeId]) -> (HashMap<NodeId, usize>, HashMap<NodeId, usize>) {
+    fn uses(
+        &self,
+        order: &[Group],
+        watched: &[NodeId],
+    ) -> (HashMap<NodeId, usize>, HashMap<NodeId, usize>) {
         let mut history: HashMap<NodeId, usize> = HashMap::new();
         let mut last_use = HashMap::new();
         for (number, group) in order.iter().enumerate() {

@@ -1,7 +1,8 @@
 //! The kernel for a product, and for an operator that others have been fused into.
 use specula_hdl::design::{NodeId, Op, Range};
 use specula_kernels::{
-    Arithmetic, Magnitude, Post, Products, Second, Wrap, extreme, narrow_products, products_through_wide, wide_products,
+    Arithmetic, Magnitude, Post, Products, Second, Wrap, extreme, narrow_products,
+    products_through_wide, wide_products,
 };
 
 use super::{Planner, fits_narrow};
@@ -44,7 +45,8 @@ impl Planner<'_> {
     fn products(&mut self, root: NodeId, factors: &[[Factor; 2]], second: Second) -> Work {
         let skew = self.skews[&root];
         let magnitude = self.magnitude(factors);
-        let reads: Vec<[Read; 2]> = factors.iter().map(|pair| pair.map(|factor| self.read_factor(factor, skew))).collect();
+        let reads: Vec<[Read; 2]> =
+            factors.iter().map(|pair| pair.map(|factor| self.read_factor(factor, skew))).collect();
         match reads[..] {
             [a] => self.sum(root, [a], second, magnitude),
             [a, b] => self.sum(root, [a, b], second, magnitude),
@@ -53,7 +55,13 @@ impl Planner<'_> {
         }
     }
 
-    fn sum<const N: usize>(&self, root: NodeId, factors: [[Read; 2]; N], second: Second, magnitude: Magnitude) -> Work
+    fn sum<const N: usize>(
+        &self,
+        root: NodeId,
+        factors: [[Read; 2]; N],
+        second: Second,
+        magnitude: Magnitude,
+    ) -> Work
     where
         Sum<N>: Into<Work>,
     {
@@ -66,7 +74,13 @@ impl Planner<'_> {
         sum.into()
     }
 
-    fn narrow_sum<const N: usize>(&self, root: NodeId, second: Second, magnitude: Magnitude, post: Post) -> Products<i32, N> {
+    fn narrow_sum<const N: usize>(
+        &self,
+        root: NodeId,
+        second: Second,
+        magnitude: Magnitude,
+        post: Post,
+    ) -> Products<i32, N> {
         // Before the first pixel, a value may be whatever its width allows.
         let range = self.node(root).range;
         if computes_narrow(Range::whole(range.width(), range.signed()), post) {
@@ -88,18 +102,22 @@ impl Planner<'_> {
 
     fn read_factor(&mut self, factor: Factor, skew: u64) -> Read {
         match factor {
-            Factor::Variable(source) => Read { place: self.places[&source.root], back: self.back(source, skew) },
+            Factor::Variable(source) => {
+                Read { place: self.places[&source.root], back: self.back(source, skew) }
+            }
             Factor::Constant(value) => self.constant(value.into(), false),
         }
     }
 }
 
-/// Whether 32-bit lanes hold a raw result of this range and what becomes of it. What is wrapped first may be whatever its width allows.
+/// Whether 32-bit lanes hold a raw result of this range and what becomes of it. What is wrapped
+/// first may be whatever its width allows.
 pub(super) fn computes_narrow(raw: Range, post: Post) -> bool {
     let shifted = match post.first {
         Wrap::None => raw,
         Wrap::Signed(width) => Range::whole(width, true),
         Wrap::Unsigned(width) => Range::whole(width, false),
     };
-    fits_narrow(raw) && fits_narrow(Range::new(shifted.low, shifted.high.saturating_add(post.half())))
+    fits_narrow(raw)
+        && fits_narrow(Range::new(shifted.low, shifted.high.saturating_add(post.half())))
 }

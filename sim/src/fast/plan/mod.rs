@@ -43,13 +43,16 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// The wanted signals, in the caller's order.
     pub watched: Vec<Watched>,
-    /// The smallest shift of a watched column: no clock is shown before that column has reached it. `None` if no column is watched.
+    /// The smallest shift of a watched column: no clock is shown before that column has reached it.
+    /// `None` if no column is watched.
     pub least_shift: Option<u64>,
     /// Clocks by which the column furthest ahead, or the value furthest behind its column, is so.
     pub lead: u64,
-    /// Clocks before its own whose inputs a watched value depends on, up to the beginning of the span that enters then.
+    /// Clocks before its own whose inputs a watched value depends on, up to the beginning of the
+    /// span that enters then.
     pub reach: u64,
-    /// Whether all feedback is accumulators that every span loads, so that a run may begin with any span.
+    /// Whether all feedback is accumulators that every span loads, so that a run may begin with any
+    /// span.
     pub restarts_with_spans: bool,
 }
 
@@ -87,20 +90,44 @@ pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> 
     }
     let watched_nodes = watched;
     let watched: Vec<Watched> = watched_nodes.iter().map(|&id| planner.watch(id)).collect();
-    let shift = |watched: &Watched| if let Watched::Column { shift, .. } = watched { Some(*shift) } else { None };
+    let shift = |watched: &Watched| {
+        if let Watched::Column { shift, .. } = watched { Some(*shift) } else { None }
+    };
     let least_shift = watched.iter().filter_map(shift).min();
-    let inputs =
-        planner.places.iter().filter(|(id, _)| design.node(**id).op == Op::Input).map(|(&id, &place)| (id, place)).collect();
+    let inputs = planner
+        .places
+        .iter()
+        .filter(|(id, _)| design.node(**id).op == Op::Input)
+        .map(|(&id, &place)| (id, place))
+        .collect();
     let reach = planner.reach(&order, watched_nodes);
     let restarts_with_spans = planner.restarts_with_spans(&order);
     // The first rows of a signal behind registers lie that many lanes back.
-    let lead = skews.values().copied().chain(watched_nodes.iter().map(|&id| planner.shift(id))).max().unwrap_or(0);
-    Plan { memory: planner.memory, inputs, steps: planner.steps, watched, least_shift, lead, reach, restarts_with_spans }
+    let lead = skews
+        .values()
+        .copied()
+        .chain(watched_nodes.iter().map(|&id| planner.shift(id)))
+        .max()
+        .unwrap_or(0);
+    Plan {
+        memory: planner.memory,
+        inputs,
+        steps: planner.steps,
+        watched,
+        least_shift,
+        lead,
+        reach,
+        restarts_with_spans,
+    }
 }
 
-/// The roots that are needed, and those of them that stand in components. A recurrence that feeds back on others too becomes part of
-/// a component like any other signal.
-fn without_hidden_feedback(design: &Design, flow: &mut Flow, watched: &[NodeId]) -> (Vec<NodeId>, HashSet<NodeId>) {
+/// The roots that are needed, and those of them that stand in components. A recurrence that feeds
+/// back on others too becomes part of a component like any other signal.
+fn without_hidden_feedback(
+    design: &Design,
+    flow: &mut Flow,
+    watched: &[NodeId],
+) -> (Vec<NodeId>, HashSet<NodeId>) {
     loop {
         let roots = needed(design, flow, watched);
         let in_component = in_components(&groups(design, flow, &roots));
@@ -179,7 +206,9 @@ impl Planner<'_> {
         let post = self.fusion.post(root);
         let work = match node.op {
             Op::Input | Op::Constant(_) => return,
-            Op::Copy(a) | Op::ShiftRight(a, _) | Op::Wrap(a) => Some(self.arithmetic(Arithmetic::Copy, root, a, a, post)),
+            Op::Copy(a) | Op::ShiftRight(a, _) | Op::Wrap(a) => {
+                Some(self.arithmetic(Arithmetic::Copy, root, a, a, post))
+            }
             Op::Add(a, b) => Some(self.arithmetic(Arithmetic::Add, root, a, b, post)),
             Op::Sub(a, b) => Some(self.arithmetic(Arithmetic::Sub, root, a, b, post)),
             Op::Mul(a, b) => Some(self.product(root, a, b, post)),
@@ -192,7 +221,8 @@ impl Planner<'_> {
         };
         match work {
             Some(work) => self.steps.push(Step { out, skew: Some(skew), work }),
-            // Nothing of this kind comes from the builder; what does is evaluated clock by clock, which is always right.
+            // Nothing of this kind comes from the builder; what does is evaluated clock by clock,
+            // which is always right.
             None => self.plan_component(&[root]),
         }
     }
@@ -202,12 +232,22 @@ impl Planner<'_> {
             Recurrence::Accumulate { first, start, step, state } => {
                 let range = self.node(state).range;
                 let (width, signed) = (range.width(), range.signed());
-                let (first, start, step) = (self.read(first, skew), self.read(start, skew), self.read(step, skew));
-                Work::Serial(Serial::Accumulate(Accumulator { first, start, step, width, signed, state: 0 }))
+                let (first, start, step) =
+                    (self.read(first, skew), self.read(start, skew), self.read(step, skew));
+                Work::Serial(Serial::Accumulate(Accumulator {
+                    first,
+                    start,
+                    step,
+                    width,
+                    signed,
+                    state: 0,
+                }))
             }
-            Recurrence::Hold { enable, value } => {
-                Work::Serial(Serial::Hold(Holder { enable: self.read(enable, skew), value: self.read(value, skew), state: 0 }))
-            }
+            Recurrence::Hold { enable, value } => Work::Serial(Serial::Hold(Holder {
+                enable: self.read(enable, skew),
+                value: self.read(value, skew),
+                state: 0,
+            })),
         }
     }
 
@@ -222,7 +262,14 @@ impl Planner<'_> {
             });
             let reads = reads.into_iter().map(|operand| this.read(operand, skew)).collect();
             let tables = this.tables.clone();
-            Member { out: this.places[&id], op, reads, width: node.width(), signed: node.range.signed(), tables }
+            Member {
+                out: this.places[&id],
+                op,
+                reads,
+                width: node.width(),
+                signed: node.range.signed(),
+                tables,
+            }
         };
         let members: Vec<Member> = members.iter().map(|&id| member(self, id)).collect();
         let out = members[0].out;

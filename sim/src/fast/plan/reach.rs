@@ -11,20 +11,29 @@ impl Planner<'_> {
     /// How far back the inputs lie that the watched values depend on.
     pub(super) fn reach(&self, order: &[Group], watched: &[NodeId]) -> u64 {
         let mut reaches: HashMap<NodeId, u64> = HashMap::new();
-        let reach_of = |reaches: &HashMap<NodeId, u64>, root: NodeId| reaches.get(&root).copied().unwrap_or(0);
+        let reach_of =
+            |reaches: &HashMap<NodeId, u64>, root: NodeId| reaches.get(&root).copied().unwrap_or(0);
         for group in order {
             for &member in group.members() {
                 let skew = self.skews[&member];
                 let variable = |o: &Source| self.skews.contains_key(&o.root);
                 let operands = self.flow.operands(self.design, member).into_iter().filter(variable);
-                let reach = operands.map(|o| reach_of(&reaches, o.root) + self.back(o, skew) as u64).max().unwrap_or(0);
+                let reach = operands
+                    .map(|o| reach_of(&reaches, o.root) + self.back(o, skew) as u64)
+                    .max()
+                    .unwrap_or(0);
                 reaches.insert(member, reach);
             }
         }
-        watched.iter().map(|&id| self.shift(id) + reach_of(&reaches, self.flow.source(id).root)).max().unwrap_or(0)
+        watched
+            .iter()
+            .map(|&id| self.shift(id) + reach_of(&reaches, self.flow.source(id).root))
+            .max()
+            .unwrap_or(0)
     }
 
-    /// Whether all feedback is accumulators that the beginning of a span loads, and none adds what another was in the span before.
+    /// Whether all feedback is accumulators that the beginning of a span loads, and none adds what
+    /// another was in the span before.
     pub(super) fn restarts_with_spans(&self, order: &[Group]) -> bool {
         // For each root that depends on an accumulator, how many clocks before its own.
         let mut ages: HashMap<NodeId, usize> = HashMap::new();
@@ -38,7 +47,9 @@ impl Planner<'_> {
                 None => ages.extend(age.map(|age| (*root, age))),
                 Some(Recurrence::Hold { .. }) => return false,
                 Some(Recurrence::Accumulate { first, .. }) => {
-                    if self.flow.source(first).root != self.design.start || age.is_some_and(|age| age > 0) {
+                    if self.flow.source(first).root != self.design.start
+                        || age.is_some_and(|age| age > 0)
+                    {
                         return false;
                     }
                     ages.insert(*root, 0);

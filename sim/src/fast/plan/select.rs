@@ -1,6 +1,9 @@
 //! The kernel for an operator: which lanes it reads, computes and writes.
 use specula_hdl::design::{NodeId, Op, Range, TableId};
-use specula_kernels::{Arithmetic, Bits, Post, bits, choose, less_than, narrow, narrow_through_wide, narrowing, wide, widening};
+use specula_kernels::{
+    Arithmetic, Bits, Post, bits, choose, less_than, narrow, narrow_through_wide, narrowing, wide,
+    widening,
+};
 
 use super::fused::computes_narrow;
 use super::{Planner, fits_narrow};
@@ -34,23 +37,38 @@ impl Planner<'_> {
         if read.place.wide {
             return read;
         }
-        if let Some((&(value, _), _)) = self.constants.iter().find(|(_, place)| **place == read.place) {
+        if let Some((&(value, _), _)) =
+            self.constants.iter().find(|(_, place)| **place == read.place)
+        {
             return self.constant(value, true);
         }
-        // Columns that share memory change owners, so a copy serves one reader only; it keeps the original's history.
+        // Columns that share memory change owners, so a copy serves one reader only; it keeps the
+        // original's history.
         let history = self.memory.history(read.place);
         let twin = self.memory.add(true, history, self.batch);
         let source = Read { place: read.place, back: 0 };
-        let work = Work::Widening(widening(Arithmetic::Copy, Post::default(), self.level), source, source);
+        let work =
+            Work::Widening(widening(Arithmetic::Copy, Post::default(), self.level), source, source);
         self.steps.push(Step { out: twin, skew: None, work });
         Read { place: twin, back: read.back }
     }
 
-    /// The kernel of an arithmetic operator. A signal's range is proven, so its raw result needs no wrapping.
-    pub(super) fn arithmetic(&mut self, operator: Arithmetic, root: NodeId, a: NodeId, b: NodeId, post: Post) -> Work {
+    /// The kernel of an arithmetic operator. A signal's range is proven, so its raw result needs no
+    /// wrapping.
+    pub(super) fn arithmetic(
+        &mut self,
+        operator: Arithmetic,
+        root: NodeId,
+        a: NodeId,
+        b: NodeId,
+        post: Post,
+    ) -> Work {
         let skew = self.skews[&root];
-        // Where operands depend on each other, the signal's own range may be narrower than what theirs give.
-        let raw = raw_range(self.design, raw_operator(self.node(root).op)).narrow().unwrap_or(self.node(root).range);
+        // Where operands depend on each other, the signal's own range may be narrower than what
+        // theirs give.
+        let raw = raw_range(self.design, raw_operator(self.node(root).op))
+            .narrow()
+            .unwrap_or(self.node(root).range);
         let (a, b) = (self.read(a, skew), self.read(b, skew));
         let (wide_operands, wide_result) = (a.place.wide || b.place.wide, self.places[&root].wide);
         let narrow_compute = computes_narrow(raw, post);
@@ -86,7 +104,9 @@ impl Planner<'_> {
     /// Whether an operator that has no post-operation stays within its signal's range.
     fn stays_within(&self, root: NodeId) -> bool {
         let own = self.node(root).range;
-        raw_range(self.design, self.node(root).op).narrow().is_ok_and(|raw| own.low <= raw.low && raw.high <= own.high)
+        raw_range(self.design, self.node(root).op)
+            .narrow()
+            .is_ok_and(|raw| own.low <= raw.low && raw.high <= own.high)
     }
 
     pub(super) fn select(&mut self, root: NodeId, c: NodeId, a: NodeId, b: NodeId) -> Option<Work> {
@@ -99,10 +119,17 @@ impl Planner<'_> {
             let (a, b) = (self.widened(a), self.widened(b));
             return Some(Work::ChooseWide(choose::<i64>(self.level), c, a, b));
         }
-        (!a.place.wide && !b.place.wide).then(|| Work::ChooseNarrow(choose::<i32>(self.level), c, a, b))
+        (!a.place.wide && !b.place.wide)
+            .then(|| Work::ChooseNarrow(choose::<i32>(self.level), c, a, b))
     }
 
-    pub(super) fn bitwise(&mut self, operator: Bits, root: NodeId, a: NodeId, b: NodeId) -> Option<Work> {
+    pub(super) fn bitwise(
+        &mut self,
+        operator: Bits,
+        root: NodeId,
+        a: NodeId,
+        b: NodeId,
+    ) -> Option<Work> {
         let skew = self.skews[&root];
         let (a, b) = (self.read(a, skew), self.read(b, skew));
         let own = self.node(root).range;
@@ -119,10 +146,16 @@ impl Planner<'_> {
         Some(Work::Narrow(bits::<i32>(operator, self.level), a, b))
     }
 
-    pub(super) fn look_up(&mut self, root: NodeId, address: NodeId, table: TableId) -> Option<Work> {
+    pub(super) fn look_up(
+        &mut self,
+        root: NodeId,
+        address: NodeId,
+        table: TableId,
+    ) -> Option<Work> {
         let address = self.read(address, self.skews[&root]);
         let entries = self.design.tables.get(table.0 as usize)?.entries.clone();
-        (!address.place.wide && self.stays_within(root)).then(|| Work::Serial(Serial::LookUp(entries.into(), address)))
+        (!address.place.wide && self.stays_within(root))
+            .then(|| Work::Serial(Serial::LookUp(entries.into(), address)))
     }
 
     /// Operators with a constant operand that they do not name.
@@ -133,15 +166,20 @@ impl Planner<'_> {
             Op::Not(a) => {
                 let one = self.constant(1, false);
                 let a = self.read(a, skew);
-                (!a.place.wide && !self.places[&root].wide).then(|| Work::Narrow(narrow(Arithmetic::Sub, post, self.level), one, a))
+                (!a.place.wide && !self.places[&root].wide)
+                    .then(|| Work::Narrow(narrow(Arithmetic::Sub, post, self.level), one, a))
             }
             Op::ShiftLeft(a, bits) if bits < 62 => {
                 let a = self.read(a, skew);
                 let out_wide = self.places[&root].wide;
                 let factor = self.constant(1 << bits, a.place.wide || bits > 30);
                 match (a.place.wide, factor.place.wide, out_wide) {
-                    (false, false, false) => Some(Work::Narrow(narrow(Arithmetic::Mul, post, self.level), a, factor)),
-                    (false, false, true) => Some(Work::Widening(widening(Arithmetic::Mul, post, self.level), a, factor)),
+                    (false, false, false) => {
+                        Some(Work::Narrow(narrow(Arithmetic::Mul, post, self.level), a, factor))
+                    }
+                    (false, false, true) => {
+                        Some(Work::Widening(widening(Arithmetic::Mul, post, self.level), a, factor))
+                    }
                     (_, _, true) => {
                         let a = self.widened(a);
                         Some(Work::Wide(wide(Arithmetic::Mul, post, self.level), a, factor))

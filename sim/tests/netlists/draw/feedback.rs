@@ -3,7 +3,8 @@ use specula_hdl::design::{NodeId, Op, Range, Register, ScopeId};
 
 use super::{Net, ranges};
 
-/// A register that holds whatever its width allows; what it reads is decided when all else is there.
+/// A register that holds whatever its width allows; what it reads is decided when all else is
+/// there.
 pub fn open_register(net: &mut Net) {
     let range = ranges::whole(net.random);
     let own = NodeId(net.design.nodes.len() as u32);
@@ -11,7 +12,8 @@ pub fn open_register(net: &mut Net) {
     net.open.push(own);
 }
 
-/// Gives every open register its operator: one whose result its range holds, or the low bits of something.
+/// Gives every open register its operator: one whose result its range holds, or the low bits of
+/// something.
 pub fn close(net: &mut Net) {
     for own in std::mem::take(&mut net.open) {
         net.scope = net.design.node(own).scope;
@@ -21,8 +23,11 @@ pub fn close(net: &mut Net) {
             let candidate = closing(net, own, &readable);
             let held = net.range(own);
             let fits = |r: Range| held.low <= r.low && r.high <= held.high;
-            // The Verilog of a comparison is one bit wide, and a linter asks why its register has more.
-            let odd = net.profile.verilog && matches!(candidate, Op::LessThan(..)) && held != ranges::bit();
+            // The Verilog of a comparison is one bit wide, and a linter asks why its register has
+            // more.
+            let odd = net.profile.verilog
+                && matches!(candidate, Op::LessThan(..))
+                && held != ranges::bit();
             if ranges::of(&net.design, candidate).is_some_and(fits) && !odd {
                 op = candidate;
             }
@@ -38,7 +43,8 @@ fn one_of(net: &mut Net, among: &[NodeId]) -> NodeId {
 
 fn closing(net: &mut Net, own: NodeId, readable: &[NodeId]) -> Op {
     let (a, b) = (one_of(net, readable), one_of(net, readable));
-    let bits: Vec<NodeId> = readable.iter().copied().filter(|&id| ranges::is_bit(net.range(id))).collect();
+    let bits: Vec<NodeId> =
+        readable.iter().copied().filter(|&id| ranges::is_bit(net.range(id))).collect();
     match (net.random.below(7), bits.is_empty()) {
         (0, false) => Op::Select(one_of(net, &bits), a, own),
         (1, false) => Op::Select(one_of(net, &bits), own, b),
@@ -58,7 +64,8 @@ pub fn held(net: &mut Net) {
     net.place(Op::Select(enable, value, own), Register::Data, range);
 }
 
-/// A bit. That spans load is what accumulators are for; and in Verilog little shall depend on what was there before.
+/// A bit. That spans load is what accumulators are for; and in Verilog little shall depend on what
+/// was there before.
 fn enabling(net: &mut Net) -> NodeId {
     let by_spans = net.profile.verilog || net.random.below(2) == 0;
     if by_spans && net.scope == ScopeId::TOP { net.design.start } else { net.pick_bit() }
@@ -81,7 +88,10 @@ pub fn accumulator(net: &mut Net) {
     let (first, start) = (enabling(net), net.pick());
     let room = net.random.below(4) as u32;
     let signed = net.range(start).signed() || net.random.below(2) == 0;
-    let Some(both) = ranges::hull(Range::whole((net.range(start).width() + room).min(63), signed), net.range(start)) else {
+    let Some(both) = ranges::hull(
+        Range::whole((net.range(start).width() + room).min(63), signed),
+        net.range(start),
+    ) else {
         return;
     };
     let whole = Range::whole(both.width(), both.signed());
@@ -89,7 +99,11 @@ pub fn accumulator(net: &mut Net) {
     net.place(Op::Copy(own), Register::Data, whole);
     let value = net.place(Op::Select(first, start, own), Register::None, whole);
     // Now and then a step that depends on the value.
-    let step = if net.random.below(4) == 0 { net.add(Op::ShiftRight(value, 2), Register::None) } else { None };
+    let step = if net.random.below(4) == 0 {
+        net.add(Op::ShiftRight(value, 2), Register::None)
+    } else {
+        None
+    };
     let step = step.unwrap_or_else(|| net.pick());
     let op = if net.random.below(5) == 0 { Op::Sub(value, step) } else { Op::Add(value, step) };
     let next = net.add(op, Register::None).unwrap_or(value);

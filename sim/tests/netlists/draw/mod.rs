@@ -1,7 +1,7 @@
 //! Draws netlists.
 //!
-//! Every stated range is true: it follows from the operands' ranges, or holds more than that. Registers and inputs can be 0, since
-//! they are in reset.
+//! Every stated range is true: it follows from the operands' ranges, or holds more than that.
+//! Registers and inputs can be 0, since they are in reset.
 mod feedback;
 mod net;
 mod operators;
@@ -33,7 +33,8 @@ pub fn case(random: &mut Random, profile: Profile) -> Case {
 fn add_inputs(net: &mut Net) {
     let count = 1 + net.random.below(5);
     for _ in 0..count {
-        let range = if net.random.below(4) == 0 { ranges::bit() } else { ranges::around_zero(net.random) };
+        let range =
+            if net.random.below(4) == 0 { ranges::bit() } else { ranges::around_zero(net.random) };
         let id = net.input(range);
         net.design.inputs.push(Some(id));
     }
@@ -72,7 +73,8 @@ fn add_outputs(net: &mut Net) {
         let node = net.design.node(*id);
         node.scope == net.scope && !matches!(node.op, Op::Input | Op::Constant(_))
     };
-    let readable: Vec<NodeId> = (0..net.design.nodes.len() as u32).map(NodeId).filter(ordinary).collect();
+    let readable: Vec<NodeId> =
+        (0..net.design.nodes.len() as u32).map(NodeId).filter(ordinary).collect();
     for id in readable {
         if net.profile.verilog || net.random.below(4) == 0 {
             let range = net.design.node(id).range;

@@ -39,13 +39,24 @@ pub fn empty() -> Design {
         assumptions: vec![],
         left_out: vec![],
     };
-    design.nodes.extend([0, 1].map(|number| node(number, Op::Input, Register::None, ranges::bit(), ScopeId::TOP)));
+    design.nodes.extend(
+        [0, 1].map(|number| node(number, Op::Input, Register::None, ranges::bit(), ScopeId::TOP)),
+    );
     design
 }
 
 /// A signal, named after its number.
 pub fn node(number: usize, op: Op, register: Register, range: Range, scope: ScopeId) -> Node {
-    Node { op, register, range, fraction_bits: 0, stage: 0, scope, name: format!("n{number}"), named: true }
+    Node {
+        op,
+        register,
+        range,
+        fraction_bits: 0,
+        stage: 0,
+        scope,
+        name: format!("n{number}"),
+        named: true,
+    }
 }
 
 impl<'r> Net<'r> {
@@ -62,7 +73,8 @@ impl<'r> Net<'r> {
         assert!(range.width() <= 63, "{op:?} is too wide");
         let id = NodeId(self.design.nodes.len() as u32);
         let mut node = node(self.design.nodes.len(), op, register, range, self.scope);
-        let before = op.operands().filter(|&o| o < id).map(|o| self.design.node(o).stage).max().unwrap_or(0);
+        let before =
+            op.operands().filter(|&o| o < id).map(|o| self.design.node(o).stage).max().unwrap_or(0);
         node.stage = before + u32::from(register != Register::None);
         self.design.nodes.push(node);
         id
@@ -94,7 +106,9 @@ impl<'r> Net<'r> {
 
     /// The signals that can be read here.
     pub fn readable(&self) -> Vec<NodeId> {
-        let here = |(_, node): &(NodeId, &Node)| node.scope == self.scope && !matches!(node.op, Op::Constant(_));
+        let here = |(_, node): &(NodeId, &Node)| {
+            node.scope == self.scope && !matches!(node.op, Op::Constant(_))
+        };
         self.design.iter().filter(here).map(|(id, _)| id).collect()
     }
 
@@ -111,7 +125,8 @@ impl<'r> Net<'r> {
 
     /// A bit that can be read here.
     pub fn pick_bit(&mut self) -> NodeId {
-        let bits: Vec<NodeId> = self.readable().into_iter().filter(|&id| ranges::is_bit(self.range(id))).collect();
+        let bits: Vec<NodeId> =
+            self.readable().into_iter().filter(|&id| ranges::is_bit(self.range(id))).collect();
         if !bits.is_empty() && self.random.below(3) > 0 {
             return bits[self.random.below(bits.len())];
         }

@@ -31,7 +31,8 @@ pub fn any(net: &mut Net) {
     }
 }
 
-/// The signal, or a copy of it: its square has a range that the ranges of the operands alone do not show.
+/// The signal, or a copy of it: its square has a range that the ranges of the operands alone do not
+/// show.
 fn other_name(net: &mut Net, a: NodeId) -> NodeId {
     if net.random.below(2) == 0 { a } else { net.add(Op::Copy(a), Register::None).unwrap_or(a) }
 }
@@ -50,7 +51,11 @@ fn wrap(net: &mut Net, a: NodeId, register: Register) {
 fn shift_right(net: &mut Net, a: NodeId) -> Op {
     let width = net.range(a).width() as usize;
     let beyond = if net.profile.verilog { 0 } else { 4 };
-    let bits = if net.random.below(8) == 0 && beyond > 0 { net.random.below(63) } else { net.random.below(width + beyond) };
+    let bits = if net.random.below(8) == 0 && beyond > 0 {
+        net.random.below(63)
+    } else {
+        net.random.below(width + beyond)
+    };
     Op::ShiftRight(a, bits as u32)
 }
 
@@ -61,17 +66,21 @@ fn bitwise(net: &mut Net, a: NodeId, b: NodeId) -> Op {
 
 /// A table behind an unsigned signal that is not too wide, if there is one.
 fn look_up(net: &mut Net) -> Option<Op> {
-    let addresses: Vec<NodeId> = net.readable().into_iter().filter(|&id| net.range(id).low >= 0).collect();
-    let short: Vec<NodeId> = addresses.iter().copied().filter(|&id| net.range(id).high < 64).collect();
+    let addresses: Vec<NodeId> =
+        net.readable().into_iter().filter(|&id| net.range(id).low >= 0).collect();
+    let short: Vec<NodeId> =
+        addresses.iter().copied().filter(|&id| net.range(id).high < 64).collect();
     let among = if net.random.below(5) == 0 || short.is_empty() { addresses } else { short };
     let at = *among.get(net.random.below(among.len().max(1)))?;
     let range = ranges::whole(net.random);
-    let entries = (0..1 + net.random.below(9)).map(|_| net.random.between(range.low, range.high)).collect();
+    let entries =
+        (0..1 + net.random.below(9)).map(|_| net.random.between(range.low, range.high)).collect();
     net.design.tables.push(Table { entries });
     Some(Op::LookUp(at, TableId(net.design.tables.len() as u32 - 1)))
 }
 
-/// Shift, 1 added, shift by 1, wrap: the chain that engines put into one kernel; with registers or without.
+/// Shift, 1 added, shift by 1, wrap: the chain that engines put into one kernel; with registers or
+/// without.
 pub fn rounding(net: &mut Net) {
     let a = net.pick();
     let mut at = a;

@@ -16,7 +16,11 @@ pub fn is_bit(range: Range) -> bool {
 }
 
 pub fn width(random: &mut Random) -> u32 {
-    if random.below(3) == 0 { random.between(1, 63) as u32 } else { WIDTHS[random.below(WIDTHS.len())] }
+    if random.below(3) == 0 {
+        random.between(1, 63) as u32
+    } else {
+        WIDTHS[random.below(WIDTHS.len())]
+    }
 }
 
 /// Every value of some width.
@@ -46,7 +50,8 @@ pub fn constant(random: &mut Random) -> i64 {
     }
 }
 
-/// Every value that the operator can give; `None` if it does not fit 63 bits, or if the result's width is its own choice.
+/// Every value that the operator can give; `None` if it does not fit 63 bits, or if the result's
+/// width is its own choice.
 pub fn of(design: &Design, op: Op) -> Option<Range> {
     let range = |id: NodeId| design.node(id).range;
     match op {
@@ -55,7 +60,9 @@ pub fn of(design: &Design, op: Op) -> Option<Range> {
         Op::Copy(a) => Some(range(a)),
         Op::Add(a, b) => range(a).plus(range(b)).narrow().ok(),
         Op::Sub(a, b) => range(a).minus(range(b)).narrow().ok(),
-        Op::Mul(a, b) if unregistered(design, a) == unregistered(design, b) => range(a).squared().narrow().ok(),
+        Op::Mul(a, b) if unregistered(design, a) == unregistered(design, b) => {
+            range(a).squared().narrow().ok()
+        }
         Op::Mul(a, b) => range(a).times(range(b)).narrow().ok(),
         Op::ShiftLeft(a, bits) => range(a).shifted_left(bits).narrow().ok(),
         Op::ShiftRight(a, bits) => Some(range(a).shifted_right(bits)),

@@ -7,7 +7,11 @@ use crate::profile::Profile;
 
 /// Spans of random inputs; some inputs stay the same for long.
 pub fn packets(random: &mut Random, design: &Design, profile: Profile) -> Vec<SpanPacket> {
-    let ranges: Vec<Range> = design.inputs.iter().map(|id| id.map_or(Range::single(0), |id| design.node(id).range)).collect();
+    let ranges: Vec<Range> = design
+        .inputs
+        .iter()
+        .map(|id| id.map_or(Range::single(0), |id| design.node(id).range))
+        .collect();
     let steady: Vec<bool> = ranges.iter().map(|_| random.below(3) == 0).collect();
     let mut inputs: Vec<i64> = ranges.iter().map(|&range| value(random, range)).collect();
     let mut packets = vec![];
@@ -17,7 +21,10 @@ pub fn packets(random: &mut Random, design: &Design, profile: Profile) -> Vec<Sp
                 *input = value(random, range);
             }
         }
-        packets.push(SpanPacket { length: random.between(1, profile.longest.into()) as u32, inputs: inputs.clone() });
+        packets.push(SpanPacket {
+            length: random.between(1, profile.longest.into()) as u32,
+            inputs: inputs.clone(),
+        });
     }
     packets
 }

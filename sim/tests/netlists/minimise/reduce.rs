@@ -54,7 +54,8 @@ fn whole_run(case: &Case, _: usize) -> Option<Case> {
 fn with_batch(case: &Case, at: usize) -> Option<Case> {
     let Subject::Fast(settings) = case.subject else { return None };
     let batch = BATCHES[at];
-    (batch < settings.batch).then(|| Case { subject: Subject::Fast(Settings { batch, ..settings }), ..case.clone() })
+    (batch < settings.batch)
+        .then(|| Case { subject: Subject::Fast(Settings { batch, ..settings }), ..case.clone() })
 }
 
 fn one_thread(case: &Case, _: usize) -> Option<Case> {

@@ -12,11 +12,13 @@ use crate::draw::{empty, node, scope};
 pub fn parse(text: &str) -> Result<Case, String> {
     let mut design = empty();
     design.nodes.clear();
-    let mut case = Case { design, packets: vec![], window: None, watched: vec![], subject: Subject::RustHdl };
+    let mut case =
+        Case { design, packets: vec![], window: None, watched: vec![], subject: Subject::RustHdl };
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();
         if !line.is_empty() && !line.starts_with('#') {
-            read_line(&mut case, line).map_err(|what| format!("line {}: {what}: `{line}`", number + 1))?;
+            read_line(&mut case, line)
+                .map_err(|what| format!("line {}: {what}: `{line}`", number + 1))?;
         }
     }
     Ok(case)
@@ -33,7 +35,8 @@ fn read_line(case: &mut Case, line: &str) -> Result<(), String> {
         "leaves" => {
             let (id, latency) = rest.split_once(" after ").ok_or("no latency")?;
             design.valid_out = NodeId(one(id)?);
-            design.nodes.get_mut(design.valid_out.0 as usize).ok_or("no such signal")?.stage = one(latency)?;
+            design.nodes.get_mut(design.valid_out.0 as usize).ok_or("no such signal")?.stage =
+                one(latency)?;
         }
         "span" => {
             let (length, inputs) = rest.split_once(':').ok_or("no inputs")?;
@@ -79,8 +82,14 @@ fn subject(text: &str) -> Result<Subject, String> {
     match words[..] {
         ["rust-hdl"] => Ok(Subject::RustHdl),
         ["fast", batch, level, threads, piece] => {
-            let level = if level == Level::BASELINE.name() { Level::BASELINE } else { Level::best() };
-            Ok(Subject::Fast(Settings { batch: one(batch)?, level, threads: one(threads)?, piece: one(piece)? }))
+            let level =
+                if level == Level::BASELINE.name() { Level::BASELINE } else { Level::best() };
+            Ok(Subject::Fast(Settings {
+                batch: one(batch)?,
+                level,
+                threads: one(threads)?,
+                piece: one(piece)?,
+            }))
         }
         _ => Err("no such engine".to_owned()),
     }
@@ -95,7 +104,13 @@ fn signal(number: usize, text: &str) -> Result<Node, String> {
         Some(("valid", rest)) => (Register::Validity, rest),
         _ => (Register::None, operator),
     };
-    Ok(node(number, op(operator)?, register, Range::new(range.start, range.end), ScopeId(one(unit)?)))
+    Ok(node(
+        number,
+        op(operator)?,
+        register,
+        Range::new(range.start, range.end),
+        ScopeId(one(unit)?),
+    ))
 }
 
 fn op(text: &str) -> Result<Op, String> {

@@ -1,10 +1,12 @@
 //! Which values do not depend on what registers held before reset.
 //!
-//! Icarus begins with X there, and a netlist's registers of data have no reset. Where a value might be X it is not compared.
+//! Icarus begins with X there, and a netlist's registers of data have no reset. Where a value might
+//! be X it is not compared.
 use specula_hdl::Design;
 use specula_hdl::design::{Node, Op, Register};
 
-/// For every signal at every clock, whether it is known; `values` are those of a run from clock 0 on.
+/// For every signal at every clock, whether it is known; `values` are those of a run from clock 0
+/// on.
 pub fn known(design: &Design, values: &[Vec<i64>]) -> Vec<Vec<bool>> {
     let mut registers = vec![false; design.nodes.len()];
     // In the clock of reset no value is known but the inputs and what holds validity.
@@ -31,7 +33,11 @@ fn settled(design: &Design, registers: &[bool], value: Values) -> Vec<bool> {
 }
 
 fn after_edge(design: &Design, now: &[bool], value: Values) -> Vec<bool> {
-    design.nodes.iter().map(|node| node.register == Register::Validity || follows(node, now, value)).collect()
+    design
+        .nodes
+        .iter()
+        .map(|node| node.register == Register::Validity || follows(node, now, value))
+        .collect()
 }
 
 /// Whether all is known that the result depends on.

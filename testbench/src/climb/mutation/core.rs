@@ -7,7 +7,8 @@ use crate::climb::random;
 use crate::stress::draw::Draw;
 
 /// Changes to formats.
-pub(super) const FORMATS: &[Operator] = &[shift, shift, shift, redraw, shift_integer_bits, forget, shift_all];
+pub(super) const FORMATS: &[Operator] =
+    &[shift, shift, shift, redraw, shift_integer_bits, forget, shift_all];
 
 /// Changes to the method's options, and to what the core is made for.
 pub(super) const OPTIONS: &[Operator] = &[
@@ -15,13 +16,17 @@ pub(super) const OPTIONS: &[Operator] = &[
     choose,
     choose,
     |genome, draw| genome.core.light_pipelines = draw.one_of(&LightPipelines::ALL),
-    |genome, draw| genome.core.specialise = draw.one_of(&[Specialise::Scene, Specialise::Scene, Specialise::General]),
+    |genome, draw| {
+        genome.core.specialise =
+            draw.one_of(&[Specialise::Scene, Specialise::Scene, Specialise::General])
+    },
 ];
 
 /// A bit or a few more or fewer; what is too many or too few is brought into line later.
 fn shift(genome: &mut Genome, draw: &mut Draw) {
     if let Some(point) = any(&mut genome.core.points, draw).cloned() {
-        let fraction_bits = point.format.fraction_bits.saturating_add_signed(draw.one_of(&[-3, -1, -1, 1, 1, 3]));
+        let fraction_bits =
+            point.format.fraction_bits.saturating_add_signed(draw.one_of(&[-3, -1, -1, 1, 1, 3]));
         genome.core.set_format(point.name, Format { fraction_bits, ..point.format });
     }
 }

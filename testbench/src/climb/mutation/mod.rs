@@ -13,7 +13,8 @@ pub(super) type Operator = fn(&mut Genome, &mut Draw);
 
 /// What changes are about. An ascent leaves some of these as they are, so that not all end on the
 /// same peak.
-const SUBJECTS: [&[Operator]; 5] = [span::SHAPE, span::MATERIAL, light::OPERATORS, core::FORMATS, core::OPTIONS];
+const SUBJECTS: [&[Operator]; 5] =
+    [span::SHAPE, span::MATERIAL, light::OPERATORS, core::FORMATS, core::OPTIONS];
 
 /// How likely a subject is changed in an ascent.
 const SHARE_OF_SUBJECTS: f64 = 0.75;
@@ -26,7 +27,8 @@ pub(super) struct Mutation(Vec<&'static [Operator]>);
 impl Mutation {
     /// Draws the subjects.
     pub fn new(draw: &mut Draw) -> Mutation {
-        let mut subjects: Vec<&[Operator]> = SUBJECTS.into_iter().filter(|_| happens(draw, SHARE_OF_SUBJECTS)).collect();
+        let mut subjects: Vec<&[Operator]> =
+            SUBJECTS.into_iter().filter(|_| happens(draw, SHARE_OF_SUBJECTS)).collect();
         if subjects.is_empty() {
             subjects.push(draw.one_of(&SUBJECTS));
         }

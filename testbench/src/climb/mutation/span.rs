@@ -22,7 +22,9 @@ pub(super) const SHAPE: &[Operator] = &[
     |genome, draw| change(genome, draw, stretch),
     |genome, draw| change(genome, draw, |span, draw| span.start = random::weights(draw)),
     |genome, draw| change(genome, draw, |span, draw| span.end = random::weights(draw)),
-    |genome, draw| change(genome, draw, |span, draw| span.cone_cosines = random::cone_cosines(draw)),
+    |genome, draw| {
+        change(genome, draw, |span, draw| span.cone_cosines = random::cone_cosines(draw))
+    },
     |genome, draw| change(genome, draw, move_a_vertex),
     add,
     drop_one,
@@ -31,7 +33,9 @@ pub(super) const SHAPE: &[Operator] = &[
 /// Changes to materials and ambient light.
 pub(super) const MATERIAL: &[Operator] = &[
     |genome, draw| change(genome, draw, |span, draw| span.material = random::material(draw)),
-    |genome, draw| change(genome, draw, |span, draw| span.material.shininess = random::exponent(draw)),
+    |genome, draw| {
+        change(genome, draw, |span, draw| span.material.shininess = random::exponent(draw))
+    },
     |genome, draw| change(genome, draw, |span, draw| span.material.ambient = random::colour(draw)),
     |genome, draw| change(genome, draw, |span, draw| span.material.diffuse = random::colour(draw)),
     |genome, draw| change(genome, draw, |span, draw| span.material.specular = random::colour(draw)),

@@ -25,7 +25,8 @@ pub struct Scheme {
 }
 
 impl Scheme {
-    /// Whether the core does what is printed, a root with its division and a product in place of a division counted as one.
+    /// Whether the core does what is printed, a root with its division and a product in place of a
+    /// division counted as one.
     pub fn core_agrees(&self) -> bool {
         let printed = &self.printed;
         let (core, count) = (&self.core, |n: u32| n as usize);
@@ -66,13 +67,18 @@ fn counted(row: &Row) -> Operations {
 
 /// Rows of the table in which a pixel does other operations than are printed.
 fn miscounted() -> f64 {
-    TABLE.iter().filter(|row| row.source.contains("Hast") && counted(row) != row.printed).count() as f64
+    TABLE.iter().filter(|row| row.source.contains("Hast") && counted(row) != row.printed).count()
+        as f64
 }
 
-/// Schemes whose cores do other operations than are printed, but for products in place of divisions.
+/// Schemes whose cores do other operations than are printed, but for products in place of
+/// divisions.
 fn different_cores() -> f64 {
-    let schemes = load("teapot", Some((160, 120))).ok().and_then(|scene| schemes(&scene.frame).ok());
-    schemes.map_or(f64::NAN, |schemes| schemes.iter().filter(|scheme| !scheme.core_agrees()).count() as f64)
+    let schemes =
+        load("teapot", Some((160, 120))).ok().and_then(|scene| schemes(&scene.frame).ok());
+    schemes.map_or(f64::NAN, |schemes| {
+        schemes.iter().filter(|scheme| !scheme.core_agrees()).count() as f64
+    })
 }
 
 fn none(wrong: f64) -> Ruling {

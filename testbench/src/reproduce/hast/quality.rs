@@ -1,4 +1,5 @@
-//! Figures 2 and 3: Phong shading and reflection shading, highlights of both by eq. 34, as cores draw them.
+//! Figures 2 and 3: Phong shading and reflection shading, highlights of both by eq. 34, as cores
+//! draw them.
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
 use crate::statistics::Sums;
@@ -34,14 +35,21 @@ pub struct Drawn {
 /// [`BenchError`] if a core cannot be built for the frame, or does not agree with its model.
 pub fn quality(frame: &Frame) -> Result<Quality, BenchError> {
     let phong = drawn(frame, Method::Duff, "duff.specular = \"eq34\"")?;
-    let reflection = drawn(frame, Method::Reflection, "reflection.specular = \"eq34\"\nreflection.bisector = \"triangle\"")?;
+    let reflection = drawn(
+        frame,
+        Method::Reflection,
+        "reflection.specular = \"eq34\"\nreflection.bisector = \"triangle\"",
+    )?;
     let mut map = vec![-1.0; phong.image.pixels.len()];
     let (mut sums, mut off) = (Sums::default(), 0);
-    for (pixel, place) in frame.spans.iter().flat_map(|span| (0..span.length).map(move |i| (span, i))) {
+    for (pixel, place) in
+        frame.spans.iter().flat_map(|span| (0..span.length).map(move |i| (span, i)))
+    {
         let at = pixel.y as usize * frame.width as usize + (pixel.x + place) as usize;
         let (one, other) = (phong.image.pixels[at], reflection.image.pixels[at]);
         one.iter().zip(other).for_each(|(&one, other)| sums.add(f64::from(other) - f64::from(one)));
-        let largest = one.iter().zip(other).map(|(one, other)| one.abs_diff(other)).max().unwrap_or(0);
+        let largest =
+            one.iter().zip(other).map(|(one, other)| one.abs_diff(other)).max().unwrap_or(0);
         map[at] = f32::from(largest);
         off += u64::from(largest > 1);
     }
@@ -50,7 +58,8 @@ pub fn quality(frame: &Frame) -> Result<Quality, BenchError> {
 }
 
 fn drawn(frame: &Frame, method: Method, options: &str) -> Result<Drawn, BenchError> {
-    let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&options.parse()?), Some(method))?.specialised(frame);
+    let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&options.parse()?), Some(method))?
+        .specialised(frame);
     let outcome = Bench::new(frame, &spec, "core")?.run(EngineKind::Fast, &mut |_, _| ())?;
     Ok(Drawn { image: outcome.simulated, error: outcome.comparison.errors.total })
 }

@@ -27,11 +27,13 @@ fn direction(draw: &mut Draw) -> DVec3 {
 /// The largest over normals of any length and lights.
 fn over_normals(f: impl Fn(DVec3, DVec3) -> f64) -> f64 {
     let mut draw = Draw::new(SEED, 2);
-    (0..CASES).map(|_| f(draw.within(0.05, 3.0) * direction(&mut draw), direction(&mut draw))).fold(0.0, f64::max)
+    (0..CASES)
+        .map(|_| f(draw.within(0.05, 3.0) * direction(&mut draw), direction(&mut draw)))
+        .fold(0.0, f64::max)
 }
 
-/// The share of front-facing cases in which the angle from N to H is not below that from R to V, among those in which that is below
-/// `widest` degrees.
+/// The share of front-facing cases in which the angle from N to H is not below that from R to V,
+/// among those in which that is below `widest` degrees.
 fn farther_halfway(widest: f64) -> f64 {
     let mut draw = Draw::new(SEED, 3);
     let (mut all, mut farther) = (0, 0);
@@ -62,7 +64,8 @@ fn flank_error(degrees: f64) -> f64 {
     FULL_SCALE * largest(|angle| power(libm::cos(angle - off), 256) - power(libm::cos(angle), 256))
 }
 
-/// The angle in degrees at which a spot's light comes out, that stands at 60 degrees and at this distance.
+/// The angle in degrees at which a spot's light comes out, that stands at 60 degrees and at this
+/// distance.
 fn spot(distance: f64) -> f64 {
     libm::acos(wrapped_cosine(DVec3::Z, distance * tilted(60.0))).to_degrees()
 }
@@ -73,7 +76,8 @@ fn scaled_spot(distance: f64) -> f64 {
     libm::acos(wrapped_cosine(DVec3::Z, to_light)).to_degrees()
 }
 
-/// The largest difference of V' from the direction to an eye up to 89 degrees aside, F - P divided by its length beforehand.
+/// The largest difference of V' from the direction to an eye up to 89 degrees aside, F - P divided
+/// by its length beforehand.
 fn scaled_view() -> f64 {
     largest(|t| {
         let [to_eye, _] = scaled([10.0 * tilted(89.0 * t); 2]);
@@ -81,13 +85,16 @@ fn scaled_view() -> f64 {
     })
 }
 
-/// The largest difference of (29)'s quotient from Lambert's cosine of (27)'s vector, the normal up to 89 degrees from n and of any length.
+/// The largest difference of (29)'s quotient from Lambert's cosine of (27)'s vector, the normal up
+/// to 89 degrees from n and of any length.
 fn quotient_from_vector() -> f64 {
     let mut draw = Draw::new(SEED, 4);
     let one = |_| {
         let (n, light) = (direction(&mut draw), direction(&mut draw));
-        let normal = draw.within(0.3, 1.0) * turned(n, draw.within(0.0, 89f64.to_radians()), draw.unit());
-        let wrapped = wrap::wrap(n, normal).map_or(0.0, |wrapped| wrapped.dot(light).clamp(0.0, 1.0));
+        let normal =
+            draw.within(0.3, 1.0) * turned(n, draw.within(0.0, 89f64.to_radians()), draw.unit());
+        let wrapped =
+            wrap::wrap(n, normal).map_or(0.0, |wrapped| wrapped.dot(light).clamp(0.0, 1.0));
         (wrap::diffuse(n, normal, light) - wrapped).abs()
     };
     (0..CASES).map(one).fold(0.0, f64::max)
@@ -97,34 +104,53 @@ fn equal(off: f64) -> Ruling {
     Ruling::of(off < 1e-12, "they differ")
 }
 
-const DIFFUSE: &str = "reflection shading is hard to distinguish: diffuse light (half an LSB, 0.11 degrees)";
+const DIFFUSE: &str =
+    "reflection shading is hard to distinguish: diffuse light (half an LSB, 0.11 degrees)";
 
 const fn diffuse(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
     exact(DIFFUSE, quantity, expected, measure, |degrees| {
-        Ruling::of(degrees.to_radians() < HALF_LSB, "normals are wrapped too near to n in wide spans")
+        Ruling::of(
+            degrees.to_radians() < HALF_LSB,
+            "normals are wrapped too near to n in wide spans",
+        )
     })
 }
 
-const SPECULAR: &str = "reflection shading is hard to distinguish: highlights of n = 256 (half an LSB)";
+const SPECULAR: &str =
+    "reflection shading is hard to distinguish: highlights of n = 256 (half an LSB)";
 
 const fn specular(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
-    exact(SPECULAR, quantity, expected, measure, |lsb| Ruling::of(lsb < 0.5, "a reflection doubles the error of its normal"))
+    exact(SPECULAR, quantity, expected, measure, |lsb| {
+        Ruling::of(lsb < 0.5, "a reflection doubles the error of its normal")
+    })
 }
 
 const fn closer(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
-    exact("the angle from N to H is always less than that from R to V", quantity, expected, measure, |share| {
-        Ruling::of(share == 0.0, "where L and V are more than 90 degrees apart it may be more")
-    })
+    exact(
+        "the angle from N to H is always less than that from R to V",
+        quantity,
+        expected,
+        measure,
+        |share| {
+            Ruling::of(share == 0.0, "where L and V are more than 90 degrees apart it may be more")
+        },
+    )
 }
 
 const fn narrower(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
-    exact("a spot by reflection is too wide, so n should be smaller", quantity, expected, measure, |degrees| {
-        if degrees >= 60.0 {
-            Ruling::HoldsWithin("|F - P| of 1 and more")
-        } else {
-            Ruling::DoesNotHold("nearer lights come out narrower")
-        }
-    })
+    exact(
+        "a spot by reflection is too wide, so n should be smaller",
+        quantity,
+        expected,
+        measure,
+        |degrees| {
+            if degrees >= 60.0 {
+                Ruling::HoldsWithin("|F - P| of 1 and more")
+            } else {
+                Ruling::DoesNotHold("nearer lights come out narrower")
+            }
+        },
+    )
 }
 
 /// Propositions and remarks.
@@ -136,15 +162,41 @@ pub const CLAIMS: [Claim; 17] = [
         || over_normals(|n, l| (base(n, l) - reflect(n.normalize()).dot(l).clamp(0.0, 1.0)).abs()),
         equal,
     ),
-    exact("(33) is (17)", "largest difference", (0.0, 1e-13), || over_normals(|n, l| (eq33(n, l) - base(n, l)).abs()), equal),
-    exact("(34) is (17)", "largest difference", (0.0, 1e-13), || over_normals(|n, l| (eq34(n, l) - base(n, l)).abs()), equal),
-    exact("(29) is Lambert's cosine of (27)", "largest difference", (0.0, 1e-13), quotient_from_vector, equal),
+    exact(
+        "(33) is (17)",
+        "largest difference",
+        (0.0, 1e-13),
+        || over_normals(|n, l| (eq33(n, l) - base(n, l)).abs()),
+        equal,
+    ),
+    exact(
+        "(34) is (17)",
+        "largest difference",
+        (0.0, 1e-13),
+        || over_normals(|n, l| (eq34(n, l) - base(n, l)).abs()),
+        equal,
+    ),
+    exact(
+        "(29) is Lambert's cosine of (27)",
+        "largest difference",
+        (0.0, 1e-13),
+        quotient_from_vector,
+        equal,
+    ),
     // Of 50 000 and 4 000 cases that are left: two standard deviations.
     closer("share of random front-facing cases", (0.081, 3e-3), || farther_halfway(180.0)),
-    closer("share of those with R less than 20 degrees from V", (0.285, 1.5e-2), || farther_halfway(20.0)),
-    diffuse("largest error of the normal in degrees, 10 degrees", (0.0037, 5e-5), || wrap_error(10.0)),
-    diffuse("largest error of the normal in degrees, 30 degrees", (0.10, 5e-3), || wrap_error(30.0)),
-    diffuse("largest error of the normal in degrees, 60 degrees", (0.85, 5e-3), || wrap_error(60.0)),
+    closer("share of those with R less than 20 degrees from V", (0.285, 1.5e-2), || {
+        farther_halfway(20.0)
+    }),
+    diffuse("largest error of the normal in degrees, 10 degrees", (0.0037, 5e-5), || {
+        wrap_error(10.0)
+    }),
+    diffuse("largest error of the normal in degrees, 30 degrees", (0.10, 5e-3), || {
+        wrap_error(30.0)
+    }),
+    diffuse("largest error of the normal in degrees, 60 degrees", (0.85, 5e-3), || {
+        wrap_error(60.0)
+    }),
     diffuse("largest error of the normal in degrees, 90 degrees", (3.2, 5e-2), || wrap_error(90.0)),
     specular("largest error in LSB, 30 degrees", (8.7, 0.5), || flank_error(30.0)),
     specular("largest error in LSB, 60 degrees", (72.0, 1.0), || flank_error(60.0)),
@@ -158,5 +210,11 @@ pub const CLAIMS: [Claim; 17] = [
         || scaled_spot(10.0),
         |degrees| Ruling::of((degrees - 60.0).abs() < 1e-9, "it is elsewhere"),
     ),
-    exact("and so does an eye, by (38)", "largest difference, distance 10", (0.0, 1e-13), scaled_view, equal),
+    exact(
+        "and so does an eye, by (38)",
+        "largest difference, distance 10",
+        (0.0, 1e-13),
+        scaled_view,
+        equal,
+    ),
 ];

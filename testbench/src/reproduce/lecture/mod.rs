@@ -41,15 +41,17 @@ fn any_length() -> f64 {
 /// The largest difference of 1 - κt(1 - t) from N·N between unit normals that are `degrees` apart.
 fn square(degrees: f64) -> f64 {
     let ends = [tilted(-degrees / 2.0), tilted(degrees / 2.0)];
-    largest(|t| (length_squared([1.0; 2], kappa(ends), t) - ends[0].lerp(ends[1], t).length_squared()).abs())
+    largest(|t| {
+        (length_squared([1.0; 2], kappa(ends), t) - ends[0].lerp(ends[1], t).length_squared()).abs()
+    })
 }
 
 const fn same(what: &'static str, quantity: &'static str, measure: fn() -> f64) -> Claim {
     exact(what, quantity, (0.0, 1e-14), measure, |error| Ruling::of(error < 1e-14, "they differ"))
 }
 
-/// The largest angle in degrees between the normals at a triangle's centre that scan lines in three directions give, its vertex normals
-/// `degrees` apart.
+/// The largest angle in degrees between the normals at a triangle's centre that scan lines in three
+/// directions give, its vertex normals `degrees` apart.
 fn spread(degrees: f64) -> f64 {
     // Three normals `degrees` apart about z: sin(degrees/2) = sin(tilt) sin(60).
     let tilt = libm::asin(libm::sin(degrees.to_radians() / 2.0) / libm::sin(60f64.to_radians()));
@@ -59,7 +61,12 @@ fn spread(degrees: f64) -> f64 {
         slerp([slerp([top, left], 2.0 / 3.0)?, slerp([top, right], 2.0 / 3.0)?], 0.5)
     };
     let centres: Option<Vec<DVec3>> = (0..3).map(centre).collect();
-    let apart = |c: &[DVec3]| [(0, 1), (1, 2), (2, 0)].map(|(a, b)| c[a].angle_between(c[b])).into_iter().fold(0.0, f64::max);
+    let apart = |c: &[DVec3]| {
+        [(0, 1), (1, 2), (2, 0)]
+            .map(|(a, b)| c[a].angle_between(c[b]))
+            .into_iter()
+            .fold(0.0, f64::max)
+    };
     centres.map_or(f64::NAN, |centres| apart(&centres).to_degrees())
 }
 
@@ -70,15 +77,31 @@ const fn difference(quantity: &'static str, expected: (f64, f64), measure: fn() 
     })
 }
 
-const fn few(what: &'static str, quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+const fn few(
+    what: &'static str,
+    quantity: &'static str,
+    expected: (f64, f64),
+    measure: fn() -> f64,
+) -> Claim {
     // NUMERICS' root has 12 fraction bits, which are worth up to 0.1 LSB.
-    exact(what, quantity, expected, measure, |lsb| Ruling::of(lsb < 1.0, "wide short spans jump too far for a warm start"))
+    exact(what, quantity, expected, measure, |lsb| {
+        Ruling::of(lsb < 1.0, "wide short spans jump too far for a warm start")
+    })
 }
 
 const fn whichever(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
-    exact("the triangle's scan does not depend on its orientation, by slerp", quantity, expected, measure, |degrees| {
-        Ruling::of(degrees < 1e-6, "that is so for lerp, which slerp along edges and scan lines is not")
-    })
+    exact(
+        "the triangle's scan does not depend on its orientation, by slerp",
+        quantity,
+        expected,
+        measure,
+        |degrees| {
+            Ruling::of(
+                degrees < 1e-6,
+                "that is so for lerp, which slerp along edges and scan lines is not",
+            )
+        },
+    )
 }
 
 const ONE: &str = "Newton's root needs few steps: one";
@@ -91,19 +114,36 @@ pub(super) const CLAIMS: [Claim; 14] = [
     difference("largest angle between them in degrees, span of 60", (1.12, 5e-3), || apart(60.0)),
     difference("largest angle between them in degrees, span of 90", (4.07, 5e-3), || apart(90.0)),
     same("(4.6) is (4.5) for N of any length", "largest difference", any_length),
-    same("N.N is 1 - kappa t (1 - t) (our extension, not a claim)", "largest difference, 150 degrees", || square(150.0)),
-    few(ONE, "largest error in LSB, 90 degrees in 2 steps of a pixel", (14.6, 0.1), || newton_error(90.0, 2, 1)),
+    same(
+        "N.N is 1 - kappa t (1 - t) (our extension, not a claim)",
+        "largest difference, 150 degrees",
+        || square(150.0),
+    ),
+    few(ONE, "largest error in LSB, 90 degrees in 2 steps of a pixel", (14.6, 0.1), || {
+        newton_error(90.0, 2, 1)
+    }),
     few(ONE, "largest error in LSB, 90 degrees in 16", (0.49, 0.1), || newton_error(90.0, 16, 1)),
     few(TWO, "largest error in LSB, 90 degrees in 2", (0.41, 0.1), || newton_error(90.0, 2, 2)),
     few(TWO, "largest error in LSB, 150 degrees in 2", (55.0, 0.5), || newton_error(150.0, 2, 2)),
-    whichever("degrees between the normals at the centre, 30 degrees", (0.159, 5e-4), || spread(30.0)),
-    whichever("degrees between the normals at the centre, 60 degrees", (1.47, 5e-3), || spread(60.0)),
-    whichever("degrees between the normals at the centre, 90 degrees", (6.87, 5e-3), || spread(90.0)),
+    whichever("degrees between the normals at the centre, 30 degrees", (0.159, 5e-4), || {
+        spread(30.0)
+    }),
+    whichever("degrees between the normals at the centre, 60 degrees", (1.47, 5e-3), || {
+        spread(60.0)
+    }),
+    whichever("degrees between the normals at the centre, 90 degrees", (6.87, 5e-3), || {
+        spread(90.0)
+    }),
     exact(
         "exercise 1: sin 24.3 degrees by lerp from a table",
         "sin 24.3 degrees",
         (0.411_504, 5e-7),
         || 0.7 * 0.40674 + 0.3 * 0.42262,
-        |sine| Ruling::of((sine - libm::sin(24.3_f64.to_radians())).abs() < 5e-5, "it differs in the table's digits"),
+        |sine| {
+            Ruling::of(
+                (sine - libm::sin(24.3_f64.to_radians())).abs() < 5e-5,
+                "it differs in the table's digits",
+            )
+        },
     ),
 ];

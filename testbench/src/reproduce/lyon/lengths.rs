@@ -8,12 +8,14 @@ use super::super::claim::{Claim, Ground, Ruling};
 use super::{core_height, height};
 use crate::stress::draw::tilted;
 
-/// Half of the widest angle in degrees of a span whose middle normal, not normalised, is `length` long.
+/// Half of the widest angle in degrees of a span whose middle normal, not normalised, is `length`
+/// long.
 fn half_angle(length: f64) -> f64 {
     libm::acos(length).to_degrees()
 }
 
-/// What a core without normalisation loses of the peak in the middle of a span where the normal is `length` long, seen from above.
+/// What a core without normalisation loses of the peak in the middle of a span where the normal is
+/// `length` long, seen from above.
 fn core_loss(length: f64, n: u32) -> f64 {
     let half = half_angle(length);
     core_height([tilted(-half), tilted(half)], n, "none").map_or(f64::NAN, |height| 1.0 - height)
@@ -24,7 +26,8 @@ fn loss(error: f64, n: u32) -> f64 {
     1.0 - height(DVec3::Z, 1.0 - error, n)
 }
 
-/// The error of the length of N that costs an LSB of the peak, seen from above: by bisection, since the loss grows with the error.
+/// The error of the length of N that costs an LSB of the peak, seen from above: by bisection, since
+/// the loss grows with the error.
 fn error_for_one_lsb(n: u32) -> f64 {
     let (mut low, mut high) = (0.0, 0.1);
     for _ in 0..60 {
@@ -44,7 +47,8 @@ fn ends_of_90(degrees: f64) -> [DVec3; 2] {
     [1.0, -1.0].map(|side| (tilted(degrees) + side * DVec3::Y).normalize())
 }
 
-/// Height of the highlight in the middle of a span of 90 degrees, its normal `degrees` from the eye, n = 1000.
+/// Height of the highlight in the middle of a span of 90 degrees, its normal `degrees` from the
+/// eye, n = 1000.
 fn mid_span(degrees: f64) -> f64 {
     height(tilted(degrees), middle_of_90(), 1000)
 }
@@ -73,7 +77,12 @@ fn about_a_half(height: f64) -> Ruling {
     Ruling::of((height - 0.5).abs() < 0.1, why)
 }
 
-const fn peak(quantity: &'static str, on: Ground, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+const fn peak(
+    quantity: &'static str,
+    on: Ground,
+    expected: (f64, f64),
+    measure: fn() -> f64,
+) -> Claim {
     Claim {
         what: "a span of 90 degrees halves the highlight in its middle, n = 1000, behind g2",
         quantity,

@@ -17,9 +17,11 @@ fn short(z: f64, gain: fn(f64) -> f64) -> f64 {
     100.0 * (1.0 - gain(z) * z.sqrt())
 }
 
-/// Lengths of normals before and behind a core's `normalisation` along a span of `degrees`, from its middle, of even steps, to its end.
+/// Lengths of normals before and behind a core's `normalisation` along a span of `degrees`, from
+/// its middle, of even steps, to its end.
 pub fn core_lengths(normalisation: &str, degrees: f64, steps: u32) -> Option<Vec<(f64, f64)>> {
-    let frame = frame([tilted(-degrees / 2.0), tilted(degrees / 2.0)], 2 * steps + 1, DVec3::Z, matt())?;
+    let frame =
+        frame([tilted(-degrees / 2.0), tilted(degrees / 2.0)], 2 * steps + 1, DVec3::Z, matt())?;
     let table = format!("normalisation = \"{normalisation}\"\nnewton_steps = 0\n");
     let core = SpanCore::new(&frame, &Variant { method: Method::Lyon, table })?;
     let lengths = |i| {
@@ -100,7 +102,10 @@ pub const CLAIMS: [Claim; 8] = [
         quantity: "largest length",
         on: Ground::Core,
         expected: (1.00176, 1e-2 * OF_CORE),
-        measure: || core_lengths("g2", 60.0, 64).map_or(f64::NAN, |lengths| lengths.iter().map(|l| l.1).fold(0.0, f64::max)),
+        measure: || {
+            core_lengths("g2", 60.0, 64)
+                .map_or(f64::NAN, |lengths| lengths.iter().map(|l| l.1).fold(0.0, f64::max))
+        },
         judge: |length| Ruling::of((length - 1.002).abs() < 5e-4, "it does not"),
     },
     Claim {

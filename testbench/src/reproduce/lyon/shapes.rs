@@ -50,22 +50,27 @@ fn d1_from_d2(length: f64) -> f64 {
     })
 }
 
-/// The largest difference of D1·D1 from D3·D3 + (V·N - L·N)², the light going round the eye as it goes down.
+/// The largest difference of D1·D1 from D3·D3 + (V·N - L·N)², the light going round the eye as it
+/// goes down.
 fn d1_from_d3() -> f64 {
     let normal = turned(DVec3::Z, 1.0, 0.3);
     largest(|t| {
         let light = turned(DVec3::Z, PI * t, 5.0 * t);
         let across = normal.dot(DVec3::Z) - normal.dot(light);
-        (d1(normal, light).length_squared() - d3(normal, light).length_squared() - across * across).abs()
+        (d1(normal, light).length_squared() - d3(normal, light).length_squared() - across * across)
+            .abs()
     })
 }
 
-/// The largest difference of f_1 by figure 8's small squares of m D, m = √n, from (1 - x/2)² of x = n/2 D·D.
+/// The largest difference of f_1 by figure 8's small squares of m D, m = √n, from (1 - x/2)² of x =
+/// n/2 D·D.
 fn small_squares(n: u32) -> f64 {
     let normal = turned(DVec3::Z, 0.2, 0.1);
     largest(|t| {
         let d = reflection_minus_light(normal, turned(reflect(normal), 0.2 * t, 3.0 * t));
-        (root_shininess::highlight(f64::from(n).sqrt(), d) - f_k(f64::from(n) / 2.0 * d.length_squared(), 1)).abs()
+        (root_shininess::highlight(f64::from(n).sqrt(), d)
+            - f_k(f64::from(n) / 2.0 * d.length_squared(), 1))
+        .abs()
     })
 }
 
@@ -77,7 +82,8 @@ fn gaussian_from_power(n: u32) -> f64 {
     })
 }
 
-/// The height of row 10's glancing highlight: figure 9's first light, the normal half-way between it and the eye.
+/// The height of row 10's glancing highlight: figure 9's first light, the normal half-way between
+/// it and the eye.
 fn glancing(n: u32) -> f64 {
     let light = DVec3::new(1.0, 1.0, -1.0).normalize();
     formulation(Formulation::NearlyUnit, n, halfway(light).normalize(), light)
@@ -94,9 +100,19 @@ fn chord_error() -> f64 {
 }
 
 const fn row_10(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
-    exact("row 10 of figure 9 loses the glancing highlight", quantity, expected, measure, |height| {
-        if height < 0.5 { Ruling::Holds } else { Ruling::HoldsWithin("n of 16 and more: below it the lobe is wide enough") }
-    })
+    exact(
+        "row 10 of figure 9 loses the glancing highlight",
+        quantity,
+        expected,
+        measure,
+        |height| {
+            if height < 0.5 {
+                Ruling::Holds
+            } else {
+                Ruling::HoldsWithin("n of 16 and more: below it the lobe is wide enough")
+            }
+        },
+    )
 }
 
 /// In units of full scale unless they say otherwise.
@@ -201,9 +217,13 @@ pub const CLAIMS: [Claim; 24] = [
             }
         },
     ),
-    exact("D1.D1 is D3.D3 + (V.N - L.N)^2, so D3 is never longer", "largest difference", (0.0, 5e-15), d1_from_d3, |error| {
-        Ruling::of(error < 5e-15, "it differs")
-    }),
+    exact(
+        "D1.D1 is D3.D3 + (V.N - L.N)^2, so D3 is never longer",
+        "largest difference",
+        (0.0, 5e-15),
+        d1_from_d3,
+        |error| Ruling::of(error < 5e-15, "it differs"),
+    ),
     exact(
         "figure 8's squares of m D give the f_1 of n D.D",
         "largest difference, n = 256",

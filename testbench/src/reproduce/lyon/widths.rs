@@ -47,11 +47,14 @@ fn error_of_normal(narrowed: fn(DVec3) -> DVec3) -> f64 {
 /// The same of R.
 fn error_of_reflection(narrowed: fn(DVec3) -> DVec3) -> f64 {
     let reflect = |normal: DVec3, eye: DVec3| 2.0 * normal.dot(eye) * normal - eye;
-    normals_and_eyes().map(|[normal, eye]| (reflect(narrowed(normal), eye) - reflect(normal, eye)).length()).fold(0.0, f64::max)
+    normals_and_eyes()
+        .map(|[normal, eye]| (reflect(narrowed(normal), eye) - reflect(normal, eye)).length())
+        .fold(0.0, f64::max)
 }
 
-/// The largest error in LSBs, before the rounding to 8 bits, of the datapath's f against f_k of true normals: spans of up to 30 degrees
-/// whose middle is up to 70 from the eye, the light within the lobe of the middle.
+/// The largest error in LSBs, before the rounding to 8 bits, of the datapath's f against f_k of
+/// true normals: spans of up to 30 degrees whose middle is up to 70 from the eye, the light within
+/// the lobe of the middle.
 fn error_lsb(datapath: &Datapath, n: u32) -> Option<f64> {
     let variant = Variant { method: Method::Lyon, table: datapath.table.to_owned() };
     let mut draw = Draw::new(SEED, n.into());
@@ -63,9 +66,13 @@ fn error_lsb(datapath: &Datapath, n: u32) -> Option<f64> {
         let ends = draw.ends(degrees, 70.0);
         let normal = (ends[0] + ends[1]).normalize();
         let light = turned(reflect(normal), 2.0 / f64::from(n).sqrt() * draw.unit(), draw.unit());
-        (frame.triangles[0].normals, frame.lights[0].direction) = ([ends[0], ends[1], normal], light);
+        (frame.triangles[0].normals, frame.lights[0].direction) =
+            ([ends[0], ends[1], normal], light);
         let shape = value(&core.trace(&frame, 1)?, "colour_r")? / FULL_SCALE;
-        let wanted = f_k(f64::from(n) / 2.0 * reflection_minus_light(normal, light).length_squared(), datapath.squarings);
+        let wanted = f_k(
+            f64::from(n) / 2.0 * reflection_minus_light(normal, light).length_squared(),
+            datapath.squarings,
+        );
         largest = largest.max(FULL_SCALE * (shape - wanted).abs());
     }
     Some(largest)
@@ -87,11 +94,16 @@ const fn angle(quantity: &'static str, expected: (f64, f64), measure: fn() -> f6
     }
 }
 
-/// NUMERICS' largest errors are of 60 000 spans seen from anywhere with V rounded too; a core's V is (0, 0, 1), exactly. Its errors are a
-/// third smaller.
+/// NUMERICS' largest errors are of 60 000 spans seen from anywhere with V rounded too; a core's V
+/// is (0, 0, 1), exactly. Its errors are a third smaller.
 const OF_SAMPLES: f64 = 0.4;
 
-const fn figure(what: &'static str, quantity: &'static str, expected: f64, measure: fn() -> f64) -> Claim {
+const fn figure(
+    what: &'static str,
+    quantity: &'static str,
+    expected: f64,
+    measure: fn() -> f64,
+) -> Claim {
     Claim {
         what,
         quantity,
@@ -111,14 +123,34 @@ pub const CLAIMS: [Claim; 14] = [
     angle("largest error of N, truncated", (1.65e-3, 4e-5), || error_of_normal(truncated)),
     angle("largest error of R, N rounded", (3.1e-3, 2e-4), || error_of_reflection(rounded)),
     angle("largest error of R, N truncated", (6.3e-3, 4e-4), || error_of_reflection(truncated)),
-    figure(SEVEN, "largest error in LSB, n = 16", 3.5, || error_lsb(&FIGURE_7, 16).unwrap_or(f64::NAN)),
-    figure(SEVEN, "largest error in LSB, n = 64", 7.7, || error_lsb(&FIGURE_7, 64).unwrap_or(f64::NAN)),
-    figure(SEVEN, "largest error in LSB, n = 256", 15.0, || error_lsb(&FIGURE_7, 256).unwrap_or(f64::NAN)),
-    figure(SEVEN, "largest error in LSB, n = 1024", 31.0, || error_lsb(&FIGURE_7, 1024).unwrap_or(f64::NAN)),
-    figure(SEVEN, "largest error in LSB, n = 8000", 90.0, || error_lsb(&FIGURE_7, 8000).unwrap_or(f64::NAN)),
-    figure(EIGHT, "largest error in LSB, m = 4", 4.0, || error_lsb(&FIGURE_8, 4 * 4).unwrap_or(f64::NAN)),
-    figure(EIGHT, "largest error in LSB, m = 8", 7.0, || error_lsb(&FIGURE_8, 8 * 8).unwrap_or(f64::NAN)),
-    figure(EIGHT, "largest error in LSB, m = 16", 12.6, || error_lsb(&FIGURE_8, 16 * 16).unwrap_or(f64::NAN)),
-    figure(EIGHT, "largest error in LSB, m = 32", 23.7, || error_lsb(&FIGURE_8, 32 * 32).unwrap_or(f64::NAN)),
-    figure(EIGHT, "largest error in LSB, m = 63", 45.0, || error_lsb(&FIGURE_8, 63 * 63).unwrap_or(f64::NAN)),
+    figure(SEVEN, "largest error in LSB, n = 16", 3.5, || {
+        error_lsb(&FIGURE_7, 16).unwrap_or(f64::NAN)
+    }),
+    figure(SEVEN, "largest error in LSB, n = 64", 7.7, || {
+        error_lsb(&FIGURE_7, 64).unwrap_or(f64::NAN)
+    }),
+    figure(SEVEN, "largest error in LSB, n = 256", 15.0, || {
+        error_lsb(&FIGURE_7, 256).unwrap_or(f64::NAN)
+    }),
+    figure(SEVEN, "largest error in LSB, n = 1024", 31.0, || {
+        error_lsb(&FIGURE_7, 1024).unwrap_or(f64::NAN)
+    }),
+    figure(SEVEN, "largest error in LSB, n = 8000", 90.0, || {
+        error_lsb(&FIGURE_7, 8000).unwrap_or(f64::NAN)
+    }),
+    figure(EIGHT, "largest error in LSB, m = 4", 4.0, || {
+        error_lsb(&FIGURE_8, 4 * 4).unwrap_or(f64::NAN)
+    }),
+    figure(EIGHT, "largest error in LSB, m = 8", 7.0, || {
+        error_lsb(&FIGURE_8, 8 * 8).unwrap_or(f64::NAN)
+    }),
+    figure(EIGHT, "largest error in LSB, m = 16", 12.6, || {
+        error_lsb(&FIGURE_8, 16 * 16).unwrap_or(f64::NAN)
+    }),
+    figure(EIGHT, "largest error in LSB, m = 32", 23.7, || {
+        error_lsb(&FIGURE_8, 32 * 32).unwrap_or(f64::NAN)
+    }),
+    figure(EIGHT, "largest error in LSB, m = 63", 45.0, || {
+        error_lsb(&FIGURE_8, 63 * 63).unwrap_or(f64::NAN)
+    }),
 ];

@@ -1,4 +1,5 @@
-//! Angles at vertices and in between: how far interpolation falls short, and the constants against it.
+//! Angles at vertices and in between: how far interpolation falls short, and the constants against
+//! it.
 use std::f64::consts::FRAC_PI_2;
 
 use specula_golden::exact::consistent::{Scaling, cos_gamma, q, rational_q, vertex_angle};
@@ -6,7 +7,8 @@ use specula_golden::exact::consistent::{Scaling, cos_gamma, q, rational_q, verte
 use super::super::claim::{Claim, Ruling, exact};
 use super::super::largest;
 
-/// α at a share u of the way from a vertex with the face's normal to one whose normal is `theta` radians from it.
+/// α at a share u of the way from a vertex with the face's normal to one whose normal is `theta`
+/// radians from it.
 fn angle_of_face(theta: f64, u: f64) -> f64 {
     libm::atan2(u * libm::sin(theta), 1.0 - u + u * libm::cos(theta))
 }
@@ -25,24 +27,30 @@ fn shortest(scaling: Scaling) -> f64 {
     (0..=900).map(at).fold(0.0, f64::max).to_degrees()
 }
 
-/// How far r enters the face at most, I grazing it opposite to the normal, so that β = α + 90 degrees and n·r = cos(α + γ); the
-/// trigonometric q. Our ρ, which is kept within 1, halves it.
+/// How far r enters the face at most, I grazing it opposite to the normal, so that β = α + 90
+/// degrees and n·r = cos(α + γ); the trigonometric q. Our ρ, which is kept within 1, halves it.
 fn entering(scaling: Scaling) -> f64 {
     let at = |k: u32, j: u32| {
         let (theta, u) = (FRAC_PI_2 * f64::from(k) / 450.0, f64::from(j) / 500.0);
-        let (true_angle, angle) = (angle_of_face(theta, u), (u * vertex_angle(libm::cos(theta), scaling)).min(FRAC_PI_2));
+        let (true_angle, angle) =
+            (angle_of_face(theta, u), (u * vertex_angle(libm::cos(theta), scaling)).min(FRAC_PI_2));
         -libm::cos(true_angle + libm::acos(cos_gamma(q(angle), libm::cos(true_angle + FRAC_PI_2))))
     };
     (1..=450).flat_map(|k| (0..=500).map(move |j| at(k, j))).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Where q~ of the interpolated angle is above q of the face's, as an angle: r would enter the face.
+/// Where q~ of the interpolated angle is above q of the face's, as an angle: r would enter the
+/// face.
 fn rational_deficit() -> f64 {
     let above = |theta: f64, u: f64| {
         let interpolated = (u * vertex_angle(libm::cos(theta), Scaling::RATIONAL)).min(FRAC_PI_2);
         (rational_q(interpolated) - q(angle_of_face(theta, u))).max(0.0)
     };
-    let at = |k: u32| (0..=1000).map(|j| above(FRAC_PI_2 * f64::from(k) / 900.0, f64::from(j) / 1000.0)).fold(0.0, f64::max);
+    let at = |k: u32| {
+        (0..=1000)
+            .map(|j| above(FRAC_PI_2 * f64::from(k) / 900.0, f64::from(j) / 1000.0))
+            .fold(0.0, f64::max)
+    };
     (0..=900).map(at).fold(0.0, f64::max).to_degrees()
 }
 

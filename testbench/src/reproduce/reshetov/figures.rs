@@ -13,8 +13,15 @@ use crate::stress::variant::Variant;
 
 /// Figure 6, and the four plots of figure 7.
 pub fn figures() -> Vec<Figure> {
-    let seven = [(5, "reshetov_figure7_05"), (25, "reshetov_figure7_25"), (45, "reshetov_figure7_45"), (65, "reshetov_figure7_65")];
-    std::iter::once(curves()).chain(seven.map(|(degrees, name)| cosines(name, degrees.into()))).collect()
+    let seven = [
+        (5, "reshetov_figure7_05"),
+        (25, "reshetov_figure7_25"),
+        (45, "reshetov_figure7_45"),
+        (65, "reshetov_figure7_65"),
+    ];
+    std::iter::once(curves())
+        .chain(seven.map(|(degrees, name)| cosines(name, degrees.into())))
+        .collect()
 }
 
 fn curves() -> Figure {
@@ -27,7 +34,9 @@ fn curves() -> Figure {
         curves: vec![
             Curve::formula("q = (1 - sin a)/(1 + sin a)", 0, range, 0.2, |a| q(a.to_radians())),
             Curve::formula("q~, rational", 1, range, 0.5, |a| rational_q(a.to_radians())),
-            Curve::formula("10 (q - q~)", 2, range, 0.6, |a| 10.0 * (q(a.to_radians()) - rational_q(a.to_radians()))),
+            Curve::formula("10 (q - q~)", 2, range, 0.6, |a| {
+                10.0 * (q(a.to_radians()) - rational_q(a.to_radians()))
+            }),
         ],
         notes: vec!["q - q~ is 0.0127 at most, at 40.2 degrees.".to_owned()],
     }
@@ -36,7 +45,8 @@ fn curves() -> Figure {
 /// Places at which the core is asked.
 const PLACES: u32 = 12;
 
-/// Dot products of Phong's and of the consistent normal with I, β degrees from Phong's normal, which is `alpha` degrees from the face's.
+/// Dot products of Phong's and of the consistent normal with I, β degrees from Phong's normal,
+/// which is `alpha` degrees from the face's.
 fn cosines(name: &'static str, alpha: f64) -> Figure {
     let range = (0.0, 90.0 + alpha);
     let consistent = |curve: fn(f64) -> f64| move |beta: f64| consistent_cosine(curve, alpha, beta);
@@ -48,7 +58,9 @@ fn cosines(name: &'static str, alpha: f64) -> Figure {
     curves.extend(core_cosines(alpha));
     Figure {
         name,
-        title: format!("Reshetov's figure 7: {alpha:.0} degrees between the face's normal and Phong's"),
+        title: format!(
+            "Reshetov's figure 7: {alpha:.0} degrees between the face's normal and Phong's"
+        ),
         x: "beta, between I and Phong's normal, in degrees",
         y: "dot product with I",
         curves,
@@ -73,7 +85,8 @@ fn core_cosines(alpha: f64) -> Option<Curve> {
 fn core_cosine(alpha: f64, beta: f64) -> Option<f64> {
     let mut frame = frame([DVec3::Z; 2], 1, tilted(beta), matt())?;
     let table = "diffuse = \"consistent\"\n".to_owned();
-    // The interpolated angle itself is `alpha`: the constant enlarges it at vertices, so they are given less.
+    // The interpolated angle itself is `alpha`: the constant enlarges it at vertices, so they are
+    // given less.
     let least = least_cosine(alpha.to_radians());
     frame.triangles[0].cones.iter_mut().for_each(|cone| cone.cosine = least);
     let core = SpanCore::new(&frame, &Variant { method: Method::Consistent, table })?;
@@ -86,7 +99,11 @@ fn least_cosine(alpha: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..60 {
         let middle = (low + high) / 2.0;
-        if vertex_angle(middle, Scaling::RATIONAL) > alpha.min(FRAC_PI_2) { low = middle } else { high = middle }
+        if vertex_angle(middle, Scaling::RATIONAL) > alpha.min(FRAC_PI_2) {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     low
 }

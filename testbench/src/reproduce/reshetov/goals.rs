@@ -2,7 +2,9 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
-use specula_golden::exact::consistent::{Scaling, cos_gamma, cosine, normal, pixel_angle, q, rational_q, reflection, vertex_angle};
+use specula_golden::exact::consistent::{
+    Scaling, cos_gamma, cosine, normal, pixel_angle, q, rational_q, reflection, vertex_angle,
+};
 use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
 
@@ -10,11 +12,14 @@ use super::super::claim::{Claim, Ground, Ruling};
 use super::super::largest;
 use crate::stress::draw::{tilted, turned};
 
-/// The largest of `f` over angles α from 0 to 90 degrees, and over a share t of whatever else varies.
+/// The largest of `f` over angles α from 0 to 90 degrees, and over a share t of whatever else
+/// varies.
 fn over(f: impl Fn(f64, f64) -> f64) -> f64 {
     const STEPS: u32 = 200;
     let share = |k: u32| f64::from(k) / f64::from(STEPS);
-    let at = |k: u32| (0..=STEPS).map(|j| f(FRAC_PI_2 * share(k), share(j))).fold(f64::NEG_INFINITY, f64::max);
+    let at = |k: u32| {
+        (0..=STEPS).map(|j| f(FRAC_PI_2 * share(k), share(j))).fold(f64::NEG_INFINITY, f64::max)
+    };
     (0..=STEPS).map(at).fold(f64::NEG_INFINITY, f64::max)
 }
 
@@ -26,14 +31,23 @@ fn by_both(measure: impl Fn(fn(f64) -> f64) -> f64) -> f64 {
 /// How far r jumps at most where two faces of a mesh meet.
 fn jump(mesh: Primitive, curve: fn(f64) -> f64, scaling: Scaling) -> f64 {
     let faces = coned_faces(&mesh.mesh());
-    let pairs = faces.iter().enumerate().flat_map(|(k, one)| faces[k + 1..].iter().map(move |other| (one, other)));
+    let pairs = faces
+        .iter()
+        .enumerate()
+        .flat_map(|(k, one)| faces[k + 1..].iter().map(move |other| (one, other)));
     pairs.filter_map(|(one, other)| jump_between(one, other, curve, scaling)).fold(0.0, f64::max)
 }
 
 /// The same of two faces; none if they have no edge in common. Vertices with one normal are one.
-fn jump_between(one: &ConedFace, other: &ConedFace, curve: fn(f64) -> f64, scaling: Scaling) -> Option<f64> {
+fn jump_between(
+    one: &ConedFace,
+    other: &ConedFace,
+    curve: fn(f64) -> f64,
+    scaling: Scaling,
+) -> Option<f64> {
     let same = |a: usize, b: usize| (one.normals[a] - other.normals[b]).length() < 1e-9;
-    let shared: Vec<[usize; 2]> = (0..3).flat_map(|a| (0..3).map(move |b| [a, b])).filter(|&[a, b]| same(a, b)).collect();
+    let shared: Vec<[usize; 2]> =
+        (0..3).flat_map(|a| (0..3).map(move |b| [a, b])).filter(|&[a, b]| same(a, b)).collect();
     let [first, second] = shared[..] else { return None };
     let along = |face: &ConedFace, [a, b]: [usize; 2], t: f64| {
         let weights: [f64; 3] = std::array::from_fn(|v| {
@@ -49,11 +63,14 @@ fn jump_between(one: &ConedFace, other: &ConedFace, curve: fn(f64) -> f64, scali
         let normal: DVec3 = (0..3).map(|v| weights[v] * face.normals[v]).sum();
         reflection(normal.normalize(), DVec3::Z, curve(pixel_angle(angles, weights)))
     };
-    let jump = |t: f64| (along(one, [first[0], second[0]], t) - along(other, [first[1], second[1]], t)).length();
+    let jump = |t: f64| {
+        (along(one, [first[0], second[0]], t) - along(other, [first[1], second[1]], t)).length()
+    };
     Some((0..=16).map(|k| jump(f64::from(k) / 16.0)).fold(0.0, f64::max))
 }
 
-/// How far r points into a face at most, at a single point: the interpolated normal α from the face's, I anywhere before the face.
+/// How far r points into a face at most, at a single point: the interpolated normal α from the
+/// face's, I anywhere before the face.
 fn into(curve: fn(f64) -> f64) -> f64 {
     over(|alpha, t| {
         let normal = tilted(alpha.to_degrees());
@@ -87,16 +104,32 @@ fn half_length(curve: fn(f64) -> f64) -> f64 {
 
 const fn goal(what: &'static str, quantity: &'static str, measure: fn() -> f64) -> Claim {
     // NUMERICS: all to 1e-15, of numbers up to 4.
-    Claim { what, quantity, on: Ground::Exact, expected: (0.0, 4e-15), measure, judge: |off| Ruling::of(off < 4e-15, "it is more") }
+    Claim {
+        what,
+        quantity,
+        on: Ground::Exact,
+        expected: (0.0, 4e-15),
+        measure,
+        judge: |off| Ruling::of(off < 4e-15, "it is more"),
+    }
 }
 
 /// The goals; one number for both curves where both reach it.
 pub const CLAIMS: [Claim; 9] = [
-    goal("goal 1: r is continuous across edges", "largest jump between faces of an icosahedron", || {
-        let mesh = Primitive::Icosahedron { level: 0 };
-        f64::max(jump(mesh, q, Scaling::TRIGONOMETRIC_LINEAR), jump(mesh, rational_q, Scaling::RATIONAL))
+    goal(
+        "goal 1: r is continuous across edges",
+        "largest jump between faces of an icosahedron",
+        || {
+            let mesh = Primitive::Icosahedron { level: 0 };
+            f64::max(
+                jump(mesh, q, Scaling::TRIGONOMETRIC_LINEAR),
+                jump(mesh, rational_q, Scaling::RATIONAL),
+            )
+        },
+    ),
+    goal("goal 2: f grows with b", "how far its slope q is below 0", || {
+        by_both(|curve| largest(|t| -curve(FRAC_PI_2 * t)))
     }),
-    goal("goal 2: f grows with b", "how far its slope q is below 0", || by_both(|curve| largest(|t| -curve(FRAC_PI_2 * t)))),
     goal("goal 3: r never points into the surface", "how far it does", || by_both(into)),
     goal("goal 4: 0 <= f <= 1", "how far f is outside", || {
         by_both(|curve| {
@@ -107,12 +140,20 @@ pub const CLAIMS: [Claim; 9] = [
         })
     }),
     goal("goal 5: f = b where all normals are the face's", "largest difference", || {
-        by_both(|curve| largest(|t| (cos_gamma(curve(0.0), libm::cos(PI * t)) - libm::cos(PI * t)).abs()))
+        by_both(|curve| {
+            largest(|t| (cos_gamma(curve(0.0), libm::cos(PI * t)) - libm::cos(PI * t)).abs())
+        })
     }),
-    goal("goal 6: seen along the normal, the consistent one is Phong's", "largest difference of f from 1", || {
-        by_both(|curve| largest(|t| (cos_gamma(curve(FRAC_PI_2 * t), 1.0) - 1.0).abs()))
-    }),
-    goal("goal 7: f is least where I lies in the face, with r in it too (q)", "f there less sin(alpha)", || above_least(q)),
+    goal(
+        "goal 6: seen along the normal, the consistent one is Phong's",
+        "largest difference of f from 1",
+        || by_both(|curve| largest(|t| (cos_gamma(curve(FRAC_PI_2 * t), 1.0) - 1.0).abs())),
+    ),
+    goal(
+        "goal 7: f is least where I lies in the face, with r in it too (q)",
+        "f there less sin(alpha)",
+        || above_least(q),
+    ),
     Claim {
         what: "goal 7: the same (q~)",
         quantity: "f there less sin(alpha)",

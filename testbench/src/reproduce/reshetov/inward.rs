@@ -1,5 +1,8 @@
-//! Reflections that enter a mesh, by Phong's normals and by consistent ones, all over its faces (NUMERICS.md 2c).
-use specula_golden::exact::consistent::{Scaling, cosine, pixel_angle, q, rational_q, reflection, vertex_angle};
+//! Reflections that enter a mesh, by Phong's normals and by consistent ones, all over its faces
+//! (NUMERICS.md 2c).
+use specula_golden::exact::consistent::{
+    Scaling, cosine, pixel_angle, q, rational_q, reflection, vertex_angle,
+};
 use specula_scene::mesh::Mesh;
 use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
@@ -13,7 +16,8 @@ const RAYS: usize = 200_000;
 /// Their seed.
 const SEED: u64 = 2010;
 
-/// What comes of rays from everywhere before the faces of a mesh, as many for each face, anywhere on it.
+/// What comes of rays from everywhere before the faces of a mesh, as many for each face, anywhere
+/// on it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inward {
     /// Triangles with an area.
@@ -43,7 +47,12 @@ pub fn count(mesh: &Mesh) -> Inward {
     let each = RAYS.div_ceil(faces.len().max(1));
     let rays = (faces.len() * each) as f64;
     let mut draw = Draw::new(SEED, 0);
-    let mut sum = Inward { triangles: faces.len(), widest: widest(&faces), least: f64::INFINITY, ..Inward::default() };
+    let mut sum = Inward {
+        triangles: faces.len(),
+        widest: widest(&faces),
+        least: f64::INFINITY,
+        ..Inward::default()
+    };
     for face in &faces {
         let angles = [Scaling::TRIGONOMETRIC_LINEAR, Scaling::RATIONAL]
             .map(|scaling| face.cones.map(|cone| vertex_angle(cone.cosine.max(0.0), scaling)));
@@ -58,7 +67,8 @@ pub fn count(mesh: &Mesh) -> Inward {
 }
 
 fn widest(faces: &[ConedFace]) -> f64 {
-    let least = faces.iter().flat_map(|face| face.cones).map(|cone| cone.cosine).fold(1.0, f64::min);
+    let least =
+        faces.iter().flat_map(|face| face.cones).map(|cone| cone.cosine).fold(1.0, f64::min);
     libm::acos(least).to_degrees()
 }
 
@@ -68,7 +78,10 @@ impl Inward {
         let incoming = turned(face.outward, libm::acos(draw.unit()), draw.unit());
         let (root, share) = (draw.unit().sqrt(), draw.unit());
         let weights = [1.0 - root, root * (1.0 - share), root * share];
-        let normal = (0..3).map(|v| weights[v] * face.cones[v].axis).sum::<glam::DVec3>().normalize_or_zero();
+        let normal = (0..3)
+            .map(|v| weights[v] * face.cones[v].axis)
+            .sum::<glam::DVec3>()
+            .normalize_or_zero();
         let height = |q: f64| reflection(normal, incoming, q).dot(face.outward);
         let by_rational = rational_q(pixel_angle(rational, weights));
         let enters = |q: f64| f64::from(u8::from(height(q) < -ROUNDING));
@@ -77,7 +90,9 @@ impl Inward {
         self.trigonometric += enters(q(pixel_angle(trigonometric, weights)));
         self.rational += enters(by_rational);
         self.least = self.least.min(height(by_rational));
-        self.change += (cosine(incoming, reflection(normal, incoming, by_rational)) - normal.dot(incoming)).abs();
+        self.change += (cosine(incoming, reflection(normal, incoming, by_rational))
+            - normal.dot(incoming))
+        .abs();
     }
 }
 
@@ -111,10 +126,46 @@ const OF_RAYS: f64 = 3e-3;
 
 /// On icosahedra, which the project's measurement had too.
 pub(super) const CLAIMS: [Claim; 6] = [
-    exact(PHONG, "share of rays, icosahedron", (0.211, OF_RAYS), || count(&ICOSAHEDRON.mesh()).phong, some),
-    exact(PHONG, "share of rays, 80 triangles", (0.105, OF_RAYS), || count(&MESHES[1].1.mesh()).phong, some),
-    exact(PHONG, "share of rays, 320 triangles", (0.052, OF_RAYS), || count(&MESHES[2].1.mesh()).phong, some),
-    exact(PHONG, "share of rays, 1280 triangles", (0.026, OF_RAYS), || count(&MESHES[3].1.mesh()).phong, some),
-    exact(CONSISTENT, "share of rays, icosahedron, q~", (0.0, 0.0), || count(&ICOSAHEDRON.mesh()).rational, no_ray),
-    exact(CONSISTENT, "share of rays, icosahedron, q", (0.0, 0.0), || count(&ICOSAHEDRON.mesh()).trigonometric, no_ray),
+    exact(
+        PHONG,
+        "share of rays, icosahedron",
+        (0.211, OF_RAYS),
+        || count(&ICOSAHEDRON.mesh()).phong,
+        some,
+    ),
+    exact(
+        PHONG,
+        "share of rays, 80 triangles",
+        (0.105, OF_RAYS),
+        || count(&MESHES[1].1.mesh()).phong,
+        some,
+    ),
+    exact(
+        PHONG,
+        "share of rays, 320 triangles",
+        (0.052, OF_RAYS),
+        || count(&MESHES[2].1.mesh()).phong,
+        some,
+    ),
+    exact(
+        PHONG,
+        "share of rays, 1280 triangles",
+        (0.026, OF_RAYS),
+        || count(&MESHES[3].1.mesh()).phong,
+        some,
+    ),
+    exact(
+        CONSISTENT,
+        "share of rays, icosahedron, q~",
+        (0.0, 0.0),
+        || count(&ICOSAHEDRON.mesh()).rational,
+        no_ray,
+    ),
+    exact(
+        CONSISTENT,
+        "share of rays, icosahedron, q",
+        (0.0, 0.0),
+        || count(&ICOSAHEDRON.mesh()).trigonometric,
+        no_ray,
+    ),
 ];

@@ -12,6 +12,7 @@ pub use figures::figures;
 
 /// Every claim, in the order of the report.
 pub(super) fn claims() -> Vec<&'static Claim> {
-    let groups: [&'static [Claim]; 4] = [&curves::CLAIMS, &goals::CLAIMS, &angles::CLAIMS, &inward::CLAIMS];
+    let groups: [&'static [Claim]; 4] =
+        [&curves::CLAIMS, &goals::CLAIMS, &angles::CLAIMS, &inward::CLAIMS];
     groups.into_iter().flatten().collect()
 }

@@ -50,7 +50,12 @@ pub fn seen(frame: &Frame) -> Result<Seen, BenchError> {
     Ok(seen)
 }
 
-fn pixels(frame: &Frame, span: &Span, model: &Model, set_up: &SetUp) -> Result<Vec<Pixel>, BenchError> {
+fn pixels(
+    frame: &Frame,
+    span: &Span,
+    model: &Model,
+    set_up: &SetUp,
+) -> Result<Vec<Pixel>, BenchError> {
     let packet = set_up.packet(span);
     let mut codes = vec![];
     model.shade(&packet, &mut codes)?;

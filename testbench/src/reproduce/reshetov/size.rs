@@ -32,13 +32,24 @@ pub fn sizes(frame: &Frame) -> Result<Vec<SizedCore>, BenchError> {
     cores.into_iter().map(|(name, method, options)| sized(frame, name, method, options)).collect()
 }
 
-fn sized(frame: &Frame, name: &'static str, method: Method, options: &str) -> Result<SizedCore, BenchError> {
+fn sized(
+    frame: &Frame,
+    name: &'static str,
+    method: Method,
+    options: &str,
+) -> Result<SizedCore, BenchError> {
     let options: CoreOptions = options.parse()?;
-    let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&options), Some(method))?.specialised(frame);
+    let spec =
+        CoreSpec::for_scene(&Needs::of(frame), Some(&options), Some(method))?.specialised(frame);
     let design = specula_hdl::elaborate(&spec, "core")?;
-    let of_units = |path: &str| path.split('.').any(|unit| UNITS.iter().any(|name| unit.starts_with(name)));
-    let share =
-        design.unit_sizes().into_iter().filter(|unit| of_units(&unit.path)).map(|unit| unit.size).fold(Size::default(), sum);
+    let of_units =
+        |path: &str| path.split('.').any(|unit| UNITS.iter().any(|name| unit.starts_with(name)));
+    let share = design
+        .unit_sizes()
+        .into_iter()
+        .filter(|unit| of_units(&unit.path))
+        .map(|unit| unit.size)
+        .fold(Size::default(), sum);
     Ok(SizedCore { name, design, share })
 }
 

@@ -10,12 +10,18 @@ pub const NEGATIVE: Row = Row {
     id: "5",
     input: "a base below 0 and an even power: the light 91 to 180 degrees from R",
     trial: scenes(|draw, extent| {
-        let angles = [91.0, 100.0, 135.0, 180.0].into_iter().chain((0..extent.spans / 8).map(|_| draw.within(90.0, 180.0)));
+        let angles = [91.0, 100.0, 135.0, 180.0]
+            .into_iter()
+            .chain((0..extent.spans / 8).map(|_| draw.within(90.0, 180.0)));
         let case = |degrees: f64| {
             let span = |n| RawSpan::between([DVec3::Z; 2], 4, mirror(n));
             let dark = |pixel: &Pixel| pixel.method() > 0.0 || pixel.code() == 0;
             let scene = SpanScene::new(&[tilted(degrees)], [1, 2, 256].map(span).into());
-            Case::new(scene).asking("no highlight where the method has none in exact arithmetic", all, dark)
+            Case::new(scene).asking(
+                "no highlight where the method has none in exact arithmetic",
+                all,
+                dark,
+            )
         };
         angles.map(case).collect()
     }),
@@ -29,12 +35,19 @@ pub const ABOVE_ONE: Row = Row {
     id: "6",
     input: "the light in the eye's reflection, n = 4096: a base above 1 by rounding",
     trial: scenes(|draw, extent| {
-        let angles = [0.0, 14.3, 37.9, 59.9, 81.2].into_iter().chain((0..extent.spans / 8).map(|_| draw.within(0.0, 90.0)));
+        let angles = [0.0, 14.3, 37.9, 59.9, 81.2]
+            .into_iter()
+            .chain((0..extent.spans / 8).map(|_| draw.within(0.0, 90.0)));
         let case = |degrees: f64| {
-            let span = RawSpan::between([tilted(degrees); 2], 33, material(0.0, 0.0, QUARTER, 4096));
+            let span =
+                RawSpan::between([tilted(degrees); 2], 33, material(0.0, 0.0, QUARTER, 4096));
             let below = |pixel: &Pixel| f64::from(pixel.code()) <= (255.0 * QUARTER).round();
             let scene = SpanScene::new(&[tilted(2.0 * degrees)], vec![span]);
-            Case::new(scene).asking("no more than a base of 1 gives, a quarter of full scale", all, below)
+            Case::new(scene).asking(
+                "no more than a base of 1 gives, a quarter of full scale",
+                all,
+                below,
+            )
         };
         angles.map(case).collect()
     }),

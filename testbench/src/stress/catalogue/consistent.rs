@@ -18,7 +18,10 @@ fn forms() -> Vec<Variant> {
         .iter()
         .flat_map(|curve| ["lambert", "consistent"].map(|diffuse| (*curve, diffuse)))
         .map(form)
-        .chain([Variant { method: Method::Consistent, table: "highlight = \"blinn\"\ndiffuse = \"consistent\"\n".to_owned() }])
+        .chain([Variant {
+            method: Method::Consistent,
+            table: "highlight = \"blinn\"\ndiffuse = \"consistent\"\n".to_owned(),
+        }])
         .collect()
 }
 
@@ -54,35 +57,46 @@ pub const HORIZON: Row = Row {
     trial: trial(|_, _| {
         let case = |(degrees, cosine)| {
             let scene = SpanScene::new(&[tilted(degrees)], vec![flat(DVec3::Z, cosine, matt())]);
-            Case::new(scene).asking("consistent diffuse light is 0", is_consistent_diffuse, |pixel| pixel.code() == 0)
+            Case::new(scene).asking(
+                "consistent diffuse light is 0",
+                is_consistent_diffuse,
+                |pixel| pixel.code() == 0,
+            )
         };
         [(90.0, 1.0), (120.0, 0.9), (180.0, 0.5), (180.0, 0.0)].map(case).into()
     }),
 };
 
 /// Row 42.
-pub const QUARTER_TURN: Row =
-    Row {
-        id: "42",
-        input: "al = pi/2 and b = -1: rho is 0/0",
-        trial: trial(|_, _| {
-            let scene = SpanScene::new(&[-DVec3::Z], vec![flat(-DVec3::Z, 0.0, mirror(1))]);
-            let is_blinns = |spec: &CoreSpec| has_highlight(spec, Highlight::Blinn);
-            let case = Case::new(scene)
-                .asking("255: r = N, with the light there", has_reflection, |pixel| pixel.code() == 255)
-                .asking("0 by Blinn's highlight: L = -V has no half-way vector", is_blinns, |pixel| pixel.code() == 0);
-            vec![case]
-        }),
-    };
+pub const QUARTER_TURN: Row = Row {
+    id: "42",
+    input: "al = pi/2 and b = -1: rho is 0/0",
+    trial: trial(|_, _| {
+        let scene = SpanScene::new(&[-DVec3::Z], vec![flat(-DVec3::Z, 0.0, mirror(1))]);
+        let is_blinns = |spec: &CoreSpec| has_highlight(spec, Highlight::Blinn);
+        let case = Case::new(scene)
+            .asking("255: r = N, with the light there", has_reflection, |pixel| pixel.code() == 255)
+            .asking("0 by Blinn's highlight: L = -V has no half-way vector", is_blinns, |pixel| {
+                pixel.code() == 0
+            });
+        vec![case]
+    }),
+};
 
 /// Row 43.
 pub const ABOVE: Row = Row {
     id: "43",
     input: "b = 1, the eye straight above, cones of 0 to 90 degrees",
     trial: trial(|_, _| {
-        let all = [1.0, 0.9, 0.5, 0.1, 0.0].iter().flat_map(|&cosine| [mirror(1), matt()].map(|m| flat(DVec3::Z, cosine, m)));
+        let all = [1.0, 0.9, 0.5, 0.1, 0.0]
+            .iter()
+            .flat_map(|&cosine| [mirror(1), matt()].map(|m| flat(DVec3::Z, cosine, m)));
         let scene = SpanScene::new(&[DVec3::Z], all.collect());
-        vec![Case::new(scene).asking("255: r = N and N_c.I = 1 exactly", is_consistent, |pixel| pixel.code() == 255)]
+        vec![
+            Case::new(scene).asking("255: r = N and N_c.I = 1 exactly", is_consistent, |pixel| {
+                pixel.code() == 255
+            }),
+        ]
     }),
 };
 
@@ -91,11 +105,17 @@ pub const FLAT: Row = Row {
     id: "44",
     input: "al = 0: flat surroundings",
     trial: trial(|draw, extent| {
-        let tilts = [0.0, 20.0, 60.0, 80.0].into_iter().chain((0..extent.spans).map(|_| draw.within(0.0, 80.0)));
+        let tilts = [0.0, 20.0, 60.0, 80.0]
+            .into_iter()
+            .chain((0..extent.spans).map(|_| draw.within(0.0, 80.0)));
         let all = tilts.map(|degrees| flat(tilted(degrees), 1.0, mirror(16))).collect();
         let scene = SpanScene::new(&[tilted(50.0)], all);
         let plain = |pixel: &Pixel| pixel.is_within(1.0, pixel.exact());
-        vec![Case::new(scene).asking("the plain reflection: within 1 LSB of exact shading", has_reflection, plain)]
+        vec![Case::new(scene).asking(
+            "the plain reflection: within 1 LSB of exact shading",
+            has_reflection,
+            plain,
+        )]
     }),
 };
 
@@ -108,7 +128,9 @@ pub const BEYOND_A_QUARTER: Row = Row {
             cone_cosines: [cosine, 1.0, 0.0],
             ..RawSpan::between([tilted(-20.0), tilted(30.0)], 40, lit(16))
         };
-        let cosines = [0.0, 0.05, 0.0775].into_iter().chain((0..extent.spans).map(|_| draw.within(0.0, 0.09)));
+        let cosines = [0.0, 0.05, 0.0775]
+            .into_iter()
+            .chain((0..extent.spans).map(|_| draw.within(0.0, 0.09)));
         vec![Case::new(SpanScene::new(&[tilted(40.0), tilted(-60.0)], cosines.map(one).collect()))]
     }),
 };
@@ -119,7 +141,8 @@ pub const FROM_BEHIND: Row = Row {
     input: "I from behind the surface, b = -0.99 and al = 0.3: rho is 7",
     trial: trial(|draw, extent| {
         let degrees = libm::acos(-0.99).to_degrees();
-        let random = (0..extent.spans).map(|_| (draw.within(91.0, 180.0), draw.unit())).collect::<Vec<_>>();
+        let random =
+            (0..extent.spans).map(|_| (draw.within(91.0, 180.0), draw.unit())).collect::<Vec<_>>();
         let one = |(degrees, cosine)| flat(tilted(degrees), cosine, lit(4));
         let all = [(degrees, libm::cos(0.3))].into_iter().chain(random).map(one).collect();
         vec![Case::new(SpanScene::new(&[DVec3::Z, tilted(170.0)], all))]
@@ -133,9 +156,16 @@ pub const TRIGONOMETRIC: Row = Row {
     trial: trial(|draw, extent| {
         let span = |degrees: f64| {
             let cosine = libm::cos(degrees.to_radians());
-            RawSpan { cone_cosines: [1.0, cosine, 1.0], ..RawSpan::between([tilted(90.0), tilted(90.0 - degrees)], 5, lit(16)) }
+            RawSpan {
+                cone_cosines: [1.0, cosine, 1.0],
+                ..RawSpan::between([tilted(90.0), tilted(90.0 - degrees)], 5, lit(16))
+            }
         };
-        let all = [62.0].into_iter().chain((0..extent.spans).map(|_| draw.within(40.0, 80.0))).map(span).collect();
+        let all = [62.0]
+            .into_iter()
+            .chain((0..extent.spans).map(|_| draw.within(40.0, 80.0)))
+            .map(span)
+            .collect();
         vec![Case::new(SpanScene::new(&[tilted(85.0)], all))]
     }),
 };
@@ -146,7 +176,9 @@ pub const WIDE_CONES: Row = Row {
     input: "vertex normals 90 degrees and more from a face around them",
     trial: trial(|draw, extent| {
         let mut random = spans(draw, extent, [0.0, 120.0], lit);
-        random.iter_mut().for_each(|span| span.cone_cosines = [0, 1, 2].map(|_| draw.within(-1.0, 0.1)));
+        random
+            .iter_mut()
+            .for_each(|span| span.cone_cosines = [0, 1, 2].map(|_| draw.within(-1.0, 0.1)));
         vec![Case::new(aimed(draw, random))]
     }),
 };
@@ -156,7 +188,10 @@ pub const VANISHING: Row = Row {
     id: "49",
     input: "vertex normals in the face's plane, opposite",
     trial: trial(|_, _| {
-        let span = RawSpan { cone_cosines: [0.0; 3], ..RawSpan::between([DVec3::X, -DVec3::X], 3, material(0.2, 0.4, 0.4, 4)) };
+        let span = RawSpan {
+            cone_cosines: [0.0; 3],
+            ..RawSpan::between([DVec3::X, -DVec3::X], 3, material(0.2, 0.4, 0.4, 4))
+        };
         let ambient = |pixel: &Pixel| pixel.i != 1 || pixel.code() == pixel.ambient();
         let scene = SpanScene::new(&[tilted(30.0), -DVec3::Z], vec![span]);
         vec![Case::new(scene).asking("ambient light alone in the middle", is_consistent, ambient)]

@@ -2,7 +2,9 @@
 use glam::DVec3;
 
 use super::super::draw::tilted;
-use super::{Case, RawSpan, Row, SpanScene, aimed, flat_from_end_to_end, lit, mirror, scenes, spans};
+use super::{
+    Case, RawSpan, Row, SpanScene, aimed, flat_from_end_to_end, lit, mirror, scenes, spans,
+};
 
 /// Row 37.
 pub const SHORTEST: Row = Row {
@@ -12,7 +14,9 @@ pub const SHORTEST: Row = Row {
         let span = |length| RawSpan::between([tilted(-20.0), tilted(20.0)], length, lit(64));
         let mut random = spans(draw, extent, [0.0, 120.0], lit);
         random.iter_mut().for_each(|span| span.length = draw.between(1, 3) as u32);
-        let alone = [1, 2, 3].map(|length| Case::new(SpanScene::new(&[tilted(-38.0), tilted(39.0)], vec![span(length)])));
+        let alone = [1, 2, 3].map(|length| {
+            Case::new(SpanScene::new(&[tilted(-38.0), tilted(39.0)], vec![span(length)]))
+        });
         alone.into_iter().chain([Case::new(aimed(draw, random))]).collect()
     }),
 };
@@ -24,7 +28,10 @@ pub const LONGEST: Row = Row {
     trial: scenes(|_, extent| {
         let wide = |(degrees, n): (f64, u32)| {
             let ends = [tilted(-degrees / 3.0), tilted(degrees * 2.0 / 3.0)];
-            Case::new(SpanScene::new(&[tilted(degrees)], vec![RawSpan::between(ends, 8192, mirror(n))]))
+            Case::new(SpanScene::new(
+                &[tilted(degrees)],
+                vec![RawSpan::between(ends, 8192, mirror(n))],
+            ))
         };
         let angles = [(90.0, 4096), (30.0, 256), (1.0, 4096), (150.0, 16)];
         angles.into_iter().take(if extent.every_option { 4 } else { 1 }).map(wide).collect()

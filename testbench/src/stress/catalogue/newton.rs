@@ -7,13 +7,17 @@ use super::super::row::{Pixel, Place, Shaded};
 use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, all, lit, spans};
 
 fn steps() -> Vec<Variant> {
-    let lyon = (0..=3).map(|n| Variant { method: Method::Lyon, table: format!("newton_steps = {n}\n") });
+    let lyon =
+        (0..=3).map(|n| Variant { method: Method::Lyon, table: format!("newton_steps = {n}\n") });
     lyon.chain(roots()).collect()
 }
 
 /// Newton's root, warm-started.
 fn roots() -> impl Iterator<Item = Variant> {
-    (1..=2).map(|n| Variant { method: Method::Direct, table: format!("root = \"newton\"\nnewton_steps = {n}\n") })
+    (1..=2).map(|n| Variant {
+        method: Method::Direct,
+        table: format!("root = \"newton\"\nnewton_steps = {n}\n"),
+    })
 }
 
 /// Row 18.
@@ -22,15 +26,16 @@ pub const FIRST_PIXEL: Row = Row {
     input: "90 degrees in 1, 2 and 3 steps; the first pixel of a span",
     trial: Trial::Scenes {
         cases: |_, _| {
-            let span = |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, super::matt());
+            let span =
+                |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, super::matt());
             let scene = SpanScene::new(&[tilted(30.0)], [2, 3, 4, 5].map(span).into());
             let what = "with two steps or more within 2 LSB of exact diffuse light everywhere";
             let first = |pixel: &Pixel| pixel.i > 0 || pixel.is_within(2.0, pixel.method());
-            vec![
-                Case::new(scene)
-                    .asking("the first pixel is the method's", all, first)
-                    .asking(what, has_two_steps, |pixel| pixel.is_within(2.0, pixel.exact())),
-            ]
+            vec![Case::new(scene).asking("the first pixel is the method's", all, first).asking(
+                what,
+                has_two_steps,
+                |pixel| pixel.is_within(2.0, pixel.exact()),
+            )]
         },
         variants: steps,
     },
@@ -50,9 +55,12 @@ pub const ALMOST_OPPOSITE: Row = Row {
     input: "170 to 179.9 degrees: lengths near 0",
     trial: Trial::Scenes {
         cases: |draw, extent| {
-            let span = |degrees: f64| RawSpan::between([tilted(-degrees / 2.0), tilted(degrees / 2.0)], 65, lit(16));
+            let span = |degrees: f64| {
+                RawSpan::between([tilted(-degrees / 2.0), tilted(degrees / 2.0)], 65, lit(16))
+            };
             let random = spans(draw, extent, [170.0, 179.9], lit);
-            let fixed = SpanScene::new(&[tilted(20.0)], [170.0, 175.0, 179.0, 179.9].map(span).into());
+            let fixed =
+                SpanScene::new(&[tilted(20.0)], [170.0, 175.0, 179.0, 179.9].map(span).into());
             vec![Case::new(fixed), Case::new(aimed(draw, random))]
         },
         variants: steps,

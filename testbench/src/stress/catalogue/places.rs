@@ -11,14 +11,17 @@ use super::{Case, Draw, RawSpan, Row, SpanScene, lit, material, scenes};
 /// A wall of five pixels from x = -2 to 2, seen from the front.
 fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {
     let mut span = RawSpan::between([DVec3::Z; 2], 5, material(0.0, 0.5, 0.5, 20));
-    span.positions = [DVec3::new(-2.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0), DVec3::new(-2.0, 1.0, 0.0)];
+    span.positions =
+        [DVec3::new(-2.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0), DVec3::new(-2.0, 1.0, 0.0)];
     SpanScene { lights, eye, spans: vec![span], ..SpanScene::default() }
 }
 
 /// Whether this is Phong's own highlight with true directions, which exact shading has.
 fn is_phongs(spec: &CoreSpec) -> bool {
     match &spec.method {
-        MethodSpec::Phong(phong) => phong.highlight == Highlight::Reflection && phong.places == Places::Exact,
+        MethodSpec::Phong(phong) => {
+            phong.highlight == Highlight::Reflection && phong.places == Places::Exact
+        }
         _ => false,
     }
 }
@@ -26,7 +29,9 @@ fn is_phongs(spec: &CoreSpec) -> bool {
 /// The same with wrapped directions, which are true at the ends of a span alone.
 fn is_wrapped(spec: &CoreSpec) -> bool {
     match &spec.method {
-        MethodSpec::Phong(phong) => phong.highlight == Highlight::Reflection && phong.places == Places::Wrapped,
+        MethodSpec::Phong(phong) => {
+            phong.highlight == Highlight::Reflection && phong.places == Places::Wrapped
+        }
         _ => false,
     }
 }
@@ -38,8 +43,11 @@ pub const IN_THE_SURFACE: Row = Row {
     trial: scenes(|_, _| {
         // The light grazes the wall from within it.
         let dark = |pixel: &Pixel| pixel.code() == 0;
-        let light =
-            Case::new(wall(vec![Light::At(DVec3::ZERO)], None)).asking("nothing from a light at the pixel", is_phongs, dark);
+        let light = Case::new(wall(vec![Light::At(DVec3::ZERO)], None)).asking(
+            "nothing from a light at the pixel",
+            is_phongs,
+            dark,
+        );
         let eye = Case::new(wall(vec![Light::At(DVec3::Z)], Some(DVec3::ZERO)));
         let diffuse_alone = |pixel: &Pixel| pixel.i != 2 || pixel.code() == 128;
         vec![light, eye.asking("no highlight for an eye at the pixel", is_phongs, diffuse_alone)]
@@ -56,10 +64,15 @@ pub const FAR: Row = Row {
             let ends = |pixel: &Pixel| !pixel.is_end() || pixel.is_within(1.0, pixel.exact());
             Case::new(wall(vec![Light::At(distance * tilted(60.0))], None))
                 .asking("true directions: within 1 LSB of exact shading", is_phongs, near)
-                .asking("wrapped directions: within 1 LSB of exact shading at both ends", is_wrapped, ends)
+                .asking(
+                    "wrapped directions: within 1 LSB of exact shading at both ends",
+                    is_wrapped,
+                    ends,
+                )
         };
         let fixed = [0.25, 1.0, 10.0, 1e4].map(at).into_iter();
-        let random: Vec<Case> = (0..1 + extent.spans / 8).map(|_| Case::new(anywhere(draw, extent.longest))).collect();
+        let random: Vec<Case> =
+            (0..1 + extent.spans / 8).map(|_| Case::new(anywhere(draw, extent.longest))).collect();
         fixed.chain(random).collect()
     }),
 };
@@ -67,11 +80,19 @@ pub const FAR: Row = Row {
 fn anywhere(draw: &mut Draw, longest: u32) -> SpanScene {
     let place = |draw: &mut Draw| draw.within(0.0, 5.0) * draw.direction();
     let span = |draw: &mut Draw| {
-        let mut span = RawSpan::between(draw.ends(40.0, 60.0), draw.length(longest.min(300)), lit(draw.between(1, 300) as u32));
+        let mut span = RawSpan::between(
+            draw.ends(40.0, 60.0),
+            draw.length(longest.min(300)),
+            lit(draw.between(1, 300) as u32),
+        );
         span.positions = [0, 1, 2].map(|_| place(draw));
         span
     };
-    let spot = Light::Spot { position: place(draw), target: DVec3::ZERO, exponent: draw.between(1, 8191) as u32 };
+    let spot = Light::Spot {
+        position: place(draw),
+        target: DVec3::ZERO,
+        exponent: draw.between(1, 8191) as u32,
+    };
     SpanScene {
         lights: vec![Light::Towards(draw.direction()), Light::At(place(draw)), spot],
         eye: draw.one_of(&[true, false]).then(|| place(draw)),

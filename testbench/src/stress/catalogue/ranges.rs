@@ -23,8 +23,13 @@ pub const ALONG_AXES: Row = Row {
     input: "normals and lights along every axis, both ways",
     trial: scenes(|_, _| {
         let case = |&light: &DVec3| {
-            let scene = SpanScene::new(&[light], AXES.map(|normal| RawSpan::between([normal; 2], 2, matt())).into());
-            Case::new(scene).asking("255 where they meet, 0 elsewhere", all, |pixel| f64::from(pixel.code()) == pixel.exact())
+            let scene = SpanScene::new(
+                &[light],
+                AXES.map(|normal| RawSpan::between([normal; 2], 2, matt())).into(),
+            );
+            Case::new(scene).asking("255 where they meet, 0 elsewhere", all, |pixel| {
+                f64::from(pixel.code()) == pixel.exact()
+            })
         };
         AXES.iter().map(case).collect()
     }),
@@ -38,8 +43,12 @@ pub const BRIGHT: Row = Row {
         let white = RawSpan::between([DVec3::Z; 2], 3, material(1.0, 1.0, 4.0, 64));
         let black = RawSpan::between([tilted(-40.0), tilted(40.0)], 20, material(0.0, 0.0, 0.0, 1));
         let case = |what, span, code| {
-            Case::new(SpanScene::new(&[DVec3::Z; 4], vec![span])).asking(what, all, move |pixel| pixel.code() == code)
+            Case::new(SpanScene::new(&[DVec3::Z; 4], vec![span]))
+                .asking(what, all, move |pixel| pixel.code() == code)
         };
-        vec![case("white where all light comes back", white, 255), case("black where none does", black, 0)]
+        vec![
+            case("white where all light comes back", white, 255),
+            case("black where none does", black, 0),
+        ]
     }),
 };

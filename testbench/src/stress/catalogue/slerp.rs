@@ -9,13 +9,16 @@ use super::super::draw::{AXES, tilted};
 use super::super::row::{Pixel, Place, Shaded};
 use super::super::scene::matt;
 use super::{
-    Case, Draw, Extent, RawSpan, Row, SpanScene, Trial, Variant, aimed, flat_from_end_to_end, lit, material, scenes, spans,
+    Case, Draw, Extent, RawSpan, Row, SpanScene, Trial, Variant, aimed, flat_from_end_to_end, lit,
+    material, scenes, spans,
 };
 
 /// The normal itself, in both frames.
 fn vectors() -> Vec<Variant> {
     let table = |frame: &str| format!("form = \"vector\"\nframe = \"{frame}\"\n");
-    ["orthonormal", "ends"].map(|frame| Variant { method: Method::Slerp, table: table(frame) }).into()
+    ["orthonormal", "ends"]
+        .map(|frame| Variant { method: Method::Slerp, table: table(frame) })
+        .into()
 }
 
 /// Scenes for every method, and for slerp of the normal itself.
@@ -65,18 +68,22 @@ pub const SMALL_ANGLE: Row = Row {
     id: "15",
     input: "0.01 degrees and less, which an arc cosine of a rounded cosine loses; 0 to 10 degrees",
     trial: of_vectors(|draw, extent| {
-        let span = |degrees: f64| RawSpan::between([tilted(10.0), tilted(10.0 + degrees)], 250, lit(256));
+        let span =
+            |degrees: f64| RawSpan::between([tilted(10.0), tilted(10.0 + degrees)], 250, lit(256));
         let random = [0.0, 1e-3, 0.1, 3.0].map(|_| draw.within(0.0, 10.0)).map(span);
         let fixed = [0.0, 1e-9, 1e-5, 0.01, 9.9, 10.1].map(span);
         let all = fixed.into_iter().chain(random).collect();
         let many = spans(draw, extent, [0.0, 10.0], lit);
-        let fixed = Case::new(SpanScene::new(&[tilted(21.0)], all)).asking(SLERP_IS_EXACT, is_slerp, slerp_is_exact);
+        let fixed = Case::new(SpanScene::new(&[tilted(21.0)], all)).asking(
+            SLERP_IS_EXACT,
+            is_slerp,
+            slerp_is_exact,
+        );
         vec![fixed, Case::new(aimed(draw, many))]
     }),
 };
 
-const SLERP_IS_EXACT: &str =
-    "within 1 LSB of exact shading, and what a chord leaves of a highlight where it is one (2.5 LSB at n = 256)";
+const SLERP_IS_EXACT: &str = "within 1 LSB of exact shading, and what a chord leaves of a highlight where it is one (2.5 LSB at n = 256)";
 
 fn slerp_is_exact(pixel: &Pixel) -> bool {
     match &pixel.shaded.spec.method {
@@ -85,12 +92,17 @@ fn slerp_is_exact(pixel: &Pixel) -> bool {
     }
 }
 
-/// What a chord of 10 degrees leaves between the ends, in LSBs: its length comes to 1 - 3/8 y², y = sin² 5°, which the base takes twice and the highlight
-/// n times. The normal is off by .0049 degrees besides, which is within a code.
+/// What a chord of 10 degrees leaves between the ends, in LSBs: its length comes to 1 - 3/8 y², y =
+/// sin² 5°, which the base takes twice and the highlight n times. The normal is off by .0049
+/// degrees besides, which is within a code.
 fn chord(slerp: &SlerpSpec, n: u32) -> f64 {
     let y = libm::sin(5f64.to_radians()).powi(2);
     let [.., specular] = lit(n).specular;
-    if slerp.between_ends() { FULL_SCALE * specular * f64::from(n) * 4.0 * 0.375 * y * y } else { 0.0 }
+    if slerp.between_ends() {
+        FULL_SCALE * specular * f64::from(n) * 4.0 * 0.375 * y * y
+    } else {
+        0.0
+    }
 }
 
 /// Row 16.
@@ -104,10 +116,16 @@ pub const FROZEN: Row = Row {
             let frozen = 255.0 * 1f64.to_radians() + 1.0;
             let near = move |pixel: &Pixel| pixel.is_within(frozen, pixel.exact());
             let what = "no farther than a degree of exact diffuse light, 5.5 LSB";
-            vec![Case::new(SpanScene::new(&[DVec3::Z], vec![span])).asking(what, is_slerp, near).with_figure(is_slerp, frozen)]
+            vec![
+                Case::new(SpanScene::new(&[DVec3::Z], vec![span]))
+                    .asking(what, is_slerp, near)
+                    .with_figure(is_slerp, frozen),
+            ]
         },
         variants: || {
-            let formats = ["turn = \"S1.8\"", "state = \"S1.8\"", "weight = \"S1.8\""].map(|f| format!("formats.{f}\n")).concat();
+            let formats = ["turn = \"S1.8\"", "state = \"S1.8\"", "weight = \"S1.8\""]
+                .map(|f| format!("formats.{f}\n"))
+                .concat();
             let vector = format!("form = \"vector\"\n{formats}");
             [formats, vector].map(|table| Variant { method: Method::Slerp, table }).into()
         },
@@ -120,13 +138,21 @@ pub const ORIENTATION: Row = Row {
     input: "the middle of a triangle of 30, 60 and 90 degrees, scanned along its three medians",
     trial: scenes(|_, _| {
         let angles = [30.0, 60.0, 90.0];
-        let scene = SpanScene::new(&[tilted(35.0)], angles.iter().flat_map(|&degrees| medians(degrees)).collect());
+        let scene = SpanScene::new(
+            &[tilted(35.0)],
+            angles.iter().flat_map(|&degrees| medians(degrees)).collect(),
+        );
         let is_lerp = |spec: &CoreSpec| spec.method() == Method::Phong;
-        vec![Case::new(scene).asking_frame("one code in the middle, whichever way it is scanned", is_lerp, centres_disagree)]
+        vec![Case::new(scene).asking_frame(
+            "one code in the middle, whichever way it is scanned",
+            is_lerp,
+            centres_disagree,
+        )]
     }),
 };
 
-/// From the middle of each side of a triangle to the vertex across; the triangle's own middle is the second of four pixels.
+/// From the middle of each side of a triangle to the vertex across; the triangle's own middle is
+/// the second of four pixels.
 fn medians(degrees: f64) -> [RawSpan; 3] {
     // Three unit vectors about z that are `degrees` apart: 3/2 sin² = 1 - cos.
     let tilt = libm::asin(((1.0 - libm::cos(degrees.to_radians())) / 1.5).sqrt());

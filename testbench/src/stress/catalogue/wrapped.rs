@@ -35,7 +35,11 @@ pub const BEHIND: Row = Row {
         let mut span = RawSpan::between([tilted(0.0), tilted(110.0)], 20, matt());
         span.normals[2] = tilted(-100.0);
         let scene = SpanScene::new(&[tilted(55.0)], vec![span]);
-        vec![Case::new(scene).asking("the right normal at both ends, within 1 LSB", is_reflection, ends_are_right)]
+        vec![Case::new(scene).asking(
+            "the right normal at both ends, within 1 LSB",
+            is_reflection,
+            ends_are_right,
+        )]
     }),
 };
 
@@ -45,7 +49,8 @@ pub const NEARLY_OPPOSITE: Row = Row {
     input: "ends opposite but for 1 degree to a millionth",
     trial: scenes(|draw, extent| {
         let nearly = |degrees| RawSpan::between([DVec3::Z, tilted(degrees)], 50, matt());
-        let fixed = SpanScene::new(&[tilted(90.0)], [179.0, 179.9, 179.99, 179.999_94].map(nearly).into());
+        let fixed =
+            SpanScene::new(&[tilted(90.0)], [179.0, 179.9, 179.99, 179.999_94].map(nearly).into());
         let random = spans(draw, extent, [179.0, 179.999_999], lit);
         vec![Case::new(fixed), Case::new(aimed(draw, random))]
     }),
@@ -70,10 +75,18 @@ pub const CHAINED: Row = Row {
     input: "90 and 150 degrees in 1, 2, 4 and 8 steps",
     trial: Trial::Scenes {
         cases: |_, _| {
-            let span = |(degrees, length): (f64, u32)| RawSpan::between([tilted(0.0), tilted(degrees)], length, matt());
-            let all = [90.0, 150.0].iter().flat_map(|&degrees| [2, 3, 5, 9].map(|length| span((degrees, length))));
+            let span = |(degrees, length): (f64, u32)| {
+                RawSpan::between([tilted(0.0), tilted(degrees)], length, matt())
+            };
+            let all = [90.0, 150.0]
+                .iter()
+                .flat_map(|&degrees| [2, 3, 5, 9].map(|length| span((degrees, length))));
             let scene = SpanScene::new(&[tilted(40.0)], all.collect());
-            vec![Case::new(scene).asking("the right normals at both ends, within 1 LSB", is_wrapped, ends_are_right)]
+            vec![Case::new(scene).asking(
+                "the right normals at both ends, within 1 LSB",
+                is_wrapped,
+                ends_are_right,
+            )]
         },
         variants: || vec![Variant { method: Method::Lyon, table: PREVIOUS.into() }],
     },
@@ -92,8 +105,11 @@ pub const FOLLOWING: Row = Row {
     input: "normals wrapped around those before: 30, 90 and 120 degrees in 16 steps and more, and random spans",
     trial: Trial::Scenes {
         cases: |draw, extent| {
-            let of = |degrees: f64, length: u32| RawSpan::between([tilted(0.0), tilted(degrees)], length, matt());
-            let right = SpanScene::new(&[tilted(15.0)], vec![of(30.0, 17), of(30.0, 200), of(90.0, 257)]);
+            let of = |degrees: f64, length: u32| {
+                RawSpan::between([tilted(0.0), tilted(degrees)], length, matt())
+            };
+            let right =
+                SpanScene::new(&[tilted(15.0)], vec![of(30.0, 17), of(30.0, 200), of(90.0, 257)]);
             let near = SpanScene::new(&[tilted(40.0)], vec![of(90.0, 17), of(90.0, 65)]);
             let within = |lsb: f64| move |pixel: &Pixel| pixel.is_within(lsb, pixel.exact());
             // 1.5 degrees of the cosine's steepest slope.

@@ -1,4 +1,5 @@
-//! Highlights that are meant to be others than max(R·L, 0)^n: how far they are from it, for a true normal.
+//! Highlights that are meant to be others than max(R·L, 0)^n: how far they are from it, for a true
+//! normal.
 use glam::DVec3;
 use specula_golden::exact::distributions::{Formulation, formulation};
 use specula_golden::exact::normalisation::{g2, unit};
@@ -8,7 +9,8 @@ use specula_scene::spec::LyonSpec;
 use specula_scene::spec::lyon::{Difference, Halfway};
 use specula_scene::spec::phong::Highlight;
 
-/// Shorter than this L + V leaves a half-way vector that cores do not bring to unit length (EXTREMES rows 12 and 35).
+/// Shorter than this L + V leaves a half-way vector that cores do not bring to unit length
+/// (EXTREMES rows 12 and 35).
 const SHORTEST_HALFWAY: f64 = 1.0 / 8.0;
 
 /// A highlight of a method, for an eye at infinity.
@@ -45,11 +47,14 @@ impl Lobe {
     /// Blinn's.
     pub const BLINN: Lobe = Lobe::Of(Formulation::Blinn);
 
-    /// That of `lyon`; of R - L and of the light's reflection f_k's difference from the power is a law of its own.
+    /// That of `lyon`; of R - L and of the light's reflection f_k's difference from the power is a
+    /// law of its own.
     pub fn of_lyon(lyon: &LyonSpec) -> Lobe {
         match lyon.difference {
             Difference::ReflectionMinusLight | Difference::LightReflection => Lobe::Phong,
-            difference => Lobe::Shape { difference, halfway: lyon.halfway, squarings: lyon.squarings },
+            difference => {
+                Lobe::Shape { difference, halfway: lyon.halfway, squarings: lyon.squarings }
+            }
         }
     }
 
@@ -60,13 +65,22 @@ impl Lobe {
             Lobe::Unknown => return None,
             _ if halfway(light).length() < SHORTEST_HALFWAY => return None,
             Lobe::Of(row) => formulation(row, n, normal, light),
-            Lobe::Shape { difference, halfway, squarings } => shape(difference, halfway, squarings, n, normal, light)?,
+            Lobe::Shape { difference, halfway, squarings } => {
+                shape(difference, halfway, squarings, n, normal, light)?
+            }
         };
         Some((own - power(reflect(normal).dot(light).min(1.0), n)).abs())
     }
 }
 
-fn shape(difference: Difference, kind: Halfway, squarings: u32, n: u32, normal: DVec3, light: DVec3) -> Option<f64> {
+fn shape(
+    difference: Difference,
+    kind: Halfway,
+    squarings: u32,
+    n: u32,
+    normal: DVec3,
+    light: DVec3,
+) -> Option<f64> {
     let half_exponent = f64::from(n) / 2.0;
     let half = halfway(light) / 2.0;
     let about_unit = match kind {

@@ -1,7 +1,8 @@
-//! How far a core may be from exact shading: the rounding of its formats, and what its method is documented to be off by.
+//! How far a core may be from exact shading: the rounding of its formats, and what its method is
+//! documented to be off by.
 //!
-//! Each law is the paper's, or NUMERICS.md's, of a pixel of a span: geometry alone, and not the method's own arithmetic. `docs/extremes.md` has
-//! them in words ([`Reason::text`]).
+//! Each law is the paper's, or NUMERICS.md's, of a pixel of a span: geometry alone, and not the
+//! method's own arithmetic. `docs/extremes.md` has them in words ([`Reason::text`]).
 mod highlight;
 mod lobe;
 mod normal;
@@ -31,12 +32,15 @@ pub const EXACT: f64 = 1.0;
 
 /// A normal shorter than this has no direction.
 const NO_LENGTH: f64 = 1e-6;
-/// Of normals shorter than this nothing is promised where nothing is proven: those of spans of more than 120 degrees.
+/// Of normals shorter than this nothing is promised where nothing is proven: those of spans of more
+/// than 120 degrees.
 const SHORT: f64 = 0.5;
 
-/// What the recommended formats leave where nothing is proven: 1 LSB before the rounding to 8 bits [NUMERICS.md, recommended formats].
+/// What the recommended formats leave where nothing is proven: 1 LSB before the rounding to 8 bits
+/// [NUMERICS.md, recommended formats].
 const UNPROVEN: f64 = 1.5;
-/// The same of powers above [`TYPICAL_EXPONENT`], beyond the range that NUMERICS calls typical: the formats end at 22 fraction bits.
+/// The same of powers above [`TYPICAL_EXPONENT`], beyond the range that NUMERICS calls typical: the
+/// formats end at 22 fraction bits.
 const UNPROVEN_SHARP: f64 = 2.0;
 const TYPICAL_EXPONENT: u32 = 256;
 
@@ -66,7 +70,8 @@ pub struct Limits<'a> {
     rounding: Rounding,
     /// Largest difference of f_k from the power, if there is one.
     shape: f64,
-    /// What has come of the pixels before, where the method goes by them: [`normal::lags`] of chained normals, [`normal::roots`] of Newton's.
+    /// What has come of the pixels before, where the method goes by them: [`normal::lags`] of
+    /// chained normals, [`normal::roots`] of Newton's.
     walked: Vec<f64>,
 }
 
@@ -81,11 +86,20 @@ const ALL: Off = Off { diffuse: 1.0, specular: 1.0 };
 
 impl<'a> Limits<'a> {
     /// Sets up a span.
-    pub fn new(spec: &'a CoreSpec, frame: &'a Frame, span: &'a Span, rounding: Rounding) -> Limits<'a> {
+    pub fn new(
+        spec: &'a CoreSpec,
+        frame: &'a Frame,
+        span: &'a Span,
+        rounding: Rounding,
+    ) -> Limits<'a> {
         let n = frame.material(span).shininess;
         let (shape, walked) = match &spec.method {
-            MethodSpec::Lyon(lyon) => (shape_off(n, lyon.squarings), normal::lags(frame, span, lyon)),
-            MethodSpec::Direct(direct) if direct.root == Root::Newton => (0.0, normal::roots(frame, span, direct.newton_steps)),
+            MethodSpec::Lyon(lyon) => {
+                (shape_off(n, lyon.squarings), normal::lags(frame, span, lyon))
+            }
+            MethodSpec::Direct(direct) if direct.root == Root::Newton => {
+                (0.0, normal::roots(frame, span, direct.newton_steps))
+            }
             _ => (0.0, Vec::new()),
         };
         Limits { spec, frame, span, rounding, shape, walked }
@@ -106,10 +120,16 @@ impl<'a> Limits<'a> {
         let rounding = self.rounding(i, &mut reasons);
         let material = self.frame.material(self.span);
         let of_light = |off: &Off, colour: f64, c: usize| {
-            colour * (material.diffuse[c] * off.diffuse.min(1.0) + material.specular[c] * off.specular.min(1.0))
+            colour
+                * (material.diffuse[c] * off.diffuse.min(1.0)
+                    + material.specular[c] * off.specular.min(1.0))
         };
         let of_channel = |c: usize| {
-            let off: f64 = offs.iter().zip(self.frame.light_colours()).map(|(off, colour)| of_light(off, colour[c], c)).sum();
+            let off: f64 = offs
+                .iter()
+                .zip(self.frame.light_colours())
+                .map(|(off, colour)| of_light(off, colour[c], c))
+                .sum();
             (rounding + FULL_SCALE * off).min(FULL_SCALE)
         };
         reasons.sort_unstable();
@@ -152,8 +172,9 @@ impl<'a> Limits<'a> {
             let here = self.off(&pixel, light, reasons);
             let n = self.n();
             let towards = self.frame.lights.get(light).map_or(EYE, |light| light.direction);
-            let specular =
-                lobe.off(n, truth, towards).map_or(1.0, |off| off + here.specular + power_turned(turn + turn_of_view, n) + share);
+            let specular = lobe.off(n, truth, towards).map_or(1.0, |off| {
+                off + here.specular + power_turned(turn + turn_of_view, n) + share
+            });
             Off { diffuse: here.diffuse + chord(turn) + share, specular }
         };
         directions.lights.iter().enumerate().map(one).collect()
@@ -166,9 +187,11 @@ impl<'a> Limits<'a> {
             MethodSpec::Duff(spec) => spec.specular == duff::Highlight::Blinn,
             MethodSpec::Reflection(spec) => spec.specular == reflection::Highlight::Blinn,
             MethodSpec::Consistent(spec) => spec.highlight == consistent::Highlight::Blinn,
-            MethodSpec::Lyon(_) | MethodSpec::Hybrid(_) | MethodSpec::Gouraud(_) | MethodSpec::Slerp(_) | MethodSpec::Direct(_) => {
-                false
-            }
+            MethodSpec::Lyon(_)
+            | MethodSpec::Hybrid(_)
+            | MethodSpec::Gouraud(_)
+            | MethodSpec::Slerp(_)
+            | MethodSpec::Direct(_) => false,
         };
         if is_by_halfway { 4 * self.n() } else { self.n() }
     }
@@ -208,15 +231,25 @@ impl<'a> Limits<'a> {
                 reasons.push(Reason::Consistent);
                 return Lobe::Unknown;
             }
-            MethodSpec::Consistent(spec) => blinn_if(spec.highlight == consistent::Highlight::Blinn),
-            MethodSpec::Gouraud(_) | MethodSpec::Hybrid(_) | MethodSpec::Slerp(_) | MethodSpec::Direct(_) => Lobe::Phong,
+            MethodSpec::Consistent(spec) => {
+                blinn_if(spec.highlight == consistent::Highlight::Blinn)
+            }
+            MethodSpec::Gouraud(_)
+            | MethodSpec::Hybrid(_)
+            | MethodSpec::Slerp(_)
+            | MethodSpec::Direct(_) => Lobe::Phong,
         };
         reasons.extend((lobe != Lobe::Phong).then_some(Reason::Lobe));
         // Of other lobes the law is of directions that are the same everywhere.
-        if lobe == Lobe::Phong || self.frame.directions_are_constant() { lobe } else { Lobe::Unknown }
+        if lobe == Lobe::Phong || self.frame.directions_are_constant() {
+            lobe
+        } else {
+            Lobe::Unknown
+        }
     }
 
-    /// Whether consistent normals are the plain ones: no face around the triangle's vertices has another normal than they.
+    /// Whether consistent normals are the plain ones: no face around the triangle's vertices has
+    /// another normal than they.
     fn is_flat_around(&self, pixel: &Pixel) -> bool {
         self.frame.triangles[pixel.span.triangle].cones.iter().all(|cone| cone.cosine >= 1.0)
     }
@@ -226,20 +259,30 @@ impl<'a> Limits<'a> {
         match &self.spec.method {
             MethodSpec::Lyon(lyon) => self.of_lyon(lyon, &pixel.of_lyon(lyon), reasons),
             MethodSpec::Phong(_) | MethodSpec::Duff(_) => Off::default(),
-            MethodSpec::Hybrid(_) => Off { diffuse: self.gouraud(pixel, light, reasons), specular: 0.0 },
+            MethodSpec::Hybrid(_) => {
+                Off { diffuse: self.gouraud(pixel, light, reasons), specular: 0.0 }
+            }
             // What vertices, or the polygon's middle, see of places has no law here.
             MethodSpec::Gouraud(_) if !self.frame.directions_are_constant() => {
                 reasons.push(Reason::Vertices);
                 ALL
             }
-            MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => {
-                Off { diffuse: self.gouraud(pixel, light, reasons), specular: self.highlight_of_vertices(pixel, light, reasons) }
-            }
+            MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => Off {
+                diffuse: self.gouraud(pixel, light, reasons),
+                specular: self.highlight_of_vertices(pixel, light, reasons),
+            },
             MethodSpec::Gouraud(_) => self.of_normal(&pixel.of_facet(), reasons),
             MethodSpec::Reflection(spec) => {
                 let off = self.of_normal(&pixel.of_reflection(spec), reasons);
                 // The hybrid's highlight is of the interpolated normal.
-                Off { specular: if spec.specular == reflection::Highlight::Hybrid { 0.0 } else { off.specular }, ..off }
+                Off {
+                    specular: if spec.specular == reflection::Highlight::Hybrid {
+                        0.0
+                    } else {
+                        off.specular
+                    },
+                    ..off
+                }
             }
             MethodSpec::Consistent(spec) => {
                 let off = self.of_normal(&self.of_consistent(pixel), reasons);
@@ -259,7 +302,11 @@ impl<'a> Limits<'a> {
 
     fn of_consistent(&self, pixel: &Pixel) -> Normal {
         let shortest = 0.5_f64.powi(LARGEST_GAIN_BITS.cast_signed());
-        if pixel.interpolated().length() < shortest { Normal::unknown(Reason::Consistent) } else { pixel.between_axes() }
+        if pixel.interpolated().length() < shortest {
+            Normal::unknown(Reason::Consistent)
+        } else {
+            pixel.between_axes()
+        }
     }
 
     /// A normal that is turned, or too short, by which p/q and the power are off.
@@ -273,12 +320,18 @@ impl<'a> Limits<'a> {
             reasons.extend(&normal.reasons);
         }
         let base = 2.0 * (1.0 - normal.length * normal.length);
-        Off { diffuse: chord(turn) + short, specular: power_turned(2.0 * turn, self.n()) + power_moved(base, self.n()) }
+        Off {
+            diffuse: chord(turn) + short,
+            specular: power_turned(2.0 * turn, self.n()) + power_moved(base, self.n()),
+        }
     }
 
     /// The same, of Lyon's D, which a turn of the normal moves by twice as much at most.
     fn of_lyon(&self, lyon: &LyonSpec, normal: &Normal, reasons: &mut Vec<Reason>) -> Off {
-        let is_reflected = matches!(lyon.difference, Difference::ReflectionMinusLight | Difference::LightReflection);
+        let is_reflected = matches!(
+            lyon.difference,
+            Difference::ReflectionMinusLight | Difference::LightReflection
+        );
         let short = (1.0 - normal.length * normal.length).abs();
         let Some(turn) = normal.turn else {
             reasons.extend(&normal.reasons);
@@ -301,34 +354,48 @@ impl<'a> Limits<'a> {
             reasons.push(Reason::Vertices);
             return 1.0;
         };
-        let (normals, weights) = (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
-        let interpolated: DVec3 = normals.iter().zip(weights).map(|(normal, weight)| weight * *normal).sum();
-        let dark: f64 = normals.iter().zip(weights).map(|(normal, weight)| weight.abs() * (-normal.dot(light)).max(0.0)).sum();
+        let (normals, weights) =
+            (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
+        let interpolated: DVec3 =
+            normals.iter().zip(weights).map(|(normal, weight)| weight * *normal).sum();
+        let dark: f64 = normals
+            .iter()
+            .zip(weights)
+            .map(|(normal, weight)| weight.abs() * (-normal.dot(light)).max(0.0))
+            .sum();
         reasons.push(Reason::GouraudDiffuse);
         (1.0 - interpolated.length()).max(0.0) + dark
     }
 
-    /// The highlights of the vertices, interpolated, against that of the normal: under lights at infinity.
+    /// The highlights of the vertices, interpolated, against that of the normal: under lights at
+    /// infinity.
     fn highlight_of_vertices(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> f64 {
         let Some(light) = self.light(light) else { return 1.0 };
         let highlight = |normal: DVec3| match normal {
             DVec3::ZERO => 0.0,
             _ => power(reflect(normal).dot(light).min(1.0), self.n()),
         };
-        let (normals, weights) = (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
-        let of_vertices: f64 = normals.iter().zip(weights).map(|(&normal, weight)| weight * highlight(normal)).sum();
+        let (normals, weights) =
+            (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
+        let of_vertices: f64 =
+            normals.iter().zip(weights).map(|(&normal, weight)| weight * highlight(normal)).sum();
         reasons.push(Reason::Vertices);
         (of_vertices.clamp(0.0, 1.0) - highlight(pixel.truth)).abs()
     }
 
-    /// The direction to a light that Gouraud's vertices see: that of the span's middle for those at places by `hybrid`; none that is common to all
-    /// vertices by `gouraud`.
+    /// The direction to a light that Gouraud's vertices see: that of the span's middle for those at
+    /// places by `hybrid`; none that is common to all vertices by `gouraud`.
     fn light(&self, light: usize) -> Option<DVec3> {
         if let Some(light) = self.frame.lights.get(light) {
             return Some(light.direction);
         }
         let position = self.frame.position_at(self.span, place::middle(self.span));
         let of_the_middle = self.spec.places_seen_from() == Viewpoint::Span;
-        self.frame.lights_from(position).nth(light).flatten().filter(|_| of_the_middle).map(|light| light.direction)
+        self.frame
+            .lights_from(position)
+            .nth(light)
+            .flatten()
+            .filter(|_| of_the_middle)
+            .map(|light| light.direction)
     }
 }

@@ -42,7 +42,8 @@ pub struct Pixel<'a> {
     pub i: u32,
     /// The interpolated normal, a unit vector.
     pub truth: DVec3,
-    /// What has come of the pixels before, at each pixel: [`lags`] or [`roots`]; nothing where a method does not go by them.
+    /// What has come of the pixels before, at each pixel: [`lags`] or [`roots`]; nothing where a
+    /// method does not go by them.
     pub walked: &'a [f64],
 }
 
@@ -96,14 +97,20 @@ impl Pixel<'_> {
             Normals::Flat => self.of_facet(),
             Normals::Linear => {
                 let square = self.interpolated().length_squared();
-                Normal { turn: Some(0.0), length: gain(lyon, square) * square.sqrt(), reasons: vec![Reason::Length] }
+                Normal {
+                    turn: Some(0.0),
+                    length: gain(lyon, square) * square.sqrt(),
+                    reasons: vec![Reason::Length],
+                }
             }
             Normals::Wrapped => {
                 let NormalWrap { wrap, follows } = lyon.wrap(self.frame, self.span);
                 match follows {
-                    true => {
-                        Normal::turned(self.walked() + angle(wrap.ends[0].lerp(wrap.ends[1], self.t()), self.truth), Reason::Chain)
-                    }
+                    true => Normal::turned(
+                        self.walked()
+                            + angle(wrap.ends[0].lerp(wrap.ends[1], self.t()), self.truth),
+                        Reason::Chain,
+                    ),
                     false => self.wrapped(wrap.ends, Some(wrap.axis)),
                 }
             }
@@ -112,13 +119,20 @@ impl Pixel<'_> {
 
     /// Of reflection shading.
     pub fn of_reflection(&self, reflection: &ReflectionSpec) -> Normal {
-        self.wrapped(self.frame.unit_end_normals(self.span), reflection.bisector.of(self.frame, self.span))
+        self.wrapped(
+            self.frame.unit_end_normals(self.span),
+            reflection.bisector.of(self.frame, self.span),
+        )
     }
 
     fn wrapped(&self, ends: [DVec3; 2], axis: Option<DVec3>) -> Normal {
         let interpolated = ends[0].lerp(ends[1], self.t());
         match wrap_turn(interpolated, axis) {
-            Some(turn) => Normal { turn: Some(turn + angle(interpolated, self.truth)), length: 1.0, reasons: vec![Reason::Wrap] },
+            Some(turn) => Normal {
+                turn: Some(turn + angle(interpolated, self.truth)),
+                length: 1.0,
+                reasons: vec![Reason::Wrap],
+            },
             None => Normal::unknown(Reason::Wrap),
         }
     }
@@ -129,7 +143,11 @@ impl Pixel<'_> {
         let off = angle(chord, self.truth);
         if course.is_linear {
             let length = chord.length();
-            return Normal { turn: Some(off), length: length * (3.0 - length * length) / 2.0, reasons: vec![Reason::Chord] };
+            return Normal {
+                turn: Some(off),
+                length: length * (3.0 - length * length) / 2.0,
+                reasons: vec![Reason::Chord],
+            };
         }
         let [start, end] = self.frame.unit_end_normals(self.span);
         let between = angle(start, end);
@@ -149,13 +167,16 @@ impl Pixel<'_> {
 /// Shorter than this, H has no direction that is worth having (EXTREMES rows 7 and 9).
 const SHORTEST_HALFWAY: f64 = 1e-2;
 
-/// By how much a vector turns when it is wrapped around a unit vector; none where they all but oppose each other, or there is no axis.
+/// By how much a vector turns when it is wrapped around a unit vector; none where they all but
+/// oppose each other, or there is no axis.
 pub fn wrap_turn(vector: DVec3, axis: Option<DVec3>) -> Option<f64> {
-    let axis = axis.filter(|axis| *axis != DVec3::ZERO && (*axis + vector).length() > SHORTEST_HALFWAY)?;
+    let axis =
+        axis.filter(|axis| *axis != DVec3::ZERO && (*axis + vector).length() > SHORTEST_HALFWAY)?;
     Some(wrap::error(angle(axis, vector), vector.length()).abs())
 }
 
-/// How many radians each normal of a span lags behind what is interpolated if it is wrapped around the one before: all lie in the plane of the ends.
+/// How many radians each normal of a span lags behind what is interpolated if it is wrapped around
+/// the one before: all lie in the plane of the ends.
 pub fn lags(frame: &Frame, span: &Span, lyon: &LyonSpec) -> Vec<f64> {
     let NormalWrap { wrap: Wrap { ends: [start, end], .. }, follows } = lyon.wrap(frame, span);
     let (mut behind, mut before) = (0.0, start);
@@ -168,7 +189,8 @@ pub fn lags(frame: &Frame, span: &Span, lyon: &LyonSpec) -> Vec<f64> {
     if follows { (0..span.length).map(&mut lag).collect() } else { Vec::new() }
 }
 
-/// How much too long Newton's root is at each pixel, relative to |N|: as much as for the pixel before, and e²/(2(1 + e)) after each of `steps`.
+/// How much too long Newton's root is at each pixel, relative to |N|: as much as for the pixel
+/// before, and e²/(2(1 + e)) after each of `steps`.
 pub fn roots(frame: &Frame, span: &Span, steps: u32) -> Vec<f64> {
     let [start, end] = frame.unit_end_normals(span);
     let length = |i: u32| start.lerp(end, span.parameter(i)).length().max(f64::EPSILON);

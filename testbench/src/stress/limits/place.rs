@@ -37,17 +37,23 @@ impl Directions {
     /// As the middle of the span sees them.
     pub fn of_the_middle(frame: &Frame, span: &Span, i: u32) -> Directions {
         let (here, middle) = (span.weights(i), middle(span));
-        let pairs = illumination::lights(frame, span, here).zip(illumination::lights(frame, span, middle));
+        let pairs =
+            illumination::lights(frame, span, here).zip(illumination::lights(frame, span, middle));
         let light = |pair: (Option<Illumination>, Option<Illumination>)| match pair {
-            (Some(here), Some(middle)) => {
-                Direction::Off { turn: angle(here.direction, middle.direction), share: (here.share - middle.share).abs() }
-            }
+            (Some(here), Some(middle)) => Direction::Off {
+                turn: angle(here.direction, middle.direction),
+                share: (here.share - middle.share).abs(),
+            },
             _ => Direction::Unknown,
         };
-        let views = illumination::view(frame, span, here).zip(illumination::view(frame, span, middle));
+        let views =
+            illumination::view(frame, span, here).zip(illumination::view(frame, span, middle));
         Directions {
             lights: pairs.map(light).collect(),
-            view: views.map_or(Direction::Unknown, |(here, middle)| Direction::Off { turn: angle(here, middle), share: 0.0 }),
+            view: views.map_or(Direction::Unknown, |(here, middle)| Direction::Off {
+                turn: angle(here, middle),
+                share: 0.0,
+            }),
         }
     }
 
@@ -58,11 +64,14 @@ impl Directions {
         let near = frame.local_lights.iter().map(|light| {
             let off = off(&wrap_to_light(frame, span, light), t, light.position - position);
             match (off, &light.spot) {
-                (Direction::Off { turn, .. }, Some(spot)) => Direction::Off { turn, share: power_turned(turn, spot.exponent) },
+                (Direction::Off { turn, .. }, Some(spot)) => {
+                    Direction::Off { turn, share: power_turned(turn, spot.exponent) }
+                }
                 _ => off,
             }
         });
-        let view = frame.eye.map_or(TRUE, |eye| off(&wrap_to_eye(frame, span, eye), t, eye - position));
+        let view =
+            frame.eye.map_or(TRUE, |eye| off(&wrap_to_eye(frame, span, eye), t, eye - position));
         Directions { lights: far.chain(near).collect(), view }
     }
 }
@@ -76,7 +85,9 @@ pub fn middle(span: &Span) -> [f64; 3] {
 fn off(wrap: &Wrap, t: f64, truth: DVec3) -> Direction {
     let interpolated = wrap.ends[0].lerp(wrap.ends[1], t);
     match wrap_turn(interpolated, Some(wrap.axis)) {
-        Some(turn) if truth != DVec3::ZERO => Direction::Off { turn: turn + angle(interpolated, truth), share: 0.0 },
+        Some(turn) if truth != DVec3::ZERO => {
+            Direction::Off { turn: turn + angle(interpolated, truth), share: 0.0 }
+        }
         _ => Direction::Unknown,
     }
 }

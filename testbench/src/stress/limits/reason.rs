@@ -1,4 +1,5 @@
-//! Why a method may be off by more than the rounding of its core: what the papers, or measurements of them, say of it.
+//! Why a method may be off by more than the rounding of its core: what the papers, or measurements
+//! of them, say of it.
 use serde::Serialize;
 
 /// A documented limit. `docs/extremes.md` lists all of them.
@@ -98,7 +99,8 @@ impl Reason {
         }
     }
 
-    /// What is off, by how much at most, and who says so. δ is an angle in radians, kd and ks the shares of a light that a surface sends back.
+    /// What is off, by how much at most, and who says so. δ is an angle in radians, kd and ks the
+    /// shares of a light that a surface sends back.
     pub const fn text(self) -> &'static str {
         match self {
             Reason::Rounding => {
@@ -116,7 +118,9 @@ impl Reason {
                 "no limit: nothing is proven of the core (its bound is 255 LSB), and the normal is shorter than 1/2, that is in a span of \
                  more than 120 degrees, where rounding turns it by 1/|N| times as much (NUMERICS 3b and 3c; EXTREMES 3 and 19)"
             }
-            Reason::NoNormal => "no limit: the interpolated normal vanishes, and has no direction (EXTREMES 1, 2, 50)",
+            Reason::NoNormal => {
+                "no limit: the interpolated normal vanishes, and has no direction (EXTREMES 1, 2, 50)"
+            }
             Reason::Vertices => {
                 "ks times what the highlights of the vertices, interpolated, differ from that of the normal (lecture, eq. 2.1 and 3.2 to \
                  3.6; METHODS A4); no limit but kd + ks where lights or eye are at places, which the vertices see"
@@ -125,7 +129,9 @@ impl Reason {
                 "kd (1 - |N| + d): intensities of vertices are interpolated, |N| is the length of the interpolated normal and d what \
                  vertices in the dark lack, the sum of w max(-N_v·L, 0) (lecture, eq. 3.2 to 3.6)"
             }
-            Reason::Facet => "as unit ends, with δ the angle between the polygon's normal and N (lecture, eq. 2.1; METHODS A3)",
+            Reason::Facet => {
+                "as unit ends, with δ the angle between the polygon's normal and N (lecture, eq. 2.1; METHODS A3)"
+            }
             Reason::Lobe => {
                 "ks times what the lobe that is asked for differs from max(R·L, 0)^n at this pixel, by the formulas of Lyon's appendix \
                  (METHODS B5 to B8, C8, C12); no limit but ks where |L + V| < 1/8 leaves no half-way vector (EXTREMES 12 and 35), or \
@@ -144,7 +150,9 @@ impl Reason {
             Reason::Wrap => {
                 "as unit ends, with δ = θ - 2 atan(l sin θ/(1 + l cos θ)), θ the angle between the axis and N and l = |N| (NUMERICS 2b)"
             }
-            Reason::Chain => "as wrap, with the axis behind by what the pixel before was short of its normal (NUMERICS 2b)",
+            Reason::Chain => {
+                "as wrap, with the axis behind by what the pixel before was short of its normal (NUMERICS 2b)"
+            }
             Reason::Arc => {
                 "as unit ends, with δ the angle between arc and chord (NUMERICS 2d; EXTREMES 17); none for opposite ends (14)"
             }

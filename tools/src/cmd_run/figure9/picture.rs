@@ -10,7 +10,8 @@ const INK: Rgb<u8> = Rgb([40, 40, 40]);
 
 /// `figure` with titles on its left and exponents below.
 pub fn labelled(balls: Balls, figure: &Image) -> RgbImage {
-    let titles: Vec<String> = ROWS.iter().zip(1..).map(|(row, number)| format!("{number}. {}", row.title)).collect();
+    let titles: Vec<String> =
+        ROWS.iter().zip(1..).map(|(row, number)| format!("{number}. {}", row.title)).collect();
     let widest = titles.iter().map(|title| Canvas::text_width(title, 1)).max().unwrap_or(0);
     let (left, top) = (widest + 3 * CHARACTER, CHARACTER);
     let size = (left + figure.width + CHARACTER, top + figure.height + 3 * CHARACTER);
@@ -25,7 +26,11 @@ pub fn labelled(balls: Balls, figure: &Image) -> RgbImage {
     for (n, ball) in EXPONENTS.iter().zip(1..) {
         let word = if ball == 1 { format!("n = {n}") } else { n.to_string() };
         let middle = left + ball * balls.radius;
-        canvas.write((middle - Canvas::text_width(&word, 1) / 2, top + figure.height + CHARACTER), &word, INK);
+        canvas.write(
+            (middle - Canvas::text_width(&word, 1) / 2, top + figure.height + CHARACTER),
+            &word,
+            INK,
+        );
     }
     canvas.finish()
 }

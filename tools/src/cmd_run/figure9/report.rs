@@ -51,7 +51,12 @@ struct Report<'a> {
 
 impl Line {
     /// What came of a row.
-    pub fn new((row, number): (&Row, usize), bench: &Bench, outcome: &Outcome, error: ErrorFigures) -> Line {
+    pub fn new(
+        (row, number): (&Row, usize),
+        bench: &Bench,
+        outcome: &Outcome,
+        error: ErrorFigures,
+    ) -> Line {
         let (bound, size) = (bench.design.error_bound(), bench.design.size());
         Line {
             row: number,
@@ -86,8 +91,17 @@ impl Line {
 }
 
 /// Titles of the columns.
-const COLUMNS: [&str; 9] =
-    ["row", "formula", "method", "mismatches", "largest error", "rms", "proven bound", "latency", "multipliers"];
+const COLUMNS: [&str; 9] = [
+    "row",
+    "formula",
+    "method",
+    "mismatches",
+    "largest error",
+    "rms",
+    "proven bound",
+    "latency",
+    "multipliers",
+];
 
 fn lines(rows: &[Shaded]) -> Vec<[String; 9]> {
     rows.iter().map(|row| row.line.cells()).collect()
@@ -95,7 +109,8 @@ fn lines(rows: &[Shaded]) -> Vec<[String; 9]> {
 
 /// What is printed.
 pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
-    let table: Vec<[String; 9]> = [COLUMNS.map(str::to_owned)].into_iter().chain(lines(rows)).collect();
+    let table: Vec<[String; 9]> =
+        [COLUMNS.map(str::to_owned)].into_iter().chain(lines(rows)).collect();
     let mut text = table::shown(&table);
     // Writing to a String cannot fail.
     let _ = writeln!(text, "\nfiles in {}", folder.display());
@@ -153,7 +168,12 @@ rounder glancing highlights than rows 1 to 4; row 12 never ends.
 ";
 
 /// `report.json`.
-pub fn json(rows: &[Shaded], balls: Balls, engine: EngineKind, files: &[String]) -> serde_json::Result<String> {
+pub fn json(
+    rows: &[Shaded],
+    balls: Balls,
+    engine: EngineKind,
+    files: &[String],
+) -> serde_json::Result<String> {
     let report = Report {
         program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),

@@ -42,12 +42,20 @@ impl Disk for Watched<'_> {
 
     fn exchange(&mut self, one: &Path, other: &Path) -> io::Result<()> {
         self.step();
-        if self.able.exchange { System.exchange(one, other) } else { Err(io::ErrorKind::Unsupported.into()) }
+        if self.able.exchange {
+            System.exchange(one, other)
+        } else {
+            Err(io::ErrorKind::Unsupported.into())
+        }
     }
 
     fn link(&mut self, file: &Path, name: &Path) -> io::Result<()> {
         self.step();
-        if self.able.link { System.link(file, name) } else { Err(io::ErrorKind::PermissionDenied.into()) }
+        if self.able.link {
+            System.link(file, name)
+        } else {
+            Err(io::ErrorKind::PermissionDenied.into())
+        }
     }
 
     fn remove_file(&mut self, file: &Path) -> io::Result<()> {
@@ -122,7 +130,11 @@ fn files(folder: &Path) -> BTreeMap<String, String> {
     for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap()) {
         let name = entry.file_name().to_string_lossy().into_owned();
         if entry.file_type().unwrap().is_dir() {
-            all.extend(files(&entry.path()).into_iter().map(|(below, text)| (format!("{name}/{below}"), text)));
+            all.extend(
+                files(&entry.path())
+                    .into_iter()
+                    .map(|(below, text)| (format!("{name}/{below}"), text)),
+            );
         } else {
             all.insert(name, fs::read_to_string(entry.path()).unwrap());
         }
@@ -133,13 +145,17 @@ fn files(folder: &Path) -> BTreeMap<String, String> {
 /// Whether the folder holds all of one run and nothing of another, and what is the user's.
 fn is_whole(place: &Path, text: &str, verilog: &str) -> bool {
     let held = files(&place.join("out"));
-    let own = [verilog, "simulated.png"].iter().all(|name| held.get(*name).is_some_and(|held| held == text));
-    let report = held.get(REPORT).is_some_and(|report| report.contains(&format!("\"text\":\"{text}\"")));
+    let own = [verilog, "simulated.png"]
+        .iter()
+        .all(|name| held.get(*name).is_some_and(|held| held == text));
+    let report =
+        held.get(REPORT).is_some_and(|report| report.contains(&format!("\"text\":\"{text}\"")));
     own && report && held.len() == 5 && has_users_files(&held)
 }
 
 fn has_users_files(held: &BTreeMap<String, String>) -> bool {
-    held.get("mine.txt").is_some_and(|text| text == "mine") && held.get("notes/deep.txt").is_some_and(|text| text == "mine too")
+    held.get("mine.txt").is_some_and(|text| text == "mine")
+        && held.get("notes/deep.txt").is_some_and(|text| text == "mine too")
 }
 
 /// Publishes on such a disk; gives the folders that kills would have left.
@@ -166,10 +182,18 @@ fn a_kill_at_any_step_hides_nothing() {
             assert!(held.contains_key("simulated.png"), "{able:?}, {}: {held:?}", place.display());
             // What can have a second name, or is not moved at all, is never away.
             if able.link || !able.exchange {
-                assert_eq!(held.get("mine.txt").map(String::as_str), Some("mine"), "{able:?}, {}", place.display());
+                assert_eq!(
+                    held.get("mine.txt").map(String::as_str),
+                    Some("mine"),
+                    "{able:?}, {}",
+                    place.display()
+                );
             }
             let settled = settle(&place, &mut System);
-            assert!(settled.iter().all(|settled| !matches!(settled, Settled::Left(..))), "{able:?}: {settled:?}");
+            assert!(
+                settled.iter().all(|settled| !matches!(settled, Settled::Left(..))),
+                "{able:?}: {settled:?}"
+            );
             let whole = is_whole(&place, "old", "old.v") || is_whole(&place, "new", "new.v");
             assert!(whole, "{able:?}, {}: {:?}", place.display(), files(&place));
             assert_eq!(fs::read_dir(&place).unwrap().count(), 1, "{able:?}, {}", place.display());
@@ -199,8 +223,10 @@ fn a_kill_while_leftovers_are_settled_hides_nothing_either() {
 fn a_kill_while_the_temporary_folder_goes_leaves_what_is_understood() {
     let room = tempfile::tempdir().unwrap();
     let leftover = room.path().join(".specula-1");
-    let record = Record { step: Step::Exchange, old: ["a".into()].into(), new: ["b".into()].into() };
-    for (has_folder, has_record, has_lock) in [(true, true, true), (false, true, true), (false, false, true), (false, false, false)]
+    let record =
+        Record { step: Step::Exchange, old: ["a".into()].into(), new: ["b".into()].into() };
+    for (has_folder, has_record, has_lock) in
+        [(true, true, true), (false, true, true), (false, false, true), (false, false, false)]
     {
         fs::create_dir(&leftover).unwrap();
         if has_folder {
@@ -214,7 +240,11 @@ fn a_kill_while_the_temporary_folder_goes_leaves_what_is_understood() {
             fs::write(leftover.join("lock"), "").unwrap();
         }
         settle(room.path(), &mut System);
-        assert_eq!(fs::read_dir(room.path()).unwrap().count(), 0, "{has_folder}, {has_record}, {has_lock}");
+        assert_eq!(
+            fs::read_dir(room.path()).unwrap().count(),
+            0,
+            "{has_folder}, {has_record}, {has_lock}"
+        );
     }
 }
 
@@ -226,7 +256,8 @@ fn what_is_under_way_or_unknown_is_left_alone() {
     drop(staging);
     fs::create_dir_all(room.path().join(".specula-old/old")).unwrap();
     fs::write(room.path().join(".specula-old/old/thesis.tex"), "mine").unwrap();
-    let said: Vec<String> = settle(room.path(), &mut System).iter().map(Settled::to_string).collect();
+    let said: Vec<String> =
+        settle(room.path(), &mut System).iter().map(Settled::to_string).collect();
     assert!(said.len() == 1 && said[0].contains(".specula-old`, and it stays there"), "{said:?}");
     assert!(room.path().join(".specula-old/old/thesis.tex").exists());
 }
@@ -237,14 +268,19 @@ fn a_newer_file_of_the_same_name_is_not_replaced() {
     let leftover = room.path().join(".specula-1");
     fs::create_dir_all(leftover.join("folder/out")).unwrap();
     fs::create_dir(room.path().join("out")).unwrap();
-    Record { step: Step::Exchange, old: BTreeSet::new(), new: BTreeSet::new() }.write(&leftover, &mut System).unwrap();
+    Record { step: Step::Exchange, old: BTreeSet::new(), new: BTreeSet::new() }
+        .write(&leftover, &mut System)
+        .unwrap();
     fs::write(leftover.join("lock"), "").unwrap();
     fs::write(leftover.join("folder/out/mine.txt"), "older").unwrap();
     fs::write(room.path().join("out/mine.txt"), "newer").unwrap();
     let settled = settle(room.path(), &mut System);
     assert!(matches!(&settled[..], [Settled::Left(..)]), "{settled:?}");
     let held = files(room.path());
-    assert_eq!((held["out/mine.txt"].as_str(), held[".specula-1/folder/out/mine.txt"].as_str()), ("newer", "older"));
+    assert_eq!(
+        (held["out/mine.txt"].as_str(), held[".specula-1/folder/out/mine.txt"].as_str()),
+        ("newer", "older")
+    );
 }
 
 #[test]

@@ -25,7 +25,11 @@ const SIGNED: u8 = 8;
 ///
 /// # Errors
 /// What is wrong, or what the system says.
-pub fn check(input: &mut (impl Read + Seek), block: &ValueBlock, signals: &[usize]) -> io::Result<()> {
+pub fn check(
+    input: &mut (impl Read + Seek),
+    block: &ValueBlock,
+    signals: &[usize],
+) -> io::Result<()> {
     let (at, length) = block.chain;
     input.seek(SeekFrom::Start(at))?;
     let mut chain = vec![];
@@ -37,7 +41,9 @@ pub fn check(input: &mut (impl Read + Seek), block: &ValueBlock, signals: &[usiz
             Some(&Place::At(offset)) => unpacked(input, block, offset)?,
             Some(&Place::SameAs(other)) => match places.get(other) {
                 Some(&Place::At(offset)) => unpacked(input, block, offset)?,
-                _ => return Err(wrong("values of a signal are said to be another's that has none")),
+                _ => {
+                    return Err(wrong("values of a signal are said to be another's that has none"));
+                }
             },
             Some(Place::None) | None => 0,
         };
@@ -102,13 +108,16 @@ impl Places<'_> {
 
     fn same_as(&mut self, other: u64) -> io::Result<()> {
         let other = usize::try_from(other).ok().filter(|_| other < self.block.signals);
-        self.push(Place::SameAs(other.ok_or_else(|| wrong("it has values of signals that it does not list"))?))
+        self.push(Place::SameAs(
+            other.ok_or_else(|| wrong("it has values of signals that it does not list"))?,
+        ))
     }
 
     fn forward(&mut self, by: u64) -> io::Result<()> {
         let room = self.block.chain.0 - self.block.values;
         let offset = self.offset.checked_add(by).filter(|&offset| by > 0 && offset < room);
-        self.offset = offset.ok_or_else(|| wrong("values of a signal are said to be outside of their block"))?;
+        self.offset = offset
+            .ok_or_else(|| wrong("values of a signal are said to be outside of their block"))?;
         self.push(Place::At(self.offset))
     }
 

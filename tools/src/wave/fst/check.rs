@@ -70,7 +70,9 @@ pub fn check(input: &mut (impl Read + Seek)) -> io::Result<Vec<ValueBlock>> {
         at = next;
     }
     if !checker.hierarchy || checker.signals.is_none() {
-        return Err(wrong("its list of signals is missing, which is written when the simulation ends"));
+        return Err(wrong(
+            "its list of signals is missing, which is written when the simulation ends",
+        ));
     }
     if checker.blocks.iter().any(|block| Some(block.signals) > checker.signals) {
         return Err(wrong("it has values of signals that it does not list"));
@@ -103,15 +105,20 @@ impl<I: Read + Seek> Checker<'_, I> {
             return Ok(None);
         }
         let end = begin.checked_add(length).filter(|&end| length >= 8 && end <= self.length);
-        let end = end.ok_or_else(|| wrong("a block goes beyond the file's end, which may be missing"))?;
+        let end =
+            end.ok_or_else(|| wrong("a block goes beyond the file's end, which may be missing"))?;
         match kind {
-            kind::HEADER if length != HEADER => return Err(wrong("its header has another length than all have")),
+            kind::HEADER if length != HEADER => {
+                return Err(wrong("its header has another length than all have"));
+            }
             kind::BLACKOUT => {
                 let count = variable(self.input)?;
                 possible(count <= length)?;
             }
             kind::GEOMETRY => self.geometry(length)?,
-            kind::HIERARCHY_ZLIB | kind::HIERARCHY_LZ4 | kind::HIERARCHY_LZ4_TWICE => self.names(kind, length)?,
+            kind::HIERARCHY_ZLIB | kind::HIERARCHY_LZ4 | kind::HIERARCHY_LZ4_TWICE => {
+                self.names(kind, length)?
+            }
             kind if kind::VALUES.contains(&kind) => self.values(kind, begin, end)?,
             _ => {}
         }
@@ -120,7 +127,9 @@ impl<I: Read + Seek> Checker<'_, I> {
 
     fn geometry(&mut self, length: u64) -> io::Result<()> {
         let (unpacked, signals) = (number(self.input)?, number(self.input)?);
-        possible(length >= 24 && unpacks(length - 24, unpacked) && signals <= unpacked.min(MOST_SIGNALS))?;
+        possible(
+            length >= 24 && unpacks(length - 24, unpacked) && signals <= unpacked.min(MOST_SIGNALS),
+        )?;
         self.signals = Some(signals);
         Ok(())
     }
@@ -145,21 +154,29 @@ impl<I: Read + Seek> Checker<'_, I> {
         possible(length >= VALUES_HEADER + TIMES_TRAILER + 8)?;
         let (first, last) = (number(self.input)?, number(self.input)?);
         self.input.seek(SeekFrom::Start(end - TIMES_TRAILER))?;
-        let (unpacked, packed, instants) = (number(self.input)?, number(self.input)?, number(self.input)?);
-        possible(packed <= length - VALUES_HEADER - TIMES_TRAILER - 8 && unpacks(packed, unpacked))?;
+        let (unpacked, packed, instants) =
+            (number(self.input)?, number(self.input)?, number(self.input)?);
+        possible(
+            packed <= length - VALUES_HEADER - TIMES_TRAILER - 8 && unpacks(packed, unpacked),
+        )?;
         possible(instants <= unpacked && instants <= MOST_INSTANTS)?;
         let times = (end - TIMES_TRAILER - packed, packed, unpacked);
         let chain_end = times.0 - 8;
         self.input.seek(SeekFrom::Start(chain_end))?;
         let chain = number(self.input)?;
         self.input.seek(SeekFrom::Start(begin + VALUES_HEADER))?;
-        let (unpacked, packed, first_values) = (variable(self.input)?, variable(self.input)?, variable(self.input)?);
+        let (unpacked, packed, first_values) =
+            (variable(self.input)?, variable(self.input)?, variable(self.input)?);
         possible(unpacks(packed, unpacked) && packed <= length)?;
         let behind = self.input.seek(SeekFrom::Current(packed as i64))?;
         possible(behind < chain_end)?;
         let signals = variable(self.input)?;
         let values = self.input.stream_position()?;
-        possible(first_values <= unpacked.max(signals) && chain <= chain_end && chain_end - chain > values)?;
+        possible(
+            first_values <= unpacked.max(signals)
+                && chain <= chain_end
+                && chain_end - chain > values,
+        )?;
         let chain = (chain_end - chain, chain);
         self.blocks.push(ValueBlock { kind, first, last, times, instants, signals, values, chain });
         Ok(())
@@ -172,7 +189,11 @@ pub fn unpacks(packed: u64, unpacked: u64) -> bool {
 }
 
 fn possible(possible: bool) -> io::Result<()> {
-    if possible { Ok(()) } else { Err(wrong("it states a length that no file of its size can have")) }
+    if possible {
+        Ok(())
+    } else {
+        Err(wrong("it states a length that no file of its size can have"))
+    }
 }
 
 /// An error of the file's.

@@ -1,7 +1,9 @@
 //! Scopes and variables of an FST file.
 use fst_reader::{FstHierarchyEntry, FstVarDirection, FstVarType};
 
-use super::super::variables::{Enumerations, Kind, MOST_VARIABLES, ScopeId, Scopes, ValueNames, Variable, split_name};
+use super::super::variables::{
+    Enumerations, Kind, MOST_VARIABLES, ScopeId, Scopes, ValueNames, Variable, split_name,
+};
 use super::super::warnings::Warnings;
 
 /// Scopes and variables while they are read.
@@ -43,8 +45,10 @@ impl<'a> Hierarchy<'a> {
         let around = self.around();
         let inner = self.scopes.inside(around, name);
         if inner.is_none() {
-            self.warnings
-                .of_file("deep", || "scopes are too many or nest too deep: what is inside is taken for the outer's".to_owned());
+            self.warnings.of_file("deep", || {
+                "scopes are too many or nest too deep: what is inside is taken for the outer's"
+                    .to_owned()
+            });
         }
         self.open.push(inner.unwrap_or(around));
     }
@@ -55,10 +59,19 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    fn variable(&mut self, of: &FstVarType, direction: FstVarDirection, name: &str, length: u32, signal: u32) {
+    fn variable(
+        &mut self,
+        of: &FstVarType,
+        direction: FstVarDirection,
+        name: &str,
+        length: u32,
+        signal: u32,
+    ) {
         let next_names = self.enumerations.take_next();
         if self.variables.len() >= MOST_VARIABLES {
-            let said = || format!("there are more than {MOST_VARIABLES} variables: the others are left out");
+            let said = || {
+                format!("there are more than {MOST_VARIABLES} variables: the others are left out")
+            };
             return self.warnings.of_file("many", said);
         }
         let (name, range) = split_name(name);
@@ -69,7 +82,10 @@ impl<'a> Hierarchy<'a> {
             _ => Kind::Bits,
         };
         let width = Some(length).filter(|&length| kind == Kind::Bits && length > 0);
-        let port = matches!(direction, FstVarDirection::Input | FstVarDirection::Output | FstVarDirection::InOut);
+        let port = matches!(
+            direction,
+            FstVarDirection::Input | FstVarDirection::Output | FstVarDirection::InOut
+        );
         let (scope, names) = (self.around(), next_names);
         self.variables.push(Variable { scope, name, range, kind, width, port, signal, names });
     }
@@ -99,7 +115,15 @@ mod tests {
 
     #[test]
     fn units_of_time_are_those_of_vcd() {
-        let cases = [(0, "s"), (-9, "ns"), (-8, "10 ns"), (-10, "100 ps"), (-1, "100 ms"), (2, "100 s"), (-21, "zs")];
+        let cases = [
+            (0, "s"),
+            (-9, "ns"),
+            (-8, "10 ns"),
+            (-10, "100 ps"),
+            (-1, "100 ms"),
+            (2, "100 s"),
+            (-21, "zs"),
+        ];
         for (exponent, unit) in cases {
             assert_eq!(time_unit(exponent).as_deref(), Some(unit), "{exponent}");
         }

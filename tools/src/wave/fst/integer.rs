@@ -63,6 +63,9 @@ mod tests {
         assert_eq!(signed(&mut [0x13].as_slice()).ok(), Some(19));
         assert_eq!(signed(&mut [0x7b].as_slice()).ok(), Some(-5));
         assert_eq!(signed(&mut [0x80, 0x01].as_slice()).ok(), Some(128));
-        assert!(variable(&mut [0xff; 11].as_slice()).is_err() && signed(&mut [0xff].as_slice()).is_err());
+        assert!(
+            variable(&mut [0xff; 11].as_slice()).is_err()
+                && signed(&mut [0xff].as_slice()).is_err()
+        );
     }
 }

@@ -10,7 +10,9 @@ use std::io::{self, BufReader, Read, Seek, SeekFrom};
 use std::ops::ControlFlow;
 use std::rc::Rc;
 
-use fst_reader::{FstFilter, FstReader, FstSignalHandle, FstSignalValue, ReadSignalsError, ReaderError};
+use fst_reader::{
+    FstFilter, FstReader, FstSignalHandle, FstSignalValue, ReadSignalsError, ReaderError,
+};
 
 use super::contents::Contents;
 use super::guard::guarded;
@@ -39,7 +41,11 @@ impl Fst {
     ///
     /// # Errors
     /// What is wrong with it, or what the system says.
-    pub fn read(bytes: Box<dyn Bytes>, mut survey: Survey, warnings: &mut Warnings) -> io::Result<(Fst, Contents)> {
+    pub fn read(
+        bytes: Box<dyn Bytes>,
+        mut survey: Survey,
+        warnings: &mut Warnings,
+    ) -> io::Result<(Fst, Contents)> {
         let mut bytes = Shared::new(bytes);
         let blocks = check::check(&mut BufReader::new(&mut bytes))?;
         instants(&mut bytes, &blocks, &mut survey)?;
@@ -50,7 +56,8 @@ impl Fst {
         guarded(read).map_err(|()| contradictory())?.map_err(illegible)?;
         let Hierarchy { scopes, mut variables, .. } = hierarchy;
         arrange(&mut variables, &scopes);
-        let signals = variables.iter().map(|variable| variable.signal as usize + 1).max().unwrap_or(0);
+        let signals =
+            variables.iter().map(|variable| variable.signal as usize + 1).max().unwrap_or(0);
         let mut is_text = vec![false; signals];
         for variable in variables.iter().filter(|variable| variable.kind == Kind::Other) {
             is_text[variable.signal as usize] = true;
@@ -58,7 +65,10 @@ impl Fst {
         let first = *survey.extent().start();
         let time_unit = hierarchy::time_unit(reader.get_header().timescale_exponent);
         let mut fst = Fst { reader, bytes, blocks, is_text, first };
-        fst.survey_values(ruler::clock(&variables, &scopes).map(|clock| variables[clock].signal), &mut survey)?;
+        fst.survey_values(
+            ruler::clock(&variables, &scopes).map(|clock| variables[clock].signal),
+            &mut survey,
+        )?;
         Ok((fst, Contents { scopes, variables, time_unit, survey }))
     }
 
@@ -94,24 +104,41 @@ impl Fst {
         })
     }
 
-    fn read_signals(&mut self, from: u64, last: u64, signals: &[u32], take: &mut Taker) -> io::Result<()> {
+    fn read_signals(
+        &mut self,
+        from: u64,
+        last: u64,
+        signals: &[u32],
+        take: &mut Taker,
+    ) -> io::Result<()> {
         let numbers: Vec<usize> = signals.iter().map(|&signal| signal as usize).collect();
         let mut bytes = BufReader::new(self.bytes.clone());
         for block in self.blocks.iter().filter(|block| block.first <= last && block.last >= from) {
             chain::check(&mut bytes, block, &numbers)?;
         }
         let (is_text, first) = (&self.is_text, self.first);
-        let filter = FstFilter::new(from, last, numbers.into_iter().map(FstSignalHandle::from_index).collect());
+        let filter = FstFilter::new(
+            from,
+            last,
+            numbers.into_iter().map(FstSignalHandle::from_index).collect(),
+        );
         let read = || {
             self.reader.read_signals(&filter, |time, handle, value| {
                 let index = handle.get_index();
                 let value = match value {
                     FstSignalValue::Real(number) => Raw::Real(number),
-                    FstSignalValue::String(text) if is_text.get(index) == Some(&true) => Raw::Text(text),
+                    FstSignalValue::String(text) if is_text.get(index) == Some(&true) => {
+                        Raw::Text(text)
+                    }
                     FstSignalValue::String(bits) => Raw::Bits(bits),
                 };
                 // A writer states every value at the begin.
-                let change = Change { time: time.min(LATEST), signal: index as u32, value, checkpoint: time == first };
+                let change = Change {
+                    time: time.min(LATEST),
+                    signal: index as u32,
+                    value,
+                    checkpoint: time == first,
+                };
                 if take(change).is_break() { Err(()) } else { Ok(()) }
             })
         };

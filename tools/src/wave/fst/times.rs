@@ -10,12 +10,17 @@ use super::integer::variable;
 ///
 /// # Errors
 /// What is wrong with them, or what the system says.
-pub fn read(input: &mut (impl Read + Seek), block: &ValueBlock, mut take: impl FnMut(u64)) -> io::Result<()> {
+pub fn read(
+    input: &mut (impl Read + Seek),
+    block: &ValueBlock,
+    mut take: impl FnMut(u64),
+) -> io::Result<()> {
     let (at, packed, unpacked) = block.times;
     input.seek(SeekFrom::Start(at))?;
     let input = input.take(packed);
     // What became no shorter stands as it is.
-    let input: Box<dyn Read + '_> = if packed == unpacked { Box::new(input) } else { Box::new(ZlibDecoder::new(input)) };
+    let input: Box<dyn Read + '_> =
+        if packed == unpacked { Box::new(input) } else { Box::new(ZlibDecoder::new(input)) };
     let mut input = BufReader::new(input);
     let mut time = 0u64;
     for _ in 0..block.instants {

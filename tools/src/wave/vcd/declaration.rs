@@ -41,7 +41,8 @@ const TYPES: [&str; 35] = [
     "realparameter",
 ];
 /// Types whose values are text or real numbers.
-const OTHERS: [&str; 6] = ["real", "real_parameter", "realparameter", "realtime", "shortreal", "string"];
+const OTHERS: [&str; 6] =
+    ["real", "real_parameter", "realparameter", "realtime", "shortreal", "string"];
 const PORTS: [&str; 4] = ["port", "in", "out", "inout"];
 
 /// Types of scopes: IEEE 1364 and 1800, and what GTKWave and simulators of VHDL write.
@@ -97,12 +98,19 @@ pub type LeftOut = (Fault, Option<Vec<u8>>);
 pub fn variable(words: &[Vec<u8>]) -> Result<(Declaration, Option<Fault>), LeftOut> {
     let (kind_of, size, rest) = split_size(words);
     let [id, name @ ..] = rest else {
-        return Err((("variable", "a variable without an identifier is left out".to_owned()), None));
+        return Err((
+            ("variable", "a variable without an identifier is left out".to_owned()),
+            None,
+        ));
     };
     if name.is_empty() {
-        return Err((("variable", "a variable without a name is left out".to_owned()), Some(id.clone())));
+        return Err((
+            ("variable", "a variable without a name is left out".to_owned()),
+            Some(id.clone()),
+        ));
     }
-    let (name, range) = split_name(&name.iter().map(|word| decoded(word)).collect::<Vec<_>>().join(" "));
+    let (name, range) =
+        split_name(&name.iter().map(|word| decoded(word)).collect::<Vec<_>>().join(" "));
     let stated = kind_of.map(|word| decoded(word).to_ascii_lowercase());
     let known = stated.as_deref().filter(|stated| TYPES.contains(stated));
     let kind = match known {
@@ -112,20 +120,27 @@ pub fn variable(words: &[Vec<u8>]) -> Result<(Declaration, Option<Fault>), LeftO
     };
     let width = width(&size);
     if kind == Kind::Bits && width.is_some_and(|width| width > u64::from(WIDEST)) {
-        let fault = format!("`{name}` is left out: {} bits are more than can be drawn", decoded(&size));
+        let fault =
+            format!("`{name}` is left out: {} bits are more than can be drawn", decoded(&size));
         return Err((("too wide", fault), Some(id.clone())));
     }
     let odd = match (kind_of, known, width) {
         (None, _, _) => Some(("type", format!("`{name}` has no type, and is drawn as a wire"))),
-        (Some(word), None, _) => Some(("type", format!("{} is no type of a variable: `{name}` is drawn as a wire", quoted(word)))),
-        (_, _, None) if kind == Kind::Bits => {
-            Some(("size", format!("{} is no size: `{name}` is drawn as wide as its values", quoted(&size))))
-        }
+        (Some(word), None, _) => Some((
+            "type",
+            format!("{} is no type of a variable: `{name}` is drawn as a wire", quoted(word)),
+        )),
+        (_, _, None) if kind == Kind::Bits => Some((
+            "size",
+            format!("{} is no size: `{name}` is drawn as wide as its values", quoted(&size)),
+        )),
         _ => None,
     };
     let port = known.is_some_and(|known| PORTS.contains(&known));
     // Widths above u32's went above.
-    let width = width.and_then(|width| u32::try_from(width).ok()).filter(|&width| kind == Kind::Bits && width > 0);
+    let width = width
+        .and_then(|width| u32::try_from(width).ok())
+        .filter(|&width| kind == Kind::Bits && width > 0);
     Ok((Declaration { id: id.clone(), name, range, kind, width, port }, odd))
 }
 
@@ -133,12 +148,15 @@ pub fn variable(words: &[Vec<u8>]) -> Result<(Declaration, Option<Fault>), LeftO
 fn split_size(words: &[Vec<u8>]) -> (Option<&Vec<u8>>, Vec<u8>, &[Vec<u8>]) {
     let is_number = |word: &Vec<u8>| !word.is_empty() && word.iter().all(u8::is_ascii_digit);
     let (kind, sized) = match words {
-        [first, _, _, ..] if is_number(first) && !words.get(1).is_some_and(is_number) => (None, words),
+        [first, _, _, ..] if is_number(first) && !words.get(1).is_some_and(is_number) => {
+            (None, words)
+        }
         [first, rest @ ..] => (Some(first), rest),
         [] => (None, words),
     };
     let Some(first) = sized.first() else { return (kind, vec![], sized) };
-    let closed = sized.iter().position(|word| word.ends_with(b"]")).filter(|_| first.starts_with(b"["));
+    let closed =
+        sized.iter().position(|word| word.ends_with(b"]")).filter(|_| first.starts_with(b"["));
     let end = closed.unwrap_or(0) + 1;
     (kind, sized[..end].concat(), &sized[end..])
 }
@@ -154,7 +172,9 @@ fn width(size: &[u8]) -> Option<u64> {
             .then(|| text.parse().unwrap_or(u64::MAX))
             .filter(|_| !text.is_empty());
     };
-    let Some((high, low)) = range.split_once(':') else { return range.parse::<i64>().ok().map(|_| 1) };
+    let Some((high, low)) = range.split_once(':') else {
+        return range.parse::<i64>().ok().map(|_| 1);
+    };
     let (high, low) = (high.trim().parse::<i64>().ok()?, low.trim().parse::<i64>().ok()?);
     high.abs_diff(low).checked_add(1)
 }
@@ -166,7 +186,8 @@ fn width(size: &[u8]) -> Option<u64> {
 pub fn scope(words: &[Vec<u8>]) -> Result<(String, Option<Fault>), Fault> {
     let known = |word: &[u8]| {
         let word = decoded(word).to_ascii_lowercase();
-        SCOPES.contains(&word.as_str()) || SCOPE_FAMILIES.iter().any(|family| word.starts_with(family))
+        SCOPES.contains(&word.as_str())
+            || SCOPE_FAMILIES.iter().any(|family| word.starts_with(family))
     };
     match words {
         [] => Err(("scope", "a scope without a name is passed over".to_owned())),
@@ -201,9 +222,12 @@ pub fn attribute(words: &[Vec<u8>]) -> Option<Attribute> {
         return None;
     }
     let number: u64 = decoded(number).parse().ok()?;
-    let Some((count, pairs)) = about.split_first().filter(|_| name != b"\"\"") else { return Some(Attribute::Next(number)) };
+    let Some((count, pairs)) = about.split_first().filter(|_| name != b"\"\"") else {
+        return Some(Attribute::Next(number));
+    };
     let count: usize = decoded(count).parse().ok()?;
-    let (names, values) = pairs.split_at_checked(count).filter(|(_, values)| values.len() == count)?;
+    let (names, values) =
+        pairs.split_at_checked(count).filter(|(_, values)| values.len() == count)?;
     let pairs = values.iter().zip(names).map(|(value, name)| (decoded(value), decoded(name)));
     Some(Attribute::Enumeration(number, ValueNames::new(pairs)))
 }
@@ -212,7 +236,8 @@ pub fn attribute(words: &[Vec<u8>]) -> Option<Attribute> {
 pub fn time_unit(words: &[Vec<u8>]) -> Option<String> {
     const UNITS: [&str; 8] = ["s", "ms", "us", "ns", "ps", "fs", "as", "zs"];
     let text = decoded(&words.concat()).to_ascii_lowercase().replace(['\u{b5}', '\u{3bc}'], "u");
-    let (number, unit) = text.split_at(text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len()));
+    let (number, unit) =
+        text.split_at(text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len()));
     let unit = UNITS.iter().find(|known| unit == **known)?;
     match number {
         "" | "1" => Some((*unit).to_owned()),
@@ -255,16 +280,29 @@ mod tests {
     fn variables_that_cannot_be_drawn_are_told() {
         let refused = |text| variable(&words(text)).expect_err("it cannot be drawn").0.0;
         assert_eq!(["", "wire", "wire 1", "wire 1 !"].map(refused), ["variable"; 4]);
-        assert_eq!(["wire 4000000000 ! w", "wire 99999999999999999999 ! w"].map(refused), ["too wide"; 2]);
+        assert_eq!(
+            ["wire 4000000000 ! w", "wire 99999999999999999999 ! w"].map(refused),
+            ["too wide"; 2]
+        );
     }
 
     #[test]
     fn enumerations_are_attributes() {
-        let names = [("00", "IDLE"), ("01", "RUN")].map(|(bits, name)| (bits.to_owned(), name.to_owned()));
+        let names =
+            [("00", "IDLE"), ("01", "RUN")].map(|(bits, name)| (bits.to_owned(), name.to_owned()));
         let read = |text| attribute(&words(text));
-        assert_eq!(read("misc 07 st 2 IDLE RUN 00 01 1"), Some(Attribute::Enumeration(1, ValueNames::new(names))));
+        assert_eq!(
+            read("misc 07 st 2 IDLE RUN 00 01 1"),
+            Some(Attribute::Enumeration(1, ValueNames::new(names)))
+        );
         assert_eq!(read("misc 07 \"\" 1"), Some(Attribute::Next(1)));
-        for other in ["misc 02 st 1024", "misc 07 st 3 IDLE RUN 00 01 1", "misc 07 st 18446744073709551615 a 1", "misc", ""] {
+        for other in [
+            "misc 02 st 1024",
+            "misc 07 st 3 IDLE RUN 00 01 1",
+            "misc 07 st 18446744073709551615 a 1",
+            "misc",
+            "",
+        ] {
             assert_eq!(read(other), None, "{other}");
         }
     }

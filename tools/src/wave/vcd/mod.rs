@@ -35,11 +35,16 @@ impl Vcd {
     ///
     /// # Errors
     /// What the system says.
-    pub fn read(mut bytes: Box<dyn Bytes>, survey: Survey, warnings: &mut Warnings) -> io::Result<(Vcd, Contents)> {
+    pub fn read(
+        mut bytes: Box<dyn Bytes>,
+        survey: Survey,
+        warnings: &mut Warnings,
+    ) -> io::Result<(Vcd, Contents)> {
         bytes.rewind()?;
         let mut ids = Ids::default();
         let mut reader = Reader::new(survey);
-        let mut parser = Parser::new(BufReader::with_capacity(PIECE, &mut bytes), &mut ids, warnings)?;
+        let mut parser =
+            Parser::new(BufReader::with_capacity(PIECE, &mut bytes), &mut ids, warnings)?;
         while let Some(event) = parser.next()? {
             reader.take(event, &mut parser);
         }
@@ -57,13 +62,22 @@ impl Vcd {
         self.bytes.rewind()?;
         // They were told when the file was read for the first time.
         let mut told = Warnings::default();
-        let mut parser = Parser::new(BufReader::with_capacity(PIECE, &mut self.bytes), &mut self.ids, &mut told)?;
+        let mut parser = Parser::new(
+            BufReader::with_capacity(PIECE, &mut self.bytes),
+            &mut self.ids,
+            &mut told,
+        )?;
         let mut time = self.first;
         while let Some(event) = parser.next()? {
             match event {
                 Event::Time(now) => time = now,
                 Event::Change(signal) if time < end => {
-                    let change = Change { time, signal, value: parser.value(), checkpoint: parser.in_checkpoint() };
+                    let change = Change {
+                        time,
+                        signal,
+                        value: parser.value(),
+                        checkpoint: parser.in_checkpoint(),
+                    };
                     if take(change).is_break() {
                         break;
                     }
@@ -109,7 +123,9 @@ impl Reader {
             }
             Event::Upscope => {
                 if self.open.pop().is_none() {
-                    parser.warn("upscope", || "`$upscope` ends no scope, and is passed over".to_owned());
+                    parser.warn("upscope", || {
+                        "`$upscope` ends no scope, and is passed over".to_owned()
+                    });
                 }
             }
             Event::Variable(declared, signal) => {
@@ -118,10 +134,22 @@ impl Reader {
                     self.survey.watch(signal);
                 }
                 let names = self.enumerations.take_next();
-                let (name, range, kind, port) = (declared.name, declared.range, declared.kind, declared.port);
-                self.variables.push(Variable { scope, name, range, kind, width, port, signal, names });
+                let (name, range, kind, port) =
+                    (declared.name, declared.range, declared.kind, declared.port);
+                self.variables.push(Variable {
+                    scope,
+                    name,
+                    range,
+                    kind,
+                    width,
+                    port,
+                    signal,
+                    names,
+                });
             }
-            Event::Attribute(Attribute::Enumeration(number, names)) => self.enumerations.declare(number, names),
+            Event::Attribute(Attribute::Enumeration(number, names)) => {
+                self.enumerations.declare(number, names)
+            }
             Event::Attribute(Attribute::Next(number)) => self.enumerations.announce(number),
             Event::TimeUnit(unit) => self.time_unit = Some(unit),
             Event::Time(time) => self.survey.instant(time),

@@ -29,7 +29,9 @@ impl Time {
         });
         if let Some((whole, rest)) = fraction {
             return Some(match Time::parse(whole.as_bytes())? {
-                Time::Whole(whole) if rest.bytes().any(|byte| byte != b'0') => Time::Fraction(whole),
+                Time::Whole(whole) if rest.bytes().any(|byte| byte != b'0') => {
+                    Time::Fraction(whole)
+                }
                 other => other,
             });
         }
@@ -93,7 +95,11 @@ mod tests {
         assert_eq!(real(b"-1.5e-3"), Some(-0.0015));
         assert_eq!(real(b"1,5"), Some(1.5));
         assert_eq!(real(b"inf"), Some(f64::INFINITY));
-        assert!(["nan", "-nan", "NaN", "nan(0x8)", "-1.#IND"].iter().all(|text| real(text.as_bytes()).is_some_and(f64::is_nan)));
+        assert!(
+            ["nan", "-nan", "NaN", "nan(0x8)", "-1.#IND"]
+                .iter()
+                .all(|text| real(text.as_bytes()).is_some_and(f64::is_nan))
+        );
         assert_eq!(real(b"x"), None);
     }
 }

@@ -91,10 +91,24 @@ impl<'a, R: BufRead> Parser<'a, R> {
     ///
     /// # Errors
     /// What the system says.
-    pub fn new(input: R, ids: &'a mut Ids, warnings: &'a mut Warnings) -> io::Result<Parser<'a, R>> {
+    pub fn new(
+        input: R,
+        ids: &'a mut Ids,
+        warnings: &'a mut Warnings,
+    ) -> io::Result<Parser<'a, R>> {
         let words = Words::new(input)?;
         let (held, bytes) = (Held::Text, vec![]);
-        Ok(Parser { words, ids, warnings, variables: 0, now: None, checkpoint: false, held, bytes, ended: false })
+        Ok(Parser {
+            words,
+            ids,
+            warnings,
+            variables: 0,
+            now: None,
+            checkpoint: false,
+            held,
+            bytes,
+            ended: false,
+        })
     }
 
     /// The value of the change that came last.
@@ -161,10 +175,14 @@ impl<'a, R: BufRead> Parser<'a, R> {
             b"$comment" => drop(self.content(|_| false)?),
             keyword if PASSED_OVER.contains(&keyword) => drop(self.content(is_section)?),
             b"$timezero" => {
-                self.warn("time zero", || "`$timezero` is passed over: times are drawn as they stand".to_owned());
+                self.warn("time zero", || {
+                    "`$timezero` is passed over: times are drawn as they stand".to_owned()
+                });
                 self.content(is_section)?;
             }
-            b"$attrbegin" => return Ok(declaration::attribute(&self.content(is_section)?).map(Event::Attribute)),
+            b"$attrbegin" => {
+                return Ok(declaration::attribute(&self.content(is_section)?).map(Event::Attribute));
+            }
             b"$timescale" => return self.time_unit(),
             b"$scope" => return self.scope(),
             b"$upscope$end" => return Ok(Some(Event::Upscope)),
@@ -177,7 +195,9 @@ impl<'a, R: BufRead> Parser<'a, R> {
             _ if self.words.current().ends_file => {}
             _ => {
                 let word = quoted(&self.words.current().bytes);
-                self.warn("section", || format!("the section {word} is not known, and passed over"));
+                self.warn("section", || {
+                    format!("the section {word} is not known, and passed over")
+                });
                 self.content(|word| is_section(word) || is_time(word))?;
             }
         }
@@ -198,7 +218,8 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 _ => break,
             };
             // Some leave out the blank before `$end`.
-            let ends = self.words.current().bytes.ends_with(b"$end") && self.words.peek()?.is_none_or(|word| word.begins_line);
+            let ends = self.words.current().bytes.ends_with(b"$end")
+                && self.words.peek()?.is_none_or(|word| word.begins_line);
             let bytes = &self.words.current().bytes;
             let bytes = if ends { &bytes[..bytes.len() - b"$end".len()] } else { bytes };
             if content.len() < MOST_WORDS {
@@ -240,7 +261,12 @@ impl<'a, R: BufRead> Parser<'a, R> {
         self.variables += 1;
         let declared = match declaration::variable(&content) {
             Ok(_) if self.variables > MOST_VARIABLES => {
-                let fault = ("many", format!("there are more than {MOST_VARIABLES} variables: the others are left out"));
+                let fault = (
+                    "many",
+                    format!(
+                        "there are more than {MOST_VARIABLES} variables: the others are left out"
+                    ),
+                );
                 Err((fault, None))
             }
             declared => declared,
@@ -275,21 +301,29 @@ impl<'a, R: BufRead> Parser<'a, R> {
         let stated = match parsed {
             Time::Whole(time) => time,
             Time::Fraction(time) => {
-                self.warn("fraction", || format!("the time {} is drawn without its fraction", quoted(word)));
+                self.warn("fraction", || {
+                    format!("the time {} is drawn without its fraction", quoted(word))
+                });
                 time
             }
             Time::Negative => {
-                self.warn("negative", || format!("the time {} lies before 0, and is drawn at 0", quoted(word)));
+                self.warn("negative", || {
+                    format!("the time {} lies before 0, and is drawn at 0", quoted(word))
+                });
                 0
             }
             Time::TooLarge => {
-                self.warn("late", || format!("the time {} is too large, and drawn at {LATEST}", quoted(word)));
+                self.warn("late", || {
+                    format!("the time {} is too large, and drawn at {LATEST}", quoted(word))
+                });
                 LATEST
             }
         };
         let now = self.now.map_or(stated, |now| now.max(stated));
         if now != stated {
-            self.warn("back", || format!("time goes back from {now} to {stated}: what follows is drawn at {now}"));
+            self.warn("back", || {
+                format!("time goes back from {now} to {stated}: what follows is drawn at {now}")
+            });
         }
         self.now = Some(now);
         Ok(Some(Event::Time(now)))
@@ -297,13 +331,30 @@ impl<'a, R: BufRead> Parser<'a, R> {
 }
 
 /// Sections whose content are values.
-const CHECKPOINTS: [&[u8]; 8] =
-    [b"$dumpvars", b"$dumpall", b"$dumpon", b"$dumpoff", b"$dumpports", b"$dumpportsall", b"$dumpportson", b"$dumpportsoff"];
+const CHECKPOINTS: [&[u8]; 8] = [
+    b"$dumpvars",
+    b"$dumpall",
+    b"$dumpon",
+    b"$dumpoff",
+    b"$dumpports",
+    b"$dumpportsall",
+    b"$dumpportson",
+    b"$dumpportsoff",
+];
 /// Sections in which nothing is that is drawn.
-const PASSED_OVER: [&[u8]; 5] = [b"$date", b"$version", b"$attrend", b"$dumpportslimit", b"$dumplimit"];
+const PASSED_OVER: [&[u8]; 5] =
+    [b"$date", b"$version", b"$attrend", b"$dumpportslimit", b"$dumplimit"];
 /// Sections that begin where another one has no end.
-const DECLARATIONS: [&[u8]; 8] =
-    [b"$date", b"$version", b"$timescale", b"$scope", b"$upscope", b"$var", b"$comment", b"$enddefinitions"];
+const DECLARATIONS: [&[u8]; 8] = [
+    b"$date",
+    b"$version",
+    b"$timescale",
+    b"$scope",
+    b"$upscope",
+    b"$var",
+    b"$comment",
+    b"$enddefinitions",
+];
 
 fn is_section(word: &Word) -> bool {
     let known = |bytes: &[u8]| DECLARATIONS.contains(&bytes) || CHECKPOINTS.contains(&bytes);
@@ -311,5 +362,6 @@ fn is_section(word: &Word) -> bool {
 }
 
 fn is_time(word: &Word) -> bool {
-    word.begins_line && word.bytes.strip_prefix(b"#").is_some_and(|time| Time::parse(time).is_some())
+    word.begins_line
+        && word.bytes.strip_prefix(b"#").is_some_and(|time| Time::parse(time).is_some())
 }

@@ -20,14 +20,19 @@ impl<R: BufRead> Parser<'_, R> {
             return Ok(None);
         }
         self.hold_bits(0..1);
-        let id = if self.words.current().bytes.len() > 1 { Some(1) } else { self.words.advance_in_line()?.then_some(0) };
+        let id = if self.words.current().bytes.len() > 1 {
+            Some(1)
+        } else {
+            self.words.advance_in_line()?.then_some(0)
+        };
         Ok(self.change(id))
     }
 
     pub(super) fn vector(&mut self) -> io::Result<Option<Event>> {
         let length = self.words.current().bytes.len();
         self.hold_bits(1..length);
-        if length == 1 && self.words.peek()?.is_some_and(|word| !word.begins_line && is_bits(word)) {
+        if length == 1 && self.words.peek()?.is_some_and(|word| !word.begins_line && is_bits(word))
+        {
             // Either bits behind a blank, or no bits and an identifier that looks like some.
             self.words.advance()?;
             if self.words.peek()?.is_none_or(|word| word.begins_line) {
@@ -37,7 +42,9 @@ impl<R: BufRead> Parser<'_, R> {
             self.hold_bits(0..length);
         }
         if self.words.current().cut {
-            self.warn("too long", || "a value of more than a million bits is passed over".to_owned());
+            self.warn("too long", || {
+                "a value of more than a million bits is passed over".to_owned()
+            });
             self.advance_to_id()?;
             return Ok(None);
         }
@@ -71,7 +78,9 @@ impl<R: BufRead> Parser<'_, R> {
         let Some(width) = self.ids.widths[number as usize] else { return };
         let length = self.bytes.len();
         if length > width as usize {
-            let said = || format!("a value of {length} bits for a signal of {width}: its lowest are drawn");
+            let said = || {
+                format!("a value of {length} bits for a signal of {width}: its lowest are drawn")
+            };
             self.warn("longer", said);
         }
         if length == 0 {
@@ -124,13 +133,16 @@ impl<R: BufRead> Parser<'_, R> {
 
     /// A port of an extended dump (IEEE 1364, 18.4.3): states, two strengths, identifier.
     pub(super) fn port(&mut self) -> io::Result<Option<Event>> {
-        let states: Option<Vec<u8>> = self.words.current().bytes[1..].iter().map(|&state| port_state(state)).collect();
+        let states: Option<Vec<u8>> =
+            self.words.current().bytes[1..].iter().map(|&state| port_state(state)).collect();
         let Some(states) = states else {
             let word = quoted(&self.words.current().bytes);
             self.warn("word", || format!("{word} is not understood, and passed over"));
             return Ok(None);
         };
-        self.warn("port", || "of the values of ports neither strengths nor drivers are drawn".to_owned());
+        self.warn("port", || {
+            "of the values of ports neither strengths nor drivers are drawn".to_owned()
+        });
         (self.held, self.bytes) = (Held::Bits, states);
         let mut id = None;
         for _ in 0..3 {
@@ -148,7 +160,8 @@ impl<R: BufRead> Parser<'_, R> {
             return Ok(Some(0));
         }
         let ids = &self.ids.numbers;
-        let declared = self.words.peek()?.is_some_and(|word| ids.contains_key(word.bytes.as_slice()));
+        let declared =
+            self.words.peek()?.is_some_and(|word| ids.contains_key(word.bytes.as_slice()));
         Ok((declared && self.words.advance()?).then_some(0))
     }
 
@@ -156,7 +169,9 @@ impl<R: BufRead> Parser<'_, R> {
     fn change(&mut self, id: Option<usize>) -> Option<Event> {
         let Some(from) = id else {
             let word = quoted(&self.words.current().bytes);
-            self.warn("no identifier", || format!("the value {word} has no identifier, and is passed over"));
+            self.warn("no identifier", || {
+                format!("the value {word} has no identifier, and is passed over")
+            });
             return None;
         };
         let id = &self.words.current().bytes[from..];
@@ -164,7 +179,9 @@ impl<R: BufRead> Parser<'_, R> {
             Some(&number) => number.map(Event::Change),
             None => {
                 let id = quoted(id);
-                self.warn("undeclared", || format!("no variable has the identifier {id}: its values are passed over"));
+                self.warn("undeclared", || {
+                    format!("no variable has the identifier {id}: its values are passed over")
+                });
                 None
             }
         }

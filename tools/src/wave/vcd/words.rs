@@ -43,7 +43,15 @@ impl<R: BufRead> Words<R> {
             input.consume(MARK.len());
         }
         let (current, spare) = (Word::default(), Word::default());
-        Ok(Words { input, line: 1, begins_line: true, returned: false, current, ahead: None, spare })
+        Ok(Words {
+            input,
+            line: 1,
+            begins_line: true,
+            returned: false,
+            current,
+            ahead: None,
+            spare,
+        })
     }
 
     /// The word that [`Words::advance`] came to last.
@@ -146,11 +154,16 @@ mod tests {
 
     fn words(text: &[u8]) -> Vec<(String, u64, bool)> {
         // Pieces of one byte, so that every word goes over their ends.
-        let mut words = Words::new(io::BufReader::with_capacity(3, text)).expect("memory can be read");
+        let mut words =
+            Words::new(io::BufReader::with_capacity(3, text)).expect("memory can be read");
         let mut found = vec![];
         while words.advance().expect("memory can be read") {
             let word = words.current();
-            found.push((String::from_utf8_lossy(&word.bytes).into_owned(), word.line, word.begins_line));
+            found.push((
+                String::from_utf8_lossy(&word.bytes).into_owned(),
+                word.line,
+                word.begins_line,
+            ));
         }
         found
     }
@@ -159,7 +172,9 @@ mod tests {
     fn lines_end_as_any_system_ends_them() {
         let expected = [("a", 1, true), ("b", 1, false), ("c", 2, true), ("d", 4, true)];
         let expected = expected.map(|(word, line, begins)| (word.to_owned(), line, begins));
-        for text in ["a b\nc\n\nd\n", "a b\r\nc\r\n\r\nd\r\n", "a b\rc\r\rd", "\u{feff}a\tb\n  c\n\nd"] {
+        for text in
+            ["a b\nc\n\nd\n", "a b\r\nc\r\n\r\nd\r\n", "a b\rc\r\rd", "\u{feff}a\tb\n  c\n\nd"]
+        {
             assert_eq!(words(text.as_bytes()), expected, "{text:?}");
         }
     }
