@@ -1,8 +1,8 @@
 //! What an elaborated core does in a pixel, counted as the papers count: powers and the materials'
 //! products left out.
 use serde::Serialize;
-use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, Op, Register, Scope, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, NodeId, Op, Register, Scope, ScopeId};
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
 use specula_testbench::BenchError;

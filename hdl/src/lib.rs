@@ -1,15 +1,16 @@
 //! Shading hardware, described at run time on rust-hdl.
 //!
-//! [`builder`] is what units are written with; [`units`] and [`cores`] are the hardware; [`design`]
-//! is what comes out, [`block`] turns it into rust-hdl blocks, and [`verilog`] prints those.
-pub mod block;
-pub mod builder;
+//! [`units`] and [`cores`] are written with the builder of [`specula_datapath`]; a core comes out as
+//! a [`specula_datapath::Design`].
 pub mod cores;
-pub mod design;
-pub mod target;
 pub mod units;
-pub mod verilog;
 
 pub use cores::elaborate;
-pub use design::Design;
-pub use specula_scene::SpanPacket;
+
+use specula_scene::CoreSpec;
+
+/// A name for the module of a scene's core, as [`specula_datapath::verilog::module_name`] makes it.
+pub fn module_name(scene: &str, spec: &CoreSpec) -> String {
+    let inputs = spec.inputs();
+    specula_datapath::verilog::module_name(scene, inputs.iter().map(|port| port.name.as_str()))
+}

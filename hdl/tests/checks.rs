@@ -1,8 +1,8 @@
 //! Both cores with every option through rust-hdl's checks, and what elaboration promises for all of
 //! them.
-use specula_hdl::Design;
-use specula_hdl::block::check_all;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::block::check_all;
+use specula_datapath::design::NodeId;
 use specula_scene::contributions::Contributions;
 use specula_scene::needs::Ranges;
 use specula_scene::spec::consistent::{Curve, Diffuse};

@@ -1,9 +1,11 @@
 //! A core's module is called as nothing in it, whatever its scene is called.
 use std::collections::BTreeSet;
 
-use specula_hdl::design::ScopeId;
-use specula_hdl::verilog::{CONTROL, module_name};
-use specula_hdl::{Design, elaborate};
+use specula_datapath::Design;
+use specula_datapath::design::ScopeId;
+use specula_datapath::verilog::CONTROL;
+use specula_hdl::elaborate;
+use specula_hdl::module_name;
 use specula_scene::{CoreSpec, Method};
 
 /// General cores, and those of the built-in scenes.

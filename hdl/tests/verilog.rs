@@ -1,8 +1,8 @@
 //! The Verilog of small cores as it is read by people, and what is said beside it.
 use std::fmt::Write;
 
-use specula_hdl::Design;
-use specula_hdl::verilog::{self, Header};
+use specula_datapath::Design;
+use specula_datapath::verilog::{self, Header};
 use specula_scene::contributions::Contributions;
 use specula_scene::needs::Ranges;
 use specula_scene::spec::lyon::{Difference, Normalisation};

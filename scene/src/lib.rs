@@ -9,7 +9,7 @@ pub mod contributions;
 pub mod defaults;
 mod error;
 mod file;
-pub mod format;
+
 pub mod frame;
 mod illumination;
 mod load;
@@ -26,7 +26,6 @@ mod surface;
 pub use builtin::builtin_names;
 pub use error::SceneError;
 pub use file::CoreTable;
-pub use format::Format;
 pub use frame::{
     Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone,
 };
@@ -36,4 +35,6 @@ pub use needs::Needs;
 pub use parallel::ParallelSpan;
 pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};
 pub use spec_file::SpecFile;
+pub use specula_datapath::Format;
+pub use specula_datapath::format;
 pub use surface::Surface;

@@ -8,8 +8,8 @@
 //! many clocks.
 use std::time::Instant;
 
-use specula_hdl::design::NodeId;
-use specula_hdl::{Design, SpanPacket};
+use specula_datapath::design::NodeId;
+use specula_datapath::{Design, SpanPacket};
 use specula_sim::fast::{Level, Settings};
 use specula_sim::{Batch, Engine, Fast, Flow, SpanSource, Stimulus};
 

@@ -1,7 +1,7 @@
 //! Values of signals over consecutive clocks: as an engine shows them, and as they can be kept.
 use std::ops::Range;
 
-use specula_hdl::design::NodeId;
+use specula_datapath::design::NodeId;
 
 /// The values of one signal, one for each clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

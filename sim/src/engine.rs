@@ -1,5 +1,5 @@
 //! What every engine offers.
-use specula_hdl::design::NodeId;
+use specula_datapath::design::NodeId;
 
 use crate::{Batch, Stimulus};
 

@@ -6,8 +6,8 @@ use fst_writer::{
     FstBodyWriter, FstFileType, FstHeaderWriter, FstInfo, FstScopeType, FstSignalId, FstSignalType,
     FstVarDirection, FstVarType, FstWriteError,
 };
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Scope, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, Scope, ScopeId};
 
 use crate::changes::{BLOCK, Changes};
 use crate::outline::{self, Entry, Outline};

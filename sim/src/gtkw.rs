@@ -11,8 +11,8 @@ use std::collections::HashSet;
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, Op, Register, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, NodeId, Op, Register, ScopeId};
 
 use crate::vcd::PERIOD;
 

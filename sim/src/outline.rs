@@ -2,8 +2,8 @@
 //! them.
 use std::collections::HashMap;
 
-use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, Op, Register, Scope, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, NodeId, Op, Register, Scope, ScopeId};
 
 /// What a waveform declares.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! rust-hdl's own simulator: the reference, slow, and right by definition.
-use specula_hdl::Design;
-use specula_hdl::block::{Module, check_all, simulate};
-use specula_hdl::design::{NodeId, Op};
+use specula_datapath::Design;
+use specula_datapath::block::{Module, check_all, simulate};
+use specula_datapath::design::{NodeId, Op};
 
 use crate::stimulus::Stretch;
 use crate::{Batch, Columns, Engine, Flow, SimError, Stimulus};

@@ -7,7 +7,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use specula_hdl::{Design, SpanPacket};
+use specula_datapath::{Design, SpanPacket};
 
 /// Spans that are to be shaded, set up one at a time so that memory does not grow with the picture.
 pub trait SpanSource: Sync {

@@ -1,8 +1,8 @@
 //! Cores in every engine.
 mod common;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_scene::spec::LightPipelines;
 use specula_scene::spec::phong::Places;
 use specula_scene::{CoreSpec, Frame, Method, MethodSpec};

@@ -7,8 +7,8 @@ mod each_method;
 use std::path::Path;
 use std::process::Command;
 
-use specula_hdl::design::ScopeId;
-use specula_hdl::verilog::{self, Header};
+use specula_datapath::design::ScopeId;
+use specula_datapath::verilog::{self, Header};
 use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation, Normals, ShapeDatapath};
 use specula_scene::{CoreSpec, Method};
 
@@ -147,7 +147,7 @@ fn verilator_is_silent_whatever_the_scene_is_called() {
     for scene in
         in_top.chain(instances).step_by(7).chain(ports).chain(["entity", "always_ff", "always"])
     {
-        let name = verilog::module_name(scene, &spec);
+        let name = specula_hdl::module_name(scene, &spec);
         let design = specula_hdl::elaborate(&spec, &name).unwrap();
         let text = verilog::print(&design.to_block(), &Header { lines: vec!["A core.".into()] });
         std::fs::write(directory.path().join(format!("{name}.v")), text).unwrap();

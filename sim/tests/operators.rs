@@ -4,8 +4,8 @@
 //! each other, so pixel p leaves at clock p + latency.
 mod common;
 
-use specula_hdl::SpanPacket;
-use specula_hdl::design::{NodeId, Range};
+use specula_datapath::SpanPacket;
+use specula_datapath::design::{NodeId, Range};
 use specula_sim::{Columns, Stimulus};
 
 use common::engines;

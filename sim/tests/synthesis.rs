@@ -4,8 +4,8 @@ mod common;
 use std::process::Command;
 use std::sync::Mutex;
 
-use specula_hdl::Design;
-use specula_hdl::verilog::{self, Header};
+use specula_datapath::Design;
+use specula_datapath::verilog::{self, Header};
 use specula_scene::Method;
 use specula_sim::{Progress, Synthesised, synthesise};
 

@@ -3,8 +3,8 @@ mod common;
 
 use std::collections::{HashMap, HashSet};
 
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op, Range};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, Op, Range};
 use specula_scene::Method;
 use specula_sim::{Columns, Fast, Stimulus, fst, gtkw, vcd as dump_vcd};
 use vcd::{Command, Header, IdCode, Parser, Value};
@@ -42,7 +42,7 @@ fn reads_back(method: Method) {
     assert_eq!(header.timescale, Some((1, vcd::TimescaleUnit::NS)));
     let codes: Vec<IdCode> =
         columns.nodes.iter().map(|&node| variable(&header, &design, node)).collect();
-    let core = design.path(specula_hdl::design::ScopeId::TOP)[0];
+    let core = design.path(specula_datapath::design::ScopeId::TOP)[0];
     let clock = header.find_var(&[core, "clock"]).unwrap().code;
     let reset = header.find_var(&[core, "reset"]).unwrap().code;
 

@@ -1,7 +1,7 @@
 //! The waveforms of every engine are the same, signal by signal and clock by clock.
 mod common;
 
-use specula_hdl::design::NodeId;
+use specula_datapath::design::NodeId;
 use specula_scene::Method;
 use specula_sim::{Engine, Fast, Icarus, RustHdl, Stimulus};
 

@@ -1,6 +1,6 @@
 //! Facts that intervals cannot see, checked on every clock.
-use specula_hdl::Design;
-use specula_hdl::design::{Assumption, NodeId, Range};
+use specula_datapath::Design;
+use specula_datapath::design::{Assumption, NodeId, Range};
 use specula_scene::Format;
 use specula_sim::{Batch, Lanes, Stimulus};
 

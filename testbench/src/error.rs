@@ -1,6 +1,6 @@
 //! What can go wrong between a scene and its pixels.
+use specula_datapath::builder::TooWide;
 use specula_golden::fixed::PacketError;
-use specula_hdl::builder::TooWide;
 use specula_scene::spec::SpecError;
 use specula_sim::SimError;
 

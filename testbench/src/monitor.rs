@@ -1,6 +1,6 @@
 //! Pixels as they leave the core: in which clock, and with which code.
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_sim::{Batch, Lanes, Stimulus};
 
 /// Collects the codes that leave and checks that they leave in the clocks in which they must.

@@ -2,8 +2,8 @@
 use std::ops::Range;
 use std::time::Instant;
 
-use specula_hdl::Design;
-use specula_hdl::design::{self, NodeId};
+use specula_datapath::Design;
+use specula_datapath::design::{self, NodeId};
 use specula_scene::{CoreSpec, Frame};
 use specula_sim::fast::Settings;
 use specula_sim::{

@@ -8,8 +8,8 @@ mod draw;
 mod each_method;
 
 use draw::Draw;
+use specula_datapath::Design;
 use specula_golden::exact::MethodSpan;
-use specula_hdl::Design;
 use specula_scene::spec::LightPipelines;
 use specula_scene::{CoreSpec, Frame, Method};
 use specula_testbench::{Bench, BenchError, EngineKind, Image};

@@ -3,7 +3,7 @@
 #[path = "../../scene/tests/common/each_method.rs"]
 mod each_method;
 
-use specula_hdl::design::NodeId;
+use specula_datapath::design::NodeId;
 use specula_scene::{Method, load};
 use specula_sim::fast::{Level, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};

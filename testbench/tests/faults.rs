@@ -4,7 +4,7 @@ mod common;
 
 use common::{Row, frame, frame_of, lyon, material, spec, tilted};
 use glam::DVec3;
-use specula_hdl::design::{Assumption, NodeId, Op, Range};
+use specula_datapath::design::{Assumption, NodeId, Op, Range};
 use specula_scene::spec::lyon::{Difference, Normalisation};
 use specula_scene::{CoreSpec, Frame, Method};
 use specula_testbench::{Bench, BenchError, EngineKind, Outcome};

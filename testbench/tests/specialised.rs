@@ -3,7 +3,7 @@
 #[path = "../../scene/tests/common/each_method.rs"]
 mod each_method;
 
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind, Image};
 

@@ -68,8 +68,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let scene = crate::scene::load(&arguments.scene, Some(arguments.size))?;
     let spec =
         specialised(scene.core_spec(arguments.method)?, Some(arguments.specialise), &scene.frame);
-    let bench =
-        Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(&scene.name, &spec))?;
+    let bench = Bench::new(&scene.frame, &spec, &specula_hdl::module_name(&scene.name, &spec))?;
     let extent = Extent { rounds: arguments.rounds as usize, seconds: arguments.seconds };
     let measurement = measured(&bench, extent)?;
     let measured = Measured { scene: &scene.name, bench: &bench, extent, measurement };

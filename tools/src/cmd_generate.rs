@@ -55,7 +55,7 @@ pub fn execute(
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
     let (file, origin) = arguments.core()?;
-    let module = specula_hdl::verilog::module_name(&file.name, &file.spec);
+    let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     arguments.device.fitted(&design)?;
     let text = verilog::text(&origin, &file.spec, &design);

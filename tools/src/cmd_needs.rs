@@ -3,8 +3,8 @@ use std::io::Write;
 
 use clap::Args;
 use serde::Serialize;
+use specula_datapath::Design;
 use specula_experiments::{Saving, Savings, Spared, Synthesis, savings};
-use specula_hdl::Design;
 use specula_scene::{CoreSpec, LoadedScene, Method, Needs};
 use specula_sim::{Progress, synthesise};
 

@@ -3,8 +3,8 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use miette::Diagnostic;
 use serde::Serialize;
+use specula_datapath::Design;
 use specula_experiments::explore::{Cost, Device};
-use specula_hdl::Design;
 use thiserror::Error;
 
 /// `--device`, for every command that makes a core.

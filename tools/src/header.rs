@@ -1,8 +1,8 @@
 //! What a Verilog file says of itself. The same spec gives the same lines: no dates, no places.
 use std::path::Path;
 
-use specula_hdl::Design;
-use specula_hdl::verilog::Header;
+use specula_datapath::Design;
+use specula_datapath::verilog::Header;
 use specula_scene::{CoreSpec, SpecFile, builtin_names};
 
 use crate::arguments::{NameArguments, SceneArguments, Wishes};

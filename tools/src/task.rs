@@ -58,7 +58,7 @@ impl Task {
 
     /// The name of its Verilog module.
     pub fn module(&self) -> String {
-        specula_hdl::verilog::module_name(&self.file.name, self.spec())
+        specula_hdl::module_name(&self.file.name, self.spec())
     }
 }
 

@@ -3,7 +3,7 @@ use std::fs::File;
 use std::io;
 
 use clap::ValueEnum;
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_sim::{Batch, fst, vcd};
 
 /// The kind of file that a waveform goes into.

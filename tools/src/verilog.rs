@@ -1,12 +1,12 @@
 //! The Verilog of a core.
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_scene::CoreSpec;
 
 use crate::header::{self, Origin};
 
 /// A core as text.
 pub fn text(origin: &Origin, spec: &CoreSpec, design: &Design) -> String {
-    specula_hdl::verilog::print(&design.to_block(), &header::header(origin, spec, design))
+    specula_datapath::verilog::print(&design.to_block(), &header::header(origin, spec, design))
 }
 
 /// The file that holds the module `module`: lint tools ask for the same name.

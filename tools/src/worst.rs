@@ -3,8 +3,8 @@
 use std::fs;
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, Op, ScopeId};
 use specula_sim::gtkw;
 use specula_testbench::trace::Choice;
 

@@ -1,8 +1,8 @@
 //! Running an engine and timing it.
 use std::time::Instant;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_sim::{Engine, Flow, Stimulus};
 
 use super::contestant::Timed;

@@ -1,8 +1,8 @@
 //! Why a measurement was not made.
 use std::io;
 
+use specula_datapath::builder::TooWide;
 use specula_golden::fixed::PacketError;
-use specula_hdl::builder::TooWide;
 use specula_sim::SimError;
 
 use specula_testbench::BenchError;

@@ -3,8 +3,8 @@ use std::io;
 use std::path::Path;
 use std::time::Instant;
 
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, ScopeId};
 use specula_sim::fast::Settings;
 use specula_sim::{Engine, Fast, Flow, RustHdl, SimError, Stimulus};
 

@@ -4,8 +4,8 @@ use std::hint::black_box;
 use std::io::{self, Sink, Write};
 use std::path::Path;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_sim::{Batch, fst, vcd};
 
 use super::Mode;

@@ -1,8 +1,8 @@
 //! Sums of codes, by which engines are checked while they are measured.
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_sim::{Batch, Lanes, Stimulus};
 
 /// The sum of each output over all pixels, modulo 2^32: as narrow as lanes are, so that adding up

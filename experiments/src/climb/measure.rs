@@ -1,9 +1,9 @@
 //! Measured error and proven bound of a scene and its core.
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use specula_datapath::Design;
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::{Model, PacketError};
-use specula_hdl::Design;
 use specula_scene::spec::FULL_SCALE;
 use specula_scene::{CoreSpec, Frame, parse};
 

@@ -136,7 +136,7 @@ fn fault_of<T>(result: Result<T, Unmeasured>) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use specula_hdl::Design;
+    use specula_datapath::Design;
 
     use super::super::ascent::NO_BOUND;
     use super::super::random;

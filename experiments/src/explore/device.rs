@@ -1,6 +1,6 @@
 //! What a core takes of an FPGA, as far as that can be told before any FPGA tool has seen it.
 use serde::Serialize;
-use specula_hdl::Design;
+use specula_datapath::Design;
 
 /// An FPGA, by what its maker's data sheet says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -1,5 +1,5 @@
 //! The counts that the lecture prints, against what the cores do.
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_scene::{Frame, Method, Needs};
 
 use super::{Contents, general_core};

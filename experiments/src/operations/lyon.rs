@@ -1,5 +1,5 @@
 //! The multipliers of figures 7 and 8, against those of the core [Lyon, TR 43].
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_scene::{Frame, Method, Needs};
 
 use super::general_core;

@@ -1,6 +1,6 @@
 //! General cores that a scene's is measured against.
 use serde::Serialize;
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_scene::{Frame, Needs};
 
 use super::needs::{EYE_AT_INFINITY, Fact, LIGHTS, LIGHTS_AT_INFINITY};

@@ -10,7 +10,7 @@ mod needs;
 mod spared;
 
 use serde::Serialize;
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_scene::{CoreSpec, LoadedScene};
 
 use general::General;

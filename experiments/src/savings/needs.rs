@@ -1,6 +1,6 @@
 //! Cores that do not know some of a scene's needs.
 use rayon::prelude::*;
-use specula_hdl::builder::TooWide;
+use specula_datapath::builder::TooWide;
 use specula_scene::needs::LocalKind;
 use specula_scene::spec::{InputPort, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::{CoreSpec, LoadedScene, Needs, SceneError};

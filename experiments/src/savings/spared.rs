@@ -1,6 +1,6 @@
 //! Hardware of one core against that of another.
 use serde::Serialize;
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_sim::{SimError, Synthesised};
 
 use specula_testbench::BenchError;

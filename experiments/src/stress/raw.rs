@@ -1,7 +1,7 @@
 //! Packets that no scene makes: patterns of bits within the ranges that ports state.
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_golden::fixed::Model;
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
 use specula_scene::spec::{InputPort, SpecError};
 use specula_scene::{CoreSpec, Method, Needs, SpanPacket, parse};
 use specula_sim::{Engine, Fast, Flow, Stimulus};

@@ -1,6 +1,6 @@
 //! Clocks that a core takes for a frame.
 use serde::{Deserialize, Serialize};
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_scene::Frame;
 
 /// Bits of a span's set-up that the host hands over in a clock.

@@ -1,6 +1,6 @@
 //! What is measured of one core.
 use serde::{Deserialize, Serialize};
-use specula_hdl::design::Size;
+use specula_datapath::design::Size;
 use specula_scene::{CoreSpec, LoadedScene};
 
 use super::cycles::FrameCycles;

@@ -3,11 +3,11 @@ use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Di
 use specula_scene::{CoreSpec, Format};
 
 use super::{eye, finish, pipelines, turns};
-use crate::builder::{Builder, Sig, TooWide, Vector};
-use crate::design::{Design, ErrorForm};
 use crate::units::{
     self, Consistency, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals,
 };
+use specula_datapath::builder::{Builder, Sig, TooWide, Vector};
+use specula_datapath::design::{Design, ErrorForm};
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection.
 /// [Reshetov, Soupikov and Mark]

@@ -3,9 +3,9 @@ use specula_scene::spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
 use specula_scene::{CoreSpec, Format};
 
 use super::{finish, pipelines, turns};
-use crate::builder::{Builder, Sig, TooWide};
-use crate::design::Design;
 use crate::units::{self, DirectedBase, Light, NewtonRoot, Product, QuotientFormat, UnitNormal};
+use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::design::Design;
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]

@@ -4,9 +4,9 @@ use specula_scene::spec::duff::{DuffLight, DuffSpec, Highlight};
 
 use super::forward::Forward;
 use super::{finish, pipelines, turns};
-use crate::builder::{Builder, Sig, TooWide};
-use crate::design::Design;
 use crate::units::{self, Base, Length, Light, QuotientFormat};
+use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::design::Design;
 
 /// Diffuse p/√q by forward differences, and a highlight of the same q and root. [Hast et al., eq. 3
 /// to 8, 17, 33 and 34]

@@ -1,8 +1,8 @@
 //! What goes along a span by additions.
 use specula_scene::spec::{Linear, Quadratic};
 
-use crate::builder::{Builder, Sig};
 use crate::units::{self, Differences, Steps};
+use specula_datapath::builder::{Builder, Sig};
 
 /// A core's spans.
 pub(super) struct Forward<'a> {

@@ -3,9 +3,9 @@ use specula_scene::CoreSpec;
 use specula_scene::spec::gouraud::{GouraudLight, GouraudSpec, Intensity};
 
 use super::{finish, pipelines, turns};
-use crate::builder::{Builder, Sig, TooWide};
-use crate::design::Design;
 use crate::units::{self, Light};
+use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::design::Design;
 
 /// For each light a diffuse and a specular intensity, one accumulator each, or none where they are
 /// uniform. [lecture, eq. 2.1 and 3.2 to 3.6]

@@ -4,9 +4,9 @@ use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
 
 use super::forward::Forward;
 use super::{finish, pipelines, turns};
-use crate::builder::{Builder, Sig, TooWide};
-use crate::design::Design;
 use crate::units::{self, Light};
+use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::design::Design;
 
 /// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al.,
 /// eq. 17 to 26]

@@ -5,9 +5,9 @@ use specula_scene::spec::lyon::{
 };
 
 use super::{eye, finish, pipelines, turns, unit_vector};
-use crate::builder::{Builder, Sig, TooWide, Vector};
-use crate::design::{Design, ErrorForm};
 use crate::units::{self, Follow, Interpolation, LengthOff, Light, SpanNormals, WrapFormats};
+use specula_datapath::builder::{Builder, Sig, TooWide, Vector};
+use specula_datapath::design::{Design, ErrorForm};
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
 /// 43, fig. 6 to 8]

@@ -16,10 +16,10 @@ use std::rc::Rc;
 use specula_scene::spec::EachInput;
 use specula_scene::{CoreSpec, Format, MethodSpec};
 
-use crate::builder::{Builder, Sig, TooWide, Turns, Vector};
-use crate::design::Design;
-use crate::target::Generic;
 use crate::units::{self, Coefficients, Light};
+use specula_datapath::builder::{Builder, Sig, TooWide, Turns, Vector};
+use specula_datapath::design::Design;
+use specula_datapath::target::Generic;
 
 /// The core that a spec asks for, elaborated under the module name `name`.
 ///

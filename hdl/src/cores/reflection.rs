@@ -4,9 +4,9 @@ use specula_scene::spec::{CoreSpec, Quadratic};
 
 use super::forward::Forward;
 use super::{finish, pipelines, turns};
-use crate::builder::{Builder, Sig, TooWide};
-use crate::design::Design;
 use crate::units::{self, Base, Light, QuotientFormat};
+use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::design::Design;
 
 /// |H|² of H = (N + n)/2 is no smaller along any span, except those where it and all numerators are 0.
 ///

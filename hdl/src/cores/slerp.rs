@@ -3,9 +3,9 @@ use specula_scene::CoreSpec;
 use specula_scene::spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
 
 use super::{eye, finish, pipelines, turns, unit_vector};
-use crate::builder::{Builder, Sig, TooWide, Vector};
-use crate::design::Design;
 use crate::units::{self, BaseBound, Light, Turn, Weighing};
+use specula_datapath::builder::{Builder, Sig, TooWide, Vector};
+use specula_datapath::design::Design;
 
 /// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base
 /// 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to 4.12]

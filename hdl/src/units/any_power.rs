@@ -5,7 +5,7 @@ use specula_scene::format::power_of_two;
 
 use super::power_error::PowerError;
 use super::{exp2, fixed_log};
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// b^n for a base from 0 to 1 and whole n ≥ 1, to `fraction_bits`: faithful, off by less than one
 /// unit of the last place.

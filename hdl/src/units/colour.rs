@@ -1,8 +1,8 @@
 //! From intensities to a pixel.
 use specula_scene::spec::FULL_SCALE;
 
-use crate::builder::{Builder, Sig, Turns};
-use crate::design::{ErrorForm, SHARES, Share};
+use specula_datapath::builder::{Builder, Sig, Turns};
+use specula_datapath::design::{ErrorForm, SHARES, Share};
 
 /// A colour coefficient for each channel, in LSBs of the output.
 pub type Coefficients = [Sig; 3];

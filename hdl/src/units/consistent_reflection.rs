@@ -4,7 +4,7 @@ use specula_scene::spec::consistent::ConsistentFormats;
 
 use super::divider::divider;
 use super::square_root::square_root;
-use crate::builder::{Builder, Off, Sig, Vector};
+use specula_datapath::builder::{Builder, Off, Sig, Vector};
 
 /// What is known of the real values, for error bounds alone.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@ use specula_scene::spec::consistent::{ConsistentFormats, Curve, LARGEST_ANGLE};
 
 use super::HOST_ERROR;
 use super::divider::{QuotientFormat, quotient};
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// t = 2α/π along a span.
 pub struct SpanAngles<'a> {

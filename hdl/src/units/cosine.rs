@@ -2,7 +2,7 @@
 use specula_scene::Format;
 
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// What divides by the length of a normal: its square q, and s = 1/√q.
 pub struct Length {

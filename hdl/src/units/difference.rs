@@ -2,7 +2,7 @@
 use specula_scene::spec::lyon::LyonFormats;
 
 use super::length_off::{LengthOff, Reflected};
-use crate::builder::{Builder, Off, Vector};
+use specula_datapath::builder::{Builder, Off, Vector};
 
 /// D = H × N with H = L + V, as long as the part of H that is perpendicular to N. [methods B13]
 ///

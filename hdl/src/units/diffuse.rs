@@ -3,7 +3,7 @@ use specula_scene::Format;
 use specula_scene::spec::lyon::LyonFormats;
 
 use super::HOST_ERROR;
-use crate::builder::{Builder, Sig, Vector};
+use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Lambert's cosine, I = max(N·L, 0). [Lyon, TR 43; methods B]
 pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Sig {

@@ -8,8 +8,8 @@ use super::divider::{QuotientFormat, quotient};
 use super::interpolate::{chord, overshoot, slack};
 use super::newton_root::NewtonRoot;
 use super::unit_vectors::half_unit_where_narrowed;
-use crate::builder::{Builder, Sig};
-use crate::design::ErrorForm;
+use specula_datapath::builder::{Builder, Sig};
+use specula_datapath::design::ErrorForm;
 
 /// t = i/S of at most `steps` + 1 pixels, 0 to 1 and what rounding of the step leads past it.
 pub fn parameter(b: &Builder, first: &Sig, step: &Sig, formats: &DirectFormats, steps: u32) -> Sig {

@@ -1,7 +1,7 @@
 //! Division.
 use specula_scene::format::power_of_two;
 
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// p/q clamped to [0, 1], to `fraction_bits`: the [`quotient`] without integer bits.
 pub fn divider(b: &Builder, p: &Sig, q: &Sig, fraction_bits: u32, smallest_divisor: f64) -> Sig {

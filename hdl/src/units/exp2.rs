@@ -4,7 +4,7 @@
 use specula_scene::format::power_of_two;
 
 use super::fixed_log;
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// The bit y ≥ `fraction_bits` + 2: 2^-y is then less than a quarter of the last place.
 pub(super) fn vanishes(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {

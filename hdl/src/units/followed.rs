@@ -2,7 +2,7 @@
 use specula_scene::spec::lyon::LyonFormats;
 
 use super::divider;
-use crate::builder::{Builder, Known, Off, Sig, Vector};
+use specula_datapath::builder::{Builder, Known, Off, Sig, Vector};
 
 /// What normals that follow one another begin with.
 pub struct Follow<'a> {

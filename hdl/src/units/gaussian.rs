@@ -5,7 +5,7 @@
 use specula_scene::format::power_of_two;
 
 use super::{exp2, fixed_log};
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// Parts of the table from 0 to 1: 2^4.
 const INDEX_BITS: u32 = 4;

@@ -1,7 +1,7 @@
 //! Vectors along a span.
 use specula_scene::Format;
 
-use crate::builder::{Builder, Sig, Vector};
+use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// What the normal along a span is interpolated from.
 pub struct SpanNormals<'a> {

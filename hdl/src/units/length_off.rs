@@ -1,5 +1,5 @@
 //! How far the length of a vector D is off: a highlight depends on that alone.
-use crate::builder::{Gains, Off, Vector};
+use specula_datapath::builder::{Gains, Off, Vector};
 
 /// On a way from the real D to the fixed one, |D| = d changes by no more than `level` + `growing` ·
 /// d + `falling`/d in all, if it were d all the way.

@@ -1,6 +1,6 @@
 //! What is linear along a span.
 use super::HOST_ERROR;
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// Start value and step of what is linear in the pixel number.
 pub struct Steps<'a> {

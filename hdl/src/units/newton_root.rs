@@ -4,7 +4,7 @@ use specula_scene::spec::direct::DirectFormats;
 
 use super::direct::at_least;
 use super::divider::{QuotientFormat, quotient};
-use crate::builder::{Builder, Known, Sig};
+use specula_datapath::builder::{Builder, Known, Sig};
 
 /// How Newton's method goes on from pixel to pixel.
 #[derive(Clone, Copy, Debug)]

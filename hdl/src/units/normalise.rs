@@ -3,7 +3,7 @@ use specula_scene::Format;
 use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
 
 use super::{ExactNormalisation, ReciprocalRoot, normalise_exactly};
-use crate::builder::{Builder, Off, Sig, Vector};
+use specula_datapath::builder::{Builder, Off, Sig, Vector};
 
 /// How long a normal can come out that was no longer than `longest`, before rounding.
 ///

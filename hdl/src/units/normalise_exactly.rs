@@ -2,7 +2,7 @@
 use specula_scene::format::power_of_two;
 
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-use crate::builder::{Builder, Off, Sig, Vector};
+use specula_datapath::builder::{Builder, Off, Sig, Vector};
 
 /// The narrowing points of an exact normalisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@ use specula_scene::format::power_of_two;
 
 use super::power_error::PowerError;
 use super::shape::square;
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// base^(2^j) for j = `log2_exponent`, 0 or more: each stage squares where j asks for it, else
 /// passes on. [Hast et al.; methods C3]

@@ -1,8 +1,8 @@
 //! How far powers of a cosine are off.
 use specula_scene::format::power_of_two;
 
-use crate::builder::Sig;
-use crate::design::{ErrorForm, SHARES, Share};
+use specula_datapath::builder::Sig;
+use specula_datapath::design::{ErrorForm, SHARES, Share};
 
 /// What is known of b^n of a base b from 0 to 1 and n from 1 on.
 ///

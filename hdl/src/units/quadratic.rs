@@ -1,6 +1,6 @@
 //! Quadratics by forward differences.
 use super::HOST_ERROR;
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// Start value and differences of a quadratic in the pixel number.
 pub struct Differences<'a> {

@@ -2,7 +2,7 @@
 use specula_scene::spec::power::{Power, PowerUnit};
 
 use super::{any_power, power};
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// base^n; `exponent` is what the unit's port is given.
 pub fn raised(b: &Builder, base: &Sig, exponent: &Sig, unit: PowerUnit) -> Sig {

@@ -2,8 +2,8 @@
 use specula_scene::Format;
 use specula_scene::format::power_of_two;
 
-use crate::builder::{Builder, Sig};
-use crate::design::Range;
+use specula_datapath::builder::{Builder, Sig};
+use specula_datapath::design::Range;
 
 /// The format and the reach of a reciprocal square root.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

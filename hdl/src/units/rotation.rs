@@ -2,7 +2,7 @@
 use specula_scene::spec::slerp::{LARGEST_WEIGHT, SlerpFormats};
 
 use super::HOST_ERROR;
-use crate::builder::{Builder, Known, Sig};
+use specula_datapath::builder::{Builder, Known, Sig};
 
 /// Cosine and sine of the angle i δ, from (1, 0) on, by a rotation in every clock; `turn` is cos δ
 /// and sin δ. [lecture, eq. 4.9 to 4.12; methods A11]

@@ -3,7 +3,7 @@ use specula_scene::spec::lyon::LyonSpec;
 
 use super::LengthOff;
 use super::shape_error::{shape_error, steepest_slope};
-use crate::builder::{Builder, Sig, Vector};
+use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// f_k(x) = (1 - x/2^k)^(2^k), 0 for x ≥ 2^k and where the normal has no direction, with x = (n/2)
 /// D·D. [Lyon, TR 43; methods B]

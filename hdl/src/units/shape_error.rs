@@ -2,7 +2,7 @@
 use specula_scene::spec::lyon::LyonSpec;
 
 use super::LengthOff;
-use crate::builder::Vector;
+use specula_datapath::builder::Vector;
 
 /// Steps from the middle of a highlight to its edge in which bounds are looked for; what grows
 /// counts at a step's end, what falls at its begin.

@@ -1,7 +1,7 @@
 //! Square roots.
 use specula_scene::format::power_of_two;
 
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// √x, or 0 where x ≤ 0, to `fraction_bits`, correctly rounded (ties up). [digit recurrence:
 /// Ercegovac and Lang, Digital Arithmetic, ch. 6]

@@ -3,7 +3,7 @@ use specula_scene::spec::slerp::SlerpFormats;
 
 use super::HOST_ERROR;
 use super::rotation::{drift, drift_across, sum_of_components};
-use crate::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 
 /// N·X = c A·X + s T·X, for L and V alike. [lecture, eq. 4.7; methods A10]
 ///

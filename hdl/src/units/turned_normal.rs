@@ -2,7 +2,7 @@
 use specula_scene::spec::slerp::SlerpFormats;
 
 use super::rotation::{drift, scaled_drift};
-use crate::builder::{Builder, Off, Sig, Vector};
+use specula_datapath::builder::{Builder, Off, Sig, Vector};
 
 /// What is known of the weights that a normal is put together with.
 #[derive(Clone, Copy, Debug)]

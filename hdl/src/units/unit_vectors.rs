@@ -4,8 +4,8 @@ use specula_scene::format::power_of_two;
 use super::divider::divider;
 use super::gaussian::kept_versine;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-use crate::builder::{Builder, Sig, Vector};
-use crate::design::ErrorForm;
+use specula_datapath::builder::{Builder, Sig, Vector};
+use specula_datapath::design::ErrorForm;
 
 /// The cosine of the angle between unit vectors, rounded to `fraction_bits`.
 ///

@@ -2,7 +2,7 @@
 use specula_scene::Format;
 
 use super::{divider, has_direction};
-use crate::builder::{Builder, Sig, Vector};
+use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Where a wrap rounds.
 #[derive(Clone, Copy, Debug)]

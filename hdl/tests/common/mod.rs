@@ -3,9 +3,9 @@
 #![allow(dead_code)]
 pub mod draw;
 
-use specula_hdl::block::{Module, simulate};
-use specula_hdl::design::{NodeId, Op};
-use specula_hdl::{Design, SpanPacket};
+use specula_datapath::block::{Module, simulate};
+use specula_datapath::design::{NodeId, Op};
+use specula_datapath::{Design, SpanPacket};
 
 /// What is put to the pins for one clock.
 #[derive(Clone, Debug)]

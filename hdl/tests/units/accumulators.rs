@@ -1,7 +1,7 @@
 //! What adds up along a span: spans of 1, 2, 3 and 8192 pixels, one straight after the other.
-use specula_hdl::builder::Vector;
+use specula_datapath::builder::Vector;
+use specula_datapath::{Design, SpanPacket};
 use specula_hdl::units::{self, Differences, Interpolation, SpanNormals, Steps};
-use specula_hdl::{Design, SpanPacket};
 use specula_scene::Format;
 
 use super::common::{Drive, run};

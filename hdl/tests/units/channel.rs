@@ -1,7 +1,7 @@
 //! From intensities to a code.
-use specula_hdl::Design;
-use specula_hdl::builder::Sig;
-use specula_hdl::design::ErrorForm;
+use specula_datapath::Design;
+use specula_datapath::builder::Sig;
+use specula_datapath::design::ErrorForm;
 use specula_hdl::units::{self, Light};
 use specula_scene::Format;
 

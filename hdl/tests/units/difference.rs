@@ -1,6 +1,6 @@
 //! Both forms of D.
-use specula_hdl::Design;
-use specula_hdl::builder::Vector;
+use specula_datapath::Design;
+use specula_datapath::builder::Vector;
 use specula_hdl::units;
 use specula_scene::Format;
 use specula_scene::spec::LyonSpec;

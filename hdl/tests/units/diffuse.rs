@@ -1,5 +1,5 @@
 //! Lambert's cosine.
-use specula_hdl::builder::Vector;
+use specula_datapath::builder::Vector;
 use specula_hdl::units;
 
 use super::{Bench, cube, dot, lyon, outputs, rounded};

@@ -24,9 +24,9 @@ mod turns;
 use std::rc::Rc;
 
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};
-use specula_hdl::Design;
-use specula_hdl::builder::{Builder, Sig, Turns};
-use specula_hdl::target::Generic;
+use specula_datapath::Design;
+use specula_datapath::builder::{Builder, Sig, Turns};
+use specula_datapath::target::Generic;
 use specula_scene::contributions::Contributions;
 use specula_scene::needs::Ranges;
 use specula_scene::spec::{InputPort, LyonSpec};

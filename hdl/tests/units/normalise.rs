@@ -1,6 +1,6 @@
 //! Approximate normalisation, over every normal of a small width.
-use specula_hdl::Design;
-use specula_hdl::builder::Vector;
+use specula_datapath::Design;
+use specula_datapath::builder::Vector;
 use specula_hdl::units;
 use specula_scene::spec::LyonSpec;
 use specula_scene::spec::lyon::Normalisation;

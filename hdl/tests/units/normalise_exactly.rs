@@ -1,6 +1,6 @@
 //! Exact normalisation, over every normal of a small width and many of a large one.
 use proptest::prelude::*;
-use specula_hdl::builder::Vector;
+use specula_datapath::builder::Vector;
 use specula_hdl::units::{self, ExactNormalisation, ReciprocalRoot};
 use specula_scene::Format;
 

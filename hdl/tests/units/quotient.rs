@@ -1,6 +1,6 @@
 //! Quotients with integer bits, over every pair of small operands and many of large ones.
 use proptest::prelude::*;
-use specula_hdl::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig};
 use specula_hdl::units::{self, QuotientFormat};
 use specula_scene::Format;
 

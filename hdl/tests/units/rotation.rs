@@ -1,6 +1,6 @@
 //! The rotation: spans one straight after the other, each from (1, 0) on, against the same steps in
 //! whole numbers.
-use specula_hdl::SpanPacket;
+use specula_datapath::SpanPacket;
 use specula_hdl::units;
 use specula_scene::Format;
 use specula_scene::spec::slerp::SlerpFormats;

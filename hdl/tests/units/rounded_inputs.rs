@@ -1,7 +1,7 @@
 //! Inputs that are always the same are off by what the host rounded, like any other, whatever
 //! hardware they leave out.
-use specula_hdl::Design;
-use specula_hdl::builder::Sig;
+use specula_datapath::Design;
+use specula_datapath::builder::Sig;
 use specula_hdl::units::{self, Differences, Steps};
 use specula_scene::Format;
 
@@ -192,10 +192,10 @@ fn stated_facts_leave_errors_alone() {
 /// Of values that take turns and are the same constant, the largest error counts.
 #[test]
 fn turns_that_are_all_the_same_have_the_largest_error() {
-    let b = specula_hdl::builder::Builder::new(
+    let b = specula_datapath::builder::Builder::new(
         "bench",
         "",
-        std::rc::Rc::new(specula_hdl::target::Generic),
+        std::rc::Rc::new(specula_datapath::target::Generic),
     );
     let turns = b.take_turns(&b.control(), 2);
     let coarse = b.integer(0).stated_error_value(0.25);

@@ -1,5 +1,5 @@
 //! Pixels of several clocks.
-use specula_hdl::builder::Sig;
+use specula_datapath::builder::Sig;
 use specula_scene::Format;
 use specula_scene::spec::InputPort;
 

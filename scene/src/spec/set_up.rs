@@ -1,16 +1,7 @@
 //! Set-up of one span: what the host works out in f64 and quantises into the core's formats.
-use super::{CoreSpec, FULL_SCALE, Viewpoint};
+use super::{CoreSpec, FULL_SCALE, SpanPacket, Viewpoint};
 use crate::frame::{Colour, Frame, Material, Span};
 use crate::parallel::ParallelSpan;
-
-/// What a core is given of one span.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SpanPacket {
-    /// Clocks for which the span goes in, one per pixel.
-    pub length: u32,
-    /// Raw values of [`CoreSpec::inputs`], in that order.
-    pub inputs: Vec<i64>,
-}
 
 /// Sets up spans of one frame for a core; what does not change from span to span is worked out
 /// once.

@@ -1,5 +1,5 @@
 //! Rows gathered into batches.
-use specula_hdl::design::NodeId;
+use specula_datapath::design::NodeId;
 
 use crate::{Batch, Columns, Flow, SimError};
 

@@ -1,6 +1,6 @@
 //! The ports of a core, as a simulator's main program sees them.
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, Op, ScopeId};
 
 /// A port of a core.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use std::io::{BufReader, ErrorKind, Read};
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, wrapped};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, wrapped};
 
 use super::batches::Batches;
 use crate::{Batch, Flow, SimError};

@@ -6,8 +6,8 @@
 //! Inputs are in two's complement, as wide as their port.
 use std::io::{self, BufWriter, Write};
 
-use specula_hdl::Design;
-use specula_hdl::design::wrapped;
+use specula_datapath::Design;
+use specula_datapath::design::wrapped;
 
 use crate::Stimulus;
 

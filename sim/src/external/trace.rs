@@ -7,8 +7,8 @@ use std::collections::HashMap;
 use std::io::{BufReader, Read};
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op, wrapped};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, Op, wrapped};
 use vcd::{Command, Header, IdCode, Parser, Value};
 
 use super::batches::Batches;

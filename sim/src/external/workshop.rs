@@ -2,8 +2,8 @@
 use std::fs::File;
 use std::path::Path;
 
-use specula_hdl::Design;
-use specula_hdl::verilog::{self, Header};
+use specula_datapath::Design;
+use specula_datapath::verilog::{self, Header};
 use tempfile::TempDir;
 
 use super::Ports;

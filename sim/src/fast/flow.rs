@@ -1,8 +1,8 @@
 //! Where values come from: registers and ports become delays of the column they copy.
 use std::collections::{HashMap, HashSet};
 
-use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, Op, Register, WideRange};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, NodeId, Op, Register, WideRange};
 use specula_kernels::{Extreme, Second};
 
 /// A signal's value at clock c is `root`'s unregistered value at clock c - `delay`, and 0 before
@@ -211,7 +211,7 @@ fn recurrence(design: &Design, id: NodeId, node: &Node) -> Option<Recurrence> {
 
 /// Range of an operator's result before it is brought to the signal's width.
 pub fn raw_range(design: &Design, op: Op) -> WideRange {
-    use specula_hdl::design::Range;
+    use specula_datapath::design::Range;
     let range = |id: NodeId| design.node(id).range;
     let same = |r: Range| r.into();
     match op {
@@ -235,6 +235,6 @@ pub fn raw_range(design: &Design, op: Op) -> WideRange {
 }
 
 /// Every value of as many bits as the range needs.
-fn bits_of(range: specula_hdl::design::Range) -> specula_hdl::design::Range {
-    specula_hdl::design::Range::whole(range.width(), range.signed())
+fn bits_of(range: specula_datapath::design::Range) -> specula_datapath::design::Range {
+    specula_datapath::design::Range::whole(range.width(), range.signed())
 }

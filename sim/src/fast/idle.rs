@@ -1,8 +1,8 @@
 //! What happens in a design that no pixel has reached.
 use std::collections::HashSet;
 
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op, Register, wrapped};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, Op, Register, wrapped};
 
 /// The sums, differences and products that overflow while a design is idle.
 ///

@@ -3,8 +3,8 @@ use std::collections::HashMap;
 use std::iter::Peekable;
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_kernels::Lane;
 
 use super::memory::{Column, Memory, PADDING, Place};

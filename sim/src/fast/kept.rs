@@ -1,7 +1,7 @@
 //! Values that one thread hands to another, in lanes as wide as they were computed in.
 use std::ops::Range;
 
-use specula_hdl::design::NodeId;
+use specula_datapath::design::NodeId;
 
 use crate::columns::Show;
 use crate::{Batch, Lanes};

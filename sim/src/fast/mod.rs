@@ -18,8 +18,8 @@ mod schedule;
 mod serial;
 mod step;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 pub use specula_kernels::Level;
 
 use crate::{Batch, Engine, Flow, SimError, Stimulus};

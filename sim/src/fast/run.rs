@@ -1,8 +1,8 @@
 //! A run of a plan over a stimulus.
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 
 use super::input::InputFeed;
 use super::memory::Memory;

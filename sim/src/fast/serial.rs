@@ -1,7 +1,7 @@
 //! What is evaluated lane after lane: feedback, and tables.
 use std::sync::Arc;
 
-use specula_hdl::design::{NodeId, Op, Table, wrapped};
+use specula_datapath::design::{NodeId, Op, Table, wrapped};
 use specula_kernels::{Lane, accumulate, hold, look_up};
 
 use super::memory::{Column, Memory, Place};

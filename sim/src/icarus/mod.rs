@@ -3,8 +3,8 @@ mod bench;
 
 use std::time::{Duration, Instant};
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 
 use crate::external::{OTHER_ENGINE, RESULTS, TRACE, Tool, Trace, Workshop, read_results};
 use crate::{Batch, Engine, Flow, SimError, Stimulus};

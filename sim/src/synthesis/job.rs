@@ -2,7 +2,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use specula_hdl::verilog::Library;
+use specula_datapath::verilog::Library;
 
 use super::{Synthesised, counts};
 use crate::SimError;

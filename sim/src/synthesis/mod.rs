@@ -14,8 +14,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use rayon::prelude::*;
-use specula_hdl::Design;
-use specula_hdl::verilog::Library;
+use specula_datapath::Design;
+use specula_datapath::verilog::Library;
 
 use crate::SimError;
 

@@ -1,8 +1,8 @@
 //! The definitions at the head of a file, and the codes that stand for its variables.
 use std::fmt::Write;
 
-use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, NodeId, ScopeId};
 
 use super::record::{Record, code};
 use crate::outline::{Entry, Outline};

@@ -14,7 +14,7 @@ mod waves;
 
 use std::io::{self, Write};
 
-use specula_hdl::Design;
+use specula_datapath::Design;
 
 use crate::Columns;
 pub use waves::Waves;

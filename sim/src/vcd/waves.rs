@@ -2,8 +2,8 @@
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 
 use super::PERIOD;
 use super::header::{Header, Variable};

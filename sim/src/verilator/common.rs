@@ -4,9 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use specula_hdl::Design;
-use specula_hdl::builder::Builder;
-use specula_hdl::target::Generic;
+use specula_datapath::Design;
+use specula_datapath::builder::Builder;
+use specula_datapath::target::Generic;
 
 use super::{Effort, HEADERS, HEADERS_FILE, Kind, Verilator};
 use crate::SimError;

@@ -7,8 +7,8 @@ mod timed;
 
 use std::time::{Duration, Instant};
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 
 use crate::external::{
     OTHER_ENGINE, RESULTS, STIMULUS, Sampling, TRACE, Tool, Trace, Workshop, read_results, tool,

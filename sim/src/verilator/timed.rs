@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::time::Instant;
 
-use specula_hdl::Design;
+use specula_datapath::Design;
 
 use super::{Effort, PROGRAM, Program, Verilator, glue};
 use crate::external::{STIMULUS, Workshop, tool};

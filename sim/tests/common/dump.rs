@@ -2,8 +2,8 @@
 use std::io::Cursor;
 use std::ops::Range;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_sim::vcd::PERIOD;
 use specula_sim::{Columns, fst, vcd};
 use wellen::simple::{Waveform, read_from_reader};
@@ -43,7 +43,7 @@ pub fn written(format: Format, design: &Design, columns: &Columns, piece: usize)
 pub fn read(file: Vec<u8>, design: &Design, nodes: &[NodeId], clocks: Range<u64>) -> Columns {
     let mut waveform = read_from_reader(Cursor::new(file)).unwrap();
     assert_eq!(waveform.time_table().last(), Some(&(PERIOD * clocks.end)));
-    let core = design.path(specula_hdl::design::ScopeId::TOP)[0].to_owned();
+    let core = design.path(specula_datapath::design::ScopeId::TOP)[0].to_owned();
     let edges: Vec<u64> =
         clocks.clone().flat_map(|clock| [PERIOD * clock, PERIOD * clock + PERIOD / 2]).collect();
     let levels: Vec<i64> = clocks.clone().flat_map(|_| [1, 0]).collect();

@@ -1,6 +1,6 @@
 //! Every engine on one stimulus.
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_sim::fast::{Level, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, Icarus, RustHdl, SimError, Stimulus};
 

@@ -1,6 +1,6 @@
 //! Small frames made by hand, and cores for them.
 use glam::DVec3;
-use specula_hdl::{Design, SpanPacket};
+use specula_datapath::{Design, SpanPacket};
 use specula_scene::spec::lyon::LyonSpec;
 use specula_scene::{
     CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, MethodSpec, Needs,

@@ -2,10 +2,10 @@
 //! numbers on the other.
 use std::rc::Rc;
 
-use specula_hdl::builder::{Builder, Sig, TooWide};
-use specula_hdl::design::Range;
-use specula_hdl::target::Generic;
-use specula_hdl::{Design, SpanPacket};
+use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::design::Range;
+use specula_datapath::target::Generic;
+use specula_datapath::{Design, SpanPacket};
 use specula_scene::Format;
 use specula_scene::spec::InputPort;
 

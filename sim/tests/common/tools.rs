@@ -2,7 +2,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use specula_hdl::Design;
+use specula_datapath::Design;
 use specula_sim::{Effort, Library, SimError, Verilator};
 
 /// Verilator for a short run; what all programs have in common is compiled once for all test

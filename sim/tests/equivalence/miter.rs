@@ -1,9 +1,9 @@
 //! A core for one scene beside the general one, in one module that says whether they agree.
 use std::fmt::Write;
 
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
-use specula_hdl::verilog::{self, Header};
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
+use specula_datapath::verilog::{self, Header};
 use specula_scene::CoreSpec;
 use specula_scene::spec::Given;
 

@@ -1,8 +1,8 @@
 //! A netlist with what goes into it, what is watched, and who runs it.
 use std::ops::Range;
 
-use specula_hdl::design::NodeId;
-use specula_hdl::{Design, SpanPacket};
+use specula_datapath::design::NodeId;
+use specula_datapath::{Design, SpanPacket};
 use specula_sim::fast::Settings;
 use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, SimError, Stimulus};
 

@@ -3,7 +3,7 @@ use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
-use specula_hdl::design::{NodeId, Op};
+use specula_datapath::design::{NodeId, Op};
 use specula_sim::fast::{Level, Settings};
 
 use crate::case::{Case, Subject};

@@ -1,7 +1,7 @@
 //! What a netlist means, from the meaning of each operator, clock by clock and as plainly as can
 //! be.
-use specula_hdl::Design;
-use specula_hdl::design::{Node, Op, Range, Register};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, Op, Range, Register};
 
 /// What goes in at a clock.
 #[derive(Clone, Debug)]
@@ -78,7 +78,7 @@ fn result(design: &Design, node: &Node, now: &[i64]) -> Result<i64, Untrue> {
 fn meaning(
     design: &Design,
     node: &Node,
-    value: impl Fn(specula_hdl::design::NodeId) -> i128,
+    value: impl Fn(specula_datapath::design::NodeId) -> i128,
 ) -> i128 {
     match node.op {
         Op::Input => 0,

@@ -18,7 +18,7 @@ mod read;
 
 use std::fmt::Write;
 
-use specula_hdl::design::{Node, NodeId, Op, Register, ScopeId};
+use specula_datapath::design::{Node, NodeId, Op, Register, ScopeId};
 use specula_sim::fast::Settings;
 
 use crate::case::{Case, Subject};

@@ -4,7 +4,7 @@
 //! They are few and large, since building one takes seconds; every signal of the core leaves it.
 mod known;
 
-use specula_hdl::design::NodeId;
+use specula_datapath::design::NodeId;
 use specula_sim::{Columns, Engine, Icarus};
 
 use crate::case::Case;

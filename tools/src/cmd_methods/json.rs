@@ -3,9 +3,9 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use serde_json::Value;
+use specula_datapath::Design;
 use specula_experiments::operations::Contents;
 use specula_experiments::stress::variant::Variant;
-use specula_hdl::Design;
 use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, Viewpoint};
 use specula_scene::{Format, LoadedScene, Method, Needs};
 use specula_testbench::{Bench, BenchError};
@@ -80,8 +80,7 @@ pub fn text() -> Result<String, ToolError> {
 
 fn facts(method: Method, scene: &LoadedScene) -> Result<MethodFacts, ToolError> {
     let spec = scene.core_spec(Some(method))?.general();
-    let design =
-        Bench::new(&scene.frame, &spec, &specula_hdl::verilog::module_name(SCENE, &spec))?.design;
+    let design = Bench::new(&scene.frame, &spec, &specula_hdl::module_name(SCENE, &spec))?.design;
     let size = design.size();
     Ok(MethodFacts {
         name: method.name(),

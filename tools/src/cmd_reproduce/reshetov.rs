@@ -1,9 +1,9 @@
 //! What there is of Reshetov's beside claims and plots: reflections that enter meshes, and what
 //! consistent normals cost.
+use specula_datapath::design::Size;
 use specula_experiments::reproduce::reshetov::inward::{self, Inward};
 use specula_experiments::reproduce::reshetov::seen::{Seen, seen};
 use specula_experiments::reproduce::reshetov::size::{SizedCore, sizes};
-use specula_hdl::design::Size;
 use specula_scene::{Frame, load, parse};
 
 use super::section::{Section, written};

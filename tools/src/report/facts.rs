@@ -1,7 +1,7 @@
 //! The facts that a core rests on: where its signals must lie, and where they were seen.
 use serde::Serialize;
-use specula_hdl::Design;
-use specula_hdl::design::{Assumption, Range};
+use specula_datapath::Design;
+use specula_datapath::design::{Assumption, Range};
 use specula_scene::Format;
 use specula_testbench::Outcome;
 

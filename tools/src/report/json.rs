@@ -1,7 +1,7 @@
 //! The report for programs.
 use serde::Serialize;
+use specula_datapath::design::Size;
 use specula_experiments::{Savings, Share};
-use specula_hdl::design::Size;
 use specula_scene::CoreSpec;
 use specula_testbench::{Errors, Violation, WorstQuantisation};
 

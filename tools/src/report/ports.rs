@@ -1,6 +1,6 @@
 //! The ports of a core, for people.
-use specula_hdl::Design;
-use specula_hdl::design::NodeId;
+use specula_datapath::Design;
+use specula_datapath::design::NodeId;
 use specula_scene::CoreSpec;
 
 /// Rows of name, direction, width, format and meaning: control, what a span brings, and the pixel

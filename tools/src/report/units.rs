@@ -1,6 +1,6 @@
 //! The units of a core and their sizes, for people.
-use specula_hdl::Design;
-use specula_hdl::design::{Scope, Size, UnitSize};
+use specula_datapath::Design;
+use specula_datapath::design::{Scope, Size, UnitSize};
 
 /// Rows of name, number, and what each one has: latency, multipliers, multiplier bits, adders,
 /// multiplexers, register bits. Equal units that stand one after the other share a row.

@@ -1,6 +1,6 @@
 //! What consistent normals cost in hardware.
-use specula_hdl::Design;
-use specula_hdl::design::Size;
+use specula_datapath::Design;
+use specula_datapath::design::Size;
 use specula_scene::spec::CoreOptions;
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 

@@ -4,10 +4,10 @@ use specula_scene::spec::phong::Way;
 use super::super::unit_vector;
 use super::Pixel;
 use super::lamp::Lamp;
-use crate::builder::{Sig, Vector};
 use crate::units::{
     self, ExactNormalisation, Interpolation, ReciprocalRoot, ToPlace, WrapFormats, WrappedPlace,
 };
+use specula_datapath::builder::{Sig, Vector};
 
 /// A unit vector, and whether there is one.
 pub(super) struct Direction {

@@ -2,7 +2,7 @@
 use specula_scene::spec::phong::{PhongLight, Way};
 
 use super::super::pipelines;
-use crate::builder::{Builder, Sig, Turns};
+use specula_datapath::builder::{Builder, Sig, Turns};
 
 /// A pipeline's light, which may be another in every turn.
 pub(super) struct Lamp {

@@ -6,9 +6,9 @@ use specula_scene::CoreSpec;
 use specula_scene::spec::phong::{Highlight, PhongInputs, PhongSpec};
 
 use super::{eye, finish, turns, unit_vector};
-use crate::builder::{Builder, Sig, TooWide, Turns};
-use crate::design::Design;
 use crate::units::{self, Interpolation, Light};
+use specula_datapath::builder::{Builder, Sig, TooWide, Turns};
+use specula_datapath::design::Design;
 
 use direction::Direction;
 use lamp::{Lamp, lamps};

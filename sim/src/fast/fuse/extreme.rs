@@ -1,5 +1,5 @@
 //! A comparison and the choice between what it compares are the smaller or the larger of the two.
-use specula_hdl::design::{NodeId, Op};
+use specula_datapath::design::{NodeId, Op};
 use specula_kernels::{Extreme, Post, Wrap};
 
 use super::{Fused, Fuser, post};

@@ -9,8 +9,8 @@ mod products;
 
 use std::collections::{HashMap, HashSet};
 
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, Op};
 use specula_kernels::Post;
 
 use super::flow::{Flow, Fused, Source};

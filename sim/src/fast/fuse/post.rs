@@ -1,5 +1,5 @@
 //! Shifts, rounding and wrapping go into the kernel of the operator before them.
-use specula_hdl::design::{Node, NodeId, Op, Range};
+use specula_datapath::design::{Node, NodeId, Op, Range};
 use specula_kernels::{Post, Shift, Wrap};
 
 use super::{Fused, Fuser, Source};

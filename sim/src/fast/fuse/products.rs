@@ -1,5 +1,5 @@
 //! Products, and what is as good as one, go into the sum or difference that reads them.
-use specula_hdl::design::{NodeId, Op};
+use specula_datapath::design::{NodeId, Op};
 use specula_kernels::{Post, Second};
 
 use super::{Fused, Fuser, Source};

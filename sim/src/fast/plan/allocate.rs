@@ -1,7 +1,7 @@
 //! Columns for roots.
 use std::collections::{HashMap, HashSet};
 
-use specula_hdl::design::{NodeId, Op};
+use specula_datapath::design::{NodeId, Op};
 
 use super::Planner;
 use crate::fast::memory::Place;

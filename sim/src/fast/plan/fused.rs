@@ -1,5 +1,5 @@
 //! The kernel for a product, and for an operator that others have been fused into.
-use specula_hdl::design::{NodeId, Op, Range};
+use specula_datapath::design::{NodeId, Op, Range};
 use specula_kernels::{
     Arithmetic, Magnitude, Post, Products, Second, Wrap, extreme, narrow_products,
     products_through_wide, wide_products,

@@ -7,8 +7,8 @@ mod select;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, Op, Range, Table};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, NodeId, Op, Range, Table};
 use specula_kernels::{Arithmetic, Bits, Level};
 
 use super::flow::{Flow, Recurrence, Source};

@@ -1,7 +1,7 @@
 //! How much of the past a plan depends on.
 use std::collections::HashMap;
 
-use specula_hdl::design::NodeId;
+use specula_datapath::design::NodeId;
 
 use super::Planner;
 use crate::fast::flow::{Recurrence, Source};

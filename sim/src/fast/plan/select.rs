@@ -1,5 +1,5 @@
 //! The kernel for an operator: which lanes it reads, computes and writes.
-use specula_hdl::design::{NodeId, Op, Range, TableId};
+use specula_datapath::design::{NodeId, Op, Range, TableId};
 use specula_kernels::{
     Arithmetic, Bits, Post, bits, choose, less_than, narrow, narrow_through_wide, narrowing, wide,
     widening,

@@ -1,5 +1,5 @@
 //! Registers that read what comes later.
-use specula_hdl::design::{NodeId, Op, Range, Register, ScopeId};
+use specula_datapath::design::{NodeId, Op, Range, Register, ScopeId};
 
 use super::{Net, ranges};
 

@@ -9,7 +9,7 @@ mod ranges;
 mod stimulus;
 mod units;
 
-use specula_hdl::design::{NodeId, Op, Register};
+use specula_datapath::design::{NodeId, Op, Register};
 
 use crate::case::{Case, Subject};
 use crate::common::random::Random;
@@ -61,7 +61,7 @@ fn grow(net: &mut Net) {
 
 /// Copies in the core leave it; validity comes out after some clocks.
 fn add_outputs(net: &mut Net) {
-    net.scope = specula_hdl::design::ScopeId::TOP;
+    net.scope = specula_datapath::design::ScopeId::TOP;
     let mut valid = net.design.valid;
     let clocks = net.random.below(9);
     for _ in 0..clocks {

@@ -1,6 +1,6 @@
 //! A netlist that grows.
-use specula_hdl::Design;
-use specula_hdl::design::{Node, NodeId, Op, Range, Register, Scope, ScopeId};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, NodeId, Op, Range, Register, Scope, ScopeId};
 
 use super::ranges;
 use crate::common::random::Random;

@@ -1,5 +1,5 @@
 //! Operators on what is there.
-use specula_hdl::design::{NodeId, Op, Range, Register, Table, TableId};
+use specula_datapath::design::{NodeId, Op, Range, Register, Table, TableId};
 
 use super::{Net, ranges};
 

@@ -1,6 +1,6 @@
 //! Ranges of what is drawn.
-use specula_hdl::Design;
-use specula_hdl::design::{NodeId, Op, Range};
+use specula_datapath::Design;
+use specula_datapath::design::{NodeId, Op, Range};
 
 use crate::common::random::Random;
 

@@ -1,6 +1,6 @@
 //! What goes in.
-use specula_hdl::design::Range;
-use specula_hdl::{Design, SpanPacket};
+use specula_datapath::design::Range;
+use specula_datapath::{Design, SpanPacket};
 
 use crate::common::random::Random;
 use crate::profile::Profile;

@@ -1,5 +1,5 @@
 //! Units: signals cross their borders by copies, as the builder makes them.
-use specula_hdl::design::{NodeId, Op, Register, ScopeId};
+use specula_datapath::design::{NodeId, Op, Register, ScopeId};
 
 use super::Net;
 use super::net::scope;

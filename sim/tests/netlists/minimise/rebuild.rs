@@ -1,5 +1,5 @@
 //! Takes out what no watched signal depends on.
-use specula_hdl::design::{NodeId, TableId};
+use specula_datapath::design::{NodeId, TableId};
 
 use crate::case::Case;
 
@@ -65,7 +65,7 @@ fn drop_inputs(less: &mut Case, needed: &[bool], new: &dyn Fn(NodeId) -> NodeId)
 }
 
 fn drop_tables(less: &mut Case) {
-    use specula_hdl::design::Op;
+    use specula_datapath::design::Op;
     let mut tables = vec![];
     for node in &mut less.design.nodes {
         if let Op::LookUp(_, table) = &mut node.op {

@@ -1,5 +1,5 @@
 //! What can be taken away from a run.
-use specula_hdl::design::{NodeId, Op, Range, Register, ScopeId};
+use specula_datapath::design::{NodeId, Op, Range, Register, ScopeId};
 use specula_sim::fast::Settings;
 
 use super::rebuild::without_unused;

@@ -1,8 +1,8 @@
 //! Reads what `print` wrote.
 use std::str::FromStr;
 
-use specula_hdl::SpanPacket;
-use specula_hdl::design::{Node, NodeId, Op, Range, Register, ScopeId, Table, TableId};
+use specula_datapath::SpanPacket;
+use specula_datapath::design::{Node, NodeId, Op, Range, Register, ScopeId, Table, TableId};
 use specula_sim::fast::{Level, Settings};
 
 use crate::case::{Case, Subject};

@@ -2,8 +2,8 @@
 //!
 //! Icarus begins with X there, and a netlist's registers of data have no reset. Where a value might
 //! be X it is not compared.
-use specula_hdl::Design;
-use specula_hdl::design::{Node, Op, Register};
+use specula_datapath::Design;
+use specula_datapath::design::{Node, Op, Register};
 
 /// For every signal at every clock, whether it is known; `values` are those of a run from clock 0
 /// on.
@@ -42,7 +42,7 @@ fn after_edge(design: &Design, now: &[bool], value: Values) -> Vec<bool> {
 
 /// Whether all is known that the result depends on.
 fn follows(node: &Node, now: &[bool], value: Values) -> bool {
-    let known = |id: specula_hdl::design::NodeId| now[id.0 as usize];
+    let known = |id: specula_datapath::design::NodeId| now[id.0 as usize];
     match node.op {
         Op::Select(c, a, b) => match value(c.0 as usize).filter(|_| known(c)) {
             Some(1) => known(a),

@@ -8,7 +8,7 @@ mod prune;
 mod range;
 mod size;
 
-use specula_scene::Format;
+use crate::Format;
 
 pub use error_form::{ErrorForm, SHARES, Share};
 pub use op::{Op, Table, TableId, wrapped};

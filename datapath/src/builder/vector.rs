@@ -1,7 +1,7 @@
 //! Vectors of three components.
 use std::ops::{Add, Sub};
 
-use specula_scene::format::power_of_two;
+use crate::format::power_of_two;
 
 use super::Sig;
 

@@ -1,6 +1,4 @@
 //! Names that a module may have, whatever the scene is called that it is for.
-use specula_scene::CoreSpec;
-
 /// Names of every module's control ports.
 pub const CONTROL: [&str; 2] = ["clock", "reset"];
 
@@ -14,12 +12,12 @@ pub fn is_reserved(word: &str) -> bool {
 
 /// A name for the module of a core from a scene's name: small letters, digits and single
 /// underscores between them. It is the scene's own where it can be, and has `_core` behind it where
-/// it is a port of the core's, which would be hidden, or a word that a hardware description
+/// it is one of the core's `ports`, which would be hidden, or a word that a hardware description
 /// language or a file system keeps for itself.
-pub fn module_name(scene: &str, spec: &CoreSpec) -> String {
+pub fn module_name<'a>(scene: &str, ports: impl IntoIterator<Item = &'a str>) -> String {
     let name = legal(scene);
     let is_port = CONTROL.iter().chain(&PIXEL).any(|port| *port == name)
-        || spec.inputs().iter().any(|port| port.name == name);
+        || ports.into_iter().any(|port| port == name);
     let is_kept = is_reserved(&name) || ELSEWHERE.split(' ').any(|reserved| reserved == name);
     if is_port || is_kept { format!("{name}_core") } else { name }
 }

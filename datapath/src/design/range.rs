@@ -1,5 +1,5 @@
 //! Intervals of raw values, from which widths are derived.
-use specula_scene::format::WIDEST_SIGNAL;
+use crate::format::WIDEST_SIGNAL;
 
 /// Every raw value that a signal can take lies in `low..=high`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

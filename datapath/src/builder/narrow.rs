@@ -1,5 +1,5 @@
 //! Narrowing: always explicit, always named in the spec.
-use specula_scene::format::power_of_two;
+use crate::format::power_of_two;
 
 use super::Sig;
 use super::real::Real;

@@ -37,7 +37,7 @@ impl InputPort {
     }
 
     /// Ports of a vector's components, each from -`limit` to `limit`.
-    pub(super) fn vector(name: &str, format: Format, limit: f64) -> [InputPort; 3] {
+    pub fn vector(name: &str, format: Format, limit: f64) -> [InputPort; 3] {
         ["x", "y", "z"]
             .map(|axis| InputPort::between(format!("{name}_{axis}"), format, -limit, limit))
     }

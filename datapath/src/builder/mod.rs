@@ -25,7 +25,7 @@ mod vector;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use specula_scene::spec::InputPort;
+use crate::InputPort;
 
 use crate::design::{Design, NodeId, Op, Range, Register};
 use crate::target::Target;

@@ -1,6 +1,6 @@
 //! A value being described.
-use specula_scene::Format;
-use specula_scene::format::power_of_two;
+use crate::Format;
+use crate::format::power_of_two;
 
 use super::Builder;
 use super::real::Real;

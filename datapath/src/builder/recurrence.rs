@@ -81,7 +81,7 @@ impl Builder {
     ) -> Round<N> {
         let first = first.aligned(stage);
         let starts = starts.map(|sig| sig.with_fraction_bits(fraction_bits).aligned(stage));
-        let raw = |value: f64| value * specula_scene::format::power_of_two(fraction_bits.into());
+        let raw = |value: f64| value * crate::format::power_of_two(fraction_bits.into());
         let stays =
             Range::new(raw(known.limits.0).floor() as i64, raw(known.limits.1).ceil() as i64);
         let whole = Range::whole(stays.width(), stays.signed());

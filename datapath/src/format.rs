@@ -2,7 +2,6 @@
 use std::fmt;
 use std::str::FromStr;
 
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// The widest signal anywhere in a design, in bits (DESIGN.md section 2).
@@ -93,8 +92,8 @@ impl Format {
     }
 
     /// [`Format::quantise`] for each component.
-    pub fn quantise_vector(self, vector: DVec3) -> [i64; 3] {
-        vector.to_array().map(|component| self.quantise(component))
+    pub fn quantise_vector(self, vector: impl Into<[f64; 3]>) -> [i64; 3] {
+        vector.into().map(|component| self.quantise(component))
     }
 }
 
