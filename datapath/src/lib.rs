@@ -6,12 +6,14 @@ pub mod block;
 pub mod builder;
 pub mod design;
 pub mod format;
+pub mod graph;
 mod packet;
+pub mod pass;
 mod port;
 pub mod target;
 pub mod verilog;
 
-pub use builder::Builder;
+pub use builder::{BuildError, Builder};
 pub use design::Design;
 pub use format::{Format, FormatError};
 pub use packet::SpanPacket;

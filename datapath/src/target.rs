@@ -37,17 +37,3 @@ impl Target for Generic {
         }
     }
 }
-
-/// No registers at all: for what a unit wants within one clock.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Unregistered;
-
-impl Target for Unregistered {
-    fn name(&self) -> &'static str {
-        "unregistered"
-    }
-
-    fn registers_after(&self, _: &Op) -> u32 {
-        0
-    }
-}

@@ -1,5 +1,5 @@
 //! What can go wrong between a scene and its pixels.
-use specula_datapath::builder::TooWide;
+use specula_datapath::BuildError;
 use specula_golden::fixed::PacketError;
 use specula_scene::spec::SpecError;
 use specula_sim::SimError;
@@ -13,7 +13,14 @@ pub enum BenchError {
         code(specula::core::width),
         help("lower the fraction bits in the scene file's [core] table")
     )]
-    TooWide(#[from] TooWide),
+    TooWide(BuildError),
+    /// A unit uses the builder wrongly.
+    #[error("the core cannot be built: {0}")]
+    #[diagnostic(
+        code(specula::core::build),
+        help("this is a fault of Specula's: please report it with the scene")
+    )]
+    Build(BuildError),
     /// No core can be built for the frame.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -29,6 +36,15 @@ pub enum BenchError {
         help("this is a fault of Specula's: please report it with the scene")
     )]
     Packet(PacketError),
+}
+
+impl From<BuildError> for BenchError {
+    fn from(error: BuildError) -> BenchError {
+        match error {
+            BuildError::SignalTooWide { .. } => BenchError::TooWide(error),
+            _ => BenchError::Build(error),
+        }
+    }
 }
 
 impl From<PacketError> for BenchError {

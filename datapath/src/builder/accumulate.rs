@@ -1,7 +1,8 @@
 //! The usual feedback: a value that grows by a step with each pixel of a span.
 use super::state::Facts;
 use super::{Builder, Sig};
-use crate::design::{Node, NodeId, Op, Range, Register};
+use crate::design::{NodeId, Op, Range};
+use crate::graph::{GroupId, Pace, Value};
 
 impl Sig {
     /// `start` at the first pixel of a span (where `first` is 1), and from then on `step` more with
@@ -27,23 +28,22 @@ impl Sig {
             return start.never_growing(error);
         }
         let builder = first.builder.clone();
-        let stage = [first, &start, &step].map(Sig::stage).into_iter().max().unwrap_or(0);
-        let (first, start, step) =
-            (first.aligned(stage), start.aligned(stage), step.aligned(stage));
+        let round = builder.group([first, &start, &step]);
+        let [first, start, step] = [first, &start, &step].map(|sig| sig.taken_with(round));
 
         let raw = |value: f64| value / start.ulp();
         let assumed =
             Range::new(raw(low).floor() as i64, raw(high).ceil() as i64).hull(start.range());
         let whole = Range::whole(assumed.width(), assumed.signed());
-        let state = builder.feedback_register(whole, fraction_bits, stage);
+        let state = builder.feedback_register(whole, fraction_bits, round);
         let facts = |range: Range, kind| Facts { range: range.into(), fraction_bits, error, kind };
         let select = Op::Select(first.id(), start.id(), builder.kept_for_a_pixel(state));
-        let value = builder.emit(select, Register::None, facts(whole.hull(start.range()), "value"));
+        let value = builder.emit(select, Pace::Wire, facts(whole.hull(start.range()), "value"));
         let next_range = Facts { range: value.range().plus(step.range()), ..facts(whole, "next") };
-        let next = builder.emit(Op::Add(value.id(), step.id()), Register::None, next_range);
-        builder.state.borrow_mut().design.nodes[state.0 as usize].op = Op::Wrap(next.id());
+        let next = builder.emit(Op::Add(value.id(), step.id()), Pace::Wire, next_range);
+        builder.close_loop(state, &next);
         let value = value.assumed(low, high, fact);
-        builder.emit(Op::Copy(value.id()), Register::Data, facts(value.range(), "accumulated"))
+        builder.emit(Op::Copy(value.id()), Pace::Register, facts(value.range(), "accumulated"))
     }
 
     /// `start` and the `term` of every clock since `first` was 1, this one included.
@@ -62,28 +62,26 @@ impl Sig {
         let (start, term) =
             (start.with_fraction_bits(fraction_bits), term.with_fraction_bits(fraction_bits));
         let builder = first.builder.clone();
-        let stage = [first, &start, &term].map(Sig::stage).into_iter().max().unwrap_or(0);
-        let (first, start, term) =
-            (first.aligned(stage), start.aligned(stage), term.aligned(stage));
+        let round = builder.group([first, &start, &term]);
+        let [first, start, term] = [first, &start, &term].map(|sig| sig.taken_with(round));
         let error = start.error() + f64::from(most) * term.error();
 
         let raw = |value: f64| value / start.ulp();
         let stated = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64);
         let whole = Range::whole(stated.width(), stated.signed());
-        let state = builder.feedback_register(whole, fraction_bits, stage);
+        let state = builder.feedback_register(whole, fraction_bits, round);
         let select = Op::Select(first.id(), start.id(), state);
         let facts = |range: Range, kind| Facts { range: range.into(), fraction_bits, error, kind };
-        let before =
-            builder.emit(select, Register::None, facts(whole.hull(start.range()), "before"));
+        let before = builder.emit(select, Pace::Wire, facts(whole.hull(start.range()), "before"));
         let range = before.range().plus(term.range());
         let sum = builder.emit(
             Op::Add(before.id(), term.id()),
-            Register::None,
+            Pace::Wire,
             Facts { range, ..facts(whole, "sum") },
         );
-        builder.state.borrow_mut().design.nodes[state.0 as usize].op = Op::Wrap(sum.id());
+        builder.close_loop(state, &sum);
         let sum = sum.assumed(low, high, fact);
-        builder.emit(Op::Copy(sum.id()), Register::Data, facts(sum.range(), "summed"))
+        builder.emit(Op::Copy(sum.id()), Pace::Register, facts(sum.range(), "summed"))
     }
 
     /// What starts here and never changes: inputs are held while their span goes in, so no register
@@ -100,27 +98,41 @@ impl Sig {
             error,
             kind: "accumulated",
         };
-        self.builder.emit(Op::Copy(self.id()), Register::Data, facts)
+        self.builder.emit(Op::Copy(self.id()), Pace::Register, facts)
     }
 }
 
 impl Builder {
+    /// Values that are taken together.
+    pub(super) fn group<'a>(&self, members: impl IntoIterator<Item = &'a Sig>) -> GroupId {
+        self.state.borrow_mut().group(members.into_iter().map(Sig::id))
+    }
+
     /// A feedback register's value of the pixel before, where pixels take several clocks.
     pub(super) fn kept_for_a_pixel(&self, register: NodeId) -> NodeId {
         let mut state = self.state.borrow_mut();
-        (1..state.design.interval).fold(register, |before, _| {
-            let node = state.design.node(before).clone();
-            let name = state.unique(node.scope, "state");
-            state.push(Node { op: Op::Copy(before), name, ..node })
+        (1..state.graph.interval).fold(register, |before, _| {
+            let value = state.graph.value(before).clone();
+            let name = state.unique(value.scope, "state");
+            state.push(Value { op: Op::Copy(before), name, ..value })
         })
     }
 
-    /// A register whose operand comes later. Until then it reads itself.
-    pub(super) fn feedback_register(&self, range: Range, fraction_bits: u32, stage: u32) -> NodeId {
+    /// A register of a loop. What it reads comes later; until then it reads itself.
+    pub(super) fn feedback_register(
+        &self,
+        range: Range,
+        fraction_bits: u32,
+        round: GroupId,
+    ) -> NodeId {
         let mut state = self.state.borrow_mut();
-        let (scope, own) = (state.scope, NodeId(state.design.nodes.len() as u32));
+        let (scope, own) = (state.scope, NodeId(state.graph.values.len() as u32));
         let name = state.unique(scope, "state");
-        let (op, register) = (Op::Copy(own), Register::Data);
-        state.push(Node { op, register, range, fraction_bits, stage, scope, name, named: true })
+        state.add(Op::Copy(own), Pace::Feedback, Some(round), (range, fraction_bits), name)
+    }
+
+    /// Lets a register of a loop read the value of the pixel that follows.
+    pub(super) fn close_loop(&self, register: NodeId, next: &Sig) {
+        self.state.borrow_mut().graph.values[register.0 as usize].op = Op::Wrap(next.id());
     }
 }

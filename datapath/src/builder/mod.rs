@@ -9,7 +9,6 @@
 //! belongs to the [`Sig`], and folding, merging and leaving out hardware cannot lose it.
 mod accumulate;
 mod arithmetic;
-mod fold;
 mod logic;
 mod memory;
 mod narrow;
@@ -27,7 +26,9 @@ use std::rc::Rc;
 
 use crate::InputPort;
 
-use crate::design::{Design, NodeId, Op, Range, Register};
+use crate::design::{Design, NodeId, Op, Range};
+use crate::graph::{Graph, Pace};
+use crate::pass::{LoopTooLate, compile};
 use crate::target::Target;
 
 pub use ports::{Bundle, Inputs};
@@ -36,28 +37,65 @@ pub use sig::Sig;
 pub use turns::Turns;
 pub use vector::{Gains, Off, Vector};
 
-use state::State;
+pub(crate) use state::{Facts, State};
 
-/// Why a design cannot be built.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TooWide {
-    /// Full name of the signal.
-    pub signal: String,
-    /// Bits its proven range needs.
-    pub width: u32,
+/// Why a design cannot be built. Signals and units are named by their path from the design down.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum BuildError {
+    /// A proven range is wider than signals may be.
+    #[error(
+        "signal `{signal}` needs {width} bits, and the most is 63: give the narrowing points before it fewer fraction bits"
+    )]
+    SignalTooWide {
+        /// The signal.
+        signal: String,
+        /// Bits its proven range needs.
+        width: u32,
+    },
+    /// A unit is given a value of a unit other than the one around it.
+    #[error(
+        "input `{port}` of unit `{unit}` is `{signal}`, which belongs to another unit: make it an output of that unit first"
+    )]
+    ForeignInput {
+        /// The port.
+        port: String,
+        /// The unit.
+        unit: String,
+        /// What it is given.
+        signal: String,
+    },
+    /// A unit gives a value of another unit.
+    #[error(
+        "unit `{unit}` gives `{signal}`, which belongs to another unit: make it an input of the unit first"
+    )]
+    ForeignOutput {
+        /// The unit.
+        unit: String,
+        /// What it gives.
+        signal: String,
+    },
+    /// A table is read at an address that can be negative.
+    #[error("a table is read at `{signal}`, which can be negative: addresses are unsigned")]
+    NegativeAddress {
+        /// The address.
+        signal: String,
+    },
+    /// What a loop makes of a value has its binary point elsewhere.
+    #[error(
+        "the loop through `{signal}` begins with {loaded} fraction bits and goes on with {followed}: round what follows"
+    )]
+    LoopMovesPoint {
+        /// The register of the loop.
+        signal: String,
+        /// Fraction bits of what the loop begins with.
+        loaded: u32,
+        /// Fraction bits of what it goes on with.
+        followed: u32,
+    },
+    /// A loop reads what is there after its own clock.
+    #[error(transparent)]
+    LoopTooLate(#[from] LoopTooLate),
 }
-
-impl std::fmt::Display for TooWide {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let TooWide { signal, width } = self;
-        write!(
-            f,
-            "signal `{signal}` needs {width} bits, and the most is 63: give the narrowing points before it fewer fraction bits"
-        )
-    }
-}
-
-impl std::error::Error for TooWide {}
 
 /// Builds a [`Design`], one operator at a time.
 #[derive(Clone)]
@@ -84,7 +122,7 @@ impl Builder {
         let mut state = self.state.borrow_mut();
         let [valid, start] =
             ["valid", "start"].map(|name| state.open_input(name, Range::new(0, 1), 0));
-        (state.design.valid, state.design.start) = (valid, start);
+        (state.graph.valid, state.graph.start) = (valid, start);
         drop(state);
         Control { valid: self.sig(valid, 0.0), start: self.sig(start, 0.0) }
     }
@@ -97,10 +135,10 @@ impl Builder {
         let error = if port.format.fraction_bits == 0 { 0.0 } else { 0.5 };
         if let Some(twin) = port.same_as.as_deref().and_then(|twin| self.opened(twin)) {
             let mut state = self.state.borrow_mut();
-            let name = &state.design.node(twin).name;
+            let name = &state.graph.value(twin).name;
             let why = format!("it is always what `{name}` is");
             state.leave_out(&format!("input `{}`", port.name), &why);
-            state.design.inputs.push(None);
+            state.graph.inputs.push(None);
             drop(state);
             return self.sig(twin, error);
         }
@@ -113,13 +151,13 @@ impl Builder {
                     &format!("it is always {}", port.format.value(value)),
                 );
                 let id = state.constant(value, port.format.fraction_bits);
-                state.design.inputs.push(None);
+                state.graph.inputs.push(None);
                 id
             }
             None => {
                 let mut state = self.state.borrow_mut();
                 let id = state.open_input(&port.name, range, port.format.fraction_bits);
-                state.design.inputs.push(Some(id));
+                state.graph.inputs.push(Some(id));
                 id
             }
         };
@@ -130,12 +168,12 @@ impl Builder {
     fn opened(&self, name: &str) -> Option<NodeId> {
         let state = self.state.borrow();
         state
-            .design
+            .graph
             .inputs
             .iter()
             .flatten()
             .copied()
-            .find(|&input| state.design.node(input).name == name)
+            .find(|&input| state.graph.value(input).name == name)
     }
 
     /// The integer `value`, exactly.
@@ -144,23 +182,26 @@ impl Builder {
     }
 
     /// Closes the design: `outputs` leave it together, and with them a bit that says whether a
-    /// pixel leaves: `valid` of the first stage, as late as they are.
+    /// pixel leaves: `valid`, as late as they are.
     ///
     /// # Errors
-    /// [`TooWide`] names the first signal that needs more than 63 bits.
-    pub fn finish(self, valid: &Sig, outputs: &[(&str, Sig)]) -> Result<Design, TooWide> {
+    /// The first [`BuildError`] that was made.
+    pub fn finish(self, valid: &Sig, outputs: &[(&str, Sig)]) -> Result<Design, BuildError> {
+        let target = self.state.borrow().target.clone();
+        Ok(compile(&self.graph(valid, outputs)?, &*target)?)
+    }
+
+    /// As [`Builder::finish`], but before any pass: a graph without clocks and registers.
+    ///
+    /// # Errors
+    /// The first [`BuildError`] that was made.
+    pub fn graph(self, valid: &Sig, outputs: &[(&str, Sig)]) -> Result<Graph, BuildError> {
         let mut state = self.state.borrow_mut();
-        let constant = outputs.iter().any(|(_, sig)| state.is_constant(sig.id()).is_some());
-        // Validity has a register of its own also where every output is a constant.
-        let stages = outputs.iter().map(|(_, sig)| state.design.node(sig.id()).stage);
-        let last = stages.max().unwrap_or(0).max(u32::from(constant));
-        state.design.valid_out = state.validity_after(valid.id(), last);
+        state.graph.leaves = valid.id();
         for (name, sig) in outputs {
-            let id = state.output(sig.id(), last, name);
-            state.design.outputs.push(id);
-            state.design.output_errors.push(sig.error_value());
+            state.graph.outputs.push(((*name).to_owned(), sig.id(), sig.error_value()));
         }
-        state.close(last)
+        state.close()
     }
 
     /// Notes hardware that is not built, and why nothing is lost.
@@ -170,7 +211,7 @@ impl Builder {
 
     /// A value that is the signal `id`, off by `error` units of the last place at most.
     fn sig(&self, id: NodeId, error: f64) -> Sig {
-        let fraction_bits = self.state.borrow().design.node(id).fraction_bits;
+        let fraction_bits = self.state.borrow().graph.value(id).fraction_bits;
         Sig::new(self.clone(), (id, fraction_bits), error)
     }
 
@@ -181,10 +222,10 @@ impl Builder {
         self.sig(id, error)
     }
 
-    /// Adds an operator whose operands are aligned already.
-    fn emit(&self, op: Op, register: Register, facts: state::Facts) -> Sig {
+    /// Adds an operator.
+    fn emit(&self, op: Op, pace: Pace, facts: Facts) -> Sig {
         let error = facts.error;
-        let id = self.state.borrow_mut().emit(op, register, facts);
+        let id = self.state.borrow_mut().emit(op, pace, facts);
         self.sig(id, error)
     }
 }

@@ -4,7 +4,8 @@ use crate::format::power_of_two;
 use super::Sig;
 use super::real::Real;
 use super::state::Facts;
-use crate::design::{Assumption, ErrorForm, Op, Range, Register, Share};
+use crate::design::{Assumption, ErrorForm, Op, Range, Share};
+use crate::graph::Pace;
 
 impl Sig {
     /// Nearest value with `fraction_bits` bits right of the point, ties up; off by half a unit of
@@ -49,7 +50,7 @@ impl Sig {
             error: self.error(),
             kind: "low",
         };
-        self.builder.emit(Op::Wrap(self.id()), Register::None, facts)
+        self.builder.emit(Op::Wrap(self.id()), Pace::Wire, facts)
     }
 
     /// The raw value as an integer: the binary point moves behind the last place.
@@ -76,7 +77,7 @@ impl Sig {
             return self.builder.constant(value >> dropped, fraction_bits, error);
         }
         let facts = Facts { range: range.into(), fraction_bits, error, kind };
-        self.builder.emit(Op::ShiftRight(self.id(), dropped), Register::None, facts)
+        self.builder.emit(Op::ShiftRight(self.id(), dropped), Pace::Wire, facts)
     }
 
     /// The value, or 0 where it is negative.
@@ -136,7 +137,7 @@ impl Sig {
         };
         match self.range() == range {
             true => self.with_error(error),
-            false => self.builder.emit(Op::Wrap(self.id()), Register::None, facts),
+            false => self.builder.emit(Op::Wrap(self.id()), Pace::Wire, facts),
         }
     }
 
@@ -159,7 +160,7 @@ impl Sig {
         if range == self.range() {
             return self.clone();
         }
-        self.builder.state.borrow_mut().design.assumptions.push(Assumption {
+        self.builder.state.borrow_mut().graph.assumptions.push(Assumption {
             fact: fact.into(),
             node: self.id(),
             range,
@@ -170,7 +171,7 @@ impl Sig {
             error: self.error(),
             kind: "assumed",
         };
-        self.builder.emit(Op::Wrap(self.id()), Register::None, facts).with_real(self.real())
+        self.builder.emit(Op::Wrap(self.id()), Pace::Wire, facts).with_real(self.real())
     }
 
     /// States a bound on |fixed - real| that propagation cannot see, in units of the last place.

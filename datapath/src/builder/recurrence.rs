@@ -1,7 +1,8 @@
 //! Feedback of any kind: values that each pixel makes of those of the pixel before.
 use super::state::Facts;
-use super::{Builder, Sig};
-use crate::design::{NodeId, Op, Range, Register};
+use super::{BuildError, Builder, Sig};
+use crate::design::{NodeId, Op, Range};
+use crate::graph::{GroupId, Pace};
 
 /// What a unit knows of the values of a recurrence.
 pub struct Known<'a> {
@@ -20,7 +21,6 @@ struct Round<const N: usize> {
     states: [NodeId; N],
     /// Their values, or the starts at the first pixel of a span.
     values: [Sig; N],
-    stage: u32,
     fraction_bits: u32,
     /// Bound on the values' errors, in units of the last place.
     error: f64,
@@ -40,8 +40,8 @@ impl Builder {
         known: &Known,
         next: impl FnOnce(&[Sig; N]) -> [Sig; N],
     ) -> [Sig; N] {
-        let stage = starts.iter().map(|sig| sig.stage()).fold(first.stage(), u32::max);
-        let round = self.round(first, starts, stage, fraction_bits, known);
+        let together = self.group(starts.into_iter().chain([first]));
+        let round = self.round(first, starts, together, fraction_bits, known);
         let followers = self.without_registers(|| next(&round.values));
         self.close_round(&round, &followers);
         round.values.each_ref().map(|value| self.registered_after(value, &round))
@@ -60,10 +60,9 @@ impl Builder {
         known: &Known,
         next: impl FnOnce(&[Sig; N], &[Sig; M]) -> [Sig; N],
     ) -> [Sig; N] {
-        let stage =
-            starts.iter().chain(&operands).map(|sig| sig.stage()).fold(first.stage(), u32::max);
-        let round = self.round(first, starts, stage, fraction_bits, known);
-        let operands = operands.map(|sig| sig.aligned(stage));
+        let together = self.group(starts.into_iter().chain(operands).chain([first]));
+        let round = self.round(first, starts, together, fraction_bits, known);
+        let operands = operands.map(|sig| sig.taken_with(together));
         let followers = self.without_registers(|| next(&round.values, &operands));
         let followers =
             followers.map(|follower| follower.assumed(known.limits.0, known.limits.1, known.fact));
@@ -75,19 +74,20 @@ impl Builder {
         &self,
         first: &Sig,
         starts: [&Sig; N],
-        stage: u32,
+        together: GroupId,
         fraction_bits: u32,
         known: &Known,
     ) -> Round<N> {
-        let first = first.aligned(stage);
-        let starts = starts.map(|sig| sig.with_fraction_bits(fraction_bits).aligned(stage));
+        let first = first.taken_with(together);
+        let starts = starts.map(|sig| sig.with_fraction_bits(fraction_bits).taken_with(together));
         let raw = |value: f64| value * crate::format::power_of_two(fraction_bits.into());
         let stays =
             Range::new(raw(known.limits.0).floor() as i64, raw(known.limits.1).ceil() as i64);
         let whole = Range::whole(stays.width(), stays.signed());
         let error = raw(known.error);
 
-        let states = starts.each_ref().map(|_| self.feedback_register(whole, fraction_bits, stage));
+        let states =
+            starts.each_ref().map(|_| self.feedback_register(whole, fraction_bits, together));
         let values: [Sig; N] = std::array::from_fn(|k| {
             let select = Op::Select(first.id(), starts[k].id(), self.kept_for_a_pixel(states[k]));
             let facts = Facts {
@@ -96,21 +96,24 @@ impl Builder {
                 error,
                 kind: "value",
             };
-            let value = self.emit(select, Register::None, facts);
+            let value = self.emit(select, Pace::Wire, facts);
             value.assumed(known.limits.0, known.limits.1, known.fact)
         });
-        Round { states, values, stage, fraction_bits, error }
+        Round { states, values, fraction_bits, error }
     }
 
     fn close_round<const N: usize>(&self, round: &Round<N>, followers: &[Sig; N]) {
-        for (state, follower) in round.states.iter().zip(followers) {
-            let (stage, fraction_bits) = (follower.stage(), follower.fraction_bits());
-            assert_eq!(
-                (stage, fraction_bits),
-                (round.stage, round.fraction_bits),
-                "a recurrence takes one clock"
-            );
-            self.state.borrow_mut().design.nodes[state.0 as usize].op = Op::Wrap(follower.id());
+        for (&state, follower) in round.states.iter().zip(followers) {
+            if follower.fraction_bits() != round.fraction_bits {
+                let mut state_of = self.state.borrow_mut();
+                let signal = state_of.full_name(state);
+                state_of.fail(BuildError::LoopMovesPoint {
+                    signal,
+                    loaded: round.fraction_bits,
+                    followed: follower.fraction_bits(),
+                });
+            }
+            self.close_loop(state, follower);
         }
     }
 
@@ -121,6 +124,6 @@ impl Builder {
             error: round.error,
             kind: "recurrent",
         };
-        self.emit(Op::Copy(value.id()), Register::Data, facts)
+        self.emit(Op::Copy(value.id()), Pace::Register, facts)
     }
 }

@@ -5,10 +5,10 @@ use crate::format::power_of_two;
 use super::Builder;
 use super::real::Real;
 use super::state::Facts;
-use crate::design::{ErrorForm, NodeId, Op, Range, Register, WideRange};
+use crate::design::{ErrorForm, NodeId, Op, Range, WideRange, format_of};
+use crate::graph::{GroupId, Pace};
 
-/// A value being described: its format, its proven range, its error bound and the stage at which it
-/// is valid.
+/// A value being described: its format, its proven range and its error bound.
 #[derive(Clone)]
 pub struct Sig {
     pub(super) builder: Builder,
@@ -35,19 +35,14 @@ impl Sig {
         Sig { id, ..self.clone() }
     }
 
-    /// The signal in the design.
+    /// The value in the graph.
     pub fn id(&self) -> NodeId {
         self.id
     }
 
-    /// The clock, counted from the core's input, at which it is valid.
-    pub fn stage(&self) -> u32 {
-        self.builder.state.borrow().design.node(self.id).stage
-    }
-
     /// Proven range of its raw values.
     pub fn range(&self) -> Range {
-        self.builder.state.borrow().design.node(self.id).range
+        self.builder.state.borrow().graph.value(self.id).range
     }
 
     /// Bits right of the binary point.
@@ -57,8 +52,7 @@ impl Sig {
 
     /// Its format.
     pub fn format(&self) -> Format {
-        let node = self.builder.state.borrow().design.node(self.id).clone();
-        crate::design::Node { fraction_bits: self.fraction_bits, ..node }.format()
+        format_of(self.range(), self.fraction_bits)
     }
 
     /// Weight of its last place.
@@ -172,19 +166,18 @@ impl Sig {
         let constant = self.builder.state.borrow().is_constant(self.id);
         let raised = match constant {
             Some(value) => self.builder.constant(value << bits, facts.fraction_bits, facts.error),
-            None => self.builder.emit(op, Register::None, facts),
+            None => self.builder.emit(op, Pace::Wire, facts),
         };
         raised.with_real(self.real.scaled(power_of_two(bits.into())))
     }
 
-    /// The signal at a later stage.
-    pub(super) fn aligned(&self, stage: u32) -> Sig {
-        let id = self.builder.state.borrow_mut().aligned(self.id, stage);
+    /// The value as it is where all of a group are there.
+    pub(super) fn taken_with(&self, group: GroupId) -> Sig {
+        let id = self.builder.state.borrow_mut().meet(self.id, group);
         self.at(id)
     }
 
-    /// An operator on these operands, aligned with each other, with the registers that the target
-    /// wants.
+    /// An operator on these operands, clocked as operators are at this place.
     pub(super) fn operator<const N: usize>(
         operands: [&Sig; N],
         op: impl Fn([NodeId; N]) -> Op,
@@ -192,13 +185,8 @@ impl Sig {
         kind: &'static str,
     ) -> Sig {
         let builder = &operands[0].builder;
-        let variable = |s: &&&Sig| builder.state.borrow().is_constant(s.id).is_none();
-        let stage = operands.iter().filter(variable).map(|s| s.stage()).max().unwrap_or(0);
-        let op = op(operands.map(|s| s.aligned(stage).id));
-        let register = builder.state.borrow().register_after(&op);
-        let further = builder.state.borrow().further_registers(&op);
-        let result = builder.emit(op, register, Facts { range, fraction_bits, error, kind });
-        let last = result.stage() + further;
-        result.aligned(last)
+        let pace = builder.state.borrow().pace;
+        let op = op(operands.map(Sig::id));
+        builder.emit(op, pace, Facts { range, fraction_bits, error, kind })
     }
 }

@@ -1,7 +1,8 @@
 //! Pixels of several clocks: what there is of several, such as lights, takes turns in one pipeline.
 use super::state::Facts;
 use super::{Builder, Control, Sig};
-use crate::design::{NodeId, Op, Range, Register};
+use crate::design::{NodeId, Op, Range};
+use crate::graph::Pace;
 
 /// Whose turn it is.
 pub struct Turns {
@@ -36,7 +37,7 @@ impl Builder {
             self.close_loop(later_first, &last.choose(&zero, &first));
             (turn.less_than(&one).named("begins"), control.valid.and(&last).named("valid_at_last"))
         });
-        self.state.borrow_mut().design.interval = count;
+        self.state.borrow_mut().graph.interval = count;
         Turns { count, turn, first_pixel: first, begins, valid_at_last }
     }
 
@@ -45,14 +46,11 @@ impl Builder {
     fn loaded(&self, first: &Sig, start: &Sig, largest: u32, name: &str) -> (Sig, NodeId) {
         let range = Range::new(0, i64::from(largest));
         let whole = Range::whole(range.width(), false);
-        let register = self.feedback_register(whole, 0, first.stage());
+        let round = self.group([first]);
+        let register = self.feedback_register(whole, 0, round);
         let facts = Facts { range: whole.into(), fraction_bits: 0, error: 0.0, kind: "value" };
-        let value = self.emit(Op::Select(first.id(), start.id(), register), Register::None, facts);
+        let value = self.emit(Op::Select(first.id(), start.id(), register), Pace::Wire, facts);
         (value.named(name), register)
-    }
-
-    fn close_loop(&self, register: NodeId, next: &Sig) {
-        self.state.borrow_mut().design.nodes[register.0 as usize].op = Op::Wrap(next.id());
     }
 }
 

@@ -1,19 +1,18 @@
 //! Units: modules with ports, made from what crosses their border.
 use std::collections::HashMap;
-use std::rc::Rc;
 
 use super::state::Facts;
-use super::{Builder, Bundle, Inputs, Sig};
-use crate::design::{Node, NodeId, Op, Register, Scope, ScopeId};
-use crate::target::Unregistered;
+use super::{BuildError, Builder, Bundle, Inputs, Sig};
+use crate::design::{NodeId, Op, ScopeId};
+use crate::graph::{GroupId, Pace, Unit, Value};
 use crate::verilog::CONTROL;
 
 impl Builder {
     /// Opens a unit called `name` that computes `formula`.
     ///
     /// Its inputs become ports of the same stage; what `body` returns becomes its outputs, again of
-    /// one stage, so a unit has one latency. Constants go in and out without a port. Signals of the
-    /// outside that are no inputs cannot be used in it.
+    /// one stage, so a unit has one latency. Constants go in and out without a port. Values of the
+    /// outside that are no inputs cannot be used in it: that is a [`BuildError`].
     pub fn unit<I: Inputs, O: Bundle>(
         &self,
         name: &str,
@@ -21,11 +20,15 @@ impl Builder {
         inputs: I,
         body: impl FnOnce(&Builder, I::Values) -> O,
     ) -> O {
-        let entry = self.entry_stage(&inputs);
-        let (outside, inside) = self.enter(name, formula, entry);
-        let values = inputs.map(&mut |sig, port| self.port(sig, port, outside, inside, entry));
+        let mut entering = vec![];
+        inputs.map(&mut |sig, _| {
+            entering.push(sig.id());
+            sig.clone()
+        });
+        let (outside, inside) = self.enter(name, formula, entering);
+        let values = inputs.map(&mut |sig, port| self.port(sig, port, outside, inside));
         let results = body(self, values);
-        self.leave(&results, outside, inside, entry)
+        self.leave(&results, outside, inside)
     }
 
     /// Calls the instance of the unit that `body` opens first `name`.
@@ -38,27 +41,21 @@ impl Builder {
     /// one each, or none where what is around it works within one clock itself.
     pub fn in_one_clock<O: Bundle>(&self, body: impl FnOnce() -> O) -> O {
         let results = self.without_registers(body);
-        let mut last = 0;
-        results.map(&mut |sig, _| {
-            last = last.max(sig.stage());
-            sig.clone()
-        });
-        results.map(&mut |sig, _| self.behind_a_register(&sig.aligned(last)))
+        let together = self.group_of(&results);
+        results.map(&mut |sig, _| self.behind_a_register(&sig.taken_with(together)))
     }
 
     /// What `body` describes has no registers.
     pub(super) fn without_registers<R>(&self, body: impl FnOnce() -> R) -> R {
-        let target = std::mem::replace(&mut self.state.borrow_mut().target, Rc::new(Unregistered));
+        let pace = std::mem::replace(&mut self.state.borrow_mut().pace, Pace::Wire);
         let results = body();
-        self.state.borrow_mut().target = target;
+        self.state.borrow_mut().pace = pace;
         results
     }
 
-    /// A target that wants no register behind a multiplexer wants none here: what is around works
-    /// within one clock.
+    /// Where what is around works within one clock, no register is wanted here.
     fn behind_a_register(&self, sig: &Sig) -> Sig {
-        let id = sig.id();
-        if self.state.borrow().register_after(&Op::Select(id, id, id)) == Register::None {
+        if self.state.borrow().pace == Pace::Wire {
             return sig.clone();
         }
         let facts = Facts {
@@ -67,33 +64,35 @@ impl Builder {
             error: sig.error(),
             kind: "registered",
         };
-        self.emit(Op::Copy(sig.id()), Register::Data, facts)
+        self.emit(Op::Copy(sig.id()), Pace::Register, facts)
     }
 
-    fn entry_stage<I: Inputs>(&self, inputs: &I) -> u32 {
-        let mut entry = 0;
-        inputs.map(&mut |sig, _| {
-            entry = entry.max(sig.stage());
+    /// The values of a bundle, taken together.
+    fn group_of<O: Bundle>(&self, bundle: &O) -> GroupId {
+        let mut members = vec![];
+        bundle.map(&mut |sig, _| {
+            members.push(sig.id());
             sig.clone()
         });
-        entry
+        self.state.borrow_mut().group(members)
     }
 
-    fn enter(&self, name: &str, formula: &str, entry: u32) -> (ScopeId, ScopeId) {
+    fn enter(&self, name: &str, formula: &str, entering: Vec<NodeId>) -> (ScopeId, ScopeId) {
         let mut state = self.state.borrow_mut();
         let outside = state.scope;
-        let inside = ScopeId(state.design.scopes.len() as u32);
+        let inside = ScopeId(state.graph.units.len() as u32);
         let called = state.instance.take();
         let instance = state.unique(outside, called.as_deref().unwrap_or(name));
-        let scope = Scope {
-            unit: name.into(),
+        let inputs = state.group(entering);
+        let unit = Unit {
+            name: name.into(),
             formula: formula.into(),
             instance,
             parent: Some(outside),
-            entry,
-            exit: entry,
+            inputs,
+            outputs: inputs,
         };
-        state.design.scopes.push(scope);
+        state.graph.units.push(unit);
         // The names of every module's control ports.
         for taken in CONTROL {
             state.unique(inside, taken);
@@ -103,92 +102,53 @@ impl Builder {
     }
 
     /// The input `sig` as the unit sees it.
-    fn port(&self, sig: &Sig, port: &str, outside: ScopeId, inside: ScopeId, entry: u32) -> Sig {
+    fn port(&self, sig: &Sig, port: &str, outside: ScopeId, inside: ScopeId) -> Sig {
         let mut state = self.state.borrow_mut();
         if state.is_constant(sig.id()).is_some() {
-            drop(state);
             return sig.clone();
         }
-        assert_eq!(
-            state.design.node(sig.id()).scope,
-            outside,
-            "unit input `{port}` belongs to another unit"
-        );
-        state.scope = outside;
-        let aligned = state.aligned(sig.id(), entry);
-        state.scope = inside;
-        let name = state.unique(inside, port);
-        let node = state.design.node(aligned).clone();
-        let (op, register, fraction_bits) =
-            (Op::Copy(aligned), Register::None, sig.fraction_bits());
-        let id = state.push(Node { op, register, fraction_bits, scope: inside, name, ..node });
+        if state.graph.value(sig.id()).scope != outside {
+            let (signal, unit) = (state.full_name(sig.id()), state.graph.path(inside).join("."));
+            state.fail(BuildError::ForeignInput { port: port.into(), unit, signal });
+        }
+        let (name, inputs) = (state.unique(inside, port), state.graph.unit(inside).inputs);
+        let shape = (state.graph.value(sig.id()).range, sig.fraction_bits());
+        let id = state.add(Op::Copy(sig.id()), Pace::Wire, Some(inputs), shape, name);
         drop(state);
         sig.at(id)
     }
 
-    fn leave<O: Bundle>(&self, results: &O, outside: ScopeId, inside: ScopeId, entry: u32) -> O {
-        let mut exit = entry;
-        results.map(&mut |sig, _| {
-            exit = exit.max(sig.stage());
-            sig.clone()
-        });
-        let outputs = results.map(&mut |sig, _| {
-            let last = sig.aligned(exit);
-            if last.id() != sig.id() {
-                self.state.borrow_mut().name_delayed_output(last.id(), sig.id());
-            }
-            self.not_an_input(&last)
-        });
+    fn leave<O: Bundle>(&self, results: &O, outside: ScopeId, inside: ScopeId) -> O {
+        let outputs = self.group_of(results);
         let mut state = self.state.borrow_mut();
-        state.design.scopes[inside.0 as usize].exit = exit;
+        // A unit takes no less than no time: outputs that are constants leave with the inputs.
+        state.graph.units[inside.0 as usize].outputs = outputs;
         state.scope = outside;
         drop(state);
         let mut crossed: HashMap<NodeId, NodeId> = HashMap::new();
-        outputs.map(&mut |sig, _| {
-            let outer = *crossed.entry(sig.id()).or_insert_with(|| self.outer_copy(sig, inside));
+        results.map(&mut |sig, _| {
+            let outer =
+                *crossed.entry(sig.id()).or_insert_with(|| self.outer_copy(sig, outside, inside));
             sig.at(outer)
         })
     }
 
-    /// A signal that is not itself a port of the unit's input side.
-    fn not_an_input(&self, sig: &Sig) -> Sig {
-        let node = self.state.borrow().design.node(sig.id()).clone();
-        let passes_through = match node.op {
-            Op::Copy(from) => {
-                let state = self.state.borrow();
-                !node.registered()
-                    && state.design.scope(node.scope).parent == Some(state.design.node(from).scope)
-            }
-            _ => false,
-        };
-        if !passes_through {
-            return sig.clone();
-        }
-        let mut state = self.state.borrow_mut();
-        let name = state.unique(node.scope, &format!("{}_out", node.name));
-        let id = state.push(Node { op: Op::Copy(sig.id()), name, ..node });
-        drop(state);
-        sig.at(id)
-    }
-
-    fn outer_copy(&self, sig: &Sig, inside: ScopeId) -> NodeId {
+    /// An output of a unit as the unit around it sees it.
+    fn outer_copy(&self, sig: &Sig, outside: ScopeId, inside: ScopeId) -> NodeId {
         let mut state = self.state.borrow_mut();
         if state.is_constant(sig.id()).is_some() {
             return sig.id();
         }
-        let node = state.design.node(sig.id()).clone();
-        assert_eq!(node.scope, inside, "unit output `{}` belongs to another unit", node.name);
-        let name = format!("{}_{}", state.design.scope(inside).instance, node.name);
-        let (scope, register, fraction_bits) = (state.scope, Register::None, sig.fraction_bits());
-        let name = state.unique(scope, &name);
-        let id = state.push(Node {
-            op: Op::Copy(sig.id()),
-            register,
-            fraction_bits,
-            scope,
-            name,
-            ..node
-        });
+        let value: Value = state.graph.value(sig.id()).clone();
+        if value.scope != inside {
+            let (signal, unit) = (state.full_name(sig.id()), state.graph.path(inside).join("."));
+            state.fail(BuildError::ForeignOutput { unit, signal });
+        }
+        let unit = state.graph.unit(inside);
+        let (outputs, name) = (unit.outputs, format!("{}_{}", unit.instance, value.name));
+        let name = state.unique(outside, &name);
+        let shape = (value.range, sig.fraction_bits());
+        let id = state.add(Op::Copy(sig.id()), Pace::Wire, Some(outputs), shape, name);
         state.nameable(id);
         id
     }

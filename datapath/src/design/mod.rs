@@ -4,7 +4,6 @@
 //! prints those.
 mod error_form;
 mod op;
-mod prune;
 mod range;
 mod size;
 
@@ -69,9 +68,7 @@ impl Node {
 
     /// Its format: the range's width laid round the binary point.
     pub fn format(&self) -> Format {
-        let signed = self.range.signed();
-        let integer_bits = (self.width() - u32::from(signed)).saturating_sub(self.fraction_bits);
-        Format { signed, integer_bits, fraction_bits: self.fraction_bits }
+        format_of(self.range, self.fraction_bits)
     }
 
     /// `raw` brought to the signal's width.
@@ -84,6 +81,13 @@ impl Node {
     pub fn registered(&self) -> bool {
         self.register != Register::None
     }
+}
+
+/// The format of a range of raw values: its width laid round the binary point.
+pub fn format_of(range: Range, fraction_bits: u32) -> Format {
+    let signed = range.signed();
+    let integer_bits = (range.width() - u32::from(signed)).saturating_sub(fraction_bits);
+    Format { signed, integer_bits, fraction_bits }
 }
 
 /// A unit.

@@ -1,7 +1,7 @@
 //! Why a measurement was not made.
 use std::io;
 
-use specula_datapath::builder::TooWide;
+use specula_datapath::builder::BuildError;
 use specula_golden::fixed::PacketError;
 use specula_sim::SimError;
 
@@ -71,8 +71,8 @@ impl From<PacketError> for MeasureError {
     }
 }
 
-impl From<TooWide> for MeasureError {
-    fn from(error: TooWide) -> MeasureError {
+impl From<BuildError> for MeasureError {
+    fn from(error: BuildError) -> MeasureError {
         MeasureError::Bench(error.into())
     }
 }

@@ -1,6 +1,6 @@
 //! Cores that do not know some of a scene's needs.
 use rayon::prelude::*;
-use specula_datapath::builder::TooWide;
+use specula_datapath::builder::BuildError;
 use specula_scene::needs::LocalKind;
 use specula_scene::spec::{InputPort, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::{CoreSpec, LoadedScene, Needs, SceneError};
@@ -121,11 +121,11 @@ const UNEVEN: u32 = 3;
 /// built; and the general cores.
 ///
 /// # Errors
-/// [`TooWide`] if not even the scene's own general core can be built.
+/// [`BuildError`] if not even the scene's own general core can be built.
 pub fn ignorant(
     scene: &LoadedScene,
     spec: &CoreSpec,
-) -> Result<(Vec<Ignorant>, Vec<General>), TooWide> {
+) -> Result<(Vec<Ignorant>, Vec<General>), BuildError> {
     let chosen = Chosen::new(scene, spec);
     let one = || FACTS.par_iter().filter_map(|fact| chosen.ignorant(fact)).collect();
     let general = || {
@@ -161,7 +161,7 @@ impl Chosen<'_> {
 
     /// The general core that forgets every fact as a baseline has it, or as many as one can be
     /// built without.
-    fn general(&self, baseline: Baseline) -> Result<General, TooWide> {
+    fn general(&self, baseline: Baseline) -> Result<General, BuildError> {
         let (mut core, mut forgotten, mut known) = (self.spec.general(), vec![], vec![]);
         let mut design = specula_hdl::elaborate(&core, "core")?;
         for fact in FACTS.iter().filter(|fact| !baseline.knows(fact.need)) {

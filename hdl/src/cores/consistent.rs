@@ -6,7 +6,7 @@ use super::{eye, finish, pipelines, turns};
 use crate::units::{
     self, Consistency, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals,
 };
-use specula_datapath::builder::{Builder, Sig, TooWide, Vector};
+use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::{Design, ErrorForm};
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection.
@@ -15,7 +15,7 @@ pub(super) fn core(
     b: Builder,
     spec: &CoreSpec,
     consistent: &ConsistentSpec,
-) -> Result<Design, TooWide> {
+) -> Result<Design, BuildError> {
     let turns = turns(&b, spec);
     let inputs = consistent.inputs(spec).map(|port| b.input(port));
     let (f, steps) = (&consistent.formats, spec.longest_span - 1);

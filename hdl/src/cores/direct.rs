@@ -4,12 +4,12 @@ use specula_scene::{CoreSpec, Format};
 
 use super::{finish, pipelines, turns};
 use crate::units::{self, DirectedBase, Light, NewtonRoot, Product, QuotientFormat, UnitNormal};
-use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]
-pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, TooWide> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, BuildError> {
     let turns = turns(&b, spec);
     let inputs = direct.inputs(spec).map(|port| b.input(port));
     let formats = &direct.formats;

@@ -5,12 +5,12 @@ use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
 use super::forward::Forward;
 use super::{finish, pipelines, turns};
 use crate::units::{self, Light};
-use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
 
 /// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al.,
 /// eq. 17 to 26]
-pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Design, TooWide> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Design, BuildError> {
     let turns = turns(&b, spec);
     let inputs = hybrid.inputs(spec).map(|port| b.input(port));
     let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };

@@ -6,12 +6,12 @@ use specula_scene::spec::lyon::{
 
 use super::{eye, finish, pipelines, turns, unit_vector};
 use crate::units::{self, Follow, Interpolation, LengthOff, Light, SpanNormals, WrapFormats};
-use specula_datapath::builder::{Builder, Sig, TooWide, Vector};
+use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::{Design, ErrorForm};
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
 /// 43, fig. 6 to 8]
-pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, TooWide> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, BuildError> {
     let turns = turns(&b, spec);
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
     let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs, spec, lyon);

@@ -17,15 +17,15 @@ use specula_scene::spec::EachInput;
 use specula_scene::{CoreSpec, Format, MethodSpec};
 
 use crate::units::{self, Coefficients, Light};
-use specula_datapath::builder::{Builder, Sig, TooWide, Turns, Vector};
+use specula_datapath::builder::{BuildError, Builder, Sig, Turns, Vector};
 use specula_datapath::design::Design;
 use specula_datapath::target::Generic;
 
 /// The core that a spec asks for, elaborated under the module name `name`.
 ///
 /// # Errors
-/// [`TooWide`] if the spec's formats ask for a signal of more than 63 bits.
-pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, TooWide> {
+/// [`BuildError`] if the spec's formats ask for a signal of more than 63 bits.
+pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, BuildError> {
     let builder = |formula| Builder::new(name, formula, Rc::new(Generic));
     match &spec.method {
         MethodSpec::Lyon(lyon) => {
@@ -120,7 +120,7 @@ fn finish(
     turns: &Turns,
     ambient: &Coefficients,
     lights: &[Light],
-) -> Result<Design, TooWide> {
+) -> Result<Design, BuildError> {
     let [red, green, blue] = units::channels(b, turns, ambient, lights);
     b.clone().finish(&turns.valid_at_last, &[("red", red), ("green", green), ("blue", blue)])
 }

@@ -4,12 +4,12 @@ use specula_scene::spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpL
 
 use super::{eye, finish, pipelines, turns, unit_vector};
 use crate::units::{self, BaseBound, Light, Turn, Weighing};
-use specula_datapath::builder::{Builder, Sig, TooWide, Vector};
+use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::Design;
 
 /// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base
 /// 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to 4.12]
-pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Design, TooWide> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Design, BuildError> {
     let turns = turns(&b, spec);
     let inputs = slerp.inputs(spec).map(|port| b.input(port));
     let (formats, steps) = (&slerp.formats, spec.longest_span - 1);

@@ -38,12 +38,9 @@ fn every_step_is_a_rounded_rotation() {
         let cosine = bench.input("turn_cosine", formats.turn, (-one, one));
         let sine = bench.input("turn_sine", formats.turn, (0, one));
         let [c, s] = units::rotation(&bench.b, &bench.start, [&cosine, &sine], &formats, STEPS);
-        assert_eq!(
-            (c.fraction_bits(), c.stage(), s.stage()),
-            (state, 1, 1),
-            "a turn takes one clock"
-        );
+        assert_eq!([c.fraction_bits(), s.fraction_bits()], [state; 2]);
         let design = bench.finish(&[("c", c), ("s", s)]);
+        assert_eq!(design.depth(), 1, "a turn takes one clock");
 
         let angles = [0.0, 1e-6, 0.003, 1.5, 0.01, std::f64::consts::PI, 0.7, 0.0101];
         let packet = |(&length, angle): (&u32, f64)| {

@@ -2,7 +2,7 @@
 //! numbers on the other.
 use std::rc::Rc;
 
-use specula_datapath::builder::{Builder, Sig, TooWide};
+use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Range;
 use specula_datapath::target::Generic;
 use specula_datapath::{Design, SpanPacket};
@@ -113,7 +113,7 @@ impl Program {
     }
 
     /// The program as hardware.
-    pub fn describe(&self) -> Result<Described, TooWide> {
+    pub fn describe(&self) -> Result<Described, BuildError> {
         let b = Builder::new("operators", "a test", Rc::new(Generic));
         let control = b.control();
         let mut values: Vec<Sig> = self.ports.iter().map(|port| b.input(port)).collect();

@@ -7,7 +7,7 @@ use specula_scene::spec::phong::{Highlight, PhongInputs, PhongSpec};
 
 use super::{eye, finish, turns, unit_vector};
 use crate::units::{self, Interpolation, Light};
-use specula_datapath::builder::{Builder, Sig, TooWide, Turns};
+use specula_datapath::builder::{BuildError, Builder, Sig, Turns};
 use specula_datapath::design::Design;
 
 use direction::Direction;
@@ -15,7 +15,7 @@ use lamp::{Lamp, lamps};
 
 /// Interpolated vectors, true normalisation or wraps, and for each light N·L and a power or a
 /// distribution. [lecture, eq. 2.1, 4.1, 4.2; Hast et al., eq. 35 to 38]
-pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Design, TooWide> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Design, BuildError> {
     let turns = turns(&b, spec);
     let inputs = phong.inputs(spec).map(|port| b.input(port));
     let f = &phong.formats;

@@ -1,10 +1,16 @@
 //! Takes out what no output needs.
-use super::{Design, LeftOut, Node, NodeId, Op, ScopeId};
+use crate::design::{Assumption, Design, LeftOut, Node, NodeId, Op, ScopeId};
+
+/// A design without the signals that reach no output.
+pub fn without(mut design: Design) -> Design {
+    design.prune();
+    design
+}
 
 impl Design {
     /// Removes signals that reach no output, keeping the order of the rest. Inputs stay: they are
     /// the core's interface.
-    pub(crate) fn prune(&mut self) {
+    fn prune(&mut self) {
         let kept = self.needed();
         self.note_pruned(&kept);
         let mut renumbered = vec![None; self.nodes.len()];
@@ -29,7 +35,7 @@ impl Design {
             (of_needed(self.valid), of_needed(self.start), of_needed(self.valid_out));
         self.assumptions = std::mem::take(&mut self.assumptions)
             .into_iter()
-            .filter_map(|a| new(a.node).map(|node| super::Assumption { node, ..a }))
+            .filter_map(|a| new(a.node).map(|node| Assumption { node, ..a }))
             .collect();
     }
 

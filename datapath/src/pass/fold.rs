@@ -1,20 +1,21 @@
 //! Leaves out operators whose result is known or is one of their operands.
 //!
 //! This is about raw values alone. A constant 0 may stand for a real value that the host rounded to
-//! 0, and what adds or multiplies it is off by what that makes of it: [`Sig`](super::Sig) keeps the
+//! 0, and what adds or multiplies it is off by what that makes of it: [`Sig`](crate::builder::Sig) keeps the
 //! operator's own error, whichever signal its values come from.
-use super::state::{Facts, State};
-use crate::design::{NodeId, Op, Register, wrapped};
+use crate::builder::{Facts, State};
+use crate::design::{NodeId, Op, wrapped};
+use crate::graph::Pace;
 
 /// The signal that an operator's result is already, if it is one; what is saved is noted.
-pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId> {
+pub fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId> {
     if let Some(value) = known_value(state, op, facts) {
         note(state, op, &format!("its result is always {value}"));
         return Some(state.constant(value, facts.fraction_bits));
     }
     if let Some((factor, bits)) = power_of_two_times(state, op) {
         note(state, op, &format!("it multiplies by 2^{bits}, which wires do"));
-        return Some(state.emit(Op::ShiftLeft(factor, bits), Register::None, facts.clone()));
+        return Some(state.emit(Op::ShiftLeft(factor, bits), Pace::Wire, facts.clone()));
     }
     let constant = |id| state.is_constant(id);
     let (same, why) = match op {
@@ -32,7 +33,7 @@ pub(super) fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId>
     };
     // The operand's raw value is the result's only where both count in the same unit in the last
     // place.
-    let fits = state.design.node(same).fraction_bits == facts.fraction_bits;
+    let fits = state.graph.value(same).fraction_bits == facts.fraction_bits;
     if !fits {
         return None;
     }
@@ -61,12 +62,12 @@ fn known_value(state: &State, op: Op, facts: &Facts) -> Option<i64> {
     let value_of = |id: NodeId| state.is_constant(id).unwrap_or(0);
     // As in the hardware: the last bits that the result's width has room for.
     let value =
-        || wrapped(op.evaluate(&state.design.tables, value_of), range.width(), range.signed());
+        || wrapped(op.evaluate(&state.graph.tables, value_of), range.width(), range.signed());
     (all_constant && op.operands().next().is_some()).then(value)
 }
 
 fn note(state: &mut State, op: Op, why: &str) {
-    let width = |id: NodeId| state.design.node(id).width();
+    let width = |id: NodeId| state.graph.value(id).range.width();
     let what = match op {
         Op::Mul(a, b) => format!("multiplier {} x {} bits", width(a), width(b)),
         Op::Add(a, b) => format!("adder {} + {} bits", width(a), width(b)),

@@ -1,0 +1,141 @@
+//! A datapath without clocks: values, what computes them, and what has to be taken together.
+//!
+//! The [`Builder`](crate::Builder) makes it; the passes make a [`Design`](crate::Design) of it. A
+//! value knows its operator, its range and its [`Pace`], and no stage: in which clock an operator
+//! runs is for the schedule to say.
+use crate::design::{Assumption, LeftOut, NodeId, Op, Range, ScopeId, Table};
+
+/// Values of which the readers take the same pixel's: their stage is that of the latest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct GroupId(pub u32);
+
+/// How an operator is clocked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pace {
+    /// It has the registers that the target wants behind it.
+    Target,
+    /// Its result is there within the clock of its operands.
+    Wire,
+    /// It has one register.
+    Register,
+    /// It is a register of a loop: what it reads belongs to the pixel before, and what it gives to
+    /// the pixel of its group.
+    Feedback,
+    /// It has no register, and what it gives is what a register that holds its value will have in
+    /// the next clock.
+    Ahead,
+    /// It is no operator: its operand, taken together with a group.
+    Meet,
+}
+
+/// A value of a [`Graph`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Value {
+    /// What computes it. Operands come earlier in the graph, except those of loops.
+    pub op: Op,
+    /// How it is clocked.
+    pub pace: Pace,
+    /// The values that its operands are taken together with, besides each other.
+    pub together: Option<GroupId>,
+    /// Every raw value it takes; its width and sign follow from this.
+    pub range: Range,
+    /// Bits right of the binary point.
+    pub fraction_bits: u32,
+    /// The unit it belongs to.
+    pub scope: ScopeId,
+    /// Its name, unique in its unit.
+    pub name: String,
+    /// Whether the name was given; the others say what computes the value, with a number behind.
+    pub named: bool,
+}
+
+/// A unit of a [`Graph`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unit {
+    /// What it is, such as `reflect`.
+    pub name: String,
+    /// Its formula and source.
+    pub formula: String,
+    /// Name of this instance, unique in the unit around it.
+    pub instance: String,
+    /// The unit around it; `None` for the design itself.
+    pub parent: Option<ScopeId>,
+    /// What enters it.
+    pub inputs: GroupId,
+    /// What leaves it.
+    pub outputs: GroupId,
+}
+
+/// A datapath without clocks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Graph {
+    /// Every value.
+    pub values: Vec<Value>,
+    /// Every group of values.
+    pub groups: Vec<Vec<NodeId>>,
+    /// Every read-only memory.
+    pub tables: Vec<Table>,
+    /// Every unit; parents come before children.
+    pub units: Vec<Unit>,
+    /// Data inputs in the order in which they were opened; `None` where one is constant or another.
+    pub inputs: Vec<Option<NodeId>>,
+    /// The bit that says a pixel enters.
+    pub valid: NodeId,
+    /// The bit that says that the pixel is the first of its span.
+    pub start: NodeId,
+    /// Clocks from one pixel to the next.
+    pub interval: u32,
+    /// The bit that says, as the inputs do, that what enters leaves as a pixel.
+    pub leaves: NodeId,
+    /// What leaves: a name, a value, and the bound on its |fixed - real|, as a value.
+    pub outputs: Vec<(String, NodeId, f64)>,
+    /// Facts to be checked.
+    pub assumptions: Vec<Assumption>,
+    /// What was left out.
+    pub left_out: Vec<LeftOut>,
+}
+
+impl Graph {
+    /// The value `id`.
+    pub fn value(&self, id: NodeId) -> &Value {
+        &self.values[id.0 as usize]
+    }
+
+    /// The unit `id`.
+    pub fn unit(&self, id: ScopeId) -> &Unit {
+        &self.units[id.0 as usize]
+    }
+
+    /// The members of a group.
+    pub fn group(&self, id: GroupId) -> &[NodeId] {
+        &self.groups[id.0 as usize]
+    }
+
+    /// Whether a value is the same at every clock.
+    pub fn is_constant(&self, id: NodeId) -> bool {
+        self.value(id).op.constant().is_some()
+    }
+
+    /// The unit whose border a value crosses on its way out, if it does: the value is then a copy
+    /// of one of a unit inside its own.
+    pub fn left_unit(&self, value: &Value) -> Option<ScopeId> {
+        let Op::Copy(from) = value.op else { return None };
+        let inside = self.value(from).scope;
+        let crosses = value.pace == Pace::Wire
+            && self.unit(inside).parent == Some(value.scope)
+            && inside != value.scope;
+        crosses.then_some(inside)
+    }
+
+    /// Names of the units from the design down to `scope`.
+    pub fn path(&self, scope: ScopeId) -> Vec<&str> {
+        let mut path = vec![];
+        let mut at = Some(scope);
+        while let Some(id) = at {
+            path.push(self.unit(id).instance.as_str());
+            at = self.unit(id).parent;
+        }
+        path.reverse();
+        path
+    }
+}
