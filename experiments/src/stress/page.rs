@@ -9,8 +9,8 @@ const HEAD: &str = "\
 # What is asked of each method in each row of the catalogue of extremes, and what came
 
 Rows are numbered as in the project's list of stiff and extreme cases; those with a letter and those
-with names were added. `testbench/src/stress/catalogue` has the rows as scenes, `specula stress` tries
-them with every option and more random spans, and `testbench/tests/stress.rs` compares this page with
+with names were added. `experiments/src/stress/catalogue` has the rows as scenes, `specula stress` tries
+them with every option and more random spans, and `experiments/tests/stress.rs` compares this page with
 what happens, with default options and those of the row.
 
 Of every method it is asked everywhere that no pixel is other than the bit-true model's, that each
@@ -29,7 +29,7 @@ value stands in the pages about [arithmetic](arithmetic.md).
 ## Limits
 
 kd and ks are what a surface sends back of a light, diffusely and in its highlight, n is the exponent,
-N the interpolated normal. The limits of several reasons add up. `testbench/src/stress/limits` works
+N the interpolated normal. The limits of several reasons add up. `experiments/src/stress/limits` works
 them out for each pixel, from its geometry alone.
 
 ";
