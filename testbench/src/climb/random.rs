@@ -22,6 +22,11 @@ pub(super) const MOST_LIGHTS: usize = specula_scene::spec::MOST_LIGHTS;
 /// How much finer than the coarsest formats coarse ones are, in bits.
 const COARSE: i64 = 4;
 
+/// How likely one format of a core is coarse and all others are fine.
+const ONE_COARSE: f64 = 0.5;
+/// How much finer those are than by default, in bits.
+const FINER: u32 = 4;
+
 /// Whether something happens that does so with this probability.
 pub(super) fn happens(draw: &mut Draw, probability: f64) -> bool {
     draw.unit() < probability
@@ -32,8 +37,26 @@ pub(super) fn of_any_size(draw: &mut Draw, low: f64, high: f64) -> f64 {
     libm::exp2(draw.within(low.log2(), high.log2()))
 }
 
+/// Which formats a core has.
+#[derive(Clone, Copy, Debug)]
+pub enum Formats {
+    /// Any.
+    Any,
+    /// One narrowing point's is as coarse as the default's or coarser, and all others are finer, so
+    /// that errors are that point's. It stands at this share of the list of narrowing points, 0 to
+    /// 1.
+    OneCoarse(f64),
+}
+
+impl Formats {
+    /// Draws either.
+    pub fn draw(draw: &mut Draw) -> Formats {
+        if happens(draw, ONE_COARSE) { Formats::OneCoarse(draw.unit()) } else { Formats::Any }
+    }
+}
+
 /// A scene and a core for it by this method; none where no such core can be built.
-pub fn genome(draw: &mut Draw, method: Method) -> Option<Genome> {
+pub fn genome(draw: &mut Draw, method: Method, of: Formats) -> Option<Genome> {
     let scene = scene(draw);
     let mut core = CoreChoice::default_of(method);
     core.light_pipelines =
@@ -45,7 +68,10 @@ pub fn genome(draw: &mut Draw, method: Method) -> Option<Genome> {
         }
     }
     let mut genome = Genome { scene, core }.settled()?;
-    formats(draw, &mut genome.core);
+    match of {
+        Formats::Any => formats(draw, &mut genome.core),
+        Formats::OneCoarse(share) => one_coarse(draw, &mut genome.core, share),
+    }
     genome.settled()
 }
 
@@ -59,6 +85,22 @@ fn formats(draw: &mut Draw, core: &mut CoreChoice) {
                 if is_coarse { coarse_format(draw, &point) } else { any_format(draw, &point) };
             core.set_format(point.name, format);
         }
+    }
+}
+
+/// One format coarse, all others finer than by default.
+fn one_coarse(draw: &mut Draw, core: &mut CoreChoice, share: f64) {
+    let points = core.points.clone();
+    let coarse = (share * points.len() as f64) as usize;
+    for (number, point) in points.iter().enumerate() {
+        let (fewest, most) = (point.fewest_fraction_bits, point.most_fraction_bits);
+        let by_default = point.format.fraction_bits;
+        let fraction_bits = if number == coarse {
+            draw.between(fewest.min(by_default).into(), by_default.into()) as u32
+        } else {
+            (by_default + FINER).min(most.max(by_default))
+        };
+        core.set_format(point.name, Format { fraction_bits, ..point.format });
     }
 }
 

@@ -1,6 +1,7 @@
 //! Changes to spans.
 use glam::DVec3;
 use specula_scene::Colour;
+use specula_scene::frame::EYE;
 use specula_scene::spec::LONGEST_SPAN;
 
 use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
@@ -92,19 +93,35 @@ fn round_a_normal_badly(genome: &mut Genome, draw: &mut Draw) {
     replace(span, before, badly_rounded(before, format, draw), draw);
 }
 
-/// Normals of an edge that are opposite, or nearly so: N is shorter than formats can say.
+/// Normals of an edge that are opposite, or nearly so: N is shorter than formats can say. All may
+/// lie across an axis besides.
 fn oppose_normals(span: &mut RawSpan, draw: &mut Draw) {
+    if happens(draw, 0.5) {
+        flatten_normals(span, draw);
+    }
     let opposite = -span.normals[0];
-    let (angle, azimuth) = (random::of_any_size(draw, 1e-7, 0.3), draw.unit());
+    let angle = random::of_any_size(draw, 1e-7, 0.3);
     span.normals[1] = match opposite.try_normalize() {
-        Some(axis) if happens(draw, 0.8) => turned(axis, angle, azimuth),
+        Some(axis) if happens(draw, 0.8) => {
+            let across = span.normals[2].reject_from_normalized(axis);
+            let across = across.try_normalize().unwrap_or_else(|| any_across(axis, draw));
+            (axis + angle * across).normalize()
+        }
         _ => opposite,
     };
 }
 
-/// All normals across one axis: a cosine of theirs is 0 exactly.
+/// A unit vector across another one, in the plane across the eye's way if that one lies there.
+fn any_across(axis: DVec3, draw: &mut Draw) -> DVec3 {
+    match axis.cross(EYE).try_normalize() {
+        Some(across) if axis.z == 0.0 && happens(draw, 0.7) => across,
+        _ => turned(axis, std::f64::consts::FRAC_PI_2, draw.unit()),
+    }
+}
+
+/// All normals across one axis, the eye's way more often than another: a cosine is 0 exactly.
 fn flatten_normals(span: &mut RawSpan, draw: &mut Draw) {
-    let axis = draw.between(0, 2) as usize;
+    let axis = draw.one_of(&[0, 1, 2, 2]);
     for normal in &mut span.normals {
         normal[axis] = 0.0;
         *normal = normal.normalize_or_zero();
