@@ -113,9 +113,9 @@ impl Sig {
 
     /// The value without its sign. Fixed and real come no further apart.
     pub fn absolute(&self) -> Sig {
-        let range = self.range();
+        let (range, real) = (self.range(), self.real().absolute());
         if range.low >= 0 {
-            return self.clone();
+            return self.clone().with_real(real);
         }
         let negative = self.less_than(&self.builder.integer(0));
         let largest = range.high.max(-range.low);

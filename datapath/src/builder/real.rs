@@ -42,6 +42,11 @@ impl Real {
         Real { low: self.low.min(limit), high: self.high.min(limit) }
     }
 
+    /// The value without its sign.
+    pub fn absolute(self) -> Real {
+        Real { low: self.low.max(-self.high).max(0.0), high: self.high.max(-self.low) }
+    }
+
     /// In units that are 1/`factor` of these.
     pub fn scaled(self, factor: f64) -> Real {
         Real { low: self.low * factor, high: self.high * factor }

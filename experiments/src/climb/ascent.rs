@@ -4,7 +4,7 @@ use specula_scene::Method;
 use super::genome::Genome;
 use super::measure::{Bound, Measure, Unmeasured, measure};
 use super::mutation::Mutation;
-use super::random;
+use super::random::{self, Formats};
 use crate::stress::draw::Draw;
 
 /// A bound of full scale, in LSBs, says nothing.
@@ -93,8 +93,12 @@ impl Climber<'_> {
         let taste =
             Taste { slack: self.draw.one_of(&SLACKS), most_bound: self.draw.one_of(&MOST_BOUNDS) };
         let height = |measure: &Measure| taste.height(measure);
-        let Some((mut genome, mut measure)) = self.beginning(&height) else { return };
-        let mutation = Mutation::new(self.draw);
+        let formats = Formats::draw(self.draw);
+        let Some((mut genome, mut measure)) = self.beginning(&height, formats) else { return };
+        let mutation = match formats {
+            Formats::Any => Mutation::new(self.draw),
+            Formats::OneCoarse(_) => Mutation::of_no_formats(self.draw),
+        };
         let mut idle = 0;
         while idle < PATIENCE && !self.is_tired() {
             idle += 1;
@@ -115,13 +119,17 @@ impl Climber<'_> {
         }
     }
 
-    fn beginning(&mut self, height: &dyn Fn(&Measure) -> f64) -> Option<(Genome, Measure)> {
+    fn beginning(
+        &mut self,
+        height: &dyn Fn(&Measure) -> f64,
+        formats: Formats,
+    ) -> Option<(Genome, Measure)> {
         let mut best: Option<(Genome, Measure)> = None;
         for _ in 0..BEGINNINGS {
             if self.is_tired() {
                 break;
             }
-            let drawn = random::genome(self.draw, self.method);
+            let drawn = random::genome(self.draw, self.method, formats);
             let Some(next) = self.tried(drawn) else { continue };
             if best.as_ref().is_none_or(|(_, measure)| height(&next.1) > height(measure)) {
                 best = Some(next);

@@ -1,6 +1,8 @@
 //! Scenes and cores drawn at random.
 use glam::DVec3;
-use specula_scene::spec::{LightPipelines, NarrowingPoint, Specialise};
+use specula_scene::spec::{
+    LARGEST_SHININESS, LONGEST_SPAN, LightPipelines, NarrowingPoint, Specialise,
+};
 use specula_scene::{Colour, Format, Material, Method};
 
 use super::core::CoreChoice;
@@ -8,8 +10,10 @@ use super::genome::Genome;
 use crate::stress::draw::Draw;
 use crate::stress::scene::{Light, RawSpan, SpanScene};
 
-/// Pixels of the longest span.
+/// Pixels of most spans at most; a few are as long as may be.
 pub(super) const LONGEST: u32 = 400;
+/// How likely a span is as long as may be.
+const LONG: f64 = 0.02;
 /// The most spans of a scene.
 pub(super) const MOST_SPANS: usize = 4;
 /// The most lights of a scene.
@@ -17,6 +21,11 @@ pub(super) const MOST_LIGHTS: usize = specula_scene::spec::MOST_LIGHTS;
 
 /// How much finer than the coarsest formats coarse ones are, in bits.
 const COARSE: i64 = 4;
+
+/// How likely one format of a core is coarse and all others are fine.
+const ONE_COARSE: f64 = 0.5;
+/// How much finer those are than by default, in bits.
+const FINER: u32 = 4;
 
 /// Whether something happens that does so with this probability.
 pub(super) fn happens(draw: &mut Draw, probability: f64) -> bool {
@@ -28,8 +37,26 @@ pub(super) fn of_any_size(draw: &mut Draw, low: f64, high: f64) -> f64 {
     libm::exp2(draw.within(low.log2(), high.log2()))
 }
 
+/// Which formats a core has.
+#[derive(Clone, Copy, Debug)]
+pub enum Formats {
+    /// Any.
+    Any,
+    /// One narrowing point's is as coarse as the default's or coarser, and all others are finer, so
+    /// that errors are that point's. It stands at this share of the list of narrowing points, 0 to
+    /// 1.
+    OneCoarse(f64),
+}
+
+impl Formats {
+    /// Draws either.
+    pub fn draw(draw: &mut Draw) -> Formats {
+        if happens(draw, ONE_COARSE) { Formats::OneCoarse(draw.unit()) } else { Formats::Any }
+    }
+}
+
 /// A scene and a core for it by this method; none where no such core can be built.
-pub fn genome(draw: &mut Draw, method: Method) -> Option<Genome> {
+pub fn genome(draw: &mut Draw, method: Method, of: Formats) -> Option<Genome> {
     let scene = scene(draw);
     let mut core = CoreChoice::default_of(method);
     core.light_pipelines =
@@ -41,7 +68,10 @@ pub fn genome(draw: &mut Draw, method: Method) -> Option<Genome> {
         }
     }
     let mut genome = Genome { scene, core }.settled()?;
-    formats(draw, &mut genome.core);
+    match of {
+        Formats::Any => formats(draw, &mut genome.core),
+        Formats::OneCoarse(share) => one_coarse(draw, &mut genome.core, share),
+    }
     genome.settled()
 }
 
@@ -55,6 +85,22 @@ fn formats(draw: &mut Draw, core: &mut CoreChoice) {
                 if is_coarse { coarse_format(draw, &point) } else { any_format(draw, &point) };
             core.set_format(point.name, format);
         }
+    }
+}
+
+/// One format coarse, all others finer than by default.
+fn one_coarse(draw: &mut Draw, core: &mut CoreChoice, share: f64) {
+    let points = core.points.clone();
+    let coarse = (share * points.len() as f64) as usize;
+    for (number, point) in points.iter().enumerate() {
+        let (fewest, most) = (point.fewest_fraction_bits, point.most_fraction_bits);
+        let by_default = point.format.fraction_bits;
+        let fraction_bits = if number == coarse {
+            draw.between(fewest.min(by_default).into(), by_default.into()) as u32
+        } else {
+            (by_default + FINER).min(most.max(by_default))
+        };
+        core.set_format(point.name, Format { fraction_bits, ..point.format });
     }
 }
 
@@ -98,9 +144,16 @@ pub(super) fn light(draw: &mut Draw) -> Light {
     }
 }
 
-/// A point not far from the picture's middle.
+/// A point not far from the picture's middle, or at times very near or far.
 pub(super) fn place(draw: &mut Draw) -> DVec3 {
-    of_any_size(draw, 0.05, 20.0) * draw.direction()
+    let (nearest, farthest) = if happens(draw, 0.1) { (1e-6, 1e6) } else { (0.05, 20.0) };
+    of_any_size(draw, nearest, farthest) * draw.direction()
+}
+
+/// Pixels of a span.
+pub(super) fn length(draw: &mut Draw) -> u32 {
+    let longest = if happens(draw, LONG) { LONGEST_SPAN } else { LONGEST };
+    draw.length(longest)
 }
 
 /// White or grey or anything, at times nothing.
@@ -114,12 +167,12 @@ pub(super) fn colour(draw: &mut Draw) -> Colour {
     }
 }
 
-/// An exponent n, a power of two more often than not.
+/// An exponent n, a power of two more often than not, at times the largest.
 pub(super) fn exponent(draw: &mut Draw) -> u32 {
-    if happens(draw, 0.6) {
-        draw.even_shininess()
-    } else {
-        draw.length(specula_scene::spec::LARGEST_SHININESS)
+    match draw.between(0, 19) {
+        1..=11 => draw.even_shininess(),
+        12 => LARGEST_SHININESS,
+        _ => draw.length(LARGEST_SHININESS),
     }
 }
 
@@ -134,14 +187,32 @@ pub(super) fn material(draw: &mut Draw) -> Material {
     }
 }
 
-/// Unit vectors: those of an edge near each other or not, and a third.
+/// Unit vectors: those of an edge near each other, opposite but for little or not at all, or
+/// anywhere between, and a third; at times some have none.
 pub(super) fn normals(draw: &mut Draw) -> [DVec3; 3] {
-    let degrees = of_any_size(draw, 0.01, 170.0);
+    let degrees = match draw.between(0, 9) {
+        1 => 180.0 - of_any_size(draw, 1e-6, 10.0),
+        2 => 180.0,
+        _ => of_any_size(draw, 0.01, 170.0),
+    };
     let [first, last] = draw.ends(degrees, 90.0);
-    match draw.between(0, 3) {
+    let mut normals = match draw.between(0, 3) {
         0 => [first; 3],
         1 => [first, last, draw.direction()],
         _ => [first, last, first],
+    };
+    if happens(draw, 0.05) {
+        normals[draw.between(0, 2) as usize] = DVec3::ZERO;
+    }
+    normals
+}
+
+/// The polygon's own normal: most often that of its vertices, or anything, or none.
+pub(super) fn face(draw: &mut Draw) -> Option<DVec3> {
+    match draw.between(0, 7) {
+        1 => Some(draw.direction()),
+        2 => Some(DVec3::ZERO),
+        _ => None,
     }
 }
 
@@ -159,7 +230,7 @@ pub(super) fn weights(draw: &mut Draw) -> [f64; 3] {
 pub(super) fn cone_cosines(draw: &mut Draw) -> [f64; 3] {
     match draw.between(0, 2) {
         0 => [1.0; 3],
-        1 => [draw.within(-0.2, 1.0); 3],
+        1 => [draw.within(-1.0, 1.0); 3],
         _ => [0, 1, 2].map(|_| draw.within(-0.2, 1.0)),
     }
 }
@@ -168,9 +239,10 @@ pub(super) fn cone_cosines(draw: &mut Draw) -> [f64; 3] {
 pub(super) fn span(draw: &mut Draw) -> RawSpan {
     let normals = normals(draw);
     let is_edge = happens(draw, 0.7);
-    let whole = RawSpan::between([normals[0], normals[1]], draw.length(LONGEST), material(draw));
+    let whole = RawSpan::between([normals[0], normals[1]], length(draw), material(draw));
     RawSpan {
         normals,
+        face: face(draw),
         positions: [0, 1, 2].map(|_| place(draw)),
         cone_cosines: cone_cosines(draw),
         start: if is_edge { whole.start } else { weights(draw) },

@@ -139,7 +139,7 @@ mod tests {
     use specula_datapath::Design;
 
     use super::super::ascent::NO_BOUND;
-    use super::super::random;
+    use super::super::random::{self, Formats};
     use super::*;
 
     const SCENES: u64 = 2000;
@@ -154,7 +154,8 @@ mod tests {
     /// The largest ratio of as many random scenes.
     fn drawn(method: Method) -> f64 {
         let mut draw = Draw::new(1, 0);
-        let one = |_| measure(random::genome(&mut draw, method)?.text(), &planted).ok();
+        let one =
+            |_| measure(random::genome(&mut draw, method, Formats::Any)?.text(), &planted).ok();
         let measured = (0..SCENES).filter_map(one).filter(|measure| measure.bound < NO_BOUND);
         measured.map(|measure| measure.ratio()).fold(0.0, f64::max)
     }

@@ -97,7 +97,8 @@ fn plainer(scene: &SpanScene) -> Vec<SpanScene> {
     plainer
 }
 
-const PLAIN: [fn(&mut RawSpan); 9] = [
+const PLAIN: [fn(&mut RawSpan); 10] = [
+    |span| span.face = None,
     |span| span.positions = [DVec3::ZERO; 3],
     |span| span.cone_cosines = [1.0; 3],
     |span| (span.start, span.end) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),

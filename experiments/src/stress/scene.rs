@@ -32,6 +32,8 @@ pub struct RawSpan {
     pub length: u32,
     /// Normals of the triangle's vertices: unit vectors, or 0.
     pub normals: [DVec3; 3],
+    /// Unit normal of the polygon, or 0, where it is not the mean direction of those.
+    pub face: Option<DVec3>,
     /// Its vertices.
     pub positions: [DVec3; 3],
     /// Smallest cosines between vertex normals and faces around them.
@@ -50,6 +52,7 @@ impl RawSpan {
         RawSpan {
             length,
             normals: [first, last, first],
+            face: None,
             positions: [DVec3::ZERO; 3],
             cone_cosines: [1.0; 3],
             start: [1.0, 0.0, 0.0],
@@ -167,6 +170,9 @@ impl RawSpan {
         let mut text =
             format!("\n[[span]]\nlength = {}\nnormals = [{}]\n", self.length, three(self.normals));
         // Writing to a String cannot fail.
+        if let Some(face) = self.face {
+            let _ = writeln!(text, "face = {}", vector(face));
+        }
         if self.positions != [DVec3::ZERO; 3] {
             let _ = writeln!(text, "positions = [{}]", three(self.positions));
         }

@@ -41,7 +41,9 @@ pub(super) fn core(
     let reciprocal = b
         .instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to, smallest))
         .named("w");
-    let has_direction = b.integer(0).less_than(&q).named("has_direction");
+    let unsure = if smallest - q.error_value() > 0.0 { 0.0 } else { 1.0 };
+    let has_direction =
+        b.integer(0).less_than(&q).named("has_direction").stated_error_value(unsure);
     let exponent = &inputs.exponent;
     let mut pixel = Pixel {
         forward,

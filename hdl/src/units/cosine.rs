@@ -10,7 +10,7 @@ pub struct Length {
     pub squared: Sig,
     /// s, and 0 where q ≤ 0.
     pub root: Sig,
-    /// Whether q > 0.
+    /// Whether q > 0; off by 1 where rounding may decide that.
     pub has_direction: Sig,
     /// Real q is no smaller, and |u·N|² no larger than q for any unit vector u; 0 where that is not
     /// sure of q after rounding.
@@ -28,10 +28,11 @@ pub fn root(b: &Builder, q: &Sig, format: Format, smallest: f64) -> Length {
     let root = positive.choose(&reciprocal, &b.integer(0)).named("s");
     let sure = smallest - q.error_value();
     let reached = sure > 0.0 && sure >= to.smallest_operand();
+    let unsure = if sure > 0.0 { 0.0 } else { 1.0 };
     Length {
         squared: q.clone(),
         root,
-        has_direction: positive.named("has_direction"),
+        has_direction: positive.named("has_direction").stated_error_value(unsure),
         smallest: if reached { sure } else { 0.0 },
     }
 }
@@ -122,6 +123,10 @@ pub fn amount(b: &Builder, cosine: &Sig, fraction_bits: u32) -> Sig {
 /// the normal has no direction. [Hast et al., eq. 33 and 34]
 ///
 /// `product_error` bounds the error of v c where it is better known than by propagation.
+///
+/// # Error
+/// Where rounding may decide whether the normal has a direction, nothing is known of the base: v
+/// may be 0 exactly, and b then -L·V on one side, and 0 on the other.
 pub fn reflected_base(
     b: &Builder,
     (v, c): (&Sig, &Sig),
@@ -137,7 +142,8 @@ pub fn reflected_base(
         |b, (v, c, l, positive)| {
             let reflected = (v * c).proven_error_value(to.product_error).doubled() - l;
             let clamped = reflected.rounded(to.fraction_bits).at_least_zero().clamped_above(1);
-            positive.choose(&clamped, &b.integer(0)).named("base")
+            let base = positive.choose(&clamped, &b.integer(0)).named("base");
+            if positive.error() == 0.0 { base } else { base.stated_error_value(1.0) }
         },
     )
 }

@@ -80,3 +80,18 @@ fn every_reflected_base_is_rounded_and_limited() {
         assert_eq!(got, [row[3] * rounded(exact, 3).clamp(0, 32)], "{row:?}");
     }
 }
+
+/// What is lost with the direction of a normal is all of the base, where rounding may decide that:
+/// N·V of 0 leaves -L·V.
+#[test]
+fn a_base_whose_direction_is_unsure_may_be_off_by_all_of_it() {
+    for (smallest, wanted) in [(0.25, false), (0.0, true)] {
+        let bench = Bench::new();
+        let q = bench.input("q", Format::unsigned(1, 4), (0, 16));
+        let [v, dot_view] = ["v", "dot_view"].map(|name| bench.input(name, P, (0, 0)));
+        let length = units::root(&bench.b, &q, Format::unsigned(2, 5), smallest);
+        let to = Base { fraction_bits: 5, product_error: f64::INFINITY };
+        let base = units::reflected_base(&bench.b, (&v, &v), &dot_view, &length.has_direction, to);
+        assert_eq!(base.error_value() >= 1.0, wanted, "{smallest}: {}", base.error_value());
+    }
+}

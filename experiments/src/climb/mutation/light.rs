@@ -1,8 +1,10 @@
 //! Changes to lights and to the eye.
+use glam::DVec3;
+
 use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
 use super::{Genome, Operator, any};
 use crate::climb::random::{self, MOST_LIGHTS, happens};
-use crate::stress::draw::Draw;
+use crate::stress::draw::{AXES, Draw};
 use crate::stress::scene::Light;
 
 /// Changes to lights and to the eye.
@@ -14,6 +16,9 @@ pub(super) const OPERATORS: &[Operator] = &[
     |genome, draw| change(genome, draw, make_components_alike),
     make_a_twin,
     aim,
+    |genome, draw| change(genome, draw, turn_to_an_axis),
+    oppose_another,
+    put_on_a_span,
     recolour,
     add,
     drop_one,
@@ -74,6 +79,38 @@ fn aim(genome: &mut Genome, draw: &mut Draw) {
     if let Some(light) = any(&mut genome.scene.lights, draw) {
         *light = Light::Towards(direction);
     }
+}
+
+/// Towards the eye, away from it, or across.
+fn turn_to_an_axis(light: &mut Light, draw: &mut Draw) {
+    *light = Light::Towards(draw.one_of(&AXES));
+}
+
+/// A light opposite another one.
+fn oppose_another(genome: &mut Genome, draw: &mut Draw) {
+    let Some(Light::Towards(other)) = any(&mut genome.scene.lights, draw).copied() else { return };
+    change(genome, draw, |light, _| *light = Light::Towards(-other));
+}
+
+/// A light, or the eye, on a span or a hair's breadth from it.
+fn put_on_a_span(genome: &mut Genome, draw: &mut Draw) {
+    let Some(span) = any(&mut genome.scene.spans, draw) else { return };
+    let weights = random::weights(draw);
+    let on_it: DVec3 = span.positions.iter().zip(weights).map(|(&p, weight)| weight * p).sum();
+    let away = draw.one_of(&[0.0, 1.0]) * random::of_any_size(draw, 1e-6, 1e-1);
+    let position = on_it + away * draw.direction();
+    if genome.scene.eye.is_some() && happens(draw, 0.3) {
+        genome.scene.eye = Some(position);
+        return;
+    }
+    change(genome, draw, |light, draw| {
+        *light = match light {
+            Light::Spot { exponent, .. } => {
+                Light::Spot { position, target: position + draw.direction(), exponent: *exponent }
+            }
+            _ => Light::At(position),
+        };
+    });
 }
 
 fn add(genome: &mut Genome, draw: &mut Draw) {

@@ -11,10 +11,10 @@ use crate::stress::draw::Draw;
 /// A change; it may leave everything as it is.
 pub(super) type Operator = fn(&mut Genome, &mut Draw);
 
-/// What changes are about. An ascent leaves some of these as they are, so that not all end on the
+/// What changes are about, formats first. An ascent leaves some of these as they are, so that not all end on the
 /// same peak.
 const SUBJECTS: [&[Operator]; 5] =
-    [span::SHAPE, span::MATERIAL, light::OPERATORS, core::FORMATS, core::OPTIONS];
+    [core::FORMATS, span::SHAPE, span::MATERIAL, light::OPERATORS, core::OPTIONS];
 
 /// How likely a subject is changed in an ascent.
 const SHARE_OF_SUBJECTS: f64 = 0.75;
@@ -27,10 +27,19 @@ pub(super) struct Mutation(Vec<&'static [Operator]>);
 impl Mutation {
     /// Draws the subjects.
     pub fn new(draw: &mut Draw) -> Mutation {
+        Mutation::among(&SUBJECTS, draw)
+    }
+
+    /// Draws the subjects, of which formats are none: those stay as they are.
+    pub fn of_no_formats(draw: &mut Draw) -> Mutation {
+        Mutation::among(&SUBJECTS[1..], draw)
+    }
+
+    fn among(all: &[&'static [Operator]], draw: &mut Draw) -> Mutation {
         let mut subjects: Vec<&[Operator]> =
-            SUBJECTS.into_iter().filter(|_| happens(draw, SHARE_OF_SUBJECTS)).collect();
+            all.iter().copied().filter(|_| happens(draw, SHARE_OF_SUBJECTS)).collect();
         if subjects.is_empty() {
-            subjects.push(draw.one_of(&SUBJECTS));
+            subjects.push(draw.one_of(all));
         }
         Mutation(subjects)
     }

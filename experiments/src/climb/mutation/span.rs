@@ -1,11 +1,13 @@
 //! Changes to spans.
 use glam::DVec3;
 use specula_scene::Colour;
+use specula_scene::frame::EYE;
+use specula_scene::spec::LONGEST_SPAN;
 
 use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
 use super::{Genome, Operator, any};
 use crate::climb::random::{self, LONGEST, MOST_SPANS, happens};
-use crate::stress::draw::Draw;
+use crate::stress::draw::{Draw, turned};
 use crate::stress::scene::RawSpan;
 
 /// Changes to lengths, normals, weights, and how many spans there are.
@@ -15,17 +17,33 @@ pub(super) const SHAPE: &[Operator] = &[
     |genome, draw| change(genome, draw, |span, draw| span.normals = random::normals(draw)),
     |genome, draw| change(genome, draw, |span, _| span.normals = [span.normals[0]; 3]),
     |genome, draw| change(genome, draw, |span, _| span.normals[2] = span.normals[0]),
+    |genome, draw| change(genome, draw, oppose_normals),
+    |genome, draw| change(genome, draw, flatten_normals),
+    |genome, draw| {
+        change(genome, draw, |span, draw| {
+            span.normals[draw.between(0, 2) as usize] = DVec3::ZERO;
+        })
+    },
+    |genome, draw| change(genome, draw, |span, draw| span.face = random::face(draw)),
+    |genome, draw| change(genome, draw, turn_the_face),
     round_a_normal_badly,
     |genome, draw| change(genome, draw, make_components_alike),
-    |genome, draw| change(genome, draw, |span, draw| span.length = draw.length(LONGEST)),
+    |genome, draw| change(genome, draw, |span, draw| span.length = random::length(draw)),
     |genome, draw| change(genome, draw, stretch),
     |genome, draw| change(genome, draw, stretch),
     |genome, draw| change(genome, draw, |span, draw| span.start = random::weights(draw)),
     |genome, draw| change(genome, draw, |span, draw| span.end = random::weights(draw)),
+    |genome, draw| change(genome, draw, |span, _| span.end = span.start),
     |genome, draw| {
         change(genome, draw, |span, draw| span.cone_cosines = random::cone_cosines(draw))
     },
     |genome, draw| change(genome, draw, move_a_vertex),
+    |genome, draw| {
+        change(genome, draw, |span, draw| {
+            span.positions[draw.between(0, 2) as usize] =
+                span.positions[draw.between(0, 2) as usize];
+        })
+    },
     add,
     drop_one,
 ];
@@ -75,6 +93,48 @@ fn round_a_normal_badly(genome: &mut Genome, draw: &mut Draw) {
     replace(span, before, badly_rounded(before, format, draw), draw);
 }
 
+/// Normals of an edge that are opposite, or nearly so: N is shorter than formats can say. All may
+/// lie across an axis besides.
+fn oppose_normals(span: &mut RawSpan, draw: &mut Draw) {
+    if happens(draw, 0.5) {
+        flatten_normals(span, draw);
+    }
+    let opposite = -span.normals[0];
+    let angle = random::of_any_size(draw, 1e-7, 0.3);
+    span.normals[1] = match opposite.try_normalize() {
+        Some(axis) if happens(draw, 0.8) => {
+            let across = span.normals[2].reject_from_normalized(axis);
+            let across = across.try_normalize().unwrap_or_else(|| any_across(axis, draw));
+            (axis + angle * across).normalize()
+        }
+        _ => opposite,
+    };
+}
+
+/// A unit vector across another one, in the plane across the eye's way if that one lies there.
+fn any_across(axis: DVec3, draw: &mut Draw) -> DVec3 {
+    match axis.cross(EYE).try_normalize() {
+        Some(across) if axis.z == 0.0 && happens(draw, 0.7) => across,
+        _ => turned(axis, std::f64::consts::FRAC_PI_2, draw.unit()),
+    }
+}
+
+/// All normals across one axis, the eye's way more often than another: a cosine is 0 exactly.
+fn flatten_normals(span: &mut RawSpan, draw: &mut Draw) {
+    let axis = draw.one_of(&[0, 1, 2, 2]);
+    for normal in &mut span.normals {
+        normal[axis] = 0.0;
+        *normal = normal.normalize_or_zero();
+    }
+}
+
+/// The polygon's own normal a little or more away from what it was, or from a vertex's.
+fn turn_the_face(span: &mut RawSpan, draw: &mut Draw) {
+    let before = span.face.filter(|_| happens(draw, 0.7));
+    let before = before.unwrap_or(span.normals[draw.between(0, 2) as usize]);
+    span.face = Some(turned_a_bit(before, draw));
+}
+
 fn replace(span: &mut RawSpan, before: DVec3, after: DVec3, draw: &mut Draw) {
     let is_alone = happens(draw, 0.3);
     let mut alike = span.normals.iter_mut().filter(|normal| **normal == before);
@@ -89,7 +149,9 @@ fn replace(span: &mut RawSpan, before: DVec3, after: DVec3, draw: &mut Draw) {
 fn stretch(span: &mut RawSpan, draw: &mut Draw) {
     let factor = draw.one_of(&[0.5, 0.8, 1.0, 1.0, 1.25, 2.0]);
     let length = (f64::from(span.length) * factor).round() as i64 + draw.between(-2, 2);
-    span.length = length.clamp(1, LONGEST.into()) as u32;
+    // What is long already may grow on; every pixel takes its time.
+    let longest = if span.length > LONGEST { LONGEST_SPAN } else { LONGEST };
+    span.length = length.clamp(1, longest.into()) as u32;
 }
 
 fn move_a_vertex(span: &mut RawSpan, draw: &mut Draw) {

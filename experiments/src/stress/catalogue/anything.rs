@@ -36,6 +36,7 @@ fn span(draw: &mut Draw, longest: u32) -> RawSpan {
     RawSpan {
         length: draw.length(longest),
         normals,
+        face: None,
         positions: [glam::DVec3::ZERO; 3],
         cone_cosines: draw.one_of(&[[1.0; 3], [0.0; 3], [0.3, 0.9, -0.1]]),
         start: weights(draw),
