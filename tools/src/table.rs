@@ -18,6 +18,20 @@ pub fn shown<const N: usize>(rows: &[[String; N]]) -> String {
     }
 }
 
+/// Text as standard output shows it: on a terminal as wide as that, its lines broken at blanks if
+/// need be.
+pub fn paragraphs(text: &str) -> String {
+    match terminal_size::terminal_size_of(io::stdout()) {
+        Some((columns, _)) => filled(text, columns.0.into()),
+        None => text.to_owned(),
+    }
+}
+
+fn filled(text: &str, room: usize) -> String {
+    let line = |line: &str| textwrap::fill(line, at_blanks(room));
+    text.split('\n').map(line).collect::<Vec<_>>().join("\n")
+}
+
 /// Rows that take `room` columns, or as few more as their longest words need.
 pub fn folded<const N: usize>(rows: &[[String; N]], room: usize) -> String {
     let beside = |gap: &str| room.saturating_sub(gap.len() * N.saturating_sub(1));
@@ -49,13 +63,8 @@ fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
 
 /// A row as several, in which each cell has the width of its column.
 fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String; N]> {
-    let options = |width| {
-        let options =
-            Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
-        options.word_splitter(WordSplitter::NoHyphenation)
-    };
     let cells: [Vec<String>; N] = std::array::from_fn(|c| {
-        textwrap::wrap(&row[c], options(widths[c]))
+        textwrap::wrap(&row[c], at_blanks(widths[c]))
             .into_iter()
             .map(|line| line.into_owned())
             .collect()
@@ -64,6 +73,12 @@ fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String;
     (0..height)
         .map(|line| std::array::from_fn(|c| cells[c].get(line).cloned().unwrap_or_default()))
         .collect()
+}
+
+/// Breaks lines at blanks alone: a broken path can be neither copied nor searched for.
+fn at_blanks(width: usize) -> Options<'static> {
+    let options = Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
+    options.word_splitter(WordSplitter::NoHyphenation)
 }
 
 fn widths<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
@@ -153,6 +168,14 @@ lights-and-eye  3 of 4
             assert_eq!(folded(&rows, room), narrow);
         }
         assert_eq!(folded(&rows, 1000), lines(&rows));
+    }
+
+    #[test]
+    fn text_is_broken_at_blanks_and_paths_are_whole() {
+        assert_eq!(
+            filled("known from a/long-path/to-it\n\nthe end\n", 12),
+            "known from\na/long-path/to-it\n\nthe end\n"
+        );
     }
 
     #[test]
