@@ -176,11 +176,11 @@ fn described(exploration: &Exploration, clock: Clock) -> String {
     let table: Vec<[String; 9]> = [TITLES.map(str::to_owned)].into_iter().chain(rows).collect();
     let refused: String =
         exploration.refused.iter().map(|reason| format!("left out: {reason}\n")).collect();
-    format!(
-        "{}\n{} cores were tried, of which these {} are neither beaten in size nor in error; frames/s, set-up counted, at {}\n{refused}",
-        table::shown(&table),
+    let words = format!(
+        "{} cores were tried, of which these {} are neither beaten in size nor in error; frames/s, set-up counted, at {}\n{refused}",
         exploration.tried,
         exploration.front.len(),
         clock.in_words()
-    )
+    );
+    format!("{}\n{}", table::shown(&table), table::paragraphs(&words))
 }

@@ -177,3 +177,20 @@ fn cells(savings: &Savings) -> Vec<[String; 4]> {
     let rows = needs.chain(together).filter_map(row);
     [titles].into_iter().chain(rows).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_fits_into_80_columns() {
+        for name in ["teapot", "lamps"] {
+            let scene = specula_scene::load(name, Some((1024, 768))).expect("it is built in");
+            let spec = scene.core_spec(None).expect("a method serves it").specialised(&scene.frame);
+            let savings = measured(&scene, &spec, false).expect("cores can be built");
+            let table = [vec![TITLES.map(str::to_owned)], rows(&savings)].concat();
+            let text = table::folded(&table, 80);
+            assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+        }
+    }
+}

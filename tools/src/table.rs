@@ -6,6 +6,8 @@ use textwrap::{Options, WordSeparator, WordSplitter};
 
 /// Blanks between columns.
 const GAP: &str = "  ";
+/// The same where the longest words leave no room for more.
+const NARROW_GAP: &str = " ";
 
 /// Rows as standard output shows them: on a terminal as wide as that, cells folded at blanks if
 /// need be; elsewhere a line each.
@@ -16,19 +18,40 @@ pub fn shown<const N: usize>(rows: &[[String; N]]) -> String {
     }
 }
 
+/// Text as standard output shows it: on a terminal as wide as that, its lines broken at blanks if
+/// need be.
+pub fn paragraphs(text: &str) -> String {
+    match terminal_size::terminal_size_of(io::stdout()) {
+        Some((columns, _)) => filled(text, columns.0.into()),
+        None => text.to_owned(),
+    }
+}
+
+fn filled(text: &str, room: usize) -> String {
+    let line = |line: &str| textwrap::fill(line, at_blanks(room));
+    text.split('\n').map(line).collect::<Vec<_>>().join("\n")
+}
+
 /// Rows that take `room` columns, or as few more as their longest words need.
-fn folded<const N: usize>(rows: &[[String; N]], room: usize) -> String {
-    let widths = narrowed(rows, room.saturating_sub(GAP.len() * N.saturating_sub(1)));
+pub fn folded<const N: usize>(rows: &[[String; N]], room: usize) -> String {
+    let beside = |gap: &str| room.saturating_sub(gap.len() * N.saturating_sub(1));
+    let least: usize = longest_words(rows).iter().sum();
+    let gap = if least > beside(GAP) { NARROW_GAP } else { GAP };
+    let widths = narrowed(rows, beside(gap));
     let pieces: Vec<[String; N]> = rows.iter().flat_map(|row| pieces(row, widths)).collect();
-    lines(&pieces)
+    lines_apart(&pieces, gap)
+}
+
+fn longest_words<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
+    let longest =
+        |c: usize| rows.iter().flat_map(|row| row[c].split(' ')).map(width).max().unwrap_or(0);
+    std::array::from_fn(longest)
 }
 
 /// Widths of columns that take `room` together, the widest ones made narrower, but none narrower
 /// than its longest word.
 fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
-    let longest =
-        |c: usize| rows.iter().flat_map(|row| row[c].split(' ')).map(width).max().unwrap_or(0);
-    let least: [usize; N] = std::array::from_fn(longest);
+    let least = longest_words(rows);
     let mut widths = widths(rows);
     while widths.iter().sum::<usize>() > room {
         let widest = (0..N).filter(|&c| widths[c] > least[c]).max_by_key(|&c| (widths[c], c));
@@ -40,13 +63,8 @@ fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
 
 /// A row as several, in which each cell has the width of its column.
 fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String; N]> {
-    let options = |width| {
-        let options =
-            Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
-        options.word_splitter(WordSplitter::NoHyphenation)
-    };
     let cells: [Vec<String>; N] = std::array::from_fn(|c| {
-        textwrap::wrap(&row[c], options(widths[c]))
+        textwrap::wrap(&row[c], at_blanks(widths[c]))
             .into_iter()
             .map(|line| line.into_owned())
             .collect()
@@ -55,6 +73,12 @@ fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String;
     (0..height)
         .map(|line| std::array::from_fn(|c| cells[c].get(line).cloned().unwrap_or_default()))
         .collect()
+}
+
+/// Breaks lines at blanks alone: a broken path can be neither copied nor searched for.
+fn at_blanks(width: usize) -> Options<'static> {
+    let options = Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
+    options.word_splitter(WordSplitter::NoHyphenation)
 }
 
 fn widths<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
@@ -67,11 +91,15 @@ fn width(text: &str) -> usize {
 
 /// Rows with their columns lined up by blanks, a line each.
 pub fn lines<const N: usize>(rows: &[[String; N]]) -> String {
+    lines_apart(rows, GAP)
+}
+
+fn lines_apart<const N: usize>(rows: &[[String; N]], gap: &str) -> String {
     let widths = widths(rows);
     let line = |row: &[String; N]| {
         let cells: Vec<String> =
             row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}")).collect();
-        format!("{}\n", cells.join(GAP).trim_end())
+        format!("{}\n", cells.join(gap).trim_end())
     };
     rows.iter().map(line).collect()
 }
@@ -133,15 +161,28 @@ lights-and-eye  3 of 4
                 widths/../of-all
 ";
         assert_eq!(folded(&rows, 32), expected);
-        assert_eq!(folded(&rows, 0), folded(&rows, 32));
+        let narrow = expected.replace("lights-and-eye  ", "lights-and-eye ");
+        let narrow = narrow.replace("\n                ", "\n               ");
+        let narrow = narrow.replace("need            ", "need           ");
+        for room in [0, 31] {
+            assert_eq!(folded(&rows, room), narrow);
+        }
         assert_eq!(folded(&rows, 1000), lines(&rows));
+    }
+
+    #[test]
+    fn text_is_broken_at_blanks_and_paths_are_whole() {
+        assert_eq!(
+            filled("known from a/long-path/to-it\n\nthe end\n", 12),
+            "known from\na/long-path/to-it\n\nthe end\n"
+        );
     }
 
     #[test]
     fn no_line_is_longer_than_the_room_and_no_word_is_broken() {
         let rows =
             [row("one two three", "four five six seven eight"), row("  nine", "ten"), row("", "")];
-        for room in 13..45 {
+        for room in 11..45 {
             let text = folded(&rows, room);
             assert!(text.lines().all(|line| line.len() <= room), "{room}:\n{text}");
             let words = |text: &str| {

@@ -18,6 +18,11 @@ pub struct Figure {
     pub groups: Vec<Group>,
 }
 
+/// Stands for a value that does not fit, and for what is left out of a text.
+pub const CUT: char = '\u{2026}';
+/// Characters in which it is worth while to show the begin of a text.
+const SHORTEST_CUT: usize = 4;
+
 /// Time, in columns of equal length: clocks, or round numbers of the file's units.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axis {
@@ -109,11 +114,12 @@ impl Figure {
         let columns = |segment: &Segment| {
             self.axis.place(segment.time.end) - self.axis.place(segment.time.start)
         };
-        let share = |length: usize, columns: f64| {
-            ((length as f64 + 1.0) / columns.max(1.0)).ceil() as usize - 1
-        };
+        let share =
+            |length: usize, columns: f64| ((length as f64 + 1.0) / columns).ceil() as usize - 1;
         let wish = |row: &Row, segment: &Segment| {
-            share(row.wish(&segment.value, rounded, most), columns(segment))
+            let columns = columns(segment).max(1.0);
+            let room = ((most as f64 + 1.0) * columns) as usize - 1;
+            share(row.wish(&segment.value, rounded, room), columns)
         };
         self.rows()
             .flat_map(|row| row.segments.iter().map(move |segment| wish(row, segment)))
@@ -129,6 +135,16 @@ impl Row {
             Shape::Levels | Shape::Events => None,
             Shape::Cells { notation, .. } => notation.written(value, room),
         }
+    }
+
+    /// The same, and of a text that does not fit the begin.
+    pub fn written_or_begun(&self, value: &Value, room: usize) -> Option<String> {
+        self.written(value, room).or_else(|| match (&self.shape, value) {
+            (Shape::Cells { .. }, Value::Text(text)) if room >= SHORTEST_CUT => {
+                Some(text.chars().take(room - 1).chain([CUT]).collect())
+            }
+            _ => None,
+        })
     }
 
     fn wish(&self, value: &Value, rounded: usize, most: usize) -> usize {

@@ -151,8 +151,7 @@ fn is_vcd(head: &[u8]) -> bool {
         ["$date", "$version", "$timescale", "$scope", "$var", "$comment", "$enddefinitions"];
     let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
     let mut words = text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-    !text.contains(&0)
-        && words.any(|word| SECTIONS.iter().any(|section| word == section.as_bytes()))
+    words.any(|word| SECTIONS.iter().any(|section| word == section.as_bytes()))
 }
 
 fn damaged<T>(what: &str) -> Result<T, InputError> {
@@ -227,7 +226,7 @@ fn keep(from: impl Read, most: u64, warnings: &mut Warnings) -> Result<Box<dyn B
             Err(reason) if reason.kind() == io::ErrorKind::Interrupted => {}
             // What is compressed is shown up to where it is damaged, as other files are.
             Err(_) => {
-                warnings.of_file("cut off", || {
+                warnings.of_file("packed", || {
                     "it cannot be read to its end, and is drawn up to there".to_owned()
                 });
                 break;

@@ -203,10 +203,10 @@ impl Pen<'_> {
         }
     }
 
-    /// A value in the middle of its cell, if it fits.
+    /// A value in the middle of its cell, if it fits; of a text at least the begin.
     fn value(&mut self, ink: Ink, place: &Extent, row: &Row, segment: &Segment) {
         let room = ((place.to - place.from - 2.0 * SLANT) / CHARACTER).max(0.0) as usize;
-        if let Some(text) = row.written(&segment.value, room) {
+        if let Some(text) = row.written_or_begun(&segment.value, room) {
             self.marks.push(Mark::WordsAmid(ink, middle(place), text));
         }
     }

@@ -1,8 +1,9 @@
 //! A figure as text: a row for each signal, values behind bars, bits as lines.
 use std::fmt::Write;
+use std::iter;
 use std::ops::Range;
 
-use super::figure::{Axis, Figure, Row, Shape};
+use super::figure::{Axis, CUT, Figure, Row, Shape};
 use super::segments::Segment;
 use super::value::Value;
 
@@ -13,6 +14,8 @@ const LONGEST_VALUE: usize = 16;
 const LONGEST_ROUNDED: usize = 9;
 /// Characters of a column, at least: a bar and room for a short number.
 const NARROWEST: usize = 5;
+/// Characters of a name that are shown however short the line is.
+const SHORTEST_NAME: usize = 6;
 /// Blanks before a signal's name: it stands below its unit's.
 const INDENT: usize = 2;
 
@@ -23,10 +26,6 @@ const CROWDED: char = '\u{2573}';
 const LOW: char = '_';
 const HIGH: char = '\u{2594}';
 const FLOATING: char = '\u{2500}';
-/// Stands for a value that does not fit.
-const CUT: char = '\u{2026}';
-/// Characters in which it is worth while to show the begin of a text.
-const SHORTEST_CUT: usize = 4;
 /// Stands for an event.
 const EVENT: char = '\u{2191}';
 const MARKER: char = '\u{25bc}';
@@ -43,9 +42,7 @@ struct Page {
 
 impl Page {
     fn new(figure: &Figure, width: usize) -> Page {
-        let label =
-            |row: &Row| INDENT + row.name.chars().count() + 1 + row.format().chars().count();
-        let names = figure.rows().map(label).max().unwrap_or(0) + 1;
+        let names = names(figure, width);
         let room = width.saturating_sub(names + 1).max(NARROWEST);
         let number = figure.axis.numbers.last().map_or(0, |number| number.to_string().len());
         let all = figure.axis.numbers.len().max(1);
@@ -61,6 +58,19 @@ impl Page {
         let column = (room / all).clamp(least, wanted).min(room);
         Page { names, column, columns: (room / column).clamp(1, all) }
     }
+}
+
+/// Characters of names and formats: half of the line at most, unless names would be cut too short.
+fn names(figure: &Figure, width: usize) -> usize {
+    let widest = |longest: usize| {
+        let label = |row: &Row| {
+            INDENT + row.name.chars().count().min(longest) + 1 + row.format().chars().count() + 1
+        };
+        figure.rows().map(label).max().unwrap_or(0)
+    };
+    let names = widest(usize::MAX).min(widest(SHORTEST_NAME).max(width / 2));
+    // What time is counted in stands above.
+    names.max(figure.axis.unit.chars().count())
 }
 
 /// The figure as lines of `width` characters, in as many panels below each other as it takes.
@@ -103,7 +113,9 @@ fn panel(text: &mut String, figure: &Figure, page: &Page, columns: &Range<usize>
         }
         for row in &group.rows {
             let space = page.names - INDENT - 1 - row.format().chars().count();
-            let name = format!("{:INDENT$}{:space$}{} ", "", row.name, row.format());
+            // A blank stands before the format.
+            let name = end_of(&row.name, space - usize::from(!row.format().is_empty()));
+            let name = format!("{:INDENT$}{name:space$}{} ", "", row.format());
             push_line(text, &(name + &wave(row, figure, page, columns)));
         }
     }
@@ -181,21 +193,21 @@ fn level(line: &mut Line, place: Range<i64>, segment: &Segment) {
 fn cell(line: &mut Line, place: Range<i64>, row: &Row, segment: &Segment) {
     line.put(place.start, BAR);
     let room = usize::try_from(place.end - place.start - 1).unwrap_or(0);
-    match row.written(&segment.value, room) {
+    match row.written_or_begun(&segment.value, room) {
         Some(text) => line.write(place.start as usize + 1, &text),
-        None if room >= SHORTEST_CUT => match &segment.value {
-            Value::Text(text) => line.write(place.start as usize + 1, &cut(text, room)),
-            _ => line.put(place.start + 1, CUT),
-        },
         None if room > 0 => line.put(place.start + 1, CUT),
         None => {}
     }
     line.put(place.end, BAR);
 }
 
-/// The begin of a text that does not fit.
-fn cut(text: &str, room: usize) -> String {
-    text.chars().take(room - 1).chain([CUT]).collect()
+/// The end of a name that does not fit: what tells it from others stands there.
+fn end_of(name: &str, room: usize) -> String {
+    let length = name.chars().count();
+    if length <= room {
+        return name.to_owned();
+    }
+    iter::once(CUT).chain(name.chars().skip(length + 1 - room)).collect()
 }
 
 /// A line while it is written.

@@ -66,10 +66,13 @@ impl Notation {
     }
 
     /// The characters that `value` takes, if none may have more than `most`, and such as can be
-    /// rounded not more than `rounded`.
+    /// rounded not more than `rounded`. Of a text the begin is worth showing.
     pub fn wish(self, value: &Value, rounded: usize, most: usize) -> usize {
         let most = if can_be_rounded(value, self) { rounded.min(most) } else { most };
-        self.written(value, most).map_or(0, |text| text.chars().count())
+        match value {
+            Value::Text(text) => text.chars().count().min(most),
+            _ => self.written(value, most).map_or(0, |text| text.chars().count()),
+        }
     }
 
     /// `value` with as many decimals as it has and `room` characters hold; none if it cannot be

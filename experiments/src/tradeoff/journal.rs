@@ -89,6 +89,12 @@ impl Journal {
         bytes.is_empty() || bytes.split(|&byte| byte == b'\n').any(is_result)
     }
 
+    /// How the name of a file begins that is written beside the journal `name`, whose place it then
+    /// takes. An interruption leaves it; it holds nothing that the journal does not.
+    pub fn beside(name: &str) -> String {
+        format!(".{name}-")
+    }
+
     /// Opens the file, or begins it. Damaged lines are taken out of it, and told: what they held is
     /// measured again.
     ///
@@ -208,12 +214,11 @@ fn parsed(line: &[u8]) -> serde_json::Result<(String, Measured)> {
 
 /// Writes the file anew: beside itself first, so that an interruption loses nothing.
 fn rewrite(path: &Path, results: &BTreeMap<String, Measured>) -> io::Result<()> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut beside = tempfile::NamedTempFile::new_in(if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    })?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let mut beside = tempfile::Builder::new()
+        .prefix(&Journal::beside(&name))
+        .tempfile_in(folder.unwrap_or(Path::new(".")))?;
     beside.write_all(text(results)?.as_bytes())?;
     beside.persist(path)?;
     Ok(())

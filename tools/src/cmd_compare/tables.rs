@@ -154,24 +154,23 @@ pub fn software(compared: &Compared) -> Vec<[String; 8]> {
 }
 
 /// Titles of [`summary`].
-pub const SUMMARY_TITLES: [&str; 12] = [
+pub const SUMMARY_TITLES: [&str; 11] = [
     "core",
     "front",
     "max LSB",
     "rms LSB",
-    "PSNR dB",
-    "ns/pixel",
-    "frames/s",
+    "ns a pixel",
+    "frames a second",
     "latency",
     "mult.",
     "their bits",
     "adders",
-    "registers",
+    "reg. bits",
 ];
 
 /// What matters most, in one line for each core; `s` and `t` mark those on the fronts of size and
 /// of time.
-pub fn summary(compared: &Compared) -> Vec<[String; 12]> {
+pub fn summary(compared: &Compared) -> Vec<[String; 11]> {
     let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
     let row = |(core, (small, quick)): (&Core, (&bool, &bool))| {
         let (total, made_of) = (&core.measured().errors.total, &core.measured().size);
@@ -180,7 +179,6 @@ pub fn summary(compared: &Compared) -> Vec<[String; 12]> {
             format!("{}{}", if *small { "s" } else { "" }, if *quick { "t" } else { "" }),
             lsb(total.max_lsb),
             lsb(total.rms_lsb),
-            decibels(total),
             format!("{:.2}", core.pixel_ns()),
             format!("{:.0}", core.frames_per_second()),
             core.measured().cycles.latency.to_string(),
@@ -199,4 +197,27 @@ fn lsb(error: f64) -> String {
 
 fn decibels(figures: &ErrorFigures) -> String {
     figures.psnr_db.map_or("no error".to_owned(), |db| format!("{db:.2}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use specula_scene::Method;
+
+    use super::*;
+    use crate::table;
+
+    #[test]
+    fn the_summary_fits_into_80_columns() {
+        let numbers =
+            ["st", "255.000", "99.999", "99.99", "999999", "999", "999", "99999", "999", "99999"];
+        let row = |method: Method| {
+            let core = format!("{} default", method.name());
+            let cells = std::iter::once(core).chain(numbers.map(str::to_owned));
+            cells.collect::<Vec<_>>().try_into().expect("a cell for each title")
+        };
+        let rows: Vec<[String; 11]> =
+            [SUMMARY_TITLES.map(str::to_owned)].into_iter().chain(Method::ALL.map(row)).collect();
+        let text = table::folded(&rows, 80);
+        assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    }
 }

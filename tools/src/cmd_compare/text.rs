@@ -12,13 +12,14 @@ pub fn text(compared: &Compared, folder: &Path) -> String {
     let cores = with_titles(SUMMARY_TITLES, tables::summary(compared));
     let known = compared.cores.iter().filter(|core| core.measurement.known).count();
     let all = compared.cores.len();
-    let mut text = format!(
-        "{} x {} pixels of {}, cores at {}; fronts of rms error against size (s) and against time (t)\n\n{cores}",
+    let heading = format!(
+        "{} x {} pixels of {}, cores at {}; fronts of rms error against size (s) and against time (t)",
         compared.size.0,
         compared.size.1,
         compared.scene,
         compared.clock.in_words()
     );
+    let mut text = format!("{}\n\n{cores}", table::paragraphs(&heading));
     text.extend(compared.refusals.iter().map(|refusal| format!("not built: {refusal}\n")));
     if !compared.software.is_empty() {
         text += &format!("\n{}", with_titles(SOFTWARE_TITLES, tables::software(compared)));
@@ -26,7 +27,7 @@ pub fn text(compared: &Compared, folder: &Path) -> String {
     text.extend(compared.cores.iter().filter_map(|core| {
         Some(format!("DISAGREES: {}: {}\n", core.configuration, core.measured().disagreement()?))
     }));
-    text += &format!("\n{}", markdown::SET_UP);
+    text += &format!("\n{}", table::paragraphs(markdown::SET_UP));
     if known > 0 {
         text += &format!(
             "{known} of {all} cores were known from {}; --fresh measures them again\n",

@@ -146,7 +146,7 @@ fn text(seed: u64, methods: &[MethodReport], seconds: f64, destination: &Destina
     let folder = destination.shown.display();
     format!(
         "{}\n{wrong}{end}\nseed {seed}; {scenes} scenes, {rate:.0} a second; scenes and report in {folder}\n",
-        table::lines(&rows)
+        table::shown(&rows)
     )
 }
 

@@ -9,7 +9,7 @@ use super::REPORT;
 use super::disk::Disk;
 use super::publish::finish;
 use super::record::{Record, Step};
-use super::temporary::{FOLDER, LOCK, PREFIX, remove};
+use super::temporary::{FOLDER, LOCK, PREFIX, RECORD, remove};
 
 /// What was done about a leftover.
 #[derive(Debug)]
@@ -86,6 +86,9 @@ fn settle_one(leftover: &Path, place: &Path, disk: &mut dyn Disk) -> Option<Sett
         Err(TryLockError::Error(error)) => return left(error.to_string()),
     }
     let settled = match Record::of(leftover) {
+        None if leftover.join(RECORD).symlink_metadata().is_ok() => {
+            return left("its record is damaged; look through it and remove it".to_owned());
+        }
         None => Settled::Removed(leftover.to_owned()),
         Some(record) => match finished(leftover, place, &record, disk) {
             Ok(settled) => settled,

@@ -10,7 +10,7 @@ use super::temporary::Temporary;
 use crate::error::OutputError;
 
 /// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder is
-/// made if it is not there.
+/// made if it is not there; a link to a file stays one.
 ///
 /// # Errors
 /// [`OutputError`] if the system refuses.
@@ -19,6 +19,13 @@ pub fn write_file(
     interrupts: &Interrupts,
     write: impl FnOnce(&Path) -> io::Result<()>,
 ) -> Result<(), OutputError> {
+    let shown = path;
+    let followed = path.is_symlink().then(|| path.canonicalize().ok()).flatten();
+    let path = followed.as_deref().unwrap_or(path);
+    if path.metadata().is_ok_and(|about| !about.is_file() && !about.is_dir()) {
+        let reason = io::Error::other("it is not a regular file");
+        return Err(OutputError::system(shown)(reason));
+    }
     let beside =
         path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     if let Some(at) = beside
@@ -40,5 +47,5 @@ pub fn write_file(
         made.keep();
         Ok(())
     };
-    publish().map_err(OutputError::system(path))
+    publish().map_err(OutputError::system(shown))
 }

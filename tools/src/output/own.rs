@@ -46,12 +46,14 @@ impl Contents {
         for entry in entries {
             let entry = entry?;
             let name = entry.file_name().to_string_lossy().into_owned();
+            let is_own_file = || match &listed {
+                Some(names) if names.contains(&name) => true,
+                // A sweep that was killed has added it since.
+                Some(_) => is_journal(&name) && begins_as_ours(&name, &entry.path()),
+                None => begins_as_ours(&name, &entry.path()),
+            };
             // Links and folders are never ours.
-            let is_own = entry.file_type()?.is_file()
-                && match &listed {
-                    Some(names) => names.contains(&name),
-                    None => begins_as_ours(&name, &entry.path()),
-                };
+            let is_own = entry.file_type()?.is_file() && is_own_file();
             if is_own { &mut contents.own } else { &mut contents.foreign }.insert(name);
         }
         Ok(contents)
@@ -84,10 +86,15 @@ fn begins_as_ours(name: &str, path: &Path) -> bool {
     let begins = |with: &str| read().is_ok_and(|bytes| bytes.starts_with(with.as_bytes()));
     match name {
         SpecFile::NAME => begins(SpecFile::ABOUT),
-        JOURNAL => read().is_ok_and(|bytes| Journal::has_written(&bytes)),
+        _ if is_journal(name) => read().is_ok_and(|bytes| Journal::has_written(&bytes)),
         _ if name.ends_with(".v") => begins("// Specula "),
         _ => false,
     }
+}
+
+/// Whether a name is that of a journal, or of one that was to take its place.
+fn is_journal(name: &str) -> bool {
+    name == JOURNAL || name.starts_with(&Journal::beside(JOURNAL))
 }
 
 #[cfg(test)]
@@ -108,6 +115,9 @@ mod tests {
         assert!(
             ours.has_report && ours.own.contains(REPORT) && ours.foreign.contains("thesis.tex")
         );
+        fs::write(place.path().join("results.jsonl"), "{\"key\":{\"version\":\"0").unwrap();
+        let swept = contents("{\"program\":\"Specula\",\"files\":[\"report.json\"]}");
+        assert!(swept.own.contains("results.jsonl") && swept.foreign.len() == 1, "{swept:?}");
         for damaged in ["", "{", "[]", "{\"program\":\"Specula\"}", "{\"program\":1,\"files\":[]}"]
         {
             assert!(!contents(damaged).has_report, "{damaged}");
@@ -131,5 +141,8 @@ mod tests {
         );
         assert!(!is_own("results.jsonl", "{\"accuracy\":1}\n"));
         assert!(!is_own("report.md", "# teapot\n"));
+        let result = "{\"key\":{\"version\":\"0.1.0\"";
+        assert!(is_own(".results.jsonl-a1B2c3", "") && is_own(".results.jsonl-a1B2c3", result));
+        assert!(!is_own(".results.jsonl-a1B2c3", "mine\n") && !is_own(".tmpa1B2c3", result));
     }
 }

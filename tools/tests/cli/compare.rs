@@ -114,6 +114,37 @@ fn an_interrupted_sweep_goes_on_where_it_stopped() {
     assert_eq!(text(&place, "part/results.jsonl"), whole);
 }
 
+/// Files that a killed sweep leaves: its journal, what was to take the place of a damaged one, and
+/// both in the folder of another command's results.
+#[test]
+fn a_killed_sweep_leaves_a_folder_that_the_next_knows() {
+    let place = Place::new();
+    compare(&place, "whole", &[]);
+    let whole = text(&place, "whole/results.jsonl");
+    let first = whole.lines().next().expect("it has lines");
+    place.succeeds(&["run", "icosahedron", "--size", "16x12", "-o", "run"]);
+    fs::create_dir(place.path("part")).expect("there is room");
+    for folder in ["part", "run"] {
+        place.write(&format!("{folder}/results.jsonl"), format!("{first}\n{}", &first[..80]));
+        place.write(&format!("{folder}/.results.jsonl-Yd3kQz"), &first[..300]);
+        place.write(&format!("{folder}/.results.jsonl-begun0"), "");
+        place.write(&format!("{folder}/.results.jsonl-list"), "mine");
+    }
+    let refused = place.specula(&[&SMALL[..], &["-o", "part"]].concat());
+    assert_eq!(refused.status, Some(2));
+    assert!(refused.stderr.contains("`.results.jsonl-list`"), "{}", refused.stderr);
+    fs::remove_file(place.path("part/.results.jsonl-list")).expect("it is there");
+    for folder in ["part", "run"] {
+        let ended = place.specula(&[&SMALL[..], &["-o", folder]].concat());
+        assert_eq!(ended.status, Some(0), "{folder}: {}", ended.stderr);
+        assert!(ended.stdout.contains("1 of 4 cores were known"), "{}", ended.stdout);
+        assert_eq!(text(&place, &format!("{folder}/results.jsonl")), whole);
+    }
+    let mine = |folder| place.names(folder).into_iter().filter(|name| name.starts_with('.'));
+    assert_eq!(mine("part").count(), 0);
+    assert_eq!(mine("run").collect::<Vec<_>>(), [".results.jsonl-list"]);
+}
+
 /// Exponents that squaring, which two methods are told to use, does not reach.
 const THREE: &str = "[[object]]\nprimitive = \"torus\"\n[object.material]\nshininess = 3\n\n\
     [core.slerp]\npower = \"squaring\"\n[core.duff]\npower = \"squaring\"\n";

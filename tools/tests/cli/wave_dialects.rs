@@ -107,6 +107,10 @@ fn what_is_passed_over_is_told_with_its_line() {
         ("a mark of GTKWave's", with("$var", "$attrbegin misc 02 st 1024 $end\n$var")),
         ("a word that is none", with("#10", "hello\n?\n#10")),
         ("a port of an extended dump", with("b0 \"", "pDDDDUUUD 00000000 66666666 \"")),
+        ("zeros among values", with("#10", "\0\0#10")),
+        ("zeros where a disk was full", format!("{whole}{}", "\0".repeat(5000))),
+        ("zeros at the begin", format!("\0{whole}")),
+        ("a comment in a variable", with("! a $end", "! a $comment of nobody $end $end")),
         ("a last line without an end", whole.trim_end().to_owned()),
         ("a section cut off", format!("{whole}$comment and then")),
         (
@@ -151,6 +155,32 @@ fn vectors_are_extended_and_cut_as_the_standard_says() {
     for (bits, expected) in cases {
         assert_eq!(shown(bits), expected, "{bits}");
     }
+}
+
+#[test]
+fn values_before_any_time_hold_from_the_begin() {
+    let header = HEADER;
+    for values in ["0!\nb0 \"\n", "$dumpvars\n0!\nb0 \"\n$end\n"] {
+        let drawn = drawn(format!("{header}{values}#10\n1!\n#20\n"));
+        assert!(drawn.starts_with("x.vcd, 0 to 20, in ns\n"), "{drawn}");
+        let steps = format!("  a     {}\u{2594}", "_".repeat(50));
+        assert!(drawn.contains(&steps) && drawn.contains("\u{2502}00 "), "{drawn}");
+    }
+}
+
+#[test]
+fn numbers_may_stand_behind_a_blank() {
+    let header = HEADER.replace("wire 8", "real 64");
+    let row = |value: &str| {
+        let drawn = drawn(format!("{header}#0\n0!\nr1.5 \"\n#1\n{value}\n#2\n"));
+        let row = drawn.lines().find(|line| line.starts_with("  d ")).expect("it is drawn");
+        let values = row.split('\u{2502}').skip(1).map(|value| value.trim().to_owned());
+        let warned = drawn.lines().filter(|line| line.starts_with("warning")).count();
+        (values.collect::<Vec<_>>().join(" "), warned)
+    };
+    assert_eq!(row("r 2.5 \""), ("1.5 2.5 ".to_owned(), 0));
+    assert_eq!(row("R\t-2e-9\t\""), ("1.5 -2e-9 ".to_owned(), 0));
+    assert_eq!(row("r \""), ("1.5  ".to_owned(), 1));
 }
 
 #[test]

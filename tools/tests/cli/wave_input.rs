@@ -135,6 +135,30 @@ fn named_pipes_are_read_and_not_waited_for_for_ever() {
 
 #[cfg(unix)]
 #[test]
+fn pictures_are_written_through_links_and_into_no_device() {
+    use std::os::unix::fs::symlink;
+    let place = Place::new();
+    place.write("counter.vcd", VCD);
+    std::fs::create_dir(place.path("disk")).expect("a folder can be made");
+    place.write("disk/old.svg", "old");
+    symlink("disk/old.svg", place.path("link.svg")).expect("a link can be made");
+    place.succeeds(&["wave", "counter.vcd", "-o", "link.svg"]);
+    assert!(place.path("link.svg").is_symlink());
+    let picture = std::fs::read_to_string(place.path("disk/old.svg")).expect("it is there");
+    assert!(picture.starts_with("<svg"), "{picture}");
+    pipe(&place, "pipe.png");
+    symlink("/dev/null", place.path("null.svg")).expect("a link can be made");
+    for name in ["pipe.png", "null.svg"] {
+        let ended = place.specula(&["wave", "counter.vcd", "-o", name]);
+        assert_eq!(ended.status, Some(2), "{name}");
+        assert!(ended.stderr.contains("not a regular file"), "{}", ended.stderr);
+        assert!(!place.path(name).metadata().expect("it is there").is_file(), "{name}");
+    }
+    assert_eq!(place.names("disk"), ["old.svg"]);
+}
+
+#[cfg(unix)]
+#[test]
 fn save_files_are_read_if_they_are_files() {
     use std::os::unix::fs::symlink;
     let place = Place::new();

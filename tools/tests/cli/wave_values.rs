@@ -91,6 +91,56 @@ fn lines_are_as_wide_as_is_asked_for() {
 }
 
 #[test]
+fn a_value_that_lasts_has_the_room_of_all_its_columns() {
+    let place = Place::new();
+    let variables =
+        "$var wire 256 ! key [255:0] $end\n$var string 1 \" text $end\n$var wire 1 # a $end\n";
+    let long = "begins_".repeat(30);
+    let values = format!("#0\nb{} !\ns{long} \"\n0#\n#1\n1#\n#2\n0#\n", "10".repeat(128));
+    place.write("long.vcd", format!("{HEADER}{variables}$enddefinitions $end\n{values}"));
+    let text = place.succeeds(&["wave", "long.vcd"]);
+    assert!(text.starts_with("long.vcd, 0 to 2, in ns\n"), "{text}");
+    assert!(row(&text, "key").contains(&format!("\u{2502}{}", "a".repeat(64))), "{text}");
+    assert!(row(&text, "text").contains(&format!("\u{2502}{}", &long[..64])), "{text}");
+    assert!(row(&text, "text").ends_with("\u{2026}\u{2502}"), "{text}");
+    place.succeeds(&["wave", "long.vcd", "-o", "long.svg"]);
+    let svg = fs::read_to_string(place.path("long.svg")).expect("it was written");
+    assert!(svg.contains(&"a".repeat(64)) && svg.contains("\u{2026}<"), "{svg}");
+}
+
+#[test]
+fn numbers_stand_above_their_columns() {
+    let place = Place::new();
+    let variables = "$var wire 8 ! d $end\n$upscope $end\n$enddefinitions $end\n";
+    let header = HEADER.replace("$timescale 1ns $end\n", "");
+    place.write("x.vcd", format!("{header}{variables}#0\nb0 !\n#1\nb1 !\n#2\n"));
+    let text = place.succeeds(&["wave", "x.vcd"]);
+    let heading = text.lines().find(|line| line.starts_with("unknown units "));
+    let place_of = |line: &str, wanted| line.chars().position(|character| character == wanted);
+    let [number, bar] = [
+        place_of(heading.expect("there is a heading"), '0'),
+        place_of(row(&text, "d"), '\u{2502}'),
+    ];
+    assert_eq!(number, bar.map(|bar| bar + 1), "{text}");
+}
+
+#[test]
+fn long_names_leave_room_for_values() {
+    let place = Place::new();
+    let [one, other] = ["_17", "_18"].map(|end| format!("{}{end}", "generated".repeat(30)));
+    let variables = format!("$var wire 8 ! {one} $end\n$var wire 1 \" {other} $end\n");
+    let values = "#0\nb0 !\n0\"\n#1\nb1 !\n1\"\n#9\n0\"\n";
+    place.write("x.vcd", format!("{HEADER}{variables}$enddefinitions $end\n{values}"));
+    for width in [20, 40, 80] {
+        let text = place.succeeds(&["wave", "x.vcd", "--width", &width.to_string()]);
+        let rows: Vec<&str> = text.lines().filter(|line| line.starts_with("  \u{2026}")).collect();
+        assert!(rows[0].contains("_17 hex \u{2502}00"), "{text}");
+        assert!(rows[1].contains("_18 "), "{text}");
+        assert!(rows.iter().all(|row| row.chars().count() <= width), "{text}");
+    }
+}
+
+#[test]
 fn pictures_have_room_for_wide_values_too() {
     let place = wide();
     let size = |arguments: &[&str]| -> (u32, String) {

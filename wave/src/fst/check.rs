@@ -66,7 +66,7 @@ pub fn check(input: &mut (impl Read + Seek)) -> io::Result<Vec<ValueBlock>> {
     let length = input.seek(SeekFrom::End(0))?;
     let mut checker = Checker { input, length, signals: None, hierarchy: false, blocks: vec![] };
     let mut at = 0;
-    while let Some(next) = checker.block(at)? {
+    while let Some(next) = checker.block(at).map_err(|reason| in_block(at, &reason))? {
         at = next;
     }
     if !checker.hierarchy || checker.signals.is_none() {
@@ -106,7 +106,7 @@ impl<I: Read + Seek> Checker<'_, I> {
         }
         let end = begin.checked_add(length).filter(|&end| length >= 8 && end <= self.length);
         let end =
-            end.ok_or_else(|| wrong("a block goes beyond the file's end, which may be missing"))?;
+            end.ok_or_else(|| wrong("it goes beyond the file's end, which may be missing"))?;
         match kind {
             kind::HEADER if length != HEADER => {
                 return Err(wrong("its header has another length than all have"));
@@ -186,6 +186,16 @@ impl<I: Read + Seek> Checker<'_, I> {
 /// Whether that many bytes can become that many.
 pub fn unpacks(packed: u64, unpacked: u64) -> bool {
     unpacked <= packed.saturating_mul(BEST_COMPRESSION).min(MOST)
+}
+
+/// What is wrong with the block that begins at a byte.
+fn in_block(at: u64, reason: &io::Error) -> io::Error {
+    let said = match reason.kind() {
+        io::ErrorKind::InvalidData => reason.to_string(),
+        io::ErrorKind::UnexpectedEof => "it ends too early".to_owned(),
+        kind => return io::Error::new(kind, reason.to_string()),
+    };
+    wrong(&format!("in the block at byte {at}: {said}"))
 }
 
 fn possible(possible: bool) -> io::Result<()> {

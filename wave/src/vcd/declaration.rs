@@ -96,7 +96,8 @@ pub type LeftOut = (Fault, Option<Vec<u8>>);
 /// # Errors
 /// Why it cannot be drawn.
 pub fn variable(words: &[Vec<u8>]) -> Result<(Declaration, Option<Fault>), LeftOut> {
-    let (kind_of, size, rest) = split_size(words);
+    let comment = words.iter().position(|word| word == b"$comment").unwrap_or(words.len());
+    let (kind_of, size, rest) = split_size(&words[..comment]);
     let [id, name @ ..] = rest else {
         return Err((
             ("variable", "a variable without an identifier is left out".to_owned()),
@@ -267,6 +268,7 @@ mod tests {
         assert_eq!(declared("port [ 7 : 0 ] <1 bus"), bits("bus", 8));
         assert_eq!(declared("REG 1 $end q"), bits("q", 1));
         assert_eq!(declared("wire 1 0 digit"), bits("digit", 1));
+        assert_eq!(declared("wire 1 ! a $comment of nobody"), bits("a", 1));
         assert_eq!(declared("8 ! d [7:0]"), ("d".to_owned(), Some(8), Kind::Bits, Some("type")));
         assert_eq!(declared("unknown 8 ! d"), ("d".to_owned(), Some(8), Kind::Bits, Some("type")));
         assert_eq!(declared("wire x ! d"), ("d".to_owned(), None, Kind::Bits, Some("size")));

@@ -26,7 +26,7 @@ const PIECE: usize = 1 << 16;
 pub struct Vcd {
     bytes: Box<dyn Bytes>,
     ids: Ids,
-    /// When values that stand before any time hold.
+    /// The first time, at which values hold that stand before any.
     first: u64,
 }
 
@@ -154,6 +154,10 @@ impl Reader {
             Event::TimeUnit(unit) => self.time_unit = Some(unit),
             Event::Time(time) => self.survey.instant(time),
             Event::Change(signal) => {
+                // What stands before any time holds from the begin on.
+                if self.survey.is_empty() {
+                    self.survey.instant(0);
+                }
                 self.survey.change();
                 if let Raw::Bits(bits) = parser.value() {
                     let now = *self.survey.extent().end();

@@ -90,11 +90,15 @@ impl<R: BufRead> Parser<'_, R> {
     }
 
     pub(super) fn real(&mut self) -> io::Result<Option<Event>> {
-        let word = &self.words.current().bytes;
-        match real(&word[1..]) {
+        let alone = self.words.current().bytes.len() == 1;
+        let is_number = |word: &Word| !word.begins_line && real(&word.bytes).is_some();
+        // The number may stand behind a blank.
+        let behind_blank = alone && self.words.peek()?.is_some_and(is_number);
+        let from = if behind_blank && self.words.advance()? { 0 } else { 1 };
+        match real(&self.words.current().bytes[from..]) {
             Some(number) => self.held = Held::Real(number),
             None => {
-                self.hold_text();
+                self.hold_text(from);
                 let word = quoted(&self.bytes);
                 self.warn("number", || format!("{word} is no number, and drawn as text"));
             }
@@ -103,16 +107,16 @@ impl<R: BufRead> Parser<'_, R> {
         Ok(self.change(id))
     }
 
-    /// Keeps the current word without its first letter as text.
-    fn hold_text(&mut self) {
+    /// Keeps the current word from a letter on as text.
+    fn hold_text(&mut self, from: usize) {
         self.held = Held::Text;
         self.bytes.clear();
-        self.bytes.extend_from_slice(&self.words.current().bytes[1..]);
+        self.bytes.extend_from_slice(&self.words.current().bytes[from..]);
     }
 
     /// Text may have blanks in it: the identifier is the first declared one of its line.
     pub(super) fn text(&mut self) -> io::Result<Option<Event>> {
-        self.hold_text();
+        self.hold_text(1);
         let mut id = None;
         while self.words.advance_in_line()? {
             id = Some(0);

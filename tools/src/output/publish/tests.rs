@@ -263,6 +263,21 @@ fn what_is_under_way_or_unknown_is_left_alone() {
 }
 
 #[test]
+fn what_a_damaged_record_tells_of_is_kept() {
+    for record in ["", "{\"step\":\"Later\",\"old\":[],\"new\":[]}"] {
+        let room = tempfile::tempdir().unwrap();
+        let leftover = room.path().join(".specula-1");
+        fs::create_dir_all(leftover.join("folder/out")).unwrap();
+        fs::write(leftover.join("folder/out/mine.txt"), "mine").unwrap();
+        fs::write(leftover.join("record.json"), record).unwrap();
+        fs::write(leftover.join("lock"), "").unwrap();
+        let settled = settle(room.path(), &mut System);
+        assert!(matches!(&settled[..], [Settled::Left(..)]), "{settled:?}");
+        assert_eq!(files(room.path())[".specula-1/folder/out/mine.txt"], "mine");
+    }
+}
+
+#[test]
 fn a_newer_file_of_the_same_name_is_not_replaced() {
     let room = tempfile::tempdir().unwrap();
     let leftover = room.path().join(".specula-1");
