@@ -8,3 +8,10 @@ pub struct SpanPacket {
     /// Raw values of the data inputs, in the order in which they were opened.
     pub inputs: Vec<i64>,
 }
+
+impl SpanPacket {
+    /// A pixel that is a span of its own.
+    pub fn pixel(inputs: Vec<i64>) -> SpanPacket {
+        SpanPacket { length: 1, inputs }
+    }
+}
