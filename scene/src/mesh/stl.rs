@@ -45,15 +45,14 @@ fn is_whole_binary(bytes: &[u8]) -> bool {
     stated_triangles(bytes).and_then(binary_length).is_some_and(|length| length <= bytes.len())
 }
 
-/// Whether a file looks like text: no control characters at its beginning but blanks, and a line
-/// that opens a solid or a facet.
+/// Whether a file looks like text: no zeros at its beginning, and a line that opens a solid or a
+/// facet.
 fn is_text(text: &[u8]) -> bool {
-    let beginning = &text[..text.len().min(BEGINNING)];
-    let plain =
-        |b: &u8| !b.is_ascii_control() || b.is_ascii_whitespace() || matches!(b, 0x0b | 0x1a);
+    // Some programs fill a text up with zeros.
+    let end = text.iter().rposition(|byte| !is_blank(byte)).map_or(0, |last| last + 1);
     let opens =
         |line: &[u8]| words(line).next().is_some_and(|word| is(word, "solid") || is(word, "facet"));
-    beginning.iter().all(plain) && Lines::new(beginning).any(opens)
+    !text[..end.min(BEGINNING)].contains(&0) && Lines::new(text).any(opens)
 }
 
 fn binary_length(triangles: usize) -> Option<usize> {
@@ -81,6 +80,12 @@ fn parse_binary(bytes: &[u8], notices: &mut Notices) -> Result<Polygons, MeshPro
         );
         return Err(MeshProblem::Truncated(text));
     };
+    if triangles == 0 && bytes.len() >= needed + TRIANGLE {
+        return Err(MeshProblem::Syntax(format!(
+            "its header states 0 triangles, but {} bytes follow",
+            bytes.len() - needed
+        )));
+    }
     if bytes.len() > needed {
         let text =
             || format!("{} bytes behind the last triangle are passed over", bytes.len() - needed);
@@ -133,23 +138,15 @@ impl<'a> Text<'a> {
                 }
                 Some("facet") => self.facet()?,
                 Some(_) => return Err(self.unexpected("`facet` or `endsolid`", Some(word))),
-                None => {
-                    let text = || {
-                        format!(
-                            "{} is none of the words of a text .stl; its line is passed over",
-                            quoted(word)
-                        )
-                    };
-                    self.notices.add("unknown word", Some(self.line), text);
-                    self.skip_line();
-                }
+                None => self.pass_over(word),
             }
         }
         if is_open {
-            Err(self.unexpected("`facet` or `endsolid`", None))
-        } else {
-            Ok(self.polygons)
+            self.notices.add("no end", Some(self.line), || {
+                "the last solid has no `endsolid`; the file may be cut off".into()
+            });
         }
+        Ok(self.polygons)
     }
 
     /// What follows the word `facet`, to its end.
@@ -159,6 +156,8 @@ impl<'a> Text<'a> {
         self.expect("outer")?;
         self.expect("loop")?;
         let mut vertices = Vec::with_capacity(3);
+        // The first word that is unknown, which may stand for a vertex.
+        let mut unknown = None;
         loop {
             let word = self.word();
             match word.and_then(keyword) {
@@ -168,11 +167,21 @@ impl<'a> Text<'a> {
                     let text = || "numbers behind a vertex's third are passed over".into();
                     self.notices.add("fourth number", Some(self.line), text);
                 }
-                _ if vertices.len() < 3 => return Err(self.unexpected("`vertex`", word)),
-                _ => return Err(self.unexpected("`endloop`", word)),
+                found => {
+                    let wanted = if vertices.len() < 3 { "`vertex`" } else { "`endloop`" };
+                    let wrong = unknown.unwrap_or_else(|| self.unexpected(wanted, word));
+                    match word.filter(|_| found.is_none()) {
+                        Some(word) => self.pass_over(word),
+                        None => return Err(wrong),
+                    }
+                    unknown = Some(wrong);
+                }
             }
         }
         self.expect("endfacet")?;
+        if let Some(wrong) = unknown.filter(|_| vertices.len() < 3) {
+            return Err(wrong);
+        }
         if vertices.len() < 3 {
             let text = || {
                 format!("a facet has {} vertices, fewer than three; it is left out", vertices.len())
@@ -204,12 +213,34 @@ impl<'a> Text<'a> {
         Ok(DVec3::new(coordinate()?, coordinate()?, coordinate()?))
     }
 
+    /// Goes to a word; what is none of the words of a text is passed over.
     fn expect(&mut self, wanted: &str) -> Result<(), Located> {
-        let word = self.word();
-        if word.is_some_and(|word| is(word, wanted)) {
-            return Ok(());
+        let mut unknown = None;
+        loop {
+            let word = self.word();
+            if word.is_some_and(|word| is(word, wanted)) {
+                return Ok(());
+            }
+            let wrong = unknown.unwrap_or_else(|| self.unexpected(&format!("`{wanted}`"), word));
+            match word.filter(|word| keyword(word).is_none()) {
+                Some(word) => self.pass_over(word),
+                None => return Err(wrong),
+            }
+            unknown = Some(wrong);
         }
-        Err(self.unexpected(&format!("`{wanted}`"), word))
+    }
+
+    /// Skips the line of a word that is unknown; of a number, the number alone.
+    fn pass_over(&mut self, word: &[u8]) {
+        if number(word).is_some() {
+            let text = || format!("the number {} is passed over", quoted(word));
+            return self.notices.add("number", Some(self.line), text);
+        }
+        let text = || {
+            format!("{} is none of the words of a text .stl; its line is passed over", quoted(word))
+        };
+        self.notices.add("unknown word", Some(self.line), text);
+        self.skip_line();
     }
 
     fn unexpected(&self, wanted: &str, word: Option<&[u8]>) -> Located {
