@@ -130,21 +130,31 @@ impl<'a> Text<'a> {
 
     fn read(mut self) -> Result<Polygons, Located> {
         let mut is_open = false;
+        // The last unknown word since a facet ended, which may stand for the start of another.
+        let mut unknown = None;
         while let Some(word) = self.word() {
             match keyword(word) {
                 Some(word @ ("solid" | "endsolid")) => {
                     is_open = word == "solid";
                     self.skip_name();
                 }
-                Some("facet") => self.facet()?,
+                Some("facet") => {
+                    self.facet()?;
+                    unknown = None;
+                }
                 Some(_) => return Err(self.unexpected("`facet` or `endsolid`", Some(word))),
-                None => self.pass_over(word),
+                None => {
+                    unknown = Some(self.unexpected("`facet` or `endsolid`", Some(word)));
+                    self.pass_over(word);
+                }
             }
         }
-        if is_open {
-            self.notices.add("no end", Some(self.line), || {
+        match unknown.filter(|_| is_open) {
+            Some(wrong) => return Err(wrong),
+            None if is_open => self.notices.add("no end", Some(self.line), || {
                 "the last solid has no `endsolid`; the file may be cut off".into()
-            });
+            }),
+            None => {}
         }
         Ok(self.polygons)
     }
@@ -155,33 +165,8 @@ impl<'a> Text<'a> {
         self.skip_normal();
         self.expect("outer")?;
         self.expect("loop")?;
-        let mut vertices = Vec::with_capacity(3);
-        // The first word that is unknown, which may stand for a vertex.
-        let mut unknown = None;
-        loop {
-            let word = self.word();
-            match word.and_then(keyword) {
-                Some("vertex") => vertices.push(self.vertex()?),
-                Some("endloop") => break,
-                None if !vertices.is_empty() && word.and_then(number).is_some() => {
-                    let text = || "numbers behind a vertex's third are passed over".into();
-                    self.notices.add("fourth number", Some(self.line), text);
-                }
-                found => {
-                    let wanted = if vertices.len() < 3 { "`vertex`" } else { "`endloop`" };
-                    let wrong = unknown.unwrap_or_else(|| self.unexpected(wanted, word));
-                    match word.filter(|_| found.is_none()) {
-                        Some(word) => self.pass_over(word),
-                        None => return Err(wrong),
-                    }
-                    unknown = Some(wrong);
-                }
-            }
-        }
+        let vertices = self.vertices()?;
         self.expect("endfacet")?;
-        if let Some(wrong) = unknown.filter(|_| vertices.len() < 3) {
-            return Err(wrong);
-        }
         if vertices.len() < 3 {
             let text = || {
                 format!("a facet has {} vertices, fewer than three; it is left out", vertices.len())
@@ -190,6 +175,36 @@ impl<'a> Text<'a> {
         }
         push(&mut self.polygons, vertices);
         Ok(())
+    }
+
+    /// The vertices of a facet, to the end of its loop.
+    fn vertices(&mut self) -> Result<Vec<DVec3>, Located> {
+        let mut vertices = Vec::with_capacity(3);
+        // An unknown word that may stand for what is missing: a vertex, or the end of the loop.
+        let mut unknown = None;
+        loop {
+            let word = self.word();
+            let wanted = if vertices.len() < 3 { "`vertex`" } else { "`endloop`" };
+            match (word.and_then(keyword), word) {
+                (Some("vertex"), _) => vertices.push(self.vertex()?),
+                (Some("endloop"), _) => break,
+                (None, Some(word)) if !vertices.is_empty() && number(word).is_some() => {
+                    let text = || "numbers behind a vertex's third are passed over".into();
+                    self.notices.add("fourth number", Some(self.line), text);
+                }
+                (None, Some(word)) => {
+                    if unknown.is_none() || vertices.len() >= 3 {
+                        unknown = Some(self.unexpected(wanted, Some(word)));
+                    }
+                    self.pass_over(word);
+                }
+                _ => return Err(unknown.unwrap_or_else(|| self.unexpected(wanted, word))),
+            }
+        }
+        match unknown {
+            Some(wrong) if vertices.len() < 3 => Err(wrong),
+            _ => Ok(vertices),
+        }
     }
 
     /// Skips `normal` and the words for its numbers, whatever they are.
@@ -215,18 +230,18 @@ impl<'a> Text<'a> {
 
     /// Goes to a word; what is none of the words of a text is passed over.
     fn expect(&mut self, wanted: &str) -> Result<(), Located> {
+        let quoted = format!("`{wanted}`");
         let mut unknown = None;
         loop {
             let word = self.word();
-            if word.is_some_and(|word| is(word, wanted)) {
-                return Ok(());
+            match word {
+                Some(word) if is(word, wanted) => return Ok(()),
+                Some(word) if keyword(word).is_none() => {
+                    unknown = Some(self.unexpected(&quoted, Some(word)));
+                    self.pass_over(word);
+                }
+                _ => return Err(unknown.unwrap_or_else(|| self.unexpected(&quoted, word))),
             }
-            let wrong = unknown.unwrap_or_else(|| self.unexpected(&format!("`{wanted}`"), word));
-            match word.filter(|word| keyword(word).is_none()) {
-                Some(word) => self.pass_over(word),
-                None => return Err(wrong),
-            }
-            unknown = Some(wrong);
         }
     }
 
