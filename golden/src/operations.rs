@@ -53,7 +53,7 @@ impl Add for Operations {
 pub struct Row {
     /// The name of the method in [`software`](crate::software) where it is one.
     pub name: &'static str,
-    /// Number in METHODS.md, and the paper's equation.
+    /// Number in docs/methods.md, and the paper's equation.
     pub source: &'static str,
     /// What the paper says.
     pub printed: Operations,

@@ -1,5 +1,5 @@
 //! Lyon's figure 9, five spheres shaded by twelve formulas. Its sum is asked of the picture that is
-//! written, in `testbench/src/figure9.rs`.
+//! written, in `experiments/src/figure9.rs`.
 mod common;
 
 use glam::DVec3;

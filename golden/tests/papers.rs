@@ -1,5 +1,5 @@
-//! `exact` against figures and identities that do not come from it: the papers', METHODS.md's and
-//! NUMERICS.md's.
+//! `exact` against figures and identities that do not come from it: the papers', docs/methods.md's
+//! and docs/numerics.md's.
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
@@ -30,7 +30,7 @@ fn shortfall(normals: [DVec3; 3], weights: [f64; 3]) -> f64 {
     DVec3::new(normal.x, normal.y, 0.0).length().atan2(normal.z) - interpolated
 }
 
-/// The most that it can be [Reshetov et al., eq. 5; NUMERICS.md 1].
+/// The most that it can be [Reshetov et al., eq. 5; numerics N1].
 const LARGEST_SHORTFALL: f64 = 0.071115;
 
 /// One normal is the face's, one at a right angle to it with the weight u: the normal there is
@@ -63,7 +63,7 @@ proptest! {
         prop_assert!((reflection_minus_light(n, l) - (r - l)).length() < 1e-14);
     }
 
-    /// METHODS.md B5 and B13: |H × N| = |D3|, and |D1|² = |D3|² + (V·N - L·N)².
+    /// methods B5 and B13: |H × N| = |D3|, and |D1|² = |D3|² + (V·N - L·N)².
     #[test]
     fn halfway_cross_normal_is_the_projection(n in direction(), l in direction()) {
         let h = halfway(l);
@@ -90,7 +90,7 @@ proptest! {
         prop_assert!((base(length * n, l) - reflect(n).dot(l).clamp(0.0, 1.0)).abs() < 1e-14);
     }
 
-    /// NUMERICS.md 1: (17) = (33) = (34) for a normal of any length.
+    /// numerics N1: (17) = (33) = (34) for a normal of any length.
     #[test]
     fn three_formulas_give_one_base(n in direction(), l in direction(), length in 0.05..3.0_f64) {
         let wanted = base(length * n, l);
@@ -98,7 +98,7 @@ proptest! {
         prop_assert!((eq34(length * n, l) - wanted).abs() < 1e-13);
     }
 
-    /// Hast, eq. 27: N' is a unit vector, and N itself where N is one; NUMERICS.md 2b: where N is l
+    /// Hast, eq. 27: N' is a unit vector, and N itself where N is one; numerics N2b: where N is l
     /// long and at an angle θ from n, N' falls θ - 2 atan(l sin θ/(1 + l cos θ)) short of it.
     #[test]
     fn wrapped_normals_are_units(normal in direction(), fixed in direction(), length in 0.05..1.0_f64) {
@@ -111,7 +111,7 @@ proptest! {
         prop_assert!((fixed.angle_between(wrapped) - (theta - short)).abs() < 1e-6);
     }
 
-    /// "equals cos^n a EXACTLY for n = 2^k" (METHODS.md B).
+    /// "equals cos^n a EXACTLY for n = 2^k" (methods B).
     #[test]
     fn shape_is_a_power_of_the_cosine(angle in 0.0..FRAC_PI_2, k in 0..6_u32) {
         prop_assert!((f_of_angle(angle, 1 << k, k) - angle.cos().powi(1 << k)).abs() < 1e-15 * f64::from(1 << k));
@@ -134,7 +134,7 @@ fn normalisation_errs_as_lyon_says() {
         .map(|k| (-shortness(g2, f64::from(k) / 1000.0), k))
         .fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
     assert!((overshoot - 0.176).abs() < 0.0005 && at == 894, "{overshoot} at {at}");
-    assert_eq!(g2(0.0), 2.0, "EXTREMES row 27");
+    assert_eq!(g2(0.0), 2.0, "extremes row 27");
 }
 
 #[test]
@@ -151,7 +151,7 @@ fn newton_steps_square_the_error() {
     }
 }
 
-/// EXTREMES rows 21 to 23.
+/// extremes rows 21 to 23.
 #[test]
 fn shape_ends_where_it_should() {
     for k in 0..4 {
@@ -177,7 +177,7 @@ fn powers_are_defined_everywhere() {
     );
 }
 
-/// NUMERICS.md 2a: largest and root-mean-square difference of f_k and cos^n over the lobe, to 4/√n
+/// numerics N2a: largest and root-mean-square difference of f_k and cos^n over the lobe, to 4/√n
 /// and no farther than 90 degrees.
 #[test]
 fn shape_differs_from_phong_as_measured() {

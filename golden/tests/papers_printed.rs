@@ -1,4 +1,4 @@
-//! Figures that METHODS.md, NUMERICS.md and EXTREMES.md print, against `exact`.
+//! Figures that docs/methods.md, docs/numerics.md and docs/extremes.md print, against `exact`.
 use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
@@ -9,7 +9,7 @@ fn tilted(degrees: f64) -> DVec3 {
     DVec3::new(sin, 0.0, cos)
 }
 
-/// NUMERICS.md 1: 0 <= q - q~ <= 0.0126887, at 40.20 degrees.
+/// numerics N1: 0 <= q - q~ <= 0.0126887, at 40.20 degrees.
 #[test]
 fn rational_q_falls_short_as_printed() {
     let short = |k: u32| {
@@ -21,7 +21,7 @@ fn rational_q_falls_short_as_printed() {
     assert!((0..=9000).all(|k| short(k) > -1e-15));
 }
 
-/// NUMERICS.md 2d: slerp and normalised lerp differ by .134 (30), 1.12 (60) and 4.07 degrees (90).
+/// numerics N2d: slerp and normalised lerp differ by .134 (30), 1.12 (60) and 4.07 degrees (90).
 #[test]
 fn slerp_differs_from_lerp_as_printed() {
     for (degrees, printed, last_place) in
@@ -39,7 +39,7 @@ fn slerp_differs_from_lerp_as_printed() {
     }
 }
 
-/// EXTREMES rows 7, 13, 14, 39 and 40.
+/// extremes rows 7, 13, 14, 39 and 40.
 #[test]
 fn degenerate_vectors_are_defined() {
     assert_eq!(wrap::wrap(DVec3::Z, -DVec3::Z), None);
@@ -54,7 +54,7 @@ fn degenerate_vectors_are_defined() {
     );
 }
 
-/// EXTREMES row 20 and NUMERICS.md 3c: steps back to 1 after a jump. They print no criterion; half
+/// extremes row 20 and numerics N3c: steps back to 1 after a jump. They print no criterion; half
 /// an LSB is taken for it here.
 #[test]
 fn newton_recovers_from_jumps() {

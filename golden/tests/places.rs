@@ -1,5 +1,5 @@
 //! Wrapped directions to lights and eyes at places, on the built-in scene `lamps`, against
-//! NUMERICS.md 2b.
+//! numerics N2b.
 use glam::DVec3;
 use specula_golden::exact::{MethodSpan, PhongSpan, point_light, wrap};
 use specula_scene::spec::Wrap;
@@ -24,7 +24,7 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// NUMERICS 2b: θ - 2 atan(l sin θ/(1 + l cos θ)), θ the angle from w and l the length of what is
+/// numerics N2b: θ - 2 atan(l sin θ/(1 + l cos θ)), θ the angle from w and l the length of what is
 /// wrapped. At the ends of spans l is 1, and directions are those of the true vectors.
 #[test]
 fn wraps_err_by_what_numerics_says() {

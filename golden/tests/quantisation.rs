@@ -190,7 +190,7 @@ proptest! {
         defaults_suffice(Method::Direct, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
     }
 
-    /// D = R - L needs two Newton steps (NUMERICS.md 3a).
+    /// D = R - L needs two Newton steps (numerics N3a).
     #[test]
     fn reflection_minus_light_with_two_newton_steps(draw in draws(), n in 1..=256_u32) {
         let Drawn { frame, .. } = draw_frame(TYPICAL, &draw, mirror(n));

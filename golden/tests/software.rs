@@ -34,9 +34,9 @@ enum Growth {
     /// made of it, eight at most: N·N has three components twice, and a rotation two products a
     /// step, over sin 30°.
     Step,
-    /// Second differences are off by 1 + S + S²/2 units (NUMERICS 3b): p and q of a quotient, and q
-    /// again where the base takes both. A harmonic recurrence passes a rounding on S/φ times over
-    /// (NUMERICS 2d), φ = 1/2, as does the rounding of its factor 2 cos δ.
+    /// Second differences are off by 1 + S + S²/2 units (numerics N3b): p and q of a quotient, and
+    /// q again where the base takes both. A harmonic recurrence passes a rounding on S/φ times over
+    /// (numerics N2d), φ = 1/2, as does the rounding of its factor 2 cos δ.
     Difference,
 }
 
@@ -237,7 +237,7 @@ fn loops_in_f32_are_off_by_their_roundings() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// EXTREMES rows 1, 2, 4, 7, 12, 13, 14 and 37: everything is a number between 0 and 255.
+/// extremes rows 1, 2, 4, 7, 12, 13, 14 and 37: everything is a number between 0 and 255.
 #[test]
 fn nothing_is_undefined() {
     for (ends, length) in [

@@ -10,7 +10,7 @@ use crate::mesh::normals::newell;
 pub const EYE: DVec3 = DVec3::Z;
 
 /// H = (L + V)/|L + V|, Blinn's half-way vector; 0 where the light stands opposite the eye and it
-/// has no direction (EXTREMES row 12).
+/// has no direction (extremes row 12).
 pub fn halfway(light: DVec3) -> DVec3 {
     (light + EYE).normalize_or_zero()
 }
@@ -62,7 +62,7 @@ pub struct Spot {
 }
 
 /// The cone about a vertex normal that holds the normals of all faces around the vertex, which
-/// consistent normal interpolation asks for [Reshetov, Soupikov and Mark; METHODS.md D].
+/// consistent normal interpolation asks for [Reshetov, Soupikov and Mark; methods D].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexCone {
     /// The vertex normal, a unit vector; one that was 90 degrees or more from a face is turned
@@ -138,8 +138,8 @@ pub struct Span {
 }
 
 impl Span {
-    /// Number of steps from the first pixel to the last (S in METHODS.md): `length` - 1, and 0 for
-    /// a single pixel.
+    /// Number of steps from the first pixel to the last (S in docs/methods.md): `length` - 1, and 0
+    /// for a single pixel.
     pub fn steps(&self) -> u32 {
         self.length - 1
     }
@@ -232,7 +232,7 @@ impl Frame {
     }
 
     /// Vectors from a span's first and last pixel to a `place` in view space, scaled by one common
-    /// factor so that the longer has length 1: what METHODS C15 to C18 call F - P, scaled
+    /// factor so that the longer has length 1: what methods C15 to C18 call F - P, scaled
     /// beforehand. Two vectors of length 0 stay so.
     pub fn end_vectors_to(&self, span: &Span, place: DVec3) -> [DVec3; 2] {
         scaled_to_unit(
@@ -278,7 +278,7 @@ impl Frame {
     }
 
     /// The arc from the normal at a span's first pixel to that at its last: N(t) = cos(t f) A +
-    /// sin(t f) T [lecture, eq. 4.7, in a frame that needs no division by sin f; METHODS.md A11].
+    /// sin(t f) T [lecture, eq. 4.7, in a frame that needs no division by sin f; methods A11].
     ///
     /// Opposite normals say nothing of the plane to turn in; T is then one of the vectors across A.
     pub fn arc(&self, span: &Span) -> Arc {
@@ -289,7 +289,7 @@ impl Frame {
         } else {
             DVec3::ZERO
         });
-        // An arc cosine of the rounded dot product would lose small angles (EXTREMES row 15).
+        // An arc cosine of the rounded dot product would lose small angles (extremes row 15).
         Arc { start: a, across, angle: libm::atan2(axis.length(), a.dot(b)) }
     }
 

@@ -1,5 +1,5 @@
 //! What a point sees of lights and of the eye, for the host's set-up [Hast et al., eq. 35, 38;
-//! METHODS.md C15, C18].
+//! methods C15, C18].
 use glam::DVec3;
 
 use crate::frame::{EYE, Frame, LocalLight};
@@ -20,7 +20,7 @@ pub(crate) struct LitPoint {
     pub normal: DVec3,
     /// V, a unit vector towards the eye; none for an eye at the very point.
     pub view: Option<DVec3>,
-    /// Every light, those at infinity first; none for a light at the very point (EXTREMES row 39).
+    /// Every light, those at infinity first; none for a light at the very point (extremes row 39).
     pub lights: Vec<Option<Illumination>>,
 }
 

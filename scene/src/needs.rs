@@ -45,7 +45,7 @@ pub struct Needs {
     pub shortest_way: f64,
     /// The same of vectors that have length 1 at both ends of their span.
     pub shortest_unit_way: f64,
-    /// The smallest cosine between a vertex normal and a face around the vertex (EXTREMES row
+    /// The smallest cosine between a vertex normal and a face around the vertex (extremes row
     /// 48): -1 to 1.
     pub least_cone_cosine: f64,
     /// The smallest cosine between an interpolated normal and the direction to the eye: -1 to 1.
@@ -228,7 +228,7 @@ fn brightest_coefficient(frame: &Frame) -> f64 {
 }
 
 fn angle([a, b]: [DVec3; 2]) -> f64 {
-    // atan2 keeps small angles that acos of a rounded dot product loses (EXTREMES row 15).
+    // atan2 keeps small angles that acos of a rounded dot product loses (extremes row 15).
     a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 

@@ -19,7 +19,7 @@ impl ParallelSpan {
     /// direction [`EYE`], so everything is turned until the middle sees it there, which leaves the
     /// angles between vectors as they are.
     ///
-    /// A light at the very middle is dark; an eye there sees no highlight (EXTREMES row 39).
+    /// A light at the very middle is dark; an eye there sees no highlight (extremes row 39).
     pub fn new(frame: &Frame, span: &Span) -> ParallelSpan {
         let triangle = &frame.triangles[span.triangle];
         let middle = frame

@@ -64,7 +64,7 @@ fn nodes_of_a_glb_move_and_mirror_its_meshes() {
     check_corner_normals(&mesh, DVec3::X);
 }
 
-/// The tetrahedron's vertex normals point from its middle to its corners (METHODS.md A2), its faces
+/// The tetrahedron's vertex normals point from its middle to its corners (methods A2), its faces
 /// outwards.
 fn check_corner_normals(mesh: &Mesh, middle: DVec3) {
     for (triangle, normals) in mesh.triangles.iter().zip(&mesh.normals) {

@@ -28,7 +28,7 @@ fn angles_are_those_of_the_middle() {
     }
 }
 
-/// EXTREMES row 39: a light at the middle is dark, an eye there sees no highlight.
+/// extremes row 39: a light at the middle is dark, an eye there sees no highlight.
 #[test]
 fn places_in_the_middle_have_no_direction() {
     let mut frame = lamps();

@@ -1,36 +1,24 @@
-//! Drives a core with a scene's spans, compares every pixel with independent models, and measures
-//! error and run time.
-mod arrival;
-mod assumptions;
-pub mod bench;
-pub mod climb;
-mod compare;
+//! Drives a core with a scene's spans and compares every pixel with independent models.
+//!
+//! [`FrameSpans`] is the *driver*'s side: it gives a frame's packets to an engine. The [`Monitor`]
+//! collects the pixels that leave and the clocks in which they do. The *scoreboard* compares them
+//! with the bit-true model and with exact shading ([`Comparison`]). The [`checker`] looks at the
+//! facts that a core rests on, in every clock. A [`Bench`] puts them together.
+pub mod checker;
 mod error;
-pub mod explore;
-pub mod figure9;
 mod image;
-pub mod operations;
-mod pareto;
-pub mod reproduce;
+mod monitor;
 mod run;
-mod savings;
-pub mod search;
-mod shares;
+mod scoreboard;
 mod spans;
-mod statistics;
-pub mod stress;
+pub mod statistics;
 pub mod trace;
-pub mod tradeoff;
 
-pub use assumptions::Violation;
-pub use compare::{Comparison, Mismatch, WorstPixel, WorstQuantisation};
+pub use checker::Violation;
 pub use error::BenchError;
 pub use image::Image;
-pub use pareto::pareto_front;
+pub use monitor::Monitor;
 pub use run::{Bench, EngineKind, Outcome, Progress};
-pub use savings::{
-    AgainstGeneral, Baseline, Saving, Savings, Spared, SparedCells, Synthesis, savings,
-};
-pub use shares::{Share, shares};
+pub use scoreboard::{Comparison, Mismatch, WorstPixel, WorstQuantisation};
 pub use spans::FrameSpans;
 pub use statistics::{ErrorFigures, Errors};

@@ -10,9 +10,9 @@ use specula_sim::{
     Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, SpanSource, Stimulus, Verilator,
 };
 
-use crate::arrival::Arrivals;
-use crate::assumptions::{self, Facts, Violation};
-use crate::compare::{self, Comparison, WorstQuantisation};
+use crate::checker::{self, Facts, Violation};
+use crate::monitor::Monitor;
+use crate::scoreboard::{self, Comparison, WorstQuantisation};
 use crate::spans::FrameSpans;
 use crate::trace::{self, Choice};
 use crate::{BenchError, Image};
@@ -162,20 +162,20 @@ impl<'a> Bench<'a> {
         progress: Progress,
     ) -> Result<Outcome, BenchError> {
         let stimulus = Stimulus::whole(spans, &self.design);
-        let mut arrivals = Arrivals::new(&self.design, &stimulus);
+        let mut monitor = Monitor::new(&self.design, &stimulus);
         let mut facts = Facts::of(&self.design);
         let mut engine = engine.engine(&self.design)?;
         let begin = Instant::now();
         engine.run(&stimulus, &self.watched(), &mut |columns| {
-            arrivals.take(columns);
+            monitor.take(columns);
             facts.take(&stimulus, columns);
             progress(columns.span().end, stimulus.clocks().end);
             Flow::Continue
         })?;
         let simulation_seconds = begin.elapsed().as_secs_f64();
-        let Arrivals { codes, wrong_clocks, .. } = arrivals;
+        let Monitor { codes, wrong_clocks, .. } = monitor;
         let bound_lsb = self.design.error_bound();
-        let comparison = compare::compare((self.spec, self.frame), spans, &codes, bound_lsb)?;
+        let comparison = scoreboard::compare((self.spec, self.frame), spans, &codes, bound_lsb)?;
         let latency = self.design.latency();
         let worst_cycle = comparison
             .worst_pixel
@@ -236,7 +236,7 @@ impl<'a> Bench<'a> {
     fn watched(&self) -> Vec<NodeId> {
         let mut watched: Vec<NodeId> = self.design.outputs.clone();
         watched.push(self.design.valid_out);
-        watched.extend(assumptions::watched(&self.design));
+        watched.extend(checker::watched(&self.design));
         watched.sort_unstable();
         watched.dedup();
         watched

@@ -33,7 +33,7 @@ pub struct Errors {
 
 /// Sums from which figures are made.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Sums {
+pub struct Sums {
     count: u64,
     largest: f64,
     magnitudes: f64,
@@ -41,6 +41,7 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
+    /// Adds an error, in LSBs of the 8-bit output.
     pub fn add(&mut self, error: f64) {
         let magnitude = error.abs();
         self.count += 1;
@@ -49,6 +50,7 @@ impl Sums {
         self.squares += magnitude * magnitude;
     }
 
+    /// Adds the sums of other errors.
     pub fn merge(&mut self, other: &Sums) {
         self.count += other.count;
         self.largest = self.largest.max(other.largest);
@@ -65,6 +67,7 @@ impl Sums {
         sums
     }
 
+    /// The figures of the errors added so far; all 0 where there are none.
     pub fn figures(&self) -> ErrorFigures {
         let count = self.count.max(1) as f64;
         let rms = (self.squares / count).sqrt();
@@ -79,7 +82,7 @@ impl Sums {
 }
 
 /// The middle one, or the mean of the two in the middle; 0 of nothing.
-pub(crate) fn median(values: &[f64]) -> f64 {
+pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     match (sorted.get(sorted.len() / 2), sorted.len() % 2) {

@@ -3,12 +3,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_experiments::search;
 use specula_hdl::verilog::module_name;
 use specula_scene::picture::limits;
 use specula_scene::spec::Specialise;
 use specula_scene::{CoreSpec, Frame, LoadedScene, Method, SpecFile};
+use specula_testbench::EngineKind;
 use specula_testbench::trace::Choice;
-use specula_testbench::{EngineKind, search};
 
 use crate::error::ToolError;
 

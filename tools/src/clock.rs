@@ -1,6 +1,6 @@
 //! The clock of cores. No tool has placed and routed them, so it is not known which one they reach.
 use clap::Args;
-use specula_testbench::tradeoff::FrameCycles;
+use specula_experiments::tradeoff::FrameCycles;
 
 /// `--clock`, for every command that says how fast a core is.
 #[derive(Clone, Debug, Default, Args)]

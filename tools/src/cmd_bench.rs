@@ -5,10 +5,10 @@ mod table;
 use std::io::Write;
 
 use clap::Args;
+use specula_experiments::benchmark::{Extent, Measurement, Step, measure};
 use specula_scene::Method;
 use specula_scene::spec::Specialise;
 use specula_testbench::Bench;
-use specula_testbench::bench::{Extent, Measurement, Step, measure};
 
 use crate::arguments::{method_parser, parse_size, specialise_parser, specialised};
 use crate::cli::Verdict;

@@ -14,11 +14,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ProgressBar;
-use specula_scene::{LoadedScene, Method};
-use specula_testbench::bench::Machine;
-use specula_testbench::tradeoff::{
+use specula_experiments::benchmark::Machine;
+use specula_experiments::tradeoff::{
     Configuration, Formats, Journal, Planned, interpolation_errors, plan, software, sweep,
 };
+use specula_scene::{LoadedScene, Method};
 
 use crate::arguments::{SceneArguments, asked, method_parser};
 use crate::cli::Verdict;

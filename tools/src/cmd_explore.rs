@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde::Serialize;
+use specula_experiments::explore::{Device, Exploration, Explored, Wanted, explore};
 use specula_scene::{Method, SpecFile};
-use specula_testbench::explore::{Device, Exploration, Explored, Wanted, explore};
 
 use crate::arguments::{SceneArguments, asked, method_parser, parse_error};
 use crate::cli::Verdict;

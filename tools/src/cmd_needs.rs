@@ -3,10 +3,10 @@ use std::io::Write;
 
 use clap::Args;
 use serde::Serialize;
+use specula_experiments::{Saving, Savings, Spared, Synthesis, savings};
 use specula_hdl::Design;
 use specula_scene::{CoreSpec, LoadedScene, Method, Needs};
 use specula_sim::{Progress, synthesise};
-use specula_testbench::{Saving, Savings, Spared, Synthesis, savings};
 
 use crate::arguments::{SceneArguments, method_parser};
 use crate::cli::Verdict;

@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_experiments::reproduce::Paper;
 use specula_scene::regular::read_regular;
-use specula_testbench::reproduce::Paper;
 
 use crate::cli::Verdict;
 use crate::error::{OutputError, ToolError};

@@ -7,9 +7,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
+use specula_experiments::{savings, shares};
 use specula_scene::SpecFile;
 use specula_testbench::trace::Choice;
-use specula_testbench::{Bench, EngineKind, Outcome, savings, shares};
+use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::arguments::{
     NameArguments, OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice,

@@ -9,11 +9,11 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use specula_scene::Method;
-use specula_testbench::climb::Search;
-use specula_testbench::stress::{
+use specula_experiments::climb::Search;
+use specula_experiments::stress::{
     CATALOGUE, Cell, Extent, RAW, RAW_INPUT, Verdict as StressVerdict, sweep,
 };
+use specula_scene::Method;
 
 use crate::arguments::method_parser;
 use crate::cli::Verdict;

@@ -9,7 +9,7 @@ use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::output::{Interrupts, write_file};
 use crate::picture;
-use crate::wave::{self, Asked, Figure, Selection, View, WaveError};
+use specula_wave::{self as wave, Asked, Figure, Selection, View, WaveError};
 
 const NOTES: &str = "\
 Numbers are fixed-point where the format is known: from GTKWave's save file beside FILE, of the \

@@ -3,8 +3,8 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use miette::Diagnostic;
 use serde::Serialize;
+use specula_experiments::explore::{Cost, Device};
 use specula_hdl::Design;
-use specula_testbench::explore::{Cost, Device};
 use thiserror::Error;
 
 /// `--device`, for every command that makes a core.

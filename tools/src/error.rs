@@ -3,17 +3,17 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
+use specula_experiments::benchmark::MeasureError;
+use specula_experiments::search::NotFound;
+use specula_experiments::tradeoff::{JournalError, SweepError};
 use specula_scene::SceneError;
 use specula_testbench::BenchError;
-use specula_testbench::bench::MeasureError;
-use specula_testbench::search::NotFound;
-use specula_testbench::tradeoff::{JournalError, SweepError};
 use thiserror::Error;
 
 use crate::cmd_explore::NothingExplored;
 use crate::device::DoesNotFit;
 use crate::task::Refused;
-use crate::wave::WaveError;
+use specula_wave::WaveError;
 
 /// Why a command was not done; nothing has been written then.
 #[derive(Debug, Error, Diagnostic)]

@@ -15,7 +15,6 @@ mod cmd_stress;
 mod cmd_wave;
 mod device;
 mod disagreement;
-mod drawing;
 mod error;
 mod header;
 mod html;
@@ -32,7 +31,6 @@ mod table;
 mod task;
 mod trace_file;
 mod verilog;
-mod wave;
 mod waveform;
 mod worst;
 

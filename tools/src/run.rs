@@ -2,8 +2,9 @@
 use std::ops::Range;
 use std::time::Duration;
 
-use specula_testbench::tradeoff::FrameCycles;
-use specula_testbench::{Bench, EngineKind, Outcome, Savings, Share};
+use specula_experiments::tradeoff::FrameCycles;
+use specula_experiments::{Savings, Share};
+use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::clock::Clock;
 use crate::device::Fitted;

@@ -11,8 +11,8 @@ use specula_testbench::trace::Choice;
 use crate::error::ToolError;
 use crate::output::Staging;
 use crate::run::Run;
-use crate::wave::{self, Asked, View};
 use crate::waveform;
+use specula_wave::{self as wave, Asked, View};
 
 /// The picture.
 pub const PICTURE: &str = "worst.svg";

@@ -41,7 +41,7 @@ impl Coefficients {
         Coefficients { ambient: product(material.ambient, frame.ambient), lights }
     }
 
-    /// Ambient + Σ over lights (diffuse + specular), at most 255 [METHODS.md A3].
+    /// Ambient + Σ over lights (diffuse + specular), at most 255 [methods A3].
     pub fn sum(&self, amounts: impl Fn(&Light) -> Amounts) -> [f64; 3] {
         self.sum_of(self.lights.iter().map(amounts))
     }

@@ -1,5 +1,5 @@
 //! Consistent normal interpolation: reflections that never point into the face [Reshetov, Soupikov
-//! and Mark; METHODS.md D].
+//! and Mark; methods D].
 //!
 //! N is the interpolated unit normal, I the unit vector that comes in (towards the eye, the light
 //! or the half-way vector), α the interpolated angle between vertex and face normals, b = N·I.
@@ -27,7 +27,7 @@ pub fn cos_gamma(q: f64, b: f64) -> f64 {
 
 /// ρ = sin γ/sin β = √(q(1 + g)/(1 + b)), 0 to 1.
 ///
-/// 1 is the most that a front-sided I gives; one from behind would give more (EXTREMES row 46), and
+/// 1 is the most that a front-sided I gives; one from behind would give more (extremes row 46), and
 /// b = -1 nothing (row 42).
 pub fn rho(q: f64, b: f64) -> f64 {
     let below = 1.0 + b;
@@ -41,7 +41,7 @@ pub fn reflection(normal: DVec3, incoming: DVec3, q: f64) -> DVec3 {
     (cos_gamma(q, b) + rho * b) * normal - rho * incoming
 }
 
-/// N_c = (I + r)/|I + r|; `None` for r = -I (EXTREMES row 41).
+/// N_c = (I + r)/|I + r|; `None` for r = -I (extremes row 41).
 pub fn normal(incoming: DVec3, reflection: DVec3) -> Option<DVec3> {
     unit(incoming + reflection)
 }
@@ -64,16 +64,16 @@ pub struct Scaling {
 impl Scaling {
     /// For [`rational_q`], as printed.
     pub const RATIONAL: Scaling = Scaling { constant: 0.03632, exponent: 2 };
-    /// For [`q`], as printed: falls short by 0.42 degrees at most (EXTREMES row 47).
+    /// For [`q`], as printed: falls short by 0.42 degrees at most (extremes row 47).
     pub const TRIGONOMETRIC: Scaling = Scaling { constant: 0.06096, exponent: 2 };
-    /// For [`q`] with the exponent that suffices everywhere (NUMERICS.md 1).
+    /// For [`q`] with the exponent that suffices everywhere (numerics N1).
     pub const TRIGONOMETRIC_LINEAR: Scaling = Scaling { constant: 0.06097, exponent: 1 };
 }
 
 /// α of a vertex from m, the least cosine between its normal and the normals of the faces around
 /// it. Radians, to 1.63 or 1.67 for m = 0.
 ///
-/// Not clamped at π/2: that would shorten what is interpolated of it (EXTREMES row 45).
+/// Not clamped at π/2: that would shorten what is interpolated of it (extremes row 45).
 pub fn vertex_angle(least_cosine: f64, scaling: Scaling) -> f64 {
     let m = least_cosine.clamp(-1.0, 1.0);
     m.acos() * (1.0 + scaling.constant * (1.0 - m).powi(scaling.exponent))

@@ -1,5 +1,5 @@
 //! Consistent normal interpolation as a shading method, without rounding [Reshetov, Soupikov and
-//! Mark; METHODS.md D].
+//! Mark; methods D].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
 use specula_scene::spec::ConsistentSpec;
@@ -69,7 +69,7 @@ impl<'a> ConsistentSpan<'a> {
         }
     }
 
-    /// The highlight; none of Blinn's where L = -V leaves no H (EXTREMES row 12).
+    /// The highlight; none of Blinn's where L = -V leaves no H (extremes row 12).
     fn specular(&self, normal: DVec3, q: f64, light: DVec3) -> f64 {
         match (self.spec.highlight, halfway(light)) {
             (Highlight::Reflection, _) => {

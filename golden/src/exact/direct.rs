@@ -1,4 +1,4 @@
-//! p and q of a scan line straight from t, without an accumulator [NUMERICS.md 3b].
+//! p and q of a scan line straight from t, without an accumulator [numerics N3b].
 use glam::DVec3;
 
 /// κ = |N1 - N0|², the only vector work of a span's q.

@@ -1,4 +1,4 @@
-//! The fast Phong formulas, without rounding [lecture, eq. 4.3 to 4.6; METHODS.md A6, A7].
+//! The fast Phong formulas, without rounding [lecture, eq. 4.3 to 4.6; methods A6, A7].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 use specula_scene::spec::DirectSpec;

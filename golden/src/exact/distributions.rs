@@ -1,5 +1,5 @@
 //! The twelve specular formulations that Lyon compares in figure 9 [Lyon, TR 43, appendix,
-//! `specfuns.m`; METHODS.md B].
+//! `specfuns.m`; methods B].
 use glam::DVec3;
 
 use super::differences::{to_normal, to_projection};
@@ -56,7 +56,7 @@ impl Formulation {
 
 /// The highlight of a unit normal, 0 to 1.
 ///
-/// L = -V leaves no H* (EXTREMES row 12): rows 5, 6 and 11 are 0 and row 12 its least; rows 7 to 9
+/// L = -V leaves no H* (extremes row 12): rows 5, 6 and 11 are 0 and row 12 its least; rows 7 to 9
 /// are 1 for every normal, as the method says.
 pub fn formulation(row: Formulation, n: u32, normal: DVec3, light: DVec3) -> f64 {
     let exponent = f64::from(n);
@@ -85,7 +85,7 @@ pub fn formulation(row: Formulation, n: u32, normal: DVec3, light: DVec3) -> f64
     }
 }
 
-/// Blinn's D2, exp(-2n α²). A cosine past 1 by rounding counts as 1 (EXTREMES row 36).
+/// Blinn's D2, exp(-2n α²). A cosine past 1 by rounding counts as 1 (extremes row 36).
 pub fn torrance_sparrow(cosine: f64, n: f64) -> f64 {
     (-2.0 * n * cosine.clamp(-1.0, 1.0).acos().powi(2)).exp()
 }

@@ -1,5 +1,5 @@
 //! Duff's diffuse with one of Hast's highlights, without rounding [Hast, Barrera and Bengtsson, eq.
-//! 3 to 8, 17, 33 and 34; METHODS.md C2, C8 to C11].
+//! 3 to 8, 17, 33 and 34; methods C2, C8 to C11].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
 use specula_scene::spec::DuffSpec;

@@ -1,4 +1,4 @@
-//! Lyon's figure 9: shiny black balls [Lyon, TR 43, appendix, `specular.m`; METHODS.md B].
+//! Lyon's figure 9: shiny black balls [Lyon, TR 43, appendix, `specular.m`; methods B].
 use glam::DVec3;
 use specula_scene::spec::FULL_SCALE;
 

@@ -1,5 +1,5 @@
 //! Intensities of the vertices or of the polygon, without rounding [lecture, eq. 2.1 and 3.2 to
-//! 3.6; METHODS.md A3, A4].
+//! 3.6; methods A3, A4].
 use glam::DVec3;
 use specula_scene::spec::GouraudSpec;
 use specula_scene::spec::gouraud::Interpolation;

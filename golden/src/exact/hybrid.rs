@@ -1,5 +1,5 @@
 //! Gouraud diffuse with Hast's specular base, without rounding [Hast, Barrera and Bengtsson, eq. 17
-//! to 26; METHODS.md C3].
+//! to 26; methods C3].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 use specula_scene::{Frame, Span};

@@ -15,7 +15,7 @@ pub struct Illumination {
 }
 
 /// Towards the eye from a pixel of a span, a unit vector; none for an eye at the very point
-/// [METHODS.md C18].
+/// [methods C18].
 pub fn view(frame: &Frame, span: &Span, weights: [f64; 3]) -> Option<DVec3> {
     view_from(frame, frame.position_at(span, weights))
 }
@@ -29,7 +29,7 @@ pub fn view_from(frame: &Frame, position: DVec3) -> Option<DVec3> {
 }
 
 /// Every light as it is seen from a pixel of a span, those at infinity first; none for a light at
-/// the very point (EXTREMES row 39).
+/// the very point (extremes row 39).
 pub fn lights(
     frame: &Frame,
     span: &Span,
@@ -53,7 +53,7 @@ pub fn light(frame: &Frame, index: usize, position: DVec3) -> Option<Illuminatio
 }
 
 /// L = (F - P)/|F - P| and, for a spot, max(-L·axis, 0)^p [Hast et al., eq. 35 and after;
-/// METHODS.md C15].
+/// methods C15].
 fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
     let direction = point_light::direction(light.position, position)?;
     let share = light

@@ -1,4 +1,4 @@
-//! Lyon's method without rounding [Lyon, TR 43; METHODS.md B].
+//! Lyon's method without rounding [Lyon, TR 43; methods B].
 use glam::DVec3;
 use specula_scene::spec::lyon::{Difference, Halfway, NormalWrap, Normals};
 use specula_scene::spec::{LyonSpec, Wrap};
@@ -85,7 +85,7 @@ impl<'a> LyonSpan<'a> {
         }
     }
 
-    /// f_k of D; none where the normal vanishes and has no direction (EXTREMES row 1).
+    /// f_k of D; none where the normal vanishes and has no direction (extremes row 1).
     fn highlight(&self, normal: DVec3, light: DVec3) -> f64 {
         if normal == DVec3::ZERO {
             return 0.0;
@@ -118,8 +118,8 @@ impl<'a> LyonSpan<'a> {
     }
 }
 
-/// A half-way vector of about unit length [METHODS.md B6, B7]; `None` where it has no direction,
-/// L = -V (EXTREMES row 12).
+/// A half-way vector of about unit length [methods B6, B7]; `None` where it has no direction,
+/// L = -V (extremes row 12).
 fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
     let h = halfway(light) / 2.0;
     match kind {

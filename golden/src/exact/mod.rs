@@ -46,7 +46,7 @@ pub use phong::PhongSpan;
 pub use reflection_shading::ReflectionSpan;
 pub use slerp_span::SlerpSpan;
 
-/// True Phong shading of pixel `i` of a span, 0..=255 LSB a channel [METHODS.md A3, A5].
+/// True Phong shading of pixel `i` of a span, 0..=255 LSB a channel [methods A3, A5].
 ///
 /// [`PhongSpan`] shades a whole span faster.
 pub fn phong(frame: &Frame, span: &Span, i: u32) -> [f64; 3] {

@@ -1,9 +1,9 @@
 //! The square root of fast Phong shading, by Newton's method warm-started from the pixel before
-//! [lecture, §4.2; METHODS.md A6].
+//! [lecture, §4.2; methods A6].
 use glam::DVec3;
 
 /// No root is taken to be less: d → 0 near the middle of a span of 180 degrees has no limit to
-/// converge to (EXTREMES row 19).
+/// converge to (extremes row 19).
 pub const SHORTEST: f64 = f64::EPSILON;
 
 /// x - (x² - D)/(2x).
@@ -16,7 +16,7 @@ pub fn root(guess: f64, square: f64, steps: u32) -> f64 {
     (0..steps).fold(guess, |x, _| step(x, square))
 }
 
-/// |N| at pixels i = 0 to S of a span between `ends`: exact at i = 0 [EXTREMES rows 18 and 20], then `steps` Newton steps from the pixel before.
+/// |N| at pixels i = 0 to S of a span between `ends`: exact at i = 0 [extremes rows 18 and 20], then `steps` Newton steps from the pixel before.
 pub fn lengths(ends: [DVec3; 2], spans: u32, steps: u32) -> impl Iterator<Item = f64> {
     let first = ends[0].length().max(SHORTEST);
     let later = (1..=spans).scan(first, move |d, i| {

@@ -11,7 +11,7 @@ pub fn unit(vector: DVec3) -> Option<DVec3> {
     vector.try_normalize()
 }
 
-/// g1 = 1 + y/2 with y = 1 - z [Lyon, METHODS.md B8]: 1/√(1 - y) to first order.
+/// g1 = 1 + y/2 with y = 1 - z [Lyon, methods B8]: 1/√(1 - y) to first order.
 ///
 /// 11.61 % short at z = 1/2, the middle of a span of 90 degrees.
 pub fn g1(z: f64) -> f64 {
@@ -19,7 +19,7 @@ pub fn g1(z: f64) -> f64 {
     1.0 + y / 2.0
 }
 
-/// g2 = 1 + (y + y²)/2 with y = 1 - z [Lyon, METHODS.md B9]: 1/√(1 - y) to second order, with 1/2
+/// g2 = 1 + (y + y²)/2 with y = 1 - z [Lyon, methods B9]: 1/√(1 - y) to second order, with 1/2
 /// instead of 3/8 before y².
 ///
 /// 2.77 % short at z = 1/2; 0.18 % too long at z = 0.8.

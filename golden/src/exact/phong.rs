@@ -15,7 +15,7 @@ use super::shape::power;
 
 /// True shading of one span: the normal interpolated linearly between the triangle's vertices and
 /// normalised at each pixel, then ambient + Σ kd max(N·L, 0) + ks max(R·L, 0)^n with R = 2(N·V)N -
-/// V [METHODS.md A3, A5, B1], or Blinn's lobes in place of the last, and wrapped directions in
+/// V [methods A3, A5, B1], or Blinn's lobes in place of the last, and wrapped directions in
 /// place of true ones.
 pub struct PhongSpan<'a> {
     frame: &'a Frame,
@@ -98,7 +98,7 @@ impl ShadePixel for PhongSpan<'_> {
 const LARGEST_GAIN: f64 = 16.0;
 
 /// H*·N with H* = (L + V)/|L + V|; H* comes out short where |L + V| < 1/16, down to 0 for L = -V
-/// (EXTREMES row 12).
+/// (extremes row 12).
 pub fn cosine_to_halfway(normal: DVec3, light: DVec3, view: DVec3) -> f64 {
     let halfway = light + view;
     let gain = halfway.length().recip().min(LARGEST_GAIN);

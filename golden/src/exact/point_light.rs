@@ -1,4 +1,4 @@
-//! Lights and eyes at a finite place [Hast, Barrera and Bengtsson, eq. 35 to 38; METHODS.md C15 to
+//! Lights and eyes at a finite place [Hast, Barrera and Bengtsson, eq. 35 to 38; methods C15 to
 //! C18].
 use glam::DVec3;
 use specula_scene::frame::EYE;
@@ -19,7 +19,7 @@ pub fn spot(axis: DVec3, light: DVec3, concentration: u32) -> f64 {
 /// F - P at a span's ends, both divided by their mean length: what lies between is then about 1
 /// long, as the wraps below need it.
 ///
-/// Unscaled, a light 10 away at 60 degrees comes out at 110.6 (EXTREMES row 40). Two vectors of
+/// Unscaled, a light 10 away at 60 degrees comes out at 110.6 (extremes row 40). Two vectors of
 /// length 0 stay so.
 pub fn scaled(ends: [DVec3; 2]) -> [DVec3; 2] {
     let mean = f64::midpoint(ends[0].length(), ends[1].length());
@@ -27,7 +27,7 @@ pub fn scaled(ends: [DVec3; 2]) -> [DVec3; 2] {
 }
 
 /// L' = 2H(H·S)/(H·H) - S with H = S + (F - P) [eq. 36], of length 1; S itself where the light
-/// stands at the point (EXTREMES row 39) or straight behind the axis, where H vanishes.
+/// stands at the point (extremes row 39) or straight behind the axis, where H vanishes.
 pub fn wrapped(axis: DVec3, to_light: DVec3) -> DVec3 {
     wrap(axis, to_light).unwrap_or(axis)
 }

@@ -1,4 +1,4 @@
-//! Polynomials along a scan line [Hast, Barrera and Bengtsson, eq. 3 to 8; METHODS.md C2].
+//! Polynomials along a scan line [Hast, Barrera and Bengtsson, eq. 3 to 8; methods C2].
 use glam::DVec3;
 
 /// A x² + B x + C along a scan line, x = 0 to S.

@@ -1,5 +1,5 @@
 //! Hast's reflection shading without rounding [Hast, Barrera and Bengtsson, eq. 27 to 34;
-//! METHODS.md C4 to C6 and C12 to C14].
+//! methods C4 to C6 and C12 to C14].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
 use specula_scene::spec::ReflectionSpec;

@@ -1,10 +1,10 @@
-//! The highlight from m = √n, with small squares [Lyon, TR 43, figure 8; METHODS.md B].
+//! The highlight from m = √n, with small squares [Lyon, TR 43, figure 8; methods B].
 use glam::DVec3;
 
 /// f_1 with x = ½ mD·mD, that is (1 - x/2)² with x/2 = (mD/2)².
 ///
 /// The squares see fractions only: one component of m|D|/2 that reaches 1 settles that f is 0 (the
-/// augmented comparator, EXTREMES rows 30 and 31). The text's "corresponding to x/4" holds for k =
+/// augmented comparator, extremes rows 30 and 31). The text's "corresponding to x/4" holds for k =
 /// 3; here the shift is of mD, by one.
 pub fn highlight(m: f64, difference: DVec3) -> f64 {
     let half = (m / 2.0 * difference).abs();

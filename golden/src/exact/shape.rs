@@ -6,7 +6,7 @@ pub fn power(cosine: f64, n: u32) -> f64 {
     cosine.max(0.0).powi(n.cast_signed())
 }
 
-/// Lyon's f_k(x) = (1 - x/2^k)^(2^k), and 0 from x = 2^k on [Lyon, eq. for the shape; METHODS.md
+/// Lyon's f_k(x) = (1 - x/2^k)^(2^k), and 0 from x = 2^k on [Lyon, eq. for the shape; methods
 /// B].
 ///
 /// With x = (n/2)|R - L|² and n = 2^k it equals Phong's cos^n.

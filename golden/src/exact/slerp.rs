@@ -1,13 +1,13 @@
-//! Spherical linear interpolation of normals [lecture, eq. 4.7 to 4.12; METHODS.md A8 to A11].
+//! Spherical linear interpolation of normals [lecture, eq. 4.7 to 4.12; methods A8 to A11].
 use glam::DVec3;
 
 use super::normalisation::unit;
 
 /// Below this 1 - N0·N1 (10 degrees) the normalised lerp takes over: it is off by 0.0049 degrees at
-/// most, and sin φ by more where N0·N1 was rounded (EXTREMES rows 13 and 15).
+/// most, and sin φ by more where N0·N1 was rounded (extremes rows 13 and 15).
 pub const SMALLEST_VERSINE: f64 = 0.015_192_246_987_791_98;
 
-/// Below this 1 + N0·N1 the plane of the two normals is not known (EXTREMES row 14).
+/// Below this 1 + N0·N1 the plane of the two normals is not known (extremes row 14).
 const SMALLEST_ABOVE_OPPOSITE: f64 = 1e-12;
 
 /// [sin((1-t)φ), sin(tφ)]/sin φ, for φ between 0 and π [eq. 4.7].
@@ -27,7 +27,7 @@ pub fn angle(ends: [DVec3; 2]) -> Option<f64> {
 /// The unit normal at `t`, 0 to 1, between two unit normals; the normalised lerp where slerp does
 /// not serve.
 ///
-/// `None` where the ends are opposite and the lerp vanishes (EXTREMES row 1).
+/// `None` where the ends are opposite and the lerp vanishes (extremes row 1).
 pub fn slerp(ends: [DVec3; 2], t: f64) -> Option<DVec3> {
     match angle(ends) {
         Some(angle) => {
@@ -39,7 +39,7 @@ pub fn slerp(ends: [DVec3; 2], t: f64) -> Option<DVec3> {
 }
 
 /// T = (N1 - N0 cos φ)/sin φ, the unit vector across N0 towards N1: N = cos(tφ) N0 + sin(tφ) T has
-/// no 1/sin φ [METHODS.md A11].
+/// no 1/sin φ [methods A11].
 ///
 /// `None` where the normals are parallel.
 pub fn tangent(ends: [DVec3; 2]) -> Option<DVec3> {

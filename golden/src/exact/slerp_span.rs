@@ -1,4 +1,4 @@
-//! Spherical interpolation along the scan line, without rounding [lecture, eq. 4.7; METHODS.md A8
+//! Spherical interpolation along the scan line, without rounding [lecture, eq. 4.7; methods A8
 //! to A11].
 use glam::DVec3;
 use specula_scene::frame::{Arc, EYE};

@@ -8,7 +8,7 @@ pub fn textbook(normal: DVec3, light: DVec3) -> f64 {
     2.0 * light.dot(normal) * normal.dot(EYE) - light.dot(EYE)
 }
 
-/// 2JK/D - L·V with J = L·N, K = V·N, D = N·N, a normal of any length [lecture, eq. 4.6; METHODS.md
+/// 2JK/D - L·V with J = L·N, K = V·N, D = N·N, a normal of any length [lecture, eq. 4.6; methods
 /// A7]. 0 for N = 0.
 pub fn fast(normal: DVec3, light: DVec3) -> f64 {
     let d = normal.length_squared();

@@ -1,8 +1,8 @@
 //! Unit vectors without a root: n wrapped around H = n + N [Hast, Barrera and Bengtsson, eq. 27 to
-//! 32; METHODS.md C4 to C7].
+//! 32; methods C4 to C7].
 use glam::DVec3;
 
-/// H·H below this has lost its direction (EXTREMES rows 7 and 9): 2^-20, that is |H| < 0.001.
+/// H·H below this has lost its direction (extremes rows 7 and 9): 2^-20, that is |H| < 0.001.
 const SHORTEST_SQUARE: f64 = 1.0 / 1_048_576.0;
 
 /// N' = 2H(H·n)/(H·H) - n with H = n + N [eq. 27]: of length 1 for a unit n and any N, in N's
@@ -15,7 +15,7 @@ pub fn wrap(reference: DVec3, vector: DVec3) -> Option<DVec3> {
     (square >= SHORTEST_SQUARE).then(|| 2.0 * h.dot(reference) / square * h - reference)
 }
 
-/// n can be wrapped around everything between `normals`: each is within 90 degrees of it (EXTREMES
+/// n can be wrapped around everything between `normals`: each is within 90 degrees of it (extremes
 /// row 8).
 pub fn serves(reference: DVec3, normals: &[DVec3]) -> bool {
     normals.iter().all(|n| n.dot(reference) > 0.0)
@@ -33,12 +33,12 @@ pub fn diffuse(reference: DVec3, normal: DVec3, light: DVec3) -> f64 {
 }
 
 /// By how many radians N' turns less than N: θ - 2 atan(l sin θ/(1 + l cos θ)), θ from n to N and
-/// l = |N| [NUMERICS.md 2b].
+/// l = |N| [numerics N2b].
 pub fn error(theta: f64, length: f64) -> f64 {
     theta - 2.0 * (length * theta.sin()).atan2(1.0 + length * theta.cos())
 }
 
-/// N' of each pixel wrapped around the one before, the first around `start` [METHODS.md C7]. Where
+/// N' of each pixel wrapped around the one before, the first around `start` [methods C7]. Where
 /// a wrap vanishes the vector before is held.
 pub fn chained(start: DVec3, normals: impl Iterator<Item = DVec3>) -> impl Iterator<Item = DVec3> {
     normals.scan(start, |before, normal| {

@@ -1,4 +1,4 @@
-//! `consistent`, bit for bit [Reshetov, Soupikov and Mark; METHODS.md D;
+//! `consistent`, bit for bit [Reshetov, Soupikov and Mark; methods D;
 //! `docs/arithmetic/consistent.md`].
 use specula_scene::Format;
 use specula_scene::spec::consistent::{

@@ -42,7 +42,7 @@ impl Course {
     }
 
     /// start + first i + second i(i - 1)/2 within `limits`, all three rounded to nearest into
-    /// `format`: half a unit for each of 1 + S + S(S - 1)/2 (NUMERICS 3b).
+    /// `format`: half a unit for each of 1 + S + S(S - 1)/2 (numerics N3b).
     pub fn quadratic(
         self,
         name: fmt::Arguments<'_>,

@@ -1,4 +1,4 @@
-//! `direct`, bit for bit [lecture, eq. 4.3 to 4.6; METHODS.md A6, A7; `docs/arithmetic/direct.md`].
+//! `direct`, bit for bit [lecture, eq. 4.3 to 4.6; methods A6, A7; `docs/arithmetic/direct.md`].
 use std::cell::RefCell;
 
 use specula_scene::Format;

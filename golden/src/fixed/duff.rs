@@ -1,4 +1,4 @@
-//! `duff`, bit for bit [Hast, Barrera and Bengtsson, eq. 3 to 8, 17, 33 and 34; METHODS.md C2, C8
+//! `duff`, bit for bit [Hast, Barrera and Bengtsson, eq. 3 to 8, 17, 33 and 34; methods C2, C8
 //! to C11; `docs/arithmetic.md`].
 use std::fmt;
 

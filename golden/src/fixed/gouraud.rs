@@ -1,4 +1,4 @@
-//! `gouraud`, bit for bit [lecture, eq. 2.1 and 3.2 to 3.6; METHODS.md A3, A4;
+//! `gouraud`, bit for bit [lecture, eq. 2.1 and 3.2 to 3.6; methods A3, A4;
 //! `docs/arithmetic/gouraud.md`].
 use std::fmt;
 

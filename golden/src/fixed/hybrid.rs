@@ -1,4 +1,4 @@
-//! `hybrid`, bit for bit [Hast, Barrera and Bengtsson, eq. 17 to 26; METHODS.md C3;
+//! `hybrid`, bit for bit [Hast, Barrera and Bengtsson, eq. 17 to 26; methods C3;
 //! `docs/arithmetic.md`].
 use specula_scene::Format;
 use specula_scene::spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpec};

@@ -1,4 +1,4 @@
-//! `lyon`, bit for bit [Lyon, TR 43; METHODS.md B; `docs/arithmetic.md`].
+//! `lyon`, bit for bit [Lyon, TR 43; methods B; `docs/arithmetic.md`].
 use std::cell::RefCell;
 
 use specula_scene::Format;
@@ -23,7 +23,7 @@ use super::wrapped::{WrapFormats, wrapped};
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
 const TWO: Wide = Wide::lit("2");
 const THREE: Wide = Wide::lit("3");
-/// A half-way vector that g2 brings near unit length is longer than 1 by 0.00176 at most (METHODS
+/// A half-way vector that g2 brings near unit length is longer than 1 by 0.00176 at most (methods
 /// B9).
 const LONGEST_BY_G2: Wide = Wide::lit("1.002");
 
@@ -175,7 +175,7 @@ impl Lyon {
         Some(narrow_vector(observer, "interpolated", lerp, f.vector))
     }
 
-    /// n of pixel `i`, wrapped around that of the pixel before, or around the axis (METHODS.md C7).
+    /// n of pixel `i`, wrapped around that of the pixel before, or around the axis (methods C7).
     fn wrapped_after(
         &self,
         followed: &Followed,
@@ -223,7 +223,7 @@ impl Lyon {
         )
     }
 
-    /// g, near 1/√z: g1 or g2 (METHODS.md B8, B9), then Newton steps.
+    /// g, near 1/√z: g1 or g2 (methods B8, B9), then Newton steps.
     fn gain(&self, z: Wide, observer: &mut impl Observer) -> Wide {
         let y = Wide::ONE - z;
         let first = match self.normalisation {
@@ -335,7 +335,7 @@ impl Lyon {
         }
     }
 
-    /// D = h - n (METHODS.md B6).
+    /// D = h - n (methods B6).
     fn halfway_minus_normal(
         &self,
         halfway: &Vector,
@@ -346,7 +346,7 @@ impl Lyon {
         narrow_vector(observer, "difference", difference, self.formats.difference)
     }
 
-    /// D = (h·n) n - h (METHODS.md B5, B6).
+    /// D = (h·n) n - h (methods B5, B6).
     fn halfway_projection(
         &self,
         halfway: &Vector,
@@ -359,7 +359,7 @@ impl Lyon {
         narrow_vector(observer, "difference", difference, format)
     }
 
-    /// D = H × n (METHODS.md B13).
+    /// D = H × n (methods B13).
     fn halfway_cross_normal(
         &self,
         halfway: &Vector,
@@ -369,7 +369,7 @@ impl Lyon {
         narrow_vector(observer, "difference", cross(halfway, normal), self.formats.difference)
     }
 
-    /// D = 2(n·of) n - of - from (METHODS.md B2, B4).
+    /// D = 2(n·of) n - of - from (methods B2, B4).
     fn reflected_minus(
         &self,
         normal: &Vector,

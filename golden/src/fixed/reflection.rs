@@ -1,4 +1,4 @@
-//! `reflection`, bit for bit [Hast, Barrera and Bengtsson, eq. 27 to 34; METHODS.md C4 to C6 and
+//! `reflection`, bit for bit [Hast, Barrera and Bengtsson, eq. 27 to 34; methods C4 to C6 and
 //! C12 to C14; `docs/arithmetic.md`].
 use std::fmt;
 

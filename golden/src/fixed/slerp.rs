@@ -1,4 +1,4 @@
-//! `slerp`, bit for bit [lecture, eq. 4.7, 4.9 to 4.12; METHODS.md A10, A11;
+//! `slerp`, bit for bit [lecture, eq. 4.7, 4.9 to 4.12; methods A10, A11;
 //! `docs/arithmetic/slerp.md`].
 use std::cell::RefCell;
 

@@ -1,4 +1,4 @@
-//! Unit vectors without a root [Hast, Barrera and Bengtsson, eq. 27 and 36 to 38; METHODS.md C4,
+//! Unit vectors without a root [Hast, Barrera and Bengtsson, eq. 27 and 36 to 38; methods C4,
 //! C16 to C18].
 use specula_scene::Format;
 

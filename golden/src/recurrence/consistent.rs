@@ -1,4 +1,4 @@
-//! Consistent normals [Reshetov, Soupikov and Mark; METHODS.md D]: r of the eye and N·L as it is,
+//! Consistent normals [Reshetov, Soupikov and Mark; methods D]: r of the eye and N·L as it is,
 //! or N_c of each vector that comes in.
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::marker::PhantomData;
@@ -33,7 +33,7 @@ impl Curve for Rational {
     }
 }
 
-/// (1 - sin α)/(1 + sin α) [eq. 1], with the scaling that suffices (EXTREMES row 47).
+/// (1 - sin α)/(1 + sin α) [eq. 1], with the scaling that suffices (extremes row 47).
 #[derive(Clone, Copy, Debug)]
 pub struct Trigonometric;
 
@@ -85,7 +85,7 @@ impl<T: Number, C: Curve> Surface<T, C> {
 fn turned<T: Number>(q: T, b: T) -> [T; 2] {
     let one = T::of(1.0);
     let g = one - q * (one - b);
-    // At most 1: an eye behind the face would ask for more (EXTREMES row 46).
+    // At most 1: an eye behind the face would ask for more (extremes row 46).
     let rho = (q * (one + g) / (one + b).floored()).positive().at_most_one().square_root();
     [g, rho]
 }
@@ -125,7 +125,7 @@ pub struct ConsistentNormal<T, C> {
     surface: Surface<T, C>,
     light: Vector<T>,
     halfway: Vector<T>,
-    /// |H*|, 0 where L = -V (EXTREMES row 12).
+    /// |H*|, 0 where L = -V (extremes row 12).
     has_halfway: T,
 }
 

@@ -63,7 +63,7 @@ impl<T: Number> Scheme<T> for TorranceSparrow<T> {
     #[inline(always)]
     fn pixel(&mut self) -> Pair<T> {
         let [diffuse, cosine] = self.0.pixel();
-        // The argument of an arc cosine must not be rounded to more than 1 (EXTREMES row 36).
+        // The argument of an arc cosine must not be rounded to more than 1 (extremes row 36).
         let angle = cosine.at_most_one().arc_cosine();
         Pair { diffuse, base: (T::of(-2.0) * angle * angle).exponential() }
     }

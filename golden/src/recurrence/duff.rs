@@ -1,5 +1,5 @@
 //! Scalars along a scan line, and the highlights that go with them [Hast, Barrera and Bengtsson,
-//! §1.2, §3, §4.2; METHODS.md C2, C3, C8 to C11].
+//! §1.2, §3, §4.2; methods C2, C3, C8 to C11].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 
@@ -64,7 +64,7 @@ impl<T: Number> Base<T> {
     }
 }
 
-/// Gouraud's diffuse term, and p/q [METHODS.md C3].
+/// Gouraud's diffuse term, and p/q [methods C3].
 #[derive(Clone, Copy, Debug)]
 pub struct Hybrid<T> {
     diffuse: Linear<T>,
@@ -92,7 +92,7 @@ impl<T: Number> Scheme<T> for Hybrid<T> {
     }
 }
 
-/// Duff with r = N·H/|H|: s = 1/√q, I_d = ps, I_s = rs, to the power 4n [METHODS.md C8].
+/// Duff with r = N·H/|H|: s = 1/√q, I_d = ps, I_s = rs, to the power 4n [methods C8].
 #[derive(Clone, Copy, Debug)]
 pub struct DuffBlinn<T> {
     duff: Duff<T>,
@@ -119,12 +119,12 @@ impl<T: Number> Scheme<T> for DuffBlinn<T> {
     }
 }
 
-/// H/|H|, or 0 for L = -V, which gives no highlight (EXTREMES row 12).
+/// H/|H|, or 0 for L = -V, which gives no highlight (extremes row 12).
 pub(super) fn unit_halfway(light: DVec3) -> DVec3 {
     unit(halfway(light)).unwrap_or(DVec3::ZERO)
 }
 
-/// Duff, and the specular numerator of [`Hybrid`] over the same q [METHODS.md C9].
+/// Duff, and the specular numerator of [`Hybrid`] over the same q [methods C9].
 #[derive(Clone, Copy, Debug)]
 pub struct DuffHybrid<T> {
     duff: Duff<T>,
@@ -143,7 +143,7 @@ impl<T: Number> Scheme<T> for DuffHybrid<T> {
     }
 }
 
-/// Duff and r = 2N·V: base r(p/q) - L·V [eq. 33; METHODS.md C10].
+/// Duff and r = 2N·V: base r(p/q) - L·V [eq. 33; methods C10].
 #[derive(Clone, Copy, Debug)]
 pub struct DuffQuotient<T> {
     duff: Duff<T>,
@@ -167,7 +167,7 @@ impl<T: Number> Scheme<T> for DuffQuotient<T> {
     }
 }
 
-/// The same with s = 1/√q: base (rs)(ps) - L·V [eq. 34; METHODS.md C11].
+/// The same with s = 1/√q: base (rs)(ps) - L·V [eq. 34; methods C11].
 #[derive(Clone, Copy, Debug)]
 pub struct DuffRoot<T> {
     duff: Duff<T>,
@@ -198,7 +198,7 @@ fn twice_eye<T: Number>(line: &Line) -> Linear<T> {
 }
 
 /// [`DuffRoot`] with q = q0 + t(q1 - q0) - κ t(1-t) from t, without second differences that pile up
-/// errors [NUMERICS.md 3b].
+/// errors [numerics N3b].
 #[derive(Clone, Copy, Debug)]
 pub struct Direct<T> {
     t: Linear<T>,

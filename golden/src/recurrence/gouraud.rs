@@ -1,4 +1,4 @@
-//! Shading without normals in the loop [lecture, §2 and §3; METHODS.md A3, A4].
+//! Shading without normals in the loop [lecture, §2 and §3; methods A3, A4].
 use glam::DVec3;
 
 use super::{Line, Linear, Number, Pair, Scheme};

@@ -36,7 +36,7 @@ impl Line {
         }
     }
 
-    /// k, the step of the normal: (N1 - N0)/S, and 0 in a span of one pixel (EXTREMES row 37).
+    /// k, the step of the normal: (N1 - N0)/S, and 0 in a span of one pixel (extremes row 37).
     pub fn step(&self) -> DVec3 {
         (self.ends[1] - self.ends[0]) * self.per_step()
     }

@@ -1,5 +1,5 @@
 //! Lyon's loop: approximate normalisation, D, and 1 - x/2^k to the power 2^k [Lyon, TR 43;
-//! METHODS.md B1 to B13].
+//! methods B1 to B13].
 use std::marker::PhantomData;
 
 use glam::DVec3;
@@ -10,7 +10,7 @@ use super::{Line, Number, Pair, Scheme, Walk};
 use crate::exact::normalisation::{g2, unit};
 use crate::exact::reflection::halfway;
 
-/// N = g2(N'·N') N' [METHODS.md B9].
+/// N = g2(N'·N') N' [methods B9].
 #[derive(Clone, Copy, Debug)]
 struct Normal<T>(Walk<T>);
 
@@ -108,7 +108,7 @@ impl<T: Number> Chord<T> for LightReflected<T> {
     }
 }
 
-/// D = H × N [METHODS.md B13].
+/// D = H × N [methods B13].
 #[derive(Clone, Copy, Debug)]
 pub struct Cross<T>(Vector<T>);
 

@@ -1,4 +1,4 @@
-//! The lecture's two ways to shade with an interpolated normal [lecture, §4.1 to §4.3; METHODS.md
+//! The lecture's two ways to shade with an interpolated normal [lecture, §4.1 to §4.3; methods
 //! A5 to A7].
 use glam::DVec3;
 use specula_scene::frame::EYE;
@@ -56,7 +56,7 @@ impl<T: Number, const STEPS: usize> Scheme<T> for FastPhong<T, STEPS> {
             j: between(line.ends.map(|n| n.dot(light)), line),
             twice_k: between(line.ends.map(|n| 2.0 * n.dot(EYE)), line),
             normal: Walk::new(line.ends[0], line.step()),
-            // Exact at the first pixel: nothing of another span is taken over (EXTREMES rows 18 and
+            // Exact at the first pixel: nothing of another span is taken over (extremes rows 18 and
             // 20).
             length: T::of(line.ends[0].length()).floored(),
             light_eye: T::of(light.dot(EYE)),

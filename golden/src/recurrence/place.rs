@@ -1,5 +1,5 @@
 //! Directions to lights and eyes at places, by a root or without one [Hast, Barrera and Bengtsson,
-//! §5 and §6; METHODS.md C15 to C18].
+//! §5 and §6; methods C15 to C18].
 use glam::DVec3;
 use specula_scene::frame::EYE;
 use specula_scene::spec::Wrap;

@@ -1,7 +1,7 @@
 //! Reflection shading: the face's normal wrapped around n + N [Hast, Barrera and Bengtsson, §4;
-//! METHODS.md C6, C7, C12 to C14].
+//! methods C6, C7, C12 to C14].
 //!
-//! The caller asks [`wrap::serves`](crate::exact::wrap::serves) first (EXTREMES row 8).
+//! The caller asks [`wrap::serves`](crate::exact::wrap::serves) first (extremes row 8).
 use glam::DVec3;
 use specula_scene::frame::EYE;
 
@@ -19,7 +19,7 @@ fn numerator<T: Number>(line: &Line, along: DVec3) -> Second<T> {
     Second::new(p)
 }
 
-/// N'·L as p/q; no highlight [METHODS.md C6].
+/// N'·L as p/q; no highlight [methods C6].
 #[derive(Clone, Copy, Debug)]
 pub struct Reflection<T> {
     p: Second<T>,
@@ -38,7 +38,7 @@ impl<T: Number> Scheme<T> for Reflection<T> {
     }
 }
 
-/// N'·L and N'·H/|H|, to the power 4n, over one q [METHODS.md C12].
+/// N'·L and N'·H/|H|, to the power 4n, over one q [methods C12].
 #[derive(Clone, Copy, Debug)]
 pub struct ReflectionBlinn<T> {
     lambert: Reflection<T>,
@@ -64,7 +64,7 @@ impl<T: Number> Scheme<T> for ReflectionBlinn<T> {
     }
 }
 
-/// N'·L, and the highlight of hybrid shading [METHODS.md C13].
+/// N'·L, and the highlight of hybrid shading [methods C13].
 #[derive(Clone, Copy, Debug)]
 pub struct ReflectionHybrid<T> {
     lambert: Reflection<T>,
@@ -82,7 +82,7 @@ impl<T: Number> Scheme<T> for ReflectionHybrid<T> {
     }
 }
 
-/// N'·L and r = 2N'·V over one q: base r I_d - L·V [METHODS.md C14].
+/// N'·L and r = 2N'·V over one q: base r I_d - L·V [methods C14].
 #[derive(Clone, Copy, Debug)]
 pub struct ReflectionRoot<T> {
     lambert: Reflection<T>,
@@ -107,7 +107,7 @@ impl<T: Number> Scheme<T> for ReflectionRoot<T> {
     }
 }
 
-/// Each N' wrapped around the one before: the vector itself, no quadratic [METHODS.md C7].
+/// Each N' wrapped around the one before: the vector itself, no quadratic [methods C7].
 #[derive(Clone, Copy, Debug)]
 pub struct Chained<T> {
     before: Vector<T>,

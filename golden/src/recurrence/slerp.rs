@@ -1,4 +1,4 @@
-//! J = L·N and K = V·N along an arc [lecture, eq. 4.9 to 4.12; METHODS.md A10 to A12].
+//! J = L·N and K = V·N along an arc [lecture, eq. 4.9 to 4.12; methods A10 to A12].
 //!
 //! The caller asks [`slerp::angle`](crate::exact::slerp::angle) first; without an angle the arc is
 //! that of [`Phong`](super::Phong).
@@ -75,7 +75,7 @@ impl<T: Number> Scheme<T> for Slerp<T> {
     }
 }
 
-/// One rotation in the frame of N0 and T: N = cos(tφ) N0 + sin(tφ) T [METHODS.md A11].
+/// One rotation in the frame of N0 and T: N = cos(tφ) N0 + sin(tφ) T [methods A11].
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<T> {
     rotation: Rotation<T>,
@@ -105,7 +105,7 @@ impl<T: Number> Scheme<T> for Frame<T> {
 }
 
 /// J' = 2cos(δ) J - J_before: one multiplication and one subtraction, and an error that grows with
-/// S² [Barrera; METHODS.md A12].
+/// S² [Barrera; methods A12].
 #[derive(Clone, Copy, Debug)]
 struct Harmonic<T> {
     before: T,

@@ -13,7 +13,7 @@ use crate::recurrence::{
     TorranceSparrow, Trigonometric, TrowbridgeReitz, Unit, Wrapped,
 };
 
-/// A method of METHODS.md in software.
+/// A method of docs/methods.md in software.
 #[derive(Clone, Copy, Debug)]
 pub struct Method {
     /// Its name.

@@ -47,7 +47,7 @@ pub trait Serves {
     fn serves(line: &Line) -> bool;
 }
 
-/// Where slerp serves the end normals (EXTREMES rows 13 to 15).
+/// Where slerp serves the end normals (extremes rows 13 to 15).
 pub struct Arcs;
 
 impl Serves for Arcs {
@@ -56,7 +56,7 @@ impl Serves for Arcs {
     }
 }
 
-/// Where the polygon's normal serves the triangle (EXTREMES row 8).
+/// Where the polygon's normal serves the triangle (extremes row 8).
 pub struct Wraps;
 
 impl Serves for Wraps {

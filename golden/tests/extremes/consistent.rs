@@ -247,7 +247,7 @@ fn heights(face: &Face, eye: DVec3, curve: Curve, draw: &[f64; 12]) -> Vec<[f64;
     (0..4).map(pixel).collect()
 }
 
-/// NUMERICS.md 2c and 3e: plain reflections enter faces, consistent ones never do, at the formats
+/// numerics N2c and 3e: plain reflections enter faces, consistent ones never do, at the formats
 /// that are chosen.
 #[test]
 fn no_reflection_enters_a_face() {

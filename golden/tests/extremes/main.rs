@@ -1,4 +1,5 @@
-//! The cases of EXTREMES.md that concern the two cores; numbers in names and comments are its rows.
+//! The cases of docs/extremes.md that concern the two cores; numbers in names and comments are its
+//! rows.
 mod both;
 #[path = "../common/mod.rs"]
 mod common;

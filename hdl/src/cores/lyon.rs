@@ -193,7 +193,7 @@ impl Pixel<'_> {
                 ),
             };
         };
-        // g2 makes h longer than 1 by 0.00176 at most (METHODS B9), and rounding any by √3/2 units
+        // g2 makes h longer than 1 by 0.00176 at most (methods B9), and rounding any by √3/2 units
         // of the last place.
         let longest = if self.lyon.difference.takes_unit_halfway() { 1.002 } else { 2.0 };
         let h = halfway.no_longer_than(longest + formats.vector.ulp());

@@ -20,7 +20,7 @@ pub struct Light {
 }
 
 /// The 8-bit codes of red, green and blue of the lights in every turn of a pixel, right in the
-/// last. [METHODS A3]
+/// last. [methods A3]
 pub fn channels(b: &Builder, turns: &Turns, ambient: &Coefficients, lights: &[Light]) -> [Sig; 3] {
     let code = |c: usize| {
         b.instance(&format!("{}_channel", NAMES[c]), || channel(b, turns, &ambient[c], lights, c))
@@ -78,7 +78,7 @@ fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize
         ("intensity", &intensities),
         ("begins", &turns.begins),
     );
-    let formula = "c = min(ambient + sum of coefficient x intensity, 255) [METHODS A3]";
+    let formula = "c = min(ambient + sum of coefficient x intensity, 255) [methods A3]";
     b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities, begins)| {
         let below_full_scale =
             below_full_scale(&ambient, &coefficients, &intensities, turns.count());

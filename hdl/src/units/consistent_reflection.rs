@@ -16,7 +16,7 @@ pub struct Consistency {
 }
 
 /// r = (g + ρb)N - ρI with b = N·I, g = 1 + q(b - 1) and ρ = √(q(1 + g)/(1 + b)) ≤ 1; and whether I
-/// is above the horizon that α leaves, g + b > 0. [Reshetov, Soupikov and Mark; METHODS D]
+/// is above the horizon that α leaves, g + b > 0. [Reshetov, Soupikov and Mark; methods D]
 ///
 /// # Error
 /// r = gN + ρ(bN - I). g n is off by e_n + e_g and ρ(b n - I) by e_n + e_b + e_I with the true ρ;
@@ -248,7 +248,7 @@ fn of_sine_ratio(operands: f64, e_w: f64, formats: &ConsistentFormats, known: Co
 }
 
 /// N_c·I = |I + r|/2 with r the reflection of I, and 0 for an I below the horizon or a normal
-/// without direction. [Reshetov, Soupikov and Mark; METHODS D]
+/// without direction. [Reshetov, Soupikov and Mark; methods D]
 ///
 /// # Error
 /// The length of a vector is off by no more than the vector. At the horizon (N_c·L)² ≤ (g + b)/2,

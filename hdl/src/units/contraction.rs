@@ -19,7 +19,7 @@ pub struct SpanAngles<'a> {
 const STEEPEST: f64 = std::f64::consts::PI;
 
 /// q of t, which is rounded up and clamped to 1; q is rounded down, so that both are on the safe
-/// side. [Reshetov, Soupikov and Mark; METHODS D]
+/// side. [Reshetov, Soupikov and Mark; methods D]
 ///
 /// # Error
 /// Start and step of t are up to a unit of the accumulator's last place too large, so after S steps

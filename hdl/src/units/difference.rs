@@ -4,13 +4,13 @@ use specula_scene::spec::lyon::LyonFormats;
 use super::length_off::{LengthOff, Reflected};
 use crate::builder::{Builder, Off, Vector};
 
-/// D = H × N with H = L + V, as long as the part of H that is perpendicular to N. [METHODS B13]
+/// D = H × N with H = L + V, as long as the part of H that is perpendicular to N. [methods B13]
 ///
 /// |D| ≤ |H||N| and |H| ≤ 2, and with H and N off by e_H and e_N, D is off by |H| e_N + |N| e_H + e_H e_N.
 pub fn halfway_cross_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFormats) -> Vector {
     b.unit(
         "halfway_cross_normal",
-        "D = H x N, H = L + V [METHODS B13]",
+        "D = H x N, H = L + V [methods B13]",
         (("h", h), ("n", n)),
         |_, (h, n)| {
             let (longest_h, longest_n) = (2.0 + 2.0 * formats.vector.ulp(), n.longest());
@@ -23,7 +23,7 @@ pub fn halfway_cross_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonF
 }
 
 /// D = R - L with R = 2(N·V)N - V, the view vector reflected about the normal, which is no shorter
-/// than `shortest`, and how far |D| is off. [Lyon, TR 43, fig. 7; METHODS B1, B2]
+/// than `shortest`, and how far |D| is off. [Lyon, TR 43, fig. 7; methods B1, B2]
 pub fn reflection_minus_light(
     b: &Builder,
     (n, shortest): (&Vector, f64),
@@ -42,7 +42,7 @@ pub fn reflection_minus_light(
 }
 
 /// D2 = 2(N·L)N - L - V, the light reflected about the normal, which is no shorter than `shortest`,
-/// less V, and how far |D2| is off. [Lyon, TR 43, fig. 5; METHODS B4]
+/// less V, and how far |D2| is off. [Lyon, TR 43, fig. 5; methods B4]
 pub fn light_reflection(
     b: &Builder,
     (n, shortest): (&Vector, f64),
@@ -111,7 +111,7 @@ fn reflected_minus(
 }
 
 /// D = (H·N)N - H, the way from H to its projection on N; `h` is H = L + V or about a unit vector.
-/// [Lyon, TR 43, fig. 5; METHODS B5, B6]
+/// [Lyon, TR 43, fig. 5; methods B5, B6]
 ///
 /// With r = |N|, the part along N is (r² - 1) times that of H and the part across is that of H: |D|
 /// ≤ |H| max(1, r² - 1). Rounding H·N lengthens it by |N|/2 units of the last place.
@@ -142,7 +142,7 @@ pub fn halfway_projection(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFor
 }
 
 /// D = h - N for a half-way vector h of about unit length: no multiplier at all. [Lyon, TR 43;
-/// METHODS B6]
+/// methods B6]
 pub fn halfway_minus_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFormats) -> Vector {
     b.unit("halfway_minus_normal", "D = h - N [Lyon, TR 43]", (("h", h), ("n", n)), |_, (h, n)| {
         let longest = h.longest() + n.longest();

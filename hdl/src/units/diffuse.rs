@@ -5,7 +5,7 @@ use specula_scene::spec::lyon::LyonFormats;
 use super::HOST_ERROR;
 use crate::builder::{Builder, Sig, Vector};
 
-/// Lambert's cosine, I = max(N·L, 0). [Lyon, TR 43; METHODS B]
+/// Lambert's cosine, I = max(N·L, 0). [Lyon, TR 43; methods B]
 pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Sig {
     b.unit("diffuse", "I = max(N.L, 0) [Lambert]", (("n", n), ("l", l)), |_, (n, l)| {
         // |N·L| ≤ |N||L|, and a rounded unit vector is longer than 1 by √3/2 units of the last place at most.
@@ -30,7 +30,7 @@ pub fn clamped_cosine(b: &Builder, v: &Vector, l: &Vector, format: Format) -> Si
 }
 
 /// Gouraud's linearly interpolated intensity, from its start and step, rounded to `fraction_bits`.
-/// [lecture, eq. 3.2 to 3.6; METHODS A4]
+/// [lecture, eq. 3.2 to 3.6; methods A4]
 ///
 /// Start and step are each off by half a unit of the accumulator's last place, so after `steps`
 /// steps the sum is off by (1 + `steps`)/2, and by no more outside [0, 1], where the true intensity

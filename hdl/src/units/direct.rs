@@ -28,7 +28,7 @@ pub fn parameter(b: &Builder, first: &Sig, step: &Sig, formats: &DirectFormats, 
 }
 
 /// q = 1 - κ t (1 - t), the squared length of (1 - t) A + t B for unit A and B with κ = |B - A|².
-/// [lecture, eq. 4.4; METHODS A6]
+/// [lecture, eq. 4.4; methods A6]
 ///
 /// t (1 - t) ≤ 1/4 and κ ≤ 4, so q ≥ 0 but for what t (1 - t) is rounded by, four times, and q
 /// itself.
@@ -302,7 +302,7 @@ pub struct DirectedBase<'a> {
 }
 
 /// 2 J K - L·V, kept within 0 to 1, and 0 where q ≤ 0; a q that may be rounded to 0 though it is
-/// not makes all of it unsure. [lecture, eq. 4.5; METHODS A7]
+/// not makes all of it unsure. [lecture, eq. 4.5; methods A7]
 ///
 /// # Error
 /// As that of [`reflected_cosine`](super::reflected_cosine), with V and L as they are.

@@ -17,7 +17,7 @@ pub struct Follow<'a> {
 }
 
 /// n = N + u H with H = N + b and u = (1 - N·N)/(H·H): the unit vector b, which is n of the pixel
-/// before, wrapped around H. [Hast, Barrera and Bengtsson, eq. 27; METHODS C7]
+/// before, wrapped around H. [Hast, Barrera and Bengtsson, eq. 27; methods C7]
 ///
 /// It is 2H (H·b)/(H·H) - b for |b| = 1, where 2H·b = H·H + 1 - N·N. What does not wait for b is
 /// outside the loop, which holds H·H, a division and a product, all of it within one clock. Written

@@ -34,7 +34,7 @@ pub struct Interpolation {
 }
 
 /// Interpolates linearly: N' = N0 + a (N1 - N0), where a grows by 1/S with each of at most
-/// `steps` + 1 pixels. [Lyon, TR 43; METHODS B12]
+/// `steps` + 1 pixels. [Lyon, TR 43; methods B12]
 pub fn interpolate(b: &Builder, span: SpanNormals, to: Interpolation) -> Vector {
     let inputs = (
         ("start", span.first),
@@ -53,7 +53,7 @@ pub fn interpolate(b: &Builder, span: SpanNormals, to: Interpolation) -> Vector 
     )
 }
 
-/// The weight a = i/S by itself, for several vectors. [Lyon, TR 43; METHODS B12]
+/// The weight a = i/S by itself, for several vectors. [Lyon, TR 43; methods B12]
 pub fn weight(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
     b.unit(
         "span_weight",
@@ -63,11 +63,11 @@ pub fn weight(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
     )
 }
 
-/// A vector along the span, X' = X0 + a (X1 - X0), whose ends lie in the unit ball. [METHODS B12,
+/// A vector along the span, X' = X0 + a (X1 - X0), whose ends lie in the unit ball. [methods B12,
 /// C15]
 pub fn along(b: &Builder, start: &Vector, delta: &Vector, a: &Sig, to: Interpolation) -> Vector {
     let inputs = (("vector_start", start), ("vector_delta", delta), ("weight", a));
-    b.unit("along", "X' = X0 + a (X1 - X0) [METHODS B12, C15]", inputs, |_, (start, delta, a)| {
+    b.unit("along", "X' = X0 + a (X1 - X0) [methods B12, C15]", inputs, |_, (start, delta, a)| {
         between(&start, &delta, &a, to, "|X'| <= 1").named("vector")
     })
 }

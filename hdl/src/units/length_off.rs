@@ -36,7 +36,7 @@ impl LengthOff {
     }
 
     /// Of D = 2(n·v)n - v - l for about unit vectors, where n may be longer and shorter. [Lyon, TR
-    /// 43, fig. 7; METHODS B1, B2]
+    /// 43, fig. 7; methods B1, B2]
     ///
     /// Let all errors grow from nothing at the same rate, and let n̂ and v̂ be directions, R =
     /// 2(n̂·v̂)n̂ - v̂, c = n̂·v̂ = n̂·R, s = n̂·D̂, p = D̂·R, ρ = |n| and ν = |v| on the way.

@@ -10,7 +10,7 @@ pub struct Steps<'a> {
     pub step: &'a Sig,
 }
 
-/// x(i+1) = x(i) + d: a value from -1 to 1, by an addition a pixel. [Hast et al., eq. 4; METHODS
+/// x(i+1) = x(i) + d: a value from -1 to 1, by an addition a pixel. [Hast et al., eq. 4; methods
 /// C2]
 ///
 /// # Error

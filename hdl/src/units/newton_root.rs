@@ -16,7 +16,7 @@ pub struct NewtonRoot {
 }
 
 /// d ← (d + q/d)/2, `steps` times at each pixel from the d of the pixel before on, and from 1 at
-/// the first; q counts as 4^-m at least. [lecture, §4.2; METHODS A6]
+/// the first; q counts as 4^-m at least. [lecture, §4.2; methods A6]
 ///
 /// d + q/d ≥ 2√q, so d stays at 2^-m or more, and so q/d at 2^m or less. With d from 2^-m to D and
 /// q ≤ 1 + o, d is convex in what it was and so no larger than at its ends: (2^-m + 2^m (1 + o))/2,

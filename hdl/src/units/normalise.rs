@@ -7,7 +7,7 @@ use crate::builder::{Builder, Off, Sig, Vector};
 
 /// How long a normal can come out that was no longer than `longest`, before rounding.
 ///
-/// With r = |N'|, g2 r = 2r - 3/2 r³ + 1/2 r⁵ overshoots to 1.00176 at r = 0.894 (METHODS B9), is 1
+/// With r = |N'|, g2 r = 2r - 3/2 r³ + 1/2 r⁵ overshoots to 1.00176 at r = 0.894 (methods B9), is 1
 /// at r = 1 and grows from there on. g1 r is 1 at most, and so is r g after a Newton step.
 fn longest_scaled(longest: f64) -> f64 {
     let beyond = 2.0 * longest - 1.5 * longest.powi(3) + 0.5 * longest.powi(5);
@@ -21,7 +21,7 @@ fn coarsest_ulp(formats: &LyonFormats) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Brings N' near unit length: n = g N' with g about 1/|N'|. [Lyon, TR 43; METHODS B8, B9]
+/// Brings N' near unit length: n = g N' with g about 1/|N'|. [Lyon, TR 43; methods B8, B9]
 ///
 /// Both ends of a span lie in the unit ball, so |N'| ≤ 1 up to rounding.
 ///
@@ -32,7 +32,7 @@ fn coarsest_ulp(formats: &LyonFormats) -> f64 {
 /// N', with the bounds of [`GainBound`], in which z is off by its own rounding alone. With lengths
 /// up to ℓ, n is off by ℓ t across, and along N by what the length is off and ℓ t²/2.
 ///
-/// Beside n goes a bit that says whether N' has a direction at all (EXTREMES row 1). It is off by 1
+/// Beside n goes a bit that says whether N' has a direction at all (extremes row 1). It is off by 1
 /// where rounding may decide that.
 pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> (Vector, Sig) {
     let f = &lyon.formats;
@@ -139,7 +139,7 @@ fn exactly(formats: &LyonFormats) -> ExactNormalisation {
     }
 }
 
-/// Whether a vector has a component that is not 0 (EXTREMES row 1).
+/// Whether a vector has a component that is not 0 (extremes row 1).
 pub fn has_direction(b: &Builder, n: &Vector) -> Sig {
     b.unit("direction_gate", "N is not 0", (("n", n),), |b, (n,)| {
         let zero = b.integer(0);

@@ -6,7 +6,7 @@ use super::shape::square;
 use crate::builder::{Builder, Sig};
 
 /// base^(2^j) for j = `log2_exponent`, 0 or more: each stage squares where j asks for it, else
-/// passes on. [Hast et al.; METHODS C3]
+/// passes on. [Hast et al.; methods C3]
 ///
 /// A square doubles the error of what it squares, so this is the cheaper power
 /// (`power = "squaring"`), and off by up to (n - 1)/2 units of the last place near 1;

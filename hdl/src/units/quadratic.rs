@@ -13,11 +13,11 @@ pub struct Differences<'a> {
 }
 
 /// x(i+1) = x(i) + d(i), d(i+1) = d(i) + d2: a value in `limits`, by two additions a pixel. [Hast
-/// et al., eq. 17 to 26; METHODS C3]
+/// et al., eq. 17 to 26; methods C3]
 ///
 /// # Error
 /// x(i) = x0 + i d0 + i(i-1)/2 d2, each rounded to half a unit of the last place, so after S =
-/// `steps` steps the value is off by (1 + S + S(S-1)/2)/2 units (NUMERICS 3b), and by no more
+/// `steps` steps the value is off by (1 + S + S(S-1)/2)/2 units (numerics N3b), and by no more
 /// outside its limits. The difference at the last pixel looks one pixel beyond the span; with the
 /// value within [-1, 1] at three neighbours it is at most 2 + 4. In formats finer than f64 the
 /// host's own error is the larger.

@@ -5,7 +5,7 @@ use super::HOST_ERROR;
 use crate::builder::{Builder, Known, Sig};
 
 /// Cosine and sine of the angle i δ, from (1, 0) on, by a rotation in every clock; `turn` is cos δ
-/// and sin δ. [lecture, eq. 4.9 to 4.12; METHODS A11]
+/// and sin δ. [lecture, eq. 4.9 to 4.12; methods A11]
 ///
 /// # Error
 /// See [`drift`].
@@ -49,7 +49,7 @@ pub struct Turn<'a> {
 
 /// The same from any start, larger than 1 by the factor 1/sin 10° at most, and with two sines:
 /// where one of them is 0, one of cosine and sine stays, and the other grows by the same with each
-/// pixel. [lecture, eq. 4.9 to 4.12; METHODS A9]
+/// pixel. [lecture, eq. 4.9 to 4.12; methods A9]
 ///
 /// # Error
 /// [`scaled_drift`]. Where one sine is 0 and cos δ is 1 nothing turns, and what grows is off by

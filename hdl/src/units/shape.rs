@@ -6,7 +6,7 @@ use super::shape_error::{shape_error, steepest_slope};
 use crate::builder::{Builder, Sig, Vector};
 
 /// f_k(x) = (1 - x/2^k)^(2^k), 0 for x ≥ 2^k and where the normal has no direction, with x = (n/2)
-/// D·D. [Lyon, TR 43; METHODS B]
+/// D·D. [Lyon, TR 43; methods B]
 ///
 /// Where D goes with 4n, read 4n for n.
 ///
@@ -54,7 +54,7 @@ pub fn shape(
 }
 
 /// The same f_k from m, the root of n: x/2^k = u·u with u_c = m|D_c| 2^-h, and 0 where an integer
-/// part of u is not 0. [Lyon, TR 43, fig. 8; METHODS B]
+/// part of u is not 0. [Lyon, TR 43, fig. 8; methods B]
 ///
 /// # Error
 /// As a function of |u| and with K = 2^k, f = (1 - u²)^K, whose slope is that of the figure 7 form

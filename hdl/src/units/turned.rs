@@ -5,7 +5,7 @@ use super::HOST_ERROR;
 use super::rotation::{drift, drift_across, sum_of_components};
 use crate::builder::{Builder, Sig};
 
-/// N·X = c A·X + s T·X, for L and V alike. [lecture, eq. 4.7; METHODS A10]
+/// N·X = c A·X + s T·X, for L and V alike. [lecture, eq. 4.7; methods A10]
 ///
 /// |N·X| ≤ |N||X| with |N| ≤ 1 + e, and A·X, T·X are off by half a unit of their last place each.
 pub fn along_arc(
@@ -57,7 +57,7 @@ pub fn kept_within_one(b: &Builder, cosine: &Sig, fraction_bits: u32) -> Sig {
     })
 }
 
-/// 2 J K' - L·V, kept within 0 to 1. [lecture, eq. 4.5; METHODS A10]
+/// 2 J K' - L·V, kept within 0 to 1. [lecture, eq. 4.5; methods A10]
 pub fn base(
     b: &Builder,
     j: &Sig,

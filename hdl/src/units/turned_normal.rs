@@ -38,7 +38,7 @@ impl Weighing {
 }
 
 /// N = u P + v Q, and n = N (3 - N·N)/2: Newton's step towards unit length from 1 on. [lecture, eq.
-/// 4.7; METHODS A8, A9, A11]
+/// 4.7; methods A8, A9, A11]
 ///
 /// l (3 - l²)/2 ≤ 1 for any length l, so n is no longer than 1 but for rounding.
 ///

@@ -1,4 +1,4 @@
-//! Highlights from cosines. [METHODS A3; Lyon, TR 43, appendix]
+//! Highlights from cosines. [methods A3; Lyon, TR 43, appendix]
 use specula_scene::format::power_of_two;
 
 use super::divider::divider;
@@ -23,7 +23,7 @@ pub fn cosine_between(b: &Builder, x: &Vector, y: &Vector, fraction_bits: u32) -
     })
 }
 
-/// R·L = 2(N·V)(N·L) - V·L, kept within 0 to 1. [METHODS A3, B1]
+/// R·L = 2(N·V)(N·L) - V·L, kept within 0 to 1. [methods A3, B1]
 ///
 /// # Error
 /// Let the cosines be those of turned unit vectors, off by r_v, r_l and r beside that. Then this is
@@ -68,7 +68,7 @@ pub fn reflected_cosine(
     )
 }
 
-/// H*·N = (N·L + N·V)/|L + V|, kept within 0 to 1; `gain` is 1/|L + V|. [METHODS B6; Lyon, TR 43,
+/// H*·N = (N·L + N·V)/|L + V|, kept within 0 to 1; `gain` is 1/|L + V|. [methods B6; Lyon, TR 43,
 /// appendix, formulation 5]
 pub fn halfway_cosine(
     b: &Builder,
@@ -83,7 +83,7 @@ pub fn halfway_cosine(
     })
 }
 
-/// 1 - H*·N, kept within 0 to 15/8; `gain` is 1/|L + V|. [METHODS B6; Lyon, TR 43, appendix,
+/// 1 - H*·N, kept within 0 to 15/8; `gain` is 1/|L + V|. [methods B6; Lyon, TR 43, appendix,
 /// formulation 11]
 pub fn halfway_versine(
     b: &Builder,
@@ -104,7 +104,7 @@ pub fn halfway_versine(
     )
 }
 
-/// 1/|L + V| = 1/√(2 + 2 V·L). [METHODS B6]
+/// 1/|L + V| = 1/√(2 + 2 V·L). [methods B6]
 pub fn halfway_gain(
     b: &Builder,
     l_dot_v: &Sig,

@@ -16,7 +16,7 @@ pub struct WrapFormats {
 }
 
 /// n = 2v H - w with v = H·w / H·H: the unit vector w, wrapped around H = N' + w. [Hast, Barrera
-/// and Bengtsson, eq. 27, 36 and 38; METHODS C4, C16, C18]
+/// and Bengtsson, eq. 27, 36 and 38; methods C4, C16, C18]
 ///
 /// It is -w reflected about H, so as long as w whatever H is. With N' within 90 degrees of w and
 /// the unit ball, |H|² = 1 + |N'|² + 2N'·w is 1 at least and 0 ≤ v ≤ 1.
@@ -66,7 +66,7 @@ pub struct ToPlace {
 
 /// L' = 2v H - w as [`wrapped`], and w·L' = 2 v p - 1 with p = H·w and v = p / H·H. Where the bit
 /// `spot` is 1, w is S, the way back along the axis of a spot, and X = H - S at any angle to it.
-/// [Hast, Barrera and Bengtsson, eq. 36 to 38; METHODS C16 to C18]
+/// [Hast, Barrera and Bengtsson, eq. 36 to 38; methods C16 to C18]
 ///
 /// Where p ≤ 1, X·S ≤ 0: a spot gives no light there, and v is 0 so that L' is as long as S.
 /// Everywhere else |H| is 1 at least.

@@ -51,7 +51,7 @@ fn cross_products_are_rounded() {
     }
 }
 
-/// D = 2(N·V)N - V - L with V = (0, 0, 1), rounded twice; L = -R makes a component 2.0 (EXTREMES
+/// D = 2(N·V)N - V - L with V = (0, 0, 1), rounded twice; L = -R makes a component 2.0 (extremes
 /// row 25).
 #[test]
 fn reflections_are_rounded_twice() {

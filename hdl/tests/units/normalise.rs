@@ -87,7 +87,7 @@ fn every_small_normal() {
     }
 }
 
-/// EXTREMES row 26: z a little above 1, y negative and the gain below 1.
+/// extremes row 26: z a little above 1, y negative and the gain below 1.
 #[test]
 fn a_little_longer_than_one() {
     let longer: Vec<[i64; 3]> =
@@ -101,7 +101,7 @@ fn a_little_longer_than_one() {
     }
 }
 
-/// EXTREMES rows 1 and 27: no normal, no direction; the gain is 2.0 and not wrapped around.
+/// extremes rows 1 and 27: no normal, no direction; the gain is 2.0 and not wrapped around.
 #[test]
 fn no_normal_at_all() {
     for lyon in every_option() {

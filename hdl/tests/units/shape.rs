@@ -73,7 +73,7 @@ fn three_squares(sum: i64, limit: i64) -> Option<[i64; 3]> {
     triples.find(|&d| dot(d, d) == sum && d[2] <= limit)
 }
 
-/// EXTREMES row 21: x = 2^k exactly and one unit of the last place to either side; 0 from there on
+/// extremes row 21: x = 2^k exactly and one unit of the last place to either side; 0 from there on
 /// and never negative to an even power.
 #[test]
 fn end_of_the_shape() {
@@ -96,7 +96,7 @@ fn end_of_the_shape() {
     }
 }
 
-/// EXTREMES row 22: x = 0 gives 1.0 exactly, and a normal without direction 0 (row 1).
+/// extremes row 22: x = 0 gives 1.0 exactly, and a normal without direction 0 (row 1).
 #[test]
 fn centre_of_the_shape() {
     for squarings in 0..=3 {
@@ -107,7 +107,7 @@ fn centre_of_the_shape() {
     }
 }
 
-/// EXTREMES rows 24 and 31: the longest D with the largest exponent, along one axis alone and along
+/// extremes rows 24 and 31: the longest D with the largest exponent, along one axis alone and along
 /// none.
 #[test]
 fn longest_difference() {

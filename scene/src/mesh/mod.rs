@@ -53,7 +53,7 @@ pub struct Mesh {
 impl Mesh {
     /// Reads a mesh by its file name extension: `.obj`, `.ply`, `.stl` or `.glb`.
     ///
-    /// Where the file has no normals, they are made from the faces (METHODS.md A1, A2). What stands
+    /// Where the file has no normals, they are made from the faces (methods A1, A2). What stands
     /// in the file beside what is needed is passed over with a warning for each kind.
     ///
     /// # Errors

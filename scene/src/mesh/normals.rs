@@ -1,4 +1,4 @@
-//! Face and vertex normals (Lecture 21: METHODS.md A1, A2).
+//! Face and vertex normals (Lecture 21: methods A1, A2).
 use glam::{DMat3, DVec3};
 
 /// A face counts as degenerate when its area is below this share of its extent squared: what is

@@ -68,7 +68,7 @@ impl Polygons {
         self.corners.iter().all(|corner| corner.normal.is_some())
     }
 
-    /// Checks everything, splits faces into triangles and fills in missing normals (METHODS.md A1,
+    /// Checks everything, splits faces into triangles and fills in missing normals (methods A1,
     /// A2).
     ///
     /// `line` tells the line of something in the file, counted from 1, where it has one.

@@ -1,5 +1,5 @@
 //! Cones about vertex normals that hold the normals of all faces around the vertex [Reshetov,
-//! Soupikov and Mark; METHODS.md D].
+//! Soupikov and Mark; methods D].
 use std::collections::HashMap;
 
 use glam::DVec3;
@@ -13,7 +13,7 @@ const PLACE: f64 = 1.0 / (1u64 << 32) as f64;
 /// Unit normals count as one when their components agree in this.
 const NORMAL: f64 = 1.0 / (1u64 << 20) as f64;
 
-/// Repair is given up after so many turns; 2 of 19 000 random fans were left over then (EXTREMES
+/// Repair is given up after so many turns; 2 of 19 000 random fans were left over then (extremes
 /// row 48).
 const MOST_TURNS: usize = 200;
 
@@ -80,7 +80,7 @@ impl Fans {
 }
 
 /// The cone of a vertex with this normal, repaired if need be: while it is more than 90 degrees
-/// from a face, it is mirrored at the plane of the worst, N ← N - 2(N·n)n [METHODS.md D, with ε =
+/// from a face, it is mirrored at the plane of the worst, N ← N - 2(N·n)n [methods D, with ε =
 /// 1].
 fn cone(normal: DVec3, faces: &[DVec3]) -> VertexCone {
     let mut axis = normal;
@@ -115,7 +115,7 @@ mod tests {
         assert!((cosine - 0.2_f64.sqrt()).abs() < 1e-15);
     }
 
-    /// Row 48 of EXTREMES.
+    /// Row 48 of docs/extremes.md.
     #[test]
     fn a_normal_beyond_90_degrees_is_turned_back() {
         let (normal, faces) = fan(3.0, DVec3::new(1.0, 0.2, 0.1));

@@ -19,7 +19,7 @@ const MOST_BITS_FOR_HIGHLIGHTS: f64 = 2.0;
 impl CoreSpec {
     /// The spec for a scene with these needs: the method asked for on the command line, else the
     /// scene file's, else `lyon`, with and `phong` where a light or the eye is at a place, with the
-    /// defaults of NUMERICS.md "Recommended formats", changed where the scene file's `[core]` table
+    /// defaults of numerics N5, changed where the scene file's `[core]` table
     /// says so.
     ///
     /// # Errors
@@ -59,9 +59,9 @@ impl CoreSpec {
     /// The same core with finer formats where a colour is brighter than full scale, but for those
     /// that `changes` names.
     ///
-    /// NUMERICS.md recommends formats by errors of intensities times full scale. Twice as bright,
-    /// and those errors are twice as large: a bit more in every format. Two are the most, since
-    /// what is four times full scale is white but for the highlight's edge.
+    /// docs/numerics.md recommends formats by errors of intensities times full scale. Twice as
+    /// bright, and those errors are twice as large: a bit more in every format. Two are the most,
+    /// since what is four times full scale is white but for the highlight's edge.
     fn for_highlights(self, needs: &Needs, changes: &toml::Table) -> CoreSpec {
         let bits =
             needs.brightest_coefficient.max(1.0).log2().ceil().min(MOST_BITS_FOR_HIGHLIGHTS) as i32;

@@ -76,9 +76,9 @@ pub const COEFFICIENT_FRACTION_BITS: u32 = 6;
 pub const FULL_SCALE: f64 = 255.0;
 /// The most lights a core takes.
 pub const MOST_LIGHTS: usize = 4;
-/// The largest exponent n (EXTREMES row 24).
+/// The largest exponent n (extremes row 24).
 pub const LARGEST_SHININESS: u32 = 8191;
-/// The longest span, in pixels (EXTREMES row 38).
+/// The longest span, in pixels (extremes row 38).
 pub const LONGEST_SPAN: u32 = 8192;
 
 /// A core: a span goes in, and with every [`CoreSpec::interval`] clocks a pixel comes out.

@@ -58,7 +58,7 @@ impl NarrowingPoint {
     /// An accumulator that the host rounds start value and steps into. `span_bits` number the
     /// pixels of the longest span, and errors grow with it to the power of `order`: S steps, each
     /// off by half a unit of the last place, add up to S/2 units, second differences to S²/4
-    /// (NUMERICS 3b), which must stay well below 1.
+    /// (numerics N3b), which must stay well below 1.
     pub(super) fn accumulated(
         name: &'static str,
         format: Format,

@@ -1,5 +1,5 @@
 //! Unit vectors along a span without a root: what they are wrapped around [Hast, Barrera and
-//! Bengtsson, eq. 27, 28 and 36 to 38; METHODS.md C4 to C7, C16 to C18].
+//! Bengtsson, eq. 27, 28 and 36 to 38; methods C4 to C7, C16 to C18].
 use glam::DVec3;
 
 /// The ends of a span of wrapped vectors, and what they are wrapped around.
@@ -15,7 +15,7 @@ impl Wrap {
     /// Vectors at the ends, of any length, wrapped around `preferred`. A vector of length 0 is
     /// taken from the other end; where both are, everything is 0.
     ///
-    /// An axis that is 90 degrees or more from an end gives way to the bisector (EXTREMES row 8),
+    /// An axis that is 90 degrees or more from an end gives way to the bisector (extremes row 8),
     /// and the bisector of opposite ends to a vector across them (row 7).
     pub fn around(preferred: Option<DVec3>, ends: [DVec3; 2]) -> Wrap {
         Wrap::with(ends, |start, end| {

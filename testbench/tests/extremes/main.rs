@@ -1,4 +1,4 @@
-//! The rows of EXTREMES.md that concern the cores, through the hardware; numbers in names and
+//! The rows of docs/extremes.md that concern the cores, through the hardware; numbers in names and
 //! comments are its rows.
 //!
 //! [`common::shade`] asserts in every one that pixels, clocks, stated facts and error bounds are

@@ -1,6 +1,6 @@
 //! A measurement for programs.
 use serde::Serialize;
-use specula_testbench::bench::{Row, Skipped};
+use specula_experiments::benchmark::{Row, Skipped};
 
 use super::Measured;
 

@@ -1,5 +1,5 @@
 //! A measurement for people.
-use specula_testbench::bench::{Row, Skipped};
+use specula_experiments::benchmark::{Row, Skipped};
 
 use super::Measured;
 use crate::table;

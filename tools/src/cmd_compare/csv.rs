@@ -1,7 +1,7 @@
 //! Figures of a comparison as CSV, a line for each core or loop. No field has a comma or a
 //! quotation mark in it.
+use specula_experiments::tradeoff::software::Software;
 use specula_testbench::ErrorFigures;
-use specula_testbench::tradeoff::software::Software;
 
 use super::result::{Compared, Core};
 

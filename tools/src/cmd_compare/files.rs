@@ -2,7 +2,7 @@
 use std::fs;
 use std::io;
 
-use specula_testbench::tradeoff::Journal;
+use specula_experiments::tradeoff::Journal;
 
 use super::result::Compared;
 use super::{csv, json, markdown, plots};
@@ -59,9 +59,9 @@ fn page(compared: &Compared, text: &str, staging: &Staging) -> io::Result<String
 fn draw(staging: &Staging, subject: &plots::Subject, compared: &Compared) -> Result<(), ToolError> {
     let sheet = subject.plot(compared).sheet()?;
     let [svg, png] = subject.names();
-    fs::write(staging.file(&svg), crate::drawing::svg(&sheet)).map_err(staging.failed(&svg))?;
+    fs::write(staging.file(&svg), specula_drawing::svg(&sheet)).map_err(staging.failed(&svg))?;
     // A plot is never too large for a picture.
-    if let Some(drawing) = crate::drawing::png(&sheet) {
+    if let Some(drawing) = specula_drawing::png(&sheet) {
         picture::write_line_drawing(&staging.file(&png), &drawing).map_err(staging.failed(&png))?;
     }
     Ok(())

@@ -1,9 +1,9 @@
 //! What came of a comparison, for programs.
 use serde::Serialize;
+use specula_experiments::tradeoff::software::Software;
+use specula_experiments::tradeoff::{Measured, WORD_BITS};
 use specula_scene::CoreSpec;
 use specula_testbench::ErrorFigures;
-use specula_testbench::tradeoff::software::Software;
-use specula_testbench::tradeoff::{Measured, WORD_BITS};
 
 use super::result::{Compared, Core, size};
 use crate::output::PROGRAM;

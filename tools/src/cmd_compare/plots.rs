@@ -1,11 +1,11 @@
 //! Error against size and against run time.
+use specula_experiments::pareto_front;
+use specula_experiments::tradeoff::Formats;
 use specula_scene::Method;
-use specula_testbench::pareto_front;
-use specula_testbench::tradeoff::Formats;
 
 use super::result::{Compared, Core, size};
-use crate::drawing::{SERIES, Series};
 use crate::plot::{Axis, Label, Place, Plot, PlotSeries, Scale, Shown};
+use specula_drawing::{SERIES, Series};
 
 /// A plot: its file without an ending, what it shows, and what is drawn.
 pub struct Subject {
@@ -172,7 +172,7 @@ fn of_software(compared: &Compared) -> Vec<Named> {
             .position(|method| name.starts_with(method.name()))
             .unwrap_or(usize::from(SERIES) - 1)
     };
-    let named = |software: &specula_testbench::tradeoff::software::Software| Named {
+    let named = |software: &specula_experiments::tradeoff::software::Software| Named {
         colour: Series::new(colour(software.name)),
         places: vec![(
             (software.total_ns, software.error.rms_lsb.max(LEAST)),

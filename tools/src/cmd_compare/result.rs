@@ -1,8 +1,9 @@
 //! What came of a comparison, as tables, plots and reports see it.
-use specula_testbench::bench::Machine;
-use specula_testbench::tradeoff::software::Software;
-use specula_testbench::tradeoff::{Configuration, Measured, Measurement, Row, counterpart};
-use specula_testbench::{ErrorFigures, pareto_front};
+use specula_experiments::benchmark::Machine;
+use specula_experiments::pareto_front;
+use specula_experiments::tradeoff::software::Software;
+use specula_experiments::tradeoff::{Configuration, Measured, Measurement, Row, counterpart};
+use specula_testbench::ErrorFigures;
 
 use crate::clock::Clock;
 use crate::plot::Place;

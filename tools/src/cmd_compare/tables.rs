@@ -1,6 +1,6 @@
 //! Tables of a comparison: titles and rows, for people.
+use specula_experiments::tradeoff::software::Software;
 use specula_testbench::ErrorFigures;
-use specula_testbench::tradeoff::software::Software;
 
 use super::result::{Compared, Core, size};
 

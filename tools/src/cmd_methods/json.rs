@@ -3,11 +3,11 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use serde_json::Value;
+use specula_experiments::operations::Contents;
+use specula_experiments::stress::variant::Variant;
 use specula_hdl::Design;
 use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, Viewpoint};
 use specula_scene::{Format, LoadedScene, Method, Needs};
-use specula_testbench::operations::Contents;
-use specula_testbench::stress::variant::Variant;
 use specula_testbench::{Bench, BenchError};
 
 use crate::error::ToolError;

@@ -5,7 +5,7 @@ pub const HEAD: &str = "\
 # What the papers claim and show
 
 Written by `specula reproduce`. *On* says what was measured: `f64` is exact shading, `core` is hardware, by the bit-true model that the
-simulated core equals on every pixel, or by the simulated core. *Before* is the project's independent measurement (NUMERICS.md); the
+simulated core equals on every pixel, or by the simulated core. *Before* is the project's independent measurement (docs/numerics.md); the
 tests compare. LSB is 1/255 of full scale.
 
 ";

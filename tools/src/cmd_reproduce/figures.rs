@@ -1,8 +1,8 @@
 //! Figures as plots.
-use specula_testbench::reproduce::figure::{Curve, CurveKind, Figure};
+use specula_experiments::reproduce::figure::{Curve, CurveKind, Figure};
 
-use crate::drawing::Series;
 use crate::plot::{Axis, Label, Plot, PlotSeries, Scale, Shown};
+use specula_drawing::Series;
 
 /// A figure as a plot.
 pub fn plot(figure: &Figure) -> Plot {

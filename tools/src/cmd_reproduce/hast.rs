@@ -1,8 +1,8 @@
 //! What there is of Hast's beside claims: operations, and figures 2 and 3.
+use specula_experiments::reproduce::hast::operations::{Scheme, schemes};
+use specula_experiments::reproduce::hast::quality::quality;
 use specula_scene::{Frame, load};
 use specula_testbench::ErrorFigures;
-use specula_testbench::reproduce::hast::operations::{Scheme, schemes};
-use specula_testbench::reproduce::hast::quality::quality;
 
 use super::section::{Section, written};
 use super::subject::{SIZE, Subject};
@@ -29,7 +29,7 @@ fn operations(section: &mut Section) -> Result<(), ToolError> {
 }
 
 fn row(scheme: &Scheme) -> [String; 5] {
-    let numbers = |o: &specula_testbench::reproduce::hast::operations::Operations| {
+    let numbers = |o: &specula_experiments::reproduce::hast::operations::Operations| {
         [o.adds, o.subtractions, o.multiplies, o.divisions, o.square_roots]
             .map(|n| n.to_string())
             .join(" ")

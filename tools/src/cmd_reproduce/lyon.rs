@@ -5,6 +5,6 @@ use super::section::Section;
 pub fn add(section: &mut Section) {
     section.paragraph(
         "Figure 9, the twelve formulations on five spheres, is the scene of [the built-in `spheres`](../scenes/spheres.toml); \
-         `testbench/src/figure9.rs` adds its picture up.",
+         `experiments/src/figure9.rs` adds its picture up.",
     );
 }

@@ -1,10 +1,10 @@
 //! What there is of Reshetov's beside claims and plots: reflections that enter meshes, and what
 //! consistent normals cost.
+use specula_experiments::reproduce::reshetov::inward::{self, Inward};
+use specula_experiments::reproduce::reshetov::seen::{Seen, seen};
+use specula_experiments::reproduce::reshetov::size::{SizedCore, sizes};
 use specula_hdl::design::Size;
 use specula_scene::{Frame, load, parse};
-use specula_testbench::reproduce::reshetov::inward::{self, Inward};
-use specula_testbench::reproduce::reshetov::seen::{Seen, seen};
-use specula_testbench::reproduce::reshetov::size::{SizedCore, sizes};
 
 use super::section::{Section, written};
 use super::subject::{SIZE, Subject};

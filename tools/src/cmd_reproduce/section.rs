@@ -4,13 +4,13 @@ use std::io;
 use std::path::Path;
 
 use image::RgbImage;
-use specula_testbench::reproduce::{Paper, Verdict};
+use specula_experiments::reproduce::{Paper, Verdict};
 
 use super::figures;
-use crate::drawing;
 use crate::error::ToolError;
 use crate::picture::write_line_drawing;
 use crate::table;
+use specula_drawing as drawing;
 
 /// The folder of pictures beside the document.
 pub const IMAGES: &str = "images";

@@ -6,8 +6,8 @@ mod report;
 use std::fs;
 use std::io::{self, Write};
 
+use specula_experiments::figure9::{self, Balls, ROWS, Row};
 use specula_scene::{Frame, SceneError};
-use specula_testbench::figure9::{self, Balls, ROWS, Row};
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, Image};
 

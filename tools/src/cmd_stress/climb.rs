@@ -4,8 +4,8 @@ use std::io::{self, Write};
 use std::time::Instant;
 
 use serde::Serialize;
+use specula_experiments::climb::{MOST_TOLD, MethodReport, Search, climb};
 use specula_scene::Method;
-use specula_testbench::climb::{MOST_TOLD, MethodReport, Search, climb};
 
 use crate::cli::Verdict;
 use crate::error::ToolError;

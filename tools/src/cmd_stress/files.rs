@@ -2,8 +2,8 @@
 use std::fs;
 use std::io;
 
+use specula_experiments::stress::{CATALOGUE, Cell, RAW};
 use specula_scene::Method;
-use specula_testbench::stress::{CATALOGUE, Cell, RAW};
 
 use super::{Stress, json, plots, table};
 use crate::error::ToolError;

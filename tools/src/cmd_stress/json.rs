@@ -1,7 +1,7 @@
 //! What came of the catalogue, for programs.
 use serde::Serialize;
-use specula_testbench::stress::limits::Reason;
-use specula_testbench::stress::{Cell, Verdict};
+use specula_experiments::stress::limits::Reason;
+use specula_experiments::stress::{Cell, Verdict};
 
 use super::files::scene_of;
 use super::{RowResult, Stress};

@@ -1,9 +1,9 @@
 //! How recurrences drift with the length of a span.
-use specula_testbench::stress::drift::{self, Drift};
+use specula_experiments::stress::drift::{self, Drift};
 
-use crate::drawing::{self, Series};
 use crate::error::ToolError;
 use crate::plot::{Axis, Label, Plot, PlotSeries, Scale, Shown};
+use specula_drawing::{self as drawing, Series};
 
 /// A plot's file, what it shows, and what is measured for it.
 struct Subject {

@@ -2,8 +2,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use specula_testbench::stress::limits::Reason;
-use specula_testbench::stress::{Asked, Cell, Verdict, Worst, besides};
+use specula_experiments::stress::limits::Reason;
+use specula_experiments::stress::{Asked, Cell, Verdict, Worst, besides};
 
 use super::files::scene_of;
 use super::{RowResult, Stress};

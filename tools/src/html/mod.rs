@@ -10,7 +10,7 @@ mod viewer;
 pub use render::{Beside, render};
 pub use viewer::{Picture, viewer};
 
-use crate::drawing::escaped;
+use specula_drawing::escaped;
 
 /// The report that a browser shows.
 pub const FILE: &str = "report.html";

@@ -83,5 +83,5 @@ pub fn data(png: &[u8]) -> String {
 
 /// As attributes take it.
 pub fn attribute(text: &str) -> String {
-    crate::drawing::escaped(text).replace('"', "&quot;")
+    specula_drawing::escaped(text).replace('"', "&quot;")
 }

@@ -6,9 +6,9 @@ use std::io;
 use std::path::Path;
 
 use serde::Deserialize;
+use specula_experiments::tradeoff::Journal;
 use specula_scene::SpecFile;
 use specula_scene::regular::read_regular;
-use specula_testbench::tradeoff::Journal;
 
 use super::{JOURNAL, REPORT};
 

@@ -3,8 +3,8 @@ use colorous::INFERNO;
 use image::{Rgb, RgbImage};
 use specula_testbench::{Comparison, ErrorFigures};
 
-use super::canvas::{CHARACTER, Canvas};
 use super::scale::Scale;
+use specula_drawing::canvas::{CHARACTER, Canvas};
 
 /// The paper.
 const PAPER: Rgb<u8> = Rgb([255, 255, 255]);

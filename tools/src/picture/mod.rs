@@ -1,11 +1,8 @@
 //! Pictures: PNG files, heat maps of errors, and pictures side by side.
-mod canvas;
 mod heat_map;
 mod panels;
 mod scale;
-mod typeface;
 
-pub use canvas::{CHARACTER, Canvas};
 pub use heat_map::{error_map, heat_map, heat_picture};
 pub use panels::{Panel, side_by_side};
 

@@ -2,7 +2,7 @@
 use image::{Rgb, RgbImage, imageops};
 use specula_testbench::Image;
 
-use super::canvas::{CHARACTER, Canvas};
+use specula_drawing::canvas::{CHARACTER, Canvas};
 
 /// A picture with its title.
 pub struct Panel {

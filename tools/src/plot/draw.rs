@@ -9,7 +9,7 @@ use super::axis::{self, Scale};
 use super::labels::{Area, placed};
 use super::recorder::{Recorder, colour_of};
 use super::{Place, Plot, Shown};
-use crate::drawing::{CAPITAL, Ink, Mark, Point, Sheet};
+use specula_drawing::{CAPITAL, Ink, Mark, Point, Sheet};
 
 /// Width and height of the axes with their words.
 const SIZE: (u32, u32) = (920, 520);

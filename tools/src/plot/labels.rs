@@ -1,6 +1,6 @@
 //! Words beside places, so that they overlap neither each other nor, where there is room, what is
 //! drawn.
-use crate::drawing::{CAPITAL, CHARACTER, Point};
+use specula_drawing::{CAPITAL, CHARACTER, Point};
 
 /// A rectangle: left, top, right, bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,7 +10,7 @@ mod recorder;
 
 pub use axis::{Axis, Scale};
 
-use crate::drawing::{Series, Sheet};
+use specula_drawing::{Series, Sheet};
 
 /// A place on a plot, in the axes' units.
 pub type Place = (f64, f64);

@@ -8,7 +8,7 @@ use plotters_backend::{
     FontTransform,
 };
 
-use crate::drawing::{CAPITAL, CHARACTER, Ink, Mark, Point, light};
+use specula_drawing::{CAPITAL, CHARACTER, Ink, Mark, Point, light};
 
 /// Takes down lines and words; axes have nothing else.
 pub struct Recorder<'a> {

@@ -1,14 +1,14 @@
 //! Plots of made-up numbers.
 use super::labels::{Area, placed};
 use super::*;
-use crate::drawing::{self, CAPITAL, CHARACTER};
+use specula_drawing::{self as drawing, CAPITAL, CHARACTER};
 
 fn axis(title: &str, scale: Scale) -> Axis {
     Axis { title: title.to_owned(), scale }
 }
 
 fn plot(scale: Scale, places: Vec<Place>) -> Plot {
-    let front = specula_testbench::pareto_front(&places).into_iter().map(|k| places[k]).collect();
+    let front = specula_experiments::pareto_front(&places).into_iter().map(|k| places[k]).collect();
     let label =
         |&at: &Place| Label { at, words: format!("{} {}", at.0, at.1), colour: Series::new(0) };
     Plot {

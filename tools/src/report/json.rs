@@ -1,8 +1,9 @@
 //! The report for programs.
 use serde::Serialize;
+use specula_experiments::{Savings, Share};
 use specula_hdl::design::Size;
 use specula_scene::CoreSpec;
-use specula_testbench::{Errors, Savings, Share, Violation, WorstQuantisation};
+use specula_testbench::{Errors, Violation, WorstQuantisation};
 
 use crate::device::Fitted;
 use crate::disagreement::{BeyondBound, CHANNELS, Disagreement};

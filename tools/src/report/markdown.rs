@@ -1,5 +1,6 @@
 //! The report for people: what was built, how well it does, and how to go on with it.
-use specula_testbench::{ErrorFigures, Share};
+use specula_experiments::Share;
+use specula_testbench::ErrorFigures;
 
 use super::facts::{self, Fact};
 use super::{ports, units};

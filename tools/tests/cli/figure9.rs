@@ -2,7 +2,7 @@
 use std::fs;
 
 use serde_json::{Value, json};
-use specula_testbench::figure9::{Balls, exact};
+use specula_experiments::figure9::{Balls, exact};
 
 use crate::program::Place;
 

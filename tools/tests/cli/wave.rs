@@ -4,8 +4,8 @@ use std::fs;
 use crate::program::Place;
 
 /// Icarus wrote these two; data/wave/counter.v says how.
-const VCD: &[u8] = include_bytes!("../data/wave/counter.vcd");
-const FST: &[u8] = include_bytes!("../data/wave/counter.fst");
+const VCD: &[u8] = include_bytes!("../../../wave/tests/data/wave/counter.vcd");
+const FST: &[u8] = include_bytes!("../../../wave/tests/data/wave/counter.fst");
 
 /// A save file as GTKWave and Specula write them.
 const SAVE_FILE: &str = "\

@@ -2,7 +2,7 @@
 use crate::program::Place;
 
 /// All dialects in one file; Latin-1 in a comment.
-const DIALECTS: &[u8] = include_bytes!("../data/wave/dialects.vcd");
+const DIALECTS: &[u8] = include_bytes!("../../../wave/tests/data/wave/dialects.vcd");
 
 const HEADER: &str = "\
 $timescale 1ns $end

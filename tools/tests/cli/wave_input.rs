@@ -9,10 +9,10 @@ use flate2::write::GzEncoder;
 
 use crate::program::Place;
 
-const VCD: &[u8] = include_bytes!("../data/wave/counter.vcd");
-const FST: &[u8] = include_bytes!("../data/wave/counter.fst");
+const VCD: &[u8] = include_bytes!("../../../wave/tests/data/wave/counter.vcd");
+const FST: &[u8] = include_bytes!("../../../wave/tests/data/wave/counter.fst");
 /// GHDL wrote it, data/wave/states.vhdl says how; it is compressed as a whole.
-const STATES: &[u8] = include_bytes!("../data/wave/states.fst");
+const STATES: &[u8] = include_bytes!("../../../wave/tests/data/wave/states.fst");
 /// As GHDL and nvc leave an FST file: one bit that changes every 10 ns.
 const SMALL: &str = "\
 /gAAAAAAAAC1AAAAAAAAAeofiwgAAAAAAAADY2AAA0ZPCA0HGpnhIt1c+1kdQBwOhDgjLvp7WnFJ\

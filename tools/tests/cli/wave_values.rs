@@ -155,7 +155,7 @@ fn a_clock_that_begins_with_the_last_instant_counts() {
 #[test]
 fn values_of_enumerations_have_names() {
     let place = Place::new();
-    place.write("enums.fst", include_bytes!("../data/wave/enums.fst"));
+    place.write("enums.fst", include_bytes!("../../../wave/tests/data/wave/enums.fst"));
     // As `fst2vcd -e` writes the same.
     let attributes = "$attrbegin misc 07 enums.state_t 3 IDLE RUN DONE 00 01 10 1 $end\n";
     let variables =

@@ -25,7 +25,7 @@ impl ConsistentSpec {
         Power::CHOICE,
     ];
 
-    /// NUMERICS.md "Recommended formats" and 3e: 14 bits, 2 more for wide angles, and as many more
+    /// numerics N5 and N3e: 14 bits, 2 more for wide angles, and as many more
     /// as the power n multiplies what rounding adds to the length of r. ρ² has twice the bits of ρ
     /// where α comes near a quarter turn, where its root is steep, and else as many more as ρ ≥ q
     /// asks for.

@@ -1,4 +1,4 @@
-//! Consistent normal interpolation [Reshetov, Soupikov and Mark, SIGGRAPH Asia 2010], METHODS.md D.
+//! Consistent normal interpolation [Reshetov, Soupikov and Mark, SIGGRAPH Asia 2010], methods D.
 //!
 //! A direction I is reflected about the interpolated normal N in such a way that the reflection r
 //! never points into the surface. How far it departs from 2(N·I)N - I depends on α, the angle
@@ -122,11 +122,11 @@ impl Highlight {
 impl Curve {
     /// t at a vertex whose normal has the least cosine `m` with the faces around it: α =
     /// acos(m)(1 + c(1 - m)^e) in quarter turns, 0 to 1.0625. α is not clamped to a quarter turn
-    /// here, so that it is not too small between vertices (EXTREMES row 45).
+    /// here, so that it is not too small between vertices (extremes row 45).
     ///
     /// c and e are such that the interpolated α suffices everywhere in a triangle: the paper's for
     /// the rational curve; for the trigonometric one the paper's e = 2 does not do, and e = 1 with
-    /// c = 0.06097 does (NUMERICS.md 1).
+    /// c = 0.06097 does (numerics N1).
     pub fn quarter_turns(self, m: f64) -> f64 {
         let m = m.clamp(0.0, 1.0);
         let excess = match self {

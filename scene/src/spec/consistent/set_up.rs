@@ -20,7 +20,7 @@ struct Vectors {
     /// H, where the highlight asks for it.
     halfway: Option<[i64; 3]>,
     /// Whether there is what the highlight asks for: not where L = -V and Blinn's asks for H
-    /// (EXTREMES row 12).
+    /// (extremes row 12).
     has_highlight: bool,
 }
 

@@ -21,9 +21,9 @@ impl DirectSpec {
         Choice { key: "newton_steps", values: &["1", "2"] },
     ];
 
-    /// NUMERICS.md 3b, direct evaluation: 12 + log2 n for what enters the base, whatever the length
+    /// numerics N3b, direct evaluation: 12 + log2 n for what enters the base, whatever the length
     /// of the span, and as many more as q can be small; t turns the normal alone, which shows by
-    /// √n. Two of Newton's steps serve spans of any length up to 90 degrees (NUMERICS 3c).
+    /// √n. Two of Newton's steps serve spans of any length up to 90 degrees (numerics N3c).
     pub fn for_needs(needs: &Needs) -> DirectSpec {
         let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs).max(4));
         let reach = (-needs.shortest_normal.max(0.0625).log2()).ceil() as u32;

@@ -1,5 +1,5 @@
-//! The fast Phong formulas evaluated anew at every pixel [lecture, eq. 4.3 to 4.6], METHODS.md A6,
-//! A7; NUMERICS.md 3b.
+//! The fast Phong formulas evaluated anew at every pixel [lecture, eq. 4.3 to 4.6], methods A6,
+//! A7; numerics N3b.
 //!
 //! With A and B the unit normals at the ends of a span, N = A + t (B - A) has the squared length
 //! q = 1 - κ t (1 - t), κ = |B - A|². So J = N·L and K = N·V are linear in t, and q needs no

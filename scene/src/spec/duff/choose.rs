@@ -17,7 +17,7 @@ impl DuffSpec {
         Power::CHOICE,
     ];
 
-    /// NUMERICS.md 3b, for half an LSB with the dearest highlight, Blinn's with 4n: an error e of q
+    /// numerics N3b, for half an LSB with the dearest highlight, Blinn's with 4n: an error e of q
     /// moves the base N·H s by e/2q, and the power 2n times as far, twice as far as in `hybrid`. So
     /// accumulators have 2 log2 S + 9 + log2 n, linear ones log2 S + 13 + log2 n, p and q 13 + log2
     /// n bits, and as many more as q can be small; the base, squared twice more than in `hybrid`,

@@ -1,5 +1,5 @@
 //! Duff's Phong shading by forward differences with the highlights that Hast adds [Hast, Barrera
-//! and Bengtsson, eq. 3 to 8, 17, 33 and 34], METHODS.md C2 and C8 to C11.
+//! and Bengtsson, eq. 3 to 8, 17, 33 and 34], methods C2 and C8 to C11.
 //!
 //! Along a span N(i) = m + k i, so that p = N·L is linear and q = N·N quadratic in the pixel number
 //! i, and N·L of the unit normal is p/√q.

@@ -1,5 +1,5 @@
 //! Intensities of a polygon's vertices, or of the polygon as a whole [lecture, eq. 2.1 and 3.2 to
-//! 3.6], METHODS.md A3 and A4.
+//! 3.6], methods A3 and A4.
 //!
 //! The host works out Phong's formula, max(N·L, 0) and max(R·L, 0)^n with R = 2(N·V)N - V; the core
 //! sees nothing of n.

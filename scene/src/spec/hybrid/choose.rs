@@ -14,7 +14,7 @@ impl HybridSpec {
     /// Options and their values.
     pub const CHOICES: &'static [Choice] = &[Power::CHOICE];
 
-    /// NUMERICS.md 3b: accumulators for half an LSB, 2 log2 S + 8 + log2 n; the base's bits alone
+    /// numerics N3b: accumulators for half an LSB, 2 log2 S + 8 + log2 n; the base's bits alone
     /// and one more for its squares, 9 + log2 n; p and q as in direct evaluation, 12 + log2 n, and
     /// as many more as q can be small.
     pub fn for_needs(needs: &Needs) -> HybridSpec {

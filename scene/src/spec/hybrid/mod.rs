@@ -1,5 +1,5 @@
 //! Gouraud diffuse with Hast's specular recurrence [Hast, Barrera and Bengtsson, eq. 17 to 26],
-//! METHODS.md C3.
+//! methods C3.
 //!
 //! Along a span N(i) = m + k i, so that both p = 2(N·V)(N·L) - (L·V)(N·N) and q = N·N are quadratic
 //! in the pixel number i, and the base of the highlight is R·L = p/q for a normal of any length.

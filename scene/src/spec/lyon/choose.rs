@@ -37,7 +37,7 @@ impl LyonSpec {
         Choice { key: "squarings", values: &["0", "1", "2", "3"] },
     ];
 
-    /// NUMERICS.md "Recommended formats": the typical column up to 30 degrees and n = 256, else the
+    /// numerics N5: the typical column up to 30 degrees and n = 256, else the
     /// extreme column.
     pub fn for_needs(needs: &Needs) -> LyonSpec {
         let typical = needs.widest_angle <= 30.0 && needs.largest_shininess <= 256;
@@ -74,7 +74,7 @@ impl LyonSpec {
 }
 
 /// The cheapest normalisation that makes the shortest normal long enough, or g2, of which
-/// NUMERICS.md says when it takes a Newton step.
+/// docs/numerics.md says when it takes a Newton step.
 ///
 /// A normal of length r is r g1 = (3r - r³)/2 long after g1. Where it is too short by 2^-11, N·L at
 /// full scale is 1/8 LSB too small. D = R - L, which takes it worst, is off by twice as much along

@@ -95,7 +95,7 @@ impl LyonSpec {
         let f = &self.formats;
         let name = format!("light{index}_halfway");
         let halfway = || match self.difference.takes_unit_halfway() {
-            // g2 makes h longer than 1 by 0.2 % at most (METHODS B9), and that only where it is no
+            // g2 makes h longer than 1 by 0.2 % at most (methods B9), and that only where it is no
             // nearer than 20 degrees to an axis.
             true => InputPort::vector(&name, f.vector, 1.0),
             false => InputPort::vector(&name, f.vector_sum(), 2.0),

@@ -1,4 +1,4 @@
-//! Lyon's reformulation of Phong shading for hardware [Lyon, Apple TR 43], METHODS.md B1 to B13.
+//! Lyon's reformulation of Phong shading for hardware [Lyon, Apple TR 43], methods B1 to B13.
 mod choose;
 mod inputs;
 mod set_up;
@@ -31,11 +31,11 @@ pub enum WrapAxis {
     /// The bisector of the end normals.
     Bisector,
     /// The polygon's own normal; the bisector where an end normal is 90 degrees or more from it
-    /// (EXTREMES row 8).
+    /// (extremes row 8).
     Face,
     /// The wrapped normal of the pixel before, and N0 at the first; the bisector in spans of more
     /// than 30 degrees that take fewer than 16 steps, and in those of more than 120 degrees
-    /// (EXTREMES row 11).
+    /// (extremes row 11).
     Previous,
 }
 
@@ -98,7 +98,7 @@ impl Difference {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Halfway {
-    /// H* = H/|H| with H = L + V; a light with L = -V has none, and no highlight (EXTREMES row 12).
+    /// H* = H/|H| with H = L + V; a light with L = -V has none, and no highlight (extremes row 12).
     Unit,
     /// h = H/2, not normalised.
     Half,

@@ -1,4 +1,4 @@
-//! What the host wraps normals around [Hast, Barrera and Bengtsson; METHODS.md C4 to C7].
+//! What the host wraps normals around [Hast, Barrera and Bengtsson; methods C4 to C7].
 use super::{LyonSpec, Normals, WrapAxis};
 use crate::frame::{Frame, Span};
 use crate::spec::Wrap;
@@ -14,7 +14,7 @@ pub struct NormalWrap {
 }
 
 /// What it takes to follow: a wrapped normal lags behind by what it is short of N, which is little
-/// in narrow spans and in those of many steps (NUMERICS 2b).
+/// in narrow spans and in those of many steps (numerics N2b).
 const NARROW: f64 = 30.0;
 const WIDE: f64 = 120.0;
 const MANY_STEPS: u32 = 16;

@@ -25,7 +25,7 @@ impl PhongSpec {
     ];
 
     /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits
-    /// of it (NUMERICS 3b, "power base bits alone", has 16 for n = 256 and 21 for 8000), and two
+    /// of it (numerics N3b, "power base bits alone", has 16 for n = 256 and 21 for 8000), and two
     /// more of the cosines and vectors it is made of, whose errors add up; short vectors lose bits
     /// as they are made long. Wrapped vectors are off by up to 4 units of the last place of H·w and
     /// H·H.

@@ -1,6 +1,6 @@
 //! Phong shading with the normal brought to unit length at each pixel [lecture, eq. 2.1, 4.1, 4.2],
-//! METHODS.md A3, A5, and Blinn's distributions [Lyon, TR 43, appendix], with lights and eye at
-//! infinity or at places [Hast et al., eq. 35 to 38], METHODS.md C15 to C18.
+//! methods A3, A5, and Blinn's distributions [Lyon, TR 43, appendix], with lights and eye at
+//! infinity or at places [Hast et al., eq. 35 to 38], methods C15 to C18.
 mod choose;
 mod inputs;
 mod set_up;

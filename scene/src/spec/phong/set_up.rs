@@ -53,7 +53,7 @@ impl PhongSetUp<'_> {
             axis: None,
             exponent: None,
             light_dot_view: (constant && in_reflection).then(|| f.cosine.quantise(l.dot(EYE))),
-            // Where L = -V the gain saturates, and H = 0 makes nothing of it (EXTREMES row 12).
+            // Where L = -V the gain saturates, and H = 0 makes nothing of it (extremes row 12).
             halfway_gain: (constant && !in_reflection)
                 .then(|| f.gain.quantise((l + EYE).length().recip())),
             diffuse,

@@ -1,5 +1,5 @@
 //! What the host wraps directions to places around [Hast, Barrera and Bengtsson, eq. 36 and 38;
-//! METHODS.md C16 to C18].
+//! methods C16 to C18].
 use glam::DVec3;
 
 use crate::frame::{EYE, Frame, LocalLight, Span};

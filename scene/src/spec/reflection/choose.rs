@@ -20,7 +20,7 @@ impl ReflectionSpec {
         Power::CHOICE,
     ];
 
-    /// NUMERICS.md 3b, for half an LSB with the dearest highlight: as `duff`, and a bit more in
+    /// numerics N3b, for half an LSB with the dearest highlight: as `duff`, and a bit more in
     /// accumulators and operands, since q of H is 1/2 or more up to 90 degrees; as many more as q
     /// of N can be small, for the hybrid's highlight.
     pub fn for_needs(needs: &Needs) -> ReflectionSpec {

@@ -1,5 +1,5 @@
 //! Hast's reflection shading, which needs no root: the normal is a fixed one reflected about a
-//! half-way vector [Hast, Barrera and Bengtsson, eq. 27 to 34], METHODS.md C4 to C6 and C12 to C14.
+//! half-way vector [Hast, Barrera and Bengtsson, eq. 27 to 34], methods C4 to C6 and C12 to C14.
 //!
 //! With H = (N + n)/2, linear along the span, N' = 2H(H·n)/(H·H) - n is a unit vector for any N,
 //! and that of N where N is one. So N'·u = (2(H·u)(H·n) - (n·u) q)/q with q = H·H is a quotient of
@@ -17,7 +17,7 @@ use crate::frame::{Frame, Span};
 use crate::spec::power::{Power, PowerUnit};
 pub use inputs::{ReflectionInputs, ReflectionLight};
 
-/// No longer than this, a sum of two unit vectors has no direction that is worth having (EXTREMES
+/// No longer than this, a sum of two unit vectors has no direction that is worth having (extremes
 /// row 9).
 const SHORTEST_SUM: f64 = 1.0 / (1 << 20) as f64;
 
@@ -28,7 +28,7 @@ pub enum Bisector {
     /// Half-way between the normals at the span's ends.
     Span,
     /// The polygon's own normal (§4), for all of its spans; half-way between the ends where it is
-    /// 90 degrees or more from one of them (EXTREMES row 8).
+    /// 90 degrees or more from one of them (extremes row 8).
     Triangle,
 }
 
@@ -89,7 +89,7 @@ impl Highlight {
 
 impl Bisector {
     /// n for a span: a unit vector less than 90 degrees from the normals at both ends, so that |H|
-    /// ≥ 1/2 all along. `None` where the ends are opposite or have no direction (EXTREMES rows 1
+    /// ≥ 1/2 all along. `None` where the ends are opposite or have no direction (extremes rows 1
     /// and 7 to 9).
     pub fn of(self, frame: &Frame, span: &Span) -> Option<DVec3> {
         let ends = frame.unit_end_normals(span);

@@ -24,7 +24,7 @@ impl SlerpSpec {
     ];
 
     /// An angle that is off by e moves cos^n by 1.2 √n e, and every step may add 0.9 units of the
-    /// state's last place: with n = 2^j, log2 S + 9 + j/2 bits (NUMERICS 3d has log2 S + 8 for the
+    /// state's last place: with n = 2^j, log2 S + 9 + j/2 bits (numerics N3d has log2 S + 8 for the
     /// diffuse intensity alone), and two more for what turns it. A scalar that is off by e moves
     /// the base by 2e and cos^n by 2 n e: 11 + j bits.
     pub fn for_needs(needs: &Needs) -> SlerpSpec {

@@ -1,11 +1,11 @@
 //! Which weights the ends of a span get, and how they turn from pixel to pixel [lecture, eq. 4.7 to
-//! 4.12; METHODS.md A8 to A11].
+//! 4.12; methods A8 to A11].
 use glam::DVec3;
 
 use super::{Basis, Form, SlerpSpec};
 use crate::frame::{Frame, Span};
 
-/// Below so many degrees interpolation is linear: off by 0.0049 degrees at most (EXTREMES rows 13
+/// Below so many degrees interpolation is linear: off by 0.0049 degrees at most (extremes rows 13
 /// and 15).
 const NARROW: f64 = 10.0;
 /// From so many degrees on the frame is orthonormal: sin f would enlarge every error by as much as

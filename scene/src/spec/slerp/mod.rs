@@ -1,5 +1,5 @@
 //! Spherical interpolation along the scan line, of the scalars that shading needs [lecture, eq. 4.7
-//! and 4.9 to 4.12], METHODS.md A9 to A11.
+//! and 4.9 to 4.12], methods A9 to A11.
 //!
 //! With A and B the unit normals at the ends of a span, f the angle between them and T the unit
 //! vector across A towards B, N(i) = cos(i f/S) A + sin(i f/S) T. So J = N·L and K = N·V are what

@@ -1,9 +1,9 @@
 //! The figure with its rows' numbers, titles and exponents.
 use image::{Rgb, RgbImage};
+use specula_experiments::figure9::{Balls, EXPONENTS, ROWS};
 use specula_testbench::Image;
-use specula_testbench::figure9::{Balls, EXPONENTS, ROWS};
 
-use crate::picture::{CHARACTER, Canvas};
+use specula_drawing::canvas::{CHARACTER, Canvas};
 
 const PAPER: Rgb<u8> = Rgb([255, 255, 255]);
 const INK: Rgb<u8> = Rgb([40, 40, 40]);

@@ -3,7 +3,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use serde::Serialize;
-use specula_testbench::figure9::{Balls, Row};
+use specula_experiments::figure9::{Balls, Row};
 use specula_testbench::{Bench, EngineKind, ErrorFigures, Outcome};
 
 use super::{FORMULAS, NAME, SIMULATED, Shaded, module};

@@ -1,0 +1,78 @@
+//! Engines that are programs of their own.
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use specula_sim::{Icarus, Stimulus, TimedVerilator, Timing};
+
+use super::clocked::timed;
+use super::contestant::{Contestant, Timed};
+use super::keeper::keeper;
+use super::scratch::Scratch;
+use super::sums::Sums;
+use super::workload::Workload;
+use super::{Entry, MeasureError, Mode};
+use specula_testbench::{Bench, EngineKind};
+
+/// Where bytes go that nobody wants.
+const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
+
+/// Verilator. It times itself.
+pub(crate) struct Verilated<'a> {
+    pub program: Rc<TimedVerilator>,
+    pub scratch: &'a Scratch,
+    pub mode: Mode,
+}
+
+impl Verilated<'_> {
+    fn dump(&self) -> PathBuf {
+        if self.mode == Mode::VcdNull { Path::new(NOWHERE).to_owned() } else { self.scratch.file() }
+    }
+}
+
+impl Contestant for Verilated<'_> {
+    fn entry(&self) -> Entry {
+        Entry { variant: Some("-O3"), ..Entry::only(EngineKind::Verilator, self.mode) }
+    }
+
+    fn start_up(&mut self) -> Result<f64, MeasureError> {
+        Ok(self.program.build_seconds())
+    }
+
+    fn run(&mut self, spans: usize) -> Result<Timed, MeasureError> {
+        let result = self.program.run(spans, &self.dump());
+        self.scratch.clear();
+        let Timing { seconds, clocks, sums } = result?;
+        let sum = |channel: usize| sums.get(channel).copied().unwrap_or(0);
+        Ok(Timed { seconds, clocks, sums: Sums(std::array::from_fn(sum)) })
+    }
+}
+
+/// Icarus. Its program is started, reads the stimulus from a file and writes the outputs to
+/// another, and all of that is in its time: it is so slow that it does not matter.
+pub(crate) struct Interpreted<'a> {
+    pub bench: &'a Bench<'a>,
+    pub workload: &'a Workload,
+    pub engine: Icarus<'a>,
+    pub scratch: &'a Scratch,
+}
+
+impl Contestant for Interpreted<'_> {
+    fn entry(&self) -> Entry {
+        Entry::only(EngineKind::Icarus, Mode::Outputs)
+    }
+
+    fn start_up(&mut self) -> Result<f64, MeasureError> {
+        self.engine.prepare(&self.bench.design.outputs)?;
+        Ok(self.engine.build_seconds())
+    }
+
+    fn run(&mut self, spans: usize) -> Result<Timed, MeasureError> {
+        let (design, entry) = (&self.bench.design, self.entry());
+        let source = self.workload.spans(spans);
+        let stimulus = Stimulus::whole(&source, design);
+        let keeper = keeper(entry.mode, design, &design.outputs, &self.scratch.file());
+        let keeper =
+            keeper.map_err(|reason| MeasureError::Waveform { entry: entry.describe(), reason })?;
+        timed(entry, design, &mut self.engine, &stimulus, &design.outputs, keeper)
+    }
+}

@@ -1,0 +1,151 @@
+//! Who takes part.
+use std::rc::Rc;
+use std::thread;
+
+use specula_sim::fast::{Level, Settings};
+use specula_sim::{Icarus, Keeping, SimError, Stimulus, TimedVerilator, Verilator};
+
+use super::contestant::Contestant;
+use super::external::{Interpreted, Verilated};
+use super::in_process::{InProcess, Kind};
+use super::rounds::Step;
+use super::scratch::Scratch;
+use super::workload::Workload;
+use super::{Entry, MeasureError, Mode, Skipped};
+use specula_testbench::{Bench, EngineKind};
+
+/// Threads of the rows that have several.
+const THREADS: usize = 2;
+
+/// The contestants, and what could not be one.
+pub(crate) struct Field<'a> {
+    bench: &'a Bench<'a>,
+    workload: &'a Workload,
+    scratch: &'a Scratch,
+    pub contestants: Vec<Box<dyn Contestant + 'a>>,
+    pub skipped: Vec<Skipped>,
+}
+
+impl<'a> Field<'a> {
+    /// Everybody who is present on this machine, ready to run.
+    ///
+    /// # Errors
+    /// [`MeasureError`] if a tool that is present fails.
+    pub fn gather(
+        bench: &'a Bench<'a>,
+        workload: &'a Workload,
+        scratch: &'a Scratch,
+        progress: &mut dyn FnMut(&Step),
+    ) -> Result<Field<'a>, MeasureError> {
+        let mut field = Field { bench, workload, scratch, contestants: vec![], skipped: vec![] };
+        field.add_fast();
+        field.add_rust_hdl();
+        field.add_verilator(progress)?;
+        field.add_icarus()?;
+        Ok(field)
+    }
+
+    fn add_fast(&mut self) {
+        let best = Level::best();
+        for mode in Mode::ALL {
+            self.add_in_process(Entry::fast(mode, best, 1), fast(best, 1));
+        }
+        for mode in [Mode::Outputs, Mode::EverySignal] {
+            if best != Level::BASELINE {
+                self.add_in_process(
+                    Entry::fast(mode, Level::BASELINE, 1),
+                    fast(Level::BASELINE, 1),
+                );
+            }
+            if thread::available_parallelism().is_ok_and(|cores| cores.get() >= THREADS) {
+                self.add_in_process(Entry::fast(mode, best, THREADS), fast(best, THREADS));
+            }
+        }
+    }
+
+    fn add_rust_hdl(&mut self) {
+        for mode in [Mode::Outputs, Mode::EverySignal] {
+            self.add_in_process(Entry::only(EngineKind::RustHdl, mode), Kind::RustHdl);
+        }
+    }
+
+    fn add_in_process(&mut self, entry: Entry, kind: Kind) {
+        let &mut Field { bench, workload, scratch, .. } = self;
+        self.contestants.push(Box::new(InProcess { bench, workload, scratch, entry, kind }));
+    }
+
+    fn add_verilator(&mut self, progress: &mut dyn FnMut(&Step)) -> Result<(), MeasureError> {
+        if let Err(absent) = Verilator::present() {
+            self.skip(EngineKind::Verilator, None, reason(absent)?);
+            return Ok(());
+        }
+        let programs: [(Keeping, &[Mode]); 4] = [
+            (Keeping::Outputs, &[Mode::Outputs]),
+            (Keeping::EverySignal, &[Mode::EverySignal]),
+            (Keeping::Vcd, &[Mode::Vcd, Mode::VcdNull]),
+            (Keeping::Fst, &[Mode::Fst]),
+        ];
+        let source = self.workload.spans(self.workload.frame());
+        let frame = Stimulus::whole(&source, &self.bench.design);
+        for (keeping, modes) in programs {
+            progress(&Step::Building { engine: EngineKind::Verilator, mode: modes[0] });
+            match TimedVerilator::build(&self.bench.design, &frame, keeping) {
+                Ok(program) => self.add_verilated(&Rc::new(program), modes),
+                // It needs headers of zlib, which a system with Verilator need not have.
+                Err(SimError::ToolFailed { output, .. }) if keeping == Keeping::Fst => {
+                    self.skip(EngineKind::Verilator, Some(Mode::Fst), without_fst(&output));
+                }
+                Err(error) => return Err(error.into()),
+            }
+        }
+        Ok(())
+    }
+
+    fn add_verilated(&mut self, program: &Rc<TimedVerilator>, modes: &[Mode]) {
+        for &mode in modes {
+            self.contestants.push(Box::new(Verilated {
+                program: Rc::clone(program),
+                scratch: self.scratch,
+                mode,
+            }));
+        }
+    }
+
+    fn add_icarus(&mut self) -> Result<(), MeasureError> {
+        let &mut Field { bench, workload, scratch, .. } = self;
+        match Icarus::new(&bench.design) {
+            Ok(engine) => {
+                self.contestants.push(Box::new(Interpreted { bench, workload, engine, scratch }))
+            }
+            Err(absent) => self.skip(EngineKind::Icarus, None, reason(absent)?),
+        }
+        Ok(())
+    }
+
+    fn skip(&mut self, engine: EngineKind, mode: Option<Mode>, reason: String) {
+        self.skipped.push(Skipped { engine, mode, reason });
+    }
+}
+
+fn fast(level: Level, threads: usize) -> Kind {
+    Kind::Fast(Settings { level, threads, ..Settings::default() })
+}
+
+/// Why a tool is not there and how to get it; any other error is one.
+fn reason(error: SimError) -> Result<String, MeasureError> {
+    match error {
+        SimError::ToolAbsent { tool, install, .. } => {
+            Ok(format!("{tool} is not installed: {install}"))
+        }
+        other => Err(other.into()),
+    }
+}
+
+/// Why a program with FST was not built, from what the compiler said.
+fn without_fst(output: &str) -> String {
+    let said =
+        output.lines().find(|line| line.contains("error")).unwrap_or("no reason is given").trim();
+    format!(
+        "Verilator cannot build a program that writes FST ({said}): install zlib's headers, as with `apt install zlib1g-dev`"
+    )
+}

@@ -1,0 +1,265 @@
+//! Rounds in which everybody runs once.
+use super::contestant::{Contestant, Timed};
+use super::field::Field;
+use super::scratch::Scratch;
+use super::workload::Workload;
+use super::{Entry, Machine, MeasureError, Measurement, Mode, Row};
+use specula_testbench::statistics::median;
+use specula_testbench::{Bench, EngineKind};
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Rounds, at least 1.
+    pub rounds: usize,
+    /// Seconds that a run is to take.
+    pub seconds: f64,
+}
+
+impl Default for Extent {
+    fn default() -> Extent {
+        Extent { rounds: 5, seconds: 0.25 }
+    }
+}
+
+/// What is being done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// A program is built.
+    Building {
+        /// The engine.
+        engine: EngineKind,
+        /// The mode that it is for.
+        mode: Mode,
+    },
+    /// Finding out how many spans make a run long enough.
+    Trying {
+        /// With what.
+        entry: Entry,
+    },
+    /// A run is measured.
+    Measuring {
+        /// With what.
+        entry: Entry,
+        /// Runs measured before.
+        done: usize,
+        /// Runs in all.
+        all: usize,
+    },
+}
+
+/// Spans of the first try.
+const FIRST_SPANS: usize = 16;
+/// At most so many times as many spans in the next try: what a short run says of a long one is not
+/// much.
+const GROWTH: f64 = 8.0;
+/// A run is long enough if it takes so much of the time that it is to take.
+const ENOUGH: f64 = 0.8;
+/// Spans of the longest run, whatever the time: a stimulus has some bytes for each.
+const MOST_SPANS: usize = 1 << 25;
+
+/// Measures every engine that is present, in every mode that it has.
+///
+/// # Errors
+/// [`MeasureError`] if an engine fails or its pixels are wrong.
+pub fn measure(
+    bench: &Bench,
+    extent: Extent,
+    progress: &mut dyn FnMut(&Step),
+) -> Result<Measurement, MeasureError> {
+    let workload = Workload::new(bench)?;
+    let scratch = Scratch::new()?;
+    let Field { mut contestants, skipped, .. } =
+        Field::gather(bench, &workload, &scratch, progress)?;
+    let mut records = vec![];
+    for contestant in &mut contestants {
+        progress(&Step::Trying { entry: contestant.entry() });
+        records.push(Record {
+            spans: enough_spans(contestant.as_mut(), &workload, extent.seconds)?,
+            ..Record::default()
+        });
+    }
+    level(&contestants, &mut records);
+    let rounds = extent.rounds.max(1);
+    let all = rounds * contestants.len();
+    for round in 0..rounds {
+        for (number, (contestant, record)) in contestants.iter_mut().zip(&mut records).enumerate() {
+            progress(&Step::Measuring {
+                entry: contestant.entry(),
+                done: round * all / rounds + number,
+                all,
+            });
+            record.add(contestant.as_mut(), &workload)?;
+        }
+    }
+    let rows = contestants
+        .iter()
+        .zip(&records)
+        .map(|(contestant, record)| record.row(contestant.entry()))
+        .collect();
+    let clocks_of_a_frame = bench.clocks();
+    Ok(Measurement { machine: Machine::this(), clocks_of_a_frame, rows, skipped })
+}
+
+/// What is known of a contestant so far.
+#[derive(Default)]
+struct Record {
+    spans: usize,
+    clocks: u64,
+    rates: Vec<f64>,
+    start_ups: Vec<f64>,
+}
+
+impl Record {
+    fn add(
+        &mut self,
+        contestant: &mut dyn Contestant,
+        workload: &Workload,
+    ) -> Result<(), MeasureError> {
+        self.start_ups.push(contestant.start_up()?);
+        let timed = checked(contestant, workload, self.spans)?;
+        self.clocks = timed.clocks;
+        self.rates.push(timed.clocks as f64 / timed.seconds);
+        Ok(())
+    }
+
+    fn row(&self, entry: Entry) -> Row {
+        Row {
+            entry,
+            clocks: self.clocks,
+            rates: self.rates.clone(),
+            build_seconds: median(&self.start_ups),
+        }
+    }
+}
+
+/// A run whose sums are right.
+fn checked(
+    contestant: &mut dyn Contestant,
+    workload: &Workload,
+    spans: usize,
+) -> Result<Timed, MeasureError> {
+    let timed = contestant.run(spans)?;
+    let expected = workload.sums(spans);
+    if timed.sums == expected {
+        return Ok(timed);
+    }
+    let (given, expected) = (timed.sums.0.to_vec(), expected.0.to_vec());
+    Err(MeasureError::WrongSums { entry: contestant.entry().describe(), spans, given, expected })
+}
+
+/// Gives all that write waveforms the same spans, as many as the fastest of them needs: what a
+/// waveform costs depends on how many signals change, and that on the part of the frame.
+fn level(contestants: &[Box<dyn Contestant + '_>], records: &mut [Record]) {
+    for mode in [Mode::Vcd, Mode::VcdNull, Mode::Fst] {
+        let of_mode = |number: &usize| contestants[*number].entry().mode == mode;
+        let numbers: Vec<usize> = (0..records.len()).filter(of_mode).collect();
+        let most = numbers.iter().map(|&number| records[number].spans).max().unwrap_or(0);
+        numbers.iter().for_each(|&number| records[number].spans = most);
+    }
+}
+
+/// How many spans take about `seconds`; trying warms up as well.
+fn enough_spans(
+    contestant: &mut dyn Contestant,
+    workload: &Workload,
+    seconds: f64,
+) -> Result<usize, MeasureError> {
+    contestant.start_up()?;
+    let mut spans = FIRST_SPANS;
+    loop {
+        let taken = checked(contestant, workload, spans)?.seconds;
+        if taken >= ENOUGH * seconds || spans >= MOST_SPANS {
+            return Ok(spans);
+        }
+        spans = more(spans, seconds / taken);
+    }
+}
+
+/// About `factor` times as many spans, but not too many more.
+fn more(spans: usize, factor: f64) -> usize {
+    // A time of 0 gives an infinite factor, or none at all; both are held in bounds here.
+    let factor = factor.clamp(1.0, GROWTH);
+    ((spans as f64 * factor).ceil() as usize).clamp(spans + 1, MOST_SPANS.max(spans + 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::benchmark::sums::Sums;
+
+    /// Takes a millisecond for each span, and gives the model's sums for one span more or less.
+    struct Fake<'a> {
+        workload: &'a Workload,
+        more: usize,
+        mode: Mode,
+    }
+
+    impl Contestant for Fake<'_> {
+        fn entry(&self) -> Entry {
+            Entry::only(EngineKind::RustHdl, self.mode)
+        }
+
+        fn start_up(&mut self) -> Result<f64, MeasureError> {
+            Ok(0.5)
+        }
+
+        fn run(&mut self, spans: usize) -> Result<Timed, MeasureError> {
+            Ok(Timed {
+                seconds: spans as f64 / 1000.0,
+                clocks: 7 * spans as u64,
+                sums: self.workload.sums(spans + self.more),
+            })
+        }
+    }
+
+    fn with_workload(test: impl Fn(&Workload)) {
+        let scene = specula_scene::load("icosahedron", Some((24, 18))).unwrap();
+        let spec = scene.core_spec(None).unwrap().general();
+        test(&Workload::new(&Bench::new(&scene.frame, &spec, "core").unwrap()).unwrap());
+    }
+
+    #[test]
+    fn a_run_is_long_enough_and_counts_its_clocks() {
+        with_workload(|workload| {
+            let mut fake = Fake { workload, more: 0, mode: Mode::Outputs };
+            let spans = enough_spans(&mut fake, workload, 1.0).unwrap();
+            assert!((800..=1100).contains(&spans), "{spans}");
+            let mut record = Record { spans, ..Record::default() };
+            record.add(&mut fake, workload).unwrap();
+            let row = record.row(fake.entry());
+            assert_eq!((row.clocks, row.build_seconds), (7 * spans as u64, 0.5));
+            assert!((row.rate() - 7000.0).abs() < 1e-6, "{}", row.rate());
+        });
+    }
+
+    #[test]
+    fn waveforms_are_compared_over_the_same_spans() {
+        with_workload(|workload| {
+            let fake = |mode| Box::new(Fake { workload, more: 0, mode }) as Box<dyn Contestant>;
+            let contestants = [Mode::Vcd, Mode::Outputs, Mode::Vcd, Mode::Fst].map(fake);
+            let mut records = [5, 6, 7, 3].map(|spans| Record { spans, ..Record::default() });
+            level(&contestants, &mut records);
+            assert_eq!(records.map(|record| record.spans), [7, 6, 7, 3]);
+        });
+    }
+
+    #[test]
+    fn wrong_pixels_are_an_error() {
+        with_workload(|workload| {
+            assert_ne!(workload.sums(1), Sums::default());
+            let error = checked(&mut Fake { workload, more: 1, mode: Mode::Outputs }, workload, 20)
+                .unwrap_err();
+            assert!(matches!(error, MeasureError::WrongSums { spans: 20, .. }), "{error}");
+        });
+    }
+
+    #[test]
+    fn tries_grow_and_end() {
+        assert_eq!(more(16, 2.5), 40);
+        assert_eq!(more(16, 1e9), 128);
+        assert_eq!(more(16, f64::INFINITY), 128);
+        assert_eq!(more(16, 1.0), 17);
+        assert_eq!(more(MOST_SPANS - 1, 8.0), MOST_SPANS);
+    }
+}

@@ -1,0 +1,114 @@
+//! Measured error and proven bound of a scene and its core.
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use specula_golden::exact::MethodSpan;
+use specula_golden::fixed::{Model, PacketError};
+use specula_hdl::Design;
+use specula_scene::spec::FULL_SCALE;
+use specula_scene::{CoreSpec, Frame, parse};
+
+use super::genome::FILE;
+use specula_testbench::FrameSpans;
+use specula_testbench::{Bench, BenchError, EngineKind};
+
+/// What came of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measure {
+    /// The bound on the quantisation error, in LSBs.
+    pub bound: f64,
+    /// The largest quantisation error: of a code against the method in exact arithmetic, in LSBs.
+    pub largest: f64,
+    /// The largest error of a sum of light before it is rounded to a code, in LSBs.
+    pub unrounded: f64,
+}
+
+impl Measure {
+    /// The largest quantisation error by its bound. Above 1 the bound is broken.
+    pub fn ratio(&self) -> f64 {
+        self.largest / self.bound.max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Why there is no measure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unmeasured {
+    /// There is no such core, for a reason that a user is told.
+    Refused,
+    /// Something that must not happen did.
+    Fault(String),
+}
+
+/// What a bound is taken to be, in LSBs.
+pub type Bound = dyn Fn(&Design) -> f64 + Sync;
+
+/// The bound that a design states, in LSBs.
+pub fn proven(design: &Design) -> f64 {
+    design.error_bound()
+}
+
+/// Shades the scene of a file by the model of its core; `bound` says what the core's bound is.
+///
+/// The scene is read from its text, so that what is measured is what the file says.
+///
+/// # Errors
+/// [`Unmeasured`] if there is no such core, or it is broken in another way than by its bound.
+pub fn measure(text: String, bound: &Bound) -> Result<Measure, Unmeasured> {
+    caught(|| {
+        let (spec, frame) = read(text)?;
+        let design = specula_hdl::elaborate(&spec, "core").map_err(|_| Unmeasured::Refused)?;
+        let [largest, unrounded] =
+            errors(&spec, &frame).map_err(|error| Unmeasured::Fault(error.to_string()))?;
+        Ok(Measure { bound: bound(&design), largest, unrounded })
+    })
+}
+
+/// Whether the simulated core does what the model says of it.
+///
+/// # Errors
+/// [`Unmeasured`] if it does not.
+pub fn simulate(text: String) -> Result<(), Unmeasured> {
+    caught(|| {
+        let (spec, frame) = read(text)?;
+        let run = || Bench::new(&frame, &spec, "core")?.run(EngineKind::Fast, &mut |_, _| ());
+        match run() {
+            Ok(outcome) if outcome.agrees() => Ok(()),
+            Ok(_) => Err(Unmeasured::Fault(
+                "the simulated core does not do what the bit-true model says".to_owned(),
+            )),
+            Err(BenchError::TooWide(_)) => Err(Unmeasured::Refused),
+            Err(error) => Err(Unmeasured::Fault(error.to_string())),
+        }
+    })
+}
+
+/// The core and the frame of a scene file.
+fn read(text: String) -> Result<(CoreSpec, Frame), Unmeasured> {
+    let loaded = parse(FILE, text).map_err(|_| Unmeasured::Refused)?;
+    let spec = loaded.core_spec(None).map_err(|_| Unmeasured::Refused)?;
+    Ok((spec, loaded.frame))
+}
+
+/// A panic is a fault like another, and must not end the search.
+fn caught<T>(body: impl FnOnce() -> Result<T, Unmeasured>) -> Result<T, Unmeasured> {
+    catch_unwind(AssertUnwindSafe(body))
+        .unwrap_or_else(|_| Err(Unmeasured::Fault("a panic".to_owned())))
+}
+
+/// The largest errors of codes and of sums of light against the method in exact arithmetic, in
+/// LSBs.
+fn errors(spec: &CoreSpec, frame: &Frame) -> Result<[f64; 2], PacketError> {
+    let (model, spans) = (Model::new(spec), FrameSpans::new(frame, spec));
+    let mut largest = [0.0_f64; 2];
+    for (index, span) in frame.spans.iter().enumerate() {
+        let method = MethodSpan::new(spec, frame, span);
+        for (sums, pixel) in model.sums(&spans.packet(index))?.into_iter().zip(0..) {
+            for (sum, exact) in sums.into_iter().zip(method.pixel(pixel)) {
+                let sum = sum.min(FULL_SCALE);
+                let code = (sum + 0.5).floor();
+                largest =
+                    [largest[0].max((code - exact).abs()), largest[1].max((sum - exact).abs())];
+            }
+        }
+    }
+    Ok(largest)
+}

@@ -1,0 +1,280 @@
+//! The search over methods, options and formats for the smallest core whose picture is near enough
+//! to exact shading.
+//!
+//! From each method's defaults one option after the other is changed as long as that helps; for
+//! each setting all formats are narrowed together; and at last, for the setting that was best, each
+//! by itself. This is a descent: what it finds is as good as stated and need not be the smallest
+//! there is. The search looks at a sample of the spans; what is reported is measured on every
+//! pixel.
+mod device;
+mod options;
+mod picture;
+
+use std::cell::RefCell;
+
+use rayon::prelude::*;
+use serde::Serialize;
+use specula_scene::{CoreSpec, Frame, Method, Needs};
+
+use crate::pareto_front;
+use crate::search::{Goal, largest_error};
+use crate::tradeoff::FrameCycles;
+pub use device::{Cost, Device};
+use options::Options;
+use picture::{ExactPicture, sampled};
+use specula_testbench::BenchError;
+
+/// Pixels that the search looks at.
+const SAMPLE: u64 = 20_000;
+/// How often all options are gone through.
+const ROUNDS: usize = 3;
+
+/// What is looked for.
+#[derive(Clone, Debug)]
+pub struct Wanted<'a> {
+    /// Largest total error, against exact shading, in LSBs of the 8-bit output.
+    pub most: f64,
+    /// Methods that may be taken.
+    pub methods: &'a [Method],
+    /// What it is to be built on, if that is known.
+    pub device: Option<Device>,
+}
+
+/// A core that was tried.
+#[derive(Clone, Debug, Serialize)]
+pub struct Explored {
+    /// The method and options that differ from its defaults.
+    pub core: String,
+    /// Largest total error over every pixel, in LSBs.
+    pub error: f64,
+    /// Largest quantisation error over every pixel, in LSBs, of cores on the front.
+    pub quantisation: Option<f64>,
+    /// What that is proven to stay within, in LSBs; none if no finite bound can be proven.
+    pub bound: Option<f64>,
+    /// What it takes.
+    pub cost: Cost,
+    /// Clocks that it takes for the frame.
+    pub cycles: FrameCycles,
+    /// The core, for this scene alone.
+    pub spec: CoreSpec,
+}
+
+/// What came of a search.
+#[derive(Clone, Debug, Serialize)]
+pub struct Exploration {
+    /// Cores of which no other that was tried is both smaller and more exact, the smallest first.
+    pub front: Vec<Explored>,
+    /// Which of them is the smallest within the error that fits the device; none if no core is.
+    pub best: Option<usize>,
+    /// Cores that were tried.
+    pub tried: usize,
+    /// Methods that cannot shade the scene, and why.
+    pub refused: Vec<String>,
+}
+
+/// Searches. `progress` is told of each core that is tried.
+///
+/// # Errors
+/// [`BenchError`] if a core cannot be built.
+pub fn explore(
+    frame: &Frame,
+    wanted: &Wanted,
+    progress: &(dyn Fn() + Sync),
+) -> Result<Exploration, BenchError> {
+    let needs = Needs::of(frame);
+    let sample = ExactPicture::new(sampled(frame, SAMPLE));
+    let search = Search { frame, needs: &needs, sample: &sample, wanted, progress };
+    let searched: Vec<Searched> =
+        wanted.methods.par_iter().map(|&method| search.method(method)).collect::<Result<_, _>>()?;
+    let refused = searched.iter().filter_map(|searched| searched.refused.clone()).collect();
+    let tried: Vec<Explored> = searched.into_iter().flat_map(|searched| searched.tried).collect();
+    let number = tried.len();
+    let front = measured(front(tried), frame)?;
+    let fits = |core: &Explored| wanted.device.is_none_or(|device| core.cost.fits(&device));
+    let best = front.iter().position(|core| core.error <= wanted.most && fits(core));
+    Ok(Exploration { front, best, tried: number, refused })
+}
+
+/// Those that no other one beats, the smallest first. Of equals the first counts.
+fn front(tried: Vec<Explored>) -> Vec<Explored> {
+    // Far fewer cells than 2^53.
+    let places: Vec<(f64, f64)> =
+        tried.iter().map(|core| (core.cost.cells() as f64, core.error)).collect();
+    pareto_front(&places).into_iter().map(|number| tried[number].clone()).collect()
+}
+
+/// The front of cores whose errors are of a sample, by their errors over every pixel.
+fn measured(cores: Vec<Explored>, frame: &Frame) -> Result<Vec<Explored>, BenchError> {
+    let whole = ExactPicture::new(frame.clone());
+    let measured = cores
+        .into_iter()
+        .map(|core| Ok(Explored { error: whole.largest_error(&core.spec)?, ..core }));
+    let front = front(measured.collect::<Result<_, BenchError>>()?);
+    let checked = front
+        .into_iter()
+        .map(|core| Ok(Explored { quantisation: Some(largest_error(&core.spec, frame)?), ..core }));
+    checked.collect()
+}
+
+impl Explored {
+    /// The quantisation error and its bound, if that is exceeded: then the set-up of spans or the
+    /// bound is wrong.
+    pub fn beyond_bound(&self) -> Option<[f64; 2]> {
+        let (quantisation, bound) = self.quantisation.zip(self.bound)?;
+        (quantisation > bound).then_some([quantisation, bound])
+    }
+}
+
+/// The search of one method's cores.
+struct Search<'a> {
+    frame: &'a Frame,
+    needs: &'a Needs,
+    sample: &'a ExactPicture,
+    wanted: &'a Wanted<'a>,
+    progress: &'a (dyn Fn() + Sync),
+}
+
+/// What came of it.
+#[derive(Default)]
+struct Searched {
+    tried: Vec<Explored>,
+    refused: Option<String>,
+}
+
+/// Options with formats that were narrowed together.
+struct Setting {
+    options: Options,
+    spec: CoreSpec,
+    rank: Rank,
+}
+
+/// How good a setting is; less is better.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+enum Rank {
+    /// Within the error, with so many cells.
+    Within(u64),
+    /// Beyond it, coming to so many LSBs.
+    Beyond(f64),
+}
+
+impl Search<'_> {
+    fn method(&self, method: Method) -> Result<Searched, BenchError> {
+        let start = Options::default_of(method);
+        if let Err(error) = start.spec(self.needs) {
+            return Ok(Searched {
+                refused: Some(format!("{}: {error}", method.name())),
+                ..Searched::default()
+            });
+        }
+        let tries = Tries { search: self, tried: RefCell::default(), known: RefCell::default() };
+        if let Some(Setting { options, spec, rank: Rank::Within(_) }) = tries.best_options(start)? {
+            tries.search_with(&options, |goal| goal.each(spec))?;
+        }
+        Ok(Searched { tried: tries.tried.into_inner(), refused: None })
+    }
+}
+
+/// One method's cores while they are tried.
+struct Tries<'a> {
+    search: &'a Search<'a>,
+    tried: RefCell<Vec<Explored>>,
+    /// What is known of general cores; to specialise one takes the set-up of every span.
+    known: RefCell<Vec<(CoreSpec, Tried)>>,
+}
+
+impl Tries<'_> {
+    /// The best options that are found by changing one after the other.
+    fn best_options(&self, start: Options) -> Result<Option<Setting>, BenchError> {
+        let mut best = self.narrowed(start)?;
+        for _ in 0..ROUNDS {
+            let Some(before) = best.as_ref().map(|setting| setting.options.clone()) else { break };
+            for neighbour in before.neighbours() {
+                let setting = self.narrowed(neighbour)?;
+                let is_better =
+                    |old: &Setting| setting.as_ref().is_some_and(|new| new.rank < old.rank);
+                if best.as_ref().is_some_and(is_better) {
+                    best = setting;
+                }
+            }
+            if best.as_ref().is_some_and(|setting| setting.options == before) {
+                break;
+            }
+        }
+        Ok(best)
+    }
+
+    /// Options with all formats narrowed together; none where no core can be built with them.
+    fn narrowed(&self, options: Options) -> Result<Option<Setting>, BenchError> {
+        let Ok(start) = options.spec(self.search.needs) else { return Ok(None) };
+        let (spec, rank) = match self.search_with(&options, |goal| goal.together(&start))? {
+            Ok(spec) => {
+                let cells = self.tried(&options, &spec)?.cells;
+                (spec, Rank::Within(cells))
+            }
+            Err(error) => (start, Rank::Beyond(error)),
+        };
+        Ok(Some(Setting { options, spec, rank }))
+    }
+
+    /// A search of formats for these options.
+    fn search_with<T>(&self, options: &Options, search: impl FnOnce(&Goal<u64>) -> T) -> T {
+        let error = |spec: &CoreSpec| Ok(self.tried(options, spec)?.error);
+        let cost = |spec: &CoreSpec| Ok(self.tried(options, spec)?.cells);
+        search(&Goal { most: self.search.wanted.most, error: &error, cost: &cost })
+    }
+
+    /// Error and size of a general core, specialised; beyond any error and any size where it cannot
+    /// be built.
+    fn tried(&self, options: &Options, general: &CoreSpec) -> Result<Tried, BenchError> {
+        let known =
+            self.known.borrow().iter().find(|(core, _)| core == general).map(|(_, tried)| *tried);
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let tried = self.tried_anew(options, general)?;
+        self.known.borrow_mut().push((general.clone(), tried));
+        Ok(tried)
+    }
+
+    fn tried_anew(&self, options: &Options, general: &CoreSpec) -> Result<Tried, BenchError> {
+        let Search { frame, sample, wanted, progress, .. } = self.search;
+        let spec = general.specialised(frame);
+        let seen = self.tried.borrow().iter().find(|core| core.spec == spec).map(Tried::of);
+        if let Some(seen) = seen {
+            return Ok(seen);
+        }
+        let Ok(design) = specula_hdl::elaborate(&spec, "core") else {
+            return Ok(Tried { error: f64::INFINITY, cells: u64::MAX });
+        };
+        let cost = Cost::of(&design, wanted.device.as_ref());
+        let error = sample.largest_error(&spec)?;
+        let (cycles, bound) = (FrameCycles::new(&design, frame), design.error_bound());
+        let bound = bound.is_finite().then_some(bound);
+        let core = Explored {
+            core: options.describe(),
+            error,
+            quantisation: None,
+            bound,
+            cost,
+            cycles,
+            spec,
+        };
+        let tried = Tried::of(&core);
+        self.tried.borrow_mut().push(core);
+        progress();
+        Ok(tried)
+    }
+}
+
+/// What a search asks of a core.
+#[derive(Clone, Copy)]
+struct Tried {
+    error: f64,
+    cells: u64,
+}
+
+impl Tried {
+    fn of(core: &Explored) -> Tried {
+        Tried { error: core.error, cells: core.cost.cells() }
+    }
+}

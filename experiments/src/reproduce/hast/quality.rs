@@ -1,0 +1,65 @@
+//! Figures 2 and 3: Phong shading and reflection shading, highlights of both by eq. 34, as cores
+//! draw them.
+use specula_scene::{CoreSpec, Frame, Method, Needs};
+
+use specula_testbench::statistics::Sums;
+use specula_testbench::{Bench, BenchError, EngineKind, ErrorFigures, Image};
+
+/// A mesh, drawn by two cores.
+#[derive(Clone, Debug)]
+pub struct Quality {
+    /// Figure 2: `duff` with eq. 34.
+    pub phong: Drawn,
+    /// Figure 3: `reflection` with eq. 34, wrapped around the polygon's normal.
+    pub reflection: Drawn,
+    /// Codes of the second against those of the first.
+    pub difference: ErrorFigures,
+    /// Difference of each pixel, largest over its channels; negative where nothing is shaded.
+    pub map: Vec<f32>,
+    /// Share of the shaded pixels in which a channel differs by more than one code.
+    pub share: f64,
+}
+
+/// What a core drew.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The picture.
+    pub image: Image,
+    /// Against exact Phong shading.
+    pub error: ErrorFigures,
+}
+
+/// Draws a frame by both cores.
+///
+/// # Errors
+/// [`BenchError`] if a core cannot be built for the frame, or does not agree with its model.
+pub fn quality(frame: &Frame) -> Result<Quality, BenchError> {
+    let phong = drawn(frame, Method::Duff, "duff.specular = \"eq34\"")?;
+    let reflection = drawn(
+        frame,
+        Method::Reflection,
+        "reflection.specular = \"eq34\"\nreflection.bisector = \"triangle\"",
+    )?;
+    let mut map = vec![-1.0; phong.image.pixels.len()];
+    let (mut sums, mut off) = (Sums::default(), 0);
+    for (pixel, place) in
+        frame.spans.iter().flat_map(|span| (0..span.length).map(move |i| (span, i)))
+    {
+        let at = pixel.y as usize * frame.width as usize + (pixel.x + place) as usize;
+        let (one, other) = (phong.image.pixels[at], reflection.image.pixels[at]);
+        one.iter().zip(other).for_each(|(&one, other)| sums.add(f64::from(other) - f64::from(one)));
+        let largest =
+            one.iter().zip(other).map(|(one, other)| one.abs_diff(other)).max().unwrap_or(0);
+        map[at] = f32::from(largest);
+        off += u64::from(largest > 1);
+    }
+    let share = off as f64 / frame.shaded_pixels().max(1) as f64;
+    Ok(Quality { phong, reflection, difference: sums.figures(), map, share })
+}
+
+fn drawn(frame: &Frame, method: Method, options: &str) -> Result<Drawn, BenchError> {
+    let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&options.parse()?), Some(method))?
+        .specialised(frame);
+    let outcome = Bench::new(frame, &spec, "core")?.run(EngineKind::Fast, &mut |_, _| ())?;
+    Ok(Drawn { image: outcome.simulated, error: outcome.comparison.errors.total })
+}

@@ -1,0 +1,169 @@
+//! The seven goals of section 2.1, by the trigonometric q and by the rational one.
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::DVec3;
+use specula_golden::exact::consistent::{
+    Scaling, cos_gamma, cosine, normal, pixel_angle, q, rational_q, reflection, vertex_angle,
+};
+use specula_scene::picture::{ConedFace, coned_faces};
+use specula_scene::primitive::Primitive;
+
+use super::super::claim::{Claim, Ground, Ruling};
+use super::super::largest;
+use crate::stress::draw::{tilted, turned};
+
+/// The largest of `f` over angles α from 0 to 90 degrees, and over a share t of whatever else
+/// varies.
+fn over(f: impl Fn(f64, f64) -> f64) -> f64 {
+    const STEPS: u32 = 200;
+    let share = |k: u32| f64::from(k) / f64::from(STEPS);
+    let at = |k: u32| {
+        (0..=STEPS).map(|j| f(FRAC_PI_2 * share(k), share(j))).fold(f64::NEG_INFINITY, f64::max)
+    };
+    (0..=STEPS).map(at).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The larger by the two curves.
+fn by_both(measure: impl Fn(fn(f64) -> f64) -> f64) -> f64 {
+    f64::max(measure(q), measure(rational_q))
+}
+
+/// How far r jumps at most where two faces of a mesh meet.
+fn jump(mesh: Primitive, curve: fn(f64) -> f64, scaling: Scaling) -> f64 {
+    let faces = coned_faces(&mesh.mesh());
+    let pairs = faces
+        .iter()
+        .enumerate()
+        .flat_map(|(k, one)| faces[k + 1..].iter().map(move |other| (one, other)));
+    pairs.filter_map(|(one, other)| jump_between(one, other, curve, scaling)).fold(0.0, f64::max)
+}
+
+/// The same of two faces; none if they have no edge in common. Vertices with one normal are one.
+fn jump_between(
+    one: &ConedFace,
+    other: &ConedFace,
+    curve: fn(f64) -> f64,
+    scaling: Scaling,
+) -> Option<f64> {
+    let same = |a: usize, b: usize| (one.normals[a] - other.normals[b]).length() < 1e-9;
+    let shared: Vec<[usize; 2]> =
+        (0..3).flat_map(|a| (0..3).map(move |b| [a, b])).filter(|&[a, b]| same(a, b)).collect();
+    let [first, second] = shared[..] else { return None };
+    let along = |face: &ConedFace, [a, b]: [usize; 2], t: f64| {
+        let weights: [f64; 3] = std::array::from_fn(|v| {
+            if v == a {
+                1.0 - t
+            } else if v == b {
+                t
+            } else {
+                0.0
+            }
+        });
+        let angles = face.cones.map(|cone| vertex_angle(cone.cosine, scaling));
+        let normal: DVec3 = (0..3).map(|v| weights[v] * face.normals[v]).sum();
+        reflection(normal.normalize(), DVec3::Z, curve(pixel_angle(angles, weights)))
+    };
+    let jump = |t: f64| {
+        (along(one, [first[0], second[0]], t) - along(other, [first[1], second[1]], t)).length()
+    };
+    Some((0..=16).map(|k| jump(f64::from(k) / 16.0)).fold(0.0, f64::max))
+}
+
+/// How far r points into a face at most, at a single point: the interpolated normal α from the
+/// face's, I anywhere before the face.
+fn into(curve: fn(f64) -> f64) -> f64 {
+    over(|alpha, t| {
+        let normal = tilted(alpha.to_degrees());
+        let heights = (0..=24).map(|azimuth| {
+            let incoming = turned(DVec3::Z, FRAC_PI_2 * t, f64::from(azimuth) / 24.0);
+            -reflection(normal, incoming, curve(alpha)).z
+        });
+        heights.fold(f64::NEG_INFINITY, f64::max)
+    })
+}
+
+/// cos γ for β = t (α + 90 degrees).
+fn along_beta(curve: fn(f64) -> f64, alpha: f64, t: f64) -> f64 {
+    cos_gamma(curve(alpha), libm::cos(t * (alpha + FRAC_PI_2)))
+}
+
+/// By how much cos γ at the largest β is above sin α, where r lies in the face.
+fn above_least(curve: fn(f64) -> f64) -> f64 {
+    largest(|t| along_beta(curve, FRAC_PI_2 * t, 1.0) - libm::sin(FRAC_PI_2 * t))
+}
+
+/// The largest difference of N_c·I from |I + r|/2, I before the interpolated normal.
+fn half_length(curve: fn(f64) -> f64) -> f64 {
+    over(|alpha, t| {
+        let (n, incoming) = (tilted(alpha.to_degrees()), tilted(alpha.to_degrees() - 89.0 * t));
+        let reflected = reflection(n, incoming, curve(alpha));
+        let of_vector = normal(incoming, reflected).map_or(0.0, |n_c| n_c.dot(incoming));
+        (of_vector - cosine(incoming, reflected)).abs()
+    })
+}
+
+const fn goal(what: &'static str, quantity: &'static str, measure: fn() -> f64) -> Claim {
+    // docs/numerics.md: all to 1e-15, of numbers up to 4.
+    Claim {
+        what,
+        quantity,
+        on: Ground::Exact,
+        expected: (0.0, 4e-15),
+        measure,
+        judge: |off| Ruling::of(off < 4e-15, "it is more"),
+    }
+}
+
+/// The goals; one number for both curves where both reach it.
+pub const CLAIMS: [Claim; 9] = [
+    goal(
+        "goal 1: r is continuous across edges",
+        "largest jump between faces of an icosahedron",
+        || {
+            let mesh = Primitive::Icosahedron { level: 0 };
+            f64::max(
+                jump(mesh, q, Scaling::TRIGONOMETRIC_LINEAR),
+                jump(mesh, rational_q, Scaling::RATIONAL),
+            )
+        },
+    ),
+    goal("goal 2: f grows with b", "how far its slope q is below 0", || {
+        by_both(|curve| largest(|t| -curve(FRAC_PI_2 * t)))
+    }),
+    goal("goal 3: r never points into the surface", "how far it does", || by_both(into)),
+    goal("goal 4: 0 <= f <= 1", "how far f is outside", || {
+        by_both(|curve| {
+            over(|alpha, t| {
+                let f = along_beta(curve, alpha, t);
+                f64::max(-f, f - 1.0)
+            })
+        })
+    }),
+    goal("goal 5: f = b where all normals are the face's", "largest difference", || {
+        by_both(|curve| {
+            largest(|t| (cos_gamma(curve(0.0), libm::cos(PI * t)) - libm::cos(PI * t)).abs())
+        })
+    }),
+    goal(
+        "goal 6: seen along the normal, the consistent one is Phong's",
+        "largest difference of f from 1",
+        || by_both(|curve| largest(|t| (cos_gamma(curve(FRAC_PI_2 * t), 1.0) - 1.0).abs())),
+    ),
+    goal(
+        "goal 7: f is least where I lies in the face, with r in it too (q)",
+        "f there less sin(alpha)",
+        || above_least(q),
+    ),
+    Claim {
+        what: "goal 7: the same (q~)",
+        quantity: "f there less sin(alpha)",
+        on: Ground::Exact,
+        expected: (0.0212, 5e-5),
+        measure: || above_least(rational_q),
+        judge: |above| match above {
+            above if above < 4e-15 => Ruling::Holds,
+            _ => Ruling::HoldsWithin("0.0212: r stays a little outside the face there"),
+        },
+    },
+    goal("(8): N_c.I is |I + r|/2", "largest difference", || by_both(half_length)),
+];

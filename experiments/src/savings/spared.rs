@@ -1,0 +1,90 @@
+//! Hardware of one core against that of another.
+use serde::Serialize;
+use specula_hdl::Design;
+use specula_sim::{SimError, Synthesised};
+
+use specula_testbench::BenchError;
+
+/// Makes cells of designs, if that is asked for: [`specula_sim::synthesise`].
+pub type Synthesis<'a> = &'a dyn Fn(&[&Design]) -> Result<Vec<Synthesised>, SimError>;
+
+/// What a hardware is spared; negative where a constant's shifts and sums are more than they stand
+/// for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Spared {
+    /// Multipliers of two variables.
+    pub multipliers: i64,
+    /// Sum over multipliers of the product of their operands' widths.
+    pub multiplier_bits: i64,
+    /// Adders and subtractors, products with constants among them.
+    pub adders: i64,
+    /// Sum of their widths.
+    pub adder_bits: i64,
+    /// Register bits.
+    pub register_bits: i64,
+    /// Clocks of latency.
+    pub latency: i64,
+    /// Cells of an FPGA, if they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cells: Option<SparedCells>,
+}
+
+/// Cells of an ECP5 that a hardware is spared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct SparedCells {
+    /// Look-up tables of four inputs.
+    pub luts: i64,
+    /// Multipliers of 18 x 18 bits.
+    pub multipliers: i64,
+    /// Flip-flops.
+    pub flip_flops: i64,
+}
+
+/// A core that was built.
+pub(super) struct Built<'a> {
+    design: &'a Design,
+    cells: Option<Synthesised>,
+}
+
+impl Built<'_> {
+    /// These cores, and with `synthesis` their cells.
+    pub fn all<'a>(
+        designs: &[&'a Design],
+        synthesis: Option<Synthesis>,
+    ) -> Result<Vec<Built<'a>>, BenchError> {
+        let cells = match synthesis {
+            Some(synthesise) => synthesise(designs)?.into_iter().map(Some).collect(),
+            None => vec![None; designs.len()],
+        };
+        Ok(designs.iter().zip(cells).map(|(design, cells)| Built { design, cells }).collect())
+    }
+}
+
+impl Spared {
+    /// Whether neither the hardware nor its cells are any less, or any more.
+    pub(super) fn is_nothing(&self) -> bool {
+        let nothing =
+            Spared { cells: self.cells.map(|_| SparedCells::default()), ..Spared::default() };
+        *self == nothing
+    }
+
+    /// What `less` has less than `more`.
+    pub(super) fn between(more: &Built, less: &Built) -> Spared {
+        let (m, l) = (more.design.size(), less.design.size());
+        let difference = |a: u64, b: u64| a as i64 - b as i64;
+        let cells = |(more, less): (Synthesised, Synthesised)| SparedCells {
+            luts: difference(more.luts, less.luts),
+            multipliers: difference(more.multipliers, less.multipliers),
+            flip_flops: difference(more.flip_flops, less.flip_flops),
+        };
+        Spared {
+            multipliers: difference(m.multipliers as u64, l.multipliers as u64),
+            multiplier_bits: difference(m.multiplier_bits, l.multiplier_bits),
+            adders: difference(m.adders as u64, l.adders as u64),
+            adder_bits: difference(m.adder_bits, l.adder_bits),
+            register_bits: difference(m.register_bits, l.register_bits),
+            latency: i64::from(more.design.latency()) - i64::from(less.design.latency()),
+            cells: more.cells.zip(less.cells).map(cells),
+        }
+    }
+}

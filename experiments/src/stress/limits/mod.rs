@@ -1,0 +1,401 @@
+//! How far a core may be from exact shading: the rounding of its formats, and what its method is
+//! documented to be off by.
+//!
+//! Each law is the paper's, or docs/numerics.md's, of a pixel of a span: geometry alone, and not
+//! the method's own arithmetic. `docs/extremes.md` has them in words ([`Reason::text`]).
+mod highlight;
+mod lobe;
+mod normal;
+mod place;
+mod reason;
+
+use glam::DVec3;
+use specula_golden::exact::reflection::reflect;
+use specula_golden::exact::shape::power;
+use specula_scene::frame::EYE;
+use specula_scene::spec::consistent::{Diffuse, LARGEST_GAIN_BITS};
+use specula_scene::spec::direct::Root;
+use specula_scene::spec::gouraud::Interpolation;
+use specula_scene::spec::lyon::Difference;
+use specula_scene::spec::phong::Places;
+use specula_scene::spec::{FULL_SCALE, LyonSpec, Viewpoint, consistent, duff, phong, reflection};
+use specula_scene::{CoreSpec, Frame, MethodSpec, Span};
+
+use highlight::Lobe;
+use lobe::{chord, power_moved, power_turned, shape_moved, shape_off};
+use normal::{Normal, Pixel};
+use place::{Direction, Directions};
+pub use reason::Reason;
+
+/// Errors up to this many LSBs need no reason: half of one is the rounding to 8 bits.
+pub const EXACT: f64 = 1.0;
+
+/// A normal shorter than this has no direction.
+const NO_LENGTH: f64 = 1e-6;
+/// Of normals shorter than this nothing is promised where nothing is proven: those of spans of more
+/// than 120 degrees.
+const SHORT: f64 = 0.5;
+
+/// What the recommended formats leave where nothing is proven: 1 LSB before the rounding to 8 bits
+/// [numerics N5].
+const UNPROVEN: f64 = 1.5;
+/// The same of powers above [`TYPICAL_EXPONENT`], beyond the range that docs/numerics.md calls
+/// typical: the formats end at 22 fraction bits.
+const UNPROVEN_SHARP: f64 = 2.0;
+const TYPICAL_EXPONENT: u32 = 256;
+
+/// What one pixel may be off by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// In LSBs, for each channel.
+    pub lsb: [f64; 3],
+    /// Why it is more than [`EXACT`].
+    pub reasons: Vec<Reason>,
+}
+
+/// What the formats of a core may be off by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rounding {
+    /// The proven bound in LSBs; 255 and more is none.
+    pub bound: f64,
+    /// What the row says of a core without one.
+    pub figure: Option<f64>,
+}
+
+/// Limits along a span.
+pub struct Limits<'a> {
+    spec: &'a CoreSpec,
+    frame: &'a Frame,
+    span: &'a Span,
+    rounding: Rounding,
+    /// Largest difference of f_k from the power, if there is one.
+    shape: f64,
+    /// What has come of the pixels before, where the method goes by them: [`normal::lags`] of
+    /// chained normals, [`normal::roots`] of Newton's.
+    walked: Vec<f64>,
+}
+
+/// What of a light's share may be off, each 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Off {
+    diffuse: f64,
+    specular: f64,
+}
+
+const ALL: Off = Off { diffuse: 1.0, specular: 1.0 };
+
+impl<'a> Limits<'a> {
+    /// Sets up a span.
+    pub fn new(
+        spec: &'a CoreSpec,
+        frame: &'a Frame,
+        span: &'a Span,
+        rounding: Rounding,
+    ) -> Limits<'a> {
+        let n = frame.material(span).shininess;
+        let (shape, walked) = match &spec.method {
+            MethodSpec::Lyon(lyon) => {
+                (shape_off(n, lyon.squarings), normal::lags(frame, span, lyon))
+            }
+            MethodSpec::Direct(direct) if direct.root == Root::Newton => {
+                (0.0, normal::roots(frame, span, direct.newton_steps))
+            }
+            _ => (0.0, Vec::new()),
+        };
+        Limits { spec, frame, span, rounding, shape, walked }
+    }
+
+    /// Of pixel `i`.
+    pub fn at(&self, i: u32) -> Limit {
+        let normal = self.frame.normal_at(self.span, self.span.weights(i));
+        let lights = self.frame.light_colours().count();
+        let mut reasons = Vec::new();
+        let offs = match normal.try_normalize().filter(|_| normal.length() > NO_LENGTH) {
+            Some(truth) => self.offs(i, truth, &mut reasons),
+            None => {
+                reasons.push(Reason::NoNormal);
+                vec![ALL; lights]
+            }
+        };
+        let rounding = self.rounding(i, &mut reasons);
+        let material = self.frame.material(self.span);
+        let of_light = |off: &Off, colour: f64, c: usize| {
+            colour
+                * (material.diffuse[c] * off.diffuse.min(1.0)
+                    + material.specular[c] * off.specular.min(1.0))
+        };
+        let of_channel = |c: usize| {
+            let off: f64 = offs
+                .iter()
+                .zip(self.frame.light_colours())
+                .map(|(off, colour)| of_light(off, colour[c], c))
+                .sum();
+            (rounding + FULL_SCALE * off).min(FULL_SCALE)
+        };
+        reasons.sort_unstable();
+        reasons.dedup();
+        Limit { lsb: std::array::from_fn(of_channel), reasons }
+    }
+
+    /// What the formats may be off by at pixel `i`, in LSBs.
+    fn rounding(&self, i: u32, reasons: &mut Vec<Reason>) -> f64 {
+        let Rounding { bound, figure } = self.rounding;
+        if bound < FULL_SCALE {
+            reasons.extend((bound > EXACT).then_some(Reason::Rounding));
+            return bound.max(EXACT);
+        }
+        if let Some(figure) = figure {
+            reasons.push(Reason::ShortFormats);
+            return figure;
+        }
+        let pixel = self.pixel(i, DVec3::ZERO);
+        if pixel.chord().length().min(pixel.interpolated().length()) < SHORT {
+            reasons.push(Reason::ShortNormal);
+            return FULL_SCALE;
+        }
+        reasons.push(Reason::NoBound);
+        if self.exponent() > TYPICAL_EXPONENT { UNPROVEN_SHARP } else { UNPROVEN }
+    }
+
+    fn pixel(&self, i: u32, truth: DVec3) -> Pixel<'_> {
+        Pixel { frame: self.frame, span: self.span, i, truth, walked: &self.walked }
+    }
+
+    /// What may be off of each light at a pixel with a normal.
+    fn offs(&self, i: u32, truth: DVec3, reasons: &mut Vec<Reason>) -> Vec<Off> {
+        let pixel = self.pixel(i, truth);
+        let directions = self.directions(i, reasons);
+        let lobe = self.lobe(&pixel, reasons);
+        let one = |(light, direction): (usize, &Direction)| {
+            let Direction::Off { turn, share } = *direction else { return ALL };
+            let Direction::Off { turn: turn_of_view, .. } = directions.view else { return ALL };
+            let here = self.off(&pixel, light, reasons);
+            let n = self.n();
+            let towards = self.frame.lights.get(light).map_or(EYE, |light| light.direction);
+            let specular = lobe.off(n, truth, towards).map_or(1.0, |off| {
+                off + here.specular + power_turned(turn + turn_of_view, n) + share
+            });
+            Off { diffuse: here.diffuse + chord(turn) + share, specular }
+        };
+        directions.lights.iter().enumerate().map(one).collect()
+    }
+
+    /// What the base of the highlight is raised to: n, and 4n where it goes by the half-way vector.
+    fn exponent(&self) -> u32 {
+        let is_by_halfway = match &self.spec.method {
+            MethodSpec::Phong(spec) => spec.highlight != phong::Highlight::Reflection,
+            MethodSpec::Duff(spec) => spec.specular == duff::Highlight::Blinn,
+            MethodSpec::Reflection(spec) => spec.specular == reflection::Highlight::Blinn,
+            MethodSpec::Consistent(spec) => spec.highlight == consistent::Highlight::Blinn,
+            MethodSpec::Lyon(_)
+            | MethodSpec::Hybrid(_)
+            | MethodSpec::Gouraud(_)
+            | MethodSpec::Slerp(_)
+            | MethodSpec::Direct(_) => false,
+        };
+        if is_by_halfway { 4 * self.n() } else { self.n() }
+    }
+
+    fn n(&self) -> u32 {
+        self.frame.material(self.span).shininess
+    }
+
+    /// Directions to lights and eye, as the method has them.
+    fn directions(&self, i: u32, reasons: &mut Vec<Reason>) -> Directions {
+        if self.frame.directions_are_constant() {
+            return Directions::exact(self.frame);
+        }
+        match (&self.spec.method, self.spec.places_seen_from()) {
+            (MethodSpec::Phong(phong), _) if phong.places == Places::Wrapped => {
+                reasons.push(Reason::WrappedPlaces);
+                Directions::wrapped(self.frame, self.span, i)
+            }
+            (_, Viewpoint::Span) => {
+                reasons.push(Reason::Middle);
+                Directions::of_the_middle(self.frame, self.span, i)
+            }
+            // What Gouraud's vertices see is among his own limits.
+            (_, Viewpoint::Pixel | Viewpoint::Vertex) => Directions::exact(self.frame),
+        }
+    }
+
+    /// The highlight that the method is meant to have, of some normal.
+    fn lobe(&self, pixel: &Pixel, reasons: &mut Vec<Reason>) -> Lobe {
+        let blinn_if = |is_blinns| if is_blinns { Lobe::BLINN } else { Lobe::Phong };
+        let lobe = match &self.spec.method {
+            MethodSpec::Lyon(lyon) => Lobe::of_lyon(lyon),
+            MethodSpec::Phong(phong) => Lobe::of_phong(phong.highlight),
+            MethodSpec::Duff(duff) => blinn_if(duff.specular == duff::Highlight::Blinn),
+            MethodSpec::Reflection(spec) => blinn_if(spec.specular == reflection::Highlight::Blinn),
+            MethodSpec::Consistent(_) if !self.is_flat_around(pixel) => {
+                reasons.push(Reason::Consistent);
+                return Lobe::Unknown;
+            }
+            MethodSpec::Consistent(spec) => {
+                blinn_if(spec.highlight == consistent::Highlight::Blinn)
+            }
+            MethodSpec::Gouraud(_)
+            | MethodSpec::Hybrid(_)
+            | MethodSpec::Slerp(_)
+            | MethodSpec::Direct(_) => Lobe::Phong,
+        };
+        reasons.extend((lobe != Lobe::Phong).then_some(Reason::Lobe));
+        // Of other lobes the law is of directions that are the same everywhere.
+        if lobe == Lobe::Phong || self.frame.directions_are_constant() {
+            lobe
+        } else {
+            Lobe::Unknown
+        }
+    }
+
+    /// Whether consistent normals are the plain ones: no face around the triangle's vertices has
+    /// another normal than they.
+    fn is_flat_around(&self, pixel: &Pixel) -> bool {
+        self.frame.triangles[pixel.span.triangle].cones.iter().all(|cone| cone.cosine >= 1.0)
+    }
+
+    /// What a method's normals, or what it takes instead, leave off of light number `light`.
+    fn off(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> Off {
+        match &self.spec.method {
+            MethodSpec::Lyon(lyon) => self.of_lyon(lyon, &pixel.of_lyon(lyon), reasons),
+            MethodSpec::Phong(_) | MethodSpec::Duff(_) => Off::default(),
+            MethodSpec::Hybrid(_) => {
+                Off { diffuse: self.gouraud(pixel, light, reasons), specular: 0.0 }
+            }
+            // What vertices, or the polygon's middle, see of places has no law here.
+            MethodSpec::Gouraud(_) if !self.frame.directions_are_constant() => {
+                reasons.push(Reason::Vertices);
+                ALL
+            }
+            MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => Off {
+                diffuse: self.gouraud(pixel, light, reasons),
+                specular: self.highlight_of_vertices(pixel, light, reasons),
+            },
+            MethodSpec::Gouraud(_) => self.of_normal(&pixel.of_facet(), reasons),
+            MethodSpec::Reflection(spec) => {
+                let off = self.of_normal(&pixel.of_reflection(spec), reasons);
+                // The hybrid's highlight is of the interpolated normal.
+                Off {
+                    specular: if spec.specular == reflection::Highlight::Hybrid {
+                        0.0
+                    } else {
+                        off.specular
+                    },
+                    ..off
+                }
+            }
+            MethodSpec::Consistent(spec) => {
+                let off = self.of_normal(&self.of_consistent(pixel), reasons);
+                let is_lambert = spec.diffuse == Diffuse::Lambert || self.is_flat_around(pixel);
+                reasons.extend((!is_lambert).then_some(Reason::Consistent));
+                Off { diffuse: if is_lambert { off.diffuse } else { 1.0 }, ..off }
+            }
+            MethodSpec::Slerp(slerp) => self.of_normal(&pixel.of_slerp(slerp), reasons),
+            MethodSpec::Direct(direct) => {
+                let off = self.of_normal(&pixel.between_unit_ends(), reasons);
+                let too_long = if direct.root == Root::Newton { pixel.walked() } else { 0.0 };
+                reasons.extend((too_long > NO_LENGTH).then_some(Reason::Newton));
+                Off { diffuse: off.diffuse + too_long / (1.0 + too_long), ..off }
+            }
+        }
+    }
+
+    fn of_consistent(&self, pixel: &Pixel) -> Normal {
+        let shortest = 0.5_f64.powi(LARGEST_GAIN_BITS.cast_signed());
+        if pixel.interpolated().length() < shortest {
+            Normal::unknown(Reason::Consistent)
+        } else {
+            pixel.between_axes()
+        }
+    }
+
+    /// A normal that is turned, or too short, by which p/q and the power are off.
+    fn of_normal(&self, normal: &Normal, reasons: &mut Vec<Reason>) -> Off {
+        let short = 1.0 - normal.length;
+        let Some(turn) = normal.turn else {
+            reasons.extend(&normal.reasons);
+            return ALL;
+        };
+        if turn > NO_LENGTH || short > 0.0 {
+            reasons.extend(&normal.reasons);
+        }
+        let base = 2.0 * (1.0 - normal.length * normal.length);
+        Off {
+            diffuse: chord(turn) + short,
+            specular: power_turned(2.0 * turn, self.n()) + power_moved(base, self.n()),
+        }
+    }
+
+    /// The same, of Lyon's D, which a turn of the normal moves by twice as much at most.
+    fn of_lyon(&self, lyon: &LyonSpec, normal: &Normal, reasons: &mut Vec<Reason>) -> Off {
+        let is_reflected = matches!(
+            lyon.difference,
+            Difference::ReflectionMinusLight | Difference::LightReflection
+        );
+        let short = (1.0 - normal.length * normal.length).abs();
+        let Some(turn) = normal.turn else {
+            reasons.extend(&normal.reasons);
+            return ALL;
+        };
+        if turn > NO_LENGTH || short > NO_LENGTH {
+            reasons.extend(&normal.reasons);
+        }
+        let shape = if is_reflected { self.shape } else { 0.0 };
+        reasons.extend((shape > NO_LENGTH).then_some(Reason::Shape));
+        Off {
+            diffuse: chord(turn) + (1.0 - normal.length).abs(),
+            specular: shape + shape_moved(2.0 * chord(turn) + 2.0 * short, self.n()),
+        }
+    }
+
+    /// Lambert's cosine of the vertices, interpolated, against that of the normal.
+    fn gouraud(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> f64 {
+        let Some(light) = self.light(light) else {
+            reasons.push(Reason::Vertices);
+            return 1.0;
+        };
+        let (normals, weights) =
+            (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
+        let interpolated: DVec3 =
+            normals.iter().zip(weights).map(|(normal, weight)| weight * *normal).sum();
+        let dark: f64 = normals
+            .iter()
+            .zip(weights)
+            .map(|(normal, weight)| weight.abs() * (-normal.dot(light)).max(0.0))
+            .sum();
+        reasons.push(Reason::GouraudDiffuse);
+        (1.0 - interpolated.length()).max(0.0) + dark
+    }
+
+    /// The highlights of the vertices, interpolated, against that of the normal: under lights at
+    /// infinity.
+    fn highlight_of_vertices(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> f64 {
+        let Some(light) = self.light(light) else { return 1.0 };
+        let highlight = |normal: DVec3| match normal {
+            DVec3::ZERO => 0.0,
+            _ => power(reflect(normal).dot(light).min(1.0), self.n()),
+        };
+        let (normals, weights) =
+            (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
+        let of_vertices: f64 =
+            normals.iter().zip(weights).map(|(&normal, weight)| weight * highlight(normal)).sum();
+        reasons.push(Reason::Vertices);
+        (of_vertices.clamp(0.0, 1.0) - highlight(pixel.truth)).abs()
+    }
+
+    /// The direction to a light that Gouraud's vertices see: that of the span's middle for those at
+    /// places by `hybrid`; none that is common to all vertices by `gouraud`.
+    fn light(&self, light: usize) -> Option<DVec3> {
+        if let Some(light) = self.frame.lights.get(light) {
+            return Some(light.direction);
+        }
+        let position = self.frame.position_at(self.span, place::middle(self.span));
+        let of_the_middle = self.spec.places_seen_from() == Viewpoint::Span;
+        self.frame
+            .lights_from(position)
+            .nth(light)
+            .flatten()
+            .filter(|_| of_the_middle)
+            .map(|light| light.direction)
+    }
+}

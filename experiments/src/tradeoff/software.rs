@@ -1,0 +1,205 @@
+//! The papers' loops in f32 on this machine: their run time and their error.
+use std::hint::black_box;
+
+use rayon::prelude::*;
+use serde::Serialize;
+use specula_golden::exact::PhongSpan;
+use specula_golden::software::{METHODS, Method};
+use specula_scene::Frame;
+
+use super::thread_clock;
+use specula_testbench::ErrorFigures;
+use specula_testbench::statistics::{Sums, median};
+
+/// A loop, measured.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Software {
+    /// Its name.
+    pub name: &'static str,
+    /// Nanoseconds for each pixel, set-up apart: the median of the rounds.
+    pub pixel_ns: f64,
+    /// Nanoseconds to set a span up, with its share of what is worked out once for the frame: the
+    /// median of the rounds.
+    pub set_up_ns: f64,
+    /// Both for each pixel of the frame: the median of the rounds.
+    pub total_ns: f64,
+    /// `total_ns` as a multiple of naive Phong shading's: the median of the ratios in each round,
+    /// in which all run one after another.
+    pub ratio_to_phong: f64,
+    /// Against exact shading; before rounding to 8 bits.
+    pub error: ErrorFigures,
+}
+
+/// The loops that others are compared with: the lecture's naive Phong shading, and the same with
+/// lights and an eye at places.
+const NAIVE: [&str; 2] = ["phong", "phong-places"];
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Rounds, at least 1, in each of which every loop shades the frame.
+    pub rounds: usize,
+    /// Pixels of a loop's turn, at least; small frames are shaded several times.
+    pub pixels: u64,
+}
+
+impl Default for Extent {
+    fn default() -> Extent {
+        Extent { rounds: 11, pixels: 100_000 }
+    }
+}
+
+/// Spans that are set up before they are shaded: few enough to stay in the cache, enough for the
+/// clock, which takes some 300 ns to read.
+const BLOCK: usize = 512;
+
+/// Measures every loop on one thread, in time that it has a processor. Rounds are interleaved, so
+/// that what slows the machine down for a while slows down all of them. `done` is told after each
+/// round.
+///
+/// Those are measured that do what the frame asks for: some have lights and eye at infinity alone,
+/// others are of interest only where they are not.
+pub fn measure(frame: &Frame, extent: Extent, done: &mut dyn FnMut()) -> Vec<Software> {
+    let methods: Vec<Method> = METHODS.into_iter().filter(|method| method.serves(frame)).collect();
+    let times = (extent.pixels / frame.shaded_pixels().max(1)).max(1);
+    let mut turns = vec![Vec::new(); methods.len()];
+    // The first round warms up.
+    for round in 0..=extent.rounds.max(1) {
+        for (method, turns) in methods.iter().zip(&mut turns) {
+            let turn = Turn::take(method, frame, times);
+            turns.extend((round > 0).then_some(turn));
+        }
+        done();
+    }
+    let naive = methods.iter().position(|method| NAIVE.contains(&method.name));
+    let naive = naive.map(|number| turns[number].clone()).unwrap_or_default();
+    let errors: Vec<ErrorFigures> =
+        methods.par_iter().map(|method| errors(method, frame)).collect();
+    let row = |((method, turns), error): ((&Method, &Vec<Turn>), ErrorFigures)| {
+        row(method.name, (turns, &naive), frame, error)
+    };
+    methods.iter().zip(&turns).zip(errors).map(row).collect()
+}
+
+fn row(
+    name: &'static str,
+    (turns, naive): (&[Turn], &[Turn]),
+    frame: &Frame,
+    error: ErrorFigures,
+) -> Software {
+    let (pixels, spans) = (frame.shaded_pixels().max(1) as f64, frame.spans.len().max(1) as f64);
+    let of = |part: fn(&Turn) -> f64| median(&turns.iter().map(part).collect::<Vec<f64>>());
+    let ratios: Vec<f64> =
+        turns.iter().zip(naive).map(|(turn, naive)| turn.total() / naive.total()).collect();
+    Software {
+        name,
+        pixel_ns: of(|turn| turn.shading) * 1e9 / pixels,
+        set_up_ns: of(|turn| turn.set_up) * 1e9 / spans,
+        total_ns: of(Turn::total) * 1e9 / pixels,
+        ratio_to_phong: median(&ratios),
+        error,
+    }
+}
+
+/// Seconds for the frame once.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    set_up: f64,
+    shading: f64,
+}
+
+impl Turn {
+    /// Shades the frame `times` times.
+    fn take(method: &Method, frame: &Frame, times: u64) -> Turn {
+        let longest = frame.spans.iter().map(|span| span.length).max().unwrap_or(0);
+        let mut out = vec![[0.0f32; 3]; longest as usize];
+        let mut turn = Turn { set_up: 0.0, shading: 0.0 };
+        for _ in 0..times {
+            let begin = thread_clock::now();
+            let mut software = (method.of_frame)(frame);
+            turn.set_up += (thread_clock::now() - begin).as_secs_f64();
+            for block in frame.spans.chunks(BLOCK) {
+                let begin = thread_clock::now();
+                software.set_up(block);
+                let middle = thread_clock::now();
+                for (number, span) in block.iter().enumerate() {
+                    let out = &mut out[..span.length as usize];
+                    software.shade(number, out);
+                    black_box(out);
+                }
+                turn.shading += (thread_clock::now() - middle).as_secs_f64();
+                turn.set_up += (middle - begin).as_secs_f64();
+            }
+        }
+        Turn { set_up: turn.set_up / times as f64, shading: turn.shading / times as f64 }
+    }
+
+    fn total(&self) -> f64 {
+        self.set_up + self.shading
+    }
+}
+
+fn errors(method: &Method, frame: &Frame) -> ErrorFigures {
+    let mut software = (method.of_frame)(frame);
+    let mut sums = Sums::default();
+    for span in &frame.spans {
+        let (phong, mut of_span) = (PhongSpan::new(frame, span), Sums::default());
+        let mut out = vec![[0.0; 3]; span.length as usize];
+        software.set_up(std::slice::from_ref(span));
+        software.shade(0, &mut out);
+        for (pixel, given) in (0..).zip(out) {
+            let exact = phong.pixel(pixel);
+            (0..3).for_each(|c| of_span.add(f64::from(given[c]) - exact[c]));
+        }
+        sums.merge(&of_span);
+    }
+    sums.figures()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHORT: Extent = Extent { rounds: 3, pixels: 2000 };
+
+    #[test]
+    fn every_loop_is_timed_and_naive_phong_is_the_yardstick() {
+        let scene = specula_scene::load("icosahedron", Some((32, 24))).unwrap();
+        let mut rounds = 0;
+        let rows = measure(&scene.frame, SHORT, &mut || rounds += 1);
+        assert_eq!((rows.len(), rounds), (METHODS.len() - 2, 4));
+        assert!(
+            rows.iter().all(|row| row.pixel_ns > 0.0
+                && row.set_up_ns > 0.0
+                && row.total_ns > row.pixel_ns),
+            "{rows:?}"
+        );
+        let of = |name: &str| rows.iter().find(|row| row.name == name).unwrap();
+        assert_eq!(of("phong").ratio_to_phong, 1.0);
+        assert!(of("phong").error.max_lsb < 0.05 && of("gouraud").error.max_lsb > 1.0, "{rows:?}");
+    }
+
+    /// What the lecture teaches Gouraud's shading for: intensities are worked out at vertices
+    /// alone. Triangles are large, as set-up of spans of a pixel or two costs more than they do.
+    #[test]
+    fn gouraud_shading_is_faster_than_naive_phong_shading() {
+        let scene = specula_scene::load("icosahedron", Some((160, 120))).unwrap();
+        let rows = measure(&scene.frame, Extent { rounds: 5, pixels: 1 }, &mut || ());
+        let of = |name: &str| rows.iter().find(|row| row.name == name).unwrap();
+        for name in ["uniform", "gouraud"] {
+            assert!(of(name).ratio_to_phong < 0.8, "{:?} {:?}", of(name), of("phong"));
+        }
+    }
+
+    /// Lights and an eye at places: loops that have them, and no others.
+    #[test]
+    fn lights_at_places_have_loops_of_their_own() {
+        let scene = specula_scene::load("lamps", Some((32, 24))).unwrap();
+        let rows = measure(&scene.frame, SHORT, &mut || ());
+        let names: Vec<&str> = rows.iter().map(|row| row.name).collect();
+        assert_eq!(names, ["uniform", "gouraud", "phong-places", "phong-wrapped-places"]);
+        assert!(rows.iter().all(|row| row.pixel_ns > 0.0 && row.set_up_ns > 0.0), "{rows:?}");
+        assert_eq!(rows[2].ratio_to_phong, 1.0);
+        assert!(rows[2].error.max_lsb < 0.05 && rows[1].error.max_lsb > 1.0, "{rows:?}");
+    }
+}

@@ -1,0 +1,103 @@
+//! All configurations of a sweep, in parallel.
+use miette::Diagnostic;
+use rayon::prelude::*;
+use specula_scene::{CoreSpec, LoadedScene};
+use thiserror::Error;
+
+use super::{Configuration, Journal, JournalError, Measured};
+use specula_testbench::BenchError;
+
+/// A configuration and its core.
+#[derive(Clone, Debug)]
+pub struct Planned {
+    /// The configuration.
+    pub configuration: Configuration,
+    /// Its core, or why there is none.
+    pub spec: Result<CoreSpec, String>,
+}
+
+/// A configuration and what came of it.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The configuration.
+    pub configuration: Configuration,
+    /// Its measurement, or why there is none.
+    pub result: Result<Measurement, String>,
+}
+
+/// A core that was measured.
+#[derive(Clone, Debug)]
+pub struct Measurement {
+    /// The core.
+    pub spec: CoreSpec,
+    /// What was measured.
+    pub measured: Measured,
+    /// Whether the journal knew it.
+    pub known: bool,
+}
+
+/// Why a sweep was not finished.
+#[derive(Debug, Error, Diagnostic)]
+pub enum SweepError {
+    /// A core cannot be simulated.
+    #[error("{configuration}: {source}")]
+    #[diagnostic(code(specula::compare::bench))]
+    Bench {
+        /// Which one.
+        configuration: Configuration,
+        /// Why not.
+        source: BenchError,
+    },
+    /// Results cannot be kept.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Journal(#[from] JournalError),
+}
+
+/// The cores of configurations for a scene.
+pub fn plan(scene: &LoadedScene, configurations: Vec<Configuration>) -> Vec<Planned> {
+    let planned =
+        |configuration: Configuration| Planned { spec: configuration.spec(scene), configuration };
+    configurations.into_par_iter().map(planned).collect()
+}
+
+/// Measures every core that `journal` does not know yet. `done` is told of each one when its result
+/// is there.
+///
+/// # Errors
+/// [`SweepError`] if a core cannot be simulated or a result cannot be written down.
+pub fn sweep(
+    scene: &LoadedScene,
+    planned: Vec<Planned>,
+    journal: &Journal,
+    done: &(dyn Fn(&Configuration) + Sync),
+) -> Result<Vec<Row>, SweepError> {
+    let row = |Planned { configuration, spec }| {
+        let result = match spec {
+            Ok(spec) => measured(scene, configuration, spec, journal)?,
+            Err(refusal) => Err(refusal),
+        };
+        done(&configuration);
+        Ok(Row { configuration, result })
+    };
+    planned.into_par_iter().map(row).collect()
+}
+
+fn measured(
+    scene: &LoadedScene,
+    configuration: Configuration,
+    spec: CoreSpec,
+    journal: &Journal,
+) -> Result<Result<Measurement, String>, SweepError> {
+    if let Some(measured) = journal.find(&spec)? {
+        return Ok(Ok(Measurement { spec, measured, known: true }));
+    }
+    match Measured::new(scene, &spec) {
+        Ok(measured) => {
+            journal.add(&spec, &measured)?;
+            Ok(Ok(Measurement { spec, measured, known: false }))
+        }
+        Err(BenchError::TooWide(refusal)) => Ok(Err(refusal.to_string())),
+        Err(source) => Err(SweepError::Bench { configuration, source }),
+    }
+}

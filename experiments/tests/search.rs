@@ -1,0 +1,40 @@
+//! Cores within an error that is asked for.
+#[macro_use]
+#[path = "../../scene/tests/common/each_method.rs"]
+mod each_method;
+
+use specula_experiments::search;
+use specula_scene::{CoreSpec, Method, load};
+use specula_testbench::{Bench, EngineKind};
+
+fn multiplier_bits(spec: &CoreSpec) -> u64 {
+    specula_hdl::elaborate(spec, "core").unwrap().size().multiplier_bits
+}
+
+fn simulated_pictures_stay_within_an_lsb_of_their_method(method: Method) {
+    for scene in specula_scene::builtin_names() {
+        let loaded = load(scene, Some((48, 36))).unwrap();
+        let start = loaded.core_spec(Some(method)).unwrap();
+        let general = search::within(&start, &loaded.frame, 1.0).unwrap().unwrap();
+        let spec = general.specialised(&loaded.frame);
+        let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
+        let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+        let error = outcome.comparison.errors.quantisation.max_lsb;
+        assert!(outcome.agrees() && error <= 1.0, "{scene} {}: {error}", method.name());
+        assert!(
+            multiplier_bits(&general) <= multiplier_bits(&start.general()),
+            "{scene} {}",
+            method.name()
+        );
+    }
+}
+
+each_method!(simulated_pictures_stay_within_an_lsb_of_their_method);
+
+#[test]
+fn what_cannot_be_had_is_refused() {
+    let loaded = load("icosahedron", Some((48, 36))).unwrap();
+    let start = loaded.core_spec(None).unwrap();
+    let refusal = search::within(&start, &loaded.frame, 0.01).unwrap().unwrap_err();
+    assert!(refusal.best > 0.01 && refusal.best < 1.0, "{refusal}");
+}

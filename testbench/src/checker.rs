@@ -1,0 +1,151 @@
+//! Facts that intervals cannot see, checked on every clock.
+use specula_hdl::Design;
+use specula_hdl::design::{Assumption, NodeId, Range};
+use specula_scene::Format;
+use specula_sim::{Batch, Lanes, Stimulus};
+
+/// A fact that did not hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Violation {
+    /// The fact, as the unit states it.
+    pub fact: String,
+    /// Full name of the signal.
+    pub signal: String,
+    /// The clock.
+    pub clock: u64,
+    /// The raw value it had.
+    pub raw: i64,
+    /// Where that must lie.
+    pub limits: Range,
+    /// Of the signal.
+    pub format: Format,
+}
+
+impl Violation {
+    /// The value it had, as near as an f64 comes.
+    pub fn value(&self) -> f64 {
+        self.format.value(self.raw)
+    }
+
+    /// In words, every digit of the numbers: a value may be past its limit by less than an f64
+    /// shows.
+    pub fn in_words(&self) -> String {
+        let [value, low, high] =
+            [self.raw, self.limits.low, self.limits.high].map(|raw| self.format.in_digits(raw));
+        format!(
+            "`{}` does not hold: signal {} is {value} in cycle {}, and must lie from {low} to {high}",
+            self.fact, self.signal, self.clock
+        )
+    }
+}
+
+/// Signals that have to be watched.
+pub fn watched(design: &Design) -> impl Iterator<Item = NodeId> + '_ {
+    design.assumptions.iter().map(|a| a.node)
+}
+
+/// What is seen of facts while a simulation goes on.
+pub struct Facts<'a> {
+    design: &'a Design,
+    /// Smallest and largest raw value of each fact's signal, wherever a pixel is; none where no
+    /// pixel has come.
+    pub seen: Vec<Option<Range>>,
+    /// The first fact that did not hold.
+    pub violation: Option<Violation>,
+}
+
+impl<'a> Facts<'a> {
+    /// Those of a design.
+    pub fn of(design: &'a Design) -> Facts<'a> {
+        Facts { design, seen: vec![None; design.assumptions.len()], violation: None }
+    }
+
+    /// Looks at the next clocks.
+    pub fn take(&mut self, stimulus: &Stimulus, batch: &Batch) {
+        for (assumption, seen) in self.design.assumptions.iter().zip(&mut self.seen) {
+            let Some((first, lanes)) = of_pixels(self.design, stimulus, batch, assumption.node)
+            else {
+                continue;
+            };
+            let Some((low, high)) = lanes.extremes() else { continue };
+            let now = Range::new(low, high);
+            *seen = Some(seen.map_or(now, |before| before.hull(now)));
+            if self.violation.is_none() && assumption.range.hull(now) != assumption.range {
+                self.violation =
+                    violation(self.design, assumption, (batch.first_clock() + first as u64, lanes));
+            }
+        }
+    }
+}
+
+/// The first value outside its limits among those from a clock on.
+fn violation(
+    design: &Design,
+    assumption: &Assumption,
+    (clock, lanes): (u64, Lanes),
+) -> Option<Violation> {
+    let limits = assumption.range;
+    let row = lanes.first_outside(limits.low, limits.high)?;
+    let row = (row..lanes.clocks()).find(|&row| !limits.contains(lanes.get(row)))?;
+    Some(Violation {
+        fact: assumption.fact.clone(),
+        signal: design.full_name(assumption.node),
+        clock: clock + row as u64,
+        raw: lanes.get(row),
+        limits,
+        format: design.node(assumption.node).format(),
+    })
+}
+
+/// The first of these clocks' rows in which a signal belongs to a pixel, and the values in all such
+/// rows, which are consecutive.
+fn of_pixels<'b>(
+    design: &Design,
+    stimulus: &Stimulus,
+    batch: &Batch<'b>,
+    node: NodeId,
+) -> Option<(usize, Lanes<'b>)> {
+    let lanes = batch.of(node)?;
+    let stage = u64::from(design.node(node).stage);
+    let row = |clock: u64| {
+        (clock.max(batch.first_clock()) - batch.first_clock()).min(lanes.clocks() as u64) as usize
+    };
+    let rows = row(stage)..row(stimulus.fed_clocks() + stage);
+    Some((rows.start, lanes.rows(rows)))
+}
+
+/// Clocks of pixels that went in for which a fact did not hold, of these clocks, in no order.
+pub fn entries_that_violate(design: &Design, stimulus: &Stimulus, batch: &Batch) -> Vec<u64> {
+    let facts = design.assumptions.iter().map(|assumption| (assumption.node, assumption.range));
+    facts.flat_map(|(node, range)| entries_outside(design, stimulus, batch, node, range)).collect()
+}
+
+/// Signals outside their proven ranges, and clocks of the pixels that went in to which that
+/// belongs, of these clocks.
+pub fn signals_out_of_range(
+    design: &Design,
+    stimulus: &Stimulus,
+    batch: &Batch,
+) -> Vec<(NodeId, u64)> {
+    let of = |&node: &NodeId| {
+        let entries = entries_outside(design, stimulus, batch, node, design.node(node).range);
+        entries.into_iter().map(move |entry| (node, entry)).collect::<Vec<_>>()
+    };
+    batch.nodes().iter().flat_map(of).collect()
+}
+
+/// Clocks of pixels that went in for which a signal was outside a range, of these clocks.
+fn entries_outside(
+    design: &Design,
+    stimulus: &Stimulus,
+    batch: &Batch,
+    node: NodeId,
+    range: Range,
+) -> Vec<u64> {
+    let stage = u64::from(design.node(node).stage);
+    let Some(lanes) = batch.of(node) else { return Vec::new() };
+    let Some(first) = lanes.first_outside(range.low, range.high) else { return Vec::new() };
+    let entry = |row: usize| (batch.first_clock() + row as u64).checked_sub(stage);
+    let outside = (first..lanes.clocks()).filter(|&row| !range.contains(lanes.get(row)));
+    outside.filter_map(entry).filter(|&entry| stimulus.feeds(entry)).collect()
+}

@@ -1,0 +1,52 @@
+//! Waveforms as pictures and text: a window of a VCD or FST file, ours or another tool's.
+//!
+//! A [`View`] opens a dump and makes a [`Figure`] of some signals and a window; [`text`], [`svg`]
+//! and [`png`] draw figures and know nothing of dumps.
+mod contents;
+mod dump;
+mod error;
+mod figure;
+mod fst;
+mod guard;
+mod input;
+mod layout;
+mod raw;
+mod ruler;
+mod save_file;
+mod segments;
+mod selection;
+mod sheet;
+mod survey;
+mod text;
+mod value;
+mod variables;
+mod vcd;
+mod view;
+mod warnings;
+
+pub use error::WaveError;
+pub use figure::Figure;
+pub use selection::Selection;
+pub use text::{columns_beside, most_columns, text};
+pub use view::{Asked, View};
+
+use image::RgbImage;
+
+/// The figure as an SVG file, in a width in pixels if that is given.
+pub fn svg(figure: &Figure, width: Option<u32>) -> String {
+    specula_drawing::svg(&sheet::sheet(figure, width))
+}
+
+/// The figure as a picture on light paper, in a width in pixels if that is given; it has twice as
+/// many.
+///
+/// # Errors
+/// [`WaveError::Large`] if it would be too large to be of use.
+pub fn png(figure: &Figure, width: Option<u32>) -> Result<RgbImage, WaveError> {
+    let amount = || format!("{} columns", figure.axis.numbers.len());
+    let large = || WaveError::Large { signals: figure.rows().count(), amount: amount() };
+    specula_drawing::png(&sheet::sheet(figure, width)).ok_or_else(large)
+}
+
+#[cfg(test)]
+mod tests;
