@@ -194,6 +194,35 @@ fn a_square_with_a_bridge_to_a_hole_keeps_three_quarters() {
     assert_eq!((area(&triangles), warnings), (3.0, vec![]));
 }
 
+/// The picture of that file's kind: a side of 4 is 108 pixels of the 120 that the camera's frame
+/// has, and a hole of half of it leaves three quarters, or one pixel's row more or less.
+#[test]
+fn a_picture_shows_the_hole() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let rim = ["0 0", "4 0", "4 4", "0 4"];
+    let hole = ["1 1", "1 3", "3 3", "3 1"];
+    for first in 0..10 {
+        for backwards in [false, true] {
+            let mut corners = [&rim[..], &rim[..1], &hole, &hole[..1]].concat();
+            corners.rotate_left(first);
+            if backwards {
+                corners.reverse();
+            }
+            let vertices: String = corners.iter().map(|c| format!("v {c} 0\n")).collect();
+            let mesh = format!("{vertices}f 1 2 3 4 5 6 7 8 9 10\n");
+            std::fs::write(folder.path().join("hole.obj"), mesh).expect("it can be written");
+            let path = folder.path().join("hole.toml");
+            let scene = "size = [120, 120]\n[camera]\ndirection = [0, 0, 1]\n[[object]]\nmesh = \"hole.obj\"\n";
+            std::fs::write(&path, scene).expect("it can be written");
+            let loaded = specula_scene::load(path.to_str().expect("it is a plain name"), None)
+                .unwrap_or_else(|error| panic!("{error}"));
+            let pixels = loaded.frame.shaded_pixels();
+            // 108² without the hole of 54² pixels: 8748, and a row of 108 at most is rounding.
+            assert!(pixels.abs_diff(8748) <= 108, "{first}: {pixels}");
+        }
+    }
+}
+
 /// Corners on straight edges, and corners in the middle of a slit, are corners of triangles: their
 /// normals count, and neighbours share them.
 #[test]
