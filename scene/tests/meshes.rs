@@ -209,6 +209,40 @@ fn what_an_stl_file_has_beside_its_facets_is_told() {
     assert_eq!(warnings, right);
 }
 
+/// Words inside a facet that are unknown are passed over too, unless they may stand for a vertex.
+#[test]
+fn unknown_words_inside_a_facet_are_told_or_wrong() {
+    let facet = "facet normal 0 0 1\n# one\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\ncolour 7\nendloop\nendfacet\n";
+    let (mesh, warnings) = read("a.stl", format!("solid\n{facet}").as_bytes());
+    assert_eq!(mesh.triangles.len(), 1);
+    let right = [
+        "a.stl, line 3: `#` is none of the words of a text .stl; its line is passed over (and 1 more line)",
+        "a.stl, line 10: the last solid has no `endsolid`; the file may be cut off",
+    ];
+    assert_eq!(warnings, right);
+    for (word, wrong, said) in [
+        ("vertex 1", "vertx 1", "line 6: `vertex` is expected here, not `vertx`"),
+        ("outer", "otter", "line 4: `outer` is expected here, not `otter`"),
+        ("endloop", "end loop", "line 9: `endloop` is expected here, not `end`"),
+    ] {
+        let text = format!("solid\n{}", facet.replacen(word, wrong, 1));
+        let error = Mesh::from_bytes(Path::new("a.stl"), text.as_bytes()).expect_err("it is wrong");
+        assert!(error.to_string().contains(said), "{error}");
+    }
+}
+
+/// A binary file that was not finished by whoever wrote it.
+#[test]
+fn a_binary_stl_of_no_triangles_with_bytes_behind_is_wrong() {
+    let mut bytes = fs::read("tests/meshes/tetra_binary.stl").expect("it is there");
+    bytes[80..84].fill(0);
+    let error = Mesh::from_bytes(Path::new("a.stl"), &bytes).expect_err("it states no triangles");
+    assert_eq!(
+        error.to_string(),
+        "mesh `a.stl`: its header states 0 triangles, but 200 bytes follow"
+    );
+}
+
 /// A binary file is not taken for text by its comment, nor text for a binary file, cut off or not.
 #[test]
 fn binary_stl_files_are_told_from_text() {

@@ -54,7 +54,9 @@ pub enum MeshProblem {
     },
     /// A polygon with too many crossings to be split into triangles.
     #[error(
-        "face {face} (counted from 0) is a polygon of {corners} corners that crosses itself more than a million times"
+        "face {face} (counted from 0), a polygon of {corners} corners, crosses or covers itself too often; \
+         all faces of a file together may do so {limit} times",
+        limit = super::triangulate::MOST_CROSSINGS
     )]
     Tangled {
         /// The face, counted from 0.
@@ -147,7 +149,8 @@ fn shape(extension: &str) -> Option<&'static str> {
         ),
         "stl" => Some(
             "a text .stl is `solid name`, triangles, `endsolid`; a triangle is the lines `facet normal x y z`, `outer loop`, \
-             three times `vertex x y z`, `endloop`, `endfacet`",
+             three times `vertex x y z`, `endloop`, `endfacet`; a binary one is 80 bytes, the number of triangles in 4, and \
+             50 for each",
         ),
         "glb" => Some(
             "a .glb is binary glTF 2.0 with uncompressed geometry inside; export the mesh again",

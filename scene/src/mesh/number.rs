@@ -26,7 +26,7 @@ pub fn whole(word: &[u8]) -> Option<i64> {
 }
 
 /// Forms that Rust does not read itself: `0x1.8p+1`, `nan(ind)` and `NaNQ`, `1.#QNAN` of
-/// Microsoft's older library, and the decimal comma of many locales.
+/// Microsoft's older library, the decimal comma of many locales, and Fortran's `1.5D+00`.
 fn unusual(text: &str) -> Option<f64> {
     let lower = text.to_ascii_lowercase();
     let (sign, size) = match lower.strip_prefix(['+', '-']) {
@@ -41,7 +41,7 @@ fn unusual(text: &str) -> Option<f64> {
     {
         f64::NAN
     } else {
-        decimal_comma(size)?
+        decimal_comma(size).or_else(|| fortran(size))?
     };
     Some(sign * value)
 }
@@ -64,6 +64,13 @@ fn decimal_comma(size: &str) -> Option<f64> {
     let is_plain =
         whole.bytes().all(|byte| byte.is_ascii_digit()) && !fraction.contains(['.', ',']);
     is_plain.then(|| format!("{whole}.{fraction}").parse().ok()).flatten()
+}
+
+/// Double precision as Fortran prints it: `1.5D+00`.
+fn fortran(size: &str) -> Option<f64> {
+    let (digits, exponent) = size.split_once('d')?;
+    let is_plain = digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
+    is_plain.then(|| format!("{digits}e{exponent}").parse().ok()).flatten()
 }
 
 /// Hexadecimal digits with a point and a power of two: `1.8p+1` is 3.
@@ -105,6 +112,8 @@ mod tests {
             ("0xc.8p-3", 1.5625),
             ("0x1.921fb54442d18p+1", std::f64::consts::PI),
             ("0,5", 0.5),
+            ("1.5D+01", 15.0),
+            ("-.25d0", -0.25),
             ("-1,5e+01", -15.0),
             ("inf", f64::INFINITY),
             ("+Infinity", f64::INFINITY),
@@ -141,7 +150,7 @@ mod tests {
     fn words_are_no_numbers() {
         for word in [
             "", "-", ".", "up", "1,2,3", "1,2.3", ",", "0x", "0x.", "0xg", "0x1p", "1.#", "1.#up",
-            "nan(", "1 2", "e5",
+            "nan(", "1 2", "e5", "d5", "1d", "1e5d5", "1d2d3",
         ] {
             assert_eq!(number(word.as_bytes()), None, "{word}");
         }

@@ -17,6 +17,9 @@ use super::polygons::{Corner, Polygons};
 use super::text::unmarked;
 use super::warning::{Notices, quoted};
 
+/// Keywords of what is drawn; `fo` is what faces were called before version 3.
+const DRAWN: [&[u8]; 4] = [b"v", b"vn", b"f", b"fo"];
+
 /// Keywords of what is skipped without a word.
 const SKIPPED: [&[u8]; 19] = [
     b"vt",
@@ -40,10 +43,6 @@ const SKIPPED: [&[u8]; 19] = [
     b"end",
 ];
 
-/// Those of them whose words are names, in which a backslash is a backslash.
-const NAMES: [&[u8]; 8] =
-    [b"g", b"o", b"usemtl", b"mtllib", b"usemap", b"maplib", b"shadow_obj", b"trace_obj"];
-
 /// Reads an `.obj` file.
 ///
 /// # Errors
@@ -62,14 +61,14 @@ pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located
 /// Lines without their comments, each with its number from 1; a line that ends in a backslash goes
 /// on in the next.
 fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
-    let mut numbered = Lines::new(text).map(without_comment).enumerate().peekable();
+    let plain = |line| without_comment(without_mark(line));
+    let mut numbered = Lines::new(text).map(plain).enumerate().peekable();
     std::iter::from_fn(move || {
         let (index, line) = numbered.next()?;
         let Some(first) = continued(line) else { return Some((index + 1, Cow::Borrowed(line))) };
-        let is_name = words(line).next().is_some_and(|keyword| NAMES.contains(&keyword));
         let mut joined = first.to_vec();
         // A name may end in a backslash of its own, and then a line of its own follows.
-        while let Some((_, next)) = numbered.next_if(|(_, next)| !(is_name && has_keyword(next))) {
+        while let Some((_, next)) = numbered.next_if(|(_, next)| !has_keyword(next)) {
             joined.push(b' ');
             let goes_on = continued(next);
             joined.extend_from_slice(goes_on.unwrap_or(next));
@@ -79,6 +78,11 @@ fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
         }
         Some((index + 1, Cow::Owned(joined)))
     })
+}
+
+/// A line without the byte order mark that it starts with where files were put together.
+fn without_mark(line: &[u8]) -> &[u8] {
+    line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line)
 }
 
 /// A `#` starts a comment anywhere.
@@ -96,7 +100,7 @@ fn continued(line: &[u8]) -> Option<&[u8]> {
 fn has_keyword(line: &[u8]) -> bool {
     words(line)
         .next()
-        .is_none_or(|word| matches!(word, b"v" | b"vn" | b"f") || SKIPPED.contains(&word))
+        .is_none_or(|word| DRAWN.contains(&word) || word == b"l" || SKIPPED.contains(&word))
 }
 
 /// The lines that vertices, normals and faces stand on.
@@ -147,7 +151,7 @@ impl Reader<'_> {
                 self.polygons.normals.push(normal(words));
                 self.places.normals.push(number);
             }
-            Some(b"f") => self.face(number, words)?,
+            Some(b"f" | b"fo") => self.face(number, words)?,
             Some(keyword) if !SKIPPED.contains(&keyword) => self.pass_over(number, keyword),
             _ => {}
         }

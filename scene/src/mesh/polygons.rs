@@ -3,7 +3,7 @@ use glam::DVec3;
 
 use super::error::{Item, Located, MeshProblem};
 use super::normals::{direction, newell, vertex_normals};
-use super::triangulate::{Triangulation, triangulate};
+use super::triangulate::{MOST_CROSSINGS, Triangulation, triangulate};
 use super::warning::Notices;
 use super::weld::weld;
 use super::{FARTHEST, MOST_TRIANGLES, Mesh};
@@ -96,9 +96,6 @@ impl Polygons {
         if split.pieces.is_empty() {
             return Err(MeshProblem::Empty);
         }
-        if split.pieces.len() > MOST_TRIANGLES {
-            return Err(MeshProblem::TooManyTriangles(split.pieces.len()));
-        }
         Ok(self.with_normals(split))
     }
 
@@ -152,7 +149,8 @@ impl Polygons {
                 continue;
             };
             let tangled = MeshProblem::Tangled { face, corners: corners.len() };
-            let triangulation = triangulate(&places, normal).ok_or(tangled)?;
+            let crossings_left = MOST_CROSSINGS.saturating_sub(split.crossings.len());
+            let triangulation = triangulate(&places, normal, crossings_left).ok_or(tangled)?;
             if triangulation.overlaps {
                 notices.add("polygon that covers itself", line(Item::Face(face)), || {
                     format!(
@@ -162,6 +160,12 @@ impl Polygons {
                 });
             }
             split.push(corners, normal, triangulation, self.positions.len());
+            if split.pieces.len() > MOST_TRIANGLES {
+                let corners_left = self.corners.len() - self.ends[face];
+                let faces_left = self.ends.len() - face - 1;
+                let all = split.pieces.len() + corners_left - 2 * faces_left;
+                return Err(MeshProblem::TooManyTriangles(all));
+            }
         }
         Ok(split)
     }

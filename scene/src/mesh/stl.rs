@@ -45,15 +45,14 @@ fn is_whole_binary(bytes: &[u8]) -> bool {
     stated_triangles(bytes).and_then(binary_length).is_some_and(|length| length <= bytes.len())
 }
 
-/// Whether a file looks like text: no control characters at its beginning but blanks, and a line
-/// that opens a solid or a facet.
+/// Whether a file looks like text: no zeros at its beginning, and a line that opens a solid or a
+/// facet.
 fn is_text(text: &[u8]) -> bool {
-    let beginning = &text[..text.len().min(BEGINNING)];
-    let plain =
-        |b: &u8| !b.is_ascii_control() || b.is_ascii_whitespace() || matches!(b, 0x0b | 0x1a);
+    // Some programs fill a text up with zeros.
+    let end = text.iter().rposition(|byte| !is_blank(byte)).map_or(0, |last| last + 1);
     let opens =
         |line: &[u8]| words(line).next().is_some_and(|word| is(word, "solid") || is(word, "facet"));
-    beginning.iter().all(plain) && Lines::new(beginning).any(opens)
+    !text[..end.min(BEGINNING)].contains(&0) && Lines::new(text).any(opens)
 }
 
 fn binary_length(triangles: usize) -> Option<usize> {
@@ -81,6 +80,12 @@ fn parse_binary(bytes: &[u8], notices: &mut Notices) -> Result<Polygons, MeshPro
         );
         return Err(MeshProblem::Truncated(text));
     };
+    if triangles == 0 && bytes.len() >= needed + TRIANGLE {
+        return Err(MeshProblem::Syntax(format!(
+            "its header states 0 triangles, but {} bytes follow",
+            bytes.len() - needed
+        )));
+    }
     if bytes.len() > needed {
         let text =
             || format!("{} bytes behind the last triangle are passed over", bytes.len() - needed);
@@ -125,31 +130,33 @@ impl<'a> Text<'a> {
 
     fn read(mut self) -> Result<Polygons, Located> {
         let mut is_open = false;
+        // The last unknown word since a facet ended, which may stand for the start of another.
+        let mut unknown = None;
         while let Some(word) = self.word() {
             match keyword(word) {
                 Some(word @ ("solid" | "endsolid")) => {
                     is_open = word == "solid";
                     self.skip_name();
                 }
-                Some("facet") => self.facet()?,
+                Some("facet") => {
+                    self.facet()?;
+                    unknown = None;
+                }
                 Some(_) => return Err(self.unexpected("`facet` or `endsolid`", Some(word))),
                 None => {
-                    let text = || {
-                        format!(
-                            "{} is none of the words of a text .stl; its line is passed over",
-                            quoted(word)
-                        )
-                    };
-                    self.notices.add("unknown word", Some(self.line), text);
-                    self.skip_line();
+                    unknown = Some(self.unexpected("`facet` or `endsolid`", Some(word)));
+                    self.pass_over(word);
                 }
             }
         }
-        if is_open {
-            Err(self.unexpected("`facet` or `endsolid`", None))
-        } else {
-            Ok(self.polygons)
+        match unknown.filter(|_| is_open) {
+            Some(wrong) => return Err(wrong),
+            None if is_open => self.notices.add("no end", Some(self.line), || {
+                "the last solid has no `endsolid`; the file may be cut off".into()
+            }),
+            None => {}
         }
+        Ok(self.polygons)
     }
 
     /// What follows the word `facet`, to its end.
@@ -158,20 +165,7 @@ impl<'a> Text<'a> {
         self.skip_normal();
         self.expect("outer")?;
         self.expect("loop")?;
-        let mut vertices = Vec::with_capacity(3);
-        loop {
-            let word = self.word();
-            match word.and_then(keyword) {
-                Some("vertex") => vertices.push(self.vertex()?),
-                Some("endloop") => break,
-                None if !vertices.is_empty() && word.and_then(number).is_some() => {
-                    let text = || "numbers behind a vertex's third are passed over".into();
-                    self.notices.add("fourth number", Some(self.line), text);
-                }
-                _ if vertices.len() < 3 => return Err(self.unexpected("`vertex`", word)),
-                _ => return Err(self.unexpected("`endloop`", word)),
-            }
-        }
+        let vertices = self.vertices()?;
         self.expect("endfacet")?;
         if vertices.len() < 3 {
             let text = || {
@@ -181,6 +175,36 @@ impl<'a> Text<'a> {
         }
         push(&mut self.polygons, vertices);
         Ok(())
+    }
+
+    /// The vertices of a facet, to the end of its loop.
+    fn vertices(&mut self) -> Result<Vec<DVec3>, Located> {
+        let mut vertices = Vec::with_capacity(3);
+        // An unknown word that may stand for what is missing: a vertex, or the end of the loop.
+        let mut unknown = None;
+        loop {
+            let word = self.word();
+            let wanted = if vertices.len() < 3 { "`vertex`" } else { "`endloop`" };
+            match (word.and_then(keyword), word) {
+                (Some("vertex"), _) => vertices.push(self.vertex()?),
+                (Some("endloop"), _) => break,
+                (None, Some(word)) if !vertices.is_empty() && number(word).is_some() => {
+                    let text = || "numbers behind a vertex's third are passed over".into();
+                    self.notices.add("fourth number", Some(self.line), text);
+                }
+                (None, Some(word)) => {
+                    if unknown.is_none() || vertices.len() >= 3 {
+                        unknown = Some(self.unexpected(wanted, Some(word)));
+                    }
+                    self.pass_over(word);
+                }
+                _ => return Err(unknown.unwrap_or_else(|| self.unexpected(wanted, word))),
+            }
+        }
+        match unknown {
+            Some(wrong) if vertices.len() < 3 => Err(wrong),
+            _ => Ok(vertices),
+        }
     }
 
     /// Skips `normal` and the words for its numbers, whatever they are.
@@ -204,12 +228,34 @@ impl<'a> Text<'a> {
         Ok(DVec3::new(coordinate()?, coordinate()?, coordinate()?))
     }
 
+    /// Goes to a word; what is none of the words of a text is passed over.
     fn expect(&mut self, wanted: &str) -> Result<(), Located> {
-        let word = self.word();
-        if word.is_some_and(|word| is(word, wanted)) {
-            return Ok(());
+        let quoted = format!("`{wanted}`");
+        let mut unknown = None;
+        loop {
+            let word = self.word();
+            match word {
+                Some(word) if is(word, wanted) => return Ok(()),
+                Some(word) if keyword(word).is_none() => {
+                    unknown = Some(self.unexpected(&quoted, Some(word)));
+                    self.pass_over(word);
+                }
+                _ => return Err(unknown.unwrap_or_else(|| self.unexpected(&quoted, word))),
+            }
         }
-        Err(self.unexpected(&format!("`{wanted}`"), word))
+    }
+
+    /// Skips the line of a word that is unknown; of a number, the number alone.
+    fn pass_over(&mut self, word: &[u8]) {
+        if number(word).is_some() {
+            let text = || format!("the number {} is passed over", quoted(word));
+            return self.notices.add("number", Some(self.line), text);
+        }
+        let text = || {
+            format!("{} is none of the words of a text .stl; its line is passed over", quoted(word))
+        };
+        self.notices.add("unknown word", Some(self.line), text);
+        self.skip_line();
     }
 
     fn unexpected(&self, wanted: &str, word: Option<&[u8]>) -> Located {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 use i_triangle::i_overlay::core::fill_rule::FillRule;
+use i_triangle::i_overlay::core::overlay::IntOverlayOptions;
 use i_triangle::i_overlay::i_float::int::point::IntPoint;
 use i_triangle::int::custom::IntCustomTriangulatable;
 use i_triangle::int::triangulation::IntTriangulation;
@@ -18,11 +19,15 @@ const GRID: f64 = (1_u64 << 44) as f64;
 /// Corners that are tried as the first of a fan, before the sweep.
 const FANS_TRIED: usize = 8;
 
-/// Times a polygon may cross itself, by an estimate.
-const MOST_CROSSINGS: usize = 1_000_000;
+/// Times that all polygons of a file may cross themselves.
+pub const MOST_CROSSINGS: usize = 250_000;
 
-/// Pairs of edges that the estimate is made from.
-const PAIRS_TRIED: usize = 4096;
+/// Pairs of edges that crossings are estimated from, at least.
+const FEWEST_PAIRS: usize = 4096;
+
+/// Pairs of edges that crossings are estimated from, for each corner: enough that what a few of
+/// countless edges do is not overlooked.
+const PAIRS_A_CORNER: usize = 4;
 
 /// Areas that differ by less than this share of them differ by rounding.
 const LEAST_DIFFERENCE: i128 = 1_000_000;
@@ -46,9 +51,13 @@ pub struct Triangulation {
 /// A polygon with a bridge to a hole, whose corners are stated twice, keeps the hole. Of corners at
 /// the same place, a triangle has the one whose angle it lies in. Polygons of which one of the
 /// first corners sees all others become a fan from it. Takes a time of n log n for n corners and
-/// crossings; `None` for a polygon that crosses itself more often than 1000000 times, by an
-/// estimate.
-pub fn triangulate(polygon: &[DVec3], normal: DVec3) -> Option<Triangulation> {
+/// crossings; `None` for a polygon whose edges cross or cover each other more often than
+/// `most_crossings` times, by an estimate.
+pub fn triangulate(
+    polygon: &[DVec3],
+    normal: DVec3,
+    most_crossings: usize,
+) -> Option<Triangulation> {
     if polygon.len() == 3 {
         return Some(Triangulation { triangles: vec![[0, 1, 2]], ..Triangulation::default() });
     }
@@ -57,7 +66,8 @@ pub fn triangulate(polygon: &[DVec3], normal: DVec3) -> Option<Triangulation> {
     match ring.fan() {
         Some(triangles) => Some(Triangulation { triangles, ..Triangulation::default() }),
         None => {
-            (ring.crossings_expected() <= MOST_CROSSINGS).then(|| ring.swept(polygon.len(), &plane))
+            let is_bearable = ring.crossings_expected(most_crossings) <= most_crossings;
+            is_bearable.then(|| ring.swept(polygon.len(), &plane))
         }
     }
 }
@@ -154,14 +164,15 @@ impl Ring {
         (1..last).all(|k| left(k, k + 1) && left(k, last) && (k == 1 || left(1, k)))
     }
 
-    /// About how often edges cross, from some pairs of them that are the same every time; 0 for
-    /// polygons of few corners.
-    fn crossings_expected(&self) -> usize {
+    /// About how often edges meet, from some pairs of them that are the same every time; 0 for
+    /// polygons that have too few to reach `most`.
+    fn crossings_expected(&self, most: usize) -> usize {
         let n = self.len();
         let pairs = n * n / 2;
-        if pairs <= MOST_CROSSINGS {
+        if pairs <= most {
             return 0;
         }
+        let tried = FEWEST_PAIRS.max(PAIRS_A_CORNER * n);
         let mut state = 1_u64;
         let mut edge = || {
             // Knuth's MMIX generator; its upper bits are the random ones.
@@ -171,13 +182,16 @@ impl Ring {
             let from = (state >> 33) as usize % n;
             [self.places[from], self.places[(from + 1) % n]]
         };
-        let crossing = (0..PAIRS_TRIED).filter(|_| cross(edge(), edge())).count();
-        crossing * (pairs / PAIRS_TRIED)
+        let crossing = (0..tried).filter(|_| meet(edge(), edge())).count();
+        // A polygon of 2^29 corners has pairs below 2^58, of which 2^31 are tried.
+        (crossing as u128 * pairs as u128 / tried as u128) as usize
     }
 
     /// Triangles by a sweep over the plane.
     fn swept(&self, corners: usize, plane: &Plane) -> Triangulation {
-        let validation = Validation::with_fill_rule(FillRule::EvenOdd);
+        // Corners on a straight edge have normals, and neighbours that share them.
+        let options = IntOverlayOptions::keep_all_points();
+        let validation = Validation { fill_rule: FillRule::EvenOdd, options };
         let found: IntTriangulation<i64, u32> =
             self.places.custom_triangulate(validation).into_triangulation();
         let named = Named::new(self);
@@ -188,6 +202,9 @@ impl Ring {
         for &[a, b, c] in found.indices.as_chunks::<3>().0 {
             let twice_area =
                 turn(found.points[a as usize], found.points[b as usize], found.points[c as usize]);
+            if twice_area == 0 {
+                continue;
+            }
             area += twice_area.abs();
             let places = if twice_area < 0 { [a, c, b] } else { [a, b, c] }
                 .map(|k| found.points[k as usize]);
@@ -266,10 +283,20 @@ fn turn(a: Place, b: Place, c: Place) -> i128 {
     bx * cy - by * cx
 }
 
-/// Whether two edges cross; not whether they touch.
-fn cross([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
+/// Whether two edges cross, or one ends between the ends of the other.
+fn meet([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
     let sides = |a, b, c, d| turn(a, b, c).signum() * turn(a, b, d).signum() < 0;
-    sides(a, b, c, d) && sides(c, d, a, b)
+    let crosses = sides(a, b, c, d) && sides(c, d, a, b);
+    crosses
+        || [c, d].into_iter().any(|end| is_between(a, b, end))
+        || [a, b].into_iter().any(|end| is_between(c, d, end))
+}
+
+/// Whether a place is on an edge and not at its ends.
+fn is_between(a: Place, b: Place, place: Place) -> bool {
+    let [ax, ay, bx, by] =
+        [a.x - place.x, a.y - place.y, b.x - place.x, b.y - place.y].map(i128::from);
+    ax * bx + ay * by < 0 && ax * by == ay * bx
 }
 
 #[cfg(test)]
@@ -281,7 +308,7 @@ mod tests {
     }
 
     fn split(polygon: &[DVec3]) -> Triangulation {
-        triangulate(polygon, DVec3::Z).expect("it does not cross itself often")
+        triangulate(polygon, DVec3::Z, MOST_CROSSINGS).expect("it does not cross itself often")
     }
 
     #[test]
@@ -338,7 +365,52 @@ mod tests {
                 .map(|k| DVec3::new(corner(k).cos(), corner(k).sin(), 0.0))
                 .collect::<Vec<_>>()
         };
-        assert!(triangulate(&star(501), DVec3::Z).is_some());
-        assert_eq!(triangulate(&star(20_001), DVec3::Z), None);
+        assert!(triangulate(&star(501), DVec3::Z, MOST_CROSSINGS).is_some());
+        assert_eq!(triangulate(&star(501), DVec3::Z, MOST_CROSSINGS / 10), None);
+        assert_eq!(triangulate(&star(20_001), DVec3::Z, MOST_CROSSINGS), None);
+    }
+
+    /// Many long edges on one line, in no order: each is covered by thousands of others.
+    #[test]
+    fn a_polygon_that_covers_itself_everywhere_is_refused() {
+        let on_line = |k: u32| (f64::from(k * 7919 % 20_011), 0.0);
+        let polygon = |corners: u32| {
+            flat(&(0..corners).map(on_line).chain([(5000.0, 7000.0)]).collect::<Vec<_>>())
+        };
+        assert!(triangulate(&polygon(300), DVec3::Z, MOST_CROSSINGS).is_some());
+        assert_eq!(triangulate(&polygon(20_000), DVec3::Z, MOST_CROSSINGS), None);
+    }
+
+    /// Two zigzags that cross each other everywhere, among a hundred times as many edges that
+    /// cross none.
+    #[test]
+    fn crossings_of_a_few_of_many_edges_are_not_overlooked() {
+        let zig = |k: u32| if k.is_multiple_of(2) { 0.0 } else { 10.0 };
+        let across = (0..3000).map(|k| (zig(k), f64::from(k) / 300.0));
+        let upwards = (0..3000).map(|k| (f64::from(k) / 300.0, zig(k)));
+        let outside = (0..600_000).map(|k| (20.0 + f64::from(k), zig(k) * 1e-3 - 1.0));
+        let polygon = flat(&across.chain(upwards).chain(outside).collect::<Vec<_>>());
+        assert_eq!(triangulate(&polygon, DVec3::Z, MOST_CROSSINGS), None);
+    }
+
+    /// Corners on straight edges have normals of their own, and neighbours that share them.
+    #[test]
+    fn corners_on_straight_edges_are_kept() {
+        let square =
+            [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (2.0, 2.0), (1.0, 2.0), (0.0, 2.0)];
+        for polygon in [
+            flat(&[&square[..], &[(0.0, 1.0)]].concat()),
+            // Concave: a notch with corners on its sides.
+            flat(
+                &[&square[..5], &[(1.5, 2.0), (1.25, 1.25), (1.0, 0.5), (0.5, 1.25)], &square[6..]]
+                    .concat(),
+            ),
+        ] {
+            let Triangulation { triangles, crossings, overlaps } = split(&polygon);
+            assert_eq!((triangles.len(), crossings.len(), overlaps), (polygon.len() - 2, 0, false));
+            for corner in 0..polygon.len() {
+                assert!(triangles.iter().any(|t| t.contains(&corner)), "{corner} of {polygon:?}");
+            }
+        }
     }
 }

@@ -248,6 +248,15 @@ const SCENES: &[(&str, Change)] = &[
             take(&mut glb.root, list);
         }
     }),
+    ("scenes-without-roots", |glb, _| {
+        take(&mut glb.root, "scene");
+        glb.root["scenes"] = json!([{"name": "empty"}, {"nodes": []}]);
+    }),
+    ("scenes-without-nodes-at-all", |glb, _| {
+        take(&mut glb.root, "scene");
+        take(&mut glb.root, "nodes");
+        glb.root["scenes"] = json!([{}]);
+    }),
     ("other-scene", |glb, _| {
         glb.root["scene"] = json!(1);
         glb.root["scenes"] = json!([{"nodes": [1]}, {"nodes": [0]}]);
@@ -372,6 +381,14 @@ const GEOMETRY: &[(&str, Change)] = &[
         let text = format!("data:application/gltf-buffer;base64,{}", base64(&glb.bytes));
         glb.root["buffers"][0]["uri"] = json!(text.trim_end_matches('='));
         glb.bytes.clear();
+    }),
+    ("data-uri-in-capitals", |glb, _| {
+        let text = format!("DATA:application/octet-stream;BASE64,{}", base64(&glb.bytes));
+        glb.root["buffers"][0]["uri"] = json!(text);
+        glb.bytes.clear();
+    }),
+    ("compressed-twice-beside", |glb, _| {
+        glb.root["bufferViews"][0]["extensions"] = json!({"EXT_meshopt_compression": {"buffer": 0}, "KHR_meshopt_compression": {"buffer": 0}});
     }),
     ("two-buffers", |glb, shape| {
         let text = format!("data:;base64,{}", base64(&floats(&shape.positions)));

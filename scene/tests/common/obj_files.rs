@@ -114,6 +114,18 @@ const NUMBERS: &[(&str, Change)] = &[
     ("corners-twice", |obj| {
         obj.corners(|k| format!("{k} {k}"));
     }),
+    ("fortran-exponents", |obj| {
+        for vertex in &mut obj.vertices {
+            let numbers = vertex
+                .split_whitespace()
+                .skip(1)
+                .map(|word| format!("{:E}", word.parse::<f32>().expect("a number")));
+            *vertex = format!("v {}", numbers.collect::<Vec<_>>().join(" ").replace('E', "D"));
+        }
+    }),
+    ("faces-of-version-2", |obj| {
+        obj.faces.iter_mut().for_each(|face| face.insert(1, 'o'));
+    }),
     ("faces-first", |obj| std::mem::swap(&mut obj.vertices, &mut obj.faces)),
 ];
 
@@ -169,6 +181,10 @@ const CONTINUED: &[(&str, Change)] = &[
         obj.middle.extend(["o part\\".into(), "g a b\\".into()]);
         obj.faces.insert(1, "usemtl steel\\".into());
     }),
+    ("unknown-words-do-not-continue", |obj| {
+        obj.head.push("material C:\\models\\".into());
+        obj.middle.push("layer 1 \\".into());
+    }),
     ("names-continue", |obj| obj.middle.push("g a \\\nb \\\nc".into())),
     ("texture-continues", |obj| obj.middle.push("vt 0 \\\n0".into())),
 ];
@@ -216,6 +232,14 @@ const NORMALS: &[(&str, Change)] = &[
     }),
 ];
 
+/// A mark before each line: files that were put together have several.
+fn marked(plain: &[u8]) -> Vec<u8> {
+    plain
+        .split_inclusive(|&byte| byte == b'\n')
+        .flat_map(|line| [b"\xef\xbb\xbf", line].concat())
+        .collect()
+}
+
 /// The plain file in encodings that a mark tells.
 fn encoded(plain: &[u8]) -> Vec<(&'static str, Vec<u8>)> {
     let wide = |unit: fn(u16) -> [u8; 2]| {
@@ -226,5 +250,6 @@ fn encoded(plain: &[u8]) -> Vec<(&'static str, Vec<u8>)> {
         ("utf-16-le", [b"\xff\xfe".to_vec(), wide(u16::to_le_bytes)].concat()),
         ("utf-16-be", [b"\xfe\xff".to_vec(), wide(u16::to_be_bytes)].concat()),
         ("no-last-end", plain.trim_ascii_end().to_vec()),
+        ("marks", marked(plain)),
     ]
 }

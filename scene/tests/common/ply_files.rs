@@ -298,11 +298,14 @@ fn strips(shape: &Shape) -> Files {
     // The second triangle of each strip is the one that is turned around.
     let odd = triangles().map(|[a, b, c]| vec![a, a, c, b, -1]).collect::<Vec<_>>().concat();
     let joined = triangles().map(|[a, b, c]| vec![a, b, c, -1]).collect::<Vec<_>>().concat();
-    let unsigned = joined.iter().map(|&k| if k < 0 { i64::from(u32::MAX) } else { k }).collect();
+    let unsigned =
+        |end: u32| joined.iter().map(|&k| if k < 0 { i64::from(end) } else { k }).collect();
     vec![
-        file("strip-restarted", "list int int vertex_indices", vec![joined]),
+        file("strip-restarted", "list int int vertex_indices", vec![joined.clone()]),
         file("strip-odd", "list int int vertex_index", vec![odd]),
-        file("strip-unsigned", "list uint uint vertex_indices", vec![unsigned]),
+        file("strip-unsigned", "list uint uint vertex_indices", vec![unsigned(u32::MAX)]),
+        file("strip-of-shorts", "list uint ushort vertex_indices", vec![unsigned(u16::MAX.into())]),
+        file("strip-of-bytes", "list uint uint8 vertex_indices", vec![unsigned(u8::MAX.into())]),
         file(
             "strip-joined",
             "list int int vertex_indices",
@@ -321,11 +324,17 @@ fn lines(shape: &Shape) -> Files {
     let text = Text::plain(shape).insert(1, "comment ?");
     let mut cut = text.file("\n");
     cut.pop();
+    let wide = |mark: [u8; 2], unit: fn(u16) -> [u8; 2]| {
+        let text = Text::plain(shape).file("\n");
+        [mark.to_vec(), text.iter().flat_map(|&byte| unit(u16::from(byte))).collect()].concat()
+    };
     vec![
         ("carriage-returns".into(), text.file("\r")),
         ("both".into(), text.file("\r\n")),
         ("without-the-last".into(), cut),
         ("blanks-behind-lines".into(), text.file(" \n")),
+        ("utf-16-le".into(), wide([0xff, 0xfe], u16::to_le_bytes)),
+        ("utf-16-be".into(), wide([0xfe, 0xff], u16::to_be_bytes)),
     ]
 }
 

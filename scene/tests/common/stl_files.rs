@@ -72,6 +72,7 @@ const NAMES: &[(&str, Change)] = &[
     ("latin-1-name", |text| text.replace("part", "pi?ce")),
     ("name-of-keywords", |text| text.replace("part", "solid facet vertex 1 2 3 endsolid")),
     ("long-name", |text| text.replace("part", &"a b ".repeat(99))),
+    ("iso-2022-name", |text| text.replace("part", "\u{1b}$B%F%9\u{1b}(B")),
 ];
 
 /// Lines and blanks.
@@ -85,6 +86,9 @@ const LINES: &[(&str, Change)] = &[
     ("tabs", |text| text.replace(' ', "\t")),
     ("no-last-end", |text| text.trim_end().to_owned()),
     ("control-z", |text| format!("{text}\u{1a}")),
+    ("zeros-behind", |text| format!("{text}{}", "\0".repeat(80))),
+    ("thousands-of-lines-before", |text| format!("{}{text}", "\n".repeat(3000))),
+    ("thousands-of-blanks-before", |text| format!("{}{text}", " ".repeat(5000))),
 ];
 
 /// Normals that are none.
@@ -100,6 +104,13 @@ const NORMALS: &[(&str, Change)] = &[
 const BESIDE: &[(&str, Change)] = &[
     ("colours", |text| text.replace("  endfacet\n", "  endfacet\n  color 0.5 0.5 1\n")),
     ("comment-before", |text| format!("# caf?\n{text}")),
+    ("comments-in-facets", |text| {
+        text.replace("    outer", "; caf?\n    outer")
+            .replace("    endloop", "attribute 7\n    endloop")
+            .replace("  endfacet", "colour 1 0 0\n  endfacet")
+    }),
+    ("comment-of-5000-characters-before", |text| format!("; {}\n{text}", "?".repeat(5000))),
+    ("four-numbers-of-normals", |text| text.replace("normal 0 0 0", "normal 0 0 0 0")),
     ("fourth-numbers", |text| text.replace("\n    endloop", " 1 0.5\n    endloop")),
     ("short-facets", |text| {
         let short =
@@ -123,6 +134,7 @@ fn parts(shape: &Shape) -> Vec<(&'static str, Vec<u8>)> {
         ),
         ("solids-not-ended", solids(shape, &[some, others]).replacen("endsolid part\n", "", 1)),
         ("facets-alone", facets(shape, &shape.triangles)),
+        ("last-solid-not-ended", format!("solid part\n{}", facets(shape, &shape.triangles))),
     ];
     files.into_iter().map(|(name, text)| (name, text.into_bytes())).collect()
 }

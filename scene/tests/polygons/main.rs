@@ -13,7 +13,7 @@ use specula_scene::mesh::{Mesh, Warning};
 
 use fill::{area, area_around, covers, is_inside, probes};
 use random::Random;
-use shapes::{Place, bridged, comb, roughened, spiral, star, tangled, with_holes};
+use shapes::{Place, bridged, comb, edges, roughened, spiral, star, tangled, with_holes};
 
 /// Points that each polygon is probed at.
 const PROBES: usize = 120;
@@ -192,6 +192,81 @@ fn a_square_with_a_bridge_to_a_hole_keeps_three_quarters() {
     let text = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -.5 -.5 0\nv -.5 .5 0\nv .5 .5 0\nv .5 -.5 0\nf 1 2 3 4 1 5 6 7 8 5\n";
     let (triangles, warnings) = read(text, &Plane::flat());
     assert_eq!((area(&triangles), warnings), (3.0, vec![]));
+}
+
+/// The picture of that file's kind: a side of 4 is 108 pixels of the 120 that the camera's frame
+/// has, and a hole of half of it leaves three quarters, or one pixel's row more or less.
+#[test]
+fn a_picture_shows_the_hole() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let rim = ["0 0", "4 0", "4 4", "0 4"];
+    let hole = ["1 1", "1 3", "3 3", "3 1"];
+    for first in 0..10 {
+        for backwards in [false, true] {
+            let mut corners = [&rim[..], &rim[..1], &hole, &hole[..1]].concat();
+            corners.rotate_left(first);
+            if backwards {
+                corners.reverse();
+            }
+            let vertices: String = corners.iter().map(|c| format!("v {c} 0\n")).collect();
+            let mesh = format!("{vertices}f 1 2 3 4 5 6 7 8 9 10\n");
+            std::fs::write(folder.path().join("hole.obj"), mesh).expect("it can be written");
+            let path = folder.path().join("hole.toml");
+            let scene = "size = [120, 120]\n[camera]\ndirection = [0, 0, 1]\n[[object]]\nmesh = \"hole.obj\"\n";
+            std::fs::write(&path, scene).expect("it can be written");
+            let loaded = specula_scene::load(path.to_str().expect("it is a plain name"), None)
+                .unwrap_or_else(|error| panic!("{error}"));
+            let pixels = loaded.frame.shaded_pixels();
+            // 108² without the hole of 54² pixels: 8748, and a row of 108 at most is rounding.
+            assert!(pixels.abs_diff(8748) <= 108, "{first}: {pixels}");
+        }
+    }
+}
+
+/// Corners on straight edges, and corners in the middle of a slit, are corners of triangles: their
+/// normals count, and neighbours share them.
+#[test]
+fn every_corner_of_a_polygon_is_one_of_its_triangles() {
+    for seed in 0..40 {
+        let mut random = Random::new(seed);
+        let corners = 4 + random.below(12);
+        let star = star(&mut random, corners, [0.0; 2], 8.0);
+        let middles = edges(&star).flat_map(|[a, b]| {
+            [
+                a,
+                [(a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0],
+                [(a[0] + 3.0 * b[0]) / 4.0, (a[1] + 3.0 * b[1]) / 4.0],
+            ]
+        });
+        let polygon: Vec<Place> = middles.collect();
+        let (triangles, warnings) = read(&obj(&polygon, &Plane::flat(), false), &Plane::flat());
+        assert_eq!((triangles.len(), warnings), (polygon.len() - 2, vec![]), "{polygon:?}");
+        for corner in polygon {
+            assert!(triangles.iter().flatten().any(|&place| place == corner), "{corner:?}");
+        }
+    }
+}
+
+/// A hundred kilobytes of polygons that each cross themselves hundreds of thousands of times would
+/// make tens of millions of triangles.
+#[test]
+fn files_of_tangles_are_refused_in_little_time() {
+    let begun = Instant::now();
+    let mut random = Random::new(7);
+    let corners = 900;
+    let vertices: String =
+        (0..corners).map(|_| format!("v {:.6} {:.6} 0\n", random.unit(), random.unit())).collect();
+    let face: String = (1..=corners).map(|k| format!(" {k}")).collect();
+    let file = format!("{vertices}{}", format!("f{face}\n").repeat(40));
+    let error = Mesh::from_bytes(Path::new("a.obj"), file.as_bytes()).expect_err("it is tangled");
+    let said = error.to_string();
+    assert!(
+        said.contains("a polygon of 900 corners, crosses or covers itself too often"),
+        "{said}"
+    );
+    // Each crosses itself 90 000 times: the third is one too many.
+    assert!(said.starts_with("mesh `a.obj`, line 903: face 2 "), "{said}");
+    assert!(begun.elapsed() < Duration::from_secs(20), "{:?}", begun.elapsed());
 }
 
 /// A file of one long polygon, and one of many, take a time that grows little faster than their

@@ -2,13 +2,12 @@
 //! 2.0, 3.6.2].
 use super::buffers::Buffers;
 use super::json::{self, Document, Sparse, SparsePart, Whole};
-use crate::mesh::MOST_TRIANGLES;
 use crate::mesh::error::MeshProblem;
 use crate::mesh::warning::quoted;
 
 /// The most elements that are there without bytes in the file, because all of them are 0 or
-/// replaced.
-const MOST_WITHOUT_BYTES: usize = 3 * MOST_TRIANGLES;
+/// replaced: else a few bytes would take all memory.
+const MOST_WITHOUT_BYTES: usize = 1_000_000;
 
 /// The type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -64,6 +64,9 @@ impl<'a> Buffers<'a> {
             (None, _) if view.extensions.meshopt.is_some() => {
                 Err(unread("EXT_meshopt_compression"))
             }
+            (None, _) if view.extensions.meshopt_khr.is_some() => {
+                Err(unread("KHR_meshopt_compression"))
+            }
             (None, _) => Err(MeshProblem::Truncated(format!("buffer {number} has no bytes"))),
         }
     }
@@ -71,13 +74,14 @@ impl<'a> Buffers<'a> {
 
 /// The bytes of a data URI, `data:TYPE;base64,BYTES` [RFC 2397].
 fn decode(uri: &str, number: usize) -> Result<Vec<u8>, MeshProblem> {
-    let Some((kind, text)) = uri.strip_prefix("data:").and_then(|rest| rest.split_once(',')) else {
+    let of_data = |uri: &str| uri.get(..5).is_some_and(|start| start.eq_ignore_ascii_case("data:"));
+    let Some((kind, text)) = uri.split_once(',').filter(|(kind, _)| of_data(kind)) else {
         return Err(MeshProblem::Unsupported(format!(
             "geometry in another file, {}",
             quoted(uri.as_bytes())
         )));
     };
-    if !kind.ends_with(";base64") {
+    if !kind.to_ascii_lowercase().ends_with(";base64") {
         return Err(MeshProblem::Syntax(format!("the data of buffer {number} are not in base64")));
     }
     // Some programs leave the padding out.
@@ -99,7 +103,11 @@ mod tests {
 
     #[test]
     fn data_are_decoded_with_and_without_padding() {
-        for text in ["data:application/octet-stream;base64,AAEC/w==", "data:;base64,AAEC/w"] {
+        for text in [
+            "data:application/octet-stream;base64,AAEC/w==",
+            "data:;base64,AAEC/w",
+            "DATA:;charset=utf-8;BASE64,AAEC/w==",
+        ] {
             assert_eq!(decode(text, 0), Ok(vec![0, 1, 2, 255]));
         }
     }

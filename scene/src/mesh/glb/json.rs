@@ -249,8 +249,11 @@ pub struct BufferView {
 #[serde(default, expecting = "an object")]
 pub struct ViewExtensions {
     /// It is compressed.
-    #[serde(rename = "EXT_meshopt_compression", alias = "KHR_meshopt_compression")]
+    #[serde(rename = "EXT_meshopt_compression")]
     pub meshopt: Option<IgnoredAny>,
+    /// It is compressed, by the extension's later name; files may have both.
+    #[serde(rename = "KHR_meshopt_compression")]
+    pub meshopt_khr: Option<IgnoredAny>,
 }
 
 /// Bytes.

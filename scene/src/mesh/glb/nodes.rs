@@ -16,13 +16,14 @@ pub struct Placed<'a> {
     pub has_skin: bool,
 }
 
-/// The meshes of the default scene, else of all scenes, else of all trees of nodes, else all meshes
-/// as they are.
+/// The meshes of the default scene, else of all scenes, else (where no scene has a root) of all
+/// trees of nodes, else all meshes as they are.
 ///
 /// # Errors
 /// Scenes, nodes and meshes that are not there, and nodes that are not in a tree.
 pub fn placed(document: &Document) -> Result<Vec<Placed<'_>>, MeshProblem> {
-    if document.scene.is_none() && document.scenes.is_empty() && document.nodes.is_empty() {
+    let names_none = document.scenes.iter().all(|scene| scene.nodes.is_empty());
+    if document.scene.is_none() && names_none && document.nodes.is_empty() {
         let meshes = 0..document.meshes.len();
         let as_it_is =
             |mesh| Placed { mesh, place: DMat4::IDENTITY, instancing: None, has_skin: false };
@@ -58,6 +59,9 @@ fn roots(document: &Document) -> Result<Vec<usize>, MeshProblem> {
         if !std::mem::replace(known, true) {
             roots.push(root);
         }
+    }
+    if roots.is_empty() && document.scene.is_none() {
+        return orphans(document);
     }
     Ok(roots)
 }

@@ -197,7 +197,9 @@ impl<'a> Accessors<'a> {
         if primitive.extensions.draco.is_some() && positions.has_no_bytes() {
             return Err(unread("KHR_draco_mesh_compression"));
         }
-        let is_quantized = self.document.extensions_used.0.contains(QUANTIZATION);
+        let Document { extensions_used, extensions_required, .. } = self.document;
+        let is_quantized =
+            [extensions_used, extensions_required].iter().any(|all| all.0.contains(QUANTIZATION));
         let may_be = |component| {
             component == Component::F32 || (is_quantized && component != Component::U32)
         };

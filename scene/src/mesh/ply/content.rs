@@ -226,11 +226,11 @@ impl Content {
         let mut strip = Strip::default();
         for _ in 0..length {
             let number = body.whole(property, item)?;
-            if number == -1 || (item == Scalar::U32 && number == i64::from(u32::MAX)) {
+            let index = index(number, self.vertices);
+            if number == -1 || (index.is_none() && item.largest_unsigned() == Some(number)) {
                 strip = Strip::default();
                 continue;
             }
-            let index = index(number, self.vertices);
             let text = || {
                 format!(
                     "a strip names vertex {number}, but there are only {} (counted from 0)",

@@ -60,6 +60,16 @@ impl Scalar {
         }
     }
 
+    /// The largest number of this type, where it has no sign: what -1 becomes in it.
+    pub fn largest_unsigned(self) -> Option<i64> {
+        match self {
+            Scalar::U8 => Some(i64::from(u8::MAX)),
+            Scalar::U16 => Some(i64::from(u16::MAX)),
+            Scalar::U32 => Some(i64::from(u32::MAX)),
+            _ => None,
+        }
+    }
+
     /// Whether numbers of this type are whole.
     pub fn is_whole(self) -> bool {
         !matches!(self, Scalar::F32 | Scalar::F64)
@@ -129,7 +139,7 @@ impl<'a> Header<'a> {
     /// # Errors
     /// A line that is none of a header's, on that line; a header that does not end.
     pub fn read(bytes: &'a [u8]) -> Result<Header<'a>, Located> {
-        let mut lines = Lines::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
+        let mut lines = Lines::new(bytes);
         let first = lines.next().unwrap_or_default();
         if first.trim_ascii_end() != b"ply" {
             return Err(syntax(format!(

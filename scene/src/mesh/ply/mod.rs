@@ -9,6 +9,7 @@ use header::{Element, Encoding, Header, Kind, Property};
 
 use super::Mesh;
 use super::error::{Located, MeshProblem};
+use super::text::unmarked;
 use super::warning::{Notices, quoted};
 
 /// Reads a `.ply` file: element `vertex` with `x`, `y`, `z` and perhaps `nx`, `ny`, `nz`; element
@@ -19,6 +20,7 @@ use super::warning::{Notices, quoted};
 /// A wrong header, counts that the file is too short for, wrong types and words, and all that
 /// `Polygons::into_mesh` finds.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
+    let bytes = &unmarked(bytes)[..];
     let header = Header::read(bytes)?;
     check_counts(&header, bytes.len())?;
     let content = Content::new(&header)?;
