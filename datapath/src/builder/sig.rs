@@ -10,6 +10,7 @@ use crate::graph::{GroupId, Pace};
 
 /// A value being described: its format, its proven range and its error bound.
 #[derive(Clone)]
+#[must_use = "a value that nothing reads is left out of the design"]
 pub struct Sig {
     pub(super) builder: Builder,
     id: NodeId,

@@ -7,6 +7,7 @@ use super::Sig;
 
 /// A vector in view space.
 #[derive(Clone)]
+#[must_use = "a vector that nothing reads is left out of the design"]
 pub struct Vector {
     /// To the right.
     pub x: Sig,
