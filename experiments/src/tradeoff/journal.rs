@@ -214,14 +214,19 @@ fn parsed(line: &[u8]) -> serde_json::Result<(String, Measured)> {
 
 /// Writes the file anew: beside itself first, so that an interruption loses nothing.
 fn rewrite(path: &Path, results: &BTreeMap<String, Measured>) -> io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let mut beside = tempfile::Builder::new()
-        .prefix(&Journal::beside(&name))
-        .tempfile_in(folder.unwrap_or(Path::new(".")))?;
+    let mut beside = file_beside(path)?;
     beside.write_all(text(results)?.as_bytes())?;
     beside.persist(path)?;
     Ok(())
+}
+
+/// An empty file that tells by its name whose place it will take.
+fn file_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    tempfile::Builder::new()
+        .prefix(&Journal::beside(&name))
+        .tempfile_in(folder.unwrap_or(Path::new(".")))
 }
 
 fn text(results: &BTreeMap<String, Measured>) -> io::Result<String> {
@@ -285,6 +290,15 @@ mod tests {
             }
             assert!(!Journal::has_written(b"{\"accuracy\":1}\n{\"accuracy\":2}\n"));
         });
+    }
+
+    #[test]
+    fn what_takes_a_journals_place_is_known_by_its_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let beside = file_beside(&folder.path().join("results.jsonl")).unwrap();
+        let name = beside.path().file_name().unwrap().to_string_lossy();
+        assert!(name.starts_with(".results.jsonl-") && name.len() > 15, "{name}");
+        assert_eq!(beside.path().parent(), Some(folder.path()));
     }
 
     #[test]
