@@ -6,8 +6,18 @@ use specula_testbench::{Bench, EngineKind};
 /// A bound is to exceed the measured error no more than so many times.
 const SLACK: f64 = 4.0;
 
+/// What docs/error-bounds.md says of a scene by a method: bound, measured error and ratio.
+fn written(page: &str, scene: &str, method: &str) -> String {
+    let row = format!("| `{scene}` | `{method}` |");
+    let cells =
+        |line: &str| line.trim_matches('|').split('|').skip(3).collect::<Vec<_>>().join("|");
+    page.lines().find(|line| line.starts_with(&row)).map(cells).unwrap_or_default()
+}
+
 #[test]
 fn measured_errors_stay_within_the_stated_bound() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/error-bounds.md");
+    let page = std::fs::read_to_string(page).unwrap();
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((120, 90))).unwrap();
         for method in Method::ALL {
@@ -18,6 +28,8 @@ fn measured_errors_stay_within_the_stated_bound() {
                 (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
             println!("{scene} {}: {error} of {bound} LSB, {:.2}", method.name(), bound / error);
             assert!(outcome.agrees());
+            let now = format!(" {bound:.2} | {error:.2} | {:.1} ", bound / error);
+            assert_eq!(written(&page, scene, method.name()), now, "{scene} {}", method.name());
             assert!(error <= bound, "{scene} {}: off by {error} LSB, bound {bound}", method.name());
             assert!(
                 bound <= SLACK * error,
