@@ -65,6 +65,7 @@ pub mod builder;
 pub mod design;
 pub mod format;
 pub mod graph;
+mod names;
 mod packet;
 pub mod pass;
 mod port;

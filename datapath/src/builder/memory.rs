@@ -1,6 +1,7 @@
 //! Tables, and registers that hold their value.
+use super::Sig;
+use super::error::BuildError;
 use super::state::Facts;
-use super::{BuildError, Sig};
 use crate::design::{NodeId, Op, Range, Table, TableId};
 use crate::graph::{GroupId, Pace};
 

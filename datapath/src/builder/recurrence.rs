@@ -1,6 +1,7 @@
 //! Feedback of any kind: values that each pixel makes of those of the pixel before.
+use super::error::BuildError;
 use super::state::Facts;
-use super::{BuildError, Builder, Sig};
+use super::{Builder, Sig};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::{GroupId, Pace};
 

@@ -2,16 +2,16 @@
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
-use super::BuildError;
+use super::error::BuildError;
 use crate::design::{LeftOut, NodeId, Op, Range, ScopeId, WideRange};
 use crate::graph::{Graph, GroupId, Pace, Unit, Value};
-use crate::pass::{fold, unique_name};
+use crate::names::{CONTROL, unique};
+use crate::pass::fold::{Folded, folded};
 use crate::target::Target;
-use crate::verilog::CONTROL;
 
 /// What is known of a new value besides its operator.
 #[derive(Clone)]
-pub(crate) struct Facts {
+pub(super) struct Facts {
     pub range: WideRange,
     pub fraction_bits: u32,
     /// Bound on |fixed - real|, in units of the last place.
@@ -20,7 +20,7 @@ pub(crate) struct Facts {
     pub kind: &'static str,
 }
 
-pub(crate) struct State {
+pub(super) struct State {
     pub graph: Graph,
     pub target: Rc<dyn Target>,
     /// The unit that operators are added to.
@@ -115,7 +115,7 @@ impl State {
     /// or its twin. That value may stand for another real one, so errors belong to the
     /// [`Sig`](super::Sig) that refers to it. Operands are in this unit.
     pub fn emit(&mut self, op: Op, pace: Pace, facts: Facts) -> NodeId {
-        if let Some(id) = fold::folded(self, op, &facts) {
+        if let Some(id) = self.folded(op, &facts) {
             return id;
         }
         let key = (self.scope, op, pace);
@@ -128,6 +128,22 @@ impl State {
         self.unnamed.insert(id);
         self.computed.insert(key, id);
         id
+    }
+
+    /// The value that takes an operator's place, where one does; what that saves is noted.
+    fn folded(&mut self, op: Op, facts: &Facts) -> Option<NodeId> {
+        let range = facts.range.narrow().ok();
+        let (folded, saved) = folded(&self.graph, op, range, facts.fraction_bits)?;
+        if let Some(saved) = saved {
+            self.leave_out(&saved.what, &saved.why);
+        }
+        Some(match folded {
+            Folded::Constant(value) => self.constant(value, facts.fraction_bits),
+            Folded::ShiftLeft(factor, bits) => {
+                self.emit(Op::ShiftLeft(factor, bits), Pace::Wire, facts.clone())
+            }
+            Folded::Same(id) => id,
+        })
     }
 
     fn agrees(&self, id: NodeId, facts: &Facts) -> bool {
@@ -174,7 +190,7 @@ impl State {
 
     /// `name`, or with a number behind it where the unit has it already.
     pub fn unique(&mut self, scope: ScopeId, name: &str) -> String {
-        unique_name(&mut self.names, scope, name)
+        unique(&mut self.names, scope, name)
     }
 
     fn numbered(&mut self, kind: &str) -> String {

@@ -1,11 +1,12 @@
 //! Units: modules with ports, made from what crosses their border.
 use std::collections::HashMap;
 
+use super::error::BuildError;
 use super::state::Facts;
-use super::{BuildError, Builder, Bundle, Inputs, Sig};
+use super::{Builder, Bundle, Inputs, Sig};
 use crate::design::{NodeId, Op, ScopeId};
 use crate::graph::{GroupId, Pace, Unit, Value};
-use crate::verilog::CONTROL;
+use crate::names::CONTROL;
 
 impl Builder {
     /// Opens a unit called `name` that computes `formula`.

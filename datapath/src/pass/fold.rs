@@ -1,24 +1,61 @@
 //! Leaves out operators whose result is known or is one of their operands.
 //!
-//! This is about raw values alone. A constant 0 may stand for a real value that the host rounded to
-//! 0, and what adds or multiplies it is off by what that makes of it: [`Sig`](crate::builder::Sig) keeps the
-//! operator's own error, whichever signal its values come from.
-use crate::builder::{Facts, State};
-use crate::design::{NodeId, Op, wrapped};
-use crate::graph::Pace;
+//! The pass runs as operators are added, so that what is left out is noted in the unit it would have
+//! been in. It is about raw values alone. A constant 0 may stand for a real value that the host
+//! rounded to 0, and what adds or multiplies it is off by what that makes of it:
+//! [`Sig`](crate::builder::Sig) keeps the operator's own error, whichever value stands for it.
+use crate::design::{NodeId, Op, Range, wrapped};
+use crate::graph::Graph;
 
-/// The signal that an operator's result is already, if it is one; what is saved is noted.
-pub fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId> {
-    if let Some(value) = known_value(state, op, facts) {
-        note(state, op, &format!("its result is always {value}"));
-        return Some(state.constant(value, facts.fraction_bits));
+/// What takes an operator's place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Folded {
+    /// The same raw value at every clock.
+    Constant(i64),
+    /// A value times 2^k, which wires do.
+    ShiftLeft(NodeId, u32),
+    /// A value that is there already.
+    Same(NodeId),
+}
+
+/// Hardware that is saved, and why nothing is lost.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Saved {
+    /// The hardware.
+    pub what: String,
+    /// Why nothing is lost.
+    pub why: String,
+}
+
+/// What takes the place of an operator whose result has this range and so many fraction bits, and
+/// what that saves; none where the operator is needed.
+pub fn folded(
+    graph: &Graph,
+    op: Op,
+    range: Option<Range>,
+    fraction_bits: u32,
+) -> Option<(Folded, Option<Saved>)> {
+    if let Some(value) = known_value(graph, op, range?) {
+        return Some((
+            Folded::Constant(value),
+            saved(graph, op, &format!("its result is always {value}")),
+        ));
     }
-    if let Some((factor, bits)) = power_of_two_times(state, op) {
-        note(state, op, &format!("it multiplies by 2^{bits}, which wires do"));
-        return Some(state.emit(Op::ShiftLeft(factor, bits), Pace::Wire, facts.clone()));
+    if let Some((factor, bits)) = power_of_two_times(graph, op) {
+        let why = format!("it multiplies by 2^{bits}, which wires do");
+        return Some((Folded::ShiftLeft(factor, bits), saved(graph, op, &why)));
     }
-    let constant = |id| state.is_constant(id);
-    let (same, why) = match op {
+    let (same, why) = same_as_operand(graph, op)?;
+    // The operand's raw value is the result's only where both count in the same unit in the last
+    // place.
+    let fits = graph.value(same).fraction_bits == fraction_bits;
+    fits.then(|| (Folded::Same(same), saved(graph, op, why)))
+}
+
+/// The operand that an operator's result is, and why.
+fn same_as_operand(graph: &Graph, op: Op) -> Option<(NodeId, &'static str)> {
+    let constant = |id| graph.value(id).op.constant();
+    let same = match op {
         Op::Add(a, b) if constant(b) == Some(0) => (a, "it adds 0"),
         Op::Add(a, b) if constant(a) == Some(0) => (b, "it adds 0"),
         Op::Or(a, b) if constant(a) == Some(0) => (b, "it adds no bit"),
@@ -31,51 +68,40 @@ pub fn folded(state: &mut State, op: Op, facts: &Facts) -> Option<NodeId> {
         },
         _ => return None,
     };
-    // The operand's raw value is the result's only where both count in the same unit in the last
-    // place.
-    let fits = state.graph.value(same).fraction_bits == facts.fraction_bits;
-    if !fits {
-        return None;
-    }
-    note(state, op, why);
     Some(same)
 }
 
 /// Of a product with 2^k, k > 0: the other factor and k.
-fn power_of_two_times(state: &State, op: Op) -> Option<(NodeId, u32)> {
+fn power_of_two_times(graph: &Graph, op: Op) -> Option<(NodeId, u32)> {
     let Op::Mul(a, b) = op else { return None };
     let exponent = |id| {
-        state
-            .is_constant(id)
-            .filter(|&value| value > 1 && value.count_ones() == 1)
-            .map(i64::trailing_zeros)
+        let constant = graph.value(id).op.constant();
+        constant.filter(|&value| value > 1 && value.count_ones() == 1).map(i64::trailing_zeros)
     };
     exponent(b).map(|bits| (a, bits)).or_else(|| exponent(a).map(|bits| (b, bits)))
 }
 
-fn known_value(state: &State, op: Op, facts: &Facts) -> Option<i64> {
-    let range = facts.range.narrow().ok()?;
+fn known_value(graph: &Graph, op: Op, range: Range) -> Option<i64> {
     if let (Some(value), false) = (range.only(), op == Op::Input) {
         return Some(value);
     }
-    let all_constant = op.operands().all(|o| state.is_constant(o).is_some());
-    let value_of = |id: NodeId| state.is_constant(id).unwrap_or(0);
+    let all_constant = op.operands().all(|o| graph.is_constant(o));
+    let value_of = |id: NodeId| graph.value(id).op.constant().unwrap_or(0);
     // As in the hardware: the last bits that the result's width has room for.
-    let value =
-        || wrapped(op.evaluate(&state.graph.tables, value_of), range.width(), range.signed());
+    let value = || wrapped(op.evaluate(&graph.tables, value_of), range.width(), range.signed());
     (all_constant && op.operands().next().is_some()).then(value)
 }
 
-fn note(state: &mut State, op: Op, why: &str) {
-    let width = |id: NodeId| state.graph.value(id).range.width();
+/// The hardware of an operator; none of what is wires.
+fn saved(graph: &Graph, op: Op, why: &str) -> Option<Saved> {
+    let width = |id: NodeId| graph.value(id).range.width();
     let what = match op {
         Op::Mul(a, b) => format!("multiplier {} x {} bits", width(a), width(b)),
         Op::Add(a, b) => format!("adder {} + {} bits", width(a), width(b)),
         Op::Sub(a, b) => format!("subtractor {} - {} bits", width(a), width(b)),
         Op::Select(_, a, b) => format!("multiplexer {} bits", width(a).max(width(b))),
         Op::LessThan(a, b) => format!("comparator {} bits", width(a).max(width(b))),
-        // Wires cost nothing, so leaving one out saves nothing.
-        _ => return,
+        _ => return None,
     };
-    state.leave_out(&what, why);
+    Some(Saved { what, why: why.to_owned() })
 }

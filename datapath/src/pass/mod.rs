@@ -18,7 +18,6 @@ use crate::design::Design;
 use crate::graph::Graph;
 use crate::target::Target;
 
-pub(crate) use registers::unique as unique_name;
 pub use schedule::{LoopTooLate, Schedule, schedule};
 
 /// The design that a graph becomes on a target.

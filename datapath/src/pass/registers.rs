@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use crate::design::{Design, Node, NodeId, Op, Register, Scope, ScopeId};
 use crate::graph::{Graph, Pace, Value};
-use crate::verilog::{CONTROL, is_reserved};
+use crate::names::{CONTROL, unique};
 
 use super::Schedule;
 
@@ -269,18 +269,6 @@ impl<'a> Placing<'a> {
         self.nodes.push(node);
         NodeId(self.nodes.len() as u32 - 1)
     }
-}
-
-/// `name`, or with a number behind it where the unit has it already; a word that Verilog keeps for
-/// itself gets a number too.
-pub(crate) fn unique(names: &mut HashSet<(ScopeId, String)>, scope: ScopeId, name: &str) -> String {
-    let mut candidate = if is_reserved(name) { format!("{name}_1") } else { name.to_owned() };
-    let mut number = 2;
-    while !names.insert((scope, candidate.clone())) {
-        candidate = format!("{name}_{number}");
-        number += 1;
-    }
-    candidate
 }
 
 /// `n_x` becomes `n_x_d1`, and that `n_x_d2`.

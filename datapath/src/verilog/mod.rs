@@ -2,7 +2,6 @@
 //! and latencies in comments.
 mod library;
 mod module;
-mod names;
 pub mod statement;
 mod unread;
 
@@ -10,8 +9,8 @@ use std::fmt::Write;
 
 use crate::block::Module;
 
+pub use crate::names::{CONTROL, module_name};
 pub use library::{Library, Printed};
-pub use names::{CONTROL, is_reserved, module_name};
 
 /// What the file says of itself, one line each, without comment marks.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -1,4 +1,8 @@
-//! Names that a module may have, whatever the scene is called that it is for.
+//! Names: words that languages keep for themselves, names that are taken, and names that a module
+//! may have, whatever it is called after.
+use std::collections::HashSet;
+
+use crate::design::ScopeId;
 /// Names of every module's control ports.
 pub const CONTROL: [&str; 2] = ["clock", "reset"];
 
@@ -8,6 +12,18 @@ const PIXEL: [&str; 6] = ["valid", "start", "valid_out", "red", "green", "blue"]
 /// Whether Verilog, or SystemVerilog, as which many tools read it, keeps the word for itself.
 pub fn is_reserved(word: &str) -> bool {
     VERILOG.split(' ').any(|reserved| reserved == word)
+}
+
+/// `name`, or with a number behind it where the unit has it already; a word that Verilog keeps for
+/// itself gets a number too.
+pub fn unique(names: &mut HashSet<(ScopeId, String)>, scope: ScopeId, name: &str) -> String {
+    let mut candidate = if is_reserved(name) { format!("{name}_1") } else { name.to_owned() };
+    let mut number = 2;
+    while !names.insert((scope, candidate.clone())) {
+        candidate = format!("{name}_{number}");
+        number += 1;
+    }
+    candidate
 }
 
 /// A name for the module of a core from a scene's name: small letters, digits and single
