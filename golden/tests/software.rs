@@ -12,7 +12,7 @@ use specula_golden::recurrence::{
     Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum,
     TorranceSparrow, Trigonometric, TrowbridgeReitz, Uniform, Unit,
 };
-use specula_golden::software::{METHODS, by_name};
+use specula_golden::software::{METHODS, Mesh, by_name};
 use specula_scene::frame::EYE;
 use specula_scene::spec::FULL_SCALE;
 use specula_scene::spec::phong::Places;
@@ -298,7 +298,8 @@ fn vertices_and_polygons_see_places() {
             let table = format!("[gouraud]\n{options}").parse().unwrap();
             let core = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(Method::Gouraud))
                 .unwrap();
-            let mut software = (by_name(name).unwrap().of_frame)(&frame);
+            let mesh = Mesh::of(&frame);
+            let mut software = (by_name(name).unwrap().of_mesh)(&mesh);
             software.set_up(&frame.spans[1..]);
             software.set_up(&frame.spans);
             for (number, span) in frame.spans.iter().enumerate().rev() {

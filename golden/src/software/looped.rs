@@ -1,10 +1,10 @@
 //! The loop round every scheme.
 use specula_scene::{Frame, Span};
 
-use super::Software;
 use super::set_up::SetUp;
-use super::surface::{Reflected, Surface, clamped, power};
-use crate::recurrence::{Phong, Scheme};
+use super::surface::{Reflected, Surface, clamped};
+use super::{Mesh, Software};
+use crate::recurrence::{Phong, Scheme, power};
 
 /// A frame whose spans are shaded one light after another.
 pub struct Loop<'a, U: SetUp<'a>> {
@@ -25,11 +25,11 @@ pub trait AlongSpan: Copy {
 
 impl<'a, U: SetUp<'a>> Loop<'a, U> {
     /// Works out what belongs to a frame.
-    pub fn new(frame: &'a Frame) -> Self {
+    pub fn new(mesh: &'a Mesh<'a>) -> Self {
         Loop {
-            frame,
-            set_up: U::new(frame),
-            surfaces: Surface::all_of(frame),
+            frame: mesh.frame,
+            set_up: U::new(mesh),
+            surfaces: Surface::all_of(mesh.frame),
             materials: Vec::new(),
             lights: Vec::new(),
         }
