@@ -283,17 +283,19 @@ fn places_are_those_of_the_methods() {
     }
 }
 
-/// Lights and eye as above, from the vertices and the polygon's middle: several spans of one
-/// polygon, set up one after another and all together, in memory of those before.
+/// Lights and eye as above, from the vertices and the polygon's middle: spans of two polygons, set up
+/// one after another and all together, in memory of those before.
 #[test]
 fn vertices_and_polygons_see_places() {
     for distance in [1.5, 100.0] {
         let mut frame = lit_from_places(distance);
         let mut short = frame.spans[0].clone();
-        (short.length, short.start, short.end) = (9, [0.25, 0.25, 0.5], [0.5, 0.0, 0.5]);
+        (short.y, short.triangle, short.length) = (1, 1, 9);
+        (short.start, short.end) = ([0.25, 0.25, 0.5], [0.5, 0.0, 0.5]);
         frame.spans.push(short);
         frame.triangles[0].facet.normal = tilted(7.0);
         frame.triangles[0].facet.middle = DVec3::new(0.1, 0.2, -0.3);
+        frame.triangles.push(frame.triangles[0].clone());
         for (name, options) in OF_VERTICES {
             let table = format!("[gouraud]\n{options}").parse().unwrap();
             let core = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(Method::Gouraud))

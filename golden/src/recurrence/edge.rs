@@ -45,9 +45,9 @@ impl Edge {
         // Not 0, unless f64 cannot tell the sides of a triangle of millions of pixels apart.
         let area = (b - a).perp_dot(c - a);
         let per_area = if area == 0.0 { 0.0 } else { area.recip() };
-        let by_height = |&k: &usize, &l: &usize| outline[k].y.total_cmp(&outline[l].y);
-        let top = (0..3).min_by(by_height).unwrap_or(0);
-        let bottom = (0..3).max_by(by_height).unwrap_or(0);
+        let higher = |k: usize, l: usize| if outline[l].y < outline[k].y { l } else { k };
+        let lower = |k: usize, l: usize| if outline[l].y > outline[k].y { l } else { k };
+        let (top, bottom) = (higher(higher(0, 1), 2), lower(lower(0, 1), 2));
         let (way, from) = (outline[bottom] - outline[top], outline[top]);
         let line = (from.y - 0.5).ceil();
         let t = (line + 0.5 - from.y) / way.y;

@@ -36,8 +36,9 @@ impl<T: Number> Scheme<T> for Uniform<T> {
 
 /// I_d and I_s^n of a unit normal, or of none, under a light and an eye in these directions
 /// [eq. 2.1].
+#[inline]
 pub fn intensities<T: Number>(normal: DVec3, light: DVec3, eye: DVec3, shininess: u32) -> Pair<T> {
-    let [n, l, v] = [normal, light, eye].map(vector::<T>);
+    let (n, l, v) = (vector::<T>(normal), vector(light), vector(eye));
     let (j, k) = (dot(n, l), dot(n, v));
     let jk = j * k;
     // Where there is no normal, nothing is reflected.

@@ -17,8 +17,8 @@ impl<V, const N: usize> AtPoints<V, N> {
         points: impl ExactSizeIterator<Item = Point>,
         of: impl Fn(Point) -> I,
     ) -> Self {
-        let number = points.len();
-        let values: Vec<[V; N]> = points.flat_map(of).collect();
+        let (number, mut values) = (points.len(), Vec::new());
+        points.for_each(|point| values.extend(of(point)));
         AtPoints { lights: values.len() / number.max(1), values }
     }
 

@@ -1,13 +1,13 @@
 //! Set-up of spans: what is worked out once for a frame, and what for each span.
 use std::marker::PhantomData;
 
-use glam::DVec3;
 use specula_scene::{DirectionalLight, Facet, Frame, Span, Triangle};
 
 use super::linear::{AtPoints, Planes};
 use super::looped::{AlongSpan, OrPhong};
 use super::mesh::{Mesh, Point};
 use crate::exact::diffuse::lambert;
+use crate::exact::illumination::{Illumination, lights_from, view_from};
 use crate::exact::{slerp, wrap};
 use crate::recurrence::{Gouraud, Hybrid, Line, Number, Pair, Phong, Scheme, Uniform, intensities};
 
@@ -97,8 +97,7 @@ impl<'a> SetUp<'a> for Vertices {
     type Light = Gouraud<f32>;
 
     fn new(mesh: &'a Mesh<'a>) -> Self {
-        let lit = |vertex| lit(mesh.frame, vertex);
-        Vertices(Planes::new(mesh, &AtPoints::new(mesh.vertices.iter().copied(), lit)))
+        Vertices(Planes::new(mesh, &lit_vertices(mesh)))
     }
 
     fn span(&mut self, span: &Span, lights: &mut Vec<Gouraud<f32>>) {
@@ -156,16 +155,55 @@ impl<'a> SetUp<'a> for DiffuseVertices<'a> {
     }
 }
 
+/// I_d and I_s^n at a mesh's vertices.
+fn lit_vertices<T: Number>(mesh: &Mesh) -> AtPoints<T, 2> {
+    AtPoints::new(mesh.vertices.iter().copied(), |vertex| lit(mesh.frame, vertex))
+}
+
 /// I_d and I_s^n that each light gives at a point.
 ///
-/// A light at the very point, or an eye, is in no direction and gives nothing (EXTREMES row 39).
+/// A light at the very point gives nothing, and an eye there sees no highlight (EXTREMES row 39).
 fn lit<T: Number>(frame: &Frame, point: Point) -> impl Iterator<Item = [T; 2]> {
     let shininess = frame.materials[point.material].shininess;
-    let view = frame.view_from(point.position).unwrap_or_default();
-    frame.lights_from(point.position).map(move |light| {
-        let (direction, share) =
-            light.map_or((DVec3::ZERO, 0.0), |light| (light.direction, light.share));
+    let view = view_from(frame, point.position).unwrap_or_default();
+    lights_from(frame, point.position).map(move |light| {
+        let Some(Illumination { direction, share }) = light else { return [T::of(0.0); 2] };
         let Pair { diffuse, base } = intensities::<T>(point.normal, direction, view, shininess);
-        [diffuse, base].map(|amount| T::of(share) * amount)
+        [T::of(share) * diffuse, T::of(share) * base]
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::operations::Operations;
+    use crate::recurrence::{Counted, count};
+
+    /// A vertex of the mesh is lit once, however many triangles meet there.
+    #[test]
+    fn intensities_are_worked_out_once_a_vertex() {
+        for (scene, vertices) in [("icosahedron", 9), ("teapot", 1199), ("lamps", 0)] {
+            let frame = specula_scene::load(scene, Some((160, 120))).unwrap().frame;
+            let mesh = Mesh::of(&frame);
+            let at = |t: usize, v: usize| {
+                let triangle = &frame.triangles[t];
+                (triangle.normals[v], triangle.positions[v], triangle.material)
+            };
+            let mut different = Vec::new();
+            let mut once = Operations::NONE;
+            for (t, v) in (0..frame.triangles.len()).flat_map(|t| [0, 1, 2].map(|v| (t, v))) {
+                let corner = at(t, v);
+                if !different.contains(&corner) {
+                    different.push(corner);
+                    let (normal, position, material) = corner;
+                    let point = Point { normal, position, material };
+                    once = once + count(|| lit::<Counted>(&frame, point).for_each(drop));
+                }
+            }
+            println!("{scene}: {} triangles, {} vertices", frame.triangles.len(), different.len());
+            assert_eq!(different.len(), vertices, "{scene}");
+            assert!(once.multiplies > 0);
+            assert_eq!(count(|| drop(lit_vertices::<Counted>(&mesh))), once, "{scene}");
+        }
+    }
 }
