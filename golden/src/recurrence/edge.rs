@@ -10,6 +10,9 @@ use super::{Line, Linear, Number};
 /// What is linear in a triangle grows by ΔI = (I2 - I1)/(y2 - y1) along it with each line, and by
 /// ΔI = (I2 - I1)/(x2 - x1) with each pixel, which is the same on all lines of a triangle: the other
 /// edges need not be stepped along. Both are worked out once for the triangle, for all lights.
+///
+/// The next span of a triangle is one line further as a rule, so that Δy = 1 [eq. 3.4]. Lines where
+/// the triangle is hidden make Δy larger; a second run on a line makes it 0.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Edge {
     /// The scan line where it is, counted from the top.
@@ -31,7 +34,7 @@ struct Course<V> {
     across: V,
 }
 
-/// From where an edge was to the first pixel of a span.
+/// From where an edge was, down to the line of a span, and from there across to its first pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Way {
     lines: f64,
@@ -48,19 +51,19 @@ impl Edge {
         let higher = |k: usize, l: usize| if outline[l].y < outline[k].y { l } else { k };
         let lower = |k: usize, l: usize| if outline[l].y > outline[k].y { l } else { k };
         let (top, bottom) = (higher(higher(0, 1), 2), lower(lower(0, 1), 2));
-        let (way, from) = (outline[bottom] - outline[top], outline[top]);
+        let (from, down) = (outline[top], outline[bottom] - outline[top]);
         let line = (from.y - 0.5).ceil();
-        let t = (line + 0.5 - from.y) / way.y;
+        let t = (line + 0.5 - from.y) / down.y;
         let [at_top, at_bottom] =
             [top, bottom].map(|k| [0, 1].map(|v| f64::from(u8::from(k == v))));
         let edge = [0, 1].map(|v| at_bottom[v] - at_top[v]);
         Edge {
             line,
-            x: from.x + t * way.x,
-            x_step: way.x / way.y,
+            x: from.x + t * down.x,
+            x_step: down.x / down.y,
             weights: Course {
                 at_edge: [0, 1].map(|v| at_top[v] + t * edge[v]),
-                down: edge.map(|weight| weight / way.y),
+                down: edge.map(|weight| weight / down.y),
                 // (I2 - I1)/(x2 - x1) of each weight, x2 where the line through the middle vertex
                 // meets the edge, its divisor made of the area.
                 across: [(b.y - c.y) * per_area, (c.y - a.y) * per_area],
@@ -78,7 +81,7 @@ impl Edge {
         }
     }
 
-    /// To the line of a span of the triangle.
+    /// To the line of a span of the triangle, which may be any.
     #[inline]
     pub fn to_span(&mut self, span: &Span) -> Way {
         let lines = f64::from(span.y) - self.line;
@@ -128,7 +131,8 @@ impl Plane {
         })
     }
 
-    /// To the line of a span, I + ΔI for the next one, and along it from the span's first pixel.
+    /// To the line of a span, I += Δy ΔI, and along it from the span's first pixel on, which may be
+    /// anywhere on the line.
     #[inline]
     pub fn to_span<T: Number>(&mut self, way: Way) -> Linear<T> {
         let Plane(value) = self;

@@ -89,3 +89,26 @@ impl<S: Scheme<f32>> AlongSpan for OrPhong<S> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::software::set_up::Vertices;
+
+    #[test]
+    fn a_block_takes_over_the_memory_of_the_one_before() {
+        let frame = specula_scene::load("teapot", Some((80, 60))).unwrap().frame;
+        let mesh = Mesh::of(&frame);
+        let mut software = Loop::<Vertices>::new(&mesh);
+        let memory = |software: &Loop<Vertices>| {
+            let (lights, materials) = (&software.lights, &software.materials);
+            (lights.as_ptr(), lights.capacity(), materials.as_ptr(), materials.capacity())
+        };
+        software.set_up(&frame.spans[..256]);
+        let first = memory(&software);
+        for block in frame.spans.chunks(256) {
+            software.set_up(block);
+            assert_eq!(memory(&software), first);
+        }
+    }
+}

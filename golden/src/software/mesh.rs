@@ -22,7 +22,7 @@ pub struct Mesh<'a> {
 }
 
 /// A point of a surface, to be lit.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Point {
     /// N, a unit vector; 0 where there is none.
     pub normal: DVec3,
