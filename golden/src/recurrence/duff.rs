@@ -51,6 +51,7 @@ pub(super) struct Base<T> {
 }
 
 impl<T: Number> Base<T> {
+    #[inline(always)]
     pub(super) fn new(line: &Line, light: DVec3) -> Self {
         let (m, k) = (line.ends[0], line.step());
         let q = Quadratic::square(m, k);
@@ -73,6 +74,7 @@ pub struct Hybrid<T> {
 
 impl<T: Number> Hybrid<T> {
     /// Along a span, from the diffuse intensity there.
+    #[inline(always)]
     pub fn of(diffuse: Linear<T>, line: &Line, light: DVec3) -> Self {
         Hybrid { diffuse, base: Base::new(line, light) }
     }
