@@ -171,7 +171,14 @@ pub fn frame(balls: Balls) -> Frame {
             end: [1.0, 0.0, 0.0],
         });
         let (positions, facet) = ([DVec3::ZERO; 3], Facet { normal, middle: DVec3::ZERO });
-        triangles.push(Triangle { normals, facet, positions, cones, material: ball });
+        triangles.push(Triangle {
+            normals,
+            facet,
+            positions,
+            outline: None,
+            cones,
+            material: ball,
+        });
     }
     Frame {
         width: balls.width(),

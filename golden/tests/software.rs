@@ -12,7 +12,7 @@ use specula_golden::recurrence::{
     Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum,
     TorranceSparrow, Trigonometric, TrowbridgeReitz, Uniform, Unit,
 };
-use specula_golden::software::{METHODS, by_name};
+use specula_golden::software::{METHODS, Mesh, by_name};
 use specula_scene::frame::EYE;
 use specula_scene::spec::FULL_SCALE;
 use specula_scene::spec::phong::Places;
@@ -283,22 +283,25 @@ fn places_are_those_of_the_methods() {
     }
 }
 
-/// Lights and eye as above, from the vertices and the polygon's middle: several spans of one
-/// polygon, set up one after another and all together, in memory of those before.
+/// Lights and eye as above, from the vertices and the polygon's middle: spans of two polygons, set up
+/// one after another and all together, in memory of those before.
 #[test]
 fn vertices_and_polygons_see_places() {
     for distance in [1.5, 100.0] {
         let mut frame = lit_from_places(distance);
         let mut short = frame.spans[0].clone();
-        (short.length, short.start, short.end) = (9, [0.25, 0.25, 0.5], [0.5, 0.0, 0.5]);
+        (short.y, short.triangle, short.length) = (1, 1, 9);
+        (short.start, short.end) = ([0.25, 0.25, 0.5], [0.5, 0.0, 0.5]);
         frame.spans.push(short);
         frame.triangles[0].facet.normal = tilted(7.0);
         frame.triangles[0].facet.middle = DVec3::new(0.1, 0.2, -0.3);
+        frame.triangles.push(frame.triangles[0].clone());
         for (name, options) in OF_VERTICES {
             let table = format!("[gouraud]\n{options}").parse().unwrap();
             let core = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(Method::Gouraud))
                 .unwrap();
-            let mut software = (by_name(name).unwrap().of_frame)(&frame);
+            let mesh = Mesh::of(&frame);
+            let mut software = (by_name(name).unwrap().of_mesh)(&mesh);
             software.set_up(&frame.spans[1..]);
             software.set_up(&frame.spans);
             for (number, span) in frame.spans.iter().enumerate().rev() {

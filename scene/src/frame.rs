@@ -2,7 +2,7 @@
 //!
 //! View space is right-handed, x to the right, y up, the eye at infinity in the direction +z: V =
 //! (0, 0, 1).
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::mesh::normals::newell;
 
@@ -114,6 +114,9 @@ pub struct Triangle {
     pub facet: Facet,
     /// The three vertices, in view space.
     pub positions: [DVec3; 3],
+    /// The three vertices in the picture, in pixels to the right and down from its top left corner,
+    /// with an area; `None` for a triangle of which one span is given and nothing else.
+    pub outline: Option<[DVec2; 3]>,
     /// Cones about them, turned to the side that is seen as the normals are.
     pub cones: [VertexCone; 3],
     /// Index into [`Frame::materials`].

@@ -63,6 +63,7 @@ fn turned(triangle: &Triangle, turn: DQuat) -> Triangle {
             middle: vector(triangle.facet.middle),
         },
         positions: triangle.positions.map(vector),
+        outline: triangle.outline,
         cones: triangle.cones.map(|cone| VertexCone { axis: vector(cone.axis), ..cone }),
         material: 0,
     }

@@ -2,7 +2,7 @@
 //! [`Triangle`] say.
 use std::fs;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use specula_scene::mesh::normals::newell;
 use specula_scene::{Facet, Frame, SceneError, Span, Triangle, builtin_names, load};
@@ -50,6 +50,18 @@ fn check_span(frame: &Frame, span: &Span) {
         assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-14, "{span:?}");
     }
     assert!(span.length > 1 || span.start == span.end);
+    check_outline(frame, span);
+}
+
+/// The weights at both ends put the outline's corners together to the pixels' centres.
+fn check_outline(frame: &Frame, span: &Span) {
+    let outline = frame.triangles[span.triangle].outline.expect("all of a mesh have one");
+    let farthest = outline.iter().map(|corner| corner.abs().max_element()).fold(1.0, f64::max);
+    for (weights, column) in [(span.start, span.x), (span.end, span.x + span.steps())] {
+        let place: DVec2 = outline.iter().zip(weights).map(|(&corner, w)| corner * w).sum();
+        let centre = DVec2::new(f64::from(column), f64::from(span.y)) + 0.5;
+        assert!((place - centre).length() < 1e-14 * farthest, "{span:?}: {place} for {centre}");
+    }
 }
 
 /// Loads a scene from the text of a scene file.

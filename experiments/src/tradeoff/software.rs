@@ -4,7 +4,7 @@ use std::hint::black_box;
 use rayon::prelude::*;
 use serde::Serialize;
 use specula_golden::exact::PhongSpan;
-use specula_golden::software::{METHODS, Method};
+use specula_golden::software::{METHODS, Mesh, Method};
 use specula_scene::Frame;
 
 use super::thread_clock;
@@ -61,12 +61,13 @@ const BLOCK: usize = 512;
 /// others are of interest only where they are not.
 pub fn measure(frame: &Frame, extent: Extent, done: &mut dyn FnMut()) -> Vec<Software> {
     let methods: Vec<Method> = METHODS.into_iter().filter(|method| method.serves(frame)).collect();
+    let mesh = Mesh::of(frame);
     let times = (extent.pixels / frame.shaded_pixels().max(1)).max(1);
     let mut turns = vec![Vec::new(); methods.len()];
     // The first round warms up.
     for round in 0..=extent.rounds.max(1) {
         for (method, turns) in methods.iter().zip(&mut turns) {
-            let turn = Turn::take(method, frame, times);
+            let turn = Turn::take(method, &mesh, times);
             turns.extend((round > 0).then_some(turn));
         }
         done();
@@ -74,7 +75,7 @@ pub fn measure(frame: &Frame, extent: Extent, done: &mut dyn FnMut()) -> Vec<Sof
     let naive = methods.iter().position(|method| NAIVE.contains(&method.name));
     let naive = naive.map(|number| turns[number].clone()).unwrap_or_default();
     let errors: Vec<ErrorFigures> =
-        methods.par_iter().map(|method| errors(method, frame)).collect();
+        methods.par_iter().map(|method| errors(method, &mesh)).collect();
     let row = |((method, turns), error): ((&Method, &Vec<Turn>), ErrorFigures)| {
         row(method.name, (turns, &naive), frame, error)
     };
@@ -110,13 +111,14 @@ struct Turn {
 
 impl Turn {
     /// Shades the frame `times` times.
-    fn take(method: &Method, frame: &Frame, times: u64) -> Turn {
+    fn take(method: &Method, mesh: &Mesh, times: u64) -> Turn {
+        let frame = mesh.frame;
         let longest = frame.spans.iter().map(|span| span.length).max().unwrap_or(0);
         let mut out = vec![[0.0f32; 3]; longest as usize];
         let mut turn = Turn { set_up: 0.0, shading: 0.0 };
         for _ in 0..times {
             let begin = thread_clock::now();
-            let mut software = (method.of_frame)(frame);
+            let mut software = (method.of_mesh)(mesh);
             turn.set_up += (thread_clock::now() - begin).as_secs_f64();
             for block in frame.spans.chunks(BLOCK) {
                 let begin = thread_clock::now();
@@ -139,11 +141,11 @@ impl Turn {
     }
 }
 
-fn errors(method: &Method, frame: &Frame) -> ErrorFigures {
-    let mut software = (method.of_frame)(frame);
+fn errors(method: &Method, mesh: &Mesh) -> ErrorFigures {
+    let mut software = (method.of_mesh)(mesh);
     let mut sums = Sums::default();
-    for span in &frame.spans {
-        let (phong, mut of_span) = (PhongSpan::new(frame, span), Sums::default());
+    for span in &mesh.frame.spans {
+        let (phong, mut of_span) = (PhongSpan::new(mesh.frame, span), Sums::default());
         let mut out = vec![[0.0; 3]; span.length as usize];
         software.set_up(std::slice::from_ref(span));
         software.shade(0, &mut out);

@@ -19,7 +19,7 @@ pub(super) struct Light {
 
 /// How much of a light reaches the eye, each 0 to 1.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Amounts {
+pub(super) struct Amounts {
     pub diffuse: f64,
     pub specular: f64,
 }

@@ -70,7 +70,7 @@ impl ShadePixel for GouraudSpan<'_> {
 }
 
 /// What each light gives at a place with the normal `normal`.
-pub(crate) fn amounts(
+fn amounts(
     frame: &Frame,
     shininess: u32,
     normal: DVec3,

@@ -2,7 +2,7 @@
 //!
 //! Directions are unit vectors in view space, and V = (0, 0, 1)
 //! ([`EYE`](specula_scene::frame::EYE)).
-pub(crate) mod coefficients;
+mod coefficients;
 pub mod consistent;
 pub mod consistent_span;
 pub mod differences;

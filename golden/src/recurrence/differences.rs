@@ -55,8 +55,10 @@ impl<T: Number> Second<T> {
 pub type Vector<T> = [T; 3];
 
 /// A vector as a constant of the loop.
+// An array's `map` goes through memory, which takes longer than an intensity.
+#[inline(always)]
 pub fn vector<T: Number>(v: DVec3) -> Vector<T> {
-    v.to_array().map(T::of)
+    [T::of(v.x), T::of(v.y), T::of(v.z)]
 }
 
 /// a·b: three multiplications and two additions.

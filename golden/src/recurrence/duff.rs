@@ -4,7 +4,7 @@ use glam::DVec3;
 use specula_scene::frame::EYE;
 
 use super::gouraud::between;
-use super::{Corners, Line, Linear, Number, Pair, Scheme, Second};
+use super::{Line, Linear, Number, Pair, Plane, Scheme, Second};
 use crate::exact::diffuse::lambert;
 use crate::exact::direct;
 use crate::exact::normalisation::unit;
@@ -51,6 +51,7 @@ pub(super) struct Base<T> {
 }
 
 impl<T: Number> Base<T> {
+    #[inline(always)]
     pub(super) fn new(line: &Line, light: DVec3) -> Self {
         let (m, k) = (line.ends[0], line.step());
         let q = Quadratic::square(m, k);
@@ -72,18 +73,17 @@ pub struct Hybrid<T> {
 }
 
 impl<T: Number> Hybrid<T> {
-    /// A span of a polygon that has these diffuse intensities.
-    pub fn along(diffuse: &Corners, line: &Line, light: DVec3) -> Self {
-        Hybrid {
-            diffuse: diffuse.along(line.weights, line.per_step()),
-            base: Base::new(line, light),
-        }
+    /// Along a span, from the diffuse intensity there.
+    #[inline(always)]
+    pub fn of(diffuse: Linear<T>, line: &Line, light: DVec3) -> Self {
+        Hybrid { diffuse, base: Base::new(line, light) }
     }
 }
 
 impl<T: Number> Scheme<T> for Hybrid<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        Hybrid::along(&Corners::new(line.vertices.map(|n| lambert(n, light))), line, light)
+        let diffuse = line.vertices.map(|n| lambert(n, light));
+        Hybrid::of(Plane::along(line, diffuse), line, light)
     }
 
     #[inline(always)]

@@ -1,10 +1,10 @@
 //! Shading without normals in the loop [lecture, §2 and §3; methods A3, A4].
 use glam::DVec3;
+use specula_scene::frame::EYE;
 
-use super::{Line, Linear, Number, Pair, Scheme};
-use crate::exact::diffuse::lambert;
-use crate::exact::shape::power;
-use crate::exact::specular::textbook;
+use super::differences::{dot, vector};
+use super::number::power;
+use super::{Line, Linear, Number, Pair, Plane, Scheme};
 
 /// The polygon's own normal everywhere [eq. 2.1]: I_d and I_s^n, which are worked out once for all
 /// spans of the polygon.
@@ -20,7 +20,7 @@ impl<T: Number> Uniform<T> {
 
 impl<T: Number> Scheme<T> for Uniform<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        Uniform::of(intensities(line.face, light, line.shininess))
+        Uniform::of(intensities(line.face, light, EYE, line.shininess))
     }
 
     #[inline(always)]
@@ -34,50 +34,16 @@ impl<T: Number> Scheme<T> for Uniform<T> {
     }
 }
 
-/// I_d and I_s^n of a normal under a light at infinity.
-fn intensities(normal: DVec3, light: DVec3, shininess: u32) -> Pair<f64> {
-    Pair { diffuse: lambert(normal, light), base: power(textbook(normal, light), shininess) }
-}
-
-/// A value at a polygon's three vertices, linear between them: that of the last, and what the
-/// others have more. It is worked out once for all spans of the polygon.
-#[derive(Clone, Copy, Debug)]
-pub struct Corners {
-    last: f64,
-    more: [f64; 2],
-}
-
-impl Corners {
-    /// From the values at the vertices.
-    pub fn new([first, second, last]: [f64; 3]) -> Corners {
-        Corners { last, more: [first - last, second - last] }
-    }
-
-    /// Along a span with these weights at its first and last pixel, 1/S apart [eq. 3.5 and 3.6].
-    /// What an edge is at there [eq. 3.2 to 3.4] is in the weights.
-    #[inline]
-    pub fn along<T: Number>(&self, [start, end]: [[f64; 3]; 2], per_step: f64) -> Linear<T> {
-        let more = |by: [f64; 2]| by[0] * self.more[0] + by[1] * self.more[1];
-        let step = more([end[0] - start[0], end[1] - start[1]]) * per_step;
-        Linear::new(self.last + more([start[0], start[1]]), step)
-    }
-}
-
-/// I_d and I_s^n at a polygon's vertices.
-#[derive(Clone, Copy, Debug)]
-pub struct AtVertices {
-    diffuse: Corners,
-    specular: Corners,
-}
-
-impl AtVertices {
-    /// From the intensities at the vertices.
-    pub fn new(intensities: [Pair<f64>; 3]) -> AtVertices {
-        AtVertices {
-            diffuse: Corners::new(intensities.map(|at| at.diffuse)),
-            specular: Corners::new(intensities.map(|at| at.base)),
-        }
-    }
+/// I_d and I_s^n of a unit normal, or of none, under a light and an eye in these directions
+/// [eq. 2.1].
+#[inline]
+pub fn intensities<T: Number>(normal: DVec3, light: DVec3, eye: DVec3, shininess: u32) -> Pair<T> {
+    let (n, l, v) = (vector::<T>(normal), vector(light), vector(eye));
+    let (j, k) = (dot(n, l), dot(n, v));
+    let jk = j * k;
+    // Where there is no normal, nothing is reflected.
+    let cosine = ((jk + jk) - dot(l, v)).positive().at_most_one().where_positive(dot(n, n));
+    Pair { diffuse: j.positive(), base: power(cosine, shininess) }
 }
 
 /// Intensities at the vertices, interpolated: one addition for each of I_d and I_s^n [eq. 3.6].
@@ -88,20 +54,20 @@ pub struct Gouraud<T> {
 }
 
 impl<T: Number> Gouraud<T> {
-    /// A span of a polygon, from the weights at its ends and 1/S.
-    #[inline]
-    pub fn along(polygon: &AtVertices, weights: [[f64; 3]; 2], per_step: f64) -> Self {
-        Gouraud {
-            diffuse: polygon.diffuse.along(weights, per_step),
-            specular: polygon.specular.along(weights, per_step),
-        }
+    /// Along a span, from I_d and I_s^n there.
+    pub fn of([diffuse, specular]: [Linear<T>; 2]) -> Self {
+        Gouraud { diffuse, specular }
     }
 }
 
 impl<T: Number> Scheme<T> for Gouraud<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        let polygon = AtVertices::new(line.vertices.map(|n| intensities(n, light, line.shininess)));
-        Gouraud::along(&polygon, line.weights, line.per_step())
+        let at_vertices: [Pair<f64>; 3] =
+            line.vertices.map(|n| intensities(n, light, EYE, line.shininess));
+        Gouraud {
+            diffuse: Plane::along(line, at_vertices.map(|at| at.diffuse)),
+            specular: Plane::along(line, at_vertices.map(|at| at.base)),
+        }
     }
 
     #[inline(always)]

@@ -9,6 +9,7 @@ mod counted;
 mod differences;
 mod distributions;
 mod duff;
+mod edge;
 mod gouraud;
 mod line;
 mod lyon;
@@ -25,13 +26,14 @@ pub use counted::{Counted, count};
 pub use differences::{Linear, Second, Vector, Walk, dot, vector};
 pub use distributions::{Blinn, TorranceSparrow, TrowbridgeReitz};
 pub use duff::{Direct, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, Hybrid};
-pub use gouraud::{AtVertices, Corners, Gouraud, Uniform};
+pub use edge::{Edge, Plane, Way};
+pub use gouraud::{Gouraud, Uniform, intensities};
 pub use line::Line;
 pub use lyon::{
     Half, HalfG2, LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Sum,
     Unit,
 };
-pub use number::Number;
+pub use number::{Number, power};
 pub use phong::{FastPhong, Phong};
 pub use place::{Normalised, Place, Seen, Wrapped};
 pub use reflection::{Chained, Reflection, ReflectionBlinn, ReflectionHybrid, ReflectionRoot};

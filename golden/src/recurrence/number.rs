@@ -102,3 +102,17 @@ macro_rules! float {
 
 float!(f32);
 float!(f64);
+
+/// x^n by squaring; 1 for n = 0.
+#[inline(always)]
+pub fn power<T: Number>(mut x: T, mut n: u32) -> T {
+    let mut result = T::of(1.0);
+    while n > 0 {
+        if n & 1 == 1 {
+            result = result * x;
+        }
+        x = x * x;
+        n >>= 1;
+    }
+    result
+}

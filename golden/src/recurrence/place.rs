@@ -7,7 +7,7 @@ use specula_scene::spec::phong::{wrap_to_eye, wrap_to_light};
 use specula_scene::{Frame, LocalLight, Span};
 
 use super::differences::{Vector, difference, dot, scaled, vector};
-use super::{Line, Linear, Number, Second, Walk};
+use super::{Linear, Number, Second, Walk};
 use crate::exact::quadratic::Quadratic;
 
 /// What a pixel sees of a place.
@@ -43,10 +43,7 @@ pub struct Normalised<T> {
 impl<T: Number> Normalised<T> {
     fn new(frame: &Frame, span: &Span, place: DVec3, axis: DVec3) -> Self {
         let [start, end] = frame.end_vectors_to(span, place);
-        Normalised {
-            way: Walk::new(start, (end - start) * Line::new(frame, span).per_step()),
-            axis: vector(axis),
-        }
+        Normalised { way: Walk::new(start, (end - start) * span.weight_step()), axis: vector(axis) }
     }
 }
 
@@ -84,9 +81,9 @@ pub struct Wrapped<T> {
 }
 
 impl<T: Number> Wrapped<T> {
-    fn new(frame: &Frame, span: &Span, wrap: Wrap) -> Self {
+    fn new(span: &Span, wrap: Wrap) -> Self {
         let [start, end] = wrap.ends.map(|x| x + wrap.axis);
-        let step = (end - start) * Line::new(frame, span).per_step();
+        let step = (end - start) * span.weight_step();
         Wrapped {
             halfway: Walk::new(start, step),
             p: Linear::new(start.dot(wrap.axis), step.dot(wrap.axis)),
@@ -98,11 +95,11 @@ impl<T: Number> Wrapped<T> {
 
 impl<T: Number> Place<T> for Wrapped<T> {
     fn to_light(frame: &Frame, span: &Span, light: &LocalLight) -> Self {
-        Wrapped::new(frame, span, wrap_to_light(frame, span, light))
+        Wrapped::new(span, wrap_to_light(frame, span, light))
     }
 
     fn to_eye(frame: &Frame, span: &Span, eye: DVec3) -> Self {
-        Wrapped::new(frame, span, wrap_to_eye(frame, span, eye))
+        Wrapped::new(span, wrap_to_eye(frame, span, eye))
     }
 
     #[inline(always)]

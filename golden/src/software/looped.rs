@@ -1,10 +1,10 @@
 //! The loop round every scheme.
 use specula_scene::{Frame, Span};
 
-use super::Software;
 use super::set_up::SetUp;
-use super::surface::{Reflected, Surface, clamped, power};
-use crate::recurrence::{Phong, Scheme};
+use super::surface::{Reflected, Surface, clamped};
+use super::{Mesh, Software};
+use crate::recurrence::{Phong, Scheme, power};
 
 /// A frame whose spans are shaded one light after another.
 pub struct Loop<'a, U: SetUp<'a>> {
@@ -25,11 +25,11 @@ pub trait AlongSpan: Copy {
 
 impl<'a, U: SetUp<'a>> Loop<'a, U> {
     /// Works out what belongs to a frame.
-    pub fn new(frame: &'a Frame) -> Self {
+    pub fn new(mesh: &'a Mesh<'a>) -> Self {
         Loop {
-            frame,
-            set_up: U::new(frame),
-            surfaces: Surface::all_of(frame),
+            frame: mesh.frame,
+            set_up: U::new(mesh),
+            surfaces: Surface::all_of(mesh.frame),
             materials: Vec::new(),
             lights: Vec::new(),
         }
@@ -86,6 +86,29 @@ impl<S: Scheme<f32>> AlongSpan for OrPhong<S> {
         match self {
             OrPhong::Scheme(scheme) => scheme.add(shininess, reflected, out),
             OrPhong::Phong(phong) => phong.add(shininess, reflected, out),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::software::set_up::Vertices;
+
+    #[test]
+    fn a_block_takes_over_the_memory_of_the_one_before() {
+        let frame = specula_scene::load("teapot", Some((80, 60))).unwrap().frame;
+        let mesh = Mesh::of(&frame);
+        let mut software = Loop::<Vertices>::new(&mesh);
+        let memory = |software: &Loop<Vertices>| {
+            let (lights, materials) = (&software.lights, &software.materials);
+            (lights.as_ptr(), lights.capacity(), materials.as_ptr(), materials.capacity())
+        };
+        software.set_up(&frame.spans[..256]);
+        let first = memory(&software);
+        for block in frame.spans.chunks(256) {
+            software.set_up(block);
+            assert_eq!(memory(&software), first);
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The methods by name.
 use specula_scene::{Frame, Span};
 
-use super::OfFrame;
 use super::looped::Loop;
 use super::placed::PlacedLoop;
 use super::set_up::{Arcs, DiffuseVertices, Each, Polygons, Vertices, Where, Wraps};
+use super::{Mesh, OfMesh};
 use crate::recurrence::{
     Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid,
     DuffQuotient, DuffRoot, FastPhong, Frame as SlerpFrame, Half, HalfG2, LyonCross,
@@ -21,7 +21,7 @@ pub struct Method {
     /// Where its lights and its eye are.
     pub places: Places,
     /// Works out what belongs to a frame.
-    pub of_frame: OfFrame,
+    pub of_mesh: OfMesh,
 }
 
 /// Where a loop has lights and eye.
@@ -47,7 +47,8 @@ impl Method {
 
     /// One span of a frame by itself.
     pub fn shade(&self, frame: &Frame, span: &Span, out: &mut [[f32; 3]]) {
-        let mut software = (self.of_frame)(frame);
+        let mesh = Mesh::of(frame);
+        let mut software = (self.of_mesh)(&mesh);
         software.set_up(std::slice::from_ref(span));
         software.shade(0, out);
     }
@@ -55,8 +56,8 @@ impl Method {
 
 /// Every method.
 pub const METHODS: [Method; 38] = [
-    anywhere("uniform", |frame| Box::new(Loop::<Polygons>::new(frame))),
-    anywhere("gouraud", |frame| Box::new(Loop::<Vertices>::new(frame))),
+    anywhere("uniform", |mesh| Box::new(Loop::<Polygons>::new(mesh))),
+    anywhere("gouraud", |mesh| Box::new(Loop::<Vertices>::new(mesh))),
     method::<Phong<f32>>("phong"),
     method::<Blinn<f32>>("phong-blinn"),
     method::<TorranceSparrow<f32>>("phong-torrance-sparrow"),
@@ -85,7 +86,7 @@ pub const METHODS: [Method; 38] = [
     method::<DuffHybrid<f32>>("duff-hybrid"),
     method::<DuffQuotient<f32>>("duff-quotient"),
     method::<Direct<f32>>("direct"),
-    infinite("hybrid", |frame| Box::new(Loop::<DiffuseVertices>::new(frame))),
+    infinite("hybrid", |mesh| Box::new(Loop::<DiffuseVertices>::new(mesh))),
     wrapped::<ReflectionRoot<f32>>("reflection"),
     wrapped::<ReflectionBlinn<f32>>("reflection-blinn"),
     wrapped::<ReflectionHybrid<f32>>("reflection-hybrid"),
@@ -100,28 +101,32 @@ pub fn by_name(name: &str) -> Option<Method> {
     METHODS.into_iter().find(|method| method.name == name)
 }
 
-const fn infinite(name: &'static str, of_frame: OfFrame) -> Method {
-    Method { name, places: Places::Infinity, of_frame }
+const fn infinite(name: &'static str, of_mesh: OfMesh) -> Method {
+    Method { name, places: Places::Infinity, of_mesh }
 }
 
-const fn anywhere(name: &'static str, of_frame: OfFrame) -> Method {
-    Method { name, places: Places::Any, of_frame }
+const fn anywhere(name: &'static str, of_mesh: OfMesh) -> Method {
+    Method { name, places: Places::Any, of_mesh }
 }
 
 const fn method<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
-    infinite(name, |frame| Box::new(Loop::<Each<S>>::new(frame)))
+    infinite(name, |mesh| Box::new(Loop::<Each<S>>::new(mesh)))
 }
 
 const fn placed<P: Place<f32> + 'static>(name: &'static str) -> Method {
-    Method { name, places: Places::Local, of_frame: |frame| Box::new(PlacedLoop::<P>::new(frame)) }
+    Method {
+        name,
+        places: Places::Local,
+        of_mesh: |mesh| Box::new(PlacedLoop::<P>::new(mesh.frame)),
+    }
 }
 
 /// An arc where slerp serves the span's end normals, Phong's chord elsewhere.
 const fn arc<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
-    infinite(name, |frame| Box::new(Loop::<Where<S, Arcs>>::new(frame)))
+    infinite(name, |mesh| Box::new(Loop::<Where<S, Arcs>>::new(mesh)))
 }
 
 /// A wrap where the polygon's normal serves the span's triangle, Phong elsewhere.
 const fn wrapped<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
-    infinite(name, |frame| Box::new(Loop::<Where<S, Wraps>>::new(frame)))
+    infinite(name, |mesh| Box::new(Loop::<Where<S, Wraps>>::new(mesh)))
 }

@@ -1,16 +1,19 @@
 //! Each paper's loop in f32, for its run time.
 //!
-//! What belongs to the frame (intensities of vertices, products of materials and lights) is worked
-//! out once for it, set-up once for a span, and the loop runs from pixel to pixel; they are apart
-//! so that their times can be measured apart. Nothing is allocated for a span.
+//! What belongs to the frame (intensities of vertices, steps along edges, products of materials and
+//! lights) is worked out once for it, set-up once for a span, and the loop runs from pixel to pixel;
+//! they are apart so that their times can be measured apart. Nothing is allocated for a span.
+mod linear;
 mod looped;
+mod mesh;
 mod methods;
 mod placed;
 mod set_up;
 mod surface;
 
-use specula_scene::{Frame, Span};
+use specula_scene::Span;
 
+pub use mesh::Mesh;
 pub use methods::{METHODS, Method, Places, by_name};
 
 /// A frame that is shaded by one loop, one block of spans after another. Calls are virtual, one for
@@ -25,4 +28,4 @@ pub trait Software {
 }
 
 /// Works out what belongs to a frame.
-pub type OfFrame = for<'a> fn(&'a Frame) -> Box<dyn Software + 'a>;
+pub type OfMesh = for<'a> fn(&'a Mesh<'a>) -> Box<dyn Software + 'a>;

@@ -3,8 +3,8 @@ use specula_scene::frame::EYE;
 use specula_scene::{Frame, Span};
 
 use super::Software;
-use super::surface::{Surface, clamped, power};
-use crate::recurrence::{Line, Number, Place, Seen, Vector, Walk, dot, vector};
+use super::surface::{Surface, clamped};
+use crate::recurrence::{Line, Number, Place, Seen, Vector, Walk, dot, power, vector};
 
 /// A frame whose spans have a normal, an eye and lights, each a recurrence.
 pub struct PlacedLoop<'a, P> {

@@ -1,14 +1,15 @@
 //! Set-up of spans: what is worked out once for a frame, and what for each span.
 use std::marker::PhantomData;
 
-use specula_scene::{DirectionalLight, Frame, Span, Triangle};
+use specula_scene::{DirectionalLight, Facet, Frame, Span, Triangle};
 
+use super::linear::{AtPoints, Planes};
 use super::looped::{AlongSpan, OrPhong};
-use crate::exact::coefficients::Amounts;
+use super::mesh::{Mesh, Point};
 use crate::exact::diffuse::lambert;
-use crate::exact::gouraud::amounts;
+use crate::exact::illumination::{Illumination, lights_from, view_from};
 use crate::exact::{slerp, wrap};
-use crate::recurrence::{AtVertices, Corners, Gouraud, Hybrid, Line, Pair, Phong, Scheme, Uniform};
+use crate::recurrence::{Gouraud, Hybrid, Line, Number, Pair, Phong, Scheme, Uniform, intensities};
 
 /// Sets spans of a frame up.
 pub trait SetUp<'a> {
@@ -16,10 +17,10 @@ pub trait SetUp<'a> {
     type Light: AlongSpan;
 
     /// Works out what belongs to the frame.
-    fn new(frame: &'a Frame) -> Self;
+    fn new(mesh: &'a Mesh<'a>) -> Self;
 
     /// Adds the lights along a span, those at infinity first.
-    fn span(&self, span: &Span, lights: &mut Vec<Self::Light>);
+    fn span(&mut self, span: &Span, lights: &mut Vec<Self::Light>);
 }
 
 /// Each span by itself, under lights at infinity.
@@ -31,11 +32,11 @@ pub struct Each<'a, S> {
 impl<'a, S: Scheme<f32>> SetUp<'a> for Each<'a, S> {
     type Light = S;
 
-    fn new(frame: &'a Frame) -> Self {
-        Each { frame, scheme: PhantomData }
+    fn new(mesh: &'a Mesh<'a>) -> Self {
+        Each { frame: mesh.frame, scheme: PhantomData }
     }
 
-    fn span(&self, span: &Span, lights: &mut Vec<S>) {
+    fn span(&mut self, span: &Span, lights: &mut Vec<S>) {
         let line = Line::new(self.frame, span);
         lights.extend(self.frame.lights.iter().map(|light| S::new(&line, light.direction)));
     }
@@ -74,11 +75,11 @@ pub struct Where<'a, S, W> {
 impl<'a, S: Scheme<f32>, W: Serves> SetUp<'a> for Where<'a, S, W> {
     type Light = OrPhong<S>;
 
-    fn new(frame: &'a Frame) -> Self {
-        Where { each: Each::new(frame), serves: PhantomData }
+    fn new(mesh: &'a Mesh<'a>) -> Self {
+        Where { each: Each::new(mesh), serves: PhantomData }
     }
 
-    fn span(&self, span: &Span, lights: &mut Vec<OrPhong<S>>) {
+    fn span(&mut self, span: &Span, lights: &mut Vec<OrPhong<S>>) {
         let line = Line::new(self.each.frame, span);
         let serves = W::serves(&line);
         let light = |light: &DirectionalLight| match serves {
@@ -89,89 +90,131 @@ impl<'a, S: Scheme<f32>, W: Serves> SetUp<'a> for Where<'a, S, W> {
     }
 }
 
-/// A value for each light of each triangle.
-struct OfTriangles<V> {
-    lights: usize,
-    values: Vec<V>,
-}
-
-impl<V> OfTriangles<V> {
-    fn new<'a, I: Iterator<Item = V>>(frame: &'a Frame, of: impl Fn(&'a Triangle) -> I) -> Self {
-        let values: Vec<V> = frame.triangles.iter().flat_map(of).collect();
-        OfTriangles { lights: values.len() / frame.triangles.len().max(1), values }
-    }
-
-    /// Those of a span's triangle.
-    fn of(&self, span: &Span) -> &[V] {
-        &self.values[span.triangle * self.lights..][..self.lights]
-    }
-}
-
-/// Intensities of a triangle's vertices, taken once for all of its spans, wherever the lights are.
-pub struct Vertices(OfTriangles<AtVertices>);
+/// Intensities of vertices, wherever the lights are.
+pub struct Vertices(Planes<2>);
 
 impl<'a> SetUp<'a> for Vertices {
     type Light = Gouraud<f32>;
 
-    fn new(frame: &'a Frame) -> Self {
-        Vertices(OfTriangles::new(frame, |triangle| {
-            let shininess = frame.materials[triangle.material].shininess;
-            let [a, b, c] = [0, 1, 2]
-                .map(|v| amounts(frame, shininess, triangle.normals[v], triangle.positions[v]));
-            a.zip(b).zip(c).map(|((a, b), c)| AtVertices::new([a, b, c].map(pair)))
-        }))
+    fn new(mesh: &'a Mesh<'a>) -> Self {
+        Vertices(Planes::new(mesh, &lit_vertices(mesh)))
     }
 
-    fn span(&self, span: &Span, lights: &mut Vec<Gouraud<f32>>) {
-        let (weights, per_step) = ([span.start, span.end], span.weight_step());
-        let along = |polygon| Gouraud::along(polygon, weights, per_step);
-        lights.extend(self.0.of(span).iter().map(along));
+    fn span(&mut self, span: &Span, lights: &mut Vec<Gouraud<f32>>) {
+        lights.extend(self.0.along(span).map(Gouraud::of));
     }
 }
 
-/// Intensities of a polygon, taken once for all of its spans, wherever the lights are.
-pub struct Polygons(OfTriangles<Uniform<f32>>);
+/// Intensities of polygons, wherever the lights are.
+pub struct Polygons(AtPoints<f64, 2>);
 
 impl<'a> SetUp<'a> for Polygons {
     type Light = Uniform<f32>;
 
-    fn new(frame: &'a Frame) -> Self {
-        Polygons(OfTriangles::new(frame, |triangle| {
-            let shininess = frame.materials[triangle.material].shininess;
-            let facet = triangle.facet;
-            amounts(frame, shininess, facet.normal, facet.middle).map(|at| Uniform::of(pair(at)))
-        }))
+    fn new(mesh: &'a Mesh<'a>) -> Self {
+        let middle = |triangle: &Triangle| {
+            let Facet { normal, middle } = triangle.facet;
+            Point { normal, position: middle, material: triangle.material }
+        };
+        let middles = mesh.frame.triangles.iter().map(middle);
+        Polygons(AtPoints::new(middles, |polygon| lit(mesh.frame, polygon)))
     }
 
-    fn span(&self, span: &Span, lights: &mut Vec<Uniform<f32>>) {
-        lights.extend(self.0.of(span));
+    fn span(&mut self, span: &Span, lights: &mut Vec<Uniform<f32>>) {
+        lights.extend(
+            self.0
+                .of(span.triangle)
+                .iter()
+                .map(|&[diffuse, base]| Uniform::of(Pair { diffuse, base })),
+        );
     }
 }
 
-/// Diffuse intensities of a triangle's vertices, taken once; the highlight for each span.
+/// Diffuse intensities of vertices, and the highlight for each span.
 pub struct DiffuseVertices<'a> {
     frame: &'a Frame,
-    diffuse: OfTriangles<Corners>,
+    diffuse: Planes<1>,
 }
 
 impl<'a> SetUp<'a> for DiffuseVertices<'a> {
     type Light = Hybrid<f32>;
 
-    fn new(frame: &'a Frame) -> Self {
-        let lights = |triangle: &'a Triangle| {
-            let diffuse = |l| Corners::new(triangle.normals.map(|normal| lambert(normal, l)));
-            frame.lights.iter().map(move |light| diffuse(light.direction))
+    fn new(mesh: &'a Mesh<'a>) -> Self {
+        let frame = mesh.frame;
+        let diffuse = |vertex: Point| {
+            frame.lights.iter().map(move |light| [lambert(vertex.normal, light.direction)])
         };
-        DiffuseVertices { frame, diffuse: OfTriangles::new(frame, lights) }
+        let vertices = AtPoints::new(mesh.vertices.iter().copied(), diffuse);
+        DiffuseVertices { frame, diffuse: Planes::new(mesh, &vertices) }
     }
 
-    fn span(&self, span: &Span, lights: &mut Vec<Hybrid<f32>>) {
+    fn span(&mut self, span: &Span, lights: &mut Vec<Hybrid<f32>>) {
         let line = Line::new(self.frame, span);
-        let polygon = self.frame.lights.iter().zip(self.diffuse.of(span));
-        lights.extend(polygon.map(|(light, at)| Hybrid::along(at, &line, light.direction)));
+        let along = self.frame.lights.iter().zip(self.diffuse.along(span));
+        lights.extend(along.map(|(light, [diffuse])| Hybrid::of(diffuse, &line, light.direction)));
     }
 }
 
-fn pair(amounts: Amounts) -> Pair<f64> {
-    Pair { diffuse: amounts.diffuse, base: amounts.specular }
+/// I_d and I_s^n at a mesh's vertices.
+fn lit_vertices<T: Number>(mesh: &Mesh) -> AtPoints<T, 2> {
+    AtPoints::new(mesh.vertices.iter().copied(), |vertex| lit(mesh.frame, vertex))
+}
+
+/// I_d and I_s^n that each light gives at a point.
+///
+/// A light at the very point gives nothing, and an eye there sees no highlight (EXTREMES row 39).
+fn lit<T: Number>(frame: &Frame, point: Point) -> impl Iterator<Item = [T; 2]> {
+    let shininess = frame.materials[point.material].shininess;
+    let view = view_from(frame, point.position).unwrap_or_default();
+    lights_from(frame, point.position).map(move |light| {
+        let Some(Illumination { direction, share }) = light else { return [T::of(0.0); 2] };
+        let Pair { diffuse, base } = intensities::<T>(point.normal, direction, view, shininess);
+        [T::of(share) * diffuse, T::of(share) * base]
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::Add;
+
+    use super::*;
+    use crate::operations::Operations;
+    use crate::recurrence::{Counted, count};
+
+    /// Every vertex of a mesh once.
+    fn vertices(frame: &Frame) -> Vec<Point> {
+        let mut all: Vec<Point> = Vec::new();
+        for triangle in &frame.triangles {
+            for (normal, position) in triangle.normals.into_iter().zip(triangle.positions) {
+                let point = Point { normal, position, material: triangle.material };
+                if !all.contains(&point) {
+                    all.push(point);
+                }
+            }
+        }
+        all
+    }
+
+    /// A vertex of a mesh is lit once, however many triangles meet there.
+    #[test]
+    fn intensities_are_worked_out_once_a_vertex() {
+        for scene in ["icosahedron", "teapot", "lamps"] {
+            let frame = specula_scene::load(scene, Some((160, 120))).unwrap().frame;
+            let vertices = vertices(&frame);
+            assert!(vertices.len() < frame.triangles.len(), "{scene}");
+            let lit_once =
+                |&vertex: &Point| count(|| lit::<Counted>(&frame, vertex).for_each(drop));
+            let once = vertices.iter().map(lit_once).fold(Operations::NONE, Add::add);
+            let mesh = Mesh::of(&frame);
+            assert_eq!(count(|| drop(lit_vertices::<Counted>(&mesh))), once, "{scene}");
+            assert!(once.multiplies > 0, "{scene}");
+        }
+    }
+
+    /// Half of its 20 faces are seen, and of its 12 vertices those that are not on the other side.
+    #[test]
+    fn triangles_of_an_icosahedron_share_nine_vertices() {
+        let frame = specula_scene::load("icosahedron", None).unwrap().frame;
+        assert_eq!((frame.triangles.len(), Mesh::of(&frame).vertices.len()), (10, 9));
+    }
 }

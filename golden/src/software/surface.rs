@@ -1,4 +1,4 @@
-//! What materials make of lights, and powers.
+//! What materials make of lights.
 use specula_scene::spec::FULL_SCALE;
 use specula_scene::{Colour, Frame, Material};
 
@@ -51,18 +51,4 @@ fn product(reflectance: Colour, light: Colour) -> [f32; 3] {
 #[inline(always)]
 pub(super) fn clamped(pixel: [f32; 3]) -> [f32; 3] {
     pixel.map(|channel| channel.min(FULL_SCALE as f32))
-}
-
-/// x^n by squaring; 1 for n = 0.
-#[inline(always)]
-pub(super) fn power(mut x: f32, mut n: u32) -> f32 {
-    let mut result = 1.0;
-    while n > 0 {
-        if n & 1 == 1 {
-            result *= x;
-        }
-        x *= x;
-        n >>= 1;
-    }
-    result
 }

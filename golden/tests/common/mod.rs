@@ -36,7 +36,14 @@ pub fn frame(normals: [DVec3; 2], length: u32, lights: &[DVec3], material: Mater
 fn triangle(normals: [DVec3; 3]) -> Triangle {
     let positions = [DVec3::ZERO; 3];
     let facet = Facet::of_vertices(&normals, &positions);
-    Triangle { normals, facet, positions, cones: normals.map(VertexCone::flat), material: 0 }
+    Triangle {
+        normals,
+        facet,
+        positions,
+        outline: None,
+        cones: normals.map(VertexCone::flat),
+        material: 0,
+    }
 }
 
 /// Grey reflectances.

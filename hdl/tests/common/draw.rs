@@ -139,7 +139,14 @@ fn triangle(draw: &mut Draw, material: usize) -> Triangle {
         0 => of_vertices,
         _ => Facet { normal: draw.direction(), ..of_vertices },
     };
-    Triangle { normals, facet, positions, cones: std::array::from_fn(cone), material }
+    Triangle {
+        normals,
+        facet,
+        positions,
+        outline: None,
+        cones: std::array::from_fn(cone),
+        material,
+    }
 }
 
 /// Normals of a vertex each: near each other, anywhere, or opposite.

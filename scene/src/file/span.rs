@@ -57,6 +57,7 @@ fn span(source: &SourceFile, number: usize, given: &Spanned<raw::Span>) -> Resul
             normals,
             facet,
             positions,
+            outline: None,
             cones: [0, 1, 2].map(cone),
             material: number,
         },

@@ -6,6 +6,8 @@
 //! meshes have neither gaps nor pixels drawn twice.
 use std::ops::Range;
 
+use glam::DVec2;
+
 /// Grid steps a pixel.
 pub const STEPS: i64 = 256;
 
@@ -31,6 +33,11 @@ impl Point {
             (steps.abs() <= FARTHEST_STEP as f64).then_some(steps as i64)
         };
         Some(Point { x: step(x)?, y: step(y)? })
+    }
+
+    /// Where it is, in pixels.
+    pub fn in_pixels(self) -> DVec2 {
+        DVec2::new(self.x as f64, self.y as f64) / STEPS as f64
     }
 
     /// The centre of a pixel.

@@ -153,8 +153,11 @@ impl Scene {
         let (window, (kept, spans)) = self.visible(&seen, window)?;
         let fans: Vec<Fans> =
             seen.iter().enumerate().map(|(object, seen)| seen.fans(object, &kept)).collect();
-        let triangles =
-            kept.iter().map(|&name| seen[name.object].triangle(name, &fans[name.object])).collect();
+        let triangle = |&name: &Name| {
+            let (seen, fans) = (&seen[name.object], &fans[name.object]);
+            seen.triangle(name, fans, snapped(self.places(seen, name.triangle, &window)))
+        };
+        let triangles = kept.iter().map(triangle).collect();
         let view = View { rotation, centre: window.centre };
         Ok(Frame {
             width: self.size.0,
@@ -219,16 +222,12 @@ impl Scene {
         let (mut names, mut projected) = (Vec::new(), Vec::new());
         for (object, seen) in seen.iter().enumerate() {
             for (triangle, corners) in seen.object.mesh.triangles.iter().enumerate() {
-                let places = corners.map(|k| window.place(seen.positions[k as usize], self.size));
+                let places = self.places(seen, triangle, window);
                 if self.is_outside(places) {
                     continue;
                 }
-                let [a, b, c] = places.map(|[x, y]| Point::snap(x, y));
-                let points = [a, b, c]
-                    .into_iter()
-                    .collect::<Option<Vec<Point>>>()
-                    .ok_or(PictureError::TooClose)?;
-                if let Some(coverage) = Coverage::new([points[0], points[1], points[2]]) {
+                let points = snapped(places).ok_or(PictureError::TooClose)?;
+                if let Some(coverage) = Coverage::new(points) {
                     let nearness = corners.map(|k| seen.positions[k as usize].z);
                     names.push(Name { object, triangle });
                     projected.push(Projected { coverage, nearness });
@@ -236,6 +235,12 @@ impl Scene {
             }
         }
         Ok((names, projected))
+    }
+
+    /// Where the corners of an object's triangle are, in pixels.
+    fn places(&self, seen: &Seen<'_>, triangle: usize, window: &Window) -> [[f64; 2]; 3] {
+        let corners = seen.object.mesh.triangles[triangle];
+        corners.map(|k| window.place(seen.positions[k as usize], self.size))
     }
 
     /// Whether all corners are beyond one and the same side of the picture.
@@ -356,8 +361,9 @@ impl<'a> Seen<'a> {
         Fans::around(wanted, all, extent)
     }
 
-    /// The triangle as it is shaded, its normals turned to the side that is seen.
-    fn triangle(&self, name: Name, fans: &Fans) -> Triangle {
+    /// The triangle as it is shaded, at these points of the picture, its normals turned to the side
+    /// that is seen.
+    fn triangle(&self, name: Name, fans: &Fans, points: Option<[Point; 3]>) -> Triangle {
         let face = self.face(name.triangle);
         let outward = face.outward.unwrap_or_else(|| face.normals.iter().sum());
         let turn = if outward.z < 0.0 { -1.0 } else { 1.0 };
@@ -366,6 +372,7 @@ impl<'a> Seen<'a> {
             normals: face.normals.map(|n| n * turn),
             facet: self.facet(name.triangle, &face),
             positions: face.places,
+            outline: points.map(|points| points.map(Point::in_pixels)),
             cones,
             material: name.object,
         }
@@ -420,6 +427,12 @@ pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
 fn direction_of(normal: DVec3) -> Option<DVec3> {
     let largest = normal.abs().max_element();
     if largest > 0.0 { direction(normal / largest) } else { None }
+}
+
+/// The grid points nearest to places in pixels, if none is beyond the grid.
+fn snapped(places: [[f64; 2]; 3]) -> Option<[Point; 3]> {
+    let [a, b, c] = places.map(|[x, y]| Point::snap(x, y));
+    Some([a?, b?, c?])
 }
 
 /// The middle of the triangle that the camera sees largest.

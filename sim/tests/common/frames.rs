@@ -41,6 +41,7 @@ pub fn frame(seed: u64, lights: usize, spans: usize) -> Frame {
             normals,
             facet: Facet::of_vertices(&normals, &positions),
             positions,
+            outline: None,
             cones: normals.map(VertexCone::flat),
             material: index % 2,
         });

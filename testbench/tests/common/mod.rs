@@ -26,7 +26,14 @@ pub fn frame_of(rows: &[Row], lights: &[DVec3]) -> Frame {
         let normals = [first, last, first];
         let positions = [DVec3::ZERO; 3];
         let facet = Facet::of_vertices(&normals, &positions);
-        Triangle { normals, facet, positions, cones: normals.map(VertexCone::flat), material }
+        Triangle {
+            normals,
+            facet,
+            positions,
+            outline: None,
+            cones: normals.map(VertexCone::flat),
+            material,
+        }
     };
     let span = |(number, row): (usize, &Row)| {
         let (start, end) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
