@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use crate::design::ScopeId;
+
 /// Names of every module's control ports.
 pub const CONTROL: [&str; 2] = ["clock", "reset"];
 
