@@ -113,7 +113,7 @@ impl Pixel<'_> {
         let power = || units::raised(b, &base, self.exponent, self.slerp.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || {
-                units::kept_within_one(b, &n_dot_l, formats.diffuse.fraction_bits)
+                units::clamp_unit(b, &n_dot_l, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),

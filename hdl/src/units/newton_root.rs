@@ -4,6 +4,7 @@ use specula_scene::spec::direct::DirectFormats;
 
 use super::direct::at_least;
 use super::divider::{QuotientFormat, quotient};
+use crate::error::newton_root::followed_root;
 use specula_datapath::builder::{Builder, Known, Sig};
 
 /// How Newton's method goes on from pixel to pixel.
@@ -24,8 +25,7 @@ pub struct NewtonRoot {
 ///
 /// All steps happen within one clock, divisions included: the next pixel waits for d.
 ///
-/// # Error
-/// [`NewtonRoot::bound`].
+/// Error: [`followed_root`].
 pub fn newton_root(
     b: &Builder,
     first: &Sig,
@@ -67,29 +67,7 @@ pub fn newton_root(
 
 impl NewtonRoot {
     /// How far d is off; nothing where steps may lead away from the root.
-    ///
-    /// Let |Q - q| ≤ e_q for q as it comes and as a real number, and D = d + e. A step's derivative
-    /// by d is (1 - q/d²)/2, and by q 1/(2d). Real d is √q ≥ s or more. As long as e ≤ s/16 both
-    /// lie above l = 15/16 s, and with q ≤ 1 + e_q the derivative by d lies from (1 - (1 +
-    /// e_q)/l²)/2 to 1/2. So a step multiplies e by λ = max(1, (1 + e_q)/l² - 1)/2 at most, and
-    /// adds ρ: e_q/(2l), a quarter of a unit of the quotient and half of one of d. A second step
-    /// begins at √q or above, so it halves e, and adds ρ again. Where all of it shrinks, e stays
-    /// below what is added over what it shrinks by: spans of up to 103 degrees with one step, 123
-    /// with two.
-    ///
-    /// That q counts as 4^-m at least brings it no further from the real one as long as s ≥ 2^-m.
     pub fn bound(self, q: &Sig, formats: &DirectFormats) -> Option<f64> {
-        if self.shortest < power_of_two(-i64::from(formats.reciprocal.integer_bits)) {
-            return None;
-        }
-        let e_q = q.error_value();
-        let lowest = 0.9375 * self.shortest;
-        let once = 0.5 * ((1.0 + e_q) / (lowest * lowest) - 1.0).max(1.0);
-        let added = e_q / (2.0 * lowest) + 0.75 * formats.length.ulp();
-        let halved =
-            |(shrunk, added_so_far): (f64, f64)| (0.5 * shrunk, 0.5 * added_so_far + added);
-        let (shrunk, added) = (1..self.steps).fold((once, added), |so_far, _| halved(so_far));
-        let error = added / (1.0 - shrunk);
-        (shrunk < 1.0 && error <= self.shortest / 16.0).then_some(error)
+        followed_root(self.steps, self.shortest, q.error_value(), formats)
     }
 }

@@ -2,6 +2,7 @@
 use specula_scene::Format;
 use specula_scene::format::power_of_two;
 
+use crate::error::reciprocal_square_root::reciprocal_root;
 use specula_datapath::builder::{Builder, Sig};
 use specula_datapath::design::Range;
 
@@ -22,7 +23,7 @@ impl From<Format> for ReciprocalRoot {
 
 impl ReciprocalRoot {
     /// 4^-m.
-    pub(super) fn smallest_operand(self) -> f64 {
+    pub(super) fn least_operand(self) -> f64 {
         power_of_two(-2 * i64::from(self.integer_bits))
     }
 }
@@ -39,17 +40,13 @@ impl ReciprocalRoot {
 /// 2P + Z in the first row, and so in each. A row and a clock for each of m + f + 1 bits, a clock
 /// each to limit z and to round.
 ///
-/// # Error
-/// With real z no smaller than `smallest` and z off by e, the result is off by e/2 s^(-3/2) where
-/// s = max(`smallest` - e, 4^-m), by 2^m at most, and half a unit of the last place.
+/// Real z is no smaller than `smallest`. Error: [`reciprocal_root`].
 pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest: f64) -> Sig {
     let ReciprocalRoot { integer_bits, fraction_bits } = to;
     let formula = format!("r = 1/sqrt(max(z, 2^-{}))", 2 * integer_bits);
     b.unit("reciprocal_square_root", &formula, (("z", z),), |b, (z,)| {
-        let least = (smallest - z.error_value()).max(to.smallest_operand());
-        let moved =
-            (z.error_value() / (2.0 * least * least.sqrt())).min(power_of_two(integer_bits.into()));
-        let error = moved + 0.5 * power_of_two(-i64::from(fraction_bits));
+        let (least_operand, ulp) = (to.least_operand(), power_of_two(-i64::from(fraction_bits)));
+        let error = reciprocal_root(z.error_value(), smallest, least_operand, ulp);
 
         let limit = b.integer(1).times_power_of_two(-2 * integer_bits as i32);
         let limited = z.less_than(&limit).choose(&limit, &z);

@@ -50,13 +50,6 @@ pub fn corrected(
     })
 }
 
-/// J, kept within 0 to 1 and rounded.
-pub fn kept_within_one(b: &Builder, cosine: &Sig, fraction_bits: u32) -> Sig {
-    b.unit("diffuse", "I = max(N.L, 0) [Lambert]", (("cosine", cosine),), |_, (cosine,)| {
-        cosine.rounded(fraction_bits).at_least_zero().clamped_above(1).named("intensity")
-    })
-}
-
 /// 2 J K' - L·V, kept within 0 to 1. [lecture, eq. 4.5; methods A10]
 pub fn base(
     b: &Builder,
