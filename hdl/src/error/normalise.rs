@@ -77,18 +77,19 @@ impl Approximation {
         }
     }
 
-    /// How far n is off before it is rounded, where it is no longer than `reach`.
+    /// How far n is off before it is rounded, where no real n is longer than `reach`.
     ///
     /// Gains turn nothing, so with t as [`VectorBounds::turn`] has it
     ///
-    ///   across ≤ reach t
-    ///   along  ≤ |ρ' - ρ| + (reach t)²/2
+    ///   across ≤ |n'| t
+    ///   along  ≤ |ρ' - ρ| + (|n'| t)²/2
     ///
     /// for the real length ρ = r g(r²) and the fixed one ρ' = r' g', where |r' - r| ≤ e and |g' -
     /// g(r'²)| ≤ e_g ([`Gain`]):
     ///
     ///   |ρ' - ρ| ≤ |r' g(r'²) - r g(r²)| + r' |g' - g(r'²)|
     ///            ≤ max |dρ/dr| e + (longest + e) e_g
+    ///   |n'|     ≤ max ρ + (longest + e) e_g
     fn off(&self, bounds: VectorBounds, reach: f64) -> Off {
         let VectorBounds { longest, error: e, .. } = bounds;
         let gain = self.gain_within(bounds);
@@ -96,7 +97,9 @@ impl Approximation {
         if bounds.surely() <= 0.0 {
             return Off::within(2.0 * reach + of_gain);
         }
-        let across = reach * bounds.turn();
+        // `reach` leaves room for small roundings.
+        let longest_fixed = reach.max(longest_real(longest) + of_gain);
+        let across = longest_fixed * bounds.turn();
         Off::parts(across, gain.steepest_length * e + of_gain + across * across / 2.0)
     }
 
@@ -119,16 +122,21 @@ impl Approximation {
     }
 }
 
-/// How long n can be before it is rounded, for N' no longer than `longest`.
+/// How long n = g N' can be with small roundings of g, for N' no longer than `longest`.
+fn longest_scaled(longest: f64) -> f64 {
+    longest_real(longest).max(1.002)
+}
+
+/// How long n = g N' can be for the exact g, for N' no longer than `longest`.
 ///
 ///   g1:          ρ = 3/2 r - 1/2 r³             ≤ 1
 ///   g2:          ρ = 2r - 3/2 r³ + 1/2 r⁵       ≤ 1.00176 up to r = 1, at r = 0.894
 ///   Newton step: ρ ← 3/2 ρ - 1/2 ρ³             ≤ 1
 ///
 /// Beyond r = 1 that of g2 grows.
-fn longest_scaled(longest: f64) -> f64 {
+fn longest_real(longest: f64) -> f64 {
     let beyond = 2.0 * longest - 1.5 * longest.powi(3) + 0.5 * longest.powi(5);
-    if longest > 1.0 { beyond.max(1.002) } else { 1.002 }
+    if longest > 1.0 { beyond.max(1.00177) } else { 1.00177 }
 }
 
 /// How short n can be in exact arithmetic, up to 1, for real N' no shorter than `shortest`.
@@ -263,12 +271,13 @@ mod tests {
     use super::*;
 
     /// First gain, Newton steps, and how short the shortest N' is.
-    const CASES: [(FirstGain, u32, f64); 5] = [
+    const CASES: [(FirstGain, u32, f64); 6] = [
         (FirstGain::G1, 0, 0.9),
         (FirstGain::G2, 0, 0.7),
         (FirstGain::G1, 1, 0.9),
         (FirstGain::G2, 1, 0.7),
         (FirstGain::G2, 2, 0.5),
+        (FirstGain::G2, 0, 0.894),
     ];
 
     /// n with every rounding off by what `within` says of half a unit.
@@ -310,11 +319,11 @@ mod tests {
     }
 
     /// 96 % is reached of the turn and of what N' is off along itself, 75 % of what the first gain is
-    /// rounded by, 40 % after two Newton steps.
+    /// rounded by, 35 % after two Newton steps.
     #[test]
     fn normals_stay_within_the_bound_and_reach_it() {
         for (first, newton_steps, shortest) in CASES {
-            for (error, fraction_bits) in [(1e-3, 20), (1e-6, 12)] {
+            for (error, fraction_bits) in [(1e-3, 20), (1e-6, 12), (1e-6, 7)] {
                 let gain = Format::unsigned(2, fraction_bits);
                 let length_squared = Format::unsigned(1, fraction_bits);
                 let of = Approximation {
@@ -329,16 +338,16 @@ mod tests {
                 let [across, along] = reached(&of, bounds);
                 println!("{first:?}, {newton_steps} steps, {error}: {across} and {along}");
                 assert!(across <= 1.0 && along <= 1.0);
-                assert!(across > 0.96 && along > 0.4, "{of:?}: {across} and {along}");
+                assert!(across > 0.96 && along > 0.35, "{of:?}: {across} and {along}");
             }
         }
     }
 
-    /// The shortest N' makes the shortest n, to the last digits where g2 does not overshoot by
-    /// more.
+    /// The shortest N' makes the shortest n, to the last digits; in the last case g2 makes all of
+    /// them longer than 1.
     #[test]
     fn real_normals_are_no_shorter_than_stated() {
-        for (first, newton_steps, shortest) in CASES {
+        for &(first, newton_steps, shortest) in &CASES[..5] {
             let stated = shortest_scaled(first, newton_steps, shortest);
             let least = (0..=1000)
                 .map(|i| shortest + (1.0 - shortest) * f64::from(i) / 1000.0)

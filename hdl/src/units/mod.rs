@@ -68,8 +68,8 @@ pub use rotation::{Turn, rotation, scaled_rotation};
 pub use shape::{least_dark_exponent, root_shape, shape};
 pub use shape_error::shape_error;
 pub use square_root::square_root;
-pub use turned::{BaseBound, along_arc, base, corrected};
-pub use turned_normal::{Weighing, turned_normal};
+pub use turned::{along_arc, corrected, specular_base};
+pub use turned_normal::turned_normal;
 pub use unit_vectors::{
     cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine,
     trowbridge_reitz,
