@@ -36,6 +36,18 @@ pub fn followed_root(steps: u32, shortest: f64, e_q: f64, formats: &DirectFormat
     (shrunk < 1.0 && error <= shortest / 16.0).then_some(error)
 }
 
+/// d is no larger, begun at 1, with d no smaller than l = `least` and q no larger than Q =
+/// `largest_q`, or 1; each step rounds d to half a unit of `ulp`.
+///
+/// (d + q/d)/2 is convex in d, and so no larger for d from l to D than at one of its ends:
+///
+///   d = l:  (l + q/l)/2 ≤ (l + Q/l)/2
+///   d = D:  (D + q/D)/2 ≤ D             where D² ≥ Q, as D ≥ Q ≥ 1 makes it
+pub fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
+    let most = largest_q.max(1.0);
+    most.max((least + most / least) / 2.0) + ulp
+}
+
 #[cfg(test)]
 mod tests {
     use specula_scene::Format;
@@ -97,6 +109,22 @@ mod tests {
                 println!("{steps} steps, {shortest}, {e_q}: {reached}");
                 assert!(reached <= 1.0 && reached > least, "{steps}, {shortest}: {reached}");
             }
+        }
+    }
+
+    /// Steps from any d on that comes within the limit stay within it.
+    #[test]
+    fn roots_are_no_larger_than_stated() {
+        let ulp = 1.0 / 256.0;
+        for (least, largest_q) in [(0.5, 1.0), (0.125, 1.25), (0.9, 2.0)] {
+            let most = largest(least, largest_q, ulp);
+            let mut reached = 0.0_f64;
+            for i in 0..=1000 {
+                let d = least + (most - least) * f64::from(i) / 1000.0;
+                reached = reached.max((d + largest_q / d) / 2.0 + 0.5 * ulp);
+            }
+            println!("{least}, {largest_q}: {reached} of {most}");
+            assert!(reached <= most && reached > 0.75 * most, "{least}: {reached} of {most}");
         }
     }
 

@@ -15,10 +15,49 @@ pub fn reciprocal_root(z_error: f64, smallest: f64, least_operand: f64, ulp: f64
     moved + 0.5 * ulp
 }
 
+/// How large the numbers of a row get that finds one more bit of R = ⌊√(c/Z)⌋, in whole numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RowLimits {
+    /// w = c - R² Z is no larger.
+    pub residue: f64,
+    /// P = R Z is no larger.
+    pub product: f64,
+}
+
+impl RowLimits {
+    /// For c = `square` and Z no larger than `largest`:
+    ///
+    ///   R² Z ≤ c,  so P = R Z ≤ √(c Z)
+    ///   (R + 1)² Z > c, so w ≤ 2P + Z, and w ≤ c
+    pub fn new(square: f64, largest: f64) -> RowLimits {
+        // The factor makes up for rounding here.
+        let product = (square * largest).sqrt() * (1.0 + f64::EPSILON);
+        RowLimits { residue: square.min(2.0 * product + largest), product }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::draw::Draw;
     use super::*;
+
+    /// All small Z: 92 % of the product is reached, and 54 % of the residue.
+    #[test]
+    fn rows_stay_within_their_limits_and_reach_them() {
+        for log2_square in [8, 11, 14] {
+            let square = f64::from(1 << log2_square);
+            let limits = RowLimits::new(square, 64.0);
+            let row = |z: i32| {
+                let (z, root) = (f64::from(z), (square / f64::from(z)).sqrt().floor());
+                (square - root * root * z, root * z)
+            };
+            let residue = (1..=64).map(|z| row(z).0).fold(0.0, f64::max) / limits.residue;
+            let product = (1..=64).map(|z| row(z).1).fold(0.0, f64::max) / limits.product;
+            println!("{square}: {residue} and {product}");
+            assert!(residue <= 1.0 && product <= 1.0);
+            assert!(residue > 0.54 && product > 0.92, "{square}: {residue} and {product}");
+        }
+    }
 
     /// Operands from the smallest on: 95 % of the bound is reached.
     #[test]

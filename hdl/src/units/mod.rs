@@ -32,6 +32,7 @@ mod square_root;
 mod turned;
 mod turned_normal;
 mod unit_vectors;
+mod vector;
 mod wrapped;
 
 use crate::error::host::HOST_ERROR;
@@ -58,7 +59,7 @@ pub use gaussian::{gaussian, kept_versine};
 pub use interpolate::{Interpolation, SpanNormals, along, chord, interpolate, weight};
 pub use linear::{Steps, linear};
 pub use newton_root::{NewtonRoot, newton_root};
-pub use normalise::{has_direction, normalise};
+pub use normalise::normalise;
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
@@ -74,4 +75,5 @@ pub use unit_vectors::{
     cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine,
     trowbridge_reitz,
 };
+pub use vector::has_direction;
 pub use wrapped::{ToPlace, WrapFormats, WrappedPlace, wrapped, wrapped_place};

@@ -4,7 +4,7 @@ use specula_scene::spec::direct::DirectFormats;
 
 use super::direct::at_least;
 use super::divider::{QuotientFormat, quotient};
-use crate::error::newton_root::followed_root;
+use crate::error;
 use specula_datapath::builder::{Builder, Known, Sig};
 
 /// How Newton's method goes on from pixel to pixel.
@@ -19,13 +19,9 @@ pub struct NewtonRoot {
 /// d ← (d + q/d)/2, `steps` times at each pixel from the d of the pixel before on, and from 1 at
 /// the first; q counts as 4^-m at least. [lecture, §4.2; methods A6]
 ///
-/// d + q/d ≥ 2√q, so d stays at 2^-m or more, and so q/d at 2^m or less. With d from 2^-m to D and
-/// q ≤ 1 + o, d is convex in what it was and so no larger than at its ends: (2^-m + 2^m (1 + o))/2,
-/// or D itself where that is 1 + o or more.
-///
-/// All steps happen within one clock, divisions included: the next pixel waits for d.
-///
-/// Error: [`followed_root`].
+/// d + q/d ≥ 2√q, so d stays at 2^-m or more, and so q/d at 2^m or less. All steps happen within one
+/// clock, divisions included: the next pixel waits for d. How large d gets and how far it is off:
+/// [`error::newton_root`].
 pub fn newton_root(
     b: &Builder,
     first: &Sig,
@@ -43,10 +39,10 @@ pub fn newton_root(
                 (formats.reciprocal.integer_bits, formats.length.fraction_bits);
             let q = at_least(b, &q, 2 * reach);
             let least = power_of_two(-i64::from(reach));
-            let most = q.format().value(q.range().high).max(1.0);
-            let longest = most.max((least + most / least) / 2.0) + formats.length.ulp();
-            let error = newton.bound(&q, formats).unwrap_or(longest);
-            let known = Known { limits: (0.0, longest), fact: "0 <= d <= (2^-m + 2^m)/2", error };
+            let largest_q = q.format().value(q.range().high);
+            let largest = error::newton_root::largest(least, largest_q, formats.length.ulp());
+            let error = newton.bound(&q, formats).unwrap_or(largest);
+            let known = Known { limits: (0.0, largest), fact: "0 <= d <= (2^-m + 2^m)/2", error };
             let to = QuotientFormat { integer_bits: reach, fraction_bits };
             let [d] = b.carried(
                 &first,
@@ -68,6 +64,6 @@ pub fn newton_root(
 impl NewtonRoot {
     /// How far d is off; nothing where steps may lead away from the root.
     pub fn bound(self, q: &Sig, formats: &DirectFormats) -> Option<f64> {
-        followed_root(self.steps, self.shortest, q.error_value(), formats)
+        error::newton_root::followed_root(self.steps, self.shortest, q.error_value(), formats)
     }
 }

@@ -1,10 +1,10 @@
 //! Approximate normalisation.
-use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
+use specula_scene::spec::lyon::{LyonFormats, LyonSpec, Normalisation};
 
-use super::{ExactNormalisation, ReciprocalRoot, normalise_exactly};
+use super::normalise_exactly;
+use super::vector::{bounds, has_direction};
 use crate::error;
 use crate::error::normalise::{Approximation, FirstGain};
-use crate::error::vector::VectorBounds;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Brings N' near unit length: n = g N' with g about 1/|N'|. [Lyon, TR 43; methods B8, B9]
@@ -23,7 +23,7 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
     let f = &lyon.formats;
     let (first, formula) = match lyon.normalisation {
         Normalisation::None => return unnormalised(b, normal, shortest),
-        Normalisation::Exact => return normalise_exactly(b, normal, exactly(f), shortest),
+        Normalisation::Exact => return normalise_exactly(b, normal, f.into(), shortest),
         Normalisation::G1 => (FirstGain::G1, "n = g N', g = 1 + y/2, y = 1 - N'.N' [Lyon, TR 43]"),
         Normalisation::G2 => {
             (FirstGain::G2, "n = g N', g = 1 + (y + y^2)/2, y = 1 - N'.N' [Lyon, TR 43]")
@@ -75,29 +75,4 @@ fn newton_step(b: &Builder, g: &Sig, z: &Sig, f: &LyonFormats, largest_product: 
 fn unnormalised(b: &Builder, normal: &Vector, shortest: f64) -> (Vector, Sig) {
     let unsure = error::normalise::not_zero(bounds(normal, shortest));
     (normal.clone(), has_direction(b, normal).stated_error_value(unsure))
-}
-
-/// Whether a vector has a component that is not 0 (extremes row 1).
-pub fn has_direction(b: &Builder, n: &Vector) -> Sig {
-    b.unit("direction_gate", "N is not 0", (("n", n),), |b, (n,)| {
-        let zero = b.integer(0);
-        let not_zero = |c: &Sig| c.less_than(&zero).or(&zero.less_than(c));
-        not_zero(&n.x).or(&not_zero(&n.y)).or(&not_zero(&n.z)).named("has_direction")
-    })
-}
-
-fn exactly(formats: &LyonFormats) -> ExactNormalisation {
-    ExactNormalisation {
-        length_squared_fraction_bits: formats.length_squared.fraction_bits,
-        reciprocal: ReciprocalRoot {
-            integer_bits: LOG2_LARGEST_GAIN,
-            fraction_bits: formats.gain.fraction_bits,
-        },
-        vector_fraction_bits: formats.vector.fraction_bits,
-    }
-}
-
-/// What is known of a vector no shorter than `shortest` as a real one.
-pub(super) fn bounds(vector: &Vector, shortest: f64) -> VectorBounds {
-    VectorBounds { shortest, longest: vector.longest(), error: vector.off().length }
 }

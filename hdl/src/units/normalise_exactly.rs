@@ -1,8 +1,9 @@
 //! Exact normalisation.
 use specula_scene::format::power_of_two;
+use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats};
 
-use super::normalise::bounds;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
+use super::vector::bounds;
 use crate::error::normalise_exactly::Exact;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
@@ -16,6 +17,19 @@ pub struct ExactNormalisation {
     pub reciprocal: ReciprocalRoot,
     /// Fraction bits of n.
     pub vector_fraction_bits: u32,
+}
+
+impl From<&LyonFormats> for ExactNormalisation {
+    fn from(formats: &LyonFormats) -> ExactNormalisation {
+        ExactNormalisation {
+            length_squared_fraction_bits: formats.length_squared.fraction_bits,
+            reciprocal: ReciprocalRoot {
+                integer_bits: LOG2_LARGEST_GAIN,
+                fraction_bits: formats.gain.fraction_bits,
+            },
+            vector_fraction_bits: formats.vector.fraction_bits,
+        }
+    }
 }
 
 /// n = r N with r = 1/√max(z, 4^-m) and z = N·N, each rounded; beside n goes the bit z > 0, which

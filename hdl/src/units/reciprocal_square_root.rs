@@ -2,7 +2,7 @@
 use specula_scene::Format;
 use specula_scene::format::power_of_two;
 
-use crate::error::reciprocal_square_root::reciprocal_root;
+use crate::error::reciprocal_square_root::{RowLimits, reciprocal_root};
 use specula_datapath::builder::{Builder, Sig};
 use specula_datapath::design::Range;
 
@@ -73,13 +73,9 @@ pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest
 }
 
 /// One bit of the result: whether 4P + Z ≤ 4w, and w and P after it, all after one clock.
-///
-/// R² Z ≤ C/4^k = 2^`log2_square`, so P = R Z ≤ √(2^`log2_square` Z), and w is no larger than 2P +
-/// Z or 2^`log2_square`.
+/// C/4^k is 2^`log2_square`.
 fn row(b: &Builder, residue: &Sig, product: &Sig, z: &Sig, log2_square: u32) -> (Sig, Sig, Sig) {
-    let (square, largest) = (power_of_two(log2_square.into()), z.range().high as f64);
-    // The factor makes up for rounding here.
-    let most = (square * largest).sqrt() * (1.0 + f64::EPSILON);
+    let most = RowLimits::new(power_of_two(log2_square.into()), z.range().high as f64);
     let formula = "bit = 4w >= 4P + Z, w' = 4w - bit (4P + Z), P' = 2P + bit Z";
     b.unit(
         "reciprocal_root_row",
@@ -92,13 +88,13 @@ fn row(b: &Builder, residue: &Sig, product: &Sig, z: &Sig, log2_square: u32) -> 
                 let below = difference.less_than(&b.integer(0));
                 let rest = below.choose(&grown, &difference).assumed(
                     0.0,
-                    all_ones(square.min(2.0 * most + largest)),
+                    all_ones(most.residue),
                     "0 <= w <= 2P + Z",
                 );
                 let doubled = p.times_power_of_two(1);
                 let product = below.choose(&doubled, &(&doubled + &z)).assumed(
                     0.0,
-                    all_ones(most),
+                    all_ones(most.product),
                     "R^2 Z <= C/4^k",
                 );
                 (rest, product, below.not())
