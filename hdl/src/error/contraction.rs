@@ -20,7 +20,9 @@ pub struct Angle {
 ///
 /// Start and step are up to a unit u of the accumulator's last place too large each:
 ///
-///   0 ≤ t'(i) - t(i) ≤ (S + 1) u
+/// ```text
+/// 0 ≤ t'(i) - t(i) ≤ (S + 1) u
+/// ```
 ///
 /// and rounding up adds less than a unit of its own.
 pub fn angle(accumulator: Format, angle: Format, steps: u32) -> Angle {
@@ -36,8 +38,10 @@ pub fn angle(accumulator: Format, angle: Format, steps: u32) -> Angle {
 ///
 /// κ exceeds π - 2 by 8.91e-6, and
 ///
-///   |∂q/∂κ| = t(1 - t)²/(1 + κt)² < 0.1
-///   |∂q/∂t| ≤ π
+/// ```text
+/// |∂q/∂κ| = t(1 - t)²/(1 + κt)² < 0.1
+/// |∂q/∂t| ≤ π
+/// ```
 pub fn rational(t_error: f64, contraction: Format) -> f64 {
     const OF_KAPPA: f64 = 8.91e-7;
     (STEEPEST * t_error + OF_KAPPA + contraction.ulp()).min(1.0)
@@ -48,10 +52,12 @@ pub fn rational(t_error: f64, contraction: Format) -> f64 {
 ///
 /// The polynomial is off by 1.45e-5. In units of the last place of T
 ///
-///   v                    1
-///   S, four steps        1 and 0.2 of v each     |S'| < 0.1
-///   (1 - v) S            1 and 0.3 of v          |d((1 - v) S)/dv| < 0.3
-///   T                    1
+/// ```text
+/// v                    1
+/// S, four steps        1 and 0.2 of v each     |S'| < 0.1
+/// (1 - v) S            1 and 0.3 of v          |d((1 - v) S)/dv| < 0.3
+/// T                    1
+/// ```
 ///
 /// make less than 7, and q = T² moves twice as far.
 pub fn trigonometric(t_error: f64, tangent: Format, contraction: Format) -> f64 {

@@ -27,9 +27,11 @@ impl InverseLength {
     /// Bound on the error of p/√q, p = u·N, with p off by e = `p_error` and 1/√q rounded by
     /// e_s = `rounding`.
     ///
-    ///   p's' - p/√q = (p' - p)/√q' + p (1/√q' - 1/√q) + p' e_s
-    ///   |1/√q' - 1/√q| √q = |q - q'| / (√q' (√q + √q')) ≤ e_q / (2 min(q, q'))
-    ///   |p's' - p/√q|     ≤ e/√q' + e_q/(2q') + (1 + e) e_s
+    /// ```text
+    /// p's' - p/√q = (p' - p)/√q' + p (1/√q' - 1/√q) + p' e_s
+    /// |1/√q' - 1/√q| √q = |q - q'| / (√q' (√q + √q')) ≤ e_q / (2 min(q, q'))
+    /// |p's' - p/√q|     ≤ e/√q' + e_q/(2q') + (1 + e) e_s
+    /// ```
     pub fn cosine_error(self, p_error: f64, rounding: f64) -> f64 {
         if self.smallest == 0.0 {
             return 2.0;
@@ -42,11 +44,13 @@ impl InverseLength {
     /// Bound on the error of v p/q, v and p both u·N, off by e_v and e_p, with p/q rounded by
     /// e_k = `rounding`; infinite where nothing is known.
     ///
-    ///   k = p/q,  |p| ≤ √q,  |v| ≤ √q ≤ 1
-    ///   |k' - k|  ≤ e_p/q' + √q e_q/(q q') + e_k
-    ///             ≤ e_p/q' + e_q/(√q q') + e_k
-    ///   |v||k' - k| ≤ (e_p + e_q)/q' + e_k
-    ///   |v'k' - vk| ≤ |v||k' - k| + e_v (1/√q + |k' - k|)
+    /// ```text
+    /// k = p/q,  |p| ≤ √q,  |v| ≤ √q ≤ 1
+    /// |k' - k|  ≤ e_p/q' + √q e_q/(q q') + e_k
+    ///           ≤ e_p/q' + e_q/(√q q') + e_k
+    /// |v||k' - k| ≤ (e_p + e_q)/q' + e_k
+    /// |v'k' - vk| ≤ |v||k' - k| + e_v (1/√q + |k' - k|)
+    /// ```
     pub fn quotient_error(self, p_error: f64, v_error: f64, rounding: f64) -> f64 {
         if self.smallest == 0.0 {
             return f64::INFINITY;
@@ -67,8 +71,10 @@ pub fn direction_error(smallest: f64, q_error: f64) -> f64 {
 /// |P| ≤ q ≤ 1. P is off by e_P and q by e_q; real q is no smaller than `smallest`, or P and q are
 /// 0 exactly.
 ///
-///   P'w' - P/q = (P' - P + P (q - q')/q)/q' + P' e_w
-///   |·|        ≤ (e_P + e_q)/q' + (1 + e_P) e_w
+/// ```text
+/// P'w' - P/q = (P' - P + P (q - q')/q)/q' + P' e_w
+/// |·|        ≤ (e_P + e_q)/q' + (1 + e_P) e_w
+/// ```
 pub fn by_reciprocal([e_p, e_q]: [f64; 2], smallest: f64, rounding: f64) -> f64 {
     let surely = smallest - e_q;
     if surely > 0.0 { ((e_p + e_q) / surely + (1.0 + e_p) * rounding).min(2.0) } else { 2.0 }

@@ -24,8 +24,10 @@ pub struct Difference {
 
 /// H × N with H = L + V.
 ///
-///   |H × N|           ≤ |H||N|,   |H| ≤ 2 but for rounding
-///   |H' × N' - H × N| ≤ |H| e_N + |N| e_H + e_H e_N
+/// ```text
+/// |H × N|           ≤ |H||N|,   |H| ≤ 2 but for rounding
+/// |H' × N' - H × N| ≤ |H| e_N + |N| e_H + e_H e_N
+/// ```
 pub fn cross_product([h, n]: [Operand; 2], vector: Format) -> Difference {
     let longest_h = 2.0 + 2.0 * vector.ulp();
     let (e_h, e_n) = (h.off.length, n.off.length);
@@ -40,16 +42,20 @@ pub fn cross_product([h, n]: [Operand; 2], vector: Format) -> Difference {
 /// It is no longer than the reflection and 1. The reflection exceeds 1 no more than |n|² does, and
 /// rounding each component adds to that.
 ///
-///   2(n·v)n = |n|² (R + v)   for the reflection R about n's direction
+/// ```text
+/// 2(n·v)n = |n|² (R + v)   for the reflection R about n's direction
+/// ```
 ///
 /// With n' off by a across and λ along n:
 ///
-///   |R' - R|       ≤ 2a/|n'|               R turns by twice the angle that n does
-///   ||n'|² - |n|²| ≤ 2|n| λ + λ² + a²
-///   |of n|         ≤ 2|n'| a + 2(2|n| λ + λ² + a²)
-///   |of v|         ≤ e_v max(1, 2|n|² - 1)  reflecting about n stretches by no more
-///   |of l|         ≤ e_l
-///   |rounding|     ≤ |n| u/2               of 2(n·v)
+/// ```text
+/// |R' - R|       ≤ 2a/|n'|               R turns by twice the angle that n does
+/// ||n'|² - |n|²| ≤ 2|n| λ + λ² + a²
+/// |of n|         ≤ 2|n'| a + 2(2|n| λ + λ² + a²)
+/// |of v|         ≤ e_v max(1, 2|n|² - 1)  reflecting about n stretches by no more
+/// |of l|         ≤ e_l
+/// |rounding|     ≤ |n| u/2               of 2(n·v)
+/// ```
 pub fn reflection([n, v, l]: [Operand; 3], (vector, difference): (Format, Format)) -> Difference {
     let ulp = difference.ulp();
     let Off { across, along, .. } = n.off;
@@ -82,8 +88,10 @@ pub fn reflection_length([n, v, l]: [Operand; 3], shortest: f64, difference: For
 /// With r = |N|, the part along N is (r² - 1) times that of H and the part across is that of H, and
 /// rounding H·N to half a unit lengthens it by |N| u/2:
 ///
-///   |D|      ≤ |H| max(1, r² - 1) + |N| u
-///   |D' - D| ≤ 2|H||N| e_N + (|N|² + 1) e_H + |N| u/2
+/// ```text
+/// |D|      ≤ |H| max(1, r² - 1) + |N| u
+/// |D' - D| ≤ 2|H||N| e_N + (|N|² + 1) e_H + |N| u/2
+/// ```
 ///
 /// where lengths are those of real vectors, longer than the fixed ones by their errors at most.
 pub fn projection([h, n]: [Operand; 2], difference: Format) -> Difference {
@@ -100,8 +108,10 @@ pub fn projection([h, n]: [Operand; 2], difference: Format) -> Difference {
 
 /// h - N.
 ///
-///   |h - N|         ≤ |h| + |N|
-///   |h' - N' - D|   ≤ e_h + e_N
+/// ```text
+/// |h - N|         ≤ |h| + |N|
+/// |h' - N' - D|   ≤ e_h + e_N
+/// ```
 pub fn minus([h, n]: [Operand; 2]) -> Difference {
     Difference { longest: h.longest + n.longest, error: h.off.length + n.off.length }
 }

@@ -3,8 +3,10 @@ use super::host::HOST_ERROR;
 
 /// Bound on the error of x·y for real vectors no longer than 1, off by `e_x` and `e_y` as a whole.
 ///
-///   |x'·y' - x·y| = |(x' - x)·y + x·(y' - y) + (x' - x)·(y' - y)|
-///                 ≤ e_x + e_y + e_x e_y
+/// ```text
+/// |x'·y' - x·y| = |(x' - x)·y + x·(y' - y) + (x' - x)·(y' - y)|
+///               ≤ e_x + e_y + e_x e_y
+/// ```
 pub fn cosine(e_x: f64, e_y: f64) -> f64 {
     e_x + e_y + e_x * e_y
 }
@@ -13,7 +15,9 @@ pub fn cosine(e_x: f64, e_y: f64) -> f64 {
 ///
 /// Start and step are each off by half a unit u of the accumulator's last place:
 ///
-///   |I'(i) - I(i)| ≤ (1 + S) u/2
+/// ```text
+/// |I'(i) - I(i)| ≤ (1 + S) u/2
+/// ```
 ///
 /// and half as much again is left to the host, as little as that is.
 pub fn overshoot(steps: u32, ulp: f64) -> f64 {

@@ -41,29 +41,39 @@ impl LengthOff {
     /// Let all errors grow from nothing at the same rate, and let n̂ and v̂ be directions, ρ = |n| and
     /// ν = |v| on the way, and
     ///
-    ///   R = 2(n̂·v̂)n̂ - v̂,   c = n̂·v̂ = n̂·R,   s = n̂·D̂,   p = D̂·R
+    /// ```text
+    /// R = 2(n̂·v̂)n̂ - v̂,   c = n̂·v̂ = n̂·R,   s = n̂·D̂,   p = D̂·R
+    /// ```
     ///
     /// 1. |D| changes by D̂ times what D does:
     ///
-    ///      w·(change of n)   for w = 2ρν(c D̂ + s v̂)
-    ///      that of v         times max(1, 2ρ² - 1), as reflecting stretches by no more
-    ///      that of l, and what rounding adds
+    ///    ```text
+    ///    w·(change of n)   for w = 2ρν(c D̂ + s v̂)
+    ///    that of v         times max(1, 2ρ² - 1), as reflecting stretches by no more
+    ///    that of l, and what rounding adds
+    ///    ```
     ///
     /// 2. D̂ is p R and √(1 - p²) across R. Where D̂ lies across R, |s| ≤ √(1 - c²) and v̂·D̂ = 2cs;
     ///    for D̂ = R, c D̂ + s v̂ is 2c² long:
     ///
-    ///      |c D̂ + s v̂|² = c² + s² + 4c²s² ≤ 2
-    ///      |w|          ≤ 2ρν(√2 + 2|p|)
+    ///    ```text
+    ///    |c D̂ + s v̂|² = c² + s² + 4c²s² ≤ 2
+    ///    |w|          ≤ 2ρν(√2 + 2|p|)
+    ///    ```
     ///
     /// 3. Along n̂, with |s| ≤ |p||c| + √(1 - c²):
     ///
-    ///      |w·n̂| = 4ρν|cs|
-    ///            ≤ 2ρν(1 + 2|p|)
+    ///    ```text
+    ///    |w·n̂| = 4ρν|cs|
+    ///          ≤ 2ρν(1 + 2|p|)
+    ///    ```
     ///
     /// 4. Across n̂:
     ///
-    ///      |w × n̂| ≤ 2ρν(|c|√(1 - s²) + |s|√(1 - c²))
-    ///              ≤ 2ρν
+    ///    ```text
+    ///    |w × n̂| ≤ 2ρν(|c|√(1 - s²) + |s|√(1 - c²))
+    ///            ≤ 2ρν
+    ///    ```
     ///
     /// 5. The real n is turned from the one on the way by φ at most, which mixes 3 and 4 by |w| φ ≤
     ///    4ρν φ.
@@ -71,8 +81,10 @@ impl LengthOff {
     /// 6. D = R - m with ||m| - 1| ≤ μ: what l is off, what ρ²ν and ρ² differ from 1 and what
     ///    rounding adds. So
     ///
-    ///      |D·R| = |d² + 1 - |m|²|/2
-    ///      |p|   ≤ d/2 + (μ + μ²/2)/d
+    ///    ```text
+    ///    |D·R| = |d² + 1 - |m|²|/2
+    ///    |p|   ≤ d/2 + (μ + μ²/2)/d
+    ///    ```
     pub fn of_reflection(of: &Reflected) -> LengthOff {
         let (shortest, longest) = of.lengths;
         let turned = if shortest > 0.0 { of.n.across / shortest } else { f64::INFINITY };

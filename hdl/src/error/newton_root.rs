@@ -9,18 +9,24 @@ use specula_scene::spec::direct::DirectFormats;
 /// Real d is √q ≥ s or more, and D = d + e. As long as e ≤ s/16 both lie above l = 15/16 s. A step
 /// has the derivatives
 ///
-///   ∂/∂d = (1 - q/d²)/2, from (1 - (1 + e_q)/l²)/2 to 1/2   for q ≤ 1 + e_q
-///   ∂/∂q = 1/(2d)        ≤ 1/(2l)
+/// ```text
+/// ∂/∂d = (1 - q/d²)/2, from (1 - (1 + e_q)/l²)/2 to 1/2   for q ≤ 1 + e_q
+/// ∂/∂q = 1/(2d)        ≤ 1/(2l)
+/// ```
 ///
 /// and rounds its quotient, which counts half, and its d to half a unit u/2 each. So a step makes
 /// of e no more than
 ///
-///   λ e + ρ,   λ = max(1, (1 + e_q)/l² - 1)/2,   ρ = e_q/(2l) + 3/4 u
+/// ```text
+/// λ e + ρ,   λ = max(1, (1 + e_q)/l² - 1)/2,   ρ = e_q/(2l) + 3/4 u
+/// ```
 ///
 /// A second step begins at √q or above: it makes e/2 + ρ of e. Where all steps of a pixel shrink it,
 ///
-///   e ≤ ρ/(1 - λ)               one step:  spans of up to 103 degrees
-///   e ≤ (ρ/2 + ρ)/(1 - λ/2)     two steps: spans of up to 123 degrees
+/// ```text
+/// e ≤ ρ/(1 - λ)               one step:  spans of up to 103 degrees
+/// e ≤ (ρ/2 + ρ)/(1 - λ/2)     two steps: spans of up to 123 degrees
+/// ```
 ///
 /// That q counts as 4^-m at least brings it no further from the real one as long as s ≥ 2^-m.
 pub fn followed_root(steps: u32, shortest: f64, e_q: f64, formats: &DirectFormats) -> Option<f64> {
@@ -41,8 +47,10 @@ pub fn followed_root(steps: u32, shortest: f64, e_q: f64, formats: &DirectFormat
 ///
 /// (d + q/d)/2 is convex in d, and so no larger for d from l to D than at one of its ends:
 ///
-///   d = l:  (l + q/l)/2 ≤ (l + Q/l)/2
-///   d = D:  (D + q/D)/2 ≤ D             where D² ≥ Q, as D ≥ Q ≥ 1 makes it
+/// ```text
+/// d = l:  (l + q/l)/2 ≤ (l + Q/l)/2
+/// d = D:  (D + q/D)/2 ≤ D             where D² ≥ Q, as D ≥ Q ≥ 1 makes it
+/// ```
 pub fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
     let most = largest_q.max(1.0);
     most.max((least + most / least) / 2.0) + ulp

@@ -81,15 +81,19 @@ impl Approximation {
     ///
     /// Gains turn nothing, so with t as [`VectorBounds::turn`] has it
     ///
-    ///   across ≤ |n'| t
-    ///   along  ≤ |ρ' - ρ| + (|n'| t)²/2
+    /// ```text
+    /// across ≤ |n'| t
+    /// along  ≤ |ρ' - ρ| + (|n'| t)²/2
+    /// ```
     ///
     /// for the real length ρ = r g(r²) and the fixed one ρ' = r' g', where |r' - r| ≤ e and |g' -
     /// g(r'²)| ≤ e_g ([`Gain`]):
     ///
-    ///   |ρ' - ρ| ≤ |r' g(r'²) - r g(r²)| + r' |g' - g(r'²)|
-    ///            ≤ max |dρ/dr| e + (longest + e) e_g
-    ///   |n'|     ≤ max ρ + (longest + e) e_g
+    /// ```text
+    /// |ρ' - ρ| ≤ |r' g(r'²) - r g(r²)| + r' |g' - g(r'²)|
+    ///          ≤ max |dρ/dr| e + (longest + e) e_g
+    /// |n'|     ≤ max ρ + (longest + e) e_g
+    /// ```
     fn off(&self, bounds: VectorBounds, reach: f64) -> Off {
         let VectorBounds { longest, error: e, .. } = bounds;
         let gain = self.gain_within(bounds);
@@ -129,9 +133,11 @@ fn longest_scaled(longest: f64) -> f64 {
 
 /// How long n = g N' can be for the exact g, for N' no longer than `longest`.
 ///
-///   g1:          ρ = 3/2 r - 1/2 r³             ≤ 1
-///   g2:          ρ = 2r - 3/2 r³ + 1/2 r⁵       ≤ 1.00176 up to r = 1, at r = 0.894
-///   Newton step: ρ ← 3/2 ρ - 1/2 ρ³             ≤ 1
+/// ```text
+/// g1:          ρ = 3/2 r - 1/2 r³             ≤ 1
+/// g2:          ρ = 2r - 3/2 r³ + 1/2 r⁵       ≤ 1.00176 up to r = 1, at r = 0.894
+/// Newton step: ρ ← 3/2 ρ - 1/2 ρ³             ≤ 1
+/// ```
 ///
 /// Beyond r = 1 that of g2 grows.
 fn longest_real(longest: f64) -> f64 {
@@ -178,8 +184,10 @@ impl FirstGain {
 
     /// Largest |dρ/dr| of ρ = r g(r²) for r from `shortest` to `longest`, which is about 1.
     ///
-    ///   g1: dρ/dr = 3/2 (1 - r²)
-    ///   g2: dρ/dr = 1/2 (1 - r²)(4 - 5r²), least at r² = 9/10: -1/40
+    /// ```text
+    /// g1: dρ/dr = 3/2 (1 - r²)
+    /// g2: dρ/dr = 1/2 (1 - r²)(4 - 5r²), least at r² = 9/10: -1/40
+    /// ```
     fn steepest_length(self, shortest: f64, longest: f64) -> f64 {
         let slope = |r: f64| {
             let y = 1.0 - r * r;
@@ -214,7 +222,9 @@ struct Gain {
 impl Gain {
     /// The first gain is largest for the shortest N', and so is its slope, up to e_z beyond:
     ///
-    ///   e_g ≤ (|dg/dy| + e_z) e_z + u/2
+    /// ```text
+    /// e_g ≤ (|dg/dy| + e_z) e_z + u/2
+    /// ```
     ///
     /// 1 - z g² is largest at one of the ends, or 0.0036 where g2 overshoots.
     fn first(first: FirstGain, (shortest, longest): (f64, f64), error_of_z: f64, ulp: f64) -> Gain {
@@ -238,15 +248,19 @@ impl Gain {
 
     /// g₊ = g (3 - z g²)/2.
     ///
-    ///   ∂g₊/∂g = 3/2 (1 - z g²)      |·| ≤ 3/2 (residue + g² e_z + 2 g e_g)
-    ///   ∂g₊/∂z = -g³/2
+    /// ```text
+    /// ∂g₊/∂g = 3/2 (1 - z g²)      |·| ≤ 3/2 (residue + g² e_z + 2 g e_g)
+    /// ∂g₊/∂z = -g³/2
+    /// ```
     ///
     /// Rounding g² and 3 - z g² to u/2 each adds (z g + g) u/4 ≤ g u/2, and rounding g₊ u/2.
     ///
     /// With q = 1 - z g² the new residue and length are
     ///
-    ///   1 - z g₊² = 1 - (1 - q)(1 + q/2)² = 3/4 q² + 1/4 q³
-    ///   ρ₊ = ρ (3 - ρ²)/2,  dρ₊/dρ = 3/2 (1 - ρ²) = 3/2 q
+    /// ```text
+    /// 1 - z g₊² = 1 - (1 - q)(1 + q/2)² = 3/4 q² + 1/4 q³
+    /// ρ₊ = ρ (3 - ρ²)/2,  dρ₊/dρ = 3/2 (1 - ρ²) = 3/2 q
+    /// ```
     fn after_newton_step(self) -> Gain {
         let exact = if self.shortest > 0.0 { self.shortest.recip() } else { f64::INFINITY };
         let g = self.largest + self.error;

@@ -30,8 +30,10 @@ impl Exact {
     ///
     /// z is no more than u_z/2 below N·N, and at least l under the root:
     ///
-    ///   |r N| ≤ √(N·N / max(z, l)) + |N| u_r/2
-    ///         ≤ √(1 + u_z/(2 l)) + |N| u_r/2
+    /// ```text
+    /// |r N| ≤ √(N·N / max(z, l)) + |N| u_r/2
+    ///       ≤ √(1 + u_z/(2 l)) + |N| u_r/2
+    /// ```
     ///
     /// Where fixed z may be less than l, nothing is known of n but that both are no longer than it
     /// can be.
@@ -55,15 +57,19 @@ impl Exact {
 /// How far a normalised vector is off that was within `bounds` before, and is then scaled to a
 /// length off by what a relative error x = `of_z` of its square makes, and by `of_root`.
 ///
-///   N·N/z = 1 + y,            |y| ≤ x
-///   1 - √(1 - x) = x/(1 + √(1 - x)) ≤ x/(2 - x)
-///   √(1 + x) - 1 ≤ x/2              ≤ x/(2 - x)
+/// ```text
+/// N·N/z = 1 + y,            |y| ≤ x
+/// 1 - √(1 - x) = x/(1 + √(1 - x)) ≤ x/(2 - x)
+/// √(1 + x) - 1 ≤ x/2              ≤ x/(2 - x)
+/// ```
 ///
 /// So the length is 1 but for ρ = x/(2 - x) + `of_root`. With the turn t of
 /// [`VectorBounds::turn`], whose angle φ has sin φ ≤ t and cos φ ≥ 1 - t²/2, n is off by
 ///
-///   across: (1 + ρ) sin φ      ≤ (1 + ρ) t
-///   along:  |(1 + ρ) cos φ - 1| ≤ ρ + (1 + ρ) t²/2
+/// ```text
+/// across: (1 + ρ) sin φ      ≤ (1 + ρ) t
+/// along:  |(1 + ρ) cos φ - 1| ≤ ρ + (1 + ρ) t²/2
+/// ```
 pub fn unit_vector(bounds: VectorBounds, of_z: f64, of_root: f64) -> Off {
     let turn = bounds.turn();
     let stretched = of_z / (2.0 - of_z) + of_root;

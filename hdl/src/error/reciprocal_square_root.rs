@@ -5,8 +5,10 @@
 ///
 /// With ξ between z and z', and s = max(`smallest` - e, l):
 ///
-///   |1/√z' - 1/√z| = e/2 ξ^(-3/2)
-///                  ≤ e/2 s^(-3/2)
+/// ```text
+/// |1/√z' - 1/√z| = e/2 ξ^(-3/2)
+///                ≤ e/2 s^(-3/2)
+/// ```
 ///
 /// and no more than 1/√l, since all of them lie from 0 to there.
 pub fn reciprocal_root(z_error: f64, smallest: f64, least_operand: f64, ulp: f64) -> f64 {
@@ -27,8 +29,10 @@ pub struct RowLimits {
 impl RowLimits {
     /// For c = `square` and Z no larger than `largest`:
     ///
-    ///   R² Z ≤ c,  so P = R Z ≤ √(c Z)
-    ///   (R + 1)² Z > c, so w ≤ 2P + Z, and w ≤ c
+    /// ```text
+    /// R² Z ≤ c,  so P = R Z ≤ √(c Z)
+    /// (R + 1)² Z > c, so w ≤ 2P + Z, and w ≤ c
+    /// ```
     pub fn new(square: f64, largest: f64) -> RowLimits {
         // The factor makes up for rounding here.
         let product = (square * largest).sqrt() * (1.0 + f64::EPSILON);

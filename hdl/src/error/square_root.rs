@@ -3,10 +3,12 @@
 /// Bound on the error of √x to half a unit of `ulp`, for x off by e = `x_error` and fixed x no
 /// smaller than b = `smallest` ≥ 0.
 ///
-///   |√x' - √x| = |x' - x| / (√x' + √x)
-///              ≤ e/√b
-///   |√x' - √x| ≤ √|x' - x|
-///              ≤ √e
+/// ```text
+/// |√x' - √x| = |x' - x| / (√x' + √x)
+///            ≤ e/√b
+/// |√x' - √x| ≤ √|x' - x|
+///            ≤ √e
+/// ```
 pub fn root(x_error: f64, smallest: f64, ulp: f64) -> f64 {
     // Where both are 0 the quotient is none, and counts for nothing.
     x_error.sqrt().min(x_error / smallest.sqrt()) + 0.5 * ulp

@@ -18,8 +18,10 @@ pub fn weights(formats: &SlerpFormats, steps: u32) -> f64 {
 /// N'·X = c A·X + s T·X of a unit vector X is no larger. A·X and T·X are off by half a unit u of
 /// their last place each:
 ///
-///   |N'·X| ≤ |N'||X|
-///          ≤ (1 + e)(1 + 2u)
+/// ```text
+/// |N'·X| ≤ |N'||X|
+///        ≤ (1 + e)(1 + 2u)
+/// ```
 pub fn largest_scalar(formats: &SlerpFormats, steps: u32) -> f64 {
     (1.0 + weights(formats, steps)) * (1.0 + 2.0 * formats.component.ulp())
 }
@@ -37,24 +39,30 @@ pub fn largest_square(formats: &SlerpFormats, steps: u32) -> f64 {
 ///    to f. Of N' - N no more than x lies across N: what the rotation drifts across, and κ half
 ///    units of the weights. n = N'/|N'| and N are apart by
 ///
-///      angle(n, N) ≤ atan(x/(1 - e))
-///                  ≤ asin e
+///    ```text
+///    angle(n, N) ≤ atan(x/(1 - e))
+///                ≤ asin e
+///    ```
 ///
 ///    and R turns by twice that.
 ///
 /// 2. What N' is too long or too short by. With z = N'·N' = |N'|², |z - 1| ≤ q = 2e + e²:
 ///
-///      z (2 - z) = 1 - (1 - z)²
-///      |2 J K (2 - z) - 2 n·L n·V| ≤ 2q²
+///    ```text
+///    z (2 - z) = 1 - (1 - z)²
+///    |2 J K (2 - z) - 2 n·L n·V| ≤ 2q²
+///    ```
 ///
 /// 3. Roundings, u_x of scalars, u_c of cosines and u_b of the base, half units each with what the
 ///    host adds:
 ///
-///      |c| + |s| ≤ κ + √2 e
-///      e_J = e_K ≤ (κ + √2 e) u_x + u_c                   N'·X of rounded scalars
-///      e_K'      ≤ e_K (1 + q) + (1 + e + e_K) u_c + u_c  K' = K (2 - z)
-///      e_JK'     ≤ (1 + e) e_K' + (1 + e)(1 + q) e_J + e_J e_K'
-///      rest      ≤ 2q² + 2 e_JK' + u_x + u_b              L·V is a scalar, too
+///    ```text
+///    |c| + |s| ≤ κ + √2 e
+///    e_J = e_K ≤ (κ + √2 e) u_x + u_c                   N'·X of rounded scalars
+///    e_K'      ≤ e_K (1 + q) + (1 + e + e_K) u_c + u_c  K' = K (2 - z)
+///    e_JK'     ≤ (1 + e) e_K' + (1 + e)(1 + q) e_J + e_J e_K'
+///    rest      ≤ 2q² + 2 e_JK' + u_x + u_b              L·V is a scalar, too
+///    ```
 pub fn base(formats: &SlerpFormats, steps: u32, shortest_normal: f64) -> Angular {
     let e = weights(formats, steps);
     let widest = 2.0 * shortest_normal.clamp(0.0, 1.0).acos();

@@ -27,8 +27,10 @@ impl Weighing {
 
     /// Between the ends:
     ///
-    ///   sin((1 - t) f)/sin f + sin(t f)/sin f = cos((1/2 - t) f)/cos(f/2)
-    ///                                         ≤ 1/cos(f/2)
+    /// ```text
+    /// sin((1 - t) f)/sin f + sin(t f)/sin f = cos((1/2 - t) f)/cos(f/2)
+    ///                                       ≤ 1/cos(f/2)
+    /// ```
     ///
     /// where cos(f/2) is the length of the chord's middle, `shortest_chord` or more, and f is 170
     /// degrees at most. Below 10 degrees chords do, no shorter than cos 5°.
@@ -45,8 +47,10 @@ impl Weighing {
     /// How far N is off before it is rounded, of P and Q no longer than `longest` and off by `off`;
     /// so N is no longer than 1 and this.
     ///
-    ///   |N' - N| ≤ |(u' - u) P' + (v' - v) Q'| + |u (P' - P) + v (Q' - Q)|
-    ///            ≤ e_w max |P'|, |Q'| + (|u| + |v|) max e_P, e_Q
+    /// ```text
+    /// |N' - N| ≤ |(u' - u) P' + (v' - v) Q'| + |u (P' - P) + v (Q' - Q)|
+    ///          ≤ e_w max |P'|, |Q'| + (|u| + |v|) max e_P, e_Q
+    /// ```
     pub fn put_together(self, longest: f64, off: f64) -> f64 {
         self.off * longest + self.sum * off
     }
@@ -54,9 +58,11 @@ impl Weighing {
     /// How far n is off before it is rounded, of N off by e = `off`, with (3 - N·N)/2 off by
     /// `half_unit`. Real N is l or more long and 1 or less.
     ///
-    ///   |n'|   ≤ 1 + half_unit (1 + e)
-    ///   across ≤ |n'| e/√(l (l - e))       the distance of the directions of N' and N
-    ///   along  ≤ max |dρ/dr| e + half_unit (1 + e) + across²/2
+    /// ```text
+    /// |n'|   ≤ 1 + half_unit (1 + e)
+    /// across ≤ |n'| e/√(l (l - e))       the distance of the directions of N' and N
+    /// along  ≤ max |dρ/dr| e + half_unit (1 + e) + across²/2
+    /// ```
     ///
     /// with the length ρ = r (3 - r²)/2, whose slope 3/2 (1 - r²) is steepest at r = l - e or 1 + e.
     pub fn lengthened(self, off: f64, half_unit: f64) -> Off {

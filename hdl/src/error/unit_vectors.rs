@@ -7,9 +7,11 @@ use super::angular::Angular;
 ///
 /// Fixed x is the length 1 + δ_x times a direction, |δ_x| ≤ ε_x ([`Off::stretch`]):
 ///
-///   x'·y' = (1 + δ_x)(1 + δ_y) cos t'
-///   |t' - t|         ≤ turn of x + turn of y
-///   |x'·y' - cos t'| ≤ (1 + ε_x)(1 + ε_y) - 1
+/// ```text
+/// x'·y' = (1 + δ_x)(1 + δ_y) cos t'
+/// |t' - t|         ≤ turn of x + turn of y
+/// |x'·y' - cos t'| ≤ (1 + ε_x)(1 + ε_y) - 1
+/// ```
 pub fn cosine([x, y]: [Off; 2], rounding: f64) -> Angular {
     Angular {
         angle: x.angle() + y.angle(),
@@ -22,8 +24,10 @@ pub fn cosine([x, y]: [Off; 2], rounding: f64) -> Angular {
 ///
 /// With r_v and r_l for what both cosines are off beside the turns:
 ///
-///   2(c_v + r_v)(c_l + r_l) - V·L = R·L + 2(c_v r_l + c_l r_v + r_v r_l)
-///   |rest| ≤ 2(r_v + r_l + r_v r_l) + r
+/// ```text
+/// 2(c_v + r_v)(c_l + r_l) - V·L = R·L + 2(c_v r_l + c_l r_v + r_v r_l)
+/// |rest| ≤ 2(r_v + r_l + r_v r_l) + r
+/// ```
 ///
 /// where R·L is that of the turned vectors, whose angle is off by no more than both angles with N
 /// together.

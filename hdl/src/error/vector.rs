@@ -20,9 +20,11 @@ impl VectorBounds {
     /// t, how far the directions of fixed and real vector are apart, as the distance of unit
     /// vectors; for e < s.
     ///
-    ///   |â - b̂|² = 2 - 2 â·b̂
-    ///            = (|a - b|² - (|a| - |b|)²) / (|a||b|)
-    ///            ≤ e² / (s (s - e))
+    /// ```text
+    /// |â - b̂|² = 2 - 2 â·b̂
+    ///          = (|a - b|² - (|a| - |b|)²) / (|a||b|)
+    ///          ≤ e² / (s (s - e))
+    /// ```
     pub fn turn(self) -> f64 {
         self.error / (self.shortest * self.surely()).sqrt()
     }
