@@ -147,7 +147,7 @@ impl Pixel<'_> {
         let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || {
-                units::kept_within_one(b, &j, formats.diffuse.fraction_bits)
+                units::clamp_unit(b, &j, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),

@@ -72,7 +72,7 @@ impl Pixel<'_> {
         let power = || units::raised(b, &base, self.exponent, self.duff.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || {
-                units::amount(b, &cosine, f.diffuse.fraction_bits)
+                units::clamp_nonnegative(b, &cosine, f.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
@@ -105,7 +105,7 @@ impl Pixel<'_> {
                     .named(&called("r"));
                 let cosine = || units::cosine(b, &r, self.length, f.cosine.fraction_bits);
                 let cosine = b.instance(&called("halfway_cosine"), cosine);
-                b.instance(&called("base"), || units::amount(b, &cosine, fraction_bits))
+                b.instance(&called("base"), || units::clamp_nonnegative(b, &cosine, fraction_bits))
             }
             Highlight::Quotient => {
                 let numerator = light.numerator.as_ref().expect(given);
@@ -121,7 +121,7 @@ impl Pixel<'_> {
                         &p,
                         &self.length.squared,
                         fraction_bits,
-                        self.length.smallest(),
+                        self.length.proven.smallest(),
                     )
                 };
                 b.instance(&called("divider"), divider)
@@ -132,9 +132,15 @@ impl Pixel<'_> {
                     fraction_bits: f.quotient.fraction_bits,
                 };
                 let quotient = || {
-                    units::signed_quotient(b, p, &self.length.squared, to, self.length.smallest())
+                    units::signed_quotient(
+                        b,
+                        p,
+                        &self.length.squared,
+                        to,
+                        self.length.proven.smallest(),
+                    )
                 };
-                let error = self.length.quotient_error(
+                let error = self.length.proven.quotient_error(
                     p.error_value(),
                     self.view.expect(given).error_value(),
                     0.5 * f.quotient.ulp(),

@@ -5,6 +5,7 @@ use specula_scene::spec::lyon::{
 };
 
 use super::{eye, finish, pipelines, turns, unit_vector};
+use crate::error;
 use crate::units::{self, Follow, Interpolation, LengthOff, Light, SpanNormals, WrapFormats};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::{Design, ErrorForm};
@@ -89,7 +90,7 @@ fn normal(
 fn shortest_normal(spec: &CoreSpec, lyon: &LyonSpec) -> f64 {
     match lyon.normals {
         Normals::Flat | Normals::Wrapped => 1.0,
-        Normals::Linear => units::shortest_normalised(lyon, spec.shortest_normal),
+        Normals::Linear => error::normalise::shortest_normalised(lyon, spec.shortest_normal),
     }
 }
 
@@ -202,7 +203,7 @@ impl Pixel<'_> {
             Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
             _ => units::halfway_projection(b, &h, n, formats),
         };
-        let length_off = LengthOff::of(&d);
+        let length_off = LengthOff::whole(d.off().length);
         (d, length_off)
     }
 }

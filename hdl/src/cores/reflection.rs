@@ -125,7 +125,7 @@ impl Pixel<'_> {
         let power = || units::raised(b, &base, self.exponent, self.reflection.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || {
-                units::amount(b, &cosine, f.diffuse.fraction_bits)
+                units::clamp_nonnegative(b, &cosine, f.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
@@ -144,7 +144,7 @@ impl Pixel<'_> {
         match self.reflection.specular {
             Highlight::Blinn => {
                 let cosine = self.cosine(&called("halfway"), light.halfway.as_ref().expect(given));
-                b.instance(&called("base"), || units::amount(b, &cosine, fraction_bits))
+                b.instance(&called("base"), || units::clamp_nonnegative(b, &cosine, fraction_bits))
             }
             Highlight::Hybrid => {
                 let p = self

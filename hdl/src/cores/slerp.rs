@@ -3,7 +3,10 @@ use specula_scene::CoreSpec;
 use specula_scene::spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
 
 use super::{eye, finish, pipelines, turns, unit_vector};
-use crate::units::{self, BaseBound, Light, Turn, Weighing};
+use crate::error;
+use crate::error::angular::Angular;
+use crate::error::turned_normal::Weighing;
+use crate::units::{self, Light, Turn};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::Design;
 
@@ -34,7 +37,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
             units::corrected(&b, &n_dot_v, weights, formats, steps)
         }
     };
-    let bound = BaseBound::new(formats, steps, spec.shortest_normal);
+    let base = error::turned::base(formats, steps, spec.shortest_normal);
     let pixel = Pixel {
         b: &b,
         spec,
@@ -43,7 +46,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
         normal: normal.as_ref(),
         n_dot_v: &n_dot_v,
         exponent: &inputs.exponent,
-        bound,
+        base,
     };
     let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
         .iter()
@@ -101,7 +104,8 @@ struct Pixel<'a> {
     normal: Option<&'a Vector>,
     n_dot_v: &'a Sig,
     exponent: &'a Sig,
-    bound: BaseBound,
+    /// What is proven of the base of each highlight, if it is made of scalars.
+    base: Angular,
 }
 
 impl Pixel<'_> {
@@ -113,7 +117,7 @@ impl Pixel<'_> {
         let power = || units::raised(b, &base, self.exponent, self.slerp.power_unit());
         Light {
             diffuse: b.instance(&called("diffuse"), || {
-                units::kept_within_one(b, &n_dot_l, formats.diffuse.fraction_bits)
+                units::clamp_unit(b, &n_dot_l, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
             diffuse_coefficients: light.diffuse.clone(),
@@ -144,9 +148,14 @@ impl Pixel<'_> {
                 &light.light_dot_view,
                 formats.base.fraction_bits,
             ),
-            None => {
-                units::base(b, n_dot_l, self.n_dot_v, &light.light_dot_view, &self.bound, formats)
-            }
+            None => units::specular_base(
+                b,
+                n_dot_l,
+                self.n_dot_v,
+                &light.light_dot_view,
+                self.base,
+                formats,
+            ),
         }
     }
 }

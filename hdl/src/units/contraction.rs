@@ -1,8 +1,8 @@
 //! How far a consistent reflection departs from the plain one.
-use specula_scene::spec::consistent::{ConsistentFormats, Curve, LARGEST_ANGLE};
+use specula_scene::spec::consistent::{ConsistentFormats, Curve};
 
-use super::HOST_ERROR;
 use super::divider::{QuotientFormat, quotient};
+use crate::error;
 use specula_datapath::builder::{Builder, Sig};
 
 /// t = 2α/π along a span.
@@ -15,15 +15,8 @@ pub struct SpanAngles<'a> {
     pub step: &'a Sig,
 }
 
-/// The steepest slope of both curves, at t = 0.
-const STEEPEST: f64 = std::f64::consts::PI;
-
 /// q of t, which is rounded up and clamped to 1; q is rounded down, so that both are on the safe
-/// side. [Reshetov, Soupikov and Mark; methods D]
-///
-/// # Error
-/// Start and step of t are up to a unit of the accumulator's last place too large, so after S steps
-/// t is too large by S + 1 of them and one of its own. q falls by π at most while t grows by 1.
+/// side. Errors: [`error::contraction`]. [Reshetov, Soupikov and Mark; methods D]
 pub fn contraction(
     b: &Builder,
     angles: SpanAngles,
@@ -38,12 +31,11 @@ pub fn contraction(
         "q(t), t = 2 alpha/pi [Reshetov et al.]",
         inputs,
         |b, (first, start, step)| {
-            let accumulated = f64::from(steps + 1) * formats.angle_accumulator.ulp() + HOST_ERROR;
-            let high = LARGEST_ANGLE + formats.angle_accumulator.ulp() + accumulated;
-            let sum =
-                Sig::accumulated(&first, &start, &step, (0.0, high), steps, "0 <= t <= 1.0625");
+            let proven = error::contraction::angle(formats.angle_accumulator, formats.angle, steps);
+            let limits = (0.0, proven.largest);
+            let sum = Sig::accumulated(&first, &start, &step, limits, steps, "0 <= t <= 1.0625");
             let t = rounded_up(b, &sum, formats.angle.fraction_bits).clamped_above(1);
-            let t = t.stated_error_value(accumulated + formats.angle.ulp()).named("t");
+            let t = t.stated_error_value(proven.error).named("t");
             match curve {
                 Curve::Rational => rational(b, &t, formats),
                 Curve::Trigonometric => trigonometric(b, &t, formats),
@@ -68,20 +60,16 @@ fn rounded_up(b: &Builder, x: &Sig, fraction_bits: u32) -> Sig {
 ///
 /// ⌊x⌋ = ⌊(x - 1/2) + 1/2⌋: the correctly rounded quotient after half a unit of its last place is
 /// taken off.
-///
-/// # Error
-/// κ exceeds π - 2 by 8.91e-6, and q falls by no more than t(1 - t)²/(1 + κt)² < 0.1 of that.
 fn rational(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
     b.unit("rational_curve", "q = (1 - t)^2/(1 + (pi - 2) t)", (("t", t),), |b, (t,)| {
-        const OFF: f64 = 8.91e-7;
         let fraction_bits = formats.contraction.fraction_bits;
-        let error = STEEPEST * t.error_value() + OFF + formats.contraction.ulp();
+        let error = error::contraction::rational(t.error_value(), formats.contraction);
         let above = (b.integer(1) - &t).squared().named("above");
         let below = (b.integer(1) + &t * b.integer(1169).times_power_of_two(-10)).named("below");
         let lowered = &above - below.times_power_of_two(-(fraction_bits as i32 + 1));
         let to = QuotientFormat { integer_bits: 0, fraction_bits };
         b.instance("curve_divider", || quotient(b, &lowered, &below, to, 1.0))
-            .stated_error_value(error.min(1.0))
+            .stated_error_value(error)
             .named("q")
     })
 }
@@ -99,12 +87,13 @@ fn trigonometric(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
         "q = (1 - sin alpha)/(1 + sin alpha) = tan(pi/4 - alpha/2)^2",
         (("t", t),),
         |b, (t,)| {
-            const OFF: f64 = 1.45e-5;
             const COEFFICIENTS: [i64; 4] = [225_028, 55_803, 13_064, 5_363];
             let fraction_bits = formats.tangent.fraction_bits;
-            let error = STEEPEST * t.error_value()
-                + 2.0 * (OFF + 7.0 * formats.tangent.ulp())
-                + formats.contraction.ulp();
+            let error = error::contraction::trigonometric(
+                t.error_value(),
+                formats.tangent,
+                formats.contraction,
+            );
             let up = |x: Sig| rounded_up(b, &x, fraction_bits);
             let [s0, s1, s2, s3] = COEFFICIENTS.map(|s| b.integer(s).times_power_of_two(-20));
             let u = (b.integer(1) - &t).named("u");
@@ -113,7 +102,7 @@ fn trigonometric(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
             let w = up((b.integer(1) - &v) * sum).named("w");
             let tangent = (&u * (b.integer(1) - w)).truncated(fraction_bits).named("tangent");
             let q = tangent.squared().truncated(formats.contraction.fraction_bits).clamped_above(1);
-            q.stated_error_value(error.min(1.0)).named("q")
+            q.stated_error_value(error).named("q")
         },
     )
 }

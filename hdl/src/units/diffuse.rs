@@ -2,39 +2,35 @@
 use specula_scene::Format;
 use specula_scene::spec::lyon::LyonFormats;
 
-use super::HOST_ERROR;
+use super::clamp::{to_nonnegative, to_unit_interval};
+use crate::error;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Lambert's cosine, I = max(N·L, 0). [Lyon, TR 43; methods B]
 pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Sig {
     b.unit("diffuse", "I = max(N.L, 0) [Lambert]", (("n", n), ("l", l)), |_, (n, l)| {
-        // |N·L| ≤ |N||L|, and a rounded unit vector is longer than 1 by √3/2 units of the last place at most.
+        // A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
         let lengths = (n.longest(), 1.0 + formats.vector.ulp());
         let cosine = n.dot_within(&l, lengths, "|N.L| <= |N||L|");
-        cosine.rounded(formats.diffuse.fraction_bits).at_least_zero().named("intensity")
+        to_nonnegative(&cosine, formats.diffuse.fraction_bits).named("intensity")
     })
 }
 
 /// The cosine between a vector that is to be no longer than 1 and a unit vector, kept within 0
-/// to 1.
-///
-/// The real cosine's vectors are no longer than 1, so with vectors off by e_v and e_l it is off by
-/// e_v + e_l + e_v e_l.
+/// to 1. Error: [`error::diffuse::cosine`].
 pub fn clamped_cosine(b: &Builder, v: &Vector, l: &Vector, format: Format) -> Sig {
     b.unit("clamped_cosine", "min(max(V.L, 0), 1)", (("v", v), ("l", l)), |_, (v, l)| {
-        let (e_v, e_l) = (v.off().length, l.off().length);
-        let error = e_v + e_l + e_v * e_l;
-        let cosine = v.dot(&l).proven_error_value(error).rounded(format.fraction_bits);
-        cosine.at_least_zero().clamped_above(1).named("cosine")
+        let error = error::diffuse::cosine(v.off().length, l.off().length);
+        let cosine = v.dot(&l).proven_error_value(error);
+        to_unit_interval(&cosine, format.fraction_bits).named("cosine")
     })
 }
 
 /// Gouraud's linearly interpolated intensity, from its start and step, rounded to `fraction_bits`.
 /// [lecture, eq. 3.2 to 3.6; methods A4]
 ///
-/// Start and step are each off by half a unit of the accumulator's last place, so after `steps`
-/// steps the sum is off by (1 + `steps`)/2, and by no more outside [0, 1], where the true intensity
-/// lies.
+/// After `steps` steps at most it leaves [0, 1], where the true intensity lies, by no more than
+/// [`error::diffuse::overshoot`].
 pub fn gouraud(
     b: &Builder,
     first: &Sig,
@@ -48,16 +44,10 @@ pub fn gouraud(
         "I(i) = I(0) + i dI [lecture, eq. 3.2-3.6]",
         inputs,
         |_, (first, start, step)| {
-            let slack = f64::from(steps + 1) * start.ulp() + HOST_ERROR;
-            let sum = Sig::accumulated(
-                &first,
-                &start,
-                &step,
-                (-slack, 1.0 + slack),
-                steps,
-                "0 <= I <= 1",
-            );
-            sum.rounded(fraction_bits).at_least_zero().clamped_above(1).named("intensity")
+            let past = error::diffuse::overshoot(steps, start.ulp());
+            let limits = (-past, 1.0 + past);
+            let sum = Sig::accumulated(&first, &start, &step, limits, steps, "0 <= I <= 1");
+            to_unit_interval(&sum, fraction_bits).named("intensity")
         },
     )
 }

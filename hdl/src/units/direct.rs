@@ -7,7 +7,7 @@ use super::HOST_ERROR;
 use super::divider::{QuotientFormat, quotient};
 use super::interpolate::{chord, overshoot, slack};
 use super::newton_root::NewtonRoot;
-use super::unit_vectors::half_unit_where_narrowed;
+use super::reflected::half_unit_where_narrowed;
 use specula_datapath::builder::{Builder, Sig};
 use specula_datapath::design::ErrorForm;
 

@@ -1,5 +1,6 @@
 //! Units: short functions from signals to signals that read like the papers' formulas.
 mod any_power;
+mod clamp;
 mod colour;
 mod cosine;
 
@@ -14,7 +15,6 @@ mod fixed_log;
 mod followed;
 mod gaussian;
 mod interpolate;
-mod length_off;
 mod linear;
 mod newton_root;
 mod normalise;
@@ -24,6 +24,7 @@ mod power_error;
 mod quadratic;
 mod raised;
 mod reciprocal_square_root;
+mod reflected;
 mod rotation;
 mod shape;
 mod shape_error;
@@ -31,13 +32,18 @@ mod square_root;
 mod turned;
 mod turned_normal;
 mod unit_vectors;
+mod vector;
 mod wrapped;
 
+use crate::error::host::HOST_ERROR;
+
+pub use crate::error::length_off::LengthOff;
 pub use any_power::{any_power, any_power_up_to};
+pub use clamp::{clamp_nonnegative, clamp_unit};
 pub use colour::{Coefficients, Light, channels};
 pub use consistent_reflection::{Consistency, consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
-pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
+pub use cosine::{Base, Length, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{
     halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection,
     reflection_minus_light,
@@ -51,10 +57,9 @@ pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use followed::{Follow, followed};
 pub use gaussian::{gaussian, kept_versine};
 pub use interpolate::{Interpolation, SpanNormals, along, chord, interpolate, weight};
-pub use length_off::LengthOff;
 pub use linear::{Steps, linear};
 pub use newton_root::{NewtonRoot, newton_root};
-pub use normalise::{has_direction, normalise, shortest_normalised};
+pub use normalise::normalise;
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::power;
 pub use quadratic::{Differences, quadratic};
@@ -64,15 +69,11 @@ pub use rotation::{Turn, rotation, scaled_rotation};
 pub use shape::{least_dark_exponent, root_shape, shape};
 pub use shape_error::shape_error;
 pub use square_root::square_root;
-pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
-pub use turned_normal::{Weighing, turned_normal};
+pub use turned::{along_arc, corrected, specular_base};
+pub use turned_normal::turned_normal;
 pub use unit_vectors::{
     cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine,
     trowbridge_reitz,
 };
+pub use vector::has_direction;
 pub use wrapped::{ToPlace, WrapFormats, WrappedPlace, wrapped, wrapped_place};
-
-/// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in
-/// formats finer than f64: sums of a few products no larger than 4, each off by 2^-53 of itself.
-/// Steps are as small as the span is long, so they add up to no more.
-const HOST_ERROR: f64 = 1.0 / (1u64 << 48) as f64;

@@ -4,6 +4,7 @@ use specula_scene::spec::direct::DirectFormats;
 
 use super::direct::at_least;
 use super::divider::{QuotientFormat, quotient};
+use crate::error;
 use specula_datapath::builder::{Builder, Known, Sig};
 
 /// How Newton's method goes on from pixel to pixel.
@@ -18,14 +19,9 @@ pub struct NewtonRoot {
 /// d ← (d + q/d)/2, `steps` times at each pixel from the d of the pixel before on, and from 1 at
 /// the first; q counts as 4^-m at least. [lecture, §4.2; methods A6]
 ///
-/// d + q/d ≥ 2√q, so d stays at 2^-m or more, and so q/d at 2^m or less. With d from 2^-m to D and
-/// q ≤ 1 + o, d is convex in what it was and so no larger than at its ends: (2^-m + 2^m (1 + o))/2,
-/// or D itself where that is 1 + o or more.
-///
-/// All steps happen within one clock, divisions included: the next pixel waits for d.
-///
-/// # Error
-/// [`NewtonRoot::bound`].
+/// d + q/d ≥ 2√q, so d stays at 2^-m or more, and so q/d at 2^m or less. All steps happen within one
+/// clock, divisions included: the next pixel waits for d. How large d gets and how far it is off:
+/// [`error::newton_root`].
 pub fn newton_root(
     b: &Builder,
     first: &Sig,
@@ -43,10 +39,10 @@ pub fn newton_root(
                 (formats.reciprocal.integer_bits, formats.length.fraction_bits);
             let q = at_least(b, &q, 2 * reach);
             let least = power_of_two(-i64::from(reach));
-            let most = q.format().value(q.range().high).max(1.0);
-            let longest = most.max((least + most / least) / 2.0) + formats.length.ulp();
-            let error = newton.bound(&q, formats).unwrap_or(longest);
-            let known = Known { limits: (0.0, longest), fact: "0 <= d <= (2^-m + 2^m)/2", error };
+            let largest_q = q.format().value(q.range().high);
+            let largest = error::newton_root::largest(least, largest_q, formats.length.ulp());
+            let error = newton.bound(&q, formats).unwrap_or(largest);
+            let known = Known { limits: (0.0, largest), fact: "0 <= d <= (2^-m + 2^m)/2", error };
             let to = QuotientFormat { integer_bits: reach, fraction_bits };
             let [d] = b.carried(
                 &first,
@@ -67,29 +63,7 @@ pub fn newton_root(
 
 impl NewtonRoot {
     /// How far d is off; nothing where steps may lead away from the root.
-    ///
-    /// Let |Q - q| ≤ e_q for q as it comes and as a real number, and D = d + e. A step's derivative
-    /// by d is (1 - q/d²)/2, and by q 1/(2d). Real d is √q ≥ s or more. As long as e ≤ s/16 both
-    /// lie above l = 15/16 s, and with q ≤ 1 + e_q the derivative by d lies from (1 - (1 +
-    /// e_q)/l²)/2 to 1/2. So a step multiplies e by λ = max(1, (1 + e_q)/l² - 1)/2 at most, and
-    /// adds ρ: e_q/(2l), a quarter of a unit of the quotient and half of one of d. A second step
-    /// begins at √q or above, so it halves e, and adds ρ again. Where all of it shrinks, e stays
-    /// below what is added over what it shrinks by: spans of up to 103 degrees with one step, 123
-    /// with two.
-    ///
-    /// That q counts as 4^-m at least brings it no further from the real one as long as s ≥ 2^-m.
     pub fn bound(self, q: &Sig, formats: &DirectFormats) -> Option<f64> {
-        if self.shortest < power_of_two(-i64::from(formats.reciprocal.integer_bits)) {
-            return None;
-        }
-        let e_q = q.error_value();
-        let lowest = 0.9375 * self.shortest;
-        let once = 0.5 * ((1.0 + e_q) / (lowest * lowest) - 1.0).max(1.0);
-        let added = e_q / (2.0 * lowest) + 0.75 * formats.length.ulp();
-        let halved =
-            |(shrunk, added_so_far): (f64, f64)| (0.5 * shrunk, 0.5 * added_so_far + added);
-        let (shrunk, added) = (1..self.steps).fold((once, added), |so_far, _| halved(so_far));
-        let error = added / (1.0 - shrunk);
-        (shrunk < 1.0 && error <= self.shortest / 16.0).then_some(error)
+        error::newton_root::followed_root(self.steps, self.shortest, q.error_value(), formats)
     }
 }

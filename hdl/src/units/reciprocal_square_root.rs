@@ -2,6 +2,7 @@
 use specula_scene::Format;
 use specula_scene::format::power_of_two;
 
+use crate::error::reciprocal_square_root::{RowLimits, reciprocal_root};
 use specula_datapath::builder::{Builder, Sig};
 use specula_datapath::design::Range;
 
@@ -22,7 +23,7 @@ impl From<Format> for ReciprocalRoot {
 
 impl ReciprocalRoot {
     /// 4^-m.
-    pub(super) fn smallest_operand(self) -> f64 {
+    pub(super) fn least_operand(self) -> f64 {
         power_of_two(-2 * i64::from(self.integer_bits))
     }
 }
@@ -39,17 +40,13 @@ impl ReciprocalRoot {
 /// 2P + Z in the first row, and so in each. A row and a clock for each of m + f + 1 bits, a clock
 /// each to limit z and to round.
 ///
-/// # Error
-/// With real z no smaller than `smallest` and z off by e, the result is off by e/2 s^(-3/2) where
-/// s = max(`smallest` - e, 4^-m), by 2^m at most, and half a unit of the last place.
+/// Real z is no smaller than `smallest`. Error: [`reciprocal_root`].
 pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest: f64) -> Sig {
     let ReciprocalRoot { integer_bits, fraction_bits } = to;
     let formula = format!("r = 1/sqrt(max(z, 2^-{}))", 2 * integer_bits);
     b.unit("reciprocal_square_root", &formula, (("z", z),), |b, (z,)| {
-        let least = (smallest - z.error_value()).max(to.smallest_operand());
-        let moved =
-            (z.error_value() / (2.0 * least * least.sqrt())).min(power_of_two(integer_bits.into()));
-        let error = moved + 0.5 * power_of_two(-i64::from(fraction_bits));
+        let (least_operand, ulp) = (to.least_operand(), power_of_two(-i64::from(fraction_bits)));
+        let error = reciprocal_root(z.error_value(), smallest, least_operand, ulp);
 
         let limit = b.integer(1).times_power_of_two(-2 * integer_bits as i32);
         let limited = z.less_than(&limit).choose(&limit, &z);
@@ -76,13 +73,9 @@ pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest
 }
 
 /// One bit of the result: whether 4P + Z ≤ 4w, and w and P after it, all after one clock.
-///
-/// R² Z ≤ C/4^k = 2^`log2_square`, so P = R Z ≤ √(2^`log2_square` Z), and w is no larger than 2P +
-/// Z or 2^`log2_square`.
+/// C/4^k is 2^`log2_square`.
 fn row(b: &Builder, residue: &Sig, product: &Sig, z: &Sig, log2_square: u32) -> (Sig, Sig, Sig) {
-    let (square, largest) = (power_of_two(log2_square.into()), z.range().high as f64);
-    // The factor makes up for rounding here.
-    let most = (square * largest).sqrt() * (1.0 + f64::EPSILON);
+    let most = RowLimits::new(power_of_two(log2_square.into()), z.range().high as f64);
     let formula = "bit = 4w >= 4P + Z, w' = 4w - bit (4P + Z), P' = 2P + bit Z";
     b.unit(
         "reciprocal_root_row",
@@ -95,13 +88,13 @@ fn row(b: &Builder, residue: &Sig, product: &Sig, z: &Sig, log2_square: u32) -> 
                 let below = difference.less_than(&b.integer(0));
                 let rest = below.choose(&grown, &difference).assumed(
                     0.0,
-                    all_ones(square.min(2.0 * most + largest)),
+                    all_ones(most.residue),
                     "0 <= w <= 2P + Z",
                 );
                 let doubled = p.times_power_of_two(1);
                 let product = below.choose(&doubled, &(&doubled + &z)).assumed(
                     0.0,
-                    all_ones(most),
+                    all_ones(most.product),
                     "R^2 Z <= C/4^k",
                 );
                 (rest, product, below.not())

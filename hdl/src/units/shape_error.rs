@@ -25,7 +25,7 @@ pub fn shape_error(d: &Vector, length_off: LengthOff, shininess: f64, lyon: &Lyo
     let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());
     let highlight =
         Highlight { n, squarings: lyon.squarings as i32, ulp: lyon.formats.shape.ulp() };
-    let whole = LengthOff::of(d);
+    let whole = LengthOff::whole(d.off().length);
     let moved = (n / (2.0 * highlight.terms())).sqrt() * whole.level;
     let worst = |length_off| {
         let at = |i| highlight.error(f64::from(i) / f64::from(STEPS), length_off, moved);

@@ -1,6 +1,7 @@
 //! Square roots.
 use specula_scene::format::power_of_two;
 
+use crate::error;
 use specula_datapath::builder::{Builder, Sig};
 
 /// √x, or 0 where x ≤ 0, to `fraction_bits`, correctly rounded (ties up). [digit recurrence:
@@ -10,14 +11,13 @@ use specula_datapath::builder::{Builder, Sig};
 /// each, and ⌊(R + 1)/2⌋ = ⌊2^f √x + 1/2⌋. A row takes two bits of A, so there are half as many
 /// rows as A has bits; one clock more rounds, and one clamps an x that may be negative.
 ///
-/// # Error
-/// |√a - √b| ≤ √|a - b|, and ≤ |a - b|/√b; half a unit of the last place comes on top.
+/// Error: [`error::square_root`].
 pub fn square_root(b: &Builder, x: &Sig, fraction_bits: u32) -> Sig {
     b.unit("square_root", "r = sqrt(max(x, 0))", (("x", x),), |b, (x,)| {
         let x = x.at_least_zero();
         let smallest = x.range().low as f64 * x.ulp();
-        let error = x.error_value().sqrt().min(x.error_value() / smallest.sqrt())
-            + 0.5 * power_of_two(-i64::from(fraction_bits));
+        let ulp = power_of_two(-i64::from(fraction_bits));
+        let error = error::square_root::root(x.error_value(), smallest, ulp);
 
         let Radicand { mut bits, further_pairs } = Radicand::of(&x, 2 * fraction_bits + 2);
         let pairs = bits.range().width().div_ceil(2);

@@ -1,36 +1,26 @@
 //! Highlights from cosines. [methods A3; Lyon, TR 43, appendix]
-use specula_scene::format::power_of_two;
-
+use super::clamp::to_unit_interval;
 use super::divider::divider;
 use super::gaussian::kept_versine;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
+use super::reflected::{Reflected, UnitBound, angular, half_unit_where_narrowed, reflected};
+use crate::error;
+use crate::error::angular::Angular;
 use specula_datapath::builder::{Builder, Sig, Vector};
-use specula_datapath::design::ErrorForm;
 
-/// The cosine of the angle between unit vectors, rounded to `fraction_bits`.
-///
-/// # Error
-/// It is the cosine of an angle that is off by no more than both vectors are turned, times lengths
-/// that are off by ε_x and ε_y: beside the angle it is off by (1 + ε_x)(1 + ε_y) - 1 and half a
-/// unit.
+/// The cosine of the angle between unit vectors, rounded to `fraction_bits`. Error:
+/// [`error::unit_vectors::cosine`].
 pub fn cosine_between(b: &Builder, x: &Vector, y: &Vector, fraction_bits: u32) -> Sig {
     b.unit("cosine", "c = X.Y", (("x", x), ("y", y)), |_, (x, y)| {
         let product = x.dot_within(&y, (x.longest(), y.longest()), "|X.Y| <= |X||Y|");
         let rounding = half_unit_where_narrowed(&product, fraction_bits);
-        let angle = x.off().angle() + y.off().angle();
-        let rest = (1.0 + x.off().stretch()) * (1.0 + y.off().stretch()) - 1.0 + rounding;
+        let Angular { angle, rest } = error::unit_vectors::cosine([x.off(), y.off()], rounding);
         product.rounded(fraction_bits).known_cosine(angle, rest).named("cosine")
     })
 }
 
-/// R·L = 2(N·V)(N·L) - V·L, kept within 0 to 1. [methods A3, B1]
-///
-/// # Error
-/// Let the cosines be those of turned unit vectors, off by r_v, r_l and r beside that. Then this is
-/// R·L of those, whose angle is off by no more than both angles with N together, and off by 2(r_v +
-/// r_l + r_v r_l) + r beside that. A V·L that the host sends is that of the real vectors, and the
-/// eye is exact then: so r is what it is off, and what L is turned by, that is the difference of
-/// both angles.
+/// R·L = 2(N·V)(N·L) - V·L, kept within 0 to 1. Error: [`error::unit_vectors::reflected`]. [methods
+/// A3, B1]
 pub fn reflected_cosine(
     b: &Builder,
     n_dot_v: &Sig,
@@ -43,29 +33,33 @@ pub fn reflected_cosine(
         "reflected_cosine",
         "R.L = 2(N.V)(N.L) - V.L",
         inputs,
-        |_, (n_dot_v, n_dot_l, l_dot_v)| {
-            let base = (&n_dot_v * &n_dot_l).doubled() - &l_dot_v;
-            let rounding = half_unit_where_narrowed(&base, fraction_bits);
-            let base = from_0_to_1(&base, fraction_bits);
-            match [&n_dot_v, &n_dot_l, &l_dot_v].map(Sig::error_form) {
-                [
-                    ErrorForm::OfCosine { angle: angle_v, rest: r_v },
-                    ErrorForm::OfCosine { angle: angle_l, rest: r_l },
-                    form_of_l_dot_v,
-                ] => {
-                    let r = match form_of_l_dot_v {
-                        ErrorForm::OfCosine { rest, .. } => rest,
-                        _ => l_dot_v.error_value() + (angle_l - angle_v).max(0.0),
-                    };
-                    base.known_cosine(
-                        angle_v + angle_l,
-                        2.0 * (r_v + r_l + r_v * r_l) + r + rounding,
-                    )
-                }
-                _ => base,
-            }
+        |b, (n_dot_v, n_dot_l, light_dot_view)| {
+            let of = Reflected {
+                factors: [&n_dot_v, &n_dot_l],
+                product_error: f64::INFINITY,
+                light_dot_view: &light_dot_view,
+                has_direction: None,
+                fraction_bits,
+            };
+            let known = angular(&n_dot_v).zip(angular(&n_dot_l));
+            reflected(b, of, |rounding| match known {
+                Some((v, l)) => UnitBound::Cosine(error::unit_vectors::reflected(
+                    [v, l],
+                    light_dot_view_error(&light_dot_view, [v, l]),
+                    rounding,
+                )),
+                None => UnitBound::Propagated,
+            })
         },
     )
+}
+
+/// How far V·L is off from that of the turned V and L.
+fn light_dot_view_error(light_dot_view: &Sig, with_n: [Angular; 2]) -> f64 {
+    match angular(light_dot_view) {
+        Some(Angular { rest, .. }) => rest,
+        None => error::unit_vectors::sent_light_dot_view(light_dot_view.error_value(), with_n),
+    }
 }
 
 /// H*·N = (N·L + N·V)/|L + V|, kept within 0 to 1; `gain` is 1/|L + V|. [methods B6; Lyon, TR 43,
@@ -79,7 +73,7 @@ pub fn halfway_cosine(
 ) -> Sig {
     let inputs = (("n_dot_v", n_dot_v), ("n_dot_l", n_dot_l), ("gain", gain));
     b.unit("halfway_cosine", "H*.N = (N.L + N.V)/|L + V|", inputs, |_, (n_dot_v, n_dot_l, gain)| {
-        from_0_to_1(&((n_dot_l + n_dot_v) * gain), fraction_bits)
+        to_unit_interval(&((n_dot_l + n_dot_v) * gain), fraction_bits).named("base")
     })
 }
 
@@ -124,21 +118,8 @@ pub fn halfway_gain(
 pub fn spot_cosine(b: &Builder, l: &Vector, axis: &Vector, fraction_bits: u32) -> Sig {
     b.unit("spot_cosine", "s = -L.A", (("l", l), ("axis", axis)), |_, (l, axis)| {
         let cosine = l.dot_within(&axis, (l.longest(), axis.longest()), "|L.A| <= |L||A|");
-        from_0_to_1(&-cosine, fraction_bits)
+        to_unit_interval(&-cosine, fraction_bits).named("base")
     })
-}
-
-/// What rounding to `fraction_bits` adds to an error: nothing where there are no more.
-pub(super) fn half_unit_where_narrowed(value: &Sig, fraction_bits: u32) -> f64 {
-    if value.fraction_bits() > fraction_bits {
-        0.5 * power_of_two(-i64::from(fraction_bits))
-    } else {
-        0.0
-    }
-}
-
-fn from_0_to_1(value: &Sig, fraction_bits: u32) -> Sig {
-    value.rounded(fraction_bits).at_least_zero().clamped_above(1).named("base")
 }
 
 /// Trowbridge and Reitz's (1/(1 + (1 - c²) n))². [Lyon, TR 43, appendix, formulation 12]

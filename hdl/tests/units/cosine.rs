@@ -26,7 +26,7 @@ fn every_cosine_is_rounded_and_limited() {
         let (p, q) = (bench.input("p", P, ends), bench.input("q", Q, (Q.min_raw(), 16)));
         let length = units::root(&bench.b, &q, Format::unsigned(2, root_bits), 0.0);
         let cosine = units::cosine(&bench.b, &p, &length, cosine_bits);
-        let amount = units::amount(&bench.b, &cosine, 3);
+        let amount = units::clamp_nonnegative(&bench.b, &cosine, 3);
         let design = bench.finish(&[("cosine", cosine), ("amount", amount)]);
         let rows = pairs(ends, (Q.min_raw(), 16));
         for (row, got) in rows.iter().zip(outputs(&design, &rows)) {

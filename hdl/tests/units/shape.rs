@@ -16,7 +16,13 @@ fn design(lyon: &LyonSpec, largest: i64) -> Design {
     let n = bench.input("n", Format::unsigned(13, 0), (1, largest));
     let has_direction = bench.input("has_direction", Format::unsigned(1, 0), (0, 1));
     let d = Vector::new(d).no_longer_than(2.0);
-    let f = units::shape(&bench.b, (&d, units::LengthOff::of(&d)), &n, &has_direction, lyon);
+    let f = units::shape(
+        &bench.b,
+        (&d, units::LengthOff::whole(d.off().length)),
+        &n,
+        &has_direction,
+        lyon,
+    );
     bench.finish(&[("f", f)])
 }
 

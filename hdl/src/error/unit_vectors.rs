@@ -1,0 +1,107 @@
+//! How far cosines between unit vectors are off, and those of reflections.
+use specula_datapath::builder::Off;
+
+use super::angular::Angular;
+
+/// x·y of real unit vectors that are off so far, rounded by `rounding`.
+///
+/// Fixed x is the length 1 + δ_x times a direction, |δ_x| ≤ ε_x ([`Off::stretch`]):
+///
+/// ```text
+/// x'·y' = (1 + δ_x)(1 + δ_y) cos t'
+/// |t' - t|         ≤ turn of x + turn of y
+/// |x'·y' - cos t'| ≤ (1 + ε_x)(1 + ε_y) - 1
+/// ```
+pub fn cosine([x, y]: [Off; 2], rounding: f64) -> Angular {
+    Angular {
+        angle: x.angle() + y.angle(),
+        rest: (1.0 + x.stretch()) * (1.0 + y.stretch()) - 1.0 + rounding,
+    }
+}
+
+/// R·L = 2(N·V)(N·L) - V·L of cosines that are those of turned unit vectors, with V·L off from that
+/// of these vectors by `l_dot_v` and the result rounded by `rounding`.
+///
+/// With r_v and r_l for what both cosines are off beside the turns:
+///
+/// ```text
+/// 2(c_v + r_v)(c_l + r_l) - V·L = R·L + 2(c_v r_l + c_l r_v + r_v r_l)
+/// |rest| ≤ 2(r_v + r_l + r_v r_l) + r
+/// ```
+///
+/// where R·L is that of the turned vectors, whose angle is off by no more than both angles with N
+/// together.
+pub fn reflected([n_dot_v, n_dot_l]: [Angular; 2], l_dot_v: f64, rounding: f64) -> Angular {
+    let (r_v, r_l) = (n_dot_v.rest, n_dot_l.rest);
+    Angular {
+        angle: n_dot_v.angle + n_dot_l.angle,
+        rest: 2.0 * (r_v + r_l + r_v * r_l) + l_dot_v + rounding,
+    }
+}
+
+/// How far a V·L that the host sends is off from that of the turned L. It is that of the real
+/// vectors, and V is exact then: so it is what V·L is off, and what L is turned by, the difference
+/// of both angles with N.
+pub fn sent_light_dot_view(error: f64, [n_dot_v, n_dot_l]: [Angular; 2]) -> f64 {
+    error + (n_dot_l.angle - n_dot_v.angle).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::draw::Draw;
+    use super::*;
+
+    /// Two unit vectors off across and along themselves, in one plane with them: half of what is
+    /// allowed is reached.
+    #[test]
+    fn cosines_stay_within_the_bound_and_reach_it() {
+        let mut draw = Draw::new(1);
+        for [across, along, rounding] in [[1e-3, 0.0, 0.0], [0.0, 1e-4, 0.0], [1e-3, 2e-3, 1e-3]] {
+            let bound = cosine([Off::parts(across, along); 2], rounding);
+            let (mut angle, mut rest) = (0.0_f64, 0.0_f64);
+            for _ in 0..50_000 {
+                let x = draw.direction();
+                let across_x = draw.across(x);
+                let sine = draw.between(-1.0, 1.0);
+                let y =
+                    sine * across_x + (1.0 - sine * sine).sqrt() * draw.one_of(&[1.0, -1.0]) * x;
+                let across_y = (across_x - across_x.dot(y) * y).normalize_or_zero();
+                let moved_x = x * (1.0 + draw.error(along)) + draw.error(across) * across_x;
+                let moved_y = y * (1.0 + draw.error(along)) + draw.error(across) * across_y;
+                let turned = moved_x.normalize().dot(moved_y.normalize());
+                let fixed = moved_x.dot(moved_y) + draw.error(rounding);
+                let off = moved_x.angle_between(moved_y) - x.angle_between(y);
+                angle = angle.max(off.abs() / bound.angle.max(1e-9));
+                rest = rest.max((fixed - turned).abs() / bound.rest.max(1e-9));
+            }
+            println!("{across}, {along}, {rounding}: {angle} and {rest}");
+            assert!(angle <= 1.0 + 1e-6 && rest <= 1.0 + 1e-6);
+            assert!(across == 0.0 || angle > 0.5, "{across}: {angle}");
+            assert!(rest > 0.5 || bound.rest < 1e-5, "{along}: {rest}");
+        }
+    }
+
+    /// Any two vectors around a turned normal, with cosines off beside the turn: 90 % of the rest is
+    /// reached, and of the angle.
+    #[test]
+    fn reflections_stay_within_the_bound_and_reach_it() {
+        let mut draw = Draw::new(1);
+        let (turn, rest, rounding) = (1e-3, 1e-4, 1e-5);
+        let known = Angular { angle: turn, rest };
+        let bound = reflected([known; 2], 0.0, rounding);
+        let mut reached = [0.0_f64; 2];
+        for _ in 0..50_000 {
+            let (n, v, l) = (draw.direction(), draw.direction(), draw.direction());
+            let l = draw.one_of(&[l, v, -v, 2.0 * n.dot(v) * n - v]);
+            let n_turned = (n + draw.error(turn.tan()) * draw.across(n)).normalize();
+            let cosines = [v, l].map(|x| n_turned.dot(x) + draw.error(rest));
+            let fixed = 2.0 * cosines[0] * cosines[1] - v.dot(l) + draw.error(rounding);
+            let reflection = |n: glam::DVec3| (2.0 * n.dot(v) * n - v).normalize();
+            let turned = reflection(n_turned).angle_between(reflection(n));
+            reached[0] = reached[0].max(turned / bound.angle);
+            reached[1] = reached[1].max((fixed - reflection(n_turned).dot(l)).abs() / bound.rest);
+        }
+        println!("{reached:?}");
+        assert!(reached.iter().all(|&share| share <= 1.0 + 1e-9 && share > 0.9), "{reached:?}");
+    }
+}

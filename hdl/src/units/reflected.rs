@@ -1,0 +1,72 @@
+//! R·L of a view vector that is reflected about the normal.
+use super::clamp::to_unit_interval;
+use crate::error::angular::Angular;
+use specula_datapath::builder::{Builder, Sig};
+use specula_datapath::design::ErrorForm;
+use specula_scene::format::power_of_two;
+
+/// What R·L = 2(N·V)(N·L) - V·L is made of.
+pub(super) struct Reflected<'a> {
+    /// N·V and N·L, or two factors of their product.
+    pub factors: [&'a Sig; 2],
+    /// Bound on the error of their product, infinite where only propagation knows one.
+    pub product_error: f64,
+    /// V·L.
+    pub light_dot_view: &'a Sig,
+    /// Whether N has a direction, where it may have none.
+    pub has_direction: Option<&'a Sig>,
+    /// Bits right of the binary point of R·L.
+    pub fraction_bits: u32,
+}
+
+/// What a proof says of a value from 0 to 1.
+pub(super) enum UnitBound {
+    /// What operators propagate.
+    Propagated,
+    /// It is the cosine of an angle.
+    Cosine(Angular),
+    /// It may be anything from 0 to 1.
+    Unknown,
+}
+
+/// R·L, kept within 0 to 1, and 0 where N has no direction. `bound` gives the proof, of what R·L is
+/// rounded by.
+pub(super) fn reflected(b: &Builder, of: Reflected, bound: impl FnOnce(f64) -> UnitBound) -> Sig {
+    let [j, k] = of.factors;
+    let product = (j * k).proven_error_value(of.product_error);
+    let cosine = product.doubled() - of.light_dot_view;
+    let rounding = half_unit_where_narrowed(&cosine, of.fraction_bits);
+    let kept = to_unit_interval(&cosine, of.fraction_bits);
+    let base = match of.has_direction {
+        Some(bit) => bit.choose(&kept, &b.integer(0)),
+        None => kept,
+    };
+    bound(rounding).stated_of(base.named("base"))
+}
+
+impl UnitBound {
+    pub(super) fn stated_of(self, value: Sig) -> Sig {
+        match self {
+            UnitBound::Propagated => value,
+            UnitBound::Cosine(Angular { angle, rest }) => value.known_cosine(angle, rest),
+            UnitBound::Unknown => value.stated_error_value(1.0),
+        }
+    }
+}
+
+/// What is known of a cosine's angle.
+pub(super) fn angular(cosine: &Sig) -> Option<Angular> {
+    match cosine.error_form() {
+        ErrorForm::OfCosine { angle, rest } => Some(Angular { angle, rest }),
+        _ => None,
+    }
+}
+
+/// What rounding to `fraction_bits` adds to an error: nothing where there are no more.
+pub(super) fn half_unit_where_narrowed(value: &Sig, fraction_bits: u32) -> f64 {
+    if value.fraction_bits() > fraction_bits {
+        0.5 * power_of_two(-i64::from(fraction_bits))
+    } else {
+        0.0
+    }
+}
