@@ -1,8 +1,9 @@
 //! Shading hardware, described at run time on rust-hdl.
 //!
 //! [`units`] and [`cores`] are written with the builder of [`specula_datapath`]; a core comes out as
-//! a [`specula_datapath::Design`].
+//! a [`specula_datapath::Design`]. [`error`] proves how far their results are off.
 pub mod cores;
+pub mod error;
 pub mod units;
 
 pub use cores::elaborate;

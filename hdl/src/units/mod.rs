@@ -1,16 +1,12 @@
 //! Units: short functions from signals to signals that read like the papers' formulas.
-mod any_power;
 mod colour;
-mod cosine;
-
 mod consistent_reflection;
 mod contraction;
+mod cosine;
 mod difference;
 mod diffuse;
 mod direct;
 mod divider;
-mod exp2;
-mod fixed_log;
 mod followed;
 mod gaussian;
 mod interpolate;
@@ -20,22 +16,20 @@ mod newton_root;
 mod normalise;
 mod normalise_exactly;
 mod power;
-mod power_error;
 mod quadratic;
-mod raised;
 mod reciprocal_square_root;
 mod rotation;
 mod shape;
-mod shape_error;
 mod square_root;
 mod turned;
 mod turned_normal;
 mod unit_vectors;
 mod wrapped;
 
-pub use any_power::{any_power, any_power_up_to};
+use crate::error::host::HOST_ERROR;
+
 pub use colour::{Coefficients, Light, channels};
-pub use consistent_reflection::{Consistency, consistent_cosine, consistent_reflection};
+pub use consistent_reflection::{consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
 pub use cosine::{Base, Length, amount, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{
@@ -44,25 +38,23 @@ pub use difference::{
 };
 pub use diffuse::{clamped_cosine, diffuse, gouraud};
 pub use direct::{
-    DirectedBase, Product, UnitNormal, direct_cosine, direct_scalar, directed_base, over_square,
-    parameter, squared_length,
+    DirectedBase, direct_cosine, direct_scalar, directed_base, known_parameter, over_square,
+    parameter, product_of_cosines, squared_length,
 };
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use followed::{Follow, followed};
 pub use gaussian::{gaussian, kept_versine};
-pub use interpolate::{Interpolation, SpanNormals, along, chord, interpolate, weight};
+pub use interpolate::{Interpolation, SpanNormals, along, interpolate, weight};
 pub use length_off::LengthOff;
 pub use linear::{Steps, linear};
 pub use newton_root::{NewtonRoot, newton_root};
 pub use normalise::{has_direction, normalise, shortest_normalised};
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
-pub use power::power;
+pub use power::{any_power, any_power_up_to, power, raised};
 pub use quadratic::{Differences, quadratic};
-pub use raised::raised;
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 pub use rotation::{Turn, rotation, scaled_rotation};
-pub use shape::{least_dark_exponent, root_shape, shape};
-pub use shape_error::shape_error;
+pub use shape::{root_shape, shape};
 pub use square_root::square_root;
 pub use turned::{BaseBound, along_arc, base, corrected, kept_within_one};
 pub use turned_normal::{Weighing, turned_normal};
@@ -71,8 +63,3 @@ pub use unit_vectors::{
     trowbridge_reitz,
 };
 pub use wrapped::{ToPlace, WrapFormats, WrappedPlace, wrapped, wrapped_place};
-
-/// What the host's f64 arithmetic adds to the error of an accumulated value at most, which shows in
-/// formats finer than f64: sums of a few products no larger than 4, each off by 2^-53 of itself.
-/// Steps are as small as the span is long, so they add up to no more.
-const HOST_ERROR: f64 = 1.0 / (1u64 << 48) as f64;
