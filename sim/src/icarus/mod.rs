@@ -70,6 +70,10 @@ impl<'a> Icarus<'a> {
         let begin = Instant::now();
         self.built = None;
         self.workshop.write("bench.v", &bench::text(&self.workshop.ports, &watch))?;
+        let source = match watch {
+            Watch::Ports(_) => &self.workshop.source,
+            Watch::Everything => &self.workshop.traced_source,
+        };
         let fixed = [
             "-g2001",
             "-Wall",
@@ -78,7 +82,7 @@ impl<'a> Icarus<'a> {
             "-o",
             "run.vvp",
             "bench.v",
-            &self.workshop.source,
+            source,
         ];
         COMPILER.run(self.workshop.path(), &fixed.map(str::to_owned))?;
         self.build_time += begin.elapsed();
