@@ -152,7 +152,8 @@ impl<'a> Readers<'a> {
             .filter(|cell| delayed(self.module, cell).is_some())
             .map(|cell| cell.wire)
             .collect();
-        let continues = |from: u32, wire: u32| registers.contains(&from) && next(from) == Some(wire);
+        let continues =
+            |from: u32, wire: u32| registers.contains(&from) && next(from) == Some(wire);
         of_kind()
             .filter_map(|cell| Some((delayed(self.module, cell)?, cell.wire)))
             .filter(|&(from, wire)| !continues(from, wire))

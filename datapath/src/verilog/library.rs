@@ -1,8 +1,8 @@
 //! The modules of cores, each distinct one once.
+use super::LongDelays;
 use super::delay_modules::DelayModules;
 use super::delays::Delays;
 use super::module::{self, Instantiated};
-use super::LongDelays;
 use crate::block::Module;
 
 /// Stands for the module's name while texts are compared; no name can contain it.

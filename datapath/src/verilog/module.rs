@@ -190,7 +190,8 @@ impl<'a> Writer<'a> {
         }
         for line in &self.delays.validity {
             let clocks = line.clocks();
-            let _ = writeln!(out, "  reg [{clocks}:1] {};  // bits, clocks 1 to {clocks}", line.name);
+            let _ =
+                writeln!(out, "  reg [{clocks}:1] {};  // bits, clocks 1 to {clocks}", line.name);
         }
         let of_lines = self.delays.lines.iter().map(DelayLine::output);
         let of_children =

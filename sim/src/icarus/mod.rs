@@ -74,16 +74,7 @@ impl<'a> Icarus<'a> {
             Watch::Ports(_) => &self.workshop.source,
             Watch::Everything => &self.workshop.traced_source,
         };
-        let fixed = [
-            "-g2001",
-            "-Wall",
-            "-s",
-            bench::NAME,
-            "-o",
-            "run.vvp",
-            "bench.v",
-            source,
-        ];
+        let fixed = ["-g2001", "-Wall", "-s", bench::NAME, "-o", "run.vvp", "bench.v", source];
         COMPILER.run(self.workshop.path(), &fixed.map(str::to_owned))?;
         self.build_time += begin.elapsed();
         self.built = Some(watch);
