@@ -1,4 +1,4 @@
-//! The Verilog of small cores as it is read by people, and what is said beside it.
+//! The Verilog of units of small cores as it is read by people, and what is said of the cores.
 use std::fmt::Write;
 
 use specula_datapath::Design;
@@ -102,22 +102,75 @@ fn text(design: &Design) -> String {
     verilog::print(&design.to_block(), &header)
 }
 
-#[test]
-fn verilog_of_the_smallest_lyon_core() {
-    insta::assert_snapshot!(text(&smallest_lyon()));
+/// A module of a core, with the comment above it.
+fn module(design: &Design, name: &str) -> String {
+    let text = text(design);
+    let begins = |line: &&str| line.split(' ').take(2).eq(["module", name]);
+    let modules = text.split_inclusive("\nendmodule\n");
+    let found = modules.map(str::trim_start).find(|module| module.lines().any(|l| begins(&l)));
+    let module = found.unwrap_or_else(|| panic!("there is no {name}"));
+    // What stands before the first module is of the file.
+    module.rfind("\n\n//").map_or(module, |at| module[at..].trim_start()).to_owned()
 }
 
 #[test]
-fn verilog_of_a_lyon_core_with_newton_and_reflection() {
-    insta::assert_snapshot!(text(&lyon_with_everything()));
+fn verilog_of_interpolate() {
+    insta::assert_snapshot!(module(&smallest_lyon(), "lyon_interpolate"));
 }
 
 #[test]
-fn verilog_of_a_hybrid_core() {
-    insta::assert_snapshot!(text(&hybrid()));
+fn verilog_of_normalise() {
+    insta::assert_snapshot!(module(&smallest_lyon(), "lyon_normalise"));
 }
 
-/// What was left out and why, then the size of each unit and of the whole.
+#[test]
+fn verilog_of_shape() {
+    insta::assert_snapshot!(module(&smallest_lyon(), "lyon_shape"));
+}
+
+#[test]
+fn verilog_of_reflection_minus_light() {
+    insta::assert_snapshot!(module(&lyon_with_everything(), "lyon_reflection_minus_light"));
+}
+
+#[test]
+fn verilog_of_newton_step() {
+    insta::assert_snapshot!(module(&lyon_with_everything(), "lyon_newton_step"));
+}
+
+#[test]
+fn verilog_of_quadratic() {
+    insta::assert_snapshot!(module(&hybrid(), "hybrid_quadratic"));
+}
+
+#[test]
+fn verilog_of_divider_row() {
+    insta::assert_snapshot!(module(&hybrid(), "hybrid_divider_row"));
+}
+
+#[test]
+fn verilog_of_channel() {
+    insta::assert_snapshot!(module(&hybrid(), "hybrid_channel"));
+}
+
+#[test]
+fn verilog_of_delay() {
+    insta::assert_snapshot!(module(&lyon_with_everything(), "lyon_delay"));
+}
+
+#[test]
+fn verilog_of_delay_memory() {
+    insta::assert_snapshot!(module(&lyon_with_everything(), "lyon_delay_memory"));
+}
+
+/// A core itself, with its validity and its delay lines.
+#[test]
+fn verilog_of_a_gouraud_core() {
+    insta::assert_snapshot!(module(&design(Method::Gouraud, |_| ()), "gouraud"));
+}
+
+/// What was left out and why, the size of each unit and of the whole, and what tells one text from
+/// another.
 fn summary(design: &Design) -> String {
     let mut out = String::from("left out\n");
     for left_out in &design.left_out {
@@ -135,6 +188,9 @@ fn summary(design: &Design) -> String {
         let _ = writeln!(out, "  {name} from {} to {}: {}", range.low, range.high, assumption.fact);
     }
     let _ = writeln!(out, "\nerror at most {:.6} LSB", design.error_bound());
+    let text = text(design);
+    let (lines, hash) = (text.lines().count(), crc32fast::hash(text.as_bytes()));
+    let _ = writeln!(out, "\nVerilog of {lines} lines, CRC-32 {hash:08x}");
     out
 }
 
@@ -153,13 +209,14 @@ fn summary_of_a_hybrid_core() {
     insta::assert_snapshot!(summary(&hybrid()));
 }
 
-/// No `$` but in `$signed`, no `initial`, no blanket waiver; every module is closed.
+/// No `$` but in `$signed`, no `initial` but in a memory, no blanket waiver; every module is closed.
 #[test]
 fn verilog_keeps_to_the_rules() {
     for design in [smallest_lyon(), lyon_with_everything(), hybrid()] {
         let text = text(&design);
         assert!(!text.replace("$signed", "").contains('$'));
-        assert!(!text.contains("initial"));
+        let memories = text.matches("reg [WIDTH-1:0] memory [").count();
+        assert_eq!(text.matches("initial").count(), memories);
         assert_eq!(
             text.matches("verilator lint_off").count(),
             text.matches("verilator lint_off DECLFILENAME").count()

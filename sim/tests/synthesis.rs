@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::Mutex;
 
 use specula_datapath::Design;
-use specula_datapath::verilog::{self, Header};
+use specula_datapath::verilog::{self, Header, LongDelays};
 use specula_scene::Method;
 use specula_sim::{Progress, Synthesised, synthesise};
 
@@ -14,7 +14,8 @@ use common::{frames, tools};
 /// What Yosys makes of a core as a whole, flattened, with every register mapped.
 fn flattened(design: &Design) -> Synthesised {
     let folder = tempfile::tempdir().unwrap();
-    let text = verilog::print(&design.to_block(), &Header::default());
+    let long_delays = LongDelays::ShiftRegisters;
+    let text = verilog::print_with(&design.to_block(), &Header::default(), long_delays);
     std::fs::write(folder.path().join("core.v"), text).unwrap();
     let script = "read_verilog core.v; synth_ecp5; tee -q -o cells.txt stat";
     assert!(
@@ -68,7 +69,7 @@ fn cells_are_near_those_of_the_flattened_core_and_equal_modules_are_synthesised_
     assert!(cells[1].flip_flops < cells[0].flip_flops, "{cells:?}");
     let modules = seen.into_inner().unwrap().iter().map(|progress| progress.modules).max();
     let alone = |design: &Design| {
-        let mut library = verilog::Library::new("core");
+        let mut library = verilog::Library::new("core", LongDelays::ShiftRegisters);
         library.add(&design.to_block());
         library.modules().len()
     };

@@ -14,8 +14,8 @@ use std::rc::Rc;
 use rust_hdl_core::prelude::*;
 
 use super::Wire;
-use crate::design::{NodeId, Op, Register, Table};
-use crate::verilog::statement::{self, Operand};
+use crate::design::{Op, Register, Table};
+use crate::verilog::Nets;
 
 /// An operator of a module; operands are numbers of the module's own wires.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,6 +80,16 @@ impl Module {
         self.reset.is_some()
     }
 
+    /// Whether this wire is the reset pin.
+    pub fn is_reset(&self, wire: u32) -> bool {
+        self.reset == Some(wire)
+    }
+
+    /// The read-only memories that its operators name.
+    pub fn tables(&self) -> &[Table] {
+        &self.tables
+    }
+
     /// Puts a raw value to a pin or wire; it takes effect when the design is simulated.
     pub fn set(&mut self, wire: u32, raw: i64) {
         let wire = &mut self.wires[wire as usize];
@@ -129,43 +139,6 @@ impl Module {
             }
         }
     }
-
-    fn operand(&self, id: NodeId) -> Operand<'_> {
-        let cell = self.gates.iter().find(|c| c.wire == id.0);
-        match cell.map(|c| c.op) {
-            Some(Op::Constant(value)) => Operand::Literal(value),
-            _ => {
-                let wire_type = self.wires[id.0 as usize].wire_type();
-                Operand::Net {
-                    name: &wire_type.name,
-                    width: wire_type.width,
-                    signed: wire_type.signed,
-                }
-            }
-        }
-    }
-
-    /// A cell as Verilog statements of an `always` block.
-    pub fn assignment(&self, cell: &Cell) -> String {
-        let wire_type = self.wires[cell.wire as usize].wire_type();
-        let arrow = if cell.register == Register::None { "=" } else { "<=" };
-        let target = (wire_type.name.as_str(), NodeId(cell.wire));
-        statement::assignment(
-            target,
-            arrow,
-            cell.op,
-            wire_type.width,
-            &|id| self.operand(id),
-            &self.tables,
-        )
-    }
-
-    /// The right-hand side of a cell as a Verilog expression of the width of its wire.
-    pub fn expression(&self, cell: &Cell) -> String {
-        statement::expression(cell.op, self.wires[cell.wire as usize].wire_type().width, &|id| {
-            self.operand(id)
-        })
-    }
 }
 
 impl Logic for Module {
@@ -196,9 +169,10 @@ impl Logic for Module {
     /// children's.
     fn hdl(&self) -> Verilog {
         let mut lines = vec![];
-        let name = |wire: u32| &self.wires[wire as usize].wire_type().name;
+        let nets = Nets::of_wires(self);
+        let name = |wire: u32| nets.name(wire);
         for cell in self.gates.iter().filter(|c| c.op.constant().is_none()) {
-            lines.push(format!("always @(*) {}", self.assignment(cell)));
+            lines.push(format!("always @(*) {}", nets.assignment(cell)));
         }
         for cell in &self.registers {
             lines.push(match cell.register {
@@ -206,10 +180,10 @@ impl Logic for Module {
                     format!(
                         "always @(posedge clock) {} <= reset ? 1'b0 : {};",
                         name(cell.wire),
-                        self.expression(cell)
+                        nets.expression(cell)
                     )
                 }
-                _ => format!("always @(posedge clock) {}", self.assignment(cell)),
+                _ => format!("always @(posedge clock) {}", nets.assignment(cell)),
             });
         }
         for child in &self.children {

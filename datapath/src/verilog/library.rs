@@ -1,5 +1,8 @@
 //! The modules of cores, each distinct one once.
-use super::module;
+use super::LongDelays;
+use super::delay_modules::DelayModules;
+use super::delays::Delays;
+use super::module::{self, Instantiated};
 use crate::block::Module;
 
 /// Stands for the module's name while texts are compared; no name can contain it.
@@ -26,12 +29,19 @@ pub struct Printed {
 pub struct Library {
     prefix: String,
     modules: Vec<Printed>,
+    delays: DelayModules,
+    long_delays: LongDelays,
 }
 
 impl Library {
     /// An empty one, in which all names begin with `prefix`.
-    pub fn new(prefix: &str) -> Library {
-        Library { prefix: prefix.to_owned(), modules: vec![] }
+    pub fn new(prefix: &str, long_delays: LongDelays) -> Library {
+        Library {
+            prefix: prefix.to_owned(),
+            modules: vec![],
+            delays: DelayModules::new(prefix),
+            long_delays,
+        }
     }
 
     /// Every distinct module, those that are instantiated before those that instantiate them.
@@ -42,14 +52,14 @@ impl Library {
     /// Adds a module with all that is in it, and gives its place: that of an equal one added
     /// before, or a new one.
     pub fn add(&mut self, module: &Module) -> usize {
-        let children = self.add_children(module);
-        let text = module::text(module, PLACEHOLDER, &self.names(&children));
+        let (text, children) = self.text(module, PLACEHOLDER);
         if let Some(same) =
             self.modules.iter().position(|m| m.unit == module.unit && m.text == text)
         {
             return same;
         }
-        let number = self.modules.iter().filter(|m| m.unit == module.unit).count();
+        let number = self.modules.iter().filter(|m| m.unit == module.unit).count()
+            + usize::from(DelayModules::is_named_as(&module.unit));
         let base = format!("{}_{}", self.prefix, module.unit);
         let name = if number == 0 { base } else { format!("{base}_{}", number + 1) };
         self.modules.push(Printed {
@@ -62,9 +72,22 @@ impl Library {
         self.modules.len() - 1
     }
 
-    /// Adds what is in a module, and gives the places of its children.
-    pub fn add_children(&mut self, module: &Module) -> Vec<usize> {
-        module.children().iter().map(|child| self.add(&child.module)).collect()
+    /// The text of a module under a name, and the places of its children, which are added with all
+    /// that is in them.
+    pub fn text(&mut self, module: &Module, name: &str) -> (String, Vec<usize>) {
+        let children: Vec<usize> =
+            module.children().iter().map(|child| self.add(&child.module)).collect();
+        for line in Delays::of(module).lines {
+            self.delays.note(line.storage(self.long_delays));
+        }
+        let names = self.names(&children);
+        let instantiated = Instantiated { children: &names, delays: &self.delays };
+        (module::text(module, name, &instantiated, self.long_delays), children)
+    }
+
+    /// The modules that delay lines are instances of, those that are instantiated.
+    pub fn delay_modules(&self) -> impl Iterator<Item = String> {
+        self.delays.sources()
     }
 
     /// Names of the modules in these places.

@@ -1,11 +1,11 @@
 //! Bits of nets that nothing reads, so that a linter need not be told to look away.
-use super::statement;
+use super::{Nets, statement};
 use crate::block::{AtomKind, Module};
 use crate::design::{NodeId, Op};
 
 /// The bits of each net that nothing in the module reads, as Verilog selections in the order of the
 /// nets.
-pub fn unread_bits(module: &Module) -> Vec<String> {
+pub fn unread_bits(module: &Module, nets: &Nets) -> Vec<String> {
     let all: Vec<u64> =
         module.wires().iter().map(|w| u64::MAX >> (64 - w.wire_type().width)).collect();
     let mut unread = all.clone();
@@ -24,14 +24,16 @@ pub fn unread_bits(module: &Module) -> Vec<String> {
     for child in module.children() {
         child.inputs.iter().for_each(|&(_, wire)| unread[wire as usize] = 0);
     }
-    let named = module.wires().iter().zip(&unread);
+    let named = (0..).zip(module.wires()).zip(&unread);
     let read_outside = |kind| matches!(kind, AtomKind::OutputParameter | AtomKind::Constant);
     named
-        .filter(|(wire, _)| {
-            !read_outside(wire.wire_type().kind)
-                && !is_reset(module, wire.wire_type().name.as_str())
+        // Reset is read by the registers' control, which is no operator.
+        .filter(|((number, wire), _)| {
+            !read_outside(wire.wire_type().kind) && !module.is_reset(*number)
         })
-        .flat_map(|(wire, &mask)| selections(&wire.wire_type().name, wire.wire_type().width, mask))
+        .flat_map(|((number, wire), &mask)| {
+            selections(nets.name(number), wire.wire_type().width, mask)
+        })
         .collect()
 }
 
@@ -41,11 +43,6 @@ fn sign_alone(module: &Module, op: Op) -> Option<NodeId> {
     let [left, right] = [a, b].map(|id| &module.wires()[id.0 as usize]);
     let with_zero = right.wire_type().kind == AtomKind::Constant && right.value() == 0;
     (with_zero && left.wire_type().signed).then_some(a)
-}
-
-/// Reset is read by the registers' control, which is no operator.
-fn is_reset(module: &Module, name: &str) -> bool {
-    module.has_reset() && name == "reset"
 }
 
 /// The runs of 1 in `mask` as bit and part selects.

@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use specula_datapath::Design;
 use specula_datapath::design::{NodeId, Op, wrapped};
+use specula_datapath::verilog;
 use vcd::{Command, Header, IdCode, Parser, Value};
 
 use super::batches::Batches;
@@ -86,6 +87,7 @@ impl Trace<'_> {
         watched: &[NodeId],
     ) -> Result<Signals, SimError> {
         let mut signals = Signals { columns: HashMap::new(), shapes: vec![], values: vec![] };
+        let places = verilog::places(&design.to_block());
         for (column, &node) in watched.iter().enumerate() {
             let about = design.node(node);
             signals.shapes.push((about.width(), about.range.signed()));
@@ -95,26 +97,30 @@ impl Trace<'_> {
                 continue;
             }
             signals.values.push(0);
-            let path = design.path(about.scope);
-            let path: Vec<&str> = self
-                .root
-                .iter()
-                .copied()
-                .chain(path.into_iter().skip(1))
-                .chain([about.name.as_str()])
-                .collect();
-            let variable = header.find_var(&path);
             let untraced =
                 || SimError::Untraced { tool: self.tool, signal: design.full_name(node) };
-            signals.columns.entry(variable.ok_or_else(untraced)?.code).or_default().push(column);
+            let place = places.get(&node).ok_or_else(untraced)?;
+            let inside = place.path.iter().chain([&place.net]).map(String::as_str);
+            let path: Vec<&str> = self.root.iter().copied().chain(inside).collect();
+            let variable = header.find_var(&path).ok_or_else(untraced)?;
+            let bits = Bits { column, lowest: place.low_bit as usize };
+            signals.columns.entry(variable.code).or_default().push(bits);
         }
         Ok(signals)
     }
 }
 
+/// The bits of a variable that are a watched signal.
+struct Bits {
+    /// The signal's column.
+    column: usize,
+    /// The lowest of the bits.
+    lowest: usize,
+}
+
 /// The watched signals and what they are just now.
 struct Signals {
-    columns: HashMap<IdCode, Vec<usize>>,
+    columns: HashMap<IdCode, Vec<Bits>>,
     shapes: Vec<(u32, bool)>,
     values: Vec<i64>,
 }
@@ -122,9 +128,10 @@ struct Signals {
 impl Signals {
     /// Bits to the left of those that are written are 0, or X or Z, which counts as 0.
     fn change(&mut self, code: IdCode, bits: &[Value]) {
-        let raw = bits.iter().fold(0, |raw, &bit| raw << 1 | i64::from(bit == Value::V1));
-        for &column in self.columns.get(&code).map_or(&[][..], Vec::as_slice) {
+        for &Bits { column, lowest } in self.columns.get(&code).map_or(&[][..], Vec::as_slice) {
             let (width, signed) = self.shapes[column];
+            let own = bits.iter().rev().skip(lowest).take(width as usize).rev();
+            let raw = own.fold(0, |raw, &bit| raw << 1 | i64::from(bit == Value::V1));
             self.values[column] = wrapped(raw, width, signed);
         }
     }
@@ -158,8 +165,9 @@ mod tests {
     #[test]
     fn unknown_bits_are_read_as_0() {
         let code = IdCode::FIRST;
+        let whole = |column| Bits { column, lowest: 0 };
         let mut signals = Signals {
-            columns: [(code, vec![0, 1])].into(),
+            columns: [(code, vec![whole(0), whole(1)])].into(),
             shapes: vec![(4, true), (4, false)],
             values: vec![0; 2],
         };
@@ -167,5 +175,22 @@ mod tests {
         assert_eq!(signals.values, [-7, 9]);
         signals.change(code, &[Value::X]);
         assert_eq!(signals.values, [0, 0]);
+    }
+
+    #[test]
+    fn stages_of_a_delay_line_are_bits_of_a_variable() {
+        let code = IdCode::FIRST;
+        let bits = (0..3).map(|column| Bits { column, lowest: 2 * column }).collect();
+        let mut signals = Signals {
+            columns: [(code, bits)].into(),
+            shapes: vec![(2, false); 3],
+            values: vec![0; 3],
+        };
+        let [zero, one] = [Value::V0, Value::V1];
+        signals.change(code, &[one, zero, one, one, zero, one]);
+        assert_eq!(signals.values, [1, 3, 2]);
+        // Zeros on the left are not written.
+        signals.change(code, &[one, one, zero]);
+        assert_eq!(signals.values, [2, 1, 0]);
     }
 }

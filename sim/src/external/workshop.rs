@@ -3,7 +3,7 @@ use std::fs::File;
 use std::path::Path;
 
 use specula_datapath::Design;
-use specula_datapath::verilog::{self, Header};
+use specula_datapath::verilog::{self, Header, LongDelays};
 use tempfile::TempDir;
 
 use super::Ports;
@@ -16,6 +16,9 @@ pub const STIMULUS: &str = "stimulus.hex";
 pub const RESULTS: &str = "results.bin";
 /// The file into which all signals are written.
 pub const TRACE: &str = "trace.vcd";
+
+/// The folder of what is printed to be traced.
+const TRACED: &str = "traced";
 
 /// A new temporary directory; it is gone when it is dropped.
 ///
@@ -33,8 +36,11 @@ pub struct Workshop {
     directory: TempDir,
     /// The design's ports.
     pub ports: Ports,
-    /// Name of the file that holds the design.
+    /// The file that holds the design.
     pub source: String,
+    /// The file that holds the design with all delay lines as shift registers, so that each of
+    /// their stages can be seen.
+    pub traced_source: String,
 }
 
 impl Workshop {
@@ -46,9 +52,18 @@ impl Workshop {
         let directory = temporary_directory()?;
         let ports = Ports::of(design);
         let source = format!("{}.v", ports.core);
-        let workshop = Workshop { directory, ports, source };
-        workshop
-            .write(&workshop.source, &verilog::print(&design.to_block(), &Header::default()))?;
+        // Linters want a file to be called after the module in it.
+        let traced_source = format!("{TRACED}/{source}");
+        let workshop = Workshop { directory, ports, source, traced_source };
+        std::fs::create_dir(workshop.path().join(TRACED))
+            .map_err(SimError::file("make a folder for a simulator"))?;
+        let (block, header) = (design.to_block(), Header::default());
+        for (source, long_delays) in [
+            (&workshop.source, LongDelays::Memories),
+            (&workshop.traced_source, LongDelays::ShiftRegisters),
+        ] {
+            workshop.write(source, &verilog::print_with(&block, &header, long_delays))?;
+        }
         Ok(workshop)
     }
 

@@ -70,16 +70,11 @@ impl<'a> Icarus<'a> {
         let begin = Instant::now();
         self.built = None;
         self.workshop.write("bench.v", &bench::text(&self.workshop.ports, &watch))?;
-        let fixed = [
-            "-g2001",
-            "-Wall",
-            "-s",
-            bench::NAME,
-            "-o",
-            "run.vvp",
-            "bench.v",
-            &self.workshop.source,
-        ];
+        let source = match watch {
+            Watch::Ports(_) => &self.workshop.source,
+            Watch::Everything => &self.workshop.traced_source,
+        };
+        let fixed = ["-g2001", "-Wall", "-s", bench::NAME, "-o", "run.vvp", "bench.v", source];
         COMPILER.run(self.workshop.path(), &fixed.map(str::to_owned))?;
         self.build_time += begin.elapsed();
         self.built = Some(watch);

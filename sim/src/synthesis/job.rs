@@ -91,6 +91,7 @@ fn source(library: &Library, places: &[usize]) -> String {
     boxes.retain(|child| !places.contains(child));
     let mut text: String = boxes.iter().map(|&child| modules[child].black_box()).collect();
     text.extend(places.iter().map(|&place| modules[place].source()));
+    text.extend(library.delay_modules());
     // Writing to a String cannot fail.
     let _ = writeln!(text, "module {TOP};");
     for (number, name) in library.names(places).iter().enumerate() {
@@ -100,14 +101,19 @@ fn source(library: &Library, places: &[usize]) -> String {
     text
 }
 
-/// Everything of `synth_ecp5` but flattening. Registers are boxes while gates are mapped: every
+/// Everything of `synth_ecp5`, but delay lines alone are flattened: their cells are those of the
+/// module that they are in, and have its widths and lengths. Registers are boxes while gates are mapped: every
 /// pass looks at every cell, and most cells would be flip-flops, in which there is nothing to map.
 fn script(names: &[String]) -> String {
     let synth = |labels: &str| format!("synth_ecp5 -noflatten -top {TOP} -run {labels}");
     let count = |name: &String| format!("tee -q -o {} stat {name}", counts_file(name));
     let commands = [
         "read_verilog registers.v modules.v".to_owned(),
-        synth("begin:map_ram"),
+        synth("begin:coarse"),
+        "proc".to_owned(),
+        format!("setattr -mod -set keep_hierarchy 1 {}", names.join(" ")),
+        "flatten".to_owned(),
+        synth("coarse:map_ram"),
         "techmap -map to_registers.v".to_owned(),
         synth("map_ram:check"),
         "techmap -map to_flip_flops.v".to_owned(),

@@ -15,7 +15,7 @@ use std::thread;
 
 use rayon::prelude::*;
 use specula_datapath::Design;
-use specula_datapath::verilog::Library;
+use specula_datapath::verilog::{Library, LongDelays};
 
 use crate::SimError;
 
@@ -56,7 +56,8 @@ pub fn synthesise(
     designs: &[&Design],
     watch: &(dyn Fn(Progress) + Sync),
 ) -> Result<Vec<Synthesised>, SimError> {
-    let mut library = Library::new("core");
+    // Flip-flops, of which cores differ in number, are what is counted.
+    let mut library = Library::new("core", LongDelays::ShiftRegisters);
     let tops: Vec<usize> = designs.iter().map(|design| library.add(&design.to_block())).collect();
     let modules = library.modules().len();
     let mut cells = vec![Synthesised::default(); modules];

@@ -95,7 +95,16 @@ impl Kind {
     const fn options(self) -> &'static [&'static str] {
         match self {
             Kind::Ports => &[],
-            Kind::Trace => &["--trace"],
+            // Delay lines are wider than what is traced unless asked for.
+            Kind::Trace => &["--trace", "--trace-max-width", "0"],
+        }
+    }
+
+    /// The core's Verilog for it.
+    fn source(self, workshop: &Workshop) -> &str {
+        match self {
+            Kind::Ports => &workshop.source,
+            Kind::Trace => &workshop.traced_source,
         }
     }
 }
@@ -162,6 +171,7 @@ impl<'a> Verilator<'a> {
         let (directory, options) = (kind.directory(), kind.options());
         let program = Program {
             directory,
+            source: kind.source(&self.workshop),
             main: "main.cpp",
             effort: self.effort,
             options,

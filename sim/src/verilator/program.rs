@@ -7,6 +7,8 @@ use crate::external::Workshop;
 pub struct Program<'a> {
     /// Directory of its object files, in the workshop.
     pub directory: &'a str,
+    /// The core's Verilog.
+    pub source: &'a str,
     /// Its C++ source, which includes `ports.h`.
     pub main: &'a str,
     /// What the C++ compiler is to spend its time on.
@@ -45,7 +47,7 @@ impl Program<'_> {
                 .map(str::to_owned),
         );
         arguments.extend(self.options.iter().map(|&option| option.to_owned()));
-        arguments.extend([workshop.source.clone(), self.main.to_owned()]);
+        arguments.extend([self.source, self.main].map(str::to_owned));
         // ports.h stands beside the source, not in the directory of the object files.
         arguments.extend(["-CFLAGS".into(), format!("-I.. {}", self.effort.option())]);
         arguments.extend(self.common.into_iter().flat_map(Common::arguments));

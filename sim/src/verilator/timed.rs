@@ -35,8 +35,16 @@ impl Keeping {
         match self {
             Keeping::Outputs => &[],
             Keeping::EverySignal => &["--public-flat-rw"],
-            Keeping::Vcd => &["--trace"],
-            Keeping::Fst => &["--trace-fst"],
+            Keeping::Vcd => &["--trace", "--trace-max-width", "0"],
+            Keeping::Fst => &["--trace-fst", "--trace-max-width", "0"],
+        }
+    }
+
+    /// The core's Verilog for it: every signal is there to be kept unless outputs alone are.
+    fn source(self, workshop: &Workshop) -> &str {
+        match self {
+            Keeping::Outputs => &workshop.source,
+            Keeping::EverySignal | Keeping::Vcd | Keeping::Fst => &workshop.traced_source,
         }
     }
 }
@@ -79,6 +87,7 @@ impl TimedVerilator {
         let begin = Instant::now();
         let program = Program {
             directory: "timed",
+            source: keeping.source(&workshop),
             main: "timed.cpp",
             effort: Effort::FastRun,
             options: keeping.options(),

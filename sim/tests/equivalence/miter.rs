@@ -3,7 +3,7 @@ use std::fmt::Write;
 
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
-use specula_datapath::verilog::{self, Header};
+use specula_datapath::verilog::{self, Header, LongDelays};
 use specula_scene::CoreSpec;
 use specula_scene::spec::Given;
 
@@ -42,7 +42,9 @@ impl<'a> Miter<'a> {
     /// proves it.
     pub fn files(&self, given: &[String]) -> [(&'static str, String); 5] {
         let print = |design: &Design| {
-            verilog::print(&design.to_block(), &Header { lines: vec!["A core.".into()] })
+            let header = Header { lines: vec!["A core.".into()] };
+            // A memory has an address, which depends on itself, and no proof has so many clocks.
+            verilog::print_with(&design.to_block(), &header, LongDelays::ShiftRegisters)
         };
         let files = [("general.v", print(&self.general)), ("special.v", print(&self.special))];
         let [general, special] = files;

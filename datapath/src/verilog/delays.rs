@@ -1,0 +1,184 @@
+//! Registers that only delay: which of a module's form lines, and what such a line is called.
+use std::collections::HashSet;
+
+use crate::block::{AtomKind, Cell, Module};
+use crate::design::{Op, Register};
+
+/// The clocks of the shortest line that is an instance of its own.
+const SHORTEST: usize = 4;
+
+/// The most clocks of a line that is a shift register whatever [`LongDelays`] says.
+const LONGEST_SHIFT_REGISTER: usize = 32;
+
+/// What delay lines of more than 32 clocks are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LongDelays {
+    /// Memories used as circular buffers, which hold only what is still to leave.
+    Memories,
+    /// Shift registers, in which a trace finds the value of every stage.
+    ShiftRegisters,
+}
+
+/// What a delay line is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Storage {
+    /// A shift register.
+    ShiftRegister,
+    /// A memory used as a circular buffer.
+    Memory,
+}
+
+/// Registers in a row, each of which takes what the one before it held.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DelayLine {
+    /// The name of the instance, or of the vector.
+    pub name: String,
+    /// The wire that enters.
+    pub input: u32,
+    /// The wires of the registers, in order; what the last one holds leaves.
+    pub stages: Vec<u32>,
+}
+
+impl DelayLine {
+    /// Clocks from what enters to what leaves.
+    pub fn clocks(&self) -> usize {
+        self.stages.len()
+    }
+
+    /// The wire that leaves; a line has at least one stage.
+    pub fn output(&self) -> u32 {
+        self.stages.last().copied().unwrap_or(self.input)
+    }
+
+    /// What it is made of.
+    pub fn storage(&self, long: LongDelays) -> Storage {
+        match long {
+            LongDelays::Memories if self.clocks() > LONGEST_SHIFT_REGISTER => Storage::Memory,
+            _ => Storage::ShiftRegister,
+        }
+    }
+}
+
+/// The delay lines of a module.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Delays {
+    /// Lines of data that are instances: at least four clocks long, and only the next register
+    /// reads a stage that is not the last.
+    pub lines: Vec<DelayLine>,
+    /// Lines of validity that are vectors: at least two clocks long, and anything may read a stage.
+    pub validity: Vec<DelayLine>,
+    members: HashSet<u32>,
+}
+
+impl Delays {
+    /// The delay lines of `module`.
+    pub fn of(module: &Module) -> Delays {
+        let readers = Readers::of(module);
+        let data = readers.rows(Register::Data, |wire| readers.only_delay(wire));
+        let bits = readers.rows(Register::Validity, |wire| readers.first_validity(wire));
+        let mut names = Names::of(module);
+        let mut named = |rows: Vec<(u32, Vec<u32>)>, shortest: usize, suffix: &str| {
+            let long = rows.into_iter().filter(|(_, stages)| stages.len() >= shortest);
+            let line = |(input, stages): (u32, Vec<u32>)| {
+                let entering = &module.wires()[input as usize].wire_type().name;
+                DelayLine { name: names.unique(format!("{entering}_{suffix}")), input, stages }
+            };
+            long.map(line).collect::<Vec<_>>()
+        };
+        let lines = named(data, SHORTEST, "delay");
+        let validity = named(bits, 2, "line");
+        let members = lines.iter().chain(&validity).flat_map(|l| l.stages.clone()).collect();
+        Delays { lines, validity, members }
+    }
+
+    /// Whether the register of this wire is part of a line.
+    pub fn contains(&self, wire: u32) -> bool {
+        self.members.contains(&wire)
+    }
+}
+
+/// The operand of a register that only delays it: a variable of the same width.
+pub fn delayed(module: &Module, cell: &Cell) -> Option<u32> {
+    let Op::Copy(operand) = cell.op else { return None };
+    let [from, to] = [operand.0, cell.wire].map(|wire| module.wires()[wire as usize].wire_type());
+    let same = from.width == to.width && from.kind != AtomKind::Constant;
+    (same && cell.register != Register::None).then_some(operand.0)
+}
+
+/// Who reads the wires of a module.
+struct Readers<'a> {
+    module: &'a Module,
+    /// How often each wire is read, by cells and by children.
+    reads: Vec<u32>,
+    /// The registers that delay each wire.
+    delays: Vec<Vec<&'a Cell>>,
+}
+
+impl<'a> Readers<'a> {
+    fn of(module: &'a Module) -> Readers<'a> {
+        let wires = module.wires().len();
+        let mut readers = Readers { module, reads: vec![0; wires], delays: vec![vec![]; wires] };
+        for cell in module.cells() {
+            cell.op.operands().for_each(|operand| readers.reads[operand.0 as usize] += 1);
+            if let Some(from) = delayed(module, cell) {
+                readers.delays[from as usize].push(cell);
+            }
+        }
+        for child in module.children() {
+            child.inputs.iter().for_each(|&(_, wire)| readers.reads[wire as usize] += 1);
+        }
+        readers
+    }
+
+    /// The register of data behind a wire that nothing else reads.
+    fn only_delay(&self, wire: u32) -> Option<u32> {
+        let local = self.module.wires()[wire as usize].wire_type().kind == AtomKind::LocalSignal;
+        let [cell] = self.delays[wire as usize][..] else { return None };
+        let only = local && self.reads[wire as usize] == 1 && cell.register == Register::Data;
+        only.then_some(cell.wire)
+    }
+
+    /// The first register of validity behind a wire.
+    fn first_validity(&self, wire: u32) -> Option<u32> {
+        let mut cells = self.delays[wire as usize].iter();
+        cells.find(|cell| cell.register == Register::Validity).map(|cell| cell.wire)
+    }
+
+    /// Delay registers of a kind in rows, each with the wire that enters it; `next` is the register
+    /// that goes on behind another. Registers in a ring begin nowhere and are in no row.
+    fn rows(&self, kind: Register, next: impl Fn(u32) -> Option<u32>) -> Vec<(u32, Vec<u32>)> {
+        let of_kind = || self.module.cells().filter(|cell| cell.register == kind);
+        let registers: HashSet<u32> = of_kind()
+            .filter(|cell| delayed(self.module, cell).is_some())
+            .map(|cell| cell.wire)
+            .collect();
+        let continues =
+            |from: u32, wire: u32| registers.contains(&from) && next(from) == Some(wire);
+        of_kind()
+            .filter_map(|cell| Some((delayed(self.module, cell)?, cell.wire)))
+            .filter(|&(from, wire)| !continues(from, wire))
+            .map(|(from, wire)| (from, std::iter::successors(Some(wire), |&at| next(at)).collect()))
+            .collect()
+    }
+}
+
+/// Names that a module's text has already.
+struct Names(HashSet<String>);
+
+impl Names {
+    fn of(module: &Module) -> Names {
+        let wires = module.wires().iter().map(|wire| wire.wire_type().name.clone());
+        let instances = module.children().iter().map(|child| child.module.instance.clone());
+        Names(wires.chain(instances).chain([module.instance.clone()]).collect())
+    }
+
+    fn unique(&mut self, name: String) -> String {
+        let mut candidate = name.clone();
+        let mut number = 2;
+        while !self.0.insert(candidate.clone()) {
+            candidate = format!("{name}_{number}");
+            number += 1;
+        }
+        candidate
+    }
+}
