@@ -3,9 +3,9 @@ use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Di
 use specula_scene::{CoreSpec, Format};
 
 use super::{eye, finish, pipelines, turns};
-use crate::units::{
-    self, Consistency, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals,
-};
+use crate::error;
+use crate::error::consistent_reflection::Consistency;
+use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::{Design, ErrorForm};
 
@@ -33,7 +33,7 @@ pub(super) fn core(
             weight: f.weight,
             vector: f.vector,
             longest: 1.0,
-            apart: units::chord(spec.shortest_normal),
+            apart: error::interpolate::chord(spec.shortest_normal),
             steps,
         },
     );

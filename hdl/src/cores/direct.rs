@@ -3,7 +3,9 @@ use specula_scene::spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
 use specula_scene::{CoreSpec, Format};
 
 use super::{finish, pipelines, turns};
-use crate::units::{self, DirectedBase, Light, NewtonRoot, Product, QuotientFormat, UnitNormal};
+use crate::error::angular::Angular;
+use crate::error::direct::{Product, normal_by_newton, unit_normal};
+use crate::units::{self, DirectedBase, Light, NewtonRoot, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
 
@@ -63,7 +65,7 @@ struct Length {
     /// 1/√q, or 1/d.
     reciprocal: Sig,
     /// What is known of N times that.
-    normal: UnitNormal,
+    normal: Angular,
     highlight: Highlight,
 }
 
@@ -81,11 +83,12 @@ fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Len
     let Squared { first, t, q, spread, view } = of;
     let (formats, shortest) = (&direct.formats, spec.shortest_normal);
     let smallest_q = shortest * shortest;
+    let parameter = units::known_parameter(t, spread);
     match direct.root {
         Root::Exact => {
             let reciprocal =
                 units::reciprocal_square_root(b, q, formats.reciprocal.into(), smallest_q);
-            let normal = UnitNormal::new(t, spread, formats, shortest);
+            let normal = unit_normal(parameter, formats, shortest);
             let k = b.instance("n_dot_v", || {
                 units::direct_cosine(b, view, &reciprocal, formats, normal)
             });
@@ -94,9 +97,10 @@ fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Len
         Root::Newton => {
             let newton = NewtonRoot { steps: direct.newton_steps, shortest };
             let reciprocal = reciprocal_length(b, first, q, formats, newton);
-            let normal = UnitNormal::by_newton(t, q, spread, formats, newton);
+            let of_root = newton.bound(q, formats);
+            let normal = normal_by_newton(parameter, formats, shortest, of_root);
             let quotient = units::over_square(b, view, q, smallest_q, formats);
-            let known = Product::with_quotient(t, spread, formats, shortest);
+            let known = Product::with_quotient(parameter, formats, shortest);
             Length { reciprocal, normal, highlight: Highlight::OfQuotient(quotient, known) }
         }
     }
@@ -157,7 +161,7 @@ impl Pixel<'_> {
 
     fn base<'a>(&'a self, p: &'a Sig, j: &'a Sig, light: &'a DirectLight<Sig>) -> DirectedBase<'a> {
         let (factors, known) = match &self.length.highlight {
-            Highlight::OfCosines(k) => ([j, k], Product::of_cosines([j, k])),
+            Highlight::OfCosines(k) => ([j, k], units::product_of_cosines([j, k])),
             Highlight::OfQuotient(k, known) => ([p, k], *known),
         };
         DirectedBase {

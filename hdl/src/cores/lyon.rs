@@ -60,7 +60,7 @@ fn normal(
                 weight,
                 vector,
                 longest,
-                apart: units::chord(spec.shortest_normal),
+                apart: error::interpolate::chord(spec.shortest_normal),
                 steps: spec.longest_span - 1,
             },
         )
@@ -160,10 +160,11 @@ impl Pixel<'_> {
     ///
     /// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all
     /// but one are at least half as long as lights are apart. With exponents from
-    /// [`units::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is
+    /// [`error::shape::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is
     /// off for those.
     fn alone(&self, f: Sig, d: &Vector, length_off: LengthOff) -> Sig {
-        let dark = units::least_dark_exponent(self.apart / 2.0 - d.off().length, self.lyon);
+        let off = d.off().length;
+        let dark = error::shape::least_dark_exponent(self.apart / 2.0 - off, self.lyon);
         let largest = self.shininess.range().magnitude();
         if self.lyon.difference != Difference::ReflectionMinusLight
             || dark >= largest
@@ -172,7 +173,7 @@ impl Pixel<'_> {
             return f;
         }
         f.of_error_form(ErrorForm::OneOfSeveral {
-            together: units::shape_error(d, length_off, dark, self.lyon),
+            together: error::shape::bound(off, length_off, dark, self.lyon),
         })
     }
 

@@ -1,20 +1,32 @@
 //! Proofs of error bounds, a file for each unit: numbers alone, without signals.
 pub mod angular;
+pub mod colour;
+pub mod consistent_reflection;
 pub mod contraction;
 pub mod cosine;
 pub mod difference;
 pub mod diffuse;
+pub mod direct;
+pub mod divider;
 #[cfg(test)]
 mod draw;
+pub mod followed;
+pub mod gaussian;
 pub mod host;
+pub mod interpolate;
 pub mod length_off;
+pub mod linear;
 pub mod newton_root;
 pub mod normalise;
 pub mod normalise_exactly;
+pub mod power;
+pub mod quadratic;
 pub mod reciprocal_square_root;
 pub mod rotation;
+pub mod shape;
 pub mod square_root;
 pub mod turned;
 pub mod turned_normal;
 pub mod unit_vectors;
 pub mod vector;
+pub mod wrapped;

@@ -1,8 +1,7 @@
 //! From intensities to a pixel.
-use specula_scene::spec::FULL_SCALE;
-
+use crate::error;
+use crate::error::colour::{Factor, Term};
 use specula_datapath::builder::{Builder, Sig, Turns};
-use specula_datapath::design::{ErrorForm, SHARES, Share};
 
 /// A colour coefficient for each channel, in LSBs of the output.
 pub type Coefficients = [Sig; 3];
@@ -59,12 +58,7 @@ fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
 /// most 255.
 ///
 /// # Error
-/// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the
-/// smaller sum, and of each product k f the smaller one in it, adds up to less than 255; so with
-/// intensities off by ρ f + r and coefficients by e, the sum is off by 255 times the largest ρ, or
-/// Σ k ρ where that is less, and by Σ (k r + f e) with the largest k and f. Of the pairs of ρ and r
-/// that hold, those count that make the least of it. Intensities of which one alone is off by r, or
-/// else all by less, count with r once in a turn, or with the less all of them.
+/// [`error::colour::below_full_scale`], and half an LSB.
 fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| {
         [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()]
@@ -80,8 +74,7 @@ fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize
     );
     let formula = "c = min(ambient + sum of coefficient x intensity, 255) [methods A3]";
     b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities, begins)| {
-        let below_full_scale =
-            below_full_scale(&ambient, &coefficients, &intensities, turns.count());
+        let error = error_of_sum(&ambient, &coefficients, &intensities, turns.count());
         let terms = coefficients
             .iter()
             .zip(&intensities)
@@ -90,7 +83,7 @@ fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize
             1 => terms.fold(ambient, |sum, term| sum + term),
             count => sum_of_turns(&begins, &ambient, terms, count),
         };
-        sum.rounded(0).clamped_above(255).proven_error_value(below_full_scale + 0.5).named("code")
+        sum.rounded(0).clamped_above(255).proven_error_value(error + 0.5).named("code")
     })
 }
 
@@ -109,34 +102,18 @@ fn sum_of_turns(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, c
     )
 }
 
-/// What the sum over a pixel's turns is off by where it is below full scale.
-fn below_full_scale(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], turns: u32) -> f64 {
+/// Bound on the error of the sum over a pixel's turns where it is below full scale.
+fn error_of_sum(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], turns: u32) -> f64 {
     if coefficients.iter().chain(intensities).chain([ambient]).any(|sig| sig.range().low < 0) {
         return f64::INFINITY;
     }
-    let largest = |sig: &Sig| sig.range().magnitude() * sig.ulp();
-    let with = |share: usize| {
-        let (mut largest_ratio, mut of_values, mut beside) = (0.0_f64, 0.0, 0.0);
-        let (mut of_one, mut of_all) = (0.0_f64, 0.0);
-        for (coefficient, intensity) in coefficients.iter().zip(intensities) {
-            let off = intensity.error_value();
-            let most = largest(coefficient) + coefficient.error_value();
-            beside += (largest(intensity) + off) * coefficient.error_value();
-            let Share { ratio, rest } = match intensity.error_form() {
-                ErrorForm::Proportional(shares) => shares[share],
-                ErrorForm::OneOfSeveral { together } => {
-                    of_one = of_one.max(most * off);
-                    of_all += most * together.min(off);
-                    continue;
-                }
-                _ => Share { ratio: 0.0, rest: off },
-            };
-            largest_ratio = largest_ratio.max(ratio);
-            of_values += most * largest(intensity) * ratio;
-            beside += most * rest.min(off);
-        }
-        beside += of_one.max(of_all);
-        (FULL_SCALE * largest_ratio).min(f64::from(turns) * of_values) + f64::from(turns) * beside
+    let factor =
+        |sig: &Sig| Factor { largest: sig.range().magnitude() * sig.ulp(), off: sig.error_value() };
+    let term = |(coefficient, intensity): (&Sig, &Sig)| Term {
+        coefficient: factor(coefficient),
+        intensity: factor(intensity),
+        form: intensity.error_form(),
     };
-    ambient.error_value() + (0..SHARES).map(with).fold(f64::INFINITY, f64::min)
+    let terms: Vec<Term> = coefficients.iter().zip(intensities).map(term).collect();
+    error::colour::below_full_scale(ambient.error_value(), &terms, turns)
 }

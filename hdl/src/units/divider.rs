@@ -1,6 +1,7 @@
 //! Division.
 use specula_scene::format::power_of_two;
 
+use crate::error::divider::Quotient;
 use specula_datapath::builder::{Builder, Sig};
 
 /// p/q clamped to [0, 1], to `fraction_bits`: the [`quotient`] without integer bits.
@@ -21,8 +22,13 @@ pub struct QuotientFormat {
 }
 
 impl QuotientFormat {
-    fn ulp(self) -> f64 {
-        power_of_two(-i64::from(self.fraction_bits))
+    fn known(self, [p, q]: [&Sig; 2], smallest_divisor: f64) -> Quotient {
+        Quotient {
+            operands: [p.error_value(), q.error_value()],
+            smallest_divisor,
+            limit: power_of_two(self.integer_bits.into()),
+            ulp: power_of_two(-i64::from(self.fraction_bits)),
+        }
     }
 }
 
@@ -34,8 +40,7 @@ impl QuotientFormat {
 /// 1)/2⌋ = ⌊2^f p/q + 1/2⌋. That makes i + f + 1 rows, a clock before them and three behind.
 ///
 /// # Error
-/// Both quotients are clamped, so with q ≥ `smallest_divisor` the result is off by (e_p + 2^i
-/// e_q)/(`smallest_divisor` - e_q), by 2^i at most, and half a unit of the last place.
+/// [`Quotient`], with q ≥ `smallest_divisor`.
 pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
     let formula = format!("r = p/q, clamped to [0, {}]", 1u64 << to.integer_bits);
     b.unit("limited_quotient", &formula, (("p", p), ("q", q)), |b, (p, q)| {
@@ -49,7 +54,7 @@ pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divi
 /// [`quotient`] less 2^i, a row more.
 ///
 /// # Error
-/// As the [`quotient`]'s, but by 2^(i+1) at most.
+/// [`Quotient`], as the [`quotient`]'s.
 pub fn signed_quotient(
     b: &Builder,
     p: &Sig,
@@ -63,8 +68,7 @@ pub fn signed_quotient(
         &format!("r = p/q, clamped to [-{limit}, {limit}]"),
         (("p", p), ("q", q)),
         |b, (p, q)| {
-            let error = quotient_error(&p, &q, to, smallest_divisor)
-                .min(2.0 * limit as f64 + 0.5 * to.ulp());
+            let error = to.known([&p, &q], smallest_divisor).signed();
             let raised = &p + q.times_power_of_two(to.integer_bits as i32);
             let positive = b.integer(0).less_than(&q);
             let shifted = QuotientFormat { integer_bits: to.integer_bits + 1, ..to };
@@ -82,8 +86,7 @@ fn limited_quotient(
     smallest_divisor: f64,
 ) -> Sig {
     let bits = to.integer_bits + to.fraction_bits;
-    let error = quotient_error(p, q, to, smallest_divisor)
-        .min(power_of_two(to.integer_bits.into()) + 0.5 * to.ulp());
+    let error = to.known([p, q], smallest_divisor).unsigned();
     let q = q.times_power_of_two(to.integer_bits as i32);
     let (zero, one) = (b.integer(0), b.integer(1));
     let positive = zero.less_than(p).and(&zero.less_than(&q)).named("positive");
@@ -104,14 +107,6 @@ fn limited_quotient(
     let clamped = whole.choose(&one, &quotient);
     let limited = positive.choose(&clamped, &zero).clamped_above(1);
     limited.times_power_of_two(to.integer_bits as i32).stated_error_value(error)
-}
-
-/// (e_p + 2^i e_q)/(`smallest_divisor` - e_q) and half a unit of the last place, or infinite where
-/// nothing is known of q.
-fn quotient_error(p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> f64 {
-    let operands = p.error_value() + power_of_two(to.integer_bits.into()) * q.error_value();
-    let surely = smallest_divisor - q.error_value();
-    if surely > 0.0 { operands / surely + 0.5 * to.ulp() } else { f64::INFINITY }
 }
 
 /// One bit of the quotient: with 0 ≤ r < q, whether 2r ≥ q, and what then remains of 2r, both after

@@ -2,6 +2,7 @@
 use specula_scene::spec::lyon::LyonFormats;
 
 use super::divider;
+use crate::error::followed::Followed;
 use specula_datapath::builder::{Builder, Known, Off, Sig, Vector};
 
 /// What normals that follow one another begin with.
@@ -25,7 +26,7 @@ pub struct Follow<'a> {
 /// reflection itself passes them on whole.
 ///
 /// # Error
-/// [`follower_error`].
+/// [`Followed::error`].
 pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -> Vector {
     let inputs =
         (("start", of.first), ("follows", of.follows), ("normal", of.normal), ("w", of.axis));
@@ -39,7 +40,9 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
                 .rounded(formats.length_squared.fraction_bits)
                 .named("z");
             let y = (b.integer(1) - &z).named("y");
-            let error = follower_error(&n, &w, &y, formats, shortest);
+            let (normal, axis) = (n.off().length, w.off().length);
+            let error =
+                Followed { normal, axis, residue: y.error_value(), shortest }.error(formats);
             let (longest, bits) = (1.0 + error, formats.vector.fraction_bits);
             let widest = n.longest() + longest;
             let known = Known { limits: (-longest, longest), fact: "|n| = 1", error };
@@ -66,36 +69,4 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
             Vector::new(next).known_off(Off::within(error)).no_longer_than(longest).named("normal")
         },
     )
-}
-
-/// How far wrapped normals that follow one another are off.
-///
-/// As a function of b, N and y = 1 - N·N, n has the derivatives u (1 - 2ĤĤᵀ), an isometry times u,
-/// 1 + that, and H/|H|². So with N off by e_N, b by e and y by e_y it is off by u e + (1 + u) e_N +
-/// e_y/|H| and by what rounding adds: u_o u/(2|H|) for H·H, u_r |H|/2 ≤ 1.1 u_r for u, and √3/2 u_v
-/// for n.
-///
-/// Let s be |N| where it is shortest. Around a fixed w within 90 degrees of N, |H|² ≥ 1 + s². Spans
-/// that follow turn by 120 degrees at most, so s ≥ 1/2, and N stays within 30 degrees of b: in
-/// narrow ones all do; in others N turns by 12.5 degrees a step at most, of which a wrap leaves a
-/// third, 19 degrees in all. So |H|² ≥ 1 + s² + √3 s and u ≤ .36, and errors end at what is added
-/// over 1 - u. As long as e + e_N ≤ 1/16, H as it is is shorter by no more.
-fn follower_error(n: &Vector, w: &Vector, y: &Sig, formats: &LyonFormats, shortest: f64) -> f64 {
-    let (e_n, e_w, e_y) = (n.off().length, w.off().length, y.error_value());
-    let added = |s: f64, h_squared: f64| {
-        let h = h_squared.sqrt() - 0.0625;
-        let u = (1.0 - s * s + e_y) / (h * h);
-        let rounding = formats.wrap_operand.ulp() * u / (2.0 * h)
-            + 1.1 * formats.wrap_ratio.ulp()
-            + 0.75f64.sqrt() * formats.vector.ulp();
-        (u, (1.0 + u) * e_n + e_y / h + rounding)
-    };
-    let (fixed, of_fixed) = added(shortest, 1.0 + shortest * shortest);
-    let s = shortest.max(0.5);
-    let (follows, of_following) = added(s, 1.0 + s * s + 3f64.sqrt() * s);
-    // The first pixel of a span that follows has the error of w, no more than what following ends
-    // at.
-    let error = (fixed * e_w + of_fixed).max(e_w.max(of_following / (1.0 - follows)));
-    // Beyond, two unit vectors are no further apart than 2.
-    if error + e_n <= 0.0625 { error } else { 2.0 }
 }

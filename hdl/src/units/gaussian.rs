@@ -4,7 +4,8 @@
 //! Widths and error are derived in docs/arithmetic/units.md.
 use specula_scene::format::power_of_two;
 
-use super::{exp2, fixed_log};
+use super::power::{exp2, tables};
+use crate::error;
 use specula_datapath::builder::{Builder, Sig};
 
 /// Parts of the table from 0 to 1: 2^4.
@@ -16,25 +17,21 @@ const MOST_EIGHTHS: i64 = 15;
 /// [Lyon, TR 43, appendix, formulation 11]
 ///
 /// # Error
-/// Its slope in cos α is 4n (α/sin α) exp(-2n α²). α/sin α ≤ exp(2α²) but in the last 1e-8 radians
-/// before π, where the result is 0, so the slope is 4n at most. What [`kept_versine`] has left out
-/// adds 2^-20.
+/// [`error::gaussian::bound`].
 pub fn gaussian(b: &Builder, versine: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
     b.unit(
         "gaussian",
         "f = exp(-2n a^2), d = 1 - cos a",
         (("d", versine), ("n", n)),
         |b, (d, n)| {
-            let roundings = power_of_two(-i64::from(fraction_bits)) + power_of_two(-20);
-            let bound = 4.0 * n.range().magnitude() * d.error_value() + roundings;
+            let largest = n.range().magnitude();
+            let error = error::gaussian::bound(largest, d.error_value(), fraction_bits);
             let g = squared_angle(b, &d, fraction_bits + 4);
             // From 4 on the power vanishes whatever g is: 8g > 23.
             let t = (n * d).clamped_above(4).named("t");
             let y = (t * g).doubled().rounded(fraction_bits + 6).named("y");
             let vanishes = exp2::vanishes(b, &y, fraction_bits).named("vanishes");
-            exp2::two_to_minus(b, &y, &vanishes, fraction_bits)
-                .stated_error_value(bound.min(1.0))
-                .named("f")
+            exp2::two_to_minus(b, &y, &vanishes, fraction_bits).stated_error_value(error).named("f")
         },
     )
 }
@@ -53,7 +50,7 @@ fn squared_angle(b: &Builder, d: &Sig, fraction_bits: u32) -> Sig {
         let within = power_of_two(-(i64::from(INDEX_BITS) + 1));
         let delta = (d - part - half).assumed(-within, within, "|delta| <= 1/32").named("delta");
         let [value, slope, curvature] =
-            tables(fraction_bits).map(|entries| index.looked_up(entries, fraction_bits, 0.5));
+            entries(fraction_bits).map(|entries| index.looked_up(entries, fraction_bits, 0.5));
         let slope = (slope.named("slope")
             + (&delta * curvature.named("curvature")).rounded(fraction_bits))
         .named("chord");
@@ -62,9 +59,9 @@ fn squared_angle(b: &Builder, d: &Sig, fraction_bits: u32) -> Sig {
 }
 
 /// A, B and C of A + δ(B + δ C) in each part.
-fn tables(fraction_bits: u32) -> [Vec<i64>; 3] {
+fn entries(fraction_bits: u32) -> [Vec<i64>; 3] {
     let parts = (MOST_EIGHTHS << INDEX_BITS >> 3) + 1;
-    let part = |i: i64| fixed_log::squared_angle_parabola(i, INDEX_BITS, fraction_bits);
+    let part = |i: i64| tables::squared_angle_parabola(i, INDEX_BITS, fraction_bits);
     let all: Vec<[i64; 3]> = (0..parts).map(part).collect();
     [0, 1, 2].map(|term| all.iter().map(|part| part[term]).collect())
 }

@@ -1,6 +1,7 @@
 //! Vectors along a span.
 use specula_scene::Format;
 
+use crate::error::interpolate::{Ends, overshoot, reach, slack};
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// What the normal along a span is interpolated from.
@@ -31,6 +32,12 @@ pub struct Interpolation {
     pub apart: f64,
     /// Steps of the longest span.
     pub steps: u32,
+}
+
+impl Interpolation {
+    fn overshoot(self) -> f64 {
+        overshoot(self.accumulator, self.weight, self.steps)
+    }
 }
 
 /// Interpolates linearly: N' = N0 + a (N1 - N0), where a grows by 1/S with each of at most
@@ -76,60 +83,24 @@ fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig 
     let most = 1.0 + slack(to.accumulator, to.steps);
     let a = Sig::accumulated(first, &b.integer(0), step, (0.0, most), to.steps, "0 <= a <= 1");
     a.rounded(to.weight.fraction_bits)
-        .assumed(0.0, 1.0 + overshoot(to.accumulator, to.weight, to.steps), "0 <= a <= 1")
+        .assumed(0.0, 1.0 + to.overshoot(), "0 <= a <= 1")
         .named("weight")
 }
 
-/// X0 and X1 lie in the unit ball but for rounding, √3/2 units of the last place. With a ≤ 1 + o,
-/// where o is [`overshoot`], X' is longer than the longer of them by the factor 1 + 2o at most, and
-/// each of its components lies within 1 + 2o; longer ends alike.
+/// X0 + a (X1 - X0). X0 and X1 lie in the unit ball but for rounding, √3/2 units of the last place,
+/// and X' is longer than the longer of them by the factor [`reach`] at most; longer ends alike.
 ///
 /// # Error
-/// The host sends X1 - X0 of rounded ends, so with ends off by e and a' for what a comes out as X'
-/// is off by |1 - a'| e + a' e, and by
-/// |X1 - X0| times what a' is off.
+/// [`Ends::between`].
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
-    let reach = 1.0 + 2.0 * overshoot(to.accumulator, to.weight, to.steps);
-    let off = start.off().length * reach
-        + a.error_value() * to.apart.min(delta.longest() + 2.0 * delta.off().length);
+    let reach = reach(to.overshoot());
+    let difference = (delta.longest(), delta.off().length);
+    let ends = Ends { off: start.off().length, apart: to.apart, difference };
+    let error = ends.between(a.error_value(), reach);
     // Both ends are rounded, so their difference is off by a whole unit, not by half as what is
     // rounded once.
     let delta = delta.map(|component| component.clone().stated_error_value(component.ulp()));
     let vector = (start + &delta.scaled(a)).no_longer_than((to.longest + to.vector.ulp()) * reach);
     let vector = vector.components_assumed_within(to.longest * reach, fact);
-    vector.proven_off_by(off).rounded(to.vector.fraction_bits)
-}
-
-/// How far the ends are apart of a span in the unit ball that comes no nearer to its centre than
-/// `shortest`: a chord.
-pub fn chord(shortest: f64) -> f64 {
-    2.0 * (1.0 - shortest * shortest).max(0.0).sqrt()
-}
-
-/// By how much a weight that is accumulated from 0 on is off after `steps` steps of 1/S, each
-/// rounded to half a unit of the last place.
-///
-/// The host works out 1/S in f64, off by 2^-53 of itself, and so by 2^-53 after S steps. Where the
-/// accumulator is no finer than an f64 near 1, that is half a unit at most and never reaches its
-/// next number.
-fn accumulated_off(accumulator: Format, steps: u32) -> f64 {
-    let of_host =
-        if accumulator.fraction_bits >= f64::MANTISSA_DIGITS { f64::EPSILON / 2.0 } else { 0.0 };
-    0.5 * f64::from(steps) * accumulator.ulp() + of_host
-}
-
-/// How far past 1 the accumulated weight is allowed to come: a unit for each step, or more where
-/// the host is off by more.
-pub(super) fn slack(accumulator: Format, steps: u32) -> f64 {
-    (f64::from(steps) * accumulator.ulp()).max(accumulated_off(accumulator, steps))
-}
-
-/// How far past 1 the weight can come out.
-///
-/// By default the accumulator's extra bits keep what it is off by below half a unit of a's, so that
-/// a ≤ 1 after rounding; a spec may ask for fewer.
-pub(super) fn overshoot(accumulator: Format, weight: Format, steps: u32) -> f64 {
-    let accumulated = accumulated_off(accumulator, steps);
-    let half = 0.5 * weight.ulp();
-    if accumulated < half { 0.0 } else { accumulated + half }
+    vector.proven_off_by(error).rounded(to.vector.fraction_bits)
 }

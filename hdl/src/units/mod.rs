@@ -1,17 +1,13 @@
 //! Units: short functions from signals to signals that read like the papers' formulas.
-mod any_power;
 mod clamp;
 mod colour;
-mod cosine;
-
 mod consistent_reflection;
 mod contraction;
+mod cosine;
 mod difference;
 mod diffuse;
 mod direct;
 mod divider;
-mod exp2;
-mod fixed_log;
 mod followed;
 mod gaussian;
 mod interpolate;
@@ -20,14 +16,11 @@ mod newton_root;
 mod normalise;
 mod normalise_exactly;
 mod power;
-mod power_error;
 mod quadratic;
-mod raised;
 mod reciprocal_square_root;
 mod reflected;
 mod rotation;
 mod shape;
-mod shape_error;
 mod square_root;
 mod turned;
 mod turned_normal;
@@ -35,13 +28,10 @@ mod unit_vectors;
 mod vector;
 mod wrapped;
 
-use crate::error::host::HOST_ERROR;
-
 pub use crate::error::length_off::LengthOff;
-pub use any_power::{any_power, any_power_up_to};
 pub use clamp::{clamp_nonnegative, clamp_unit};
 pub use colour::{Coefficients, Light, channels};
-pub use consistent_reflection::{Consistency, consistent_cosine, consistent_reflection};
+pub use consistent_reflection::{consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
 pub use cosine::{Base, Length, cosine, cosine_by_reciprocal, reflected_base, root};
 pub use difference::{
@@ -50,24 +40,22 @@ pub use difference::{
 };
 pub use diffuse::{clamped_cosine, diffuse, gouraud};
 pub use direct::{
-    DirectedBase, Product, UnitNormal, direct_cosine, direct_scalar, directed_base, over_square,
-    parameter, squared_length,
+    DirectedBase, direct_cosine, direct_scalar, directed_base, known_parameter, over_square,
+    parameter, product_of_cosines, squared_length,
 };
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use followed::{Follow, followed};
 pub use gaussian::{gaussian, kept_versine};
-pub use interpolate::{Interpolation, SpanNormals, along, chord, interpolate, weight};
+pub use interpolate::{Interpolation, SpanNormals, along, interpolate, weight};
 pub use linear::{Steps, linear};
 pub use newton_root::{NewtonRoot, newton_root};
 pub use normalise::normalise;
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
-pub use power::power;
+pub use power::{any_power, any_power_up_to, power, raised};
 pub use quadratic::{Differences, quadratic};
-pub use raised::raised;
 pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 pub use rotation::{Turn, rotation, scaled_rotation};
-pub use shape::{least_dark_exponent, root_shape, shape};
-pub use shape_error::shape_error;
+pub use shape::{root_shape, shape};
 pub use square_root::square_root;
 pub use turned::{along_arc, corrected, specular_base};
 pub use turned_normal::turned_normal;

@@ -1,5 +1,5 @@
 //! Quadratics by forward differences.
-use super::HOST_ERROR;
+use crate::error;
 use specula_datapath::builder::{Builder, Sig};
 
 /// Start value and differences of a quadratic in the pixel number.
@@ -15,12 +15,12 @@ pub struct Differences<'a> {
 /// x(i+1) = x(i) + d(i), d(i+1) = d(i) + d2: a value in `limits`, by two additions a pixel. [Hast
 /// et al., eq. 17 to 26; methods C3]
 ///
+/// The difference at the last pixel looks one pixel beyond the span; with the value within [-1, 1]
+/// at three neighbours it is at most 2 + 4. The value is outside its limits by no more than it is
+/// off.
+///
 /// # Error
-/// x(i) = x0 + i d0 + i(i-1)/2 d2, each rounded to half a unit of the last place, so after S =
-/// `steps` steps the value is off by (1 + S + S(S-1)/2)/2 units (numerics N3b), and by no more
-/// outside its limits. The difference at the last pixel looks one pixel beyond the span; with the
-/// value within [-1, 1] at three neighbours it is at most 2 + 4. In formats finer than f64 the
-/// host's own error is the larger.
+/// [`error::quadratic::bound`].
 pub fn quadratic(b: &Builder, first: &Sig, of: Differences, limits: (f64, f64), steps: u32) -> Sig {
     let inputs = (
         ("start", first),
@@ -33,10 +33,8 @@ pub fn quadratic(b: &Builder, first: &Sig, of: Differences, limits: (f64, f64), 
         "x(i+1) = x(i) + d(i), d(i+1) = d(i) + d2 [Hast et al., eq. 17-26]",
         inputs,
         |_, (first, x0, d0, d2)| {
-            let s = f64::from(steps);
-            let ulp = x0.ulp();
-            let error = 0.5 * (1.0 + s + s * (s - 1.0).max(0.0) / 2.0) * ulp + HOST_ERROR;
-            let slack = error + ulp;
+            let error = error::quadratic::bound(steps, x0.ulp());
+            let slack = error + x0.ulp();
             let difference = Sig::accumulated(&first, &d0, &d2, (-6.5, 6.5), steps, "|d| <= 6");
             let limits = (limits.0 - slack, limits.1 + slack);
             let value =

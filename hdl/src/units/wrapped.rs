@@ -2,6 +2,7 @@
 use specula_scene::Format;
 
 use super::{divider, has_direction};
+use crate::error::wrapped::{Edge, WrapUnits, Wrapped, longest};
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Where a wrap rounds.
@@ -15,6 +16,12 @@ pub struct WrapFormats {
     pub vector: Format,
 }
 
+impl WrapFormats {
+    fn units(self) -> WrapUnits {
+        WrapUnits { operand: self.operand.ulp(), ratio: self.ratio.ulp() }
+    }
+}
+
 /// n = 2v H - w with v = H·w / H·H: the unit vector w, wrapped around H = N' + w. [Hast, Barrera
 /// and Bengtsson, eq. 27, 36 and 38; methods C4, C16, C18]
 ///
@@ -22,12 +29,7 @@ pub struct WrapFormats {
 /// the unit ball, |H|² = 1 + |N'|² + 2N'·w is 1 at least and 0 ≤ v ≤ 1.
 ///
 /// # Error
-/// n differs from the wrap of the rounded H and w by 2|H| times the error of v, which rounding
-/// makes u_p/|H|² + u_v/2: less than 2 u_p/|H| + 2.1 u_v, and for the length |H| is not below 3/4.
-///
-/// The wrap itself is an isometry in w, and in H twice the projection on its direction û.
-/// Projections on û and û' differ by no more than
-/// |û - û'| ≤ |H - H'|/√(|H||H'|), so H off by e moves n by 2|w| e/(1 - e), and w off by e moves n by e.
+/// [`Wrapped::error`].
 pub fn wrapped(b: &Builder, h: &Vector, w: &Vector, formats: WrapFormats) -> Vector {
     b.unit(
         "wrapped",
@@ -72,9 +74,7 @@ pub struct ToPlace {
 /// Everywhere else |H| is 1 at least.
 ///
 /// # Error
-/// As that of [`wrapped`], where rounding has not moved p across 1. Where it has, by e_p at most,
-/// X·S is within e_p of 0; with X no shorter than s then H·H ≥ 1 + s² - 2 e_p, but for e_q, and
-/// S·L' ≤ 2 (1 + e_p)² / (1 + s² - 2 e_p - e_q) - 1 on both sides.
+/// As that of [`wrapped`], where rounding has not moved p across 1; where it has, [`Edge::strength`].
 pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlace) -> WrappedPlace {
     let formula = "L' = 2v H - w, w.L' = 2v H.w - 1, v = H.w / H.H [Hast et al., eq. 36-38]";
     let is_spot = spot.range().high > 0;
@@ -86,7 +86,8 @@ pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlac
         |b, (h, w, spot)| {
             let (p, q) = operands(&h, &w, to.formats);
             if is_spot {
-                most_at_edge = strength_at_edge(&p, &q, to.shortest) + 2.0 * to.formats.ratio.ulp();
+                let edge = Edge { p: p.error_value(), q: q.error_value(), shortest: to.shortest };
+                most_at_edge = edge.rounded_strength(to.formats.ratio.ulp());
             }
             let lit = b.integer(1).less_than(&p).named("lit");
             let (zero, dark) = (b.integer(0), spot.choose(&lit.not(), &b.integer(0)).named("dark"));
@@ -115,23 +116,12 @@ fn operands(h: &Vector, w: &Vector, formats: WrapFormats) -> (Sig, Sig) {
 
 /// 2v H - w.
 fn around(h: &Vector, w: &Vector, v: &Sig, formats: WrapFormats) -> Vector {
-    let longest = w.longest()
-        + 2.0 * formats.vector.ulp()
-        + 4.0 * formats.operand.ulp()
-        + 4.0 * formats.ratio.ulp();
-    let e_h = h.off().length;
-    let shortest = 1.0 - e_h;
-    let of_rounding = 2.0 * formats.operand.ulp() / shortest + 2.1 * formats.ratio.ulp();
-    let error = 2.0 * w.longest() * e_h / shortest + w.off().length + of_rounding;
+    let known = Wrapped { h: h.off().length, w: w.off().length, longest_w: w.longest() };
+    let longest = longest(w.longest(), formats.units(), formats.vector.ulp());
     let n = h.scaled(&v.doubled()) - w;
-    // Where rounding is as coarse as H is long, what is propagated is all that is known.
-    let n = if shortest > 0.0 { n.proven_off_by(error) } else { n };
+    let n = match known.error(formats.units()) {
+        Some(error) => n.proven_off_by(error),
+        None => n,
+    };
     n.assumed_within(longest, "|2v H - w| = |w|").rounded(formats.vector.fraction_bits).named("n")
-}
-
-/// S·L' where p may lie on either side of 1, at most.
-fn strength_at_edge(p: &Sig, q: &Sig, shortest: f64) -> f64 {
-    let (e_p, e_q) = (p.error_value(), q.error_value());
-    let least_q = 1.0 + shortest * shortest - 2.0 * e_p - e_q;
-    if least_q > 0.0 { (2.0 * (1.0 + e_p).powi(2) / least_q - 1.0).min(1.0) } else { 1.0 }
 }

@@ -4,6 +4,7 @@ use specula_scene::spec::phong::Way;
 use super::super::unit_vector;
 use super::Pixel;
 use super::lamp::Lamp;
+use crate::error;
 use crate::units::{
     self, ExactNormalisation, Interpolation, ReciprocalRoot, ToPlace, WrapFormats, WrappedPlace,
 };
@@ -81,8 +82,11 @@ impl Pixel<'_> {
 
     fn wrapped(&self, name: &str, way: &Way<Sig>, axis: &[Sig; 3], spot: &Sig) -> Direction {
         let (b, f, shortest) = (self.b, &self.phong.formats, self.spec.shortest_unit_way);
-        let interpolation =
-            Interpolation { longest: 2.0, apart: units::chord(shortest), ..self.interpolation };
+        let interpolation = Interpolation {
+            longest: 2.0,
+            apart: error::interpolate::chord(shortest),
+            ..self.interpolation
+        };
         let h = self.interpolated(name, way, interpolation);
         let axis = unit_vector(axis, f.vector);
         let formats =

@@ -6,6 +6,7 @@ use specula_scene::CoreSpec;
 use specula_scene::spec::phong::{Highlight, PhongInputs, PhongSpec};
 
 use super::{eye, finish, turns, unit_vector};
+use crate::error;
 use crate::units::{self, Interpolation, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig, Turns};
 use specula_datapath::design::Design;
@@ -24,7 +25,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Des
         weight: f.weight,
         vector: f.vector,
         longest: 1.0,
-        apart: units::chord(spec.shortest_normal.min(spec.shortest_way)),
+        apart: error::interpolate::chord(spec.shortest_normal.min(spec.shortest_way)),
         steps: spec.longest_span - 1,
     };
     let weight = units::weight(&b, &turns.first_pixel, &inputs.weight_step, interpolation);

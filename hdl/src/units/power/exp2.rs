@@ -3,11 +3,11 @@
 //! Widths and error are derived in docs/arithmetic/units.md.
 use specula_scene::format::power_of_two;
 
-use super::fixed_log;
+use super::tables;
 use specula_datapath::builder::{Builder, Sig};
 
 /// The bit y ≥ `fraction_bits` + 2: 2^-y is then less than a quarter of the last place.
-pub(super) fn vanishes(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
+pub fn vanishes(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
     y.at_least(&b.integer(i64::from(fraction_bits) + 2))
 }
 
@@ -16,7 +16,7 @@ pub(super) fn vanishes(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
 ///
 /// # Error
 /// Faithful: less than one unit of the last place in all, y's half unit included.
-pub(super) fn two_to_minus(b: &Builder, y: &Sig, vanishes: &Sig, fraction_bits: u32) -> Sig {
+pub fn two_to_minus(b: &Builder, y: &Sig, vanishes: &Sig, fraction_bits: u32) -> Sig {
     let zero = b.integer(0);
     let beyond = f64::from(fraction_bits + 2) - power_of_two(-i64::from(fraction_bits + 6));
     let y = vanishes.choose(&zero, y).assumed(0.0, beyond, "y < f + 2").named("kept_y");
@@ -35,10 +35,10 @@ fn fraction_and_shift(b: &Builder, y: &Sig, fraction_bits: u32) -> Sig {
         let upper = y.truncated(6);
         let h = (&upper - &whole).times_power_of_two(6).assumed(0.0, 63.0, "h < 64").named("h");
         let delta = (&y - &upper).assumed(0.0, 1.0 / 64.0 - ulp, "delta < 1/64").named("delta");
-        let ln_2 = b.integer(fixed_log::ln_2(bits)).times_power_of_two(-(bits as i32));
+        let ln_2 = b.integer(tables::ln_2(bits)).times_power_of_two(-(bits as i32));
         let d = (delta * ln_2).rounded(bits).named("d");
         let p = (&d - d.squared().halved()).rounded(bits).named("p");
-        let entries = (0..64).map(|h| fixed_log::two_to_minus(h, bits)).collect();
+        let entries = (0..64).map(|h| tables::two_to_minus(h, bits)).collect();
         let entry = h.looked_up(entries, bits, 0.5).named("entry");
         let fraction = (entry * (b.integer(1) - p))
             .rounded(bits)

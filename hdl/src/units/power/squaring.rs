@@ -1,8 +1,7 @@
 //! Powers by squaring.
 use specula_scene::format::power_of_two;
 
-use super::power_error::PowerError;
-use super::shape::square;
+use super::{error_of_power, stated};
 use specula_datapath::builder::{Builder, Sig};
 
 /// base^(2^j) for j = `log2_exponent`, 0 or more: each stage squares where j asks for it, else
@@ -13,7 +12,7 @@ use specula_datapath::builder::{Builder, Sig};
 /// [`any_power`](super::any_power) is faithful.
 ///
 /// # Error
-/// See [`PowerError`].
+/// [`error::power`](crate::error::power).
 pub fn power(b: &Builder, base: &Sig, log2_exponent: &Sig, fraction_bits: u32) -> Sig {
     b.unit(
         "power",
@@ -21,15 +20,21 @@ pub fn power(b: &Builder, base: &Sig, log2_exponent: &Sig, fraction_bits: u32) -
         (("base", base), ("j", log2_exponent)),
         |b, (base, j)| {
             let log2_n = j.range().high.unsigned_abs() as u32;
-            let n = power_of_two(log2_n.into());
-            let error = PowerError::of(&base, n)
+            let error = error_of_power(&base, power_of_two(log2_n.into()))
                 .and_squared(log2_n, 0.5 * power_of_two(-i64::from(fraction_bits)));
             let mut f = base;
             for done in 0..log2_n {
                 let squared = square(b, &f, fraction_bits);
                 f = b.integer(i64::from(done)).less_than(&j).choose(&squared, &f);
             }
-            error.state(f).named("f")
+            stated(f, &error).named("f")
         },
     )
+}
+
+/// The square of a number from 0 to 1, rounded.
+pub fn square(b: &Builder, base: &Sig, fraction_bits: u32) -> Sig {
+    b.unit("square", "b^2", (("base", base),), |_, (base,)| {
+        base.squared().rounded(fraction_bits).named("squared")
+    })
 }

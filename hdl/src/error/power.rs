@@ -1,20 +1,23 @@
 //! How far powers of a cosine are off.
+use specula_datapath::design::{SHARES, Share};
 use specula_scene::format::power_of_two;
 
-use specula_datapath::builder::Sig;
-use specula_datapath::design::{ErrorForm, SHARES, Share};
+use super::angular::Angular;
 
 /// What is known of b^n of a base b from 0 to 1 and n from 1 on.
 ///
-/// # Error
 /// Let the base be s cos t, off by an angle a and by r beside that.
 ///
 /// - The angle moves cos^n t by a times a slope σ(v) of it in t, n cos^(n-1) t sin t, at a v =
 ///   cos^n t between both powers. [`Line`] says what is known of σ.
-/// - x^n and y^n with |x - y| ≤ r are no further apart than n r m^(n-1) with m = max(x, y), that is
-///   r (1 + (n-1) m^n) at most, since n m^(n-1) ≤ 1 + (n-1) m^n (weighted means). m^n exceeds both
-///   powers by no more than their bound.
-pub(super) struct PowerError {
+/// - For x and y with |x - y| ≤ r and m = max(x, y)
+///
+///     |x^n - y^n| ≤ n r m^(n-1)
+///     n m^(n-1)   ≤ 1 + (n-1) m^n     (weighted means)
+///     |x^n - y^n| ≤ r (1 + (n-1) m^n)
+///
+///   and m^n exceeds both powers by no more than their bound.
+pub struct PowerError {
     /// n.
     exponent: f64,
     /// a.
@@ -29,11 +32,8 @@ pub(super) struct PowerError {
 
 impl PowerError {
     /// Of the exact power of a base as it comes, for whole exponents up to `n`.
-    pub fn of(base: &Sig, n: f64) -> PowerError {
-        let (angle, r) = match base.error_form() {
-            ErrorForm::OfCosine { angle, rest } => (angle, rest),
-            _ => (0.0, base.error_value()),
-        };
+    pub fn of(base: Angular, n: f64) -> PowerError {
+        let Angular { angle, rest: r } = base;
         PowerError { exponent: n, angle, bound: n * r, ratio: (n - 1.0) * r, rest: r }
     }
 
@@ -54,14 +54,8 @@ impl PowerError {
         }
     }
 
-    /// States it of the power.
-    pub fn state(self, power: Sig) -> Sig {
-        let (bound, shares) = (self.most(), self.shares());
-        power.stated_error_value(bound).of_error_form(ErrorForm::Proportional(shares))
-    }
-
     /// Bound on the error; no power exceeds 1.
-    fn most(&self) -> f64 {
+    pub fn most(&self) -> f64 {
         self.shares()
             .iter()
             .map(|share| share.ratio + share.rest)
@@ -73,7 +67,8 @@ impl PowerError {
         (self.angle * steepest(self.exponent) + self.bound).min(1.0)
     }
 
-    fn shares(&self) -> [Share; SHARES] {
+    /// What grows with the power and what does not, in several ways, each of which holds.
+    pub fn shares(&self) -> [Share; SHARES] {
         let level = Line { slope: 0.0, rest: steepest(self.exponent) };
         let lines = [0.95, 0.9, 0.8, 0.7, 0.5, 0.35, 0.2].map(|v| Line::touching(v, self.exponent));
         std::array::from_fn(|i| self.share(if i == 0 { level } else { lines[i - 1] }))
@@ -95,13 +90,22 @@ impl PowerError {
 /// A line that the slope σ(v) = n cos^(n-1) t sin t of v = cos^n t stays below, for any whole
 /// exponent from 1 to n.
 ///
-/// σ is concave in v: dσ/dv = (n-1) tan t - cot t grows with t, and v falls. So its tangent at t
-/// stays above it, whose value at v = 0 is cos^(n-1) t/sin t.
+/// σ is concave in v:
 ///
-/// With y = -ln v/n, σ = n v √(e^(2y) - 1). That grows with n where y ≤ 0.796, since √(e^(2y) -
-/// 1)/y falls until there: what holds for n holds for smaller exponents n' where v ≥ e^(-0.796 n').
-/// Below that σ is less than n' v^((n'-1)/n') ≤ n' e^(-0.796 (n'-1)) ≤ 1: it is enough that the
-/// line is no lower than 1 up to v = e^(-0.796) < 0.46.
+///   dσ/dv = (n-1) tan t - cot t     grows with t, and v falls
+///
+/// So its tangent at t stays above it, whose value at v = 0 is cos^(n-1) t/sin t.
+///
+/// With y = -ln v/n
+///
+///   σ = n v √(e^(2y) - 1)
+///
+/// which grows with n where y ≤ 0.796, since √(e^(2y) - 1)/y falls until there: what holds for n
+/// holds for smaller exponents n' where v ≥ e^(-0.796 n'). Below that
+///
+///   σ < n' v^((n'-1)/n') ≤ n' e^(-0.796 (n'-1)) ≤ 1
+///
+/// It is enough that the line is no lower than 1 up to v = e^(-0.796) < 0.46.
 #[derive(Clone, Copy)]
 struct Line {
     slope: f64,
@@ -127,12 +131,31 @@ fn steepest(n: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::draw::Draw;
     use super::*;
 
-    /// Powers up to `exponent` of s cos t and s cos (t ± a) ± r: the largest error over what each
-    /// share and the bound allow.
-    fn used(of: &PowerError, exponents: &[f64], r: f64) -> [f64; SHARES + 1] {
-        let mut used = [0.0_f64; SHARES + 1];
+    /// The largest error over what each share and the bound allow.
+    #[derive(Clone, Copy, Debug, Default)]
+    struct Reached([f64; SHARES + 1]);
+
+    impl Reached {
+        fn take(&mut self, of: &PowerError, [real, fixed]: [f64; 2]) {
+            let error = (fixed - real).abs();
+            let allowed = of.shares().map(|share| share.ratio * fixed.min(real) + share.rest);
+            for (reached, allowed) in self.0.iter_mut().zip(allowed.into_iter().chain([of.most()]))
+            {
+                *reached = f64::max(*reached, error / allowed);
+            }
+        }
+
+        fn within(&self) -> bool {
+            self.0.iter().all(|&reached| reached <= 1.0 + 1e-9)
+        }
+    }
+
+    /// Powers up to `exponent` of s cos t and s cos (t ± a) ± r.
+    fn reached(of: &PowerError, exponents: &[f64], r: f64) -> Reached {
+        let mut reached = Reached::default();
         for &n in exponents {
             for (i, length, turn, r) in (0..=1500).flat_map(|i| {
                 [1.0, 0.99].into_iter().flat_map(move |s| {
@@ -141,41 +164,56 @@ mod tests {
             }) {
                 let t = f64::from(i) / 1500.0 * std::f64::consts::FRAC_PI_2;
                 let power = |base: f64| base.clamp(0.0, 1.0).powf(n);
-                let (real, fixed) =
-                    (power(length * t.cos()), power(length * (t + turn * of.angle).cos() + r));
-                let error = (fixed - real).abs();
-                for (used, share) in used.iter_mut().zip(of.shares()) {
-                    *used = f64::max(*used, error / (share.ratio * fixed.min(real) + share.rest));
-                }
-                used[SHARES] = used[SHARES].max(error / of.most());
+                let real = power(length * t.cos());
+                reached.take(of, [real, power(length * (t + turn * of.angle).cos() + r)]);
             }
         }
-        used
+        reached
     }
 
+    /// 70 % of each share that touches is reached.
     #[test]
     fn every_share_holds_and_comes_near() {
         for n in [1.0, 2.0, 3.0, 16.0, 256.0, 8191.0] {
             for (angle, r) in [(1e-3, 1e-4), (1e-5, 1e-6), (1e-6, 1e-5), (1e-4, 0.0)] {
-                let of =
-                    PowerError { exponent: n, angle, bound: n * r, ratio: (n - 1.0) * r, rest: r };
+                let of = PowerError::of(Angular { angle, rest: r }, n);
                 let all = [1.0, 2.0, 3.0, 5.0, 16.0, 100.0, 256.0, 8191.0];
                 let below: Vec<f64> = all.into_iter().filter(|&exponent| exponent <= n).collect();
-                let used = used(&of, &below, r);
-                assert!(
-                    used.iter().all(|&used| used <= 1.0 + 1e-9),
-                    "n {n}, angle {angle}, r {r}: {used:?}"
-                );
+                let reached = reached(&of, &below, r);
+                assert!(reached.within(), "n {n}, angle {angle}, r {r}: {reached:?}");
                 // A line that falls faster than the ratio of r rises touches nothing.
                 let touches = of.shares().map(|share| share.ratio > 0.0);
                 if n >= 16.0 && n * r < 0.1 {
-                    let near = used
+                    let near = reached
+                        .0
                         .iter()
                         .zip(touches.into_iter().chain([true]))
-                        .all(|(&used, touches)| used > 0.7 || !touches);
-                    assert!(near, "n {n}, angle {angle}, r {r}: {used:?}");
+                        .all(|(&reached, touches)| reached > 0.7 || !touches);
+                    assert!(near, "n {n}, angle {angle}, r {r}: {reached:?}");
                 }
             }
+        }
+    }
+
+    /// Bases at random, and each square rounded: 90 % of the bound is reached.
+    #[test]
+    fn rounded_squares_stay_within_every_share_and_come_near() {
+        let mut draw = Draw::new(1);
+        for (log2_n, half_unit) in [(1, 1e-3), (4, 1e-4), (8, 1e-6)] {
+            let n = power_of_two(i64::from(log2_n));
+            let base = Angular { angle: 1e-4 / n, rest: half_unit };
+            let of = PowerError::of(base, n).and_squared(log2_n, half_unit);
+            let mut reached = Reached::default();
+            for _ in 0..40_000 {
+                let t = draw.between(0.0, 1.0).powi(2) * (20.0 / n).min(1.5);
+                let real = t.cos();
+                let fixed = (t + draw.error(base.angle)).cos() + draw.error(base.rest);
+                let squared =
+                    |b: f64, draw: &mut Draw| (b * b + draw.error(half_unit)).clamp(0.0, 1.0);
+                let fixed = (0..log2_n).fold(fixed.clamp(0.0, 1.0), |b, _| squared(b, &mut draw));
+                reached.take(&of, [real.powf(n), fixed]);
+            }
+            assert!(reached.within() && reached.0[SHARES] > 0.9, "n {n}: {reached:?}");
         }
     }
 }

@@ -1,0 +1,254 @@
+//! How far highlights are off.
+use specula_scene::spec::lyon::LyonSpec;
+
+use super::length_off::LengthOff;
+
+/// Steps from the middle of a highlight to its edge in which bounds are looked for; what grows
+/// counts at a step's end, what falls at its begin.
+const STEPS: u32 = 2048;
+
+/// Bound on the error of f_k of D for exponents up to `shininess`; 1 at most. D is off by `off` as
+/// a whole, and its length by `length_off`.
+///
+/// As a function of d = |D|, with K = 2^k and y = d √(n/2K)
+///
+///   f          = (1 - y²)^K                 0 from y = 1 on
+///   |df/dd|    = √(2Kn) y (1 - y²)^(K-1)
+///   |df/dd| d  = 2K y² (1 - y²)^(K-1)
+///   |df/dd|/d  = n (1 - y²)^(K-1)
+///
+/// Each counts as often as [`LengthOff`] says, or the first as often as D is off as a whole.
+/// Smaller exponents have no more of any at the same y.
+///
+/// Then f of the fixed D, with y', is rounded: see [`Highlight::rounding`]. y' is no further from
+/// any y on the way to it than √(n/2K) times what D is off.
+pub fn bound(off: f64, length_off: LengthOff, shininess: f64, lyon: &LyonSpec) -> f64 {
+    let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());
+    let highlight =
+        Highlight { n, squarings: lyon.squarings as i32, ulp: lyon.formats.shape.ulp() };
+    let whole = LengthOff { level: off, growing: 0.0, falling: 0.0 };
+    let moved = (n / (2.0 * highlight.terms())).sqrt() * whole.level;
+    // Of most D nothing more is known than of the whole.
+    let of_length = if length_off == whole { 1.0 } else { highlight.worst(length_off, moved) };
+    of_length.min(highlight.worst(whole, moved)).min(1.0)
+}
+
+/// f_k for one exponent.
+struct Highlight {
+    n: f64,
+    squarings: i32,
+    ulp: f64,
+}
+
+impl Highlight {
+    /// K.
+    fn terms(&self) -> f64 {
+        2f64.powi(self.squarings)
+    }
+
+    /// Largest bound on the error for any y.
+    fn worst(&self, length_off: LengthOff, moved: f64) -> f64 {
+        let at = |i| self.error(f64::from(i) / f64::from(STEPS), length_off, moved);
+        (0..STEPS).map(at).fold(0.0, f64::max)
+    }
+
+    /// Bound on the error for y from `begin` on, a step long.
+    fn error(
+        &self,
+        begin: f64,
+        LengthOff { level, growing, falling }: LengthOff,
+        moved: f64,
+    ) -> f64 {
+        let (terms, end) = (self.terms(), begin + f64::from(STEPS).recip());
+        let base = (1.0 - begin * begin).powi((1 << self.squarings) - 1);
+        let of_length = (level * (2.0 * terms * self.n).sqrt() * end
+            + growing * 2.0 * terms * end * end
+            + falling * self.n)
+            * base;
+        of_length + self.rounding((begin - moved).max(0.0))
+    }
+
+    /// What rounding adds for y from `begin` on, with b for the real and the rounded 1 - y'².
+    ///
+    ///   K b^(K-1)           half a unit of x/2^k, raised to K
+    ///   2^(k-i) b^(K-2^i)   half a unit of the i-th square, raised to 2^(k-i)
+    ///
+    /// The powers b^(2^i) are off by 2^i units, and the mean of real and rounded one is no more
+    /// than the power of 1 - y'² + K units, as long as that is 1/2 or more, which is put for less.
+    fn rounding(&self, begin: f64) -> f64 {
+        let base = ((1.0 - begin * begin).max(0.5) + self.terms() * self.ulp).min(1.0);
+        let (k, terms) = (self.squarings, 1 << self.squarings);
+        let of_square = |i: i32| 2f64.powi(k - i) * base.powi(terms - (1 << i));
+        let of_x = self.terms() * base.powi(terms - 1);
+        0.5 * self.ulp * (of_x + (1..=k).map(of_square).sum::<f64>())
+    }
+}
+
+/// m of the root shape, which is an integer and still rounded by the host.
+#[derive(Clone, Copy, Debug)]
+pub struct Root {
+    /// The smallest and the largest m as they come.
+    pub range: (f64, f64),
+    /// δ, half a step of m.
+    pub half_step: f64,
+}
+
+/// Where f_k made of u_c = m|D_c| 2^-h rounds.
+#[derive(Clone, Copy, Debug)]
+pub struct RootShape {
+    /// k.
+    squarings: u32,
+    /// 2^h.
+    shift: f64,
+    /// Unit of the last place of u_c.
+    scaled: f64,
+    /// Unit of the last place of x and of squares.
+    shape: f64,
+}
+
+impl RootShape {
+    /// The formats of a spec.
+    pub fn of(lyon: &LyonSpec) -> RootShape {
+        RootShape {
+            squarings: lyon.squarings,
+            shift: f64::from(1u32 << lyon.root_shift()),
+            scaled: lyon.formats.scaled_difference.ulp(),
+            shape: lyon.formats.shape.ulp(),
+        }
+    }
+
+    /// Bound on the error of f_k, for D off by `off` as a whole; 1 at most.
+    ///
+    /// As a function of |u| and with K = 2^k
+    ///
+    ///   f        = (1 - u²)^K         whose slope is [`steepest_slope`] for n = 2K
+    ///   |u' - u| ≤ m 2^-h |D' - D| + √3/2 u_u
+    ///   |f' - f| ≤ slope |u' - u|
+    ///
+    /// A step δ of m itself changes f by
+    ///
+    ///   2K u² (1 - u²)^(K-1) δ/m ≤ 2 ((K-1)/K)^(K-1) δ/m
+    ///
+    /// at the smallest m. Rounding x and each square adds K - 1/2 units of the last place.
+    pub fn error(self, off: f64, m: Root) -> f64 {
+        let terms = f64::from(1u32 << self.squarings);
+        let (smallest, largest) = (m.range.0 - m.half_step, m.range.1 + m.half_step);
+        let e_u = largest / self.shift * off + 0.75f64.sqrt() * self.scaled;
+        let of_m = 2.0 * ((terms - 1.0) / terms).powf(terms - 1.0) * m.half_step / smallest;
+        let error =
+            steepest_slope(self.squarings, 2.0 * terms) * e_u + of_m + (terms - 0.5) * self.shape;
+        error.min(1.0)
+    }
+}
+
+/// The least exponent from which on f is 0 wherever D is no shorter than `shortest`: n d² ≥
+/// 2^(k+1).
+pub fn least_dark_exponent(shortest: f64, lyon: &LyonSpec) -> f64 {
+    if shortest > 0.0 {
+        f64::from(2u32 << lyon.squarings) / (shortest * shortest)
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// Largest |df_k/d|D|| for exponents up to `n`.
+///
+///   √(2Kn) y (1 - y²)^(K-1)   is largest at y² = 1/(2K - 1)
+fn steepest_slope(squarings: u32, n: f64) -> f64 {
+    let k = f64::from(1u32 << squarings);
+    let t = 1.0 / (2.0 * k - 1.0);
+    (n * 2.0 * k * t).sqrt() * (1.0 - t).powf(k - 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::draw::Draw;
+    use super::*;
+
+    /// 99 % of the bound is reached.
+    #[test]
+    fn the_slope_bound_is_met_and_not_exceeded() {
+        for squarings in 0..=3 {
+            let k = f64::from(1u32 << squarings);
+            for n in [1.0, 16.0, 300.0, 8191.0] {
+                let f = |d: f64| (1.0 - n * d * d / (2.0 * k)).max(0.0).powf(k);
+                let step = 1e-5 / f64::sqrt(n);
+                let slope = |i: i32| {
+                    let d = f64::from(i) * 1e-3 / n.sqrt();
+                    ((f(d + step) - f(d)) / step).abs()
+                };
+                let steepest = (0..4000).map(slope).fold(0.0, f64::max);
+                let bound = steepest_slope(squarings, n);
+                assert!(
+                    steepest <= bound * 1.0001 && steepest > bound * 0.99,
+                    "k {squarings} n {n}: {steepest} against {bound}"
+                );
+            }
+        }
+    }
+
+    /// 70 % of the bound is reached.
+    #[test]
+    fn rounded_highlights_of_longer_and_shorter_vectors_stay_within_the_bound() {
+        for (squarings, n, ulp, off) in [
+            (0, 16.0, 1.0 / 1024.0, 1e-3),
+            (2, 256.0, 1.0 / 4096.0, 2e-4),
+            (3, 8191.0, 1.0 / 512.0, 2e-5),
+        ] {
+            let of = Highlight { n, squarings, ulp };
+            let level = LengthOff { level: off, growing: 0.0, falling: 0.0 };
+            let moved = (n / (2.0 * of.terms())).sqrt() * off;
+            let bound = of.worst(level, moved);
+            let exact = |d: f64| (1.0 - n * d * d / (2.0 * of.terms())).max(0.0).powf(of.terms());
+            let fixed = |d: f64, nudge: f64| {
+                let rounded = |x: f64| ((x / ulp + nudge).floor() * ulp).clamp(0.0, 1.0);
+                let base = 1.0 - rounded(n * d * d / (2.0 * of.terms()));
+                (0..squarings).fold(base, |b, _| rounded(b * b))
+            };
+            let edge = (2.0 * of.terms() / n).sqrt();
+            let error = |i: u32, way: f64| {
+                let d = edge * f64::from(i) / 40_000.0;
+                // Rounded to nearest, ties either way.
+                [0.5, 0.499]
+                    .map(|nudge| (fixed((d + way * off).abs(), nudge) - exact(d)).abs())
+                    .into_iter()
+                    .fold(0.0, f64::max)
+            };
+            let worst =
+                (0..42_000).flat_map(|i| [-1.0, 1.0].map(|way| error(i, way))).fold(0.0, f64::max);
+            assert!(
+                worst <= bound && worst > 0.7 * bound,
+                "k {squarings} n {n}: {worst} against {bound}"
+            );
+        }
+    }
+
+    /// D of any length up to the edge, m of the smallest and the largest exponent: 95 % of the bound
+    /// is reached.
+    #[test]
+    fn shapes_of_roots_stay_within_the_bound_and_come_near() {
+        let mut draw = Draw::new(1);
+        for (squarings, m, off) in [(0, 5.0, 1e-3), (1, 9.0, 1e-3), (3, 60.0, 2e-4)] {
+            let of =
+                RootShape { squarings, shift: 4.0, scaled: 1.0 / 4096.0, shape: 1.0 / 65536.0 };
+            let terms = 2f64.powi(squarings as i32);
+            let (root, edge) = (Root { range: (m, m), half_step: 0.01 * m / terms }, of.shift / m);
+            let mut reached = 0.0_f64;
+            for _ in 0..40_000 {
+                let direction = draw.direction().abs();
+                let d = edge * draw.between(0.0, 1.0) * direction;
+                let exact = (d / edge).length_squared();
+                let real = (1.0 - exact).max(0.0).powf(terms);
+                let d = d + draw.error(off) * direction;
+                let error = draw.error(1.0);
+                let u = (d * (m + error.signum() * root.half_step) / of.shift)
+                    .map(|u| u.abs() + (0.5 * of.scaled).copysign(error));
+                let half_unit = (0.5 * of.shape).copysign(error);
+                let base = (1.0 - u.length_squared() - half_unit).clamp(0.0, 1.0);
+                let fixed = (0..squarings).fold(base, |b, _| b * b - half_unit);
+                reached = reached.max((fixed - real).abs() / of.error(off, root));
+            }
+            assert!(reached <= 1.0 && reached > 0.95, "k {squarings}, m {m}: {reached}");
+        }
+    }
+}
