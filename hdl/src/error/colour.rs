@@ -33,8 +33,8 @@ pub struct Term {
 ///   Σ k ρ f  ≤ Σ k ρ max f
 ///
 /// with the largest k and f. Of the pairs of ρ and r that hold, those count that make the least of
-/// it. Intensities of which one alone is off by r, or else all by less, count with r once in a turn,
-/// or with the less all of them.
+/// it. Intensities of which one alone is off by r, or else all by less, count with r once in a
+/// turn, or with the less all of them.
 pub fn below_full_scale(ambient: f64, terms: &[Term], turns: u32) -> f64 {
     let with = |share: usize| of_turns(terms, turns, share);
     ambient + (0..SHARES).map(with).fold(f64::INFINITY, f64::min)

@@ -458,8 +458,8 @@ mod tests {
         }
     }
 
-    /// Light about the horizon, q as small as it may be: 60 % of the bound is reached, by q = 0. The
-    /// larger q, the faster the cosine vanishes there.
+    /// Light about the horizon, q as small as it may be: 60 % of the bound is reached, by q = 0.
+    /// The larger q, the faster the cosine vanishes there.
     #[test]
     fn cosines_at_the_horizon_stay_within_the_bound_and_come_near() {
         let mut draw = Draw::new(1);

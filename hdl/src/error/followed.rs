@@ -36,9 +36,10 @@ impl Followed {
     ///
     ///   |n' - n| ≤ u e + (1 + u) e_N + e_y/|H| + roundings
     ///
-    /// Around a fixed w within 90 degrees of N, |H|² ≥ 1 + s². Spans that follow turn by 120 degrees
-    /// at most, so s ≥ 1/2, and N stays within 30 degrees of b: in narrow ones all do; in others N
-    /// turns by 12.5 degrees a step at most, of which a wrap leaves a third, 19 degrees in all.
+    /// Around a fixed w within 90 degrees of N, |H|² ≥ 1 + s². Spans that follow turn by 120
+    /// degrees at most, so s ≥ 1/2, and N stays within 30 degrees of b: in narrow ones all do; in
+    /// others N turns by 12.5 degrees a step at most, of which a wrap leaves a third, 19 degrees in
+    /// all.
     ///
     ///   |H|² ≥ 1 + s² + √3 s
     ///   u    ≤ .36

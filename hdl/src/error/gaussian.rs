@@ -4,8 +4,8 @@ use specula_scene::format::power_of_two;
 /// What is left out where 1 - cos α is kept within 15/8, beyond which exp(-2 α²) is less.
 const BEYOND_VERSINES: f64 = power_of_two(-20);
 
-/// Bound on the error of exp(-2n α²), to `fraction_bits`, for whole exponents n up to `largest`, with
-/// d = 1 - cos α off by `versine`.
+/// Bound on the error of exp(-2n α²), to `fraction_bits`, for whole exponents n up to `largest`,
+/// with d = 1 - cos α off by `versine`.
 ///
 ///   f          = exp(-2n α²)
 ///   |df/dd|    = 4n (α/sin α) exp(-2n α²)     with dd = sin α dα

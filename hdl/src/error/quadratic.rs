@@ -7,7 +7,7 @@ use super::host::HOST_ERROR;
 ///
 ///   x(i)           = x0 + i d0 + i(i-1)/2 d2
 ///   |x'(i) - x(i)| ≤ (1 + i + i(i-1)/2) u/2
-///                  ≤ (1 + S + S(S-1)/2) u/2   with i ≤ S   [N3b]
+///                  ≤ (1 + S + S(S-1)/2) u/2   with i ≤ S (numerics N3b)
 ///
 /// In formats finer than f64 the host's own error is the larger.
 pub fn bound(steps: u32, ulp: f64) -> f64 {

@@ -5,8 +5,8 @@ use super::host::HOST_ERROR;
 
 /// How far (c, s) can come from (cos iδ, sin iδ), as a distance in the plane.
 ///
-/// Let z and w be the fixed and the real vector as complex numbers, cos δ + i sin δ off by a at most
-/// and every state rounded by b: half a unit of the last place in each component.
+/// Let z and w be the fixed and the real vector as complex numbers, cos δ + i sin δ off by a at
+/// most and every state rounded by b: half a unit of the last place in each component.
 ///
 ///   a = u_turn/√2
 ///   b = u_state/√2

@@ -223,8 +223,7 @@ mod tests {
         }
     }
 
-    /// D of any length up to the edge, m of the smallest and the largest exponent: 95 % of the bound
-    /// is reached.
+    /// D of any length up to the edge: 95 % of the bound is reached.
     #[test]
     fn shapes_of_roots_stay_within_the_bound_and_come_near() {
         let mut draw = Draw::new(1);
