@@ -36,24 +36,28 @@ pub fn squared_length(b: &Builder, t: &Sig, spread: &Sig, formats: &DirectFormat
         "q = 1 - k t (1 - t), k = |B - A|^2 [lecture, eq. 4.4]",
         (("t", t), ("spread", spread)),
         |b, (t, spread)| {
-            let ends = Square::new(t.format().value(t.range().high) - 1.0, formats);
-            let product = &t * (b.integer(1) - &t);
-            let product = product
+            let ends = Square::new(past(&t), formats);
+            let product = (&t * (b.integer(1) - &t))
                 .assumed(-ends.below, 0.25, "t (1 - t) <= 1/4")
                 .rounded(formats.product.fraction_bits)
-                .named("product");
+                .named("product"); // U1.f
             (b.integer(1) - spread * product)
                 .assumed(-ends.slack, ends.most(), "0 <= q <= 1")
                 .rounded(formats.length_squared.fraction_bits)
-                .named("q")
+                .named("q") // U1.f
         },
     )
 }
 
 /// What comes of t and κ, as bounds have it.
 pub fn known_parameter(t: &Sig, spread: &Sig) -> Parameter {
-    let past = (t.format().value(t.range().high) - 1.0).max(0.0);
-    Parameter { off: t.error_value(), past, spread: spread.range().high as f64 * spread.ulp() }
+    let most = spread.range().high as f64 * spread.ulp();
+    Parameter { off: t.error_value(), past: past(t), spread: most }
+}
+
+/// What t reaches past 1.
+fn past(t: &Sig) -> f64 {
+    (t.format().value(t.range().high) - 1.0).max(0.0)
 }
 
 /// p = N·X for X = L and V alike, linear in t. [lecture, eq. 4.3]
@@ -74,15 +78,14 @@ pub fn direct_scalar(
         "p = N.X = A.X + t (B.X - A.X) [lecture, eq. 4.3]",
         inputs,
         |_, (t, start, delta)| {
-            let apart = delta.range().magnitude() * delta.ulp();
-            let past = (t.format().value(t.range().high) - 1.0).max(0.0);
+            let (past, apart) = (past(&t), delta.range().magnitude() * delta.ulp());
             let error = direct::scalar((t.error_value(), past), start.error_value(), apart);
             let limit = 1.0 + 2.0 * past;
             (&start + t * delta)
                 .stated_error_value(error)
                 .assumed(-limit, limit, "|N.X| <= 1")
                 .rounded(formats.cosine.fraction_bits)
-                .named("linear")
+                .named("linear") // S1.f
         },
     )
 }
