@@ -106,7 +106,7 @@ pub fn direct_cosine(
             .rounded(formats.cosine.fraction_bits)
             .clamped_below(-1)
             .clamped_above(1)
-            .named("cosine"); // S1.f
+            .named("cosine");
         // Where N may vanish, its real length does not end at 2^-m as 1/√q does, so propagation
         // through that says nothing.
         known_cosine(cosine, direct::cosine(normal, formats), 2.0)
@@ -178,8 +178,8 @@ pub fn directed_base(b: &Builder, of: DirectedBase, fraction_bits: u32) -> Sig {
             let error = base.error_value();
             let chosen = b.integer(0).less_than(&q).choose(&base, &b.integer(0)).named("base");
             let sure = of.smallest_q - q.error_value() > 0.0;
-            let product = of.known.filter(|_| sure);
-            let known = product.map(|known| known.base(light_dot_view.error_value(), rounding));
+            let known = of.known.filter(|_| sure);
+            let known = known.map(|known| known.base(light_dot_view.error_value(), rounding));
             known_cosine(chosen.stated_error_value(error), known, 1.0)
         },
     )
