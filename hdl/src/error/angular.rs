@@ -2,8 +2,10 @@
 
 /// The real value is s cos t, for a length 0 ≤ s ≤ 1 and an angle t; the fixed one is s cos t' + r:
 ///
-///   |t' - t| ≤ angle
-///   |r|      ≤ rest
+/// ```text
+/// |t' - t| ≤ angle
+/// |r|      ≤ rest
+/// ```
 ///
 /// as [`ErrorForm::OfCosine`](specula_datapath::design::ErrorForm::OfCosine) has it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -28,13 +28,15 @@ pub struct Term {
 /// smaller sum, and of each product k f the smaller one in it, adds up to less than 255. With
 /// intensities off by ρ f + r and coefficients by e
 ///
-///   |Σ' - Σ| ≤ Σ k ρ f + Σ (k r + f e)
-///   Σ k ρ f  ≤ 255 max ρ                  since Σ k f < 255
-///   Σ k ρ f  ≤ Σ k ρ max f
+/// ```text
+/// |Σ' - Σ| ≤ Σ k ρ f + Σ (k r + f e)
+/// Σ k ρ f  ≤ 255 max ρ                  since Σ k f < 255
+/// Σ k ρ f  ≤ Σ k ρ max f
+/// ```
 ///
 /// with the largest k and f. Of the pairs of ρ and r that hold, those count that make the least of
-/// it. Intensities of which one alone is off by r, or else all by less, count with r once in a turn,
-/// or with the less all of them.
+/// it. Intensities of which one alone is off by r, or else all by less, count with r once in a
+/// turn, or with the less all of them.
 pub fn below_full_scale(ambient: f64, terms: &[Term], turns: u32) -> f64 {
     let with = |share: usize| of_turns(terms, turns, share);
     ambient + (0..SHARES).map(with).fold(f64::INFINITY, f64::min)

@@ -27,10 +27,12 @@ pub struct Components {
 impl Components {
     /// Bound on the error of a component, the last rounding apart.
     ///
-    ///   r        = g n + ρ (b n - I)
-    ///   g n      off by e_n + e_g
-    ///   b n - I  off by e_n + e_b + e_I   with the true ρ
-    ///   g + ρb   rounded by u/2, times |n|
+    /// ```text
+    /// r        = g n + ρ (b n - I)
+    /// g n      off by e_n + e_g
+    /// b n - I  off by e_n + e_b + e_I   with the true ρ
+    /// g + ρb   rounded by u/2, times |n|
+    /// ```
     ///
     /// and what ρ is off by counts as often as bN - I is long: see [`of_sine_ratio`].
     pub fn error(self, formats: &ConsistentFormats, known: Consistency) -> f64 {
@@ -45,10 +47,12 @@ impl Components {
 /// What the error of ρ adds to a component of ρ(bN - I), with E for the errors of q(1 + g) and of
 /// w = 1 + b together and u for half a unit of the last place of ρ².
 ///
-///   |bN - I|  ≤ √(1 - b²) ≤ √(2w)
-///   |ρ'² - ρ²| ≤ δ = E/(w - e_w) + u
-///   |ρ' - ρ|  ≤ √δ
-///   |ρ' - ρ|  ≤ δ/ρ ≤ δ/q                    since 1 + g ≥ q(1 + b)
+/// ```text
+/// |bN - I|   ≤ √(1 - b²) ≤ √(2w)
+/// |ρ'² - ρ²| ≤ δ = E/(w - e_w) + u
+/// |ρ' - ρ|   ≤ √δ
+/// |ρ' - ρ|   ≤ δ/ρ ≤ δ/q                    since 1 + g ≥ q(1 + b)
+/// ```
 ///
 /// - Where w ≥ 2 e_w, w - e_w ≥ w/2 and √(2w) √δ ≤ √(4E + 4u); where w is smaller, √(2w) ≤ √(4E)
 ///   and ρ is off by 1 at most.
@@ -85,14 +89,18 @@ impl Operands {
     ///
     /// Turns: r turns by 2a and a_I at most, and with q, since
     ///
-    ///   sin(γ/2) = √q sin(β/2)
-    ///   γ'       ≤ √q
-    ///   dγ/dq    = sin(β/2)/(√q cos(γ/2)) ≤ 1/√(q w_0/2)
+    /// ```text
+    /// sin(γ/2) = √q sin(β/2)
+    /// γ'       ≤ √q
+    /// dγ/dq    = sin(β/2)/(√q cos(γ/2)) ≤ 1/√(q w_0/2)
+    /// ```
     ///
     /// Where ρ is clamped, β is beyond a right angle and g + b ≤ 0. With -b_0 the least b
     ///
-    ///   r   = (g + b)N - I
-    ///   |r|² = 1 + g² - b² ≥ 1 - b_0²
+    /// ```text
+    /// r    = (g + b)N - I
+    /// |r|² = 1 + g² - b² ≥ 1 - b_0²
+    /// ```
     ///
     /// moves by (2 + 2b_0) a + 3 a_I + 2 e_q at most, of which 2 b_0 (a + a_I + e_q) over |r| makes
     /// it longer or shorter. What roundings move along the one reflection is along the other but
@@ -136,20 +144,26 @@ pub fn reflection(component: f64, whole: Option<Off>, longest: f64) -> (Off, f64
 /// Let n and I be longer than m and J by the factors 1 + σ and 1 + σ_I, τ = (1 + σ)(1 + σ_I) - 1,
 /// and u half a unit of cosines' last place. What is computed, with primes, is
 ///
-///   b' = b + δ_b            |δ_b| ≤ |b| τ + u
-///   g' = g + q δ_b + η      |η| ≤ u
-///   s' = g' + ρ'b' + ε      |ε| ≤ u            the share of n
-///   r' = s'n - ρ'I
+/// ```text
+/// b' = b + δ_b            |δ_b| ≤ |b| τ + u
+/// g' = g + q δ_b + η      |η| ≤ u
+/// s' = g' + ρ'b' + ε      |ε| ≤ u            the share of n
+/// r' = s'n - ρ'I
+/// ```
 ///
 /// So with δ_g = q δ_b + η and δ_ρ = ρ' - ρ
 ///
-///   r' - r = (δ_g + ρ'δ_b + ε + σ s') m + δ_ρ (b m - J) - ρ' σ_I J.
+/// ```text
+/// r' - r = (δ_g + ρ'δ_b + ε + σ s') m + δ_ρ (b m - J) - ρ' σ_I J.
+/// ```
 ///
 /// ρ² = q(1 + g)/w with w = 1 + b, whose rounding is v, half a unit of its last place, is off by
 ///
-///   ((q² - ρ²) δ_b + q η)/(w + δ_b) + v
-///   ≤ (|δ_b| + u)/(w - |δ_b|) + v      since q² and q are ρ² at most, and ρ² 1
-///   ≤ x ρ²                             x = (|δ_b| + u)/(w - |δ_b|) + v/q
+/// ```text
+/// ((q² - ρ²) δ_b + q η)/(w + δ_b) + v
+/// ≤ (|δ_b| + u)/(w - |δ_b|) + v      since q² and q are ρ² at most, and ρ² 1
+/// ≤ x ρ²                             x = (|δ_b| + u)/(w - |δ_b|) + v/q
+/// ```
 ///
 /// Clamping both squares to 1 brings them no further apart, and for a ρ² beyond 1 the same holds
 /// with 1 in its place. The root moves by what its square does over ρ + ρ' ≥ ρ/κ, κ = 1/(1 + √(1 -
@@ -211,7 +225,9 @@ impl Rounded {
     ///
     /// |bm - J| ≤ √(2w) ≤ 2 and ρ ≥ √q: what ρ is off by moves r by
     ///
-    ///   κ (√(2/w) (|δ_b| + u)/(1 - |δ_b|/w) + 2v/√q)
+    /// ```text
+    /// κ (√(2/w) (|δ_b| + u)/(1 - |δ_b|/w) + 2v/√q)
+    /// ```
     ///
     /// and by 2 times its rounding.
     fn length(self) -> f64 {
@@ -233,11 +249,15 @@ impl Rounded {
     /// m·r = g, |g| ≤ 1, and (bm - J)·r = ρ(1 - b²): what ρ is off by makes r longer or shorter by
     /// no more than
     ///
-    ///   κ (1 - b)(|δ_b| + u)/(1 - |δ_b|/w)
+    /// ```text
+    /// κ (1 - b)(|δ_b| + u)/(1 - |δ_b|/w)
+    /// ```
     ///
     /// κ v and the root's rounding. With λ = κ/(1 - |δ_b|/w), all that depends on b is no more than
     ///
-    ///   τ(1 + 3|b|) + 4u + λ(1 - b)(|b|τ + 2u).
+    /// ```text
+    /// τ(1 + 3|b|) + 4u + λ(1 - b)(|b|τ + 2u).
+    /// ```
     ///
     /// From b = 0 on b(1 - b) ≤ 1 - b, which leaves something linear in b, largest at 0 or 1; below
     /// 0 it grows with |b|, and r may be shorter than 1.
@@ -278,7 +298,9 @@ impl Horizon {
     ///
     /// The length of a vector is off by no more than the vector. At the horizon
     ///
-    ///   (N_c·L)² ≤ (g + b)/2
+    /// ```text
+    /// (N_c·L)² ≤ (g + b)/2
+    /// ```
     ///
     /// so that where rounding decides which side of it I is on, √((e_g + e_b)/2) at most is lost.
     pub fn cosine(self, [incoming, r]: [f64; 2], ulp: f64, has_direction: bool) -> f64 {
@@ -458,8 +480,8 @@ mod tests {
         }
     }
 
-    /// Light about the horizon, q as small as it may be: 60 % of the bound is reached, by q = 0. The
-    /// larger q, the faster the cosine vanishes there.
+    /// Light about the horizon, q as small as it may be: 60 % of the bound is reached, by q = 0.
+    /// The larger q, the faster the cosine vanishes there.
     #[test]
     fn cosines_at_the_horizon_stay_within_the_bound_and_come_near() {
         let mut draw = Draw::new(1);

@@ -4,10 +4,12 @@
 ///
 /// Let p' and q' be the operands as they come, r = p/q and r' = p'/q'.
 ///
-///   r' - r   = ((p' - p) - r (q' - q)) / q'
-///   |r' - r| ≤ (e_p + |r| e_q) / q'
-///   q'       ≥ s - e_q                       with q ≥ s
-///   |r' - r| ≤ (e_p + 2^i e_q) / (s - e_q)   with |r| ≤ 2^i
+/// ```text
+/// r' - r   = ((p' - p) - r (q' - q)) / q'
+/// |r' - r| ≤ (e_p + |r| e_q) / q'
+/// q'       ≥ s - e_q                       with q ≥ s
+/// |r' - r| ≤ (e_p + 2^i e_q) / (s - e_q)   with |r| ≤ 2^i
+/// ```
 ///
 /// Where r lies beyond 2^i, r counts as 2^i, and p as a p between 2^i q and the real one: p' is
 /// further from it on the side alone on which r' is clamped. Rounding adds half a unit.

@@ -28,21 +28,28 @@ impl Followed {
     ///
     /// As a function of b, N and y, n has the derivatives
     ///
-    ///   ∂n/∂b = u (1 - 2ĤĤᵀ)       an isometry times u
-    ///   ∂n/∂N = 1 + u (1 - 2ĤĤᵀ)
-    ///   ∂n/∂y = H/|H|²
+    /// ```text
+    /// ∂n/∂b = u (1 - 2ĤĤᵀ)       an isometry times u
+    /// ∂n/∂N = 1 + u (1 - 2ĤĤᵀ)
+    /// ∂n/∂y = H/|H|²
+    /// ```
     ///
     /// so with b off by e
     ///
-    ///   |n' - n| ≤ u e + (1 + u) e_N + e_y/|H| + roundings
+    /// ```text
+    /// |n' - n| ≤ u e + (1 + u) e_N + e_y/|H| + roundings
+    /// ```
     ///
-    /// Around a fixed w within 90 degrees of N, |H|² ≥ 1 + s². Spans that follow turn by 120 degrees
-    /// at most, so s ≥ 1/2, and N stays within 30 degrees of b: in narrow ones all do; in others N
-    /// turns by 12.5 degrees a step at most, of which a wrap leaves a third, 19 degrees in all.
+    /// Around a fixed w within 90 degrees of N, |H|² ≥ 1 + s². Spans that follow turn by 120
+    /// degrees at most, so s ≥ 1/2, and N stays within 30 degrees of b: in narrow ones all do; in
+    /// others N turns by 12.5 degrees a step at most, of which a wrap leaves a third, 19 degrees in
+    /// all.
     ///
-    ///   |H|² ≥ 1 + s² + √3 s
-    ///   u    ≤ .36
-    ///   e    ≤ added/(1 - u)      where all errors end
+    /// ```text
+    /// |H|² ≥ 1 + s² + √3 s
+    /// u    ≤ .36
+    /// e    ≤ added/(1 - u)      where all errors end
+    /// ```
     ///
     /// The first pixel of a span that follows has the error of w, no more than what following ends
     /// at. Where the bound is too coarse for [`Followed::step`], two unit vectors are no further
@@ -60,9 +67,11 @@ impl Followed {
     ///
     /// As long as e + e_N ≤ 1/16, H as it comes is shorter by no more. Roundings add
     ///
-    ///   u_o u/(2|H|)           half a unit of H·H, over |H|² and times u |H|
-    ///   u_r |H|/2 ≤ 1.1 u_r    half a unit of u
-    ///   √3/2 u_v               half a unit of each component of n
+    /// ```text
+    /// u_o u/(2|H|)           half a unit of H·H, over |H|² and times u |H|
+    /// u_r |H|/2 ≤ 1.1 u_r    half a unit of u
+    /// √3/2 u_v               half a unit of each component of n
+    /// ```
     fn step(self, s: f64, h_squared: f64, formats: &LyonFormats) -> Step {
         let (e_n, e_y) = (self.normal, self.residue);
         let h = h_squared.sqrt() - SHORTER_BY;

@@ -4,14 +4,16 @@ use specula_scene::format::power_of_two;
 /// What is left out where 1 - cos α is kept within 15/8, beyond which exp(-2 α²) is less.
 const BEYOND_VERSINES: f64 = power_of_two(-20);
 
-/// Bound on the error of exp(-2n α²), to `fraction_bits`, for whole exponents n up to `largest`, with
-/// d = 1 - cos α off by `versine`.
+/// Bound on the error of exp(-2n α²), to `fraction_bits`, for whole exponents n up to `largest`,
+/// with d = 1 - cos α off by `versine`.
 ///
-///   f          = exp(-2n α²)
-///   |df/dd|    = 4n (α/sin α) exp(-2n α²)     with dd = sin α dα
-///   α/sin α    ≤ exp(2 α²)                    but in the last 1e-8 radians before π, where f is 0
-///   |df/dd|    ≤ 4n exp(-2(n - 1) α²) ≤ 4n
-///   |f' - f|   ≤ 4n |d' - d| + 2^-f + 2^-20
+/// ```text
+/// f          = exp(-2n α²)
+/// |df/dd|    = 4n (α/sin α) exp(-2n α²)     with dd = sin α dα
+/// α/sin α    ≤ exp(2 α²)                    but in the last 1e-8 radians before π, where f is 0
+/// |df/dd|    ≤ 4n exp(-2(n - 1) α²) ≤ 4n
+/// |f' - f|   ≤ 4n |d' - d| + 2^-f + 2^-20
+/// ```
 ///
 /// The last two are the unit's own roundings and what is left out of versines.
 pub fn bound(largest: f64, versine: f64, fraction_bits: u32) -> f64 {

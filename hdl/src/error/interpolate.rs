@@ -4,7 +4,9 @@ use specula_scene::Format;
 /// How far the ends are apart of a span in the unit ball that comes no nearer to its centre than
 /// `shortest`: a chord.
 ///
-///   |X1 - X0|² = 4 (1 - s²)   of unit ends whose middle is s long
+/// ```text
+/// |X1 - X0|² = 4 (1 - s²)   of unit ends whose middle is s long
+/// ```
 pub fn chord(shortest: f64) -> f64 {
     2.0 * (1.0 - shortest * shortest).max(0.0).sqrt()
 }
@@ -12,7 +14,9 @@ pub fn chord(shortest: f64) -> f64 {
 /// By how much a weight that is accumulated from 0 on is off after `steps` steps of 1/S, each
 /// rounded to half a unit u of the last place.
 ///
-///   |a'(i) - i/S| ≤ i u/2 ≤ S u/2
+/// ```text
+/// |a'(i) - i/S| ≤ i u/2 ≤ S u/2
+/// ```
 ///
 /// The host works out 1/S in f64, off by 2^-53 of itself, and so by 2^-53 after S steps. Where the
 /// accumulator is no finer than an f64 near 1, that is half a unit at most and never reaches its
@@ -31,8 +35,10 @@ pub fn slack(accumulator: Format, steps: u32) -> f64 {
 
 /// o, how far past 1 the weight can come out.
 ///
-///   o = 0            where the accumulator is off by less than half a unit u_a of a's
-///   o = S u/2 + u_a/2   elsewhere
+/// ```text
+/// o = 0            where the accumulator is off by less than half a unit u_a of a's
+/// o = S u/2 + u_a/2   elsewhere
+/// ```
 ///
 /// By default the accumulator's extra bits keep what it is off by below half a unit of a's, so that
 /// a ≤ 1 after rounding; a spec may ask for fewer.
@@ -44,9 +50,11 @@ pub fn overshoot(accumulator: Format, weight: Format, steps: u32) -> f64 {
 
 /// How often the longer of two ends a vector between them is at most.
 ///
-///   X' = (1 - a) X0 + a X1             0 ≤ a ≤ 1 + o
-///   |X'| ≤ (|1 - a| + a) max(|X0|, |X1|)
-///        ≤ (1 + 2o) max(|X0|, |X1|)
+/// ```text
+/// X' = (1 - a) X0 + a X1             0 ≤ a ≤ 1 + o
+/// |X'| ≤ (|1 - a| + a) max(|X0|, |X1|)
+///      ≤ (1 + 2o) max(|X0|, |X1|)
+/// ```
 pub fn reach(overshoot: f64) -> f64 {
     1.0 + 2.0 * overshoot
 }
@@ -67,9 +75,11 @@ impl Ends {
     ///
     /// The host sends X1 - X0 of rounded ends. Primes are for what comes:
     ///
-    ///   X' - X   = (1 - a') (X0' - X0) + a' (X1' - X1) + (a' - a) (X1 - X0)
-    ///   |X' - X| ≤ (|1 - a'| + a') e + |a' - a| |X1 - X0|
-    ///            ≤ (1 + 2o) e + e_a |X1 - X0|
+    /// ```text
+    /// X' - X   = (1 - a') (X0' - X0) + a' (X1' - X1) + (a' - a) (X1 - X0)
+    /// |X' - X| ≤ (|1 - a'| + a') e + |a' - a| |X1 - X0|
+    ///          ≤ (1 + 2o) e + e_a |X1 - X0|
+    /// ```
     ///
     /// |X1 - X0| is no more than is known of it, nor than the one that comes and what that is off
     /// by, twice as much as each of its ends.

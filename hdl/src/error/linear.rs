@@ -5,8 +5,10 @@ use super::host::HOST_ERROR;
 ///
 /// Start and step are each rounded to half a unit u of the last place:
 ///
-///   |x'(i) - x(i)| ≤ u/2 + i u/2
-///                  ≤ (1 + S) u/2   with i ≤ S
+/// ```text
+/// |x'(i) - x(i)| ≤ u/2 + i u/2
+///                ≤ (1 + S) u/2   with i ≤ S
+/// ```
 ///
 /// In formats finer than f64 the host's own error is the larger.
 pub fn bound(steps: u32, ulp: f64) -> f64 {

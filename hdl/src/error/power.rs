@@ -12,9 +12,11 @@ use super::angular::Angular;
 ///   cos^n t between both powers. [`Line`] says what is known of σ.
 /// - For x and y with |x - y| ≤ r and m = max(x, y)
 ///
-///     |x^n - y^n| ≤ n r m^(n-1)
-///     n m^(n-1)   ≤ 1 + (n-1) m^n     (weighted means)
-///     |x^n - y^n| ≤ r (1 + (n-1) m^n)
+///   ```text
+///   |x^n - y^n| ≤ n r m^(n-1)
+///   n m^(n-1)   ≤ 1 + (n-1) m^n     (weighted means)
+///   |x^n - y^n| ≤ r (1 + (n-1) m^n)
+///   ```
 ///
 ///   and m^n exceeds both powers by no more than their bound.
 pub struct PowerError {
@@ -92,18 +94,24 @@ impl PowerError {
 ///
 /// σ is concave in v:
 ///
-///   dσ/dv = (n-1) tan t - cot t     grows with t, and v falls
+/// ```text
+/// dσ/dv = (n-1) tan t - cot t     grows with t, and v falls
+/// ```
 ///
 /// So its tangent at t stays above it, whose value at v = 0 is cos^(n-1) t/sin t.
 ///
 /// With y = -ln v/n
 ///
-///   σ = n v √(e^(2y) - 1)
+/// ```text
+/// σ = n v √(e^(2y) - 1)
+/// ```
 ///
 /// which grows with n where y ≤ 0.796, since √(e^(2y) - 1)/y falls until there: what holds for n
 /// holds for smaller exponents n' where v ≥ e^(-0.796 n'). Below that
 ///
-///   σ < n' v^((n'-1)/n') ≤ n' e^(-0.796 (n'-1)) ≤ 1
+/// ```text
+/// σ < n' v^((n'-1)/n') ≤ n' e^(-0.796 (n'-1)) ≤ 1
+/// ```
 ///
 /// It is enough that the line is no lower than 1 up to v = e^(-0.796) < 0.46.
 #[derive(Clone, Copy)]

@@ -5,9 +5,11 @@ use super::host::HOST_ERROR;
 ///
 /// Start and both differences are each rounded to half a unit u of the last place:
 ///
-///   x(i)           = x0 + i d0 + i(i-1)/2 d2
-///   |x'(i) - x(i)| ≤ (1 + i + i(i-1)/2) u/2
-///                  ≤ (1 + S + S(S-1)/2) u/2   with i ≤ S   [N3b]
+/// ```text
+/// x(i)           = x0 + i d0 + i(i-1)/2 d2
+/// |x'(i) - x(i)| ≤ (1 + i + i(i-1)/2) u/2
+///                ≤ (1 + S + S(S-1)/2) u/2   with i ≤ S (numerics N3b)
+/// ```
 ///
 /// In formats finer than f64 the host's own error is the larger.
 pub fn bound(steps: u32, ulp: f64) -> f64 {

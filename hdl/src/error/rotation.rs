@@ -5,13 +5,15 @@ use super::host::HOST_ERROR;
 
 /// How far (c, s) can come from (cos iδ, sin iδ), as a distance in the plane.
 ///
-/// Let z and w be the fixed and the real vector as complex numbers, cos δ + i sin δ off by a at most
-/// and every state rounded by b: half a unit of the last place in each component.
+/// Let z and w be the fixed and the real vector as complex numbers, cos δ + i sin δ off by a at
+/// most and every state rounded by b: half a unit of the last place in each component.
 ///
-///   a = u_turn/√2
-///   b = u_state/√2
-///   |z' - w'| ≤ (1 + a) |z - w| + a + b   after one step more
-///   |z - w|   ≤ S (a + b) e^(S a)         after S steps
+/// ```text
+/// a = u_turn/√2
+/// b = u_state/√2
+/// |z' - w'| ≤ (1 + a) |z - w| + a + b   after one step more
+/// |z - w|   ≤ S (a + b) e^(S a)         after S steps
+/// ```
 pub fn drift(formats: &SlerpFormats, steps: u32) -> f64 {
     let s = f64::from(steps);
     let half_diagonal = 0.5f64.sqrt();
@@ -22,7 +24,9 @@ pub fn drift(formats: &SlerpFormats, steps: u32) -> f64 {
 
 /// As [`drift`], of what is m = 1/sin 10° long at most and begins off by b.
 ///
-///   |z - w| ≤ (S (a m + b) + b) e^(S a)
+/// ```text
+/// |z - w| ≤ (S (a m + b) + b) e^(S a)
+/// ```
 ///
 /// Where one sine is 0 and cos δ is 1 nothing turns, and what grows is off by half a unit of the
 /// sine's and the state's last place for each step, which is less.
@@ -45,9 +49,11 @@ pub fn scaled_drift(formats: &SlerpFormats, steps: u32) -> f64 {
 /// across a direction within `widest` of an axis, κ as [`sum_of_components`] has it. So what u has
 /// across 1 grows with each step by
 ///
-///   a times itself
-///   (1 + d) κ u_turn/2   what α has across
-///   κ u_state/2          the rounding of the state
+/// ```text
+/// a times itself
+/// (1 + d) κ u_turn/2   what α has across
+/// κ u_state/2          the rounding of the state
+/// ```
 ///
 /// at most, and after S steps is no more than S κ ((1 + d) u_turn/2 + u_state/2) e^(S a).
 pub fn drift_across(formats: &SlerpFormats, steps: u32, widest: f64) -> f64 {

@@ -12,10 +12,12 @@ const STEPS: u32 = 2048;
 ///
 /// As a function of d = |D|, with K = 2^k and y = d √(n/2K)
 ///
-///   f          = (1 - y²)^K                 0 from y = 1 on
-///   |df/dd|    = √(2Kn) y (1 - y²)^(K-1)
-///   |df/dd| d  = 2K y² (1 - y²)^(K-1)
-///   |df/dd|/d  = n (1 - y²)^(K-1)
+/// ```text
+/// f          = (1 - y²)^K                 0 from y = 1 on
+/// |df/dd|    = √(2Kn) y (1 - y²)^(K-1)
+/// |df/dd| d  = 2K y² (1 - y²)^(K-1)
+/// |df/dd|/d  = n (1 - y²)^(K-1)
+/// ```
 ///
 /// Each counts as often as [`LengthOff`] says, or the first as often as D is off as a whole.
 /// Smaller exponents have no more of any at the same y.
@@ -70,8 +72,10 @@ impl Highlight {
 
     /// What rounding adds for y from `begin` on, with b for the real and the rounded 1 - y'².
     ///
-    ///   K b^(K-1)           half a unit of x/2^k, raised to K
-    ///   2^(k-i) b^(K-2^i)   half a unit of the i-th square, raised to 2^(k-i)
+    /// ```text
+    /// K b^(K-1)           half a unit of x/2^k, raised to K
+    /// 2^(k-i) b^(K-2^i)   half a unit of the i-th square, raised to 2^(k-i)
+    /// ```
     ///
     /// The powers b^(2^i) are off by 2^i units, and the mean of real and rounded one is no more
     /// than the power of 1 - y'² + K units, as long as that is 1/2 or more, which is put for less.
@@ -121,13 +125,17 @@ impl RootShape {
     ///
     /// As a function of |u| and with K = 2^k
     ///
-    ///   f        = (1 - u²)^K         whose slope is [`steepest_slope`] for n = 2K
-    ///   |u' - u| ≤ m 2^-h |D' - D| + √3/2 u_u
-    ///   |f' - f| ≤ slope |u' - u|
+    /// ```text
+    /// f        = (1 - u²)^K         whose slope is [`steepest_slope`] for n = 2K
+    /// |u' - u| ≤ m 2^-h |D' - D| + √3/2 u_u
+    /// |f' - f| ≤ slope |u' - u|
+    /// ```
     ///
     /// A step δ of m itself changes f by
     ///
-    ///   2K u² (1 - u²)^(K-1) δ/m ≤ 2 ((K-1)/K)^(K-1) δ/m
+    /// ```text
+    /// 2K u² (1 - u²)^(K-1) δ/m ≤ 2 ((K-1)/K)^(K-1) δ/m
+    /// ```
     ///
     /// at the smallest m. Rounding x and each square adds K - 1/2 units of the last place.
     pub fn error(self, off: f64, m: Root) -> f64 {
@@ -153,7 +161,9 @@ pub fn least_dark_exponent(shortest: f64, lyon: &LyonSpec) -> f64 {
 
 /// Largest |df_k/d|D|| for exponents up to `n`.
 ///
-///   √(2Kn) y (1 - y²)^(K-1)   is largest at y² = 1/(2K - 1)
+/// ```text
+/// √(2Kn) y (1 - y²)^(K-1)   is largest at y² = 1/(2K - 1)
+/// ```
 fn steepest_slope(squarings: u32, n: f64) -> f64 {
     let k = f64::from(1u32 << squarings);
     let t = 1.0 / (2.0 * k - 1.0);
@@ -223,8 +233,7 @@ mod tests {
         }
     }
 
-    /// D of any length up to the edge, m of the smallest and the largest exponent: 95 % of the bound
-    /// is reached.
+    /// D of any length up to the edge: 95 % of the bound is reached.
     #[test]
     fn shapes_of_roots_stay_within_the_bound_and_come_near() {
         let mut draw = Draw::new(1);

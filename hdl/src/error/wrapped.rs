@@ -25,13 +25,17 @@ impl Wrapped {
     ///
     /// The wrap is an isometry in w, and in H twice the projection on its direction û:
     ///
-    ///   |û - û'| ≤ |H - H'|/√(|H||H'|)
-    ///   |n' - n| ≤ 2|w| e_H/(1 - e_H) + e_w
+    /// ```text
+    /// |û - û'| ≤ |H - H'|/√(|H||H'|)
+    /// |n' - n| ≤ 2|w| e_H/(1 - e_H) + e_w
+    /// ```
     ///
     /// n differs from the wrap of the rounded H and w by 2|H| times the error of v, which rounding
     /// makes u_p/|H|² + u_v/2:
     ///
-    ///   2|H| (u_p/|H|² + u_v/2) ≤ 2 u_p/(1 - e_H) + 2.1 u_v
+    /// ```text
+    /// 2|H| (u_p/|H|² + u_v/2) ≤ 2 u_p/(1 - e_H) + 2.1 u_v
+    /// ```
     pub fn error(self, units: WrapUnits) -> Option<f64> {
         let shortest = 1.0 - self.h;
         let of_rounding = 2.0 * units.operand / shortest + 2.1 * units.ratio;
@@ -64,10 +68,12 @@ impl Edge {
     ///
     /// Where p ≤ 1, X·S ≤ 0: a spot gives no light there. Where rounding moves p across 1
     ///
-    ///   |X·S| ≤ e_p
-    ///   p     ≤ 1 + e_p
-    ///   q     = 1 + |X|² + 2X·S ≥ 1 + s² - 2 e_p - e_q
-    ///   S·L'  = 2 p²/q - 1
+    /// ```text
+    /// |X·S| ≤ e_p
+    /// p     ≤ 1 + e_p
+    /// q     = 1 + |X|² + 2X·S ≥ 1 + s² - 2 e_p - e_q
+    /// S·L'  = 2 p²/q - 1
+    /// ```
     ///
     /// on both sides.
     pub fn strength(self) -> f64 {

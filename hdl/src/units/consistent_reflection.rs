@@ -30,18 +30,20 @@ pub fn consistent_reflection(
             let one = b.integer(1);
             let lengths = (n.longest(), 1.0 + formats.vector.ulp());
             let cosine = n.dot_within(&incoming, lengths, "|N.I| <= |N||I|").rounded(fraction_bits);
-            let cos_beta = cosine.clamped_below(-1).clamped_above(1).named("cos_beta");
+            let cos_beta = cosine.clamped_below(-1).clamped_above(1).named("cos_beta"); // S1.f
             let cos_gamma =
-                (&one + &q * (&cos_beta - &one)).rounded(fraction_bits).named("cos_gamma");
+                (&one + &q * (&cos_beta - &one)).rounded(fraction_bits).named("cos_gamma"); // S1.f
             let above_horizon =
                 b.integer(0).less_than(&(&cos_gamma + &cos_beta)).named("above_horizon");
 
             let (dividend, divisor) =
                 (&q * (&one + &cos_gamma), (&one + &cos_beta).named("one_plus_cos_beta"));
             let ratio_bits = formats.sine_ratio_squared.fraction_bits;
+            // Both U1.f.
             let squared = divider(b, &dividend, &divisor, ratio_bits, known.least_divisor);
             let rho = square_root(b, &squared, formats.sine_ratio.fraction_bits).named("rho");
 
+            // Both S2.f.
             let share =
                 (&cos_gamma + &rho * &cos_beta).rounded(fraction_bits).named("normal_share");
             let r = &n.scaled(&share) - &incoming.scaled(&rho);

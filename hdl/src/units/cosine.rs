@@ -3,7 +3,7 @@ use specula_scene::Format;
 
 use super::clamp::to_cosine;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-use super::reflected::{Reflected, UnitBound, reflected};
+use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;
 use crate::error::cosine::InverseLength;
 use specula_datapath::builder::{Builder, Sig};
@@ -96,7 +96,7 @@ pub fn reflected_base(
                 factors: [&v, &c],
                 product_error: to.product_error,
                 light_dot_view: &light_dot_view,
-                has_direction: Some(&has_direction),
+                direction: Direction::Where(&has_direction),
                 fraction_bits: to.fraction_bits,
             };
             let sure = has_direction.error() == 0.0;

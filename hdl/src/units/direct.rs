@@ -2,13 +2,13 @@
 use specula_scene::Format;
 use specula_scene::spec::direct::DirectFormats;
 
+use super::clamp::to_cosine;
 use super::divider::{QuotientFormat, quotient};
-use super::reflected::half_unit_where_narrowed;
+use super::reflected::{Direction, Reflected, UnitBound, angular, reflected};
 use crate::error::angular::Angular;
 use crate::error::direct::{self, Parameter, Product, Square};
 use crate::error::interpolate::{overshoot, slack};
 use specula_datapath::builder::{Builder, Sig};
-use specula_datapath::design::ErrorForm;
 
 /// t = i/S of at most `steps` + 1 pixels, 0 to 1 and what rounding of the step leads past it.
 pub fn parameter(b: &Builder, first: &Sig, step: &Sig, formats: &DirectFormats, steps: u32) -> Sig {
@@ -36,24 +36,28 @@ pub fn squared_length(b: &Builder, t: &Sig, spread: &Sig, formats: &DirectFormat
         "q = 1 - k t (1 - t), k = |B - A|^2 [lecture, eq. 4.4]",
         (("t", t), ("spread", spread)),
         |b, (t, spread)| {
-            let ends = Square::new(t.format().value(t.range().high) - 1.0, formats);
-            let product = &t * (b.integer(1) - &t);
-            let product = product
+            let ends = Square::new(past(&t), formats);
+            let product = (&t * (b.integer(1) - &t))
                 .assumed(-ends.below, 0.25, "t (1 - t) <= 1/4")
                 .rounded(formats.product.fraction_bits)
-                .named("product");
+                .named("product"); // U1.f
             (b.integer(1) - spread * product)
                 .assumed(-ends.slack, ends.most(), "0 <= q <= 1")
                 .rounded(formats.length_squared.fraction_bits)
-                .named("q")
+                .named("q") // U1.f
         },
     )
 }
 
 /// What comes of t and κ, as bounds have it.
 pub fn known_parameter(t: &Sig, spread: &Sig) -> Parameter {
-    let past = (t.format().value(t.range().high) - 1.0).max(0.0);
-    Parameter { off: t.error_value(), past, spread: spread.range().high as f64 * spread.ulp() }
+    let most = spread.range().high as f64 * spread.ulp();
+    Parameter { off: t.error_value(), past: past(t), spread: most }
+}
+
+/// What t reaches past 1.
+fn past(t: &Sig) -> f64 {
+    (t.format().value(t.range().high) - 1.0).max(0.0)
 }
 
 /// p = N·X for X = L and V alike, linear in t. [lecture, eq. 4.3]
@@ -74,15 +78,14 @@ pub fn direct_scalar(
         "p = N.X = A.X + t (B.X - A.X) [lecture, eq. 4.3]",
         inputs,
         |_, (t, start, delta)| {
-            let apart = delta.range().magnitude() * delta.ulp();
-            let past = (t.format().value(t.range().high) - 1.0).max(0.0);
+            let (past, apart) = (past(&t), delta.range().magnitude() * delta.ulp());
             let error = direct::scalar((t.error_value(), past), start.error_value(), apart);
             let limit = 1.0 + 2.0 * past;
             (&start + t * delta)
                 .stated_error_value(error)
                 .assumed(-limit, limit, "|N.X| <= 1")
                 .rounded(formats.cosine.fraction_bits)
-                .named("linear")
+                .named("linear") // S1.f
         },
     )
 }
@@ -99,14 +102,13 @@ pub fn direct_cosine(
     normal: Angular,
 ) -> Sig {
     b.unit("cosine", "c = p/sqrt(q) [lecture, eq. 4.3]", (("p", p), ("s", s)), |_, (p, s)| {
-        let cosine = (p * s)
-            .rounded(formats.cosine.fraction_bits)
-            .clamped_below(-1)
-            .clamped_above(1)
-            .named("cosine");
-        // Where N may vanish, its real length does not end at 2^-m as 1/√q does, so propagation
-        // through that says nothing.
-        known_cosine(cosine, direct::cosine(normal, formats), 2.0)
+        let cosine = to_cosine(&(p * s), formats.cosine.fraction_bits);
+        match direct::cosine(normal, formats) {
+            Some(Angular { angle, rest }) => cosine.known_cosine(angle, rest),
+            // Where N may vanish, its real length does not end at 2^-m as 1/√q does, so propagation
+            // through that says nothing.
+            None => cosine.stated_error_value(2.0),
+        }
     })
 }
 
@@ -134,10 +136,7 @@ pub(super) fn at_least(b: &Builder, q: &Sig, exponent: u32) -> Sig {
 
 /// What is known of J K, where J and K are known as cosines.
 pub fn product_of_cosines(cosines: [&Sig; 2]) -> Option<Product> {
-    let [j, k] = cosines.map(|cosine| match cosine.error_form() {
-        ErrorForm::OfCosine { angle, rest } => Some(Angular { angle, rest }),
-        _ => None,
-    });
+    let [j, k] = cosines.map(angular);
     Some(Product::of_cosines([j?, k?]))
 }
 
@@ -169,23 +168,21 @@ pub fn directed_base(b: &Builder, of: DirectedBase, fraction_bits: u32) -> Sig {
         "b = max(2 J K - L.V, 0) [lecture, eq. 4.5]",
         inputs,
         |b, (j, k, light_dot_view, q)| {
-            let base = (&j * &k).doubled() - &light_dot_view;
-            let rounding = half_unit_where_narrowed(&base, fraction_bits);
-            let base = base.rounded(fraction_bits).at_least_zero().clamped_above(1);
-            let error = base.error_value();
-            let chosen = b.integer(0).less_than(&q).choose(&base, &b.integer(0)).named("base");
             let sure = of.smallest_q - q.error_value() > 0.0;
             let known = of.known.filter(|_| sure);
-            let known = known.map(|known| known.base(light_dot_view.error_value(), rounding));
-            known_cosine(chosen.stated_error_value(error), known, 1.0)
+            let of = Reflected {
+                factors: [&j, &k],
+                product_error: f64::INFINITY,
+                light_dot_view: &light_dot_view,
+                direction: Direction::WherePositive(&q),
+                fraction_bits,
+            };
+            reflected(b, of, |rounding| match known {
+                Some(known) => {
+                    UnitBound::Cosine(known.base(light_dot_view.error_value(), rounding))
+                }
+                None => UnitBound::Unknown,
+            })
         },
     )
-}
-
-/// A cosine of which so much is known, or nothing but that it is off by no more than `most`.
-fn known_cosine(cosine: Sig, known: Option<Angular>, most: f64) -> Sig {
-    match known {
-        Some(Angular { angle, rest }) => cosine.known_cosine(angle, rest),
-        None => cosine.stated_error_value(most),
-    }
 }

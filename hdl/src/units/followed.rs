@@ -38,11 +38,9 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
             let z = n
                 .length_squared_within(n.longest(), "|N| <= 1")
                 .rounded(formats.length_squared.fraction_bits)
-                .named("z");
+                .named("z"); // U1.f
             let y = (b.integer(1) - &z).named("y");
-            let (normal, axis) = (n.off().length, w.off().length);
-            let error =
-                Followed { normal, axis, residue: y.error_value(), shortest }.error(formats);
+            let error = known([&n, &w], &y, shortest).error(formats);
             let (longest, bits) = (1.0 + error, formats.vector.fraction_bits);
             let widest = n.longest() + longest;
             let known = Known { limits: (-longest, longest), fact: "|n| = 1", error };
@@ -59,7 +57,8 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
                     let q = h
                         .length_squared_within(widest, "|H| <= 2")
                         .rounded(formats.wrap_operand.fraction_bits)
-                        .named("q");
+                        .named("q"); // U3.f
+                    // U1.f, then S1.f.
                     let u =
                         divider(b, residue, &q, formats.wrap_ratio.fraction_bits, 1.0).named("u");
                     let Vector { x, y, z, .. } = (&n + &h.scaled(&u)).rounded(bits).named("n");
@@ -69,4 +68,10 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
             Vector::new(next).known_off(Off::within(error)).no_longer_than(longest).named("normal")
         },
     )
+}
+
+/// What the error of n is made of.
+fn known([normal, axis]: [&Vector; 2], residue: &Sig, shortest: f64) -> Followed {
+    let (normal, axis) = (normal.off().length, axis.off().length);
+    Followed { normal, axis, residue: residue.error_value(), shortest }
 }

@@ -79,6 +79,7 @@ pub fn along(b: &Builder, start: &Vector, delta: &Vector, a: &Sig, to: Interpola
     })
 }
 
+/// a, accumulated and rounded to U1.f each.
 fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
     let most = 1.0 + slack(to.accumulator, to.steps);
     let a = Sig::accumulated(first, &b.integer(0), step, (0.0, most), to.steps, "0 <= a <= 1");
@@ -87,20 +88,27 @@ fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig 
         .named("weight")
 }
 
-/// X0 + a (X1 - X0). X0 and X1 lie in the unit ball but for rounding, √3/2 units of the last place,
-/// and X' is longer than the longer of them by the factor [`reach`] at most; longer ends alike.
+/// X0 + a (X1 - X0), rounded to S1.f. X0 and X1 lie in the unit ball but for rounding, √3/2 units of
+/// the last place, and X' is longer than the longer of them by the factor [`reach`] at most; longer
+/// ends alike.
 ///
 /// # Error
 /// [`Ends::between`].
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
     let reach = reach(to.overshoot());
-    let difference = (delta.longest(), delta.off().length);
-    let ends = Ends { off: start.off().length, apart: to.apart, difference };
-    let error = ends.between(a.error_value(), reach);
+    let error = ends(start, delta, to).between(a.error_value(), reach);
     // Both ends are rounded, so their difference is off by a whole unit, not by half as what is
     // rounded once.
     let delta = delta.map(|component| component.clone().stated_error_value(component.ulp()));
-    let vector = (start + &delta.scaled(a)).no_longer_than((to.longest + to.vector.ulp()) * reach);
-    let vector = vector.components_assumed_within(to.longest * reach, fact);
-    vector.proven_off_by(error).rounded(to.vector.fraction_bits)
+    (start + &delta.scaled(a))
+        .no_longer_than((to.longest + to.vector.ulp()) * reach)
+        .components_assumed_within(to.longest * reach, fact)
+        .proven_off_by(error)
+        .rounded(to.vector.fraction_bits)
+}
+
+/// What is known of the ends.
+fn ends(start: &Vector, delta: &Vector, to: Interpolation) -> Ends {
+    let difference = (delta.longest(), delta.off().length);
+    Ends { off: start.off().length, apart: to.apart, difference }
 }

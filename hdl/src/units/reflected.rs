@@ -13,10 +13,20 @@ pub(super) struct Reflected<'a> {
     pub product_error: f64,
     /// V·L.
     pub light_dot_view: &'a Sig,
-    /// Whether N has a direction, where it may have none.
-    pub has_direction: Option<&'a Sig>,
+    /// Where N has a direction.
+    pub direction: Direction<'a>,
     /// Bits right of the binary point of R·L.
     pub fraction_bits: u32,
+}
+
+/// Where a normal has a direction.
+pub(super) enum Direction<'a> {
+    /// At every pixel.
+    Always,
+    /// Where this bit is 1.
+    Where(&'a Sig),
+    /// Where this, its squared length, is above 0.
+    WherePositive(&'a Sig),
 }
 
 /// What a proof says of a value from 0 to 1.
@@ -37,9 +47,11 @@ pub(super) fn reflected(b: &Builder, of: Reflected, bound: impl FnOnce(f64) -> U
     let cosine = product.doubled() - of.light_dot_view;
     let rounding = half_unit_where_narrowed(&cosine, of.fraction_bits);
     let kept = to_unit_interval(&cosine, of.fraction_bits);
-    let base = match of.has_direction {
-        Some(bit) => bit.choose(&kept, &b.integer(0)),
-        None => kept,
+    let or_zero = |bit: &Sig| bit.choose(&kept, &b.integer(0));
+    let base = match of.direction {
+        Direction::Always => kept.clone(),
+        Direction::Where(bit) => or_zero(bit),
+        Direction::WherePositive(square) => or_zero(&b.integer(0).less_than(square)),
     };
     bound(rounding).stated_of(base.named("base"))
 }

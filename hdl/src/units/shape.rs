@@ -38,14 +38,14 @@ pub fn shape(
             let x = (&n * squared_length)
                 .times_power_of_two(log2_factor as i32 - (lyon.squarings as i32 + 1))
                 .rounded(fraction_bits)
-                .named("x");
+                .named("x"); // U1.f, and each square
             let shape = (b.integer(1) - x).at_least_zero();
             let mut f = has_direction.choose(&shape, &b.integer(0)).named("base");
             for _ in 0..lyon.squarings {
                 f = square(b, &f, fraction_bits);
             }
-            // Where rounding may decide whether a normal has a direction, nothing is known of f: the
-            // choice above counts as one between values that meet.
+            // Where rounding may decide whether a normal has a direction, nothing is known of f:
+            // the choice above counts as one between values that meet.
             let sure = has_direction.error() == 0.0;
             let f = if sure { f.proven_error_value(error) } else { f.stated_error_value(1.0) };
             f.named("f")
@@ -79,7 +79,7 @@ pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &
                     .times_power_of_two(-(lyon.root_shift() as i32))
                     .rounded(lyon.formats.scaled_difference.fraction_bits)
             };
-            let u = d.map(scaled).named("scaled");
+            let u = d.map(scaled).named("scaled"); // U8.f
             let one = b.integer(1);
             let outside =
                 u.x.at_least(&one).or(&u.y.at_least(&one)).or(&u.z.at_least(&one)).named("outside");
@@ -87,7 +87,7 @@ pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &
                 .map(|c| c.low_bits(c.fraction_bits()))
                 .length_squared()
                 .rounded(fraction_bits)
-                .named("x");
+                .named("x"); // U1.f, and each square
             let lit = has_direction.and(&outside.not()).named("lit");
             let mut f =
                 lit.choose(&(b.integer(1) - x).at_least_zero(), &b.integer(0)).named("base");

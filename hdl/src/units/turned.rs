@@ -2,7 +2,7 @@
 //! What is proven of them: [`error::turned`].
 use specula_scene::spec::slerp::SlerpFormats;
 
-use super::reflected::{Reflected, UnitBound, reflected};
+use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;
 use crate::error::angular::Angular;
 use specula_datapath::builder::{Builder, Sig};
@@ -68,7 +68,7 @@ pub fn specular_base(
                 factors: [&j, &k],
                 product_error: f64::INFINITY,
                 light_dot_view: &light_dot_view,
-                has_direction: None,
+                direction: Direction::Always,
                 fraction_bits: formats.base.fraction_bits,
             };
             reflected(b, of, |_| UnitBound::Cosine(proven))

@@ -3,7 +3,9 @@ use super::clamp::to_unit_interval;
 use super::divider::divider;
 use super::gaussian::kept_versine;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-use super::reflected::{Reflected, UnitBound, angular, half_unit_where_narrowed, reflected};
+use super::reflected::{
+    Direction, Reflected, UnitBound, angular, half_unit_where_narrowed, reflected,
+};
 use crate::error;
 use crate::error::angular::Angular;
 use specula_datapath::builder::{Builder, Sig, Vector};
@@ -38,7 +40,7 @@ pub fn reflected_cosine(
                 factors: [&n_dot_v, &n_dot_l],
                 product_error: f64::INFINITY,
                 light_dot_view: &light_dot_view,
-                has_direction: None,
+                direction: Direction::Always,
                 fraction_bits,
             };
             let known = angular(&n_dot_v).zip(angular(&n_dot_l));

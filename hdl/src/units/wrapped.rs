@@ -74,7 +74,7 @@ pub struct ToPlace {
 /// Everywhere else |H| is 1 at least.
 ///
 /// # Error
-/// As that of [`wrapped`], where rounding has not moved p across 1; where it has, [`Edge::strength`].
+/// [`Wrapped::error`] where rounding has not moved p across 1, [`Edge::strength`] where it has.
 pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlace) -> WrappedPlace {
     let formula = "L' = 2v H - w, w.L' = 2v H.w - 1, v = H.w / H.H [Hast et al., eq. 36-38]";
     let is_spot = spot.range().high > 0;
@@ -86,8 +86,7 @@ pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlac
         |b, (h, w, spot)| {
             let (p, q) = operands(&h, &w, to.formats);
             if is_spot {
-                let edge = Edge { p: p.error_value(), q: q.error_value(), shortest: to.shortest };
-                most_at_edge = edge.rounded_strength(to.formats.ratio.ulp());
+                most_at_edge = strength_at_edge([&p, &q], to);
             }
             let lit = b.integer(1).less_than(&p).named("lit");
             let (zero, dark) = (b.integer(0), spot.choose(&lit.not(), &b.integer(0)).named("dark"));
@@ -102,10 +101,16 @@ pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlac
     WrappedPlace { direction, cosine, exists, most_at_edge }
 }
 
+/// How strong a spot is at most where rounding decides whether it is seen.
+fn strength_at_edge([p, q]: [&Sig; 2], to: ToPlace) -> f64 {
+    let edge = Edge { p: p.error_value(), q: q.error_value(), shortest: to.shortest };
+    edge.rounded_strength(to.formats.ratio.ulp())
+}
+
 /// |H|² at least, wherever the wrap serves.
 const SHORTEST_SQUARED: f64 = 1.0;
 
-/// p = H·w and q = H·H.
+/// p = H·w and q = H·H, both rounded to U3.f.
 fn operands(h: &Vector, w: &Vector, formats: WrapFormats) -> (Sig, Sig) {
     let bits = formats.operand.fraction_bits;
     let lengths = (h.longest(), w.longest());
@@ -114,14 +119,20 @@ fn operands(h: &Vector, w: &Vector, formats: WrapFormats) -> (Sig, Sig) {
     (p, q)
 }
 
-/// 2v H - w.
+/// 2v H - w, rounded to S1.f.
 fn around(h: &Vector, w: &Vector, v: &Sig, formats: WrapFormats) -> Vector {
-    let known = Wrapped { h: h.off().length, w: w.off().length, longest_w: w.longest() };
     let longest = longest(w.longest(), formats.units(), formats.vector.ulp());
-    let n = h.scaled(&v.doubled()) - w;
-    let n = match known.error(formats.units()) {
+    proven(h.scaled(&v.doubled()) - w, [h, w], formats)
+        .assumed_within(longest, "|2v H - w| = |w|")
+        .rounded(formats.vector.fraction_bits)
+        .named("n")
+}
+
+/// n with what is proven of its error.
+fn proven(n: Vector, [h, w]: [&Vector; 2], formats: WrapFormats) -> Vector {
+    let known = Wrapped { h: h.off().length, w: w.off().length, longest_w: w.longest() };
+    match known.error(formats.units()) {
         Some(error) => n.proven_off_by(error),
         None => n,
-    };
-    n.assumed_within(longest, "|2v H - w| = |w|").rounded(formats.vector.fraction_bits).named("n")
+    }
 }
