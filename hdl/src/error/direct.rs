@@ -443,7 +443,7 @@ mod tests {
                 assert!(q <= square.most());
                 reached = reached.max(-q / square.slack);
             }
-            assert!(reached <= 1.0 && reached >= 0.5, "{reached}");
+            assert!((0.5..=1.0).contains(&reached), "{reached}");
         }
     }
 }
