@@ -116,7 +116,8 @@ fn spans() -> Vec<SpanPacket> {
 }
 
 fn agree(design: &Design, watched: &[NodeId]) {
-    let stimulus = Stimulus::whole(&spans(), design);
+    let spans = spans();
+    let stimulus = Stimulus::whole(&spans, design);
     let (reference, others) = engines::run_all(design, &stimulus, watched);
     for (engine, columns) in others {
         let first = if engine == "icarus" { u64::from(design.latency()) } else { 0 };
