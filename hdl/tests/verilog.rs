@@ -209,7 +209,8 @@ fn summary_of_a_hybrid_core() {
     insta::assert_snapshot!(summary(&hybrid()));
 }
 
-/// No `$` but in `$signed`, no `initial` but in a memory, no blanket waiver; every module is closed.
+/// No `$` but in `$signed`, no `initial` but in a memory, no blanket waiver; every module is
+/// closed.
 #[test]
 fn verilog_keeps_to_the_rules() {
     for design in [smallest_lyon(), lyon_with_everything(), hybrid()] {

@@ -102,8 +102,9 @@ fn source(library: &Library, places: &[usize]) -> String {
 }
 
 /// Everything of `synth_ecp5`, but delay lines alone are flattened: their cells are those of the
-/// module that they are in, and have its widths and lengths. Registers are boxes while gates are mapped: every
-/// pass looks at every cell, and most cells would be flip-flops, in which there is nothing to map.
+/// module that they are in, and have its widths and lengths. Registers are boxes while gates are
+/// mapped: every pass looks at every cell, and most cells would be flip-flops, in which there is
+/// nothing to map.
 fn script(names: &[String]) -> String {
     let synth = |labels: &str| format!("synth_ecp5 -noflatten -top {TOP} -run {labels}");
     let count = |name: &String| format!("tee -q -o {} stat {name}", counts_file(name));
