@@ -16,11 +16,6 @@ impl ClockArguments {
     pub fn clock(&self) -> Clock {
         self.mhz.map_or(Clock::ASSUMED, |mhz| Clock { mhz, assumed: false })
     }
-
-    /// Whether anything was.
-    pub fn is_given(&self) -> bool {
-        self.mhz.is_some()
-    }
 }
 
 /// A clock that is taken for granted.

@@ -11,9 +11,9 @@ use specula_scene::spec::Specialise;
 use specula_testbench::Bench;
 
 use crate::arguments::{method_parser, parse_size, specialise_parser, specialised};
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::progress;
+use crate::verdict::Verdict;
 
 const EXAMPLE: &str = "\
 Shades the scene's spans, over and over, in each simulator that is installed: this program's own, \

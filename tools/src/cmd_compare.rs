@@ -21,11 +21,11 @@ use specula_experiments::tradeoff::{
 use specula_scene::{LoadedScene, Method};
 
 use crate::arguments::{SceneArguments, asked, method_parser};
-use crate::cli::Verdict;
 use crate::clock::ClockArguments;
 use crate::error::{OutputError, ToolError};
 use crate::output::{Destination, Interrupts, JOURNAL};
 use crate::progress;
+use crate::verdict::Verdict;
 use result::{Compared, sorted};
 
 const EXAMPLE: &str = "\

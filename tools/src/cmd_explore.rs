@@ -8,11 +8,11 @@ use specula_experiments::explore::{Device, Exploration, Explored, Wanted, explor
 use specula_scene::{Method, SpecFile};
 
 use crate::arguments::{SceneArguments, asked, method_parser, parse_error};
-use crate::cli::Verdict;
 use crate::clock::{Clock, ClockArguments};
 use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::output::{Interrupts, write_core};
+use crate::verdict::Verdict;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\

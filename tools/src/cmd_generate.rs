@@ -7,12 +7,12 @@ use specula_scene::SpecFile;
 use specula_testbench::BenchError;
 
 use crate::arguments::{NameArguments, OutputArguments, PictureArguments, SceneArguments, Wishes};
-use crate::cli::Verdict;
 use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::header::Origin;
 use crate::output::{Interrupts, write_core};
 use crate::task::Task;
+use crate::verdict::Verdict;
 use crate::verilog;
 
 const EXAMPLE: &str = "\

@@ -9,8 +9,8 @@ use specula_scene::{CoreSpec, LoadedScene, Method, Needs};
 use specula_sim::{Progress, synthesise};
 
 use crate::arguments::{SceneArguments, method_parser};
-use crate::cli::Verdict;
 use crate::error::ToolError;
+use crate::verdict::Verdict;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\

@@ -1,6 +1,4 @@
 //! `specula run`: the whole path from a scene to checked hardware.
-mod figure9;
-
 use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -15,16 +13,17 @@ use specula_testbench::{Bench, EngineKind, Outcome};
 use crate::arguments::{
     NameArguments, OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice,
 };
-use crate::cli::Verdict;
 use crate::clock::ClockArguments;
 use crate::device::{DeviceArguments, Fitted};
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::output::{Destination, Interrupts, REPORT, Staging};
-use crate::run::{Run, Written};
+use crate::report::MARKDOWN;
+use crate::run::{DEFAULT_ENGINE, Run, Written, simulate};
 use crate::task::Task;
 use crate::trace_file::TraceFormat;
-use crate::{html, picture, progress, report, summary, verilog, waveform, worst};
+use crate::verdict::Verdict;
+use crate::{html, picture, report, summary, verilog, waveform, worst};
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst, \
@@ -32,9 +31,6 @@ trace.gtkw, worst.svg (the worst pixel's way through the core), spec.toml (the c
 `--core` and `generate --spec`), report.md, report.json and report.html (one file with everything in \
 it). DIR is replaced as a whole when everything is there; files in it that Specula did not write \
 stay.
-
-`specula run figure9` shades Lyon's figure 9, a core for each of its twelve rows, and writes \
-figure9.png, formulas.png (the same in f64), the cores, report.md and report.json.
 
 Exit status: 0 if every pixel agrees and no quantisation error is above its proven bound, 1 if not,
 2 if the run could not be made.
@@ -77,10 +73,6 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What runs when nobody chooses.
-const DEFAULT_ENGINE: EngineKind = EngineKind::Fast;
-
-const MARKDOWN: &str = "report.md";
 const SIMULATED: &str = "simulated.png";
 const EXPECTED: &str = "expected.png";
 const EXACT: &str = "exact.png";
@@ -98,9 +90,6 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    if arguments.scene.scene == figure9::NAME {
-        return figure9::execute(arguments, stdout, interrupts);
-    }
     let begin = Instant::now();
     let task = arguments.task()?;
     let folder = arguments.output.folder(arguments.name.name.as_ref().unwrap_or(&task.scene.name));
@@ -173,14 +162,6 @@ fn write(
     Ok(if arguments.json { json } else { summary::summary(run, &written, &destination.shown) })
 }
 
-fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
-    let clocks = bench.clocks() + 1;
-    let bar = progress::bar("simulating", clocks);
-    let outcome = bench.run(engine, &mut |done, _| bar.set_position(done));
-    bar.finish_and_clear();
-    Ok(outcome?)
-}
-
 /// Every file that a run can write.
 fn file_names(module: &str) -> Vec<String> {
     let pictures = [SIMULATED, EXPECTED, EXACT, ERROR];
@@ -246,7 +227,7 @@ fn write_reports(staging: &Staging, run: &Run, written: &Written) -> Result<Stri
     Ok(json)
 }
 
-/// The verdict; what disagrees is said to whoever watches.
+/// The verdict; what disagrees is written to standard error.
 fn verdict(disagreement: Option<&Disagreement>) -> Verdict {
     let Some(disagreement) = disagreement else { return Verdict::Done };
     let mut stderr = io::stderr().lock();

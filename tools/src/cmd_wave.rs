@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::output::{Interrupts, write_file};
 use crate::picture;
+use crate::verdict::Verdict;
 use specula_wave::{self as wave, Asked, Figure, Selection, View, WaveError};
 
 const NOTES: &str = "\

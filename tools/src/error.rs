@@ -100,16 +100,6 @@ pub enum ToolError {
         /// A name that is like it and possible.
         possible: String,
     },
-    /// `run figure9` is asked for what it does not do.
-    #[error("figure9 is twelve cores in one picture: {wrong}")]
-    #[diagnostic(
-        code(specula::figure9),
-        help("it takes `--engine`, `--output`, `--json` and a `--size` from 7x3 on")
-    )]
-    Figure9 {
-        /// What is wrong.
-        wrong: String,
-    },
     /// `--trace` asks for what the run does not have.
     #[error("there is no {asked} to trace: the run has {there}")]
     #[diagnostic(code(specula::trace), help("choose among those, or `--trace worst`"))]

@@ -30,6 +30,7 @@ mod summary;
 mod table;
 mod task;
 mod trace_file;
+mod verdict;
 mod verilog;
 mod waveform;
 mod worst;
@@ -39,9 +40,10 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use cli::{Cli, Verdict};
+use cli::Cli;
 use error::ToolError;
 use output::Interrupts;
+use verdict::Verdict;
 
 /// Exit status of a run in which a pixel, a clock or a fact was not as it must be.
 const DISAGREES: u8 = 1;

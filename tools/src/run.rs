@@ -9,8 +9,25 @@ use specula_testbench::{Bench, EngineKind, Outcome};
 use crate::clock::Clock;
 use crate::device::Fitted;
 use crate::disagreement::Disagreement;
+use crate::error::ToolError;
+use crate::progress;
 use crate::task::Task;
 use crate::trace_file::TraceFormat;
+
+/// The engine that simulates unless another one is chosen.
+pub const DEFAULT_ENGINE: EngineKind = EngineKind::Fast;
+
+/// Simulates a frame and compares every pixel, with a progress bar.
+///
+/// # Errors
+/// [`ToolError::Bench`] if the engine fails.
+pub fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
+    let clocks = bench.clocks() + 1;
+    let bar = progress::bar("simulating", clocks);
+    let outcome = bench.run(engine, &mut |done, _| bar.set_position(done));
+    bar.finish_and_clear();
+    Ok(outcome?)
+}
 
 /// A run that has been simulated and compared.
 pub struct Run<'a> {

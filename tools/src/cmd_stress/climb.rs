@@ -7,11 +7,11 @@ use serde::Serialize;
 use specula_experiments::climb::{MOST_TOLD, MethodReport, Search, climb};
 use specula_scene::Method;
 
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::output::{Destination, PROGRAM, REPORT, Staging};
 use crate::progress;
 use crate::table;
+use crate::verdict::Verdict;
 
 #[derive(Serialize)]
 struct Report<'a> {

@@ -9,3 +9,6 @@ mod units;
 pub use json::json;
 pub use markdown::markdown;
 pub use page::html;
+
+/// Name of the report for people.
+pub const MARKDOWN: &str = "report.md";

@@ -153,7 +153,7 @@ fn every_command_knows_the_folder_that_it_wrote() {
     let place = Place::new();
     for arguments in [
         &["run", "icosahedron", "--size", "16x12"][..],
-        &["run", "figure9", "--size", "28x76"],
+        &["reproduce", "figure9", "--size", "28x76"],
         &[
             "compare",
             "icosahedron",
