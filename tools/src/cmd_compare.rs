@@ -22,8 +22,8 @@ use specula_scene::{LoadedScene, Method};
 
 use crate::arguments::{SceneArguments, asked, method_parser};
 use crate::clock::ClockArguments;
-use crate::error::{OutputError, ToolError};
-use crate::output::{Destination, Interrupts, JOURNAL};
+use crate::error::ToolError;
+use crate::output::{Destination, Interrupts, JOURNAL, OutputError};
 use crate::progress;
 use crate::verdict::Verdict;
 use result::{Compared, sorted};

@@ -17,8 +17,8 @@ use clap::{Args, Subcommand};
 use specula_experiments::reproduce::Paper;
 use specula_scene::regular::read_regular;
 
-use crate::error::{OutputError, ToolError};
-use crate::output::{Interrupts, write_file};
+use crate::error::ToolError;
+use crate::output::{Interrupts, OutputError, write_file};
 use crate::verdict::Verdict;
 use section::Section;
 use subject::Subject;

@@ -1,11 +1,11 @@
 //! A core to be made, from a scene or from a file, and the scene it is to shade.
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use specula_scene::spec::{Served, SpecError};
+use specula_scene::spec::Served;
 use specula_scene::{CoreSpec, LoadedScene, SpecFile};
 
 use crate::arguments::{NameArguments, SceneArguments, Wishes};
-use crate::error::ToolError;
+use crate::error::{Refused, ToolError};
 use crate::header::Origin;
 
 /// A core with its name, and a scene for it.
@@ -60,17 +60,4 @@ impl Task {
     pub fn module(&self) -> String {
         specula_hdl::module_name(&self.file.name, self.spec())
     }
-}
-
-/// A core that a scene was to be shaded with cannot do it.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error("the core `{}` cannot shade `{scene}`: {error}", core.display())]
-#[diagnostic(forward(error))]
-pub struct Refused {
-    /// Where the core is.
-    core: PathBuf,
-    /// The scene.
-    scene: String,
-    /// What it lacks.
-    error: SpecError,
 }

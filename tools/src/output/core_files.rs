@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use specula_scene::regular::read_regular;
 
+use super::error::OutputError;
 use super::folder::settle_leftovers;
 use super::interrupt::Interrupts;
 use super::made::MadeFolders;
 use super::own::Contents;
 use super::temporary::Temporary;
-use crate::error::OutputError;
 
 /// Writes files, by name and text, into `folder`, which is made if it is not there; every other
 /// file in it stays. Returns their paths.

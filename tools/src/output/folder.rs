@@ -4,11 +4,11 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::disk::System;
+use super::error::OutputError;
 use super::interrupt::Interrupts;
 use super::leftovers::settle;
 use super::own::Contents;
 use super::temporary::Temporary;
-use crate::error::OutputError;
 
 /// A folder that can be written or replaced.
 #[derive(Clone, Debug)]

@@ -5,6 +5,7 @@
 //! are in their place, or the next program that writes there brings them back.
 mod core_files;
 mod disk;
+mod error;
 mod folder;
 mod interrupt;
 mod leftovers;
@@ -16,6 +17,7 @@ mod record;
 mod temporary;
 
 pub use core_files::write_core;
+pub use error::OutputError;
 pub use folder::Destination;
 pub use interrupt::Interrupts;
 pub use one_file::write_file;

@@ -3,11 +3,11 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use super::error::OutputError;
 use super::folder::settle_leftovers;
 use super::interrupt::Interrupts;
 use super::made::MadeFolders;
 use super::temporary::Temporary;
-use crate::error::OutputError;
 
 /// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder is
 /// made if it is not there; a link to a file stays one.

@@ -6,13 +6,13 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::disk::{Disk, System};
+use super::error::OutputError;
 use super::interrupt::Interrupts;
 use super::made::MadeFolders;
 use super::own::Contents;
 use super::record::{Record, Step};
 use super::temporary::{FOLDER, Temporary};
 use super::{Destination, REPORT};
-use crate::error::OutputError;
 use crate::html::Beside;
 
 /// A folder being written; unless it is published, nothing of it remains.
