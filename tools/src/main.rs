@@ -26,7 +26,6 @@ mod progress;
 mod report;
 mod run;
 mod scene;
-mod summary;
 mod table;
 mod task;
 mod trace_file;

@@ -1,9 +1,9 @@
 //! A run, as waveform, pictures and reports see it.
 use std::ops::Range;
-use std::time::Duration;
 
 use specula_experiments::tradeoff::FrameCycles;
 use specula_experiments::{Savings, Share};
+use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::clock::Clock;
@@ -41,6 +41,10 @@ pub struct Run<'a> {
     pub engine: EngineKind,
     /// The kind of file for its waveform.
     pub trace_format: TraceFormat,
+    /// What is traced.
+    pub trace: Choice,
+    /// The clocks in the waveform; none without one.
+    pub window: Option<Range<u64>>,
     /// What it is taken to be clocked with.
     pub clock: Clock,
     /// What the core takes of the device, if one was named.
@@ -94,14 +98,4 @@ impl Run<'_> {
     pub fn cycles_per_pixel(&self) -> f64 {
         self.outcome.cycles as f64 / self.outcome.pixels.max(1) as f64
     }
-}
-
-/// What is known once the waveform is written.
-pub struct Written {
-    /// The clocks in the waveform; none without one.
-    pub window: Option<Range<u64>>,
-    /// What the run took from the beginning on, pictures and waveform included.
-    pub wall: Duration,
-    /// Every file, in the order in which people want to see them.
-    pub files: Vec<String>,
 }

@@ -7,10 +7,9 @@ use specula_experiments::tradeoff::Journal;
 use super::result::Compared;
 use super::{csv, json, markdown, plots};
 use crate::error::ToolError;
-use crate::output::{Destination, JOURNAL, REPORT, Staging};
+use crate::output::{Destination, JOURNAL, MARKDOWN, REPORT, Staging};
 use crate::{html, picture};
 
-const MARKDOWN: &str = "report.md";
 const CORES: &str = "cores.csv";
 const SOFTWARE: &str = "software.csv";
 /// Files that are always there.

@@ -11,6 +11,8 @@ use tempfile::TempDir;
 
 use super::*;
 use crate::cli::{Cli, Command};
+use crate::html;
+use crate::output::MARKDOWN;
 
 fn arguments(words: &[&str]) -> Arguments {
     let cli = Cli::try_parse_from(
@@ -38,8 +40,9 @@ fn spoilt_run(
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
     let run = run_of(&arguments, &task, &bench, None, &outcome);
-    let destination = Destination::check(folder, &file_names(&run.module), &Interrupts::default())
-        .expect("the folder can be written");
+    let destination =
+        Destination::check(folder, &artifacts::names(&run.module), &Interrupts::default())
+            .expect("the folder can be written");
     write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))
 }

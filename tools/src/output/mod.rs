@@ -24,6 +24,8 @@ pub use one_file::write_file;
 pub use own::PROGRAM;
 pub use publish::Staging;
 
+/// The report for people.
+pub const MARKDOWN: &str = "report.md";
 /// The report that marks a folder as a run's.
 pub const REPORT: &str = "report.json";
 /// Results of a sweep, as they come.
