@@ -80,7 +80,7 @@ pub struct PictureArguments {
 
 /// What a core is to be like.
 #[derive(Clone, Debug, Default, Args)]
-pub struct Wishes {
+pub struct CoreArguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     pub method: Option<Method>,
@@ -94,7 +94,7 @@ pub struct Wishes {
     pub max_error: Option<f64>,
 }
 
-impl Wishes {
+impl CoreArguments {
     /// The core for a scene.
     pub fn core(&self, scene: &LoadedScene) -> Result<CoreSpec, ToolError> {
         let spec = scene.core_spec(self.method)?;

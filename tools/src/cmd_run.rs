@@ -7,21 +7,21 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use specula_experiments::{savings, shares};
+use specula_experiments::{ablation, shares};
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::arguments::{
-    NameArguments, OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice,
+    CoreArguments, NameArguments, OutputArguments, SceneArguments, engine_parser, parse_choice,
 };
 use crate::clock::ClockArguments;
 use crate::device::{DeviceArguments, Fitted};
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
+use crate::job::Job;
 use crate::output::{Destination, Interrupts, REPORT};
 use crate::report::{self, Report};
 use crate::run::{DEFAULT_ENGINE, Run, simulate};
-use crate::task::Task;
 use crate::trace_file::TraceFormat;
 use crate::verdict::Verdict;
 use crate::waveform;
@@ -54,7 +54,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error"])]
     core: Option<PathBuf>,
     #[command(flatten)]
-    wishes: Wishes,
+    wanted: CoreArguments,
     #[command(flatten)]
     device: DeviceArguments,
     #[command(flatten)]
@@ -82,15 +82,15 @@ pub fn execute(
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
     let begin = Instant::now();
-    let task = arguments.task()?;
-    let folder = arguments.output.folder(arguments.name.name.as_ref().unwrap_or(&task.scene.name));
-    let destination = Destination::check(&folder, &artifacts::names(&task.module()), interrupts)?;
-    let bench = Bench::new(&task.scene.frame, task.spec(), &task.module())?;
+    let job = arguments.job()?;
+    let folder = arguments.output.folder(arguments.name.name.as_ref().unwrap_or(&job.scene.name));
+    let destination = Destination::check(&folder, &artifacts::names(&job.module()), interrupts)?;
+    let bench = Bench::new(&job.scene.frame, job.spec(), &job.module())?;
     let fitted = arguments.device.fitted(&bench.design)?;
     waveform::check(&arguments.trace, &bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
 
-    let run = run_of(arguments, &task, &bench, fitted, &outcome);
+    let run = run_of(arguments, &job, &bench, fitted, &outcome);
     let text = write(arguments, begin, &destination, &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
@@ -98,10 +98,10 @@ pub fn execute(
 
 impl Arguments {
     /// The scene, and the core that shades it.
-    fn task(&self) -> Result<Task, ToolError> {
+    fn job(&self) -> Result<Job, ToolError> {
         match &self.core {
-            None => Task::of_scene(&self.scene, &self.wishes, &self.name),
-            Some(core) => Task::with_core(&self.scene, core, &self.name),
+            None => Job::of_scene(&self.scene, &self.wanted, &self.name),
+            Some(core) => Job::with_core(&self.scene, core, &self.name),
         }
     }
 }
@@ -109,7 +109,7 @@ impl Arguments {
 /// What came of a run, with what disagrees in it.
 fn run_of<'a>(
     arguments: &Arguments,
-    task: &'a Task,
+    job: &'a Job,
     bench: &'a Bench<'a>,
     fitted: Option<Fitted>,
     outcome: &'a Outcome,
@@ -118,8 +118,8 @@ fn run_of<'a>(
     let disagreement = Disagreement::of(outcome, bench);
     let trace = waveform::choice(&arguments.trace, disagreement.as_ref());
     Run {
-        task,
-        module: task.module(),
+        job,
+        module: job.module(),
         bench,
         engine: arguments.engine,
         trace_format: arguments.trace_format,
@@ -127,7 +127,7 @@ fn run_of<'a>(
         clock: arguments.clock.clock(),
         fitted,
         bound_shares: shares(bench.spec, bench.frame, bench.design.error_bound()),
-        savings: if is_general { None } else { savings(&task.scene, bench.spec, None).ok() },
+        savings: if is_general { None } else { ablation(&job.scene, bench.spec, None).ok() },
         outcome,
         window: bench.window(&trace, outcome),
         trace,

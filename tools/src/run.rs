@@ -10,8 +10,8 @@ use crate::clock::Clock;
 use crate::device::Fitted;
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
+use crate::job::Job;
 use crate::progress;
-use crate::task::Task;
 use crate::trace_file::TraceFormat;
 
 /// The engine that simulates unless another one is chosen.
@@ -32,7 +32,7 @@ pub fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError>
 /// A run that has been simulated and compared.
 pub struct Run<'a> {
     /// The scene, and where the core comes from.
-    pub task: &'a Task,
+    pub job: &'a Job,
     /// The name of the core's module.
     pub module: String,
     /// The core and the frame.
@@ -63,7 +63,7 @@ pub struct Run<'a> {
 impl Run<'_> {
     /// The scene's name.
     pub fn name(&self) -> &str {
-        &self.task.scene.name
+        &self.job.scene.name
     }
 
     /// The clock that a reader wants to see: that of the first disagreement, of an error above its

@@ -74,7 +74,7 @@ pub fn dump(path: &Path, run: &Run, choice: &Choice) -> Result<io::Result<()>, T
     let about = format!(
         "Specula {}, scene {}, method {}",
         env!("CARGO_PKG_VERSION"),
-        run.task.origin.scene,
+        run.job.origin.scene,
         run.bench.spec.method().name()
     );
     let mut dump = TraceFile::new(file, run.trace_format, &run.bench.design, &about);

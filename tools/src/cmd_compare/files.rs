@@ -56,7 +56,7 @@ fn page(compared: &Compared, text: &str, staging: &Staging) -> io::Result<String
 }
 
 fn draw(staging: &Staging, subject: &plots::Subject, compared: &Compared) -> Result<(), ToolError> {
-    let sheet = subject.plot(compared).sheet()?;
+    let sheet = subject.plot(compared).render()?;
     let [svg, png] = subject.names();
     fs::write(staging.file(&svg), specula_drawing::svg(&sheet)).map_err(staging.failed(&svg))?;
     // A plot is never too large for a picture.

@@ -10,7 +10,7 @@ use crate::output::{MARKDOWN, REPORT, Staging};
 use crate::report::{self, ERROR, EXACT, EXPECTED, Report, SIMULATED};
 use crate::run::Run;
 use crate::trace_file::TraceFormat;
-use crate::{html, picture, verilog, waveform, worst};
+use crate::{html, picture, verilog, waveform, worst_pixel};
 
 /// A file of a run's folder.
 pub struct Artifact {
@@ -58,10 +58,12 @@ pub fn artifacts(module: &str) -> [Artifact; 13] {
             waveform::write_save_file(report.run, staging, name)
         })
         .optional(|run| run.window.is_some()),
-        always(worst::PICTURE, |report, staging, name| worst::write(report.run, staging, name))
-            .optional(|run| run.window.is_some() && run.clock_to_look_at().is_some()),
+        always(worst_pixel::PICTURE, |report, staging, name| {
+            worst_pixel::write(report.run, staging, name)
+        })
+        .optional(|run| run.window.is_some() && run.clock_to_look_at().is_some()),
         always(SpecFile::NAME, |report, staging, name| {
-            text(&report.run.task.file.text(), staging, name)
+            text(&report.run.job.file.text(), staging, name)
         }),
         always(MARKDOWN, |report, staging, name| text(&report::markdown(report), staging, name)),
         always(html::FILE, write_page),
@@ -75,8 +77,8 @@ pub fn names(module: &str) -> Vec<String> {
 }
 
 fn write_verilog(report: &Report, staging: &Staging, name: &str) -> Result<(), ToolError> {
-    let Run { task, bench, .. } = report.run;
-    text(&verilog::text(&task.origin, bench.spec, &bench.design), staging, name)
+    let Run { job, bench, .. } = report.run;
+    text(&verilog::text(&job.origin, bench.spec, &bench.design), staging, name)
 }
 
 fn write_heat_map(report: &Report, staging: &Staging, name: &str) -> Result<(), ToolError> {

@@ -33,13 +33,13 @@ fn spoilt_run(
     spoil: impl FnOnce(&mut Outcome) -> u64,
 ) -> (u64, Verdict) {
     let arguments = arguments(words);
-    let task = arguments.task().expect("the scene is built in");
+    let job = arguments.job().expect("the scene is built in");
     let bench =
-        Bench::new(&task.scene.frame, task.spec(), &task.module()).expect("the core can be built");
+        Bench::new(&job.scene.frame, job.spec(), &job.module()).expect("the core can be built");
     let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
-    let run = run_of(&arguments, &task, &bench, None, &outcome);
+    let run = run_of(&arguments, &job, &bench, None, &outcome);
     let destination =
         Destination::check(folder, &artifacts::names(&run.module), &Interrupts::default())
             .expect("the folder can be written");

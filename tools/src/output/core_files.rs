@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use specula_scene::regular::read_regular;
 
+use super::created_dirs::CreatedDirs;
 use super::error::OutputError;
 use super::folder::settle_leftovers;
 use super::interrupt::Interrupts;
-use super::made::MadeFolders;
 use super::own::Contents;
 use super::temporary::Temporary;
 
@@ -32,7 +32,7 @@ pub fn write_core(
     settle_leftovers([folder]);
     refuse(folder, files)?;
     let write = || {
-        let made = MadeFolders::make(folder, interrupts)?;
+        let created = CreatedDirs::create(folder, interrupts)?;
         let temporary = Temporary::new_in(folder, interrupts)?;
         for (name, text) in files {
             fs::write(temporary.path().join(name), text)?;
@@ -43,7 +43,7 @@ pub fn write_core(
         }
         drop(held);
         drop(temporary);
-        made.keep();
+        created.keep();
         Ok(())
     };
     write().map_err(OutputError::system(folder))?;

@@ -138,7 +138,7 @@ impl<'a> Report<'a> {
             version: env!("CARGO_PKG_VERSION"),
             scene: run.name(),
             module: &run.module,
-            command: &run.task.origin.command,
+            command: &run.job.origin.command,
             method: bench.spec.method().name(),
             engine: run.engine.name(),
             width: bench.frame.width,

@@ -6,7 +6,7 @@ use super::facts::Fact;
 use super::pictures::{ERROR, EXACT, EXPECTED, SIMULATED};
 use super::{Report, ports, rows, units};
 use crate::table::markdown as table;
-use crate::{cmd_needs, waveform, worst};
+use crate::{cmd_needs, waveform, worst_pixel};
 
 /// `report.md`. It holds no times, so that the same run gives the same bytes.
 pub fn markdown(report: &Report) -> String {
@@ -266,7 +266,7 @@ fn waves(report: &Report) -> String {
 
 /// The picture of a pixel's way, if there is one.
 fn way(report: &Report) -> String {
-    if !report.files.iter().any(|file| file == worst::PICTURE) {
+    if !report.files.iter().any(|file| file == worst_pixel::PICTURE) {
         return String::new();
     }
     let pixel = match &report.run.disagreement {
@@ -278,7 +278,7 @@ fn way(report: &Report) -> String {
     };
     format!(
         "\nThe way of {pixel} through the core, its value of each signal marked:\n\n[![way]({file})]({file})\n",
-        file = worst::PICTURE
+        file = worst_pixel::PICTURE
     )
 }
 

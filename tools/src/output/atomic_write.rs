@@ -3,10 +3,10 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use super::created_dirs::CreatedDirs;
 use super::error::OutputError;
 use super::folder::settle_leftovers;
 use super::interrupt::Interrupts;
-use super::made::MadeFolders;
 use super::temporary::Temporary;
 
 /// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder is
@@ -37,14 +37,14 @@ pub fn write_file(
     }
     settle_leftovers([beside]);
     let publish = || {
-        let made = MadeFolders::make(beside, interrupts)?;
+        let created = CreatedDirs::create(beside, interrupts)?;
         let temporary = Temporary::new_in(beside, interrupts)?;
         // With the same ending, by which pictures are told apart.
         let new = temporary.path().join(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
         write(&new)?;
         fs::rename(&new, path)?;
         drop(temporary);
-        made.keep();
+        created.keep();
         Ok(())
     };
     publish().map_err(OutputError::system(shown))
