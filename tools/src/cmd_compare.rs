@@ -108,7 +108,7 @@ fn open_journal(
     let (journal, damaged) = Journal::open(&path, scene)?;
     let mut stderr = io::stderr().lock();
     for line in damaged {
-        // Whoever does not listen sees that it is measured again.
+        // A closed standard error is no reason to stop.
         let _ = writeln!(
             stderr,
             "{}, line {}: {}; what it held is measured again",

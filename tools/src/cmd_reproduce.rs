@@ -122,7 +122,7 @@ fn write_files(
     Ok(write_file(&folder.join(TEXT), interrupts, |path| std::fs::write(path, text))?)
 }
 
-/// Files of these names are only replaced beside a text that this command wrote.
+/// Refuses to replace files of these names unless a text that this command wrote is there too.
 fn refuse_foreign(
     folder: &Path,
     mut names: impl Iterator<Item = PathBuf>,

@@ -41,7 +41,7 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// For people.
+    /// The device and the cost as text.
     pub fn in_words(&self) -> String {
         let Fitted { device, cost } = self;
         let (blocks, registers) = (cost.blocks.unwrap_or(0), cost.register_bits);

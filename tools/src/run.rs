@@ -37,7 +37,7 @@ pub struct Run<'a> {
     pub module: String,
     /// The core and the frame.
     pub bench: &'a Bench<'a>,
-    /// What ran it.
+    /// The engine that simulated it.
     pub engine: EngineKind,
     /// The kind of file for its waveform.
     pub trace_format: TraceFormat,
@@ -45,15 +45,15 @@ pub struct Run<'a> {
     pub trace: Choice,
     /// The clocks in the waveform; none without one.
     pub window: Option<Range<u64>>,
-    /// What it is taken to be clocked with.
+    /// The clock at which times are said.
     pub clock: Clock,
     /// What the core takes of the device, if one was named.
     pub fitted: Option<Fitted>,
-    /// What came of it.
+    /// The outcome of the simulation.
     pub outcome: &'a Outcome,
-    /// What of it is not as it must be.
+    /// What disagrees, if anything does.
     pub disagreement: Option<Disagreement>,
-    /// What places that round contribute to the bound.
+    /// What each place that rounds contributes to the bound.
     pub bound_shares: Vec<Share>,
     /// What the scene's needs save; none of a general core, or where the core without a need cannot
     /// be built.
@@ -85,7 +85,7 @@ impl Run<'_> {
         self.clock.frames_per_second(&FrameCycles::new(&self.bench.design, self.bench.frame))
     }
 
-    /// The same for people.
+    /// Frames per second as text.
     pub fn frames_per_second_in_words(&self) -> String {
         format!(
             "{:.1} at {} that is not proven, set-up counted",

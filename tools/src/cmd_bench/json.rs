@@ -7,7 +7,7 @@ use super::Measured;
 /// What `bench --json` prints.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Of Specula.
+    /// Version of Specula.
     version: &'static str,
     scene: &'a str,
     method: &'static str,

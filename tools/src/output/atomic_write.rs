@@ -1,4 +1,4 @@
-//! A file alone, wherever the user wants it.
+//! Writing a single file: it is complete, or it is not there.
 use std::fs;
 use std::io;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! A core's files alone.
+//! Writing a core's files into a folder that may hold others.
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -15,7 +15,7 @@ use super::temporary::Temporary;
 /// file in it stays. Returns their paths.
 ///
 /// # Errors
-/// [`OutputError`] if the system refuses, somebody else's file has one of the names, or the folder
+/// [`OutputError`] if the system refuses, a foreign file has one of the names, or the folder
 /// is a run's and its core is another one.
 pub fn write_core(
     folder: &Path,

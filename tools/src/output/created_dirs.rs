@@ -1,12 +1,12 @@
-//! Folders that had to be made on the way to a place.
+//! Folders that had to be created on the way to a place.
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::interrupt::{Interrupts, Undo};
 
-/// Folders that were made, outermost first. Unless they are kept, those that are still empty go
-/// again.
+/// Folders that were created, outermost first. Unless they are kept, those that are still empty are
+/// removed.
 #[derive(Debug)]
 pub struct CreatedDirs {
     created: Vec<PathBuf>,
@@ -14,7 +14,7 @@ pub struct CreatedDirs {
 }
 
 impl CreatedDirs {
-    /// Makes `folder` and every missing one above it.
+    /// Creates `folder` and every missing one above it.
     pub fn create(folder: &Path, interrupts: &Interrupts) -> io::Result<CreatedDirs> {
         let mut folders = CreatedDirs { created: vec![], interrupts: interrupts.clone() };
         let missing: Vec<&Path> =
@@ -26,10 +26,10 @@ impl CreatedDirs {
                     folders.created.push(folder.to_owned());
                     held.add(Undo::Created(folder.to_owned()));
                 }
-                // Somebody else was quicker, and it is theirs to take away.
+                // Another program created it first, and may remove it.
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => {
-                    // Dropping what was made waits for the list.
+                    // Dropping what was created waits for the list.
                     drop(held);
                     return Err(error);
                 }
@@ -38,7 +38,7 @@ impl CreatedDirs {
         Ok(folders)
     }
 
-    /// Leaves them there.
+    /// Keeps the folders.
     pub fn keep(mut self) {
         self.forget();
         self.created.clear();
@@ -53,7 +53,7 @@ impl CreatedDirs {
 impl Drop for CreatedDirs {
     fn drop(&mut self) {
         for folder in self.created.iter().rev() {
-            // One that holds something, or is gone already, is nothing to complain of.
+            // A folder that holds something or is gone already is no error.
             let _ = fs::remove_dir(folder);
         }
         self.forget();

@@ -29,7 +29,7 @@ pub struct Held<'a>(MutexGuard<'a, Vec<Undo>>);
 
 impl Interrupts {
     /// Undoes what is half done when SIGINT, SIGTERM or SIGHUP comes, and ends with status 128 +
-    /// signal. Signals that whoever started the program had it ignore, as `nohup` does, stay
+    /// signal. Signals that the program's parent had it ignore, as `nohup` does, stay
     /// ignored.
     ///
     /// # Errors
@@ -43,7 +43,7 @@ impl Interrupts {
         let shared = interrupts.clone();
         thread::Builder::new().name("signals".to_owned()).spawn(move || {
             if let Some(signal) = signals.forever().next() {
-                // Whoever else wants it waits for it until the program has ended.
+                // Any other thread that wants it waits until the program has ended.
                 let held = shared.hold();
                 held.0.iter().rev().for_each(Undo::carry_out);
                 std::process::exit(128 + signal);

@@ -146,7 +146,7 @@ fn names_in(folder: &Path) -> io::Result<BTreeSet<String>> {
         .collect()
 }
 
-/// Gives what is somebody else's a second name in the new folder, so that it is never away. What
+/// Gives every foreign file a second name in the new folder, so that it is never away. What
 /// cannot have one, such as a folder, comes after the exchange.
 fn link_others(
     place: &Path,
@@ -186,7 +186,7 @@ pub fn finish(
     }
 }
 
-/// Moves what is somebody else's.
+/// Moves foreign files.
 fn bring_back(
     from: &Path,
     place: &Path,
