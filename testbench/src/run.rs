@@ -221,6 +221,13 @@ impl<'a> Bench<'a> {
         Ok(Some(window))
     }
 
+    /// The clocks that [`Bench::trace`] gives for `choice`; none if it asks for none.
+    pub fn window(&self, choice: &Choice, outcome: &Outcome) -> Option<Range<u64>> {
+        let spans = FrameSpans::new(self.frame, self.spec);
+        let whole = Stimulus::whole(&spans, &self.design);
+        choice.window(&whole, self.design.latency(), outcome.comparison.worst_pixel.as_ref())
+    }
+
     /// The clock in which pixel number `pixel` of span number `span` leaves the core.
     pub fn leaving_clock(&self, span: usize, pixel: u32) -> u64 {
         let spans = FrameSpans::new(self.frame, self.spec);

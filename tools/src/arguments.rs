@@ -1,4 +1,4 @@
-//! What a user writes behind a subcommand, and what it means.
+//! Arguments that several subcommands share, and what they mean.
 use std::path::PathBuf;
 
 use clap::Args;
@@ -28,7 +28,7 @@ impl OutputArguments {
     }
 }
 
-/// What the core is called.
+/// The name of the core.
 #[derive(Clone, Debug, Default, Args)]
 pub struct NameArguments {
     /// Name of the core's module and of its file, such as shader_2 [default: the scene's]
@@ -37,7 +37,7 @@ pub struct NameArguments {
 }
 
 impl NameArguments {
-    /// Gives the core that name, if one was asked for.
+    /// Gives the core the name that was asked for, if one was.
     ///
     /// # Errors
     /// [`ToolError::Name`] if its module cannot be called so.
@@ -78,9 +78,9 @@ pub struct PictureArguments {
     pub size: Option<(u32, u32)>,
 }
 
-/// What a core is to be like.
+/// The core that is asked for.
 #[derive(Clone, Debug, Default, Args)]
-pub struct Wishes {
+pub struct CoreArguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     pub method: Option<Method>,
@@ -94,7 +94,7 @@ pub struct Wishes {
     pub max_error: Option<f64>,
 }
 
-impl Wishes {
+impl CoreArguments {
     /// The core for a scene.
     pub fn core(&self, scene: &LoadedScene) -> Result<CoreSpec, ToolError> {
         let spec = scene.core_spec(self.method)?;
@@ -110,7 +110,7 @@ impl Wishes {
     }
 }
 
-/// A core for a frame as `--specialise` has it: as it is, where nobody says.
+/// The core for a frame that `--specialise` asks for; the core as it is without the option.
 pub fn specialised(spec: CoreSpec, wish: Option<Specialise>, frame: &Frame) -> CoreSpec {
     match wish {
         None => spec,

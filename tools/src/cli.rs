@@ -5,6 +5,7 @@ use clap::{Parser, Subcommand};
 
 use crate::error::ToolError;
 use crate::output::Interrupts;
+use crate::verdict::Verdict;
 use crate::{
     cmd_bench, cmd_compare, cmd_explore, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce,
     cmd_run, cmd_scenes, cmd_stress, cmd_wave,
@@ -53,15 +54,6 @@ pub enum Command {
     Scenes,
     /// List the shading methods
     Methods(cmd_methods::Arguments),
-}
-
-/// How a command ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// As it should.
-    Done,
-    /// The core and its models do not agree.
-    Disagrees,
 }
 
 impl Command {

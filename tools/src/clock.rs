@@ -12,31 +12,26 @@ pub struct ClockArguments {
 }
 
 impl ClockArguments {
-    /// What was asked for.
+    /// The clock that was asked for, or the assumed one.
     pub fn clock(&self) -> Clock {
         self.mhz.map_or(Clock::ASSUMED, |mhz| Clock { mhz, assumed: false })
     }
-
-    /// Whether anything was.
-    pub fn is_given(&self) -> bool {
-        self.mhz.is_some()
-    }
 }
 
-/// A clock that is taken for granted.
+/// A clock at which times are said, without proof that a core reaches it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock {
     /// In MHz.
     pub mhz: f64,
-    /// Whether nobody gave it.
+    /// Whether it is assumed, and not given by the user.
     pub assumed: bool,
 }
 
 impl Clock {
-    /// What is assumed unless it is given.
+    /// The clock that is assumed unless one is given.
     pub const ASSUMED: Clock = Clock { mhz: 100.0, assumed: true };
 
-    /// For people.
+    /// The clock as text.
     pub fn in_words(self) -> String {
         format!("{} {} MHz", if self.assumed { "an assumed" } else { "a given" }, self.mhz)
     }

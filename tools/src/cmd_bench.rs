@@ -5,15 +5,15 @@ mod table;
 use std::io::Write;
 
 use clap::Args;
-use specula_experiments::benchmark::{Extent, Measurement, Step, measure};
+use specula_experiments::benchmark::{Budget, Measurement, Step, measure};
 use specula_scene::Method;
 use specula_scene::spec::Specialise;
 use specula_testbench::Bench;
 
 use crate::arguments::{method_parser, parse_size, specialise_parser, specialised};
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::progress;
+use crate::verdict::Verdict;
 
 const EXAMPLE: &str = "\
 Shades the scene's spans, over and over, in each simulator that is installed: this program's own, \
@@ -59,7 +59,7 @@ pub struct Arguments {
 struct Measured<'a> {
     scene: &'a str,
     bench: &'a Bench<'a>,
-    extent: Extent,
+    budget: Budget,
     measurement: Measurement,
 }
 
@@ -69,9 +69,9 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let spec =
         specialised(scene.core_spec(arguments.method)?, Some(arguments.specialise), &scene.frame);
     let bench = Bench::new(&scene.frame, &spec, &specula_hdl::module_name(&scene.name, &spec))?;
-    let extent = Extent { rounds: arguments.rounds as usize, seconds: arguments.seconds };
-    let measurement = measured(&bench, extent)?;
-    let measured = Measured { scene: &scene.name, bench: &bench, extent, measurement };
+    let budget = Budget { rounds: arguments.rounds as usize, seconds: arguments.seconds };
+    let measurement = measured(&bench, budget)?;
+    let measured = Measured { scene: &scene.name, bench: &bench, budget, measurement };
     let text = if arguments.json {
         json::text(&measured).map_err(ToolError::Json)?
     } else {
@@ -81,9 +81,9 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     Ok(Verdict::Done)
 }
 
-fn measured(bench: &Bench, extent: Extent) -> Result<Measurement, ToolError> {
+fn measured(bench: &Bench, budget: Budget) -> Result<Measurement, ToolError> {
     let bar = progress::steps();
-    let measurement = measure(bench, extent, &mut |step| {
+    let measurement = measure(bench, budget, &mut |step| {
         if let Step::Measuring { done, all, .. } = *step {
             bar.set_length(all as u64);
             bar.set_position(done as u64);
@@ -99,8 +99,8 @@ fn described(step: &Step) -> String {
         Step::Building { engine, mode } => {
             format!("building {} for {}", engine.program(), mode.name())
         }
-        Step::Trying { entry } => format!("trying {}", entry.describe()),
-        Step::Measuring { entry, .. } => format!("measuring {}", entry.describe()),
+        Step::Trying { config } => format!("trying {}", config.describe()),
+        Step::Measuring { config, .. } => format!("measuring {}", config.describe()),
     }
 }
 

@@ -21,11 +21,11 @@ use specula_experiments::tradeoff::{
 use specula_scene::{LoadedScene, Method};
 
 use crate::arguments::{SceneArguments, asked, method_parser};
-use crate::cli::Verdict;
 use crate::clock::ClockArguments;
-use crate::error::{OutputError, ToolError};
-use crate::output::{Destination, Interrupts, JOURNAL};
+use crate::error::ToolError;
+use crate::output::{Destination, Interrupts, JOURNAL, OutputError};
 use crate::progress;
+use crate::verdict::Verdict;
 use result::{Compared, sorted};
 
 const EXAMPLE: &str = "\
@@ -108,7 +108,7 @@ fn open_journal(
     let (journal, damaged) = Journal::open(&path, scene)?;
     let mut stderr = io::stderr().lock();
     for line in damaged {
-        // Whoever does not listen sees that it is measured again.
+        // A closed standard error is no reason to stop.
         let _ = writeln!(
             stderr,
             "{}, line {}: {}; what it held is measured again",

@@ -8,11 +8,11 @@ use specula_experiments::explore::{Device, Exploration, Explored, Wanted, explor
 use specula_scene::{Method, SpecFile};
 
 use crate::arguments::{SceneArguments, asked, method_parser, parse_error};
-use crate::cli::Verdict;
 use crate::clock::{Clock, ClockArguments};
 use crate::device::DeviceArguments;
-use crate::error::ToolError;
+use crate::error::{NothingExplored, ToolError};
 use crate::output::{Interrupts, write_core};
+use crate::verdict::Verdict;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\
@@ -97,7 +97,7 @@ pub fn execute(
     Ok(verdict(&exploration))
 }
 
-/// The verdict; a core with an error above its bound is said to whoever watches.
+/// The verdict; cores with an error above their bound are written to standard error.
 fn verdict(exploration: &Exploration) -> Verdict {
     let mut verdict = Verdict::Done;
     let mut stderr = io::stderr().lock();
@@ -128,20 +128,6 @@ fn nothing(wanted: &Wanted, exploration: &Exploration) -> ToolError {
             None => exploration.refused.join("; "),
         },
     })
-}
-
-/// No core is near enough.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error("none of the cores that were tried is within {wanted} LSB of exact shading; {nearest}")]
-#[diagnostic(
-    code(specula::explore),
-    help(
-        "ask for a larger error, for other methods or for a larger device; rounding to 8 bits alone takes up to 0.5 LSB"
-    )
-)]
-pub struct NothingExplored {
-    wanted: f64,
-    nearest: String,
 }
 
 const TITLES: [&str; 9] = [

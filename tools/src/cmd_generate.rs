@@ -6,13 +6,15 @@ use clap::Args;
 use specula_scene::SpecFile;
 use specula_testbench::BenchError;
 
-use crate::arguments::{NameArguments, OutputArguments, PictureArguments, SceneArguments, Wishes};
-use crate::cli::Verdict;
+use crate::arguments::{
+    CoreArguments, NameArguments, OutputArguments, PictureArguments, SceneArguments,
+};
 use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::header::Origin;
+use crate::job::Job;
 use crate::output::{Interrupts, write_core};
-use crate::task::Task;
+use crate::verdict::Verdict;
 use crate::verilog;
 
 const EXAMPLE: &str = "\
@@ -40,7 +42,7 @@ pub struct Arguments {
     #[command(flatten)]
     picture: PictureArguments,
     #[command(flatten)]
-    wishes: Wishes,
+    wanted: CoreArguments,
     #[command(flatten)]
     device: DeviceArguments,
 }
@@ -96,7 +98,7 @@ impl Arguments {
                     scene: scene.clone().unwrap_or_default(),
                     picture: self.picture.clone(),
                 };
-                let Task { file, origin, .. } = Task::of_scene(&scene, &self.wishes, &self.name)?;
+                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, &self.name)?;
                 Ok((file, origin))
             }
         }

@@ -6,9 +6,9 @@ use std::io::Write;
 use clap::Args;
 use specula_scene::Method;
 
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::table;
+use crate::verdict::Verdict;
 
 const EXAMPLE: &str = "\
 With --json each method has its source, what it needs of a scene, its options, and the formats, the \

@@ -4,13 +4,13 @@ use std::io::Write;
 use clap::Args;
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_experiments::{Saving, Savings, Spared, Synthesis, savings};
+use specula_experiments::{Saving, Savings, SizeDelta, Synthesis, ablation};
 use specula_scene::{CoreSpec, LoadedScene, Method, Needs};
 use specula_sim::{Progress, synthesise};
 
 use crate::arguments::{SceneArguments, method_parser};
-use crate::cli::Verdict;
 use crate::error::ToolError;
+use crate::verdict::Verdict;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\
@@ -86,7 +86,7 @@ fn measured(scene: &LoadedScene, spec: &CoreSpec, synthesis: bool) -> Result<Sav
         bar.set_position(progress.done as u64);
     };
     let synthesise = |designs: &[&Design]| synthesise(designs, &watch);
-    let savings = savings(scene, spec, synthesis.then_some(&synthesise as Synthesis));
+    let savings = ablation(scene, spec, synthesis.then_some(&synthesise as Synthesis));
     bar.finish_and_clear();
     Ok(savings?)
 }
@@ -139,7 +139,7 @@ pub const TITLES: [&str; 9] = [
 /// Rows of need, what was left out, what it saves in multipliers, their bits, adders, their bits,
 /// register bits and clocks, and why it is safe.
 pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
-    let row = |need: &str, left_out: &str, saves: &Spared, safe: &str| {
+    let row = |need: &str, left_out: &str, saves: &SizeDelta, safe: &str| {
         let numbers = [
             saves.multipliers,
             saves.multiplier_bits,
@@ -165,7 +165,7 @@ pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
 /// A table of what is saved in cells, where they were counted.
 fn cells(savings: &Savings) -> Vec<[String; 4]> {
     let titles = ["need", "LUTs", "MULT18X18D", "flip-flops"].map(str::to_owned);
-    let row = |(need, saves): (&str, &Spared)| {
+    let row = |(need, saves): (&str, &SizeDelta)| {
         let cells = saves.cells?;
         let numbers =
             [cells.luts, cells.multipliers, cells.flip_flops].map(|number| number.to_string());

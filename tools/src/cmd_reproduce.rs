@@ -1,5 +1,6 @@
 //! `specula reproduce`: what the papers claim and show, computed.
 mod document;
+mod figure9;
 mod figures;
 mod hast;
 mod lecture;
@@ -11,21 +12,22 @@ mod subject;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Subcommand};
 use specula_experiments::reproduce::Paper;
 use specula_scene::regular::read_regular;
 
-use crate::cli::Verdict;
-use crate::error::{OutputError, ToolError};
-use crate::output::{Interrupts, write_file};
+use crate::error::ToolError;
+use crate::output::{Interrupts, OutputError, write_file};
+use crate::verdict::Verdict;
 use section::Section;
 use subject::Subject;
 
 const EXAMPLE: &str = "\
 Computes what the papers claim with this program's own exact shading and with its cores, compares \
 it with the project's independent measurements, and says of each claim whether it holds; draws the \
-papers' figures and pictures. Writes DIR/reproduction.md and DIR/images/.
+papers' figures and pictures. Writes DIR/reproduction.md and DIR/images/. `specula reproduce figure9` \
+shades Lyon's figure 9 with a core for each of its twelve rows, in a folder of its own.
 
 Exit status: 0 if every number is as measured before, 1 if not.
 
@@ -33,8 +35,14 @@ Example: specula reproduce hast --mesh venus.ply -o out/reproduce";
 
 /// Arguments of `reproduce`.
 #[derive(Clone, Debug, Args)]
-#[command(after_help = EXAMPLE)]
+#[command(
+    after_help = EXAMPLE,
+    args_conflicts_with_subcommands = true,
+    disable_help_subcommand = true
+)]
 pub struct Arguments {
+    #[command(subcommand)]
+    figure: Option<Figure>,
     /// The paper [default: all of them]
     #[arg(value_parser = paper_parser())]
     paper: Option<Paper>,
@@ -42,9 +50,16 @@ pub struct Arguments {
     /// the teapot]
     #[arg(long, value_name = "FILE")]
     mesh: Option<PathBuf>,
-    /// Folder to write into, beside printing the text
+    /// Folder to write into, besides printing the text
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+}
+
+/// Figures that cores shade, each with options of its own.
+#[derive(Clone, Debug, Subcommand)]
+enum Figure {
+    /// Shade Lyon's figure 9 with twelve cores, one for each of its rows
+    Figure9(figure9::Arguments),
 }
 
 fn paper_parser() -> impl TypedValueParser<Value = Paper> {
@@ -53,8 +68,19 @@ fn paper_parser() -> impl TypedValueParser<Value = Paper> {
     })
 }
 
-/// Computes, writes and prints.
+/// Computes, writes and prints what papers claim, or shades a figure.
 pub fn execute(
+    arguments: &Arguments,
+    stdout: &mut dyn Write,
+    interrupts: &Interrupts,
+) -> Result<Verdict, ToolError> {
+    match &arguments.figure {
+        Some(Figure::Figure9(figure)) => figure9::execute(figure, stdout, interrupts),
+        None => claims(arguments, stdout, interrupts),
+    }
+}
+
+fn claims(
     arguments: &Arguments,
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
@@ -96,7 +122,7 @@ fn write_files(
     Ok(write_file(&folder.join(TEXT), interrupts, |path| std::fs::write(path, text))?)
 }
 
-/// Files of these names are only replaced beside a text that this command wrote.
+/// Refuses to replace files of these names unless a text that this command wrote is there too.
 fn refuse_foreign(
     folder: &Path,
     mut names: impl Iterator<Item = PathBuf>,

@@ -1,5 +1,5 @@
 //! `specula run`: the whole path from a scene to checked hardware.
-mod figure9;
+mod artifacts;
 
 use std::fs;
 use std::io::{self, Write};
@@ -7,24 +7,25 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use specula_experiments::{savings, shares};
-use specula_scene::SpecFile;
+use specula_experiments::{ablation, shares};
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::arguments::{
-    NameArguments, OutputArguments, SceneArguments, Wishes, engine_parser, parse_choice,
+    CoreArguments, NameArguments, OutputArguments, SceneArguments, engine_parser, parse_choice,
 };
-use crate::cli::Verdict;
 use crate::clock::ClockArguments;
 use crate::device::{DeviceArguments, Fitted};
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
-use crate::output::{Destination, Interrupts, REPORT, Staging};
-use crate::run::{Run, Written};
-use crate::task::Task;
+use crate::job::Job;
+use crate::output::{Destination, Interrupts, REPORT};
+use crate::report::{self, Report};
+use crate::run::{DEFAULT_ENGINE, Run, simulate};
 use crate::trace_file::TraceFormat;
-use crate::{html, picture, progress, report, summary, verilog, waveform, worst};
+use crate::verdict::Verdict;
+use crate::waveform;
+use artifacts::{Artifact, artifacts};
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst, \
@@ -32,9 +33,6 @@ trace.gtkw, worst.svg (the worst pixel's way through the core), spec.toml (the c
 `--core` and `generate --spec`), report.md, report.json and report.html (one file with everything in \
 it). DIR is replaced as a whole when everything is there; files in it that Specula did not write \
 stay.
-
-`specula run figure9` shades Lyon's figure 9, a core for each of its twelve rows, and writes \
-figure9.png, formulas.png (the same in f64), the cores, report.md and report.json.
 
 Exit status: 0 if every pixel agrees and no quantisation error is above its proven bound, 1 if not,
 2 if the run could not be made.
@@ -56,7 +54,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error"])]
     core: Option<PathBuf>,
     #[command(flatten)]
-    wishes: Wishes,
+    wanted: CoreArguments,
     #[command(flatten)]
     device: DeviceArguments,
     #[command(flatten)]
@@ -77,40 +75,22 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What runs when nobody chooses.
-const DEFAULT_ENGINE: EngineKind = EngineKind::Fast;
-
-const MARKDOWN: &str = "report.md";
-const SIMULATED: &str = "simulated.png";
-const EXPECTED: &str = "expected.png";
-const EXACT: &str = "exact.png";
-const ERROR: &str = "error.png";
-/// Pictures of the frame: name, file and meaning.
-const PICTURES: [[&str; 3]; 3] = [
-    ["simulated", SIMULATED, "what the core gave"],
-    ["expected", EXPECTED, "what the bit-true model gives"],
-    ["exact", EXACT, "exact Phong shading"],
-];
-
 /// Runs the scene, writes everything, and prints the summary or the report.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    if arguments.scene.scene == figure9::NAME {
-        return figure9::execute(arguments, stdout, interrupts);
-    }
     let begin = Instant::now();
-    let task = arguments.task()?;
-    let folder = arguments.output.folder(arguments.name.name.as_ref().unwrap_or(&task.scene.name));
-    let destination = Destination::check(&folder, &file_names(&task.module()), interrupts)?;
-    let bench = Bench::new(&task.scene.frame, task.spec(), &task.module())?;
+    let job = arguments.job()?;
+    let folder = arguments.output.folder(arguments.name.name.as_ref().unwrap_or(&job.scene.name));
+    let destination = Destination::check(&folder, &artifacts::names(&job.module()), interrupts)?;
+    let bench = Bench::new(&job.scene.frame, job.spec(), &job.module())?;
     let fitted = arguments.device.fitted(&bench.design)?;
     waveform::check(&arguments.trace, &bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
 
-    let run = run_of(arguments, &task, &bench, fitted, &outcome);
+    let run = run_of(arguments, &job, &bench, fitted, &outcome);
     let text = write(arguments, begin, &destination, &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
@@ -118,10 +98,10 @@ pub fn execute(
 
 impl Arguments {
     /// The scene, and the core that shades it.
-    fn task(&self) -> Result<Task, ToolError> {
+    fn job(&self) -> Result<Job, ToolError> {
         match &self.core {
-            None => Task::of_scene(&self.scene, &self.wishes, &self.name),
-            Some(core) => Task::with_core(&self.scene, core, &self.name),
+            None => Job::of_scene(&self.scene, &self.wanted, &self.name),
+            Some(core) => Job::with_core(&self.scene, core, &self.name),
         }
     }
 }
@@ -129,24 +109,28 @@ impl Arguments {
 /// What came of a run, with what disagrees in it.
 fn run_of<'a>(
     arguments: &Arguments,
-    task: &'a Task,
+    job: &'a Job,
     bench: &'a Bench<'a>,
     fitted: Option<Fitted>,
     outcome: &'a Outcome,
 ) -> Run<'a> {
     let is_general = bench.spec.specialisation.is_general();
+    let disagreement = Disagreement::of(outcome, bench);
+    let trace = waveform::choice(&arguments.trace, disagreement.as_ref());
     Run {
-        task,
-        module: task.module(),
+        job,
+        module: job.module(),
         bench,
         engine: arguments.engine,
         trace_format: arguments.trace_format,
-        disagreement: Disagreement::of(outcome, bench),
+        disagreement,
         clock: arguments.clock.clock(),
         fitted,
         bound_shares: shares(bench.spec, bench.frame, bench.design.error_bound()),
-        savings: if is_general { None } else { savings(&task.scene, bench.spec, None).ok() },
+        savings: if is_general { None } else { ablation(&job.scene, bench.spec, None).ok() },
         outcome,
+        window: bench.window(&trace, outcome),
+        trace,
     }
 }
 
@@ -158,95 +142,20 @@ fn write(
     run: &Run,
 ) -> Result<String, ToolError> {
     let staging = destination.stage()?;
-    let window = waveform::write(
-        &staging,
-        run,
-        &waveform::choice(&arguments.trace, run.disagreement.as_ref()),
-    )?;
-    worst::write(&staging, run, window.as_ref())?;
-    write_pictures(&staging, run)?;
-    let written = Written { files: files(&run.module, &staging), window, wall: begin.elapsed() };
-    let json = write_reports(&staging, run, &written)?;
+    let artifacts = artifacts(&run.module);
+    let artifacts: Vec<Artifact> =
+        artifacts.into_iter().filter(|artifact| (artifact.is_of)(run)).collect();
+    let files = artifacts.iter().map(|artifact| artifact.name.clone()).collect();
+    let report = Report::new(run, begin, files);
+    for artifact in &artifacts {
+        artifact.write(&report, &staging)?;
+    }
+    let json = fs::read_to_string(staging.file(REPORT)).map_err(staging.failed(REPORT))?;
     staging.publish()?;
-    // Reports cannot say how long it takes to write them.
-    let written = Written { wall: begin.elapsed(), ..written };
-    Ok(if arguments.json { json } else { summary::summary(run, &written, &destination.shown) })
+    Ok(if arguments.json { json } else { report::summary(&report, &destination.shown) })
 }
 
-fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
-    let clocks = bench.clocks() + 1;
-    let bar = progress::bar("simulating", clocks);
-    let outcome = bench.run(engine, &mut |done, _| bar.set_position(done));
-    bar.finish_and_clear();
-    Ok(outcome?)
-}
-
-/// Every file that a run can write.
-fn file_names(module: &str) -> Vec<String> {
-    let pictures = [SIMULATED, EXPECTED, EXACT, ERROR];
-    let names = pictures.into_iter().chain(optional_names()).chain([
-        SpecFile::NAME,
-        MARKDOWN,
-        html::FILE,
-        REPORT,
-    ]);
-    [verilog::file_name(module)].into_iter().chain(names.map(str::to_owned)).collect()
-}
-
-/// The waveform and what is made of it.
-fn optional_names() -> impl Iterator<Item = &'static str> {
-    TraceFormat::ALL
-        .map(TraceFormat::file_name)
-        .into_iter()
-        .chain([waveform::SAVE_FILE, worst::PICTURE])
-}
-
-/// The files that this run writes, of which the waveform and what is made of it are there if they
-/// are written at all.
-fn files(module: &str, staging: &Staging) -> Vec<String> {
-    let is_optional = |name: &str| optional_names().any(|optional| optional == name);
-    file_names(module)
-        .into_iter()
-        .filter(|name| !is_optional(name) || staging.file(name).exists())
-        .collect()
-}
-
-fn write_pictures(staging: &Staging, run: &Run) -> Result<(), ToolError> {
-    let comparison = &run.outcome.comparison;
-    let pictures = [
-        (SIMULATED, &run.outcome.simulated),
-        (EXPECTED, &comparison.expected),
-        (EXACT, &comparison.exact),
-    ];
-    for (name, picture) in pictures {
-        picture::write_image(&staging.file(name), picture).map_err(staging.failed(name))?;
-    }
-    let map = picture::heat_map(comparison);
-    Ok(picture::write_drawing(&staging.file(ERROR), &map).map_err(staging.failed(ERROR))?)
-}
-
-/// Writes Verilog, spec and reports, and gives the JSON report.
-fn write_reports(staging: &Staging, run: &Run, written: &Written) -> Result<String, ToolError> {
-    let page =
-        report::html(run, written, staging, &PICTURES).map_err(staging.failed(html::FILE))?;
-    let source = verilog::text(&run.task.origin, run.bench.spec, &run.bench.design);
-    let json = report::json(run, written)
-        .map_err(|error| staging.failed(REPORT)(io::Error::other(error)))?;
-    let verilog = verilog::file_name(&run.module);
-    let texts = [
-        (verilog.as_str(), &source),
-        (SpecFile::NAME, &run.task.file.text()),
-        (MARKDOWN, &report::markdown(run, written)),
-        (html::FILE, &page),
-        (REPORT, &json),
-    ];
-    for (name, text) in texts {
-        fs::write(staging.file(name), text).map_err(staging.failed(name))?;
-    }
-    Ok(json)
-}
-
-/// The verdict; what disagrees is said to whoever watches.
+/// The verdict; what disagrees is written to standard error.
 fn verdict(disagreement: Option<&Disagreement>) -> Verdict {
     let Some(disagreement) = disagreement else { return Verdict::Done };
     let mut stderr = io::stderr().lock();

@@ -1,15 +1,14 @@
 //! `specula scenes`: the built-in scenes.
 use std::io::Write;
 
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::table;
+use crate::verdict::Verdict;
 
 /// Prints a line for each built-in scene.
 pub fn execute(stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let names = specula_scene::builtin_names().iter().copied().chain(["figure9"]);
-    let rows: Vec<[String; 2]> =
-        names.map(|name| [name.to_owned(), about(name).to_owned()]).collect();
+    let row = |name: &&str| [(*name).to_owned(), about(name).to_owned()];
+    let rows: Vec<[String; 2]> = specula_scene::builtin_names().iter().map(row).collect();
     write!(stdout, "{}", table::shown(&rows)).map_err(ToolError::Print)?;
     Ok(Verdict::Done)
 }
@@ -24,7 +23,6 @@ fn about(name: &str) -> &'static str {
         "icosahedron" => {
             "twenty faces with shared normals; ends of spans are up to 63 degrees apart"
         }
-        "figure9" => "for `run` alone: Lyon's figure 9, its balls by twelve cores in one picture",
         _ => "",
     }
 }

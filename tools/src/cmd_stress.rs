@@ -16,10 +16,10 @@ use specula_experiments::stress::{
 use specula_scene::Method;
 
 use crate::arguments::method_parser;
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::output::{Destination, Interrupts};
 use crate::progress;
+use crate::verdict::Verdict;
 
 const EXAMPLE: &str = "\
 Puts each row of the catalogue of extremes, and random spans between its ends, through exact \

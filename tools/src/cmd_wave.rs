@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::output::{Interrupts, write_file};
 use crate::picture;
+use crate::verdict::Verdict;
 use specula_wave::{self as wave, Asked, Figure, Selection, View, WaveError};
 
 const NOTES: &str = "\
@@ -55,9 +55,9 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// Clocks in a picture where nobody says how many.
+/// Clocks in a picture unless the user says how many.
 const USUAL: u64 = 24;
-/// Characters in a line where nobody's terminal is asked.
+/// Characters in a line if standard output is no terminal.
 const WIDTH: usize = 120;
 /// Characters in a line, at least and at most, whatever the terminal says.
 const WIDTHS: std::ops::RangeInclusive<usize> = 60..=400;
@@ -121,7 +121,7 @@ pub fn execute(
 fn figure(arguments: &Arguments, target: &Target) -> Result<Figure, WaveError> {
     let mut view = View::open(&arguments.file)?;
     for warning in view.warnings() {
-        // Nothing can be said when nobody listens.
+        // A closed standard error is no reason to stop.
         let _ = writeln!(io::stderr(), "warning: {warning}");
     }
     let choice = view

@@ -1,11 +1,11 @@
 //! The FPGA that a core is for.
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use miette::Diagnostic;
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_experiments::explore::{Cost, Device};
-use thiserror::Error;
+
+use crate::error::DoesNotFit;
 
 /// `--device`, for every command that makes a core.
 #[derive(Clone, Debug, Default, Args)]
@@ -29,11 +29,7 @@ impl DeviceArguments {
     pub fn fitted(&self, design: &Design) -> Result<Option<Fitted>, DoesNotFit> {
         let Some(device) = self.device else { return Ok(None) };
         let fitted = Fitted { device, cost: Cost::of(design, Some(&device)) };
-        if fitted.cost.fits(&device) {
-            Ok(Some(fitted))
-        } else {
-            Err(DoesNotFit::new(fitted, design))
-        }
+        if fitted.cost.fits(&device) { Ok(Some(fitted)) } else { Err(does_not_fit(fitted, design)) }
     }
 }
 
@@ -45,7 +41,7 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// For people.
+    /// The device and the cost as text.
     pub fn in_words(&self) -> String {
         let Fitted { device, cost } = self;
         let (blocks, registers) = (cost.blocks.unwrap_or(0), cost.register_bits);
@@ -56,25 +52,12 @@ impl Fitted {
     }
 }
 
-/// A core takes more than the device has.
-#[derive(Debug, Error, Diagnostic)]
-#[error("the core does not fit {}", self.fitted.in_words())]
-#[diagnostic(
-    code(specula::device),
-    help("`specula explore SCENE --max-error 2lsb --device {}` looks for a core that fits; narrower formats (`--max-error`) or another method may; {larger}", self.fitted.device.name)
-)]
-pub struct DoesNotFit {
-    fitted: Fitted,
-    larger: String,
-}
-
-impl DoesNotFit {
-    fn new(fitted: Fitted, design: &Design) -> DoesNotFit {
-        let fits = |device: &&Device| Cost::of(design, Some(device)).fits(device);
-        let larger = match Device::ALL.iter().find(fits) {
-            Some(device) => format!("`{}` has enough", device.name),
-            None => "no device that is known here has enough".to_owned(),
-        };
-        DoesNotFit { fitted, larger }
-    }
+/// The error that names the first known device which has enough for the core.
+fn does_not_fit(fitted: Fitted, design: &Design) -> DoesNotFit {
+    let fits = |device: &&Device| Cost::of(design, Some(device)).fits(device);
+    let larger = match Device::ALL.iter().find(fits) {
+        Some(device) => format!("`{}` has enough", device.name),
+        None => "no device that is known here has enough".to_owned(),
+    };
+    DoesNotFit { device: fitted.device.name, taken: fitted.in_words(), larger }
 }

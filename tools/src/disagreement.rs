@@ -1,4 +1,4 @@
-//! What of a run is not as it must be.
+//! Disagreements of a run: whatever is not as it must be.
 use specula_testbench::{Bench, Mismatch, Outcome, Violation, WorstQuantisation};
 
 /// Everything that disagrees, first occurrences in full.
@@ -6,11 +6,11 @@ use specula_testbench::{Bench, Mismatch, Outcome, Violation, WorstQuantisation};
 pub struct Disagreement {
     /// Pixels whose code is not the model's.
     pub mismatches: u64,
-    /// The first of them, and the clock in which it leaves the core.
+    /// The first such pixel, and the clock in which it leaves the core.
     pub first_mismatch: Option<(Mismatch, u64)>,
     /// Number of clocks in which a pixel left that was not due, or was due and did not leave.
     pub wrong_clocks: usize,
-    /// The first of them.
+    /// The first such clock.
     pub first_wrong_clock: Option<u64>,
     /// The first stated fact that did not hold.
     pub violation: Option<Violation>,
@@ -18,10 +18,10 @@ pub struct Disagreement {
     pub beyond_bound: Option<BeyondBound>,
 }
 
-/// A quantisation error above what is proven of it.
+/// A quantisation error above its proven bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BeyondBound {
-    /// The largest one.
+    /// The largest such error.
     pub worst: WorstQuantisation,
     /// The clock in which its pixel leaves the core.
     pub clock: u64,
@@ -64,7 +64,7 @@ impl Disagreement {
         first.or(beyond).unwrap_or(0)
     }
 
-    /// In words, a line for each kind.
+    /// The disagreement as text, a line for each kind.
     pub fn lines(&self) -> Vec<String> {
         let pixel = self.first_mismatch.as_ref().map(|(m, clock)| {
             let (simulated, expected) = (codes(m.simulated), codes(m.expected));
@@ -92,7 +92,7 @@ impl Disagreement {
 }
 
 impl BeyondBound {
-    /// In words, with what it means.
+    /// The broken bound as text, with what it means.
     fn in_words(&self) -> String {
         let BeyondBound { worst: w, clock, bound_lsb, pixels } = self;
         let several =

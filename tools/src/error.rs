@@ -1,18 +1,17 @@
 //! Why a command was not done.
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use miette::Diagnostic;
 use specula_experiments::benchmark::MeasureError;
 use specula_experiments::search::NotFound;
 use specula_experiments::tradeoff::{JournalError, SweepError};
 use specula_scene::SceneError;
+use specula_scene::spec::SpecError;
 use specula_testbench::BenchError;
 use thiserror::Error;
 
-use crate::cmd_explore::NothingExplored;
-use crate::device::DoesNotFit;
-use crate::task::Refused;
+use crate::output::OutputError;
 use specula_wave::WaveError;
 
 /// Why a command was not done; nothing has been written then.
@@ -100,16 +99,6 @@ pub enum ToolError {
         /// A name that is like it and possible.
         possible: String,
     },
-    /// `run figure9` is asked for what it does not do.
-    #[error("figure9 is twelve cores in one picture: {wrong}")]
-    #[diagnostic(
-        code(specula::figure9),
-        help("it takes `--engine`, `--output`, `--json` and a `--size` from 7x3 on")
-    )]
-    Figure9 {
-        /// What is wrong.
-        wrong: String,
-    },
     /// `--trace` asks for what the run does not have.
     #[error("there is no {asked} to trace: the run has {there}")]
     #[diagnostic(code(specula::trace), help("choose among those, or `--trace worst`"))]
@@ -137,95 +126,49 @@ impl From<MeasureError> for ToolError {
     }
 }
 
-/// Why the output folder cannot be used.
+/// None of the cores that were tried is near enough to exact shading.
 #[derive(Debug, Error, Diagnostic)]
-pub enum OutputError {
-    /// There is something that is not a folder.
-    #[error("output folder `{}`: `{}` is not a folder", folder.display(), at.display())]
-    #[diagnostic(
-        code(specula::output::file),
-        help("name a folder that is not there yet, or one that Specula wrote, with `-o`")
-    )]
-    NotAFolder {
-        /// The folder asked for.
-        folder: PathBuf,
-        /// What is in the way.
-        at: PathBuf,
-    },
-    /// The folder holds files of somebody else's.
-    #[error("output folder `{}` holds `{foreign}` and no report of Specula's: it is somebody else's", folder.display())]
-    #[diagnostic(
-        code(specula::output::foreign),
-        help(
-            "name an empty folder, one that is not there yet, or one that Specula wrote, with `-o`"
-        )
-    )]
-    Foreign {
-        /// The folder asked for.
-        folder: PathBuf,
-        /// A file in it.
-        foreign: String,
-    },
-    /// A file of somebody else's has the name of one that would be written.
-    #[error("output folder `{}` holds `{name}`, which Specula did not write and would replace", folder.display())]
-    #[diagnostic(
-        code(specula::output::in_the_way),
-        help("move or rename `{name}`, or name another folder with `-o`")
-    )]
-    InTheWay {
-        /// The folder asked for.
-        folder: PathBuf,
-        /// The name of the file in it.
-        name: String,
-    },
-    /// The folder holds a run's results, and the Verilog in it belongs to them.
-    #[error("output folder `{}` holds the results of a run with another core", folder.display())]
-    #[diagnostic(
-        code(specula::output::core),
-        help("name another folder with `-o`, or let `specula run` replace it")
-    )]
-    OtherCore {
-        /// The folder asked for.
-        folder: PathBuf,
-    },
-    /// The folder would have to be replaced while somebody stands in it.
-    #[error("output folder `{}` is the current folder, or one above it, and would be replaced", folder.display())]
-    #[diagnostic(code(specula::output::current), help("name another folder with `-o`"))]
-    Current {
-        /// The folder asked for.
-        folder: PathBuf,
-    },
-    /// The system refuses.
-    #[error("cannot write `{}`: {reason}", path.display())]
-    #[diagnostic(
-        code(specula::output::system),
-        help(
-            "check the folder's name, its permissions and the room on the disk, or name another with `-o`"
-        )
-    )]
-    System {
-        /// What was to be written.
-        path: PathBuf,
-        /// Why not.
-        reason: io::Error,
-    },
-    /// Not everything that belongs into the output folder is in it yet.
-    #[error("`{}` could not be moved into the output folder: {reason}", path.display())]
-    #[diagnostic(
-        code(specula::output::kept),
-        help("it is safe there: the next run tries again, or move it by hand")
-    )]
-    Kept {
-        /// Where it is.
-        path: PathBuf,
-        /// Why it could not be moved.
-        reason: io::Error,
-    },
+#[error("none of the cores that were tried is within {wanted} LSB of exact shading; {nearest}")]
+#[diagnostic(
+    code(specula::explore),
+    help(
+        "ask for a larger error, for other methods or for a larger device; rounding to 8 bits alone takes up to 0.5 LSB"
+    )
+)]
+pub struct NothingExplored {
+    /// The largest total error asked for, in LSBs.
+    pub wanted: f64,
+    /// How near the nearest core comes, or why there is none.
+    pub nearest: String,
 }
 
-impl OutputError {
-    /// What the system says of `path`.
-    pub fn system(path: &Path) -> impl FnOnce(io::Error) -> OutputError + '_ {
-        move |reason| OutputError::System { path: path.to_owned(), reason }
-    }
+/// A core takes more than the device has.
+#[derive(Debug, Error, Diagnostic)]
+#[error("the core does not fit {taken}")]
+#[diagnostic(
+    code(specula::device),
+    help(
+        "`specula explore SCENE --max-error 2lsb --device {device}` looks for a core that fits; narrower formats (`--max-error`) or another method may; {larger}"
+    )
+)]
+pub struct DoesNotFit {
+    /// Name of the device.
+    pub device: &'static str,
+    /// The device, with what the core takes of it and what it has.
+    pub taken: String,
+    /// Which device has enough, if one is known.
+    pub larger: String,
+}
+
+/// A core lacks what the scene needs that it was to shade.
+#[derive(Debug, Error, Diagnostic)]
+#[error("the core `{}` cannot shade `{scene}`: {error}", core.display())]
+#[diagnostic(forward(error))]
+pub struct Refused {
+    /// Where the core is.
+    pub core: PathBuf,
+    /// The scene.
+    pub scene: String,
+    /// What the core lacks.
+    pub error: SpecError,
 }

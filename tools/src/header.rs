@@ -5,7 +5,7 @@ use specula_datapath::Design;
 use specula_datapath::verilog::Header;
 use specula_scene::{CoreSpec, SpecFile, builtin_names};
 
-use crate::arguments::{NameArguments, SceneArguments, Wishes};
+use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
 use crate::table;
 
 /// The scene and the command, as files name them.
@@ -18,8 +18,8 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// The origin of the core of `spec`, which is made from a scene and wishes.
-    pub fn of_scene(scene: &SceneArguments, wishes: &Wishes, spec: &CoreSpec) -> Origin {
+    /// The origin of the core of `spec`, which `core` asks for and which is made for a scene.
+    pub fn of_scene(scene: &SceneArguments, core: &CoreArguments, spec: &CoreSpec) -> Origin {
         let size = scene
             .picture
             .size
@@ -27,12 +27,11 @@ impl Origin {
             .unwrap_or_default();
         let scene = scene_name(&scene.scene);
         let method = spec.method().name();
-        let specialise = wishes
+        let specialise = core
             .specialise
             .map(|wish| format!(" --specialise {}", wish.name()))
             .unwrap_or_default();
-        let error =
-            wishes.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
+        let error = core.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
         let command = format!(
             "specula generate {}{size} --method {method}{specialise}{error}",
             quoted(&scene)
@@ -168,7 +167,7 @@ mod tests {
         let spec = specula_scene::load("icosahedron", Some((8, 6)))
             .and_then(|scene| scene.core_spec(None))
             .expect("it has a core");
-        Origin::of_scene(&arguments, &Wishes::default(), &spec)
+        Origin::of_scene(&arguments, &CoreArguments::default(), &spec)
     }
 
     #[test]

@@ -18,6 +18,7 @@ mod disagreement;
 mod error;
 mod header;
 mod html;
+mod job;
 mod messages;
 mod output;
 mod picture;
@@ -26,22 +27,22 @@ mod progress;
 mod report;
 mod run;
 mod scene;
-mod summary;
 mod table;
-mod task;
 mod trace_file;
+mod verdict;
 mod verilog;
 mod waveform;
-mod worst;
+mod worst_pixel;
 
 use std::io::{self, Write};
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use cli::{Cli, Verdict};
+use cli::Cli;
 use error::ToolError;
 use output::Interrupts;
+use verdict::Verdict;
 
 /// Exit status of a run in which a pixel, a clock or a fact was not as it must be.
 const DISAGREES: u8 = 1;
@@ -51,21 +52,21 @@ const REFUSED: u8 = 2;
 fn main() -> ExitCode {
     messages::install();
     let cli = Cli::parse();
-    // Where no handler can be had, the next run removes what a signal leaves.
+    // Without handlers the next run removes what a signal leaves.
     let interrupts = Interrupts::watch().unwrap_or_default();
     let ended = cli.command.execute(&mut io::stdout().lock(), &interrupts);
-    // What a signal takes away is no error to be told of: the program ends with the signal's
-    // status.
+    // Files that a signal's handler removes cause no error message: the program ends with the
+    // signal's status.
     let _held = interrupts.hold();
     match ended {
         Ok(Verdict::Done) => ExitCode::SUCCESS,
         Ok(Verdict::Disagrees) => ExitCode::from(DISAGREES),
-        // Who reads the output may have seen enough of it, as `head` has.
+        // The reader closed the pipe, for example `head`.
         Err(ToolError::Print(error)) if error.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
         Err(error) => {
-            // Nothing can be said when nobody listens; the status tells.
+            // The exit status tells even if standard error is closed.
             let _ = writeln!(io::stderr(), "{:?}", miette::Report::new(error));
             ExitCode::from(REFUSED)
         }

@@ -31,7 +31,7 @@ pub fn steps() -> ProgressBar {
     }
 }
 
-/// How many have been done of what nobody knows the number of.
+/// A count of what has been done, where the total is unknown.
 pub fn count(what: &'static str) -> ProgressBar {
     if !io::stderr().is_terminal() {
         return ProgressBar::hidden();

@@ -1,38 +1,59 @@
 //! A run, as waveform, pictures and reports see it.
 use std::ops::Range;
-use std::time::Duration;
 
 use specula_experiments::tradeoff::FrameCycles;
 use specula_experiments::{Savings, Share};
+use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::clock::Clock;
 use crate::device::Fitted;
 use crate::disagreement::Disagreement;
-use crate::task::Task;
+use crate::error::ToolError;
+use crate::job::Job;
+use crate::progress;
 use crate::trace_file::TraceFormat;
+
+/// The engine that simulates unless another one is chosen.
+pub const DEFAULT_ENGINE: EngineKind = EngineKind::Fast;
+
+/// Simulates a frame and compares every pixel, with a progress bar.
+///
+/// # Errors
+/// [`ToolError::Bench`] if the engine fails.
+pub fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError> {
+    let clocks = bench.clocks() + 1;
+    let bar = progress::bar("simulating", clocks);
+    let outcome = bench.run(engine, &mut |done, _| bar.set_position(done));
+    bar.finish_and_clear();
+    Ok(outcome?)
+}
 
 /// A run that has been simulated and compared.
 pub struct Run<'a> {
     /// The scene, and where the core comes from.
-    pub task: &'a Task,
+    pub job: &'a Job,
     /// The name of the core's module.
     pub module: String,
     /// The core and the frame.
     pub bench: &'a Bench<'a>,
-    /// What ran it.
+    /// The engine that simulated it.
     pub engine: EngineKind,
     /// The kind of file for its waveform.
     pub trace_format: TraceFormat,
-    /// What it is taken to be clocked with.
+    /// What is traced.
+    pub trace: Choice,
+    /// The clocks in the waveform; none without one.
+    pub window: Option<Range<u64>>,
+    /// The clock at which times are said.
     pub clock: Clock,
     /// What the core takes of the device, if one was named.
     pub fitted: Option<Fitted>,
-    /// What came of it.
+    /// The outcome of the simulation.
     pub outcome: &'a Outcome,
-    /// What of it is not as it must be.
+    /// What disagrees, if anything does.
     pub disagreement: Option<Disagreement>,
-    /// What places that round contribute to the bound.
+    /// What each place that rounds contributes to the bound.
     pub bound_shares: Vec<Share>,
     /// What the scene's needs save; none of a general core, or where the core without a need cannot
     /// be built.
@@ -42,7 +63,7 @@ pub struct Run<'a> {
 impl Run<'_> {
     /// The scene's name.
     pub fn name(&self) -> &str {
-        &self.task.scene.name
+        &self.job.scene.name
     }
 
     /// The clock that a reader wants to see: that of the first disagreement, of an error above its
@@ -64,7 +85,7 @@ impl Run<'_> {
         self.clock.frames_per_second(&FrameCycles::new(&self.bench.design, self.bench.frame))
     }
 
-    /// The same for people.
+    /// Frames per second as text.
     pub fn frames_per_second_in_words(&self) -> String {
         format!(
             "{:.1} at {} that is not proven, set-up counted",
@@ -77,14 +98,4 @@ impl Run<'_> {
     pub fn cycles_per_pixel(&self) -> f64 {
         self.outcome.cycles as f64 / self.outcome.pixels.max(1) as f64
     }
-}
-
-/// What is known once the waveform is written.
-pub struct Written {
-    /// The clocks in the waveform; none without one.
-    pub window: Option<Range<u64>>,
-    /// What the run took from the beginning on, pictures and waveform included.
-    pub wall: Duration,
-    /// Every file, in the order in which people want to see them.
-    pub files: Vec<String>,
 }

@@ -16,9 +16,6 @@ pub enum TraceFormat {
 }
 
 impl TraceFormat {
-    /// Every kind.
-    pub const ALL: [TraceFormat; 2] = [TraceFormat::Vcd, TraceFormat::Fst];
-
     /// The file's name.
     pub const fn file_name(self) -> &'static str {
         match self {

@@ -1,7 +1,6 @@
 //! The waveform of a run.
-use std::fs::{self, File};
+use std::fs::File;
 use std::io;
-use std::ops::Range;
 use std::path::Path;
 
 use specula_sim::Flow;
@@ -47,31 +46,27 @@ pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
     }
 }
 
-/// Writes dump and save file of the clocks of `choice`, and says which those are.
-pub fn write(
-    staging: &Staging,
-    run: &Run,
-    choice: &Choice,
-) -> Result<Option<Range<u64>>, ToolError> {
-    let name = run.trace_format.file_name();
-    let window = dump(&staging.file(name), run, choice)?.map_err(staging.failed(name))?;
-    match &window {
-        Some(window) => write_save_file(staging, run, window).map_err(staging.failed(SAVE_FILE))?,
-        None => fs::remove_file(staging.file(name)).map_err(staging.failed(name))?,
-    }
-    Ok(window)
+/// Writes the waveform of a run into the file `name`.
+pub fn write(run: &Run, staging: &Staging, name: &str) -> Result<(), ToolError> {
+    Ok(dump(&staging.file(name), run, &run.trace)?.map_err(staging.failed(name))?)
 }
 
-/// Writes a dump of the clocks of `choice` and says which those are: one error if they cannot be
-/// simulated, the other if the file cannot be written.
+/// Writes GTKWave's save file of a run that has a waveform into the file `name`.
+pub fn write_save_file(run: &Run, staging: &Staging, name: &str) -> Result<(), ToolError> {
+    let Some(window) = run.window.clone() else { return Ok(()) };
+    let marker = run.clock_to_look_at().filter(|clock| window.contains(clock));
+    let view = View { dump_file: run.trace_format.file_name(), window, marker };
+    let design = &run.bench.design;
+    let write = |file: File| gtkw::write(file, design, &gtkw::interesting(design), &view);
+    Ok(File::create(staging.file(name)).and_then(write).map_err(staging.failed(name))?)
+}
+
+/// Writes a dump of the clocks of `choice`: one error if they cannot be simulated, the other if the
+/// file cannot be written.
 ///
 /// The clocks go from the engine to the file a batch at a time, so that a long run does not have to
 /// fit into memory.
-pub fn dump(
-    path: &Path,
-    run: &Run,
-    choice: &Choice,
-) -> Result<io::Result<Option<Range<u64>>>, ToolError> {
+pub fn dump(path: &Path, run: &Run, choice: &Choice) -> Result<io::Result<()>, ToolError> {
     let file = match File::create(path) {
         Ok(file) => file,
         Err(error) => return Ok(Err(error)),
@@ -79,25 +74,18 @@ pub fn dump(
     let about = format!(
         "Specula {}, scene {}, method {}",
         env!("CARGO_PKG_VERSION"),
-        run.task.origin.scene,
+        run.job.origin.scene,
         run.bench.spec.method().name()
     );
     let mut dump = TraceFile::new(file, run.trace_format, &run.bench.design, &about);
     let mut written = Ok(());
     let bar = progress::bar("tracing", run.outcome.cycles + 1);
-    let window = run.bench.trace(run.engine, choice, run.outcome, &mut |columns| {
+    let traced = run.bench.trace(run.engine, choice, run.outcome, &mut |columns| {
         bar.set_position(columns.span().end);
         written = dump.append(columns);
         if written.is_ok() { Flow::Continue } else { Flow::Stop }
     });
     bar.finish_and_clear();
-    let window = window?;
-    Ok(written.and_then(|()| dump.end()).map(|()| window))
-}
-
-fn write_save_file(staging: &Staging, run: &Run, window: &Range<u64>) -> io::Result<()> {
-    let marker = run.clock_to_look_at().filter(|clock| window.contains(clock));
-    let view = View { dump_file: run.trace_format.file_name(), window: window.clone(), marker };
-    let design = &run.bench.design;
-    gtkw::write(File::create(staging.file(SAVE_FILE))?, design, &gtkw::interesting(design), &view)
+    traced?;
+    Ok(written.and_then(|()| dump.end()))
 }

@@ -2,22 +2,22 @@
 //!
 //! A [`View`] opens a dump and makes a [`Figure`] of some signals and a window; [`text`], [`svg`]
 //! and [`png`] draw figures and know nothing of dumps.
+mod catch_panic;
 mod contents;
 mod dump;
 mod error;
 mod figure;
 mod fst;
-mod guard;
 mod input;
 mod layout;
 mod raw;
-mod ruler;
+mod render;
 mod save_file;
 mod segments;
 mod selection;
-mod sheet;
 mod survey;
 mod text;
+mod time_axis;
 mod value;
 mod variables;
 mod vcd;
@@ -34,7 +34,7 @@ use image::RgbImage;
 
 /// The figure as an SVG file, in a width in pixels if that is given.
 pub fn svg(figure: &Figure, width: Option<u32>) -> String {
-    specula_drawing::svg(&sheet::sheet(figure, width))
+    specula_drawing::svg(&render::render(figure, width))
 }
 
 /// The figure as a picture on light paper, in a width in pixels if that is given; it has twice as
@@ -45,7 +45,7 @@ pub fn svg(figure: &Figure, width: Option<u32>) -> String {
 pub fn png(figure: &Figure, width: Option<u32>) -> Result<RgbImage, WaveError> {
     let amount = || format!("{} columns", figure.axis.numbers.len());
     let large = || WaveError::Large { signals: figure.rows().count(), amount: amount() };
-    specula_drawing::png(&sheet::sheet(figure, width)).ok_or_else(large)
+    specula_drawing::png(&render::render(figure, width)).ok_or_else(large)
 }
 
 #[cfg(test)]

@@ -5,20 +5,20 @@ use std::path::Path;
 use super::dump::{Dump, MOST_VALUES, file_name};
 use super::error::WaveError;
 use super::figure::{Axis, Figure, Group, Row, Shape};
-use super::ruler::Ruler;
 use super::save_file::SaveFile;
 use super::segments::Segment;
 use super::selection::{Choice, Chosen, Selection, named};
 use super::survey::around_middle;
+use super::time_axis::TimeAxis;
 use super::value::Value;
 use super::variables::{Kind, Variable};
 use super::warnings::Warnings;
 
-/// A dump, its save file and its ruler.
+/// A dump, its save file and its time_axis.
 pub struct View {
     dump: Dump,
     save_file: Option<SaveFile>,
-    ruler: Ruler,
+    time_axis: TimeAxis,
     warnings: Vec<String>,
 }
 
@@ -57,8 +57,8 @@ impl View {
         let save_file = SaveFile::beside(path, &mut warnings);
         let marker = save_file.as_ref().and_then(|save_file| save_file.marker);
         let dump = Dump::open(path, marker, &mut warnings)?;
-        let ruler = Ruler::of(&dump);
-        Ok(View { dump, save_file, ruler, warnings: warnings.lines(&file_name(path)) })
+        let time_axis = TimeAxis::of(&dump);
+        Ok(View { dump, save_file, time_axis, warnings: warnings.lines(&file_name(path)) })
     }
 
     /// What was passed over in the file, a line for each kind of thing.
@@ -101,9 +101,9 @@ impl View {
     /// Refuses more columns than are of use to anybody. How many values there are shows when they
     /// are read.
     fn check_length(&self, window: &RangeInclusive<u64>, signals: usize) -> Result<(), WaveError> {
-        let clocks = match self.ruler {
-            Ruler::Clocks { .. } => (window.end() - window.start()).saturating_add(1),
-            Ruler::Time => 0,
+        let clocks = match self.time_axis {
+            TimeAxis::Clocks { .. } => (window.end() - window.start()).saturating_add(1),
+            TimeAxis::Time => 0,
         };
         let large = clocks.saturating_mul(signals as u64) > MOST_VALUES as u64;
         if large {
@@ -117,9 +117,9 @@ impl View {
     /// more, and that nobody asked for.
     fn ends_idle(&self, window: &RangeInclusive<u64>, asked: &Asked) -> bool {
         let idle = !self.dump.survey().changes_at_last();
-        match self.ruler {
-            Ruler::Clocks { .. } => idle,
-            Ruler::Time => {
+        match self.time_axis {
+            TimeAxis::Clocks { .. } => idle,
+            TimeAxis::Time => {
                 let whole = asked.to.is_none() && window.end() == self.dump.extent().end();
                 idle && whole && window.start() < window.end()
             }
@@ -141,9 +141,9 @@ impl View {
             .collect()
     }
 
-    /// What is drawn, in the ruler's numbers.
+    /// What is drawn, in the time axis's numbers.
     fn window(&self, asked: &Asked) -> Result<RangeInclusive<u64>, WaveError> {
-        let extent = self.ruler.extent(&self.dump);
+        let extent = self.time_axis.extent(&self.dump);
         let (first, last) = (*extent.start(), *extent.end());
         let usual = self.usual_window(asked.usual);
         let length = usual.end() - usual.start();
@@ -159,7 +159,7 @@ impl View {
         if from > to || from > last || to < first {
             return Err(WaveError::Window {
                 asked: asked.described(),
-                there: self.ruler.described(&extent, &self.dump),
+                there: self.time_axis.described(&extent, &self.dump),
             });
         }
         Ok(from.max(first)..=to.min(last))
@@ -167,13 +167,13 @@ impl View {
 
     /// The whole of a short file, else what is around the marker or at the begin.
     fn usual_window(&self, columns: u64) -> RangeInclusive<u64> {
-        let extent = self.ruler.extent(&self.dump);
-        match self.ruler {
-            Ruler::Clocks { .. } => {
-                around_middle(&extent, self.marker().map(|time| self.ruler.at(time)), columns)
+        let extent = self.time_axis.extent(&self.dump);
+        match self.time_axis {
+            TimeAxis::Clocks { .. } => {
+                around_middle(&extent, self.marker().map(|time| self.time_axis.at(time)), columns)
             }
             // As many instants at which something happens as there would be clocks.
-            Ruler::Time => self.dump.survey().usual(columns),
+            TimeAxis::Time => self.dump.survey().usual(columns),
         }
     }
 
@@ -184,16 +184,16 @@ impl View {
     fn axis(&self, window: &RangeInclusive<u64>, idle: bool) -> Axis {
         let (first, last) = (*window.start(), *window.end());
         let marker = self.marker();
-        let unit = self.ruler.unit(&self.dump);
-        match self.ruler {
-            Ruler::Clocks { period, .. } => Axis {
+        let unit = self.time_axis.unit(&self.dump);
+        match self.time_axis {
+            TimeAxis::Clocks { period, .. } => Axis {
                 unit,
-                begin: self.ruler.time(first),
+                begin: self.time_axis.time(first),
                 step: period,
                 numbers: (first..=last).collect(),
-                marker: marker.map(|time| self.clock(self.ruler.at(time))),
+                marker: marker.map(|time| self.clock(self.time_axis.at(time))),
             },
-            Ruler::Time => {
+            TimeAxis::Time => {
                 let step = round_step((last - first) / COLUMNS);
                 let begin = first - first % step;
                 let end = if idle { last - 1 } else { last };
@@ -204,9 +204,9 @@ impl View {
         }
     }
 
-    /// The time that a number of the ruler takes.
+    /// The time that a number of the time axis takes.
     fn clock(&self, number: u64) -> Range<u64> {
-        self.ruler.time(number)..self.ruler.time(number.saturating_add(1))
+        self.time_axis.time(number)..self.time_axis.time(number.saturating_add(1))
     }
 
     fn row(&self, signal: &Chosen, segments: Vec<Segment>) -> Row {
@@ -221,17 +221,17 @@ impl View {
     }
 
     fn title(&self, window: &RangeInclusive<u64>) -> String {
-        format!("{}, {}", self.dump.file_name(), self.ruler.described(window, &self.dump))
+        format!("{}, {}", self.dump.file_name(), self.time_axis.described(window, &self.dump))
     }
 
     fn notes(&self, choice: &Choice, window: &RangeInclusive<u64>) -> Vec<String> {
-        let extent = self.ruler.extent(&self.dump);
+        let extent = self.time_axis.extent(&self.dump);
         let more =
             |number| format!("{number} more signals are left out: choose with --signals or --unit");
         let longer = || {
             format!(
                 "the file has {}: choose with --from and --to",
-                self.ruler.described(&extent, &self.dump)
+                self.time_axis.described(&extent, &self.dump)
             )
         };
         let more = (choice.left_out > 0).then(|| more(choice.left_out));

@@ -5,34 +5,34 @@ use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 use specula_sim::{Engine, Flow, Stimulus};
 
-use super::contestant::Timed;
-use super::keeper::Keeper;
-use super::sums::Summing;
-use super::{Entry, MeasureError};
+use super::batch_sink::BatchSink;
+use super::checksum::Accumulator;
+use super::runner::Timed;
+use super::{Config, MeasureError};
 
-/// Times `engine` on all of `stimulus`; `keeper` is given every batch, and its end counts.
+/// Times `engine` on all of `stimulus`; `sink` is given every batch, and its end counts.
 ///
 /// # Errors
-/// [`MeasureError`] if the engine or the keeper fails.
+/// [`MeasureError`] if the engine or the sink fails.
 pub(crate) fn timed(
-    entry: Entry,
+    config: Config,
     design: &Design,
     engine: &mut dyn Engine,
     stimulus: &Stimulus,
     watched: &[NodeId],
-    mut keeper: Box<dyn Keeper>,
+    mut sink: Box<dyn BatchSink>,
 ) -> Result<Timed, MeasureError> {
-    let mut summing = Summing::new(design, watched, stimulus);
+    let mut accumulator = Accumulator::new(design, watched, stimulus);
     let mut kept = Ok(());
     let begin = Instant::now();
     engine.run(stimulus, watched, &mut |batch| {
-        summing.take(batch);
-        kept = keeper.take(batch);
+        accumulator.take(batch);
+        kept = sink.take(batch);
         if kept.is_ok() { Flow::Continue } else { Flow::Stop }
     })?;
-    let ended = kept.and_then(|()| keeper.end());
+    let ended = kept.and_then(|()| sink.end());
     let seconds = begin.elapsed().as_secs_f64();
-    ended.map_err(|reason| MeasureError::Waveform { entry: entry.describe(), reason })?;
+    ended.map_err(|reason| MeasureError::Waveform { config: config.describe(), reason })?;
     let clocks = stimulus.clocks();
-    Ok(Timed { seconds, clocks: clocks.end - clocks.start, sums: summing.sums() })
+    Ok(Timed { seconds, clocks: clocks.end - clocks.start, checksum: accumulator.checksum() })
 }

@@ -20,7 +20,7 @@ pub enum MeasureError {
     NoPixels,
     /// An engine gave other pixels than the model.
     #[error(
-        "{entry} is wrong: over {spans} spans the sums of its codes are {given:?}, and the model's are {expected:?}"
+        "{config} is wrong: over {spans} spans the sums of its codes are {given:?}, and the model's are {expected:?}"
     )]
     #[diagnostic(
         code(specula::measure::sums),
@@ -28,7 +28,7 @@ pub enum MeasureError {
     )]
     WrongSums {
         /// What was measured.
-        entry: String,
+        config: String,
         /// Spans shaded.
         spans: usize,
         /// The engine's sums, modulo 2^32.
@@ -37,7 +37,7 @@ pub enum MeasureError {
         expected: Vec<u32>,
     },
     /// A waveform could not be written.
-    #[error("{entry} cannot write its waveform: {reason}")]
+    #[error("{config} cannot write its waveform: {reason}")]
     #[diagnostic(
         code(specula::measure::file),
         help(
@@ -46,7 +46,7 @@ pub enum MeasureError {
     )]
     Waveform {
         /// What was measured.
-        entry: String,
+        config: String,
         /// What the system says.
         reason: io::Error,
     },

@@ -4,13 +4,13 @@ use std::rc::Rc;
 
 use specula_sim::{Icarus, Stimulus, TimedVerilator, Timing};
 
+use super::batch_sink::batch_sink;
+use super::checksum::Checksum;
 use super::clocked::timed;
-use super::contestant::{Contestant, Timed};
-use super::keeper::keeper;
+use super::runner::{Runner, Timed};
 use super::scratch::Scratch;
-use super::sums::Sums;
 use super::workload::Workload;
-use super::{Entry, MeasureError, Mode};
+use super::{Config, MeasureError, Mode};
 use specula_testbench::{Bench, EngineKind};
 
 /// Where bytes go that nobody wants.
@@ -29,9 +29,9 @@ impl Verilated<'_> {
     }
 }
 
-impl Contestant for Verilated<'_> {
-    fn entry(&self) -> Entry {
-        Entry { variant: Some("-O3"), ..Entry::only(EngineKind::Verilator, self.mode) }
+impl Runner for Verilated<'_> {
+    fn config(&self) -> Config {
+        Config { variant: Some("-O3"), ..Config::only(EngineKind::Verilator, self.mode) }
     }
 
     fn start_up(&mut self) -> Result<f64, MeasureError> {
@@ -43,7 +43,7 @@ impl Contestant for Verilated<'_> {
         self.scratch.clear();
         let Timing { seconds, clocks, sums } = result?;
         let sum = |channel: usize| sums.get(channel).copied().unwrap_or(0);
-        Ok(Timed { seconds, clocks, sums: Sums(std::array::from_fn(sum)) })
+        Ok(Timed { seconds, clocks, checksum: Checksum(std::array::from_fn(sum)) })
     }
 }
 
@@ -56,9 +56,9 @@ pub(crate) struct Interpreted<'a> {
     pub scratch: &'a Scratch,
 }
 
-impl Contestant for Interpreted<'_> {
-    fn entry(&self) -> Entry {
-        Entry::only(EngineKind::Icarus, Mode::Outputs)
+impl Runner for Interpreted<'_> {
+    fn config(&self) -> Config {
+        Config::only(EngineKind::Icarus, Mode::Outputs)
     }
 
     fn start_up(&mut self) -> Result<f64, MeasureError> {
@@ -67,12 +67,12 @@ impl Contestant for Interpreted<'_> {
     }
 
     fn run(&mut self, spans: usize) -> Result<Timed, MeasureError> {
-        let (design, entry) = (&self.bench.design, self.entry());
+        let (design, config) = (&self.bench.design, self.config());
         let source = self.workload.spans(spans);
         let stimulus = Stimulus::whole(&source, design);
-        let keeper = keeper(entry.mode, design, &design.outputs, &self.scratch.file());
-        let keeper =
-            keeper.map_err(|reason| MeasureError::Waveform { entry: entry.describe(), reason })?;
-        timed(entry, design, &mut self.engine, &stimulus, &design.outputs, keeper)
+        let sink = batch_sink(config.mode, design, &design.outputs, &self.scratch.file());
+        let sink =
+            sink.map_err(|reason| MeasureError::Waveform { config: config.describe(), reason })?;
+        timed(config, design, &mut self.engine, &stimulus, &design.outputs, sink)
     }
 }

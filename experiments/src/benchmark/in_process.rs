@@ -8,12 +8,12 @@ use specula_datapath::design::{NodeId, ScopeId};
 use specula_sim::fast::Settings;
 use specula_sim::{Engine, Fast, Flow, RustHdl, SimError, Stimulus};
 
+use super::batch_sink::batch_sink;
 use super::clocked::timed;
-use super::contestant::{Contestant, Timed};
-use super::keeper::keeper;
+use super::runner::{Runner, Timed};
 use super::scratch::Scratch;
 use super::workload::Workload;
-use super::{Entry, MeasureError, Mode};
+use super::{Config, MeasureError, Mode};
 use specula_testbench::Bench;
 
 /// Which engine.
@@ -48,18 +48,18 @@ pub(crate) struct InProcess<'a> {
     pub bench: &'a Bench<'a>,
     pub workload: &'a Workload,
     pub scratch: &'a Scratch,
-    pub entry: Entry,
+    pub config: Config,
     pub kind: Kind,
 }
 
 impl InProcess<'_> {
     fn watched(&self, design: &Design) -> Vec<NodeId> {
-        if self.entry.mode == Mode::Outputs { design.outputs.clone() } else { design.variables() }
+        if self.config.mode == Mode::Outputs { design.outputs.clone() } else { design.variables() }
     }
 
     fn failed(&self) -> impl FnOnce(io::Error) -> MeasureError + use<> {
-        let entry = self.entry.describe();
-        move |reason| MeasureError::Waveform { entry, reason }
+        let config = self.config.describe();
+        move |reason| MeasureError::Waveform { config, reason }
     }
 
     fn run_into(&self, spans: usize, file: &Path) -> Result<Timed, MeasureError> {
@@ -67,14 +67,14 @@ impl InProcess<'_> {
         let source = self.workload.spans(spans);
         let stimulus = Stimulus::whole(&source, design);
         let watched = self.watched(design);
-        let keeper = keeper(self.entry.mode, design, &watched, file).map_err(self.failed())?;
-        timed(self.entry, design, self.kind.engine(design)?.as_mut(), &stimulus, &watched, keeper)
+        let sink = batch_sink(self.config.mode, design, &watched, file).map_err(self.failed())?;
+        timed(self.config, design, self.kind.engine(design)?.as_mut(), &stimulus, &watched, sink)
     }
 }
 
-impl Contestant for InProcess<'_> {
-    fn entry(&self) -> Entry {
-        self.entry
+impl Runner for InProcess<'_> {
+    fn config(&self) -> Config {
+        self.config
     }
 
     fn start_up(&mut self) -> Result<f64, MeasureError> {

@@ -1,5 +1,5 @@
 //! What was measured.
-use super::{Entry, Machine, Mode};
+use super::{Config, Machine, Mode};
 use specula_testbench::EngineKind;
 use specula_testbench::statistics::median;
 
@@ -20,7 +20,7 @@ pub struct Measurement {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Which it is.
-    pub entry: Entry,
+    pub config: Config,
     /// Clocks of each of its runs.
     pub clocks: u64,
     /// Clocks a second, round by round.
@@ -52,7 +52,7 @@ impl Measurement {
     /// part.
     pub fn ratio_to_verilator(&self, row: &Row) -> Option<f64> {
         let is_reference = |row: &&Row| {
-            row.entry.engine == EngineKind::Verilator && row.entry.mode == Mode::Outputs
+            row.config.engine == EngineKind::Verilator && row.config.mode == Mode::Outputs
         };
         self.rows.iter().find(is_reference).map(|reference| row.rate() / reference.rate())
     }

@@ -13,23 +13,23 @@
 //! Rounds are interleaved: each measures every engine once, so that what else the machine does
 //! meets all of them alike. What counts is the median of the rounds, and a ratio of two medians of
 //! the same run.
+mod batch_sink;
+mod checksum;
 mod clocked;
-mod contestant;
-mod entry;
+mod config;
 mod error;
 mod external;
-mod field;
 mod in_process;
-mod keeper;
 mod machine;
 mod measurement;
+mod roster;
 mod rounds;
+mod runner;
 mod scratch;
-mod sums;
 mod workload;
 
-pub use entry::{Entry, Mode};
+pub use config::{Config, Mode};
 pub use error::MeasureError;
 pub use machine::Machine;
 pub use measurement::{Measurement, Row, Skipped};
-pub use rounds::{Extent, Step, measure};
+pub use rounds::{Budget, Step, measure};

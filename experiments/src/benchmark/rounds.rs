@@ -1,28 +1,28 @@
-//! Rounds in which everybody runs once.
-use super::contestant::{Contestant, Timed};
-use super::field::Field;
+//! Rounds in which every runner runs once.
+use super::roster::Roster;
+use super::runner::{Runner, Timed};
 use super::scratch::Scratch;
 use super::workload::Workload;
-use super::{Entry, Machine, MeasureError, Measurement, Mode, Row};
+use super::{Config, Machine, MeasureError, Measurement, Mode, Row};
 use specula_testbench::statistics::median;
 use specula_testbench::{Bench, EngineKind};
 
-/// How much is measured.
+/// How much time a measurement may take.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extent {
-    /// Rounds, at least 1.
+pub struct Budget {
+    /// Number of rounds, at least 1.
     pub rounds: usize,
     /// Seconds that a run is to take.
     pub seconds: f64,
 }
 
-impl Default for Extent {
-    fn default() -> Extent {
-        Extent { rounds: 5, seconds: 0.25 }
+impl Default for Budget {
+    fn default() -> Budget {
+        Budget { rounds: 5, seconds: 0.25 }
     }
 }
 
-/// What is being done.
+/// A step of a measurement, for a progress bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
     /// A program is built.
@@ -34,13 +34,13 @@ pub enum Step {
     },
     /// Finding out how many spans make a run long enough.
     Trying {
-        /// With what.
-        entry: Entry,
+        /// The engine and its mode.
+        config: Config,
     },
     /// A run is measured.
     Measuring {
-        /// With what.
-        entry: Entry,
+        /// The engine and its mode.
+        config: Config,
         /// Runs measured before.
         done: usize,
         /// Runs in all.
@@ -64,44 +64,40 @@ const MOST_SPANS: usize = 1 << 25;
 /// [`MeasureError`] if an engine fails or its pixels are wrong.
 pub fn measure(
     bench: &Bench,
-    extent: Extent,
+    budget: Budget,
     progress: &mut dyn FnMut(&Step),
 ) -> Result<Measurement, MeasureError> {
     let workload = Workload::new(bench)?;
     let scratch = Scratch::new()?;
-    let Field { mut contestants, skipped, .. } =
-        Field::gather(bench, &workload, &scratch, progress)?;
+    let Roster { mut runners, skipped, .. } = Roster::gather(bench, &workload, &scratch, progress)?;
     let mut records = vec![];
-    for contestant in &mut contestants {
-        progress(&Step::Trying { entry: contestant.entry() });
+    for runner in &mut runners {
+        progress(&Step::Trying { config: runner.config() });
         records.push(Record {
-            spans: enough_spans(contestant.as_mut(), &workload, extent.seconds)?,
+            spans: enough_spans(runner.as_mut(), &workload, budget.seconds)?,
             ..Record::default()
         });
     }
-    level(&contestants, &mut records);
-    let rounds = extent.rounds.max(1);
-    let all = rounds * contestants.len();
+    equalise_spans(&runners, &mut records);
+    let rounds = budget.rounds.max(1);
+    let all = rounds * runners.len();
     for round in 0..rounds {
-        for (number, (contestant, record)) in contestants.iter_mut().zip(&mut records).enumerate() {
+        for (number, (runner, record)) in runners.iter_mut().zip(&mut records).enumerate() {
             progress(&Step::Measuring {
-                entry: contestant.entry(),
+                config: runner.config(),
                 done: round * all / rounds + number,
                 all,
             });
-            record.add(contestant.as_mut(), &workload)?;
+            record.add(runner.as_mut(), &workload)?;
         }
     }
-    let rows = contestants
-        .iter()
-        .zip(&records)
-        .map(|(contestant, record)| record.row(contestant.entry()))
-        .collect();
+    let rows =
+        runners.iter().zip(&records).map(|(runner, record)| record.row(runner.config())).collect();
     let clocks_of_a_frame = bench.clocks();
     Ok(Measurement { machine: Machine::this(), clocks_of_a_frame, rows, skipped })
 }
 
-/// What is known of a contestant so far.
+/// What has been measured of a runner so far.
 #[derive(Default)]
 struct Record {
     spans: usize,
@@ -111,21 +107,17 @@ struct Record {
 }
 
 impl Record {
-    fn add(
-        &mut self,
-        contestant: &mut dyn Contestant,
-        workload: &Workload,
-    ) -> Result<(), MeasureError> {
-        self.start_ups.push(contestant.start_up()?);
-        let timed = checked(contestant, workload, self.spans)?;
+    fn add(&mut self, runner: &mut dyn Runner, workload: &Workload) -> Result<(), MeasureError> {
+        self.start_ups.push(runner.start_up()?);
+        let timed = checked(runner, workload, self.spans)?;
         self.clocks = timed.clocks;
         self.rates.push(timed.clocks as f64 / timed.seconds);
         Ok(())
     }
 
-    fn row(&self, entry: Entry) -> Row {
+    fn row(&self, config: Config) -> Row {
         Row {
-            entry,
+            config,
             clocks: self.clocks,
             rates: self.rates.clone(),
             build_seconds: median(&self.start_ups),
@@ -133,26 +125,26 @@ impl Record {
     }
 }
 
-/// A run whose sums are right.
+/// A run whose checksum is right.
 fn checked(
-    contestant: &mut dyn Contestant,
+    runner: &mut dyn Runner,
     workload: &Workload,
     spans: usize,
 ) -> Result<Timed, MeasureError> {
-    let timed = contestant.run(spans)?;
-    let expected = workload.sums(spans);
-    if timed.sums == expected {
+    let timed = runner.run(spans)?;
+    let expected = workload.checksum(spans);
+    if timed.checksum == expected {
         return Ok(timed);
     }
-    let (given, expected) = (timed.sums.0.to_vec(), expected.0.to_vec());
-    Err(MeasureError::WrongSums { entry: contestant.entry().describe(), spans, given, expected })
+    let (given, expected) = (timed.checksum.0.to_vec(), expected.0.to_vec());
+    Err(MeasureError::WrongSums { config: runner.config().describe(), spans, given, expected })
 }
 
 /// Gives all that write waveforms the same spans, as many as the fastest of them needs: what a
 /// waveform costs depends on how many signals change, and that on the part of the frame.
-fn level(contestants: &[Box<dyn Contestant + '_>], records: &mut [Record]) {
+fn equalise_spans(runners: &[Box<dyn Runner + '_>], records: &mut [Record]) {
     for mode in [Mode::Vcd, Mode::VcdNull, Mode::Fst] {
-        let of_mode = |number: &usize| contestants[*number].entry().mode == mode;
+        let of_mode = |number: &usize| runners[*number].config().mode == mode;
         let numbers: Vec<usize> = (0..records.len()).filter(of_mode).collect();
         let most = numbers.iter().map(|&number| records[number].spans).max().unwrap_or(0);
         numbers.iter().for_each(|&number| records[number].spans = most);
@@ -161,14 +153,14 @@ fn level(contestants: &[Box<dyn Contestant + '_>], records: &mut [Record]) {
 
 /// How many spans take about `seconds`; trying warms up as well.
 fn enough_spans(
-    contestant: &mut dyn Contestant,
+    runner: &mut dyn Runner,
     workload: &Workload,
     seconds: f64,
 ) -> Result<usize, MeasureError> {
-    contestant.start_up()?;
+    runner.start_up()?;
     let mut spans = FIRST_SPANS;
     loop {
-        let taken = checked(contestant, workload, spans)?.seconds;
+        let taken = checked(runner, workload, spans)?.seconds;
         if taken >= ENOUGH * seconds || spans >= MOST_SPANS {
             return Ok(spans);
         }
@@ -186,18 +178,18 @@ fn more(spans: usize, factor: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::benchmark::sums::Sums;
+    use crate::benchmark::checksum::Checksum;
 
-    /// Takes a millisecond for each span, and gives the model's sums for one span more or less.
+    /// Takes a millisecond for each span, and gives the model's checksum for one span more or less.
     struct Fake<'a> {
         workload: &'a Workload,
         more: usize,
         mode: Mode,
     }
 
-    impl Contestant for Fake<'_> {
-        fn entry(&self) -> Entry {
-            Entry::only(EngineKind::RustHdl, self.mode)
+    impl Runner for Fake<'_> {
+        fn config(&self) -> Config {
+            Config::only(EngineKind::RustHdl, self.mode)
         }
 
         fn start_up(&mut self) -> Result<f64, MeasureError> {
@@ -208,7 +200,7 @@ mod tests {
             Ok(Timed {
                 seconds: spans as f64 / 1000.0,
                 clocks: 7 * spans as u64,
-                sums: self.workload.sums(spans + self.more),
+                checksum: self.workload.checksum(spans + self.more),
             })
         }
     }
@@ -227,7 +219,7 @@ mod tests {
             assert!((800..=1100).contains(&spans), "{spans}");
             let mut record = Record { spans, ..Record::default() };
             record.add(&mut fake, workload).unwrap();
-            let row = record.row(fake.entry());
+            let row = record.row(fake.config());
             assert_eq!((row.clocks, row.build_seconds), (7 * spans as u64, 0.5));
             assert!((row.rate() - 7000.0).abs() < 1e-6, "{}", row.rate());
         });
@@ -236,10 +228,10 @@ mod tests {
     #[test]
     fn waveforms_are_compared_over_the_same_spans() {
         with_workload(|workload| {
-            let fake = |mode| Box::new(Fake { workload, more: 0, mode }) as Box<dyn Contestant>;
-            let contestants = [Mode::Vcd, Mode::Outputs, Mode::Vcd, Mode::Fst].map(fake);
+            let fake = |mode| Box::new(Fake { workload, more: 0, mode }) as Box<dyn Runner>;
+            let runners = [Mode::Vcd, Mode::Outputs, Mode::Vcd, Mode::Fst].map(fake);
             let mut records = [5, 6, 7, 3].map(|spans| Record { spans, ..Record::default() });
-            level(&contestants, &mut records);
+            equalise_spans(&runners, &mut records);
             assert_eq!(records.map(|record| record.spans), [7, 6, 7, 3]);
         });
     }
@@ -247,7 +239,7 @@ mod tests {
     #[test]
     fn wrong_pixels_are_an_error() {
         with_workload(|workload| {
-            assert_ne!(workload.sums(1), Sums::default());
+            assert_ne!(workload.checksum(1), Checksum::default());
             let error = checked(&mut Fake { workload, more: 1, mode: Mode::Outputs }, workload, 20)
                 .unwrap_err();
             assert!(matches!(error, MeasureError::WrongSums { spans: 20, .. }), "{error}");

@@ -3,7 +3,7 @@ use specula_golden::fixed::Model;
 use specula_sim::SpanSource;
 
 use super::MeasureError;
-use super::sums::Sums;
+use super::checksum::Checksum;
 use specula_testbench::{Bench, FrameSpans};
 
 /// The spans of a frame, set up, and what the model makes of them.
@@ -13,7 +13,7 @@ pub(crate) struct Workload {
     inputs: Vec<i64>,
     inputs_per_span: usize,
     /// The model's sums over the spans before each, and over all of them.
-    sums: Vec<Sums>,
+    sums: Vec<Checksum>,
 }
 
 impl Workload {
@@ -28,9 +28,9 @@ impl Workload {
             lengths: vec![],
             inputs: vec![],
             inputs_per_span,
-            sums: vec![Sums::default()],
+            sums: vec![Checksum::default()],
         };
-        let mut total = Sums::default();
+        let mut total = Checksum::default();
         for index in 0..spans.count() {
             let packet = spans.packet(index);
             let mut codes = vec![];
@@ -54,7 +54,7 @@ impl Workload {
     }
 
     /// The model's sums over as many spans.
-    pub fn sums(&self, count: usize) -> Sums {
+    pub fn checksum(&self, count: usize) -> Checksum {
         let (frames, rest) = (count / self.frame(), count % self.frame());
         self.sums[self.frame()].times(frames).plus(self.sums[rest])
     }

@@ -7,7 +7,7 @@ use super::Measured;
 /// What `bench --json` prints.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Of Specula.
+    /// Version of Specula.
     version: &'static str,
     scene: &'a str,
     method: &'static str,
@@ -78,7 +78,7 @@ pub fn text(measured: &Measured) -> serde_json::Result<String> {
 }
 
 fn report<'a>(measured: &'a Measured) -> Report<'a> {
-    let Measured { scene, bench, extent, measurement } = measured;
+    let Measured { scene, bench, budget, measurement } = measured;
     Report {
         version: env!("CARGO_PKG_VERSION"),
         scene,
@@ -89,7 +89,7 @@ fn report<'a>(measured: &'a Measured) -> Report<'a> {
         cycles: measurement.clocks_of_a_frame,
         machine: machine(measured),
         design: design(measured),
-        rounds: extent.rounds,
+        rounds: budget.rounds,
         rows: measurement.rows.iter().map(|row| row_facts(measured, row)).collect(),
         skipped: measurement.skipped.iter().map(skipped).collect(),
     }
@@ -101,7 +101,7 @@ fn machine<'a>(measured: &'a Measured) -> MachineFacts<'a> {
         cpu_model: &machine.cpu,
         instruction_set: machine.instruction_set,
         cores: machine.cores,
-        threads: measured.measurement.rows.iter().map(|row| row.entry.threads).max().unwrap_or(1),
+        threads: measured.measurement.rows.iter().map(|row| row.config.threads).max().unwrap_or(1),
         tools: &machine.tools,
     }
 }
@@ -122,10 +122,10 @@ fn design(measured: &Measured) -> DesignFacts {
 
 fn row_facts(measured: &Measured, row: &Row) -> RowFacts {
     RowFacts {
-        engine: row.entry.engine.program(),
-        mode: row.entry.mode.name(),
-        variant: row.entry.variant,
-        threads: row.entry.threads,
+        engine: row.config.engine.program(),
+        mode: row.config.mode.name(),
+        variant: row.config.variant,
+        threads: row.config.threads,
         cycles_per_second: row.rate(),
         ratio_to_verilator: measured.measurement.ratio_to_verilator(row),
         build_seconds: row.build_seconds,

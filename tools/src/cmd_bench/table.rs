@@ -16,7 +16,7 @@ pub fn text(measured: &Measured) -> String {
 }
 
 fn facts(measured: &Measured) -> Vec<[String; 2]> {
-    let Measured { scene, bench, extent, measurement } = measured;
+    let Measured { scene, bench, budget, measurement } = measured;
     let (design, machine) = (&bench.design, &measurement.machine);
     let size = design.size();
     let cores = if machine.cores == 1 { "core" } else { "cores" };
@@ -48,7 +48,7 @@ fn facts(measured: &Measured) -> Vec<[String; 2]> {
         ("tools", machine.tools.join("; ")),
         (
             "rounds",
-            format!("{}, interleaved; ratios of medians to Verilator's outputs", extent.rounds),
+            format!("{}, interleaved; ratios of medians to Verilator's outputs", budget.rounds),
         ),
     ];
     rows.map(|(name, value)| [name.to_owned(), value]).to_vec()
@@ -57,10 +57,10 @@ fn facts(measured: &Measured) -> Vec<[String; 2]> {
 fn cells(measured: &Measured, row: &Row) -> [String; 8] {
     let rate = row.rate();
     [
-        row.entry.engine.program().to_owned(),
-        row.entry.mode.name().to_owned(),
-        row.entry.variant.unwrap_or("").to_owned(),
-        format!("{:>7}", row.entry.threads),
+        row.config.engine.program().to_owned(),
+        row.config.mode.name().to_owned(),
+        row.config.variant.unwrap_or("").to_owned(),
+        format!("{:>7}", row.config.threads),
         format!("{:>10.4}", rate / 1e6),
         format!("{:>9.2}", 1e9 / rate),
         measured

@@ -7,10 +7,9 @@ use specula_experiments::tradeoff::Journal;
 use super::result::Compared;
 use super::{csv, json, markdown, plots};
 use crate::error::ToolError;
-use crate::output::{Destination, JOURNAL, REPORT, Staging};
+use crate::output::{Destination, JOURNAL, MARKDOWN, REPORT, Staging};
 use crate::{html, picture};
 
-const MARKDOWN: &str = "report.md";
 const CORES: &str = "cores.csv";
 const SOFTWARE: &str = "software.csv";
 /// Files that are always there.
@@ -57,7 +56,7 @@ fn page(compared: &Compared, text: &str, staging: &Staging) -> io::Result<String
 }
 
 fn draw(staging: &Staging, subject: &plots::Subject, compared: &Compared) -> Result<(), ToolError> {
-    let sheet = subject.plot(compared).sheet()?;
+    let sheet = subject.plot(compared).render()?;
     let [svg, png] = subject.names();
     fs::write(staging.file(&svg), specula_drawing::svg(&sheet)).map_err(staging.failed(&svg))?;
     // A plot is never too large for a picture.

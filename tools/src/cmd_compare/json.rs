@@ -11,7 +11,7 @@ use crate::output::PROGRAM;
 /// `report.json`. Errors are in LSBs of the 8-bit output.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    /// Always `specula`: a later run recognises by it that the listed files are its own.
     program: &'static str,
     version: &'static str,
     scene: &'a str,
@@ -19,7 +19,7 @@ struct Report<'a> {
     height: u32,
     agrees: bool,
     clock_mhz: f64,
-    /// Nobody gave it.
+    /// Whether the clock is assumed, and not given by the user.
     clock_is_assumed: bool,
     /// Bits of a span's set-up that the host hands over in a clock.
     set_up_word_bits: u64,

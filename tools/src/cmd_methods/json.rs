@@ -34,7 +34,7 @@ struct MethodFacts {
     operations: Contents,
     /// What the core is with each value of each option alone.
     variants: Vec<VariantFacts>,
-    /// Of two variables.
+    /// Multipliers of two variables.
     multipliers: usize,
     /// And subtractors.
     adders: usize,

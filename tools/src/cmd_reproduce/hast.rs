@@ -1,4 +1,4 @@
-//! What there is of Hast's beside claims: operations, and figures 2 and 3.
+//! What is reproduced of Hast's paper besides claims: operations, and figures 2 and 3.
 use specula_experiments::reproduce::hast::operations::{Scheme, schemes};
 use specula_experiments::reproduce::hast::quality::quality;
 use specula_scene::{Frame, load};

@@ -1,4 +1,4 @@
-//! What there is of the lecture beside claims: the hardware of its programming project.
+//! What is reproduced of the lecture besides claims: the hardware of its programming project.
 use specula_scene::{CoreSpec, Method, Needs, load};
 use specula_testbench::BenchError;
 

@@ -1,5 +1,5 @@
-//! What there is of Reshetov's beside claims and plots: reflections that enter meshes, and what
-//! consistent normals cost.
+//! What is reproduced of Reshetov's paper besides claims and plots: reflections that enter meshes,
+//! and what consistent normals cost.
 use specula_datapath::design::Size;
 use specula_experiments::reproduce::reshetov::inward::{self, Inward};
 use specula_experiments::reproduce::reshetov::seen::{Seen, seen};

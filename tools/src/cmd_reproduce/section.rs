@@ -65,7 +65,7 @@ impl Section {
             section.plot(
                 &figure.title,
                 figure.name,
-                drawing::svg(&figures::plot(&figure).sheet()?),
+                drawing::svg(&figures::plot(&figure).render()?),
             );
         }
         Ok(section)

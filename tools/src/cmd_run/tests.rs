@@ -11,6 +11,8 @@ use tempfile::TempDir;
 
 use super::*;
 use crate::cli::{Cli, Command};
+use crate::html;
+use crate::output::MARKDOWN;
 
 fn arguments(words: &[&str]) -> Arguments {
     let cli = Cli::try_parse_from(
@@ -31,15 +33,16 @@ fn spoilt_run(
     spoil: impl FnOnce(&mut Outcome) -> u64,
 ) -> (u64, Verdict) {
     let arguments = arguments(words);
-    let task = arguments.task().expect("the scene is built in");
+    let job = arguments.job().expect("the scene is built in");
     let bench =
-        Bench::new(&task.scene.frame, task.spec(), &task.module()).expect("the core can be built");
+        Bench::new(&job.scene.frame, job.spec(), &job.module()).expect("the core can be built");
     let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
-    let run = run_of(&arguments, &task, &bench, None, &outcome);
-    let destination = Destination::check(folder, &file_names(&run.module), &Interrupts::default())
-        .expect("the folder can be written");
+    let run = run_of(&arguments, &job, &bench, None, &outcome);
+    let destination =
+        Destination::check(folder, &artifacts::names(&run.module), &Interrupts::default())
+            .expect("the folder can be written");
     write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))
 }

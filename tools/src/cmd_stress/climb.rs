@@ -7,15 +7,15 @@ use serde::Serialize;
 use specula_experiments::climb::{MOST_TOLD, MethodReport, Search, climb};
 use specula_scene::Method;
 
-use crate::cli::Verdict;
 use crate::error::ToolError;
 use crate::output::{Destination, PROGRAM, REPORT, Staging};
 use crate::progress;
 use crate::table;
+use crate::verdict::Verdict;
 
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    /// Always `specula`: a later run recognises by it that the listed files are its own.
     program: &'static str,
     version: &'static str,
     seed: u64,

@@ -7,9 +7,7 @@ use specula_scene::Method;
 
 use super::{Stress, json, plots, table};
 use crate::error::ToolError;
-use crate::output::{Destination, REPORT, Staging};
-
-const MARKDOWN: &str = "report.md";
+use crate::output::{Destination, MARKDOWN, REPORT, Staging};
 
 /// The name of a row's scene file for a method, such as `row_breaks_1_lyon.toml`.
 pub fn scene_name(row: &str, method: &str) -> String {

@@ -9,7 +9,7 @@ use crate::output::PROGRAM;
 
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    /// Always `specula`: a later run recognises by it that the listed files are its own.
     program: &'static str,
     version: &'static str,
     seed: u64,

@@ -43,7 +43,7 @@ pub fn names() -> impl Iterator<Item = String> {
 /// The plots: names and texts of their files.
 pub fn all() -> Result<Vec<(String, String)>, ToolError> {
     let one = |subject: &Subject| {
-        let sheet = plot(subject.title, &(subject.drifts)(LONGEST)).sheet()?;
+        let sheet = plot(subject.title, &(subject.drifts)(LONGEST)).render()?;
         Ok((subject.file.to_owned(), drawing::svg(&sheet)))
     };
     SUBJECTS.iter().map(one).collect()

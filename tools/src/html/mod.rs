@@ -1,4 +1,4 @@
-//! Reports as one HTML file that needs nothing beside itself: pictures and drawings are in it,
+//! Reports as one HTML file that needs no other file: pictures and drawings are in it,
 //! light or dark as the reader's system is.
 //!
 //! The text is that of the Markdown report, rendered by `pulldown-cmark`; what a name brings along

@@ -1,21 +1,21 @@
-//! A core's files alone.
+//! Writing a core's files into a folder that may hold others.
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use specula_scene::regular::read_regular;
 
+use super::created_dirs::CreatedDirs;
+use super::error::OutputError;
 use super::folder::settle_leftovers;
 use super::interrupt::Interrupts;
-use super::made::MadeFolders;
 use super::own::Contents;
 use super::temporary::Temporary;
-use crate::error::OutputError;
 
 /// Writes files, by name and text, into `folder`, which is made if it is not there; every other
 /// file in it stays. Returns their paths.
 ///
 /// # Errors
-/// [`OutputError`] if the system refuses, somebody else's file has one of the names, or the folder
+/// [`OutputError`] if the system refuses, a foreign file has one of the names, or the folder
 /// is a run's and its core is another one.
 pub fn write_core(
     folder: &Path,
@@ -32,7 +32,7 @@ pub fn write_core(
     settle_leftovers([folder]);
     refuse(folder, files)?;
     let write = || {
-        let made = MadeFolders::make(folder, interrupts)?;
+        let created = CreatedDirs::create(folder, interrupts)?;
         let temporary = Temporary::new_in(folder, interrupts)?;
         for (name, text) in files {
             fs::write(temporary.path().join(name), text)?;
@@ -43,7 +43,7 @@ pub fn write_core(
         }
         drop(held);
         drop(temporary);
-        made.keep();
+        created.keep();
         Ok(())
     };
     write().map_err(OutputError::system(folder))?;

@@ -4,11 +4,11 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::disk::System;
+use super::error::OutputError;
 use super::interrupt::Interrupts;
 use super::leftovers::settle;
 use super::own::Contents;
 use super::temporary::Temporary;
-use crate::error::OutputError;
 
 /// A folder that can be written or replaced.
 #[derive(Clone, Debug)]
@@ -52,7 +52,7 @@ impl Destination {
 pub fn settle_leftovers<'a>(folders: impl IntoIterator<Item = &'a Path>) {
     let mut stderr = io::stderr().lock();
     for settled in folders.into_iter().flat_map(|folder| settle(folder, &mut System)) {
-        // Whoever does not listen finds the files in their places all the same.
+        // The files are in their places even if standard error is closed.
         let _ = writeln!(stderr, "{settled}");
     }
 }

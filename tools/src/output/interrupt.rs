@@ -19,8 +19,8 @@ pub struct Interrupts {
 pub enum Undo {
     /// A temporary folder goes with all that is in it.
     Temporary(PathBuf),
-    /// A folder that was made on the way goes, if nothing is in it.
-    Made(PathBuf),
+    /// A folder that was created on the way is removed if it is empty.
+    Created(PathBuf),
 }
 
 /// While it lives, no signal ends the program: what has to be done as a whole is.
@@ -29,7 +29,7 @@ pub struct Held<'a>(MutexGuard<'a, Vec<Undo>>);
 
 impl Interrupts {
     /// Undoes what is half done when SIGINT, SIGTERM or SIGHUP comes, and ends with status 128 +
-    /// signal. Signals that whoever started the program had it ignore, as `nohup` does, stay
+    /// signal. Signals that the program's parent had it ignore, as `nohup` does, stay
     /// ignored.
     ///
     /// # Errors
@@ -43,7 +43,7 @@ impl Interrupts {
         let shared = interrupts.clone();
         thread::Builder::new().name("signals".to_owned()).spawn(move || {
             if let Some(signal) = signals.forever().next() {
-                // Whoever else wants it waits for it until the program has ended.
+                // Any other thread that wants it waits until the program has ended.
                 let held = shared.hold();
                 held.0.iter().rev().for_each(Undo::carry_out);
                 std::process::exit(128 + signal);
@@ -87,7 +87,7 @@ impl Undo {
         match self {
             Undo::Temporary(folder) => remove_while_written(folder),
             // One that holds something, or is gone already, is nothing to complain of.
-            Undo::Made(folder) => drop(fs::remove_dir(folder)),
+            Undo::Created(folder) => drop(fs::remove_dir(folder)),
         }
     }
 }
@@ -129,17 +129,20 @@ mod tests {
     #[test]
     fn what_is_half_done_is_undone_and_nothing_else() {
         let place = tempfile::tempdir().unwrap();
-        let [kept, made, temporary] =
-            ["kept", "kept/made", "kept/made/temporary"].map(|name| place.path().join(name));
+        let [kept, created, temporary] =
+            ["kept", "kept/created", "kept/created/temporary"].map(|name| place.path().join(name));
         fs::create_dir_all(temporary.join("folder/deep")).unwrap();
         fs::write(temporary.join("folder/deep/file"), "text").unwrap();
         let interrupts = Interrupts::default();
-        for undo in [Undo::Made(kept.clone()), Undo::Made(made.clone()), Undo::Temporary(temporary)]
-        {
+        for undo in [
+            Undo::Created(kept.clone()),
+            Undo::Created(created.clone()),
+            Undo::Temporary(temporary),
+        ] {
             interrupts.hold().add(undo);
         }
-        interrupts.forget(&Undo::Made(kept.clone()));
+        interrupts.forget(&Undo::Created(kept.clone()));
         interrupts.hold().0.iter().rev().for_each(Undo::carry_out);
-        assert!(kept.exists() && !made.exists());
+        assert!(kept.exists() && !created.exists());
     }
 }

@@ -14,7 +14,7 @@ use super::temporary::{FOLDER, LOCK, PREFIX, RECORD, remove};
 /// What was done about a leftover.
 #[derive(Debug)]
 pub enum Settled {
-    /// It held nothing of anybody else's and is gone.
+    /// The folder held no foreign file and has been removed.
     Removed(PathBuf),
     /// The folder whose replacement was interrupted has everything that belongs into it.
     Finished(PathBuf),

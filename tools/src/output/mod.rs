@@ -3,25 +3,29 @@
 //! Everything is written into a temporary folder beside its place and moved there once it is
 //! complete. Whenever the program ends, by a signal, a kill or a power cut, the user's own files
 //! are in their place, or the next program that writes there brings them back.
+mod atomic_write;
 mod core_files;
+mod created_dirs;
 mod disk;
+mod error;
 mod folder;
 mod interrupt;
 mod leftovers;
-mod made;
-mod one_file;
 mod own;
 mod publish;
 mod record;
 mod temporary;
 
+pub use atomic_write::write_file;
 pub use core_files::write_core;
+pub use error::OutputError;
 pub use folder::Destination;
 pub use interrupt::Interrupts;
-pub use one_file::write_file;
 pub use own::PROGRAM;
 pub use publish::Staging;
 
+/// The report for people.
+pub const MARKDOWN: &str = "report.md";
 /// The report that marks a folder as a run's.
 pub const REPORT: &str = "report.json";
 /// Results of a sweep, as they come.

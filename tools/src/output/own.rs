@@ -59,7 +59,7 @@ impl Contents {
         Ok(contents)
     }
 
-    /// The first of `names` that somebody else's file has.
+    /// The first of `names` that a foreign file has.
     pub fn clash<'a>(&self, names: impl IntoIterator<Item = &'a String>) -> Option<&'a String> {
         names.into_iter().find(|name| self.foreign.contains(*name))
     }
@@ -72,7 +72,8 @@ struct Report {
     files: BTreeSet<String>,
 }
 
-/// The files that a report of Specula's lists; none if it is somebody else's, or no report at all.
+/// The files that a report of Specula's lists; none if Specula did not write it, or if it is no
+/// report.
 fn listed_files(report: &Path) -> Option<BTreeSet<String>> {
     let is_file = report.symlink_metadata().is_ok_and(|about| about.is_file());
     let bytes = is_file.then(|| read_regular(report, LONGEST_REPORT).ok()).flatten()?;

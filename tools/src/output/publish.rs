@@ -5,14 +5,14 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::created_dirs::CreatedDirs;
 use super::disk::{Disk, System};
+use super::error::OutputError;
 use super::interrupt::Interrupts;
-use super::made::MadeFolders;
 use super::own::Contents;
 use super::record::{Record, Step};
 use super::temporary::{FOLDER, Temporary};
 use super::{Destination, REPORT};
-use crate::error::OutputError;
 use crate::html::Beside;
 
 /// A folder being written; unless it is published, nothing of it remains.
@@ -24,7 +24,7 @@ pub struct Staging {
     new: PathBuf,
     // Dropped in this order: first what is in the folders that were made.
     temporary: Temporary,
-    made: MadeFolders,
+    created: CreatedDirs,
 }
 
 impl Destination {
@@ -32,12 +32,12 @@ impl Destination {
     pub fn stage(&self) -> Result<Staging, OutputError> {
         let refused = OutputError::system(&self.shown);
         let begin = || {
-            let made = MadeFolders::make(self.parent(), self.interrupts())?;
+            let created = CreatedDirs::create(self.parent(), self.interrupts())?;
             let temporary = Temporary::new_in(self.parent(), self.interrupts())?;
             let new =
                 temporary.path().join(FOLDER).join(self.place.file_name().unwrap_or_default());
             fs::create_dir_all(&new)?;
-            Ok(Staging { destination: self.clone(), new, temporary, made })
+            Ok(Staging { destination: self.clone(), new, temporary, created })
         };
         begin().map_err(refused)
     }
@@ -71,7 +71,7 @@ impl Staging {
     }
 
     pub(super) fn publish_by(self, disk: &mut dyn Disk) -> Result<(), OutputError> {
-        let Staging { destination, new, temporary, made } = self;
+        let Staging { destination, new, temporary, created } = self;
         let interrupts: Interrupts = destination.interrupts().clone();
         let held = interrupts.hold();
         let published = match destination.place.exists() {
@@ -89,7 +89,7 @@ impl Staging {
             }
         }
         if published.is_ok() {
-            made.keep();
+            created.keep();
         }
         published
     }
@@ -146,7 +146,7 @@ fn names_in(folder: &Path) -> io::Result<BTreeSet<String>> {
         .collect()
 }
 
-/// Gives what is somebody else's a second name in the new folder, so that it is never away. What
+/// Gives every foreign file a second name in the new folder, so that it is never away. What
 /// cannot have one, such as a folder, comes after the exchange.
 fn link_others(
     place: &Path,
@@ -186,7 +186,7 @@ pub fn finish(
     }
 }
 
-/// Moves what is somebody else's.
+/// Moves foreign files.
 fn bring_back(
     from: &Path,
     place: &Path,

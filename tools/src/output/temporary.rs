@@ -20,7 +20,7 @@ pub const FOLDER: &str = "folder";
 #[derive(Debug)]
 pub struct Temporary {
     path: PathBuf,
-    /// None where the file system has no locks: then nobody ever removes what a kill leaves.
+    /// None where the file system has no locks: then nothing ever removes what a kill leaves.
     #[expect(dead_code, reason = "it is locked until it is closed")]
     lock: Option<File>,
     interrupts: Interrupts,

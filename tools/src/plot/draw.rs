@@ -27,7 +27,7 @@ const SAMPLE: f64 = 6.0;
 type Failure = DrawingAreaErrorKind<Infallible>;
 
 /// Everything in its place.
-pub fn sheet(plot: &Plot) -> Result<Sheet, String> {
+pub fn render(plot: &Plot) -> Result<Sheet, String> {
     let size = (
         f64::from(SIZE.0) + 2.0 * MARGIN,
         f64::from(SIZE.1) + LINE * (1 + plot.notes.len()) as f64 + 2.0 * MARGIN,

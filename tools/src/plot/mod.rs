@@ -81,8 +81,8 @@ impl Plot {
     ///
     /// # Errors
     /// [`PlotError`] if the axes do not fit.
-    pub fn sheet(&self) -> Result<Sheet, PlotError> {
-        draw::sheet(self).map_err(|reason| PlotError { title: self.title.clone(), reason })
+    pub fn render(&self) -> Result<Sheet, PlotError> {
+        draw::render(self).map_err(|reason| PlotError { title: self.title.clone(), reason })
     }
 }
 

@@ -25,7 +25,7 @@ fn plot(scale: Scale, places: Vec<Place>) -> Plot {
 #[test]
 fn a_plot_is_drawn() {
     let places = vec![(100.0, 8.0), (250.0, 2.0), (1000.0, 0.5), (4000.0, 0.6)];
-    let svg = drawing::svg(&plot(Scale::Logarithmic, places).sheet().expect("it has room"));
+    let svg = drawing::svg(&plot(Scale::Logarithmic, places).render().expect("it has room"));
     insta::assert_snapshot!(svg);
 }
 
@@ -41,7 +41,7 @@ fn odd_numbers_do_no_harm() {
             vec![(f64::NAN, 1.0), (1.0, f64::INFINITY), (-1.0, 2.0)],
             vec![(1e-300, 1e300), (1e300, 1e-300)],
         ] {
-            let sheet = plot(scale, places).sheet().expect("it has room");
+            let sheet = plot(scale, places).render().expect("it has room");
             let svg = drawing::svg(&sheet);
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
             assert!(drawing::png(&sheet).is_some());

@@ -65,7 +65,7 @@ fn fact(design: &Design, kind: &Kind) -> Fact {
 }
 
 impl Fact {
-    /// For people: the fact, its signals, their limits, and what was seen of them.
+    /// The row of a table: the fact, its signals, their limits, and what was seen of them.
     pub fn row(&self) -> [String; 4] {
         let others = if self.signals == 1 {
             String::new()

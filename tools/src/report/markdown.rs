@@ -2,51 +2,51 @@
 use specula_experiments::Share;
 use specula_testbench::ErrorFigures;
 
-use super::facts::{self, Fact};
-use super::{ports, units};
-use crate::header::bound;
-use crate::run::{Run, Written};
+use super::facts::Fact;
+use super::pictures::{ERROR, EXACT, EXPECTED, SIMULATED};
+use super::{Report, ports, rows, units};
 use crate::table::markdown as table;
-use crate::{cmd_needs, waveform, worst};
+use crate::{cmd_needs, waveform, worst_pixel};
 
 /// `report.md`. It holds no times, so that the same run gives the same bytes.
-pub fn markdown(run: &Run, written: &Written) -> String {
-    [head(run), pictures(), rest(run, written)].join("\n")
+pub fn markdown(report: &Report) -> String {
+    [head(report), pictures(), rest(report)].join("\n")
 }
 
 /// What comes before the pictures.
-pub fn head(run: &Run) -> String {
-    [title(run), result(run)].join("\n")
+pub fn head(report: &Report) -> String {
+    [title(report), result(report)].join("\n")
 }
 
-/// What comes behind them.
-pub fn rest(run: &Run, written: &Written) -> String {
+/// What comes after the pictures.
+pub fn rest(report: &Report) -> String {
     let sections = [
-        errors(run),
-        built(run),
-        ports_of(run),
-        units(run),
-        needs(run),
-        left_out(run),
-        facts(run),
-        waves(run, written),
-        verilog(run),
+        errors(report),
+        built(report),
+        ports_of(report),
+        units(report),
+        needs(report),
+        left_out(report),
+        facts(report),
+        waves(report),
+        verilog(report),
     ];
     sections.join("\n")
 }
 
-fn title(run: &Run) -> String {
-    let (method, latency) = (run.bench.spec.method(), run.bench.design.latency());
+fn title(report: &Report) -> String {
+    let method = report.spec.method();
     format!(
         "# {}, shaded by `{}`\n\n\
-         A pipeline of {latency} clocks that takes a pixel in {}: {}.\n\n\
+         A pipeline of {} clocks that takes a pixel in {}: {}.\n\n\
          Made by Specula {}; `{}` makes the same Verilog.\n",
-        run.name(),
-        method.name(),
-        pace(run.bench.design.interval),
+        report.scene,
+        report.method,
+        report.latency,
+        pace(report.run.bench.design.interval),
         method.summary(),
-        env!("CARGO_PKG_VERSION"),
-        run.task.origin.command
+        report.version,
+        report.command
     )
 }
 
@@ -57,9 +57,8 @@ fn pace(interval: u32) -> String {
     }
 }
 
-fn result(run: &Run) -> String {
-    let (outcome, frame) = (run.outcome, run.bench.frame);
-    let verdict = match &run.disagreement {
+fn result(report: &Report) -> String {
+    let verdict = match &report.run.disagreement {
         None => "Every pixel agrees with the bit-true model, each in its clock, every stated fact held, and no quantisation error is above its bound.\n"
             .to_owned(),
         Some(disagreement) => {
@@ -71,45 +70,45 @@ fn result(run: &Run) -> String {
             format!("**{verdict}**\n\n{}", lines.concat())
         }
     };
-    let rows = [
-        ["picture", &format!("{} x {}, {} spans", frame.width, frame.height, frame.spans.len())],
-        ["pixels shaded", &outcome.pixels.to_string()],
-        ["pixels that differ", &outcome.comparison.mismatches.to_string()],
-        ["cycles", &outcome.cycles.to_string()],
-        ["cycles per pixel", &format!("{:.4}", run.cycles_per_pixel())],
-        ["latency", &format!("{} clocks", run.bench.design.latency())],
-        ["frames per second", &run.frames_per_second_in_words()],
-        ["engine", run.engine.name()],
+    let named = |(name, value): (&str, String)| [name.to_owned(), value];
+    let (width, height, spans) = (report.width, report.height, report.spans);
+    let subject = [
+        ("picture", format!("{width} x {height}, {spans} spans")),
+        ("pixels shaded", report.pixels.to_string()),
+        ("pixels that differ", report.mismatches.to_string()),
     ];
-    let device = run.fitted.map(|fitted| ["device".to_owned(), fitted.in_words()]);
-    let rows: Vec<[String; 2]> =
-        rows.into_iter().map(|row| row.map(str::to_owned)).chain(device).collect();
+    let engine = ["engine".to_owned(), report.engine.to_owned()];
+    let rows = subject.map(named).into_iter().chain(rows::speed(report)).chain([engine]);
+    let rows: Vec<[String; 2]> = rows.chain(rows::device(report)).collect();
     format!("## Result\n\n{verdict}\n{}", table(["", ""], &rows))
 }
 
 /// The heat map with its scale.
-pub const HEAT_MAP: &str = "![error](error.png)\n";
+pub fn heat_map() -> String {
+    format!("![error]({ERROR})\n")
+}
 
 fn pictures() -> String {
     format!(
         "## Pictures\n\n\
          | simulated core | bit-true model | exact shading |\n|---|---|---|\n\
-         | ![simulated](simulated.png) | ![expected](expected.png) | ![exact](exact.png) |\n\n{HEAT_MAP}"
+         | ![simulated]({SIMULATED}) | ![expected]({EXPECTED}) | ![exact]({EXACT}) |\n\n{}",
+        heat_map()
     )
 }
 
-fn errors(run: &Run) -> String {
-    let comparison = &run.outcome.comparison;
-    let errors = &comparison.errors;
+fn errors(report: &Report) -> String {
+    let errors = report.error;
+    let row = |name: &str, figures: &ErrorFigures| {
+        let [largest, rms, mean, psnr] = rows::figures(figures);
+        [name.to_owned(), largest, rms, mean, psnr]
+    };
     let rows = [
-        figures("total: the core against exact shading", &errors.total),
-        figures("method: its method in exact arithmetic against exact shading", &errors.method),
-        figures(
-            "quantisation: the core against its method in exact arithmetic",
-            &errors.quantisation,
-        ),
+        row("total: the core against exact shading", &errors.total),
+        row("method: its method in exact arithmetic against exact shading", &errors.method),
+        row("quantisation: the core against its method in exact arithmetic", &errors.quantisation),
     ];
-    let worst = comparison.worst_pixel.zip(run.outcome.worst_cycle).map(|(worst, cycle)| {
+    let worst = report.worst().map(|(worst, cycle)| {
         format!(
             "The largest total error, {:.2} LSB, is at ({}, {}); that pixel leaves in cycle {cycle}. ",
             worst.error_lsb, worst.x, worst.y
@@ -119,21 +118,21 @@ fn errors(run: &Run) -> String {
         "## Errors\n\nIn LSBs of the 8-bit output, over the three channels of all shaded pixels. {}\
          The quantisation error is proven to stay within {}. Half an LSB of it is the rounding to 8 bits.\n\n{}\n{}",
         worst.unwrap_or_default(),
-        bound(run.bench.design.error_bound()),
+        report.bound_in_words(),
         table(["error", "largest", "rms", "mean", "PSNR in dB"], &rows),
-        bound_shares(run)
+        bound_shares(report)
     )
 }
 
 /// How the proven bound compares with what was measured, and where it comes from; nothing where
 /// there is no bound.
-fn bound_shares(run: &Run) -> String {
-    let Some(ratio) = run.bound_ratio() else { return String::new() };
+fn bound_shares(report: &Report) -> String {
+    let Some(ratio) = report.bound_ratio else { return String::new() };
     let row = |share: &Share| {
         [format!("`{}`", share.name), format!("{:.3}", share.lsb), format!("`{}`", share.value)]
     };
     let rows: Vec<[String; 3]> =
-        run.bound_shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
+        report.bound_shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
     let text = format!(
         "The bound is {ratio:.1} times the largest quantisation error of this picture. It is for every scene with the same ranges; where formats were\n\
          narrowed for this picture (`--max-error`, `explore`), only what was measured is within that goal.\n"
@@ -147,22 +146,10 @@ fn bound_shares(run: &Run) -> String {
     )
 }
 
-fn figures(name: &str, figures: &ErrorFigures) -> [String; 5] {
-    let lsb = |x: f64| format!("{x:.3}");
-    let psnr = figures.psnr_db.map_or("no error".to_owned(), |db| format!("{db:.2}"));
-    [name.to_owned(), lsb(figures.max_lsb), lsb(figures.rms_lsb), lsb(figures.mean_lsb), psnr]
-}
-
-fn built(run: &Run) -> String {
-    let options: Vec<[String; 2]> = run
-        .bench
-        .spec
-        .options()
-        .into_iter()
-        .map(|(name, value)| [name.to_owned(), value])
-        .collect();
-    let points: Vec<[String; 4]> = run
-        .bench
+fn built(report: &Report) -> String {
+    let options: Vec<[String; 2]> =
+        report.spec.options().into_iter().map(|(name, value)| [name.to_owned(), value]).collect();
+    let points: Vec<[String; 4]> = report
         .spec
         .narrowing_points()
         .iter()
@@ -185,9 +172,9 @@ fn built(run: &Run) -> String {
     )
 }
 
-fn ports_of(run: &Run) -> String {
-    let design = &run.bench.design;
-    let rows = ports::rows(run.bench.spec, design);
+fn ports_of(report: &Report) -> String {
+    let design = &report.run.bench.design;
+    let rows = ports::rows(report.spec, design);
     let (held, entering) = match design.interval {
         1 => ("as many clocks as it has pixels".to_owned(), "on consecutive clocks"),
         clocks => (format!("{clocks} clocks a pixel"), "one after the other"),
@@ -198,11 +185,11 @@ fn ports_of(run: &Run) -> String {
          only; its pixels enter {entering}. The next span may follow at once. A pixel that enters in clock c leaves in\n\
          clock c + {}, with `valid_out` high.\n",
         table(["port", "direction", "bits", "format", "meaning"], &rows),
-        design.latency()
+        report.latency
     )
 }
 
-fn units(run: &Run) -> String {
+fn units(report: &Report) -> String {
     format!(
         "## Units\n\nCounted in the design, before any FPGA tool has seen it; figures are of one unit, without the units inside it. Multiplier\n\
          bits are the sum of the products of both operands' widths: 18 x 18 is 324.\n\n{}",
@@ -217,14 +204,14 @@ fn units(run: &Run) -> String {
                 "multiplexers",
                 "register bits"
             ],
-            &units::rows(&run.bench.design)
+            &units::rows(&report.run.bench.design)
         )
     )
 }
 
 /// What the scene's needs save, if that is known.
-fn needs(run: &Run) -> String {
-    let Some(savings) = &run.savings else { return String::new() };
+fn needs(report: &Report) -> String {
+    let Some(savings) = report.savings else { return String::new() };
     format!(
         "## What the scene does not need\n\n\
          Measured by elaborating the core without that one need known; savings overlap, and a negative number is what products\n\
@@ -235,8 +222,8 @@ fn needs(run: &Run) -> String {
     )
 }
 
-fn left_out(run: &Run) -> String {
-    let left_out = &run.bench.design.left_out;
+fn left_out(report: &Report) -> String {
+    let left_out = &report.run.bench.design.left_out;
     if left_out.is_empty() {
         return "## Left out\n\nNothing: this scene makes use of everything that its method has.\n"
             .to_owned();
@@ -251,9 +238,8 @@ fn left_out(run: &Run) -> String {
     )
 }
 
-fn facts(run: &Run) -> String {
-    let rows: Vec<[String; 4]> =
-        facts::facts(&run.bench.design, run.outcome).iter().map(Fact::row).collect();
+fn facts(report: &Report) -> String {
+    let rows: Vec<[String; 4]> = report.facts.iter().map(Fact::row).collect();
     if rows.is_empty() {
         return "## Facts that were checked\n\nNone had to be assumed: intervals prove every width.\n".to_owned();
     }
@@ -264,27 +250,26 @@ fn facts(run: &Run) -> String {
     )
 }
 
-fn waves(run: &Run, written: &Written) -> String {
-    let text = match &written.window {
+fn waves(report: &Report) -> String {
+    let text = match report.trace {
         None => "None was asked for: `--trace worst` shows the clocks around the pixel with the largest error.\n".to_owned(),
-        Some(window) => format!(
-            "`{dump}` holds every signal in clocks {} to {}. The save file opens the interesting ones as fixed-point numbers:\n\n\
+        Some([first, end]) => format!(
+            "`{dump}` holds every signal in clocks {first} to {}. The save file opens the interesting ones as fixed-point numbers:\n\n\
              ```sh\ngtkwave {dump} {save}\n```\n",
-            window.start,
-            window.end - 1,
-            dump = run.trace_format.file_name(),
+            end - 1,
+            dump = report.run.trace_format.file_name(),
             save = waveform::SAVE_FILE
         ),
     };
-    format!("## Waveform\n\n{text}{}", way(run, written))
+    format!("## Waveform\n\n{text}{}", way(report))
 }
 
 /// The picture of a pixel's way, if there is one.
-fn way(run: &Run, written: &Written) -> String {
-    if !written.files.iter().any(|file| file == worst::PICTURE) {
+fn way(report: &Report) -> String {
+    if !report.files.iter().any(|file| file == worst_pixel::PICTURE) {
         return String::new();
     }
-    let pixel = match &run.disagreement {
+    let pixel = match &report.run.disagreement {
         None => "the pixel with the largest error",
         Some(disagreement) if disagreement.is_of_bound_alone() => {
             "the pixel whose error is furthest above its bound"
@@ -293,12 +278,12 @@ fn way(run: &Run, written: &Written) -> String {
     };
     format!(
         "\nThe way of {pixel} through the core, its value of each signal marked:\n\n[![way]({file})]({file})\n",
-        file = worst::PICTURE
+        file = worst_pixel::PICTURE
     )
 }
 
-fn verilog(run: &Run) -> String {
-    let module = &run.module;
+fn verilog(report: &Report) -> String {
+    let module = report.module;
     format!(
         "## Verilog\n\n`{module}.v` is the whole core in Verilog-2001. What Specula emits belongs to whoever ran it. To look at it with\nother tools:\n\n\
          ```sh\n\

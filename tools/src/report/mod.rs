@@ -1,11 +1,19 @@
-//! What is said about a run: `report.json` for programs, `report.md` and `report.html` for people.
+//! What is said about a run: one [`Report`], and its renderings: `report.json` for programs,
+//! `report.md` and `report.html` for people, and the summary that `run` prints.
+mod contents;
 mod facts;
 mod json;
 mod markdown;
 mod page;
+mod pictures;
 mod ports;
+mod rows;
+mod summary;
 mod units;
 
+pub use contents::Report;
 pub use json::json;
 pub use markdown::markdown;
 pub use page::html;
+pub use pictures::{ERROR, EXACT, EXPECTED, SIMULATED};
+pub use summary::summary;

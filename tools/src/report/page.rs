@@ -1,46 +1,38 @@
-//! The report for browsers: that for people, with pictures to be laid one over another.
+//! The report for browsers: the report for people, with pictures that can be laid over one another.
 use std::fs;
 use std::io;
 
-use super::markdown;
+use super::pictures::{SHOWN, Shown};
+use super::{Report, markdown};
 use crate::html::{Picture, page, render, viewer};
 use crate::output::Staging;
 use crate::picture;
-use crate::run::{Run, Written};
 
-/// `report.html`, made of the files that have been written. `shown` are names, files and meanings
-/// of the pictures.
+/// `report.html`, made of the files that have been written.
 ///
 /// # Errors
-/// What the system says of a file that cannot be read.
-pub fn html(
-    run: &Run,
-    written: &Written,
-    staging: &Staging,
-    shown: &[[&'static str; 3]],
-) -> io::Result<String> {
-    let title = format!("{}, shaded by {}", run.name(), run.bench.spec.method().name());
-    let pictures = pictures(run, staging, shown)?;
+/// The system's error if a file cannot be read.
+pub fn html(report: &Report, staging: &Staging) -> io::Result<String> {
+    let title = format!("{}, shaded by {}", report.scene, report.method);
     let body = [
-        render(&markdown::head(run), staging)?,
+        render(&markdown::head(report), staging)?,
         "<h2>Pictures</h2>\n".to_owned(),
-        viewer(&pictures),
-        render(markdown::HEAT_MAP, staging)?,
-        render(&markdown::rest(run, written), staging)?,
+        viewer(&pictures(report, staging)?),
+        render(&markdown::heat_map(), staging)?,
+        render(&markdown::rest(report), staging)?,
     ];
     Ok(page(&title, &body.concat()))
 }
 
-fn pictures(run: &Run, staging: &Staging, shown: &[[&'static str; 3]]) -> io::Result<Vec<Picture>> {
-    let read = |&[name, file, about]: &[&'static str; 3]| {
+fn pictures(report: &Report, staging: &Staging) -> io::Result<Vec<Picture>> {
+    let read = |&Shown { name, file, about }: &Shown| {
         Ok(Picture { name, about, png: fs::read(staging.file(file))? })
     };
-    let mut pictures: Vec<Picture> = shown.iter().map(read).collect::<io::Result<_>>()?;
-    let png = picture::png(&picture::heat_picture(&run.outcome.comparison))?;
+    let mut pictures: Vec<Picture> = SHOWN.iter().map(read).collect::<io::Result<_>>()?;
     pictures.push(Picture {
         name: "error",
         about: "total error of each pixel, in the colours of the scale below",
-        png,
+        png: picture::png(&picture::heat_picture(&report.run.outcome.comparison))?,
     });
     Ok(pictures)
 }

@@ -1,4 +1,4 @@
-//! `specula run figure9`.
+//! `specula reproduce figure9`.
 use std::fs;
 
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use specula_experiments::figure9::{Balls, exact};
 
 use crate::program::Place;
 
-const SMALL: [&str; 4] = ["run", "figure9", "--size", "97x33"];
+const SMALL: [&str; 4] = ["reproduce", "figure9", "--size", "97x33"];
 
 #[test]
 fn every_row_agrees_and_is_its_formula() {
@@ -69,7 +69,7 @@ fn the_upper_part_of_a_row_lies_over_the_next() {
 #[test]
 fn the_document_is_what_it_writes() {
     let place = Place::new();
-    place.succeeds(&["run", "figure9"]);
+    place.succeeds(&["reproduce", "figure9"]);
     let written = fs::read_to_string(place.path("out/figure9/report.md")).expect("a report");
     let checked_in = fs::read_to_string("../docs/figure9.md").expect("the document");
     let wanted = written.replace("(figure9.png)", "(images/figure9.png)");
@@ -82,20 +82,33 @@ fn the_document_is_what_it_writes() {
 }
 
 #[test]
-fn what_is_for_one_core_is_refused() {
+fn what_it_does_not_take_is_refused() {
     let place = Place::new();
     for (arguments, said) in [
         (["--method", "phong"], "--method"),
-        (["--specialise", "general"], "--specialise"),
-        (["--max-error", "1lsb"], "--max-error"),
-        (["--device", "xc7a35t"], "--device"),
-        (["--clock", "100"], "--clock"),
-        (["--trace", "all"], "--trace"),
-        (["--size", "6x480"], "6x480"),
+        (["--mesh", "venus.ply"], "--mesh"),
+        (["--size", "6x480"], "five balls in a row take 7x3 pixels at least"),
+        (["--size", "7x2"], "five balls in a row take 7x3 pixels at least"),
+        (["--size", "7"], "write width and height in pixels"),
     ] {
-        let ended = place.specula(&["run", "figure9", arguments[0], arguments[1]]);
+        let ended = place.specula(&["reproduce", "figure9", arguments[0], arguments[1]]);
         assert_eq!(ended.status, Some(2), "{arguments:?}");
         assert!(ended.stderr.contains(said), "{}", ended.stderr);
         assert!(place.names(".").is_empty());
     }
+    let ended = place.specula(&["reproduce", "--mesh", "venus.ply", "figure9"]);
+    assert_eq!(ended.status, Some(2), "{}", ended.stdout);
+}
+
+/// It was a scene of `run` once: who asks for that learns its place.
+#[test]
+fn it_is_no_scene() {
+    let place = Place::new();
+    for command in ["run", "needs"] {
+        let ended = place.specula(&[command, "figure9"]);
+        assert_eq!(ended.status, Some(2), "{}", ended.stdout);
+        assert!(ended.stderr.contains("`specula reproduce figure9`"), "{}", ended.stderr);
+        assert!(place.names(".").is_empty());
+    }
+    assert!(!place.succeeds(&["scenes"]).contains("\nfigure9"));
 }

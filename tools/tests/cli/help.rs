@@ -21,6 +21,8 @@ fn every_command_has_help() {
         assert!(text.contains("Example: specula"), "{text}");
         insta::assert_snapshot!(format!("help_of_{command}"), text);
     }
+    let text = place.succeeds(&["reproduce", "figure9", "--help"]);
+    insta::assert_snapshot!("help_of_reproduce_figure9", text);
     insta::assert_snapshot!("help", place.succeeds(&["--help"]));
 }
 

@@ -71,7 +71,7 @@ fn results_can_be_read_by_others_as_the_user_has_it() {
     assert_eq!(mode("run"), mode("usual"));
 }
 
-/// What every command says of a folder in which somebody's file has the name of one that it would
+/// What every command says of a folder in which a foreign file has the name of one that it would
 /// write.
 fn refused(place: &Place, arguments: &[&str], file: &str) {
     let before = fs::read(place.path(file)).unwrap();
@@ -113,7 +113,7 @@ fn no_command_replaces_what_specula_did_not_write() {
     refused(&place, &explore, &spec);
     let verilog = foreign("b", "teapot.v", "module teapot;\nendmodule\n");
     refused(&place, &["generate", "teapot", "-o", "b"], &verilog);
-    // Without a report that is Specula's the folder is somebody's, whatever its files are called.
+    // Without a report that is Specula's the folder is not Specula's, whatever its files are called.
     for (name, text) in [
         ("report.md", "# mine\n"),
         ("spec.toml", package),
@@ -153,7 +153,7 @@ fn every_command_knows_the_folder_that_it_wrote() {
     let place = Place::new();
     for arguments in [
         &["run", "icosahedron", "--size", "16x12"][..],
-        &["run", "figure9", "--size", "28x76"],
+        &["reproduce", "figure9", "--size", "28x76"],
         &[
             "compare",
             "icosahedron",
@@ -209,7 +209,7 @@ fn reports_and_results_are_read_if_they_are_regular_files() {
             let ended = place.specula(&[command, "icosahedron", "--size", "16x12", "-o", folder]);
             assert_eq!(ended.status, Some(2), "{command} {folder}");
             assert!(
-                ended.stderr.contains(&format!("holds `{name}`")),
+                ended.stderr.contains(&format!("`{name}`")),
                 "{command} {folder}: {}",
                 ended.stderr
             );

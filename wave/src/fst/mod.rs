@@ -14,12 +14,12 @@ use fst_reader::{
     FstFilter, FstReader, FstSignalHandle, FstSignalValue, ReadSignalsError, ReaderError,
 };
 
+use super::catch_panic::catch_panic;
 use super::contents::Contents;
-use super::guard::guarded;
 use super::input::Bytes;
 use super::raw::{Change, Raw, Taker};
-use super::ruler;
 use super::survey::{LATEST, Survey};
+use super::time_axis;
 use super::variables::{Kind, arrange};
 use super::warnings::Warnings;
 use check::{ValueBlock, wrong};
@@ -50,10 +50,10 @@ impl Fst {
         let blocks = check::check(&mut BufReader::new(&mut bytes))?;
         instants(&mut bytes, &blocks, &mut survey)?;
         let open = || FstReader::open(BufReader::new(bytes.clone()));
-        let mut reader = guarded(open).map_err(|()| contradictory())?.map_err(illegible)?;
+        let mut reader = catch_panic(open).map_err(|()| contradictory())?.map_err(illegible)?;
         let mut hierarchy = Hierarchy::new(warnings);
         let read = || reader.read_hierarchy(|entry| hierarchy.take(entry));
-        guarded(read).map_err(|()| contradictory())?.map_err(illegible)?;
+        catch_panic(read).map_err(|()| contradictory())?.map_err(illegible)?;
         let Hierarchy { scopes, mut variables, .. } = hierarchy;
         arrange(&mut variables, &scopes);
         let signals =
@@ -66,7 +66,7 @@ impl Fst {
         let time_unit = hierarchy::time_unit(reader.get_header().timescale_exponent);
         let mut fst = Fst { reader, bytes, blocks, is_text, first };
         fst.survey_values(
-            ruler::clock(&variables, &scopes).map(|clock| variables[clock].signal),
+            time_axis::clock(&variables, &scopes).map(|clock| variables[clock].signal),
             &mut survey,
         )?;
         Ok((fst, Contents { scopes, variables, time_unit, survey }))
@@ -142,7 +142,7 @@ impl Fst {
                 if take(change).is_break() { Err(()) } else { Ok(()) }
             })
         };
-        match guarded(read).map_err(|()| contradictory())? {
+        match catch_panic(read).map_err(|()| contradictory())? {
             Ok(()) | Err(ReadSignalsError::CallbackError(())) => Ok(()),
             Err(ReadSignalsError::ReadError(error)) => Err(illegible(error)),
         }

@@ -1,24 +1,24 @@
-//! What a core for one scene saves, need by need: each is measured by elaborating the core without
-//! knowing it.
+//! What a core for one scene saves, need by need: each saving is measured by an ablation, which
+//! elaborates the core without knowing the need.
 //!
-//! What is known of a scene comes in two kinds: facts from which options and formats are chosen
+//! What is known of a scene comes in two kinds: premises from which options and formats are chosen
 //! before any input is looked at ([`needs`]), and what inputs are given over the frame
 //! ([`inputs`]).
 mod general;
 mod inputs;
 mod needs;
-mod spared;
+mod size_delta;
 
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_scene::{CoreSpec, LoadedScene};
 
 use general::General;
-use spared::Built;
+use size_delta::Built;
 use specula_testbench::BenchError;
 
 pub use general::Baseline;
-pub use spared::{Spared, SparedCells, Synthesis};
+pub use size_delta::{CellDelta, SizeDelta, Synthesis};
 
 /// A need of a scene, and what knowing it saves.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -28,7 +28,7 @@ pub struct Saving {
     /// What was left out or narrowed.
     pub left_out: String,
     /// What the core would have more without knowing.
-    pub saves: Spared,
+    pub saves: SizeDelta,
     /// Why nothing is lost.
     pub safe: &'static str,
 }
@@ -36,19 +36,19 @@ pub struct Saving {
 /// A core for one scene against the general one.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Savings {
-    /// Need by need. They overlap, so they do not add up to the whole.
+    /// The savings need by need. They overlap, so they do not add up to the whole.
     pub needs: Vec<Saving>,
-    /// Of all of them together, against general cores: first the one that knows nothing of the
-    /// scene, then the one that a renderer would be built with.
+    /// The savings of all needs together, against general cores: first the one that knows nothing
+    /// of the scene, then the one that a renderer would be built with.
     pub together: Vec<AgainstGeneral>,
 }
 
 /// What the core saves against a general one.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct AgainstGeneral {
-    /// Which.
+    /// The general core that it is compared with.
     pub baseline: Baseline,
-    /// What such a core is built for, in the words of a table.
+    /// What such a core is built for, as a table's text.
     pub built_for: String,
     /// Lights that it has pipelines for.
     pub lights: usize,
@@ -59,25 +59,25 @@ pub struct AgainstGeneral {
     /// What it knows of the scene all the same, since none could be built without.
     pub known: Vec<&'static str>,
     /// What is saved.
-    pub saves: Spared,
+    pub saves: SizeDelta,
 }
 
-/// What the core of `spec` saves that is to shade a scene, with cells if `synthesis` makes them. A
-/// need that saves nothing has no line.
+/// What the core of `spec`, which is to shade a scene, saves by its needs; in cells too if
+/// `synthesis` makes them. A need that saves nothing is left out.
 ///
 /// # Errors
 /// [`BenchError::TooWide`] if the core has too wide a signal, [`BenchError::Simulation`] if it
 /// cannot be synthesised.
-pub fn savings(
+pub fn ablation(
     scene: &LoadedScene,
     spec: &CoreSpec,
     synthesis: Option<Synthesis>,
 ) -> Result<Savings, BenchError> {
     let special = specula_hdl::elaborate(spec, "core")?;
-    let (of_facts, of_inputs) =
-        rayon::join(|| needs::ignorant(scene, spec), || inputs::of_inputs(spec));
-    let (of_facts, generals) = of_facts?;
-    let needs: Vec<Ignorant> = of_facts.into_iter().chain(of_inputs?).collect();
+    let (of_premises, of_inputs) =
+        rayon::join(|| needs::of_premises(scene, spec), || inputs::of_inputs(spec));
+    let (of_premises, generals) = of_premises?;
+    let needs: Vec<Ablation> = of_premises.into_iter().chain(of_inputs?).collect();
     let of_generals = generals.iter().map(|general| &general.design);
     let designs: Vec<&Design> = [&special]
         .into_iter()
@@ -86,10 +86,10 @@ pub fn savings(
         .collect();
     let built = Built::all(&designs, synthesis)?;
     let (special, (of_generals, of_needs)) = (&built[0], built[1..].split_at(generals.len()));
-    let saving = |(without, core): (&Ignorant, &Built)| Saving {
+    let saving = |(without, core): (&Ablation, &Built)| Saving {
         need: without.need,
         left_out: without.left_out.clone(),
-        saves: Spared::between(core, special),
+        saves: SizeDelta::between(core, special),
         safe: without.safe,
     };
     let needs = needs
@@ -105,13 +105,13 @@ pub fn savings(
         longest_span: general.needs.longest_span,
         largest_shininess: general.needs.largest_shininess,
         known: general.known.clone(),
-        saves: Spared::between(built, special),
+        saves: SizeDelta::between(built, special),
     };
     Ok(Savings { needs, together: generals.iter().zip(of_generals).map(against).collect() })
 }
 
-/// The core without knowing one need.
-struct Ignorant {
+/// The core elaborated without knowing one need.
+struct Ablation {
     need: &'static str,
     left_out: String,
     safe: &'static str,

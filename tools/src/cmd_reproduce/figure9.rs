@@ -1,31 +1,68 @@
-//! `specula run figure9`: Lyon's figure 9, each row shaded by the core that has its formula [Lyon,
-//! TR 43].
+//! `specula reproduce figure9`: Lyon's figure 9, each row shaded by the core that has its formula
+//! [Lyon, TR 43].
 mod picture;
 mod report;
 
 use std::fs;
 use std::io::{self, Write};
+use std::path::PathBuf;
 
+use clap::Args;
 use specula_experiments::figure9::{self, Balls, ROWS, Row};
 use specula_scene::{Frame, SceneError};
-use specula_testbench::trace::Choice;
-use specula_testbench::{Bench, Image};
+use specula_testbench::{Bench, EngineKind, Image};
 
-use super::{Arguments, MARKDOWN, simulate};
-use crate::cli::Verdict;
+use crate::arguments::{engine_parser, parse_size};
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::header::Origin;
-use crate::output::{Destination, Interrupts, REPORT};
+use crate::output::{Destination, Interrupts, MARKDOWN, REPORT};
+use crate::run::{DEFAULT_ENGINE, simulate};
+use crate::verdict::Verdict;
 use crate::{picture as png, verilog};
 use report::Line;
 
-/// What stands in a scene's place on the command line.
-pub const NAME: &str = "figure9";
-/// The radius of the report's balls, in pixels.
-const RADIUS: u32 = 64;
+const EXAMPLE: &str = "\
+Shades Lyon's figure 9, a core for each of its twelve rows, and compares every pixel with the \
+bit-true model and with the formula in f64. Writes DIR/figure9.png, formulas.png (the same in f64), \
+the cores, report.md and report.json.
+
+Exit status: 0 if every pixel agrees and no quantisation error is above its proven bound, 1 if not.
+
+Example: specula reproduce figure9 --size 385x129 -o out/figure9";
+
+/// Arguments of `reproduce figure9`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = EXAMPLE)]
+pub struct Arguments {
+    /// Folder to write [default: out/figure9]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Width and height in pixels into which a row of balls has to fit, from 7x3 on [default:
+    /// 385x129, the report's]
+    #[arg(long = "size", value_name = "WxH", allow_hyphen_values = true, value_parser = parse_balls)]
+    balls: Option<Balls>,
+    /// What simulates the cores
+    #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
+    engine: EngineKind,
+    /// Print report.json instead of the table
+    #[arg(long)]
+    json: bool,
+}
+
+/// Name of the figure, of its output folder, and of its picture.
+const NAME: &str = "figure9";
+/// The balls of the report.
+const BALLS: Balls = Balls { radius: 64 };
 const SIMULATED: &str = "figure9.png";
 const FORMULAS: &str = "formulas.png";
+
+/// `--size`: the largest balls of which a row fits.
+fn parse_balls(text: &str) -> Result<Balls, String> {
+    let (width, height) = parse_size(text)?;
+    Balls::within(width, height)
+        .ok_or_else(|| "five balls in a row take 7x3 pixels at least".to_owned())
+}
 
 /// A row that has been simulated and compared.
 struct Shaded {
@@ -41,8 +78,8 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let balls = balls(arguments)?;
-    let folder = arguments.output.folder(NAME);
+    let balls = arguments.balls.unwrap_or(BALLS);
+    let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from("out").join(NAME));
     let destination = Destination::check(&folder, &files(), interrupts)?;
     let frame = figure9::frame(balls);
     let numbered = ROWS.iter().zip(1..);
@@ -54,31 +91,6 @@ pub fn execute(
         if arguments.json { json } else { report::summary(&rows, &files(), &destination.shown) };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(&rows))
-}
-
-/// As large as asked for, if nothing is asked for that a set of cores does not have.
-fn balls(arguments: &Arguments) -> Result<Balls, ToolError> {
-    let Arguments { scene, name, core, wishes, device, clock, trace, .. } = arguments;
-    let asked = [
-        ("--name", name.name.is_some()),
-        ("--core", core.is_some()),
-        ("--method", wishes.method.is_some()),
-        ("--specialise", wishes.specialise.is_some()),
-        ("--max-error", wishes.max_error.is_some()),
-        ("--device", device.device.is_some()),
-        ("--clock", clock.is_given()),
-        ("--trace", !matches!(trace, Choice::Worst | Choice::None)),
-    ];
-    if let Some((option, _)) = asked.into_iter().find(|(_, given)| *given) {
-        return Err(ToolError::Figure9 { wrong: format!("{option} is for one core") });
-    }
-    let Some((width, height)) = scene.picture.size else { return Ok(Balls { radius: RADIUS }) };
-    match Balls::within(width, height) {
-        Some(balls) => Ok(balls),
-        None => Err(ToolError::Figure9 {
-            wrong: format!("its balls have no room in {width}x{height} pixels"),
-        }),
-    }
 }
 
 fn shaded(
@@ -94,7 +106,7 @@ fn shaded(
     let error = figure9::errors(row, balls, &outcome.simulated);
     let origin = Origin {
         scene: format!("{NAME}, row {number}: {}", row.title),
-        command: format!("specula run {NAME}"),
+        command: format!("specula reproduce {NAME}"),
     };
     Ok(Shaded {
         line: Line::new((row, number), &bench, &outcome, error),
@@ -143,7 +155,7 @@ fn write(
     Ok(json)
 }
 
-/// The verdict; what disagrees is said to whoever watches.
+/// The verdict; what disagrees is written to standard error.
 fn verdict(rows: &[Shaded]) -> Verdict {
     let mut verdict = Verdict::Done;
     let mut stderr = io::stderr().lock();

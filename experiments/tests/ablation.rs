@@ -1,10 +1,10 @@
 //! What cores for one scene save, need by need.
-use specula_experiments::{Baseline, Saving, Savings, savings};
+use specula_experiments::{Baseline, Saving, Savings, ablation};
 use specula_scene::{LoadedScene, Method, Needs, load};
 
 fn of(scene: &LoadedScene, method: Method) -> Savings {
     let spec = scene.core_spec(Some(method)).unwrap();
-    savings(scene, &spec, None).unwrap()
+    ablation(scene, &spec, None).unwrap()
 }
 
 fn scene(name: &str) -> LoadedScene {
@@ -164,7 +164,7 @@ fn narrowed_formats_are_no_need() {
     let shape = points.iter().find(|point| point.name == "base").unwrap().format;
     let narrow = specula_scene::Format { fraction_bits: shape.fraction_bits - 3, ..shape };
     let narrowed = spec.with_formats(&[("base", narrow)]).unwrap().specialised(&torus.frame);
-    let of = |spec| savings(&torus, spec, None).unwrap();
+    let of = |spec| ablation(&torus, spec, None).unwrap();
     let needs =
         |savings: &Savings| savings.needs.iter().map(|saving| saving.need).collect::<Vec<_>>();
     let (wide, narrow) = (of(&spec), of(&narrowed));

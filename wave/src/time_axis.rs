@@ -1,18 +1,18 @@
-//! What time is counted in: clocks where there is a clock, else the file's units.
+//! The unit in which time is counted: clocks where there is a clock, else the file's units.
 use std::ops::RangeInclusive;
 
 use super::dump::Dump;
 use super::variables::{Scopes, Variable};
 
-/// What time is counted in.
+/// The unit in which time is counted.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Ruler {
+pub enum TimeAxis {
     /// Clocks: number c begins with the rising edge at `phase` + c `period`, and what stands before
     /// clock 0 is not shown.
     Clocks {
         /// The time of the edge that begins clock 0.
         phase: u64,
-        /// From an edge to the next.
+        /// The time from an edge to the next.
         period: u64,
     },
     /// The file's units of time.
@@ -35,21 +35,24 @@ pub fn clock(variables: &[Variable], scopes: &Scopes) -> Option<usize> {
     clocks.min_by_key(|(_, variable)| scopes.depth(variable.scope)).map(|(index, _)| index)
 }
 
-impl Ruler {
-    /// The ruler of a dump: the outermost signal named `clock` or `clk` gives it, if it rises at a
-    /// constant pace.
-    pub fn of(dump: &Dump) -> Ruler {
+impl TimeAxis {
+    /// The time axis of a dump: the outermost signal named `clock` or `clk` gives it, if it rises
+    /// at a constant pace.
+    pub fn of(dump: &Dump) -> TimeAxis {
         let clock =
             clock(dump.variables(), dump.scopes()).map(|clock| dump.variables()[clock].signal);
         let pace = clock.and_then(|clock| dump.survey().pace(clock));
-        pace.map_or(Ruler::Time, |(first, period)| Ruler::Clocks { phase: first % period, period })
+        pace.map_or(TimeAxis::Time, |(first, period)| TimeAxis::Clocks {
+            phase: first % period,
+            period,
+        })
     }
 
-    /// What it counts.
+    /// The unit that it counts in.
     pub fn unit(&self, dump: &Dump) -> String {
         match self {
-            Ruler::Clocks { .. } => "clocks".to_owned(),
-            Ruler::Time => dump.time_unit(),
+            TimeAxis::Clocks { .. } => "clocks".to_owned(),
+            TimeAxis::Time => dump.time_unit(),
         }
     }
 
@@ -57,26 +60,26 @@ impl Ruler {
     pub fn described(&self, window: &RangeInclusive<u64>, dump: &Dump) -> String {
         let (first, last) = (window.start(), window.end());
         match self {
-            Ruler::Clocks { .. } => format!("clocks {first} to {last}"),
-            Ruler::Time => format!("{first} to {last}, in {}", dump.time_unit()),
+            TimeAxis::Clocks { .. } => format!("clocks {first} to {last}"),
+            TimeAxis::Time => format!("{first} to {last}, in {}", dump.time_unit()),
         }
     }
 
     /// The clock in which `time` lies, or the time itself.
     pub fn at(&self, time: u64) -> u64 {
         match self {
-            Ruler::Clocks { phase, period } => time.saturating_sub(*phase) / period,
-            Ruler::Time => time,
+            TimeAxis::Clocks { phase, period } => time.saturating_sub(*phase) / period,
+            TimeAxis::Time => time,
         }
     }
 
     /// When a clock begins, or the time itself.
     pub fn time(&self, number: u64) -> u64 {
         match self {
-            Ruler::Clocks { phase, period } => {
+            TimeAxis::Clocks { phase, period } => {
                 number.saturating_mul(*period).saturating_add(*phase)
             }
-            Ruler::Time => number,
+            TimeAxis::Time => number,
         }
     }
 
@@ -85,11 +88,11 @@ impl Ruler {
     pub fn extent(&self, dump: &Dump) -> RangeInclusive<u64> {
         let extent = dump.extent();
         match self {
-            Ruler::Clocks { .. } => {
+            TimeAxis::Clocks { .. } => {
                 let behind = u64::from(!dump.survey().changes_at_last());
                 self.at(*extent.start())..=self.at(extent.end().saturating_sub(behind))
             }
-            Ruler::Time => extent,
+            TimeAxis::Time => extent,
         }
     }
 }
@@ -100,8 +103,11 @@ mod tests {
 
     #[test]
     fn numbers_and_times_belong_together() {
-        let ruler = Ruler::Clocks { phase: 5, period: 10 };
-        assert_eq!((ruler.time(3), ruler.at(35), ruler.at(44), ruler.at(0)), (35, 3, 3, 0));
-        assert_eq!(ruler.time(u64::MAX), u64::MAX);
+        let time_axis = TimeAxis::Clocks { phase: 5, period: 10 };
+        assert_eq!(
+            (time_axis.time(3), time_axis.at(35), time_axis.at(44), time_axis.at(0)),
+            (35, 3, 3, 0)
+        );
+        assert_eq!(time_axis.time(u64::MAX), u64::MAX);
     }
 }

@@ -1,7 +1,6 @@
 //! The picture of a pixel's way through the core: the worst one's, the first one's that disagrees,
 //! or that of an error above its bound.
 use std::fs;
-use std::ops::Range;
 
 use specula_datapath::Design;
 use specula_datapath::design::{NodeId, Op, ScopeId};
@@ -14,7 +13,7 @@ use crate::run::Run;
 use crate::waveform;
 use specula_wave::{self as wave, Asked, View};
 
-/// The picture.
+/// Name of the picture.
 pub const PICTURE: &str = "worst.svg";
 
 /// Rows of units, at most; where there are more, values on a unit's way to its result are left out.
@@ -22,26 +21,24 @@ const MOST_ROWS: usize = 26;
 /// Clocks shown before the pixel enters and after it leaves.
 const AROUND: u64 = 2;
 
-/// Draws the pixel's way through the core, if the run has a waveform and a pixel at all. The clocks
-/// of that way are read from a waveform of their own, since that of the run may hold other ones, or
-/// be very long.
-pub fn write(staging: &Staging, run: &Run, window: Option<&Range<u64>>) -> Result<(), ToolError> {
-    let Some(leaves) = run.clock_to_look_at().filter(|_| window.is_some()) else { return Ok(()) };
+/// Draws the pixel's way through the core into the file `name`. The clocks of that way are read from
+/// a waveform of their own, since that of the run may hold other ones, or be very long.
+pub fn write(run: &Run, staging: &Staging, name: &str) -> Result<(), ToolError> {
+    let Some(leaves) = run.clock_to_look_at() else { return Ok(()) };
     let design = &run.bench.design;
     // Of lights that take turns the last.
     let enters = leaves.saturating_sub(design.depth().into());
     let (first, last) = (enters.saturating_sub(AROUND), leaves + AROUND);
     let dump = staging.scratch(run.trace_format.file_name());
-    waveform::dump(&dump, run, &Choice::Cycles(first..last + 1))?
-        .map_err(staging.failed(PICTURE))?;
+    waveform::dump(&dump, run, &Choice::Cycles(first..last + 1))?.map_err(staging.failed(name))?;
     let mut view = View::open(&dump)?;
     let choice = view.named(&way(design, enters));
     let mut figure =
         view.figure(&choice, &Asked { from: Some(first), to: Some(last), usual: 0 })?;
     figure.notes =
         vec!["A pixel's way through the core: marked values belong to the pixel that leaves in the marked clock.".to_owned()];
-    fs::write(staging.file(PICTURE), wave::svg(&figure, None)).map_err(staging.failed(PICTURE))?;
-    Ok(())
+    let svg = wave::svg(&figure, None);
+    Ok(fs::write(staging.file(name), svg).map_err(staging.failed(name))?)
 }
 
 /// Names of the signals along a pixel's way, and the clock in which each has that pixel's value.

@@ -1,13 +1,13 @@
-//! A file alone, wherever the user wants it.
+//! Writing a single file: it is complete, or it is not there.
 use std::fs;
 use std::io;
 use std::path::Path;
 
+use super::created_dirs::CreatedDirs;
+use super::error::OutputError;
 use super::folder::settle_leftovers;
 use super::interrupt::Interrupts;
-use super::made::MadeFolders;
 use super::temporary::Temporary;
-use crate::error::OutputError;
 
 /// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder is
 /// made if it is not there; a link to a file stays one.
@@ -37,14 +37,14 @@ pub fn write_file(
     }
     settle_leftovers([beside]);
     let publish = || {
-        let made = MadeFolders::make(beside, interrupts)?;
+        let created = CreatedDirs::create(beside, interrupts)?;
         let temporary = Temporary::new_in(beside, interrupts)?;
         // With the same ending, by which pictures are told apart.
         let new = temporary.path().join(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
         write(&new)?;
         fs::rename(&new, path)?;
         drop(temporary);
-        made.keep();
+        created.keep();
         Ok(())
     };
     publish().map_err(OutputError::system(shown))

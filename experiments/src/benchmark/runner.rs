@@ -1,14 +1,14 @@
-//! What takes part in a measurement.
-use super::sums::Sums;
-use super::{Entry, MeasureError};
+//! The interface of what a measurement times.
+use super::checksum::Checksum;
+use super::{Config, MeasureError};
 
 /// An engine in a mode, ready to run.
-pub(crate) trait Contestant {
-    /// Which it is.
-    fn entry(&self) -> Entry;
+pub(crate) trait Runner {
+    /// The engine and its mode.
+    fn config(&self) -> Config;
 
-    /// Seconds from the spec of a core to the first values. What takes long is measured once, what
-    /// takes short anew each time.
+    /// Seconds from the spec of a core to the first values. A long start is measured once, a short
+    /// one anew each time.
     ///
     /// # Errors
     /// [`MeasureError`] if the engine fails.
@@ -24,10 +24,10 @@ pub(crate) trait Contestant {
 /// A run that has been timed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Timed {
-    /// Seconds.
+    /// Seconds that it took.
     pub seconds: f64,
-    /// Clocks simulated.
+    /// Number of clocks simulated.
     pub clocks: u64,
-    /// Sums of the codes of all pixels.
-    pub sums: Sums,
+    /// Checksum of the codes of all pixels.
+    pub checksum: Checksum,
 }

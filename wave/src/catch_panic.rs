@@ -5,14 +5,18 @@
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Mutex, PoisonError};
 
-/// Held by who has changed the hook, which is the whole process's.
+/// Held while the hook is changed, which is the whole process's.
 static HOOK: Mutex<()> = Mutex::new(());
 
-/// Does `work`; what a panic said is of no use to anybody but the reader's authors.
-pub fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, ()> {
+/// Does `work`, and gives an error if it panics. The panic's message is discarded: only the
+/// reader's authors could use it.
+///
+/// # Errors
+/// `()` if `work` panics.
+pub fn catch_panic<T>(work: impl FnOnce() -> T) -> Result<T, ()> {
     // Nothing is kept in the mutex that a panic could spoil.
     let _held = HOOK.lock().unwrap_or_else(PoisonError::into_inner);
-    // Silent for as long as the work takes, since the user is told in other words.
+    // The hook is silent for as long as the work takes, since the caller reports the error.
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
     // Whatever the work leaves half done is dropped by the caller, who gets no value.

@@ -1,33 +1,33 @@
-//! Who takes part.
+//! The runners of a measurement.
 use std::rc::Rc;
 use std::thread;
 
 use specula_sim::fast::{Level, Settings};
 use specula_sim::{Icarus, Keeping, SimError, Stimulus, TimedVerilator, Verilator};
 
-use super::contestant::Contestant;
 use super::external::{Interpreted, Verilated};
 use super::in_process::{InProcess, Kind};
 use super::rounds::Step;
+use super::runner::Runner;
 use super::scratch::Scratch;
 use super::workload::Workload;
-use super::{Entry, MeasureError, Mode, Skipped};
+use super::{Config, MeasureError, Mode, Skipped};
 use specula_testbench::{Bench, EngineKind};
 
 /// Threads of the rows that have several.
 const THREADS: usize = 2;
 
-/// The contestants, and what could not be one.
-pub(crate) struct Field<'a> {
+/// The runners, and the engines that cannot run on this machine.
+pub(crate) struct Roster<'a> {
     bench: &'a Bench<'a>,
     workload: &'a Workload,
     scratch: &'a Scratch,
-    pub contestants: Vec<Box<dyn Contestant + 'a>>,
+    pub runners: Vec<Box<dyn Runner + 'a>>,
     pub skipped: Vec<Skipped>,
 }
 
-impl<'a> Field<'a> {
-    /// Everybody who is present on this machine, ready to run.
+impl<'a> Roster<'a> {
+    /// All simulators installed on this machine, ready to run.
     ///
     /// # Errors
     /// [`MeasureError`] if a tool that is present fails.
@@ -36,42 +36,42 @@ impl<'a> Field<'a> {
         workload: &'a Workload,
         scratch: &'a Scratch,
         progress: &mut dyn FnMut(&Step),
-    ) -> Result<Field<'a>, MeasureError> {
-        let mut field = Field { bench, workload, scratch, contestants: vec![], skipped: vec![] };
-        field.add_fast();
-        field.add_rust_hdl();
-        field.add_verilator(progress)?;
-        field.add_icarus()?;
-        Ok(field)
+    ) -> Result<Roster<'a>, MeasureError> {
+        let mut roster = Roster { bench, workload, scratch, runners: vec![], skipped: vec![] };
+        roster.add_fast();
+        roster.add_rust_hdl();
+        roster.add_verilator(progress)?;
+        roster.add_icarus()?;
+        Ok(roster)
     }
 
     fn add_fast(&mut self) {
         let best = Level::best();
         for mode in Mode::ALL {
-            self.add_in_process(Entry::fast(mode, best, 1), fast(best, 1));
+            self.add_in_process(Config::fast(mode, best, 1), fast(best, 1));
         }
         for mode in [Mode::Outputs, Mode::EverySignal] {
             if best != Level::BASELINE {
                 self.add_in_process(
-                    Entry::fast(mode, Level::BASELINE, 1),
+                    Config::fast(mode, Level::BASELINE, 1),
                     fast(Level::BASELINE, 1),
                 );
             }
             if thread::available_parallelism().is_ok_and(|cores| cores.get() >= THREADS) {
-                self.add_in_process(Entry::fast(mode, best, THREADS), fast(best, THREADS));
+                self.add_in_process(Config::fast(mode, best, THREADS), fast(best, THREADS));
             }
         }
     }
 
     fn add_rust_hdl(&mut self) {
         for mode in [Mode::Outputs, Mode::EverySignal] {
-            self.add_in_process(Entry::only(EngineKind::RustHdl, mode), Kind::RustHdl);
+            self.add_in_process(Config::only(EngineKind::RustHdl, mode), Kind::RustHdl);
         }
     }
 
-    fn add_in_process(&mut self, entry: Entry, kind: Kind) {
-        let &mut Field { bench, workload, scratch, .. } = self;
-        self.contestants.push(Box::new(InProcess { bench, workload, scratch, entry, kind }));
+    fn add_in_process(&mut self, config: Config, kind: Kind) {
+        let &mut Roster { bench, workload, scratch, .. } = self;
+        self.runners.push(Box::new(InProcess { bench, workload, scratch, config, kind }));
     }
 
     fn add_verilator(&mut self, progress: &mut dyn FnMut(&Step)) -> Result<(), MeasureError> {
@@ -103,7 +103,7 @@ impl<'a> Field<'a> {
 
     fn add_verilated(&mut self, program: &Rc<TimedVerilator>, modes: &[Mode]) {
         for &mode in modes {
-            self.contestants.push(Box::new(Verilated {
+            self.runners.push(Box::new(Verilated {
                 program: Rc::clone(program),
                 scratch: self.scratch,
                 mode,
@@ -112,10 +112,10 @@ impl<'a> Field<'a> {
     }
 
     fn add_icarus(&mut self) -> Result<(), MeasureError> {
-        let &mut Field { bench, workload, scratch, .. } = self;
+        let &mut Roster { bench, workload, scratch, .. } = self;
         match Icarus::new(&bench.design) {
             Ok(engine) => {
-                self.contestants.push(Box::new(Interpreted { bench, workload, engine, scratch }))
+                self.runners.push(Box::new(Interpreted { bench, workload, engine, scratch }))
             }
             Err(absent) => self.skip(EngineKind::Icarus, None, reason(absent)?),
         }
@@ -131,7 +131,7 @@ fn fast(level: Level, threads: usize) -> Kind {
     Kind::Fast(Settings { level, threads, ..Settings::default() })
 }
 
-/// Why a tool is not there and how to get it; any other error is one.
+/// Why a tool is absent and how to install it; any other error is passed on.
 fn reason(error: SimError) -> Result<String, MeasureError> {
     match error {
         SimError::ToolAbsent { tool, install, .. } => {
@@ -141,7 +141,7 @@ fn reason(error: SimError) -> Result<String, MeasureError> {
     }
 }
 
-/// Why a program with FST was not built, from what the compiler said.
+/// Why a program with FST was not built, by the compiler's output.
 fn without_fst(output: &str) -> String {
     let said =
         output.lines().find(|line| line.contains("error")).unwrap_or("no reason is given").trim();

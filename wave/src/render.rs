@@ -9,7 +9,7 @@ use specula_drawing::{CAPITAL, CHARACTER, Ink, Mark, Point, Sheet};
 const WAVE: f64 = 15.0;
 
 /// Lays a figure out, in a width in pixels if that is given.
-pub fn sheet(figure: &Figure, width: Option<u32>) -> Sheet {
+pub fn render(figure: &Figure, width: Option<u32>) -> Sheet {
     let layout = Layout::new(figure, width);
     let mut pen = Pen { layout: &layout, marks: vec![] };
     pen.columns(&figure.axis);

@@ -1,25 +1,25 @@
-//! Cores that do not know what some of their inputs are given.
+//! Ablations: the core elaborated without knowing what values some of its inputs are given.
 use rayon::prelude::*;
 use specula_scene::CoreSpec;
 use specula_scene::spec::{Given, InputPort, Subject};
 
-use super::Ignorant;
+use super::Ablation;
 use specula_testbench::BenchError;
 
-/// Without knowing what some inputs are given.
+/// The ablations of inputs, group by group.
 ///
 /// # Errors
 /// [`BenchError::TooWide`] if such a core has too wide a signal.
-pub fn of_inputs(spec: &CoreSpec) -> Result<Vec<Ignorant>, BenchError> {
+pub fn of_inputs(spec: &CoreSpec) -> Result<Vec<Ablation>, BenchError> {
     let ports = spec.inputs();
-    let ignorant = |(need, safe, group): (&'static str, &'static str, Vec<&InputPort>)| {
+    let ablation = |(need, safe, group): (&'static str, &'static str, Vec<&InputPort>)| {
         let left_out = described(spec, &group)?;
         let known = |name: &str| !group.iter().any(|port| port.name == name);
         let core = CoreSpec { specialisation: spec.specialisation.only(known), ..spec.clone() };
         let design = specula_hdl::elaborate(&core, "core").map_err(BenchError::from);
-        Some(design.map(|design| Ignorant { need, left_out, safe, design }))
+        Some(design.map(|design| Ablation { need, left_out, safe, design }))
     };
-    groups(&ports).collect::<Vec<_>>().into_par_iter().filter_map(ignorant).collect()
+    groups(&ports).collect::<Vec<_>>().into_par_iter().filter_map(ablation).collect()
 }
 
 /// Inputs that a need is about. Coefficients that are the same in several channels are a need of

@@ -1,4 +1,4 @@
-//! What is done with the batches that an engine of ours hands over.
+//! Sinks of the batches that an engine of this workspace hands over.
 use std::fs::File;
 use std::hint::black_box;
 use std::io::{self, Sink, Write};
@@ -10,22 +10,22 @@ use specula_sim::{Batch, fst, vcd};
 
 use super::Mode;
 
-/// Takes batches.
-pub(crate) trait Keeper {
-    /// Takes one.
+/// A sink of batches.
+pub(crate) trait BatchSink {
+    /// Takes a batch.
     fn take(&mut self, batch: &Batch) -> io::Result<()>;
 
-    /// There are no more.
+    /// Ends the sink after the last batch.
     fn end(self: Box<Self>) -> io::Result<()>;
 }
 
-/// What `mode` asks for, of these signals; files go to `file`.
-pub(crate) fn keeper(
+/// The sink that `mode` asks for, for these signals; files go to `file`.
+pub(crate) fn batch_sink(
     mode: Mode,
     design: &Design,
     nodes: &[NodeId],
     file: &Path,
-) -> io::Result<Box<dyn Keeper>> {
+) -> io::Result<Box<dyn BatchSink>> {
     const ABOUT: &str = "Specula, a measurement";
     Ok(match mode {
         Mode::Outputs => Box::new(Nothing),
@@ -36,10 +36,10 @@ pub(crate) fn keeper(
     })
 }
 
-/// Keeps nothing: the outputs are added up anyway.
+/// Discards every batch: the outputs are added up anyway.
 struct Nothing;
 
-impl Keeper for Nothing {
+impl BatchSink for Nothing {
     fn take(&mut self, _: &Batch) -> io::Result<()> {
         Ok(())
     }
@@ -49,14 +49,14 @@ impl Keeper for Nothing {
     }
 }
 
-/// Looks at one value of one signal after the other, batch by batch, so that nobody can know which
-/// of them are read. Verilator's signals, which anybody may read, are not read either.
+/// Looks at one value of one signal after the other, batch by batch, so that the compiler cannot
+/// know which of them are read. Verilator's signals are not read either, though they could be.
 struct Glance {
     /// Number of the signal that is next.
     column: usize,
 }
 
-impl Keeper for Glance {
+impl BatchSink for Glance {
     fn take(&mut self, batch: &Batch) -> io::Result<()> {
         if let Some(last) = batch.clocks().checked_sub(1) {
             black_box(batch.lanes(self.column).get(last));
@@ -71,7 +71,7 @@ impl Keeper for Glance {
     }
 }
 
-impl<W: Write> Keeper for vcd::Waves<W> {
+impl<W: Write> BatchSink for vcd::Waves<W> {
     fn take(&mut self, batch: &Batch) -> io::Result<()> {
         self.append(batch)
     }
@@ -81,7 +81,7 @@ impl<W: Write> Keeper for vcd::Waves<W> {
     }
 }
 
-impl Keeper for fst::Waves<File> {
+impl BatchSink for fst::Waves<File> {
     fn take(&mut self, batch: &Batch) -> io::Result<()> {
         self.append(batch)
     }

@@ -3,7 +3,7 @@ use serde::Serialize;
 use specula_datapath::Design;
 use specula_scene::{Frame, Needs};
 
-use super::needs::{EYE_AT_INFINITY, Fact, LIGHTS, LIGHTS_AT_INFINITY};
+use super::needs::{EYE_AT_INFINITY, LIGHTS, LIGHTS_AT_INFINITY, Premise};
 
 /// What a general core is built for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -31,16 +31,16 @@ impl Baseline {
         }
     }
 
-    /// Whether a core of this kind is built knowing a fact.
+    /// Whether a core of this kind is built knowing a premise.
     pub(super) fn knows(self, need: &str) -> bool {
         self == Baseline::Renderer && [LIGHTS, LIGHTS_AT_INFINITY, EYE_AT_INFINITY].contains(&need)
     }
 
-    /// The needs of scenes of which `facts` are not known but for what a core of this kind is built
-    /// for.
-    pub(super) fn forget(self, needs: &Needs, frame: &Frame, facts: &[&Fact]) -> Needs {
+    /// The needs of scenes of which `premises` are not known, except for what a core of this kind
+    /// is built for.
+    pub(super) fn relax(self, needs: &Needs, frame: &Frame, premises: &[&Premise]) -> Needs {
         let mut unknown = needs.clone();
-        facts.iter().for_each(|fact| (fact.forget)(&mut unknown));
+        premises.iter().for_each(|premise| (premise.relax)(&mut unknown));
         if self == Baseline::Renderer {
             unknown.longest_span = unknown.longest_span.min(frame.width.max(needs.longest_span));
             unknown.largest_shininess =

@@ -1,4 +1,4 @@
-//! What is said of the rows.
+//! The report of the rows: as a printed table, as `report.md` and as `report.json`.
 use std::fmt::Write;
 use std::path::Path;
 
@@ -14,7 +14,7 @@ use crate::{table, verilog};
 /// A row of the report. Errors are in LSBs of the 8-bit output.
 #[derive(Serialize)]
 pub struct Line {
-    /// From 1 on.
+    /// Number of the row, from 1 on.
     pub row: usize,
     title: &'static str,
     method: &'static str,
@@ -22,22 +22,22 @@ pub struct Line {
     pixels: u64,
     agrees: bool,
     mismatches: u64,
-    /// Of the core's codes against the formula in f64, full scale at most.
+    /// Error of the core's codes against the formula in f64, at most full scale.
     error: ErrorFigures,
-    /// On the largest error; none if no finite one can be proven.
+    /// Proven bound of the largest error; none if there is no finite one.
     bound_lsb: Option<f64>,
     latency: u32,
-    /// Of two variables.
+    /// Multipliers of two variables.
     multipliers: usize,
     register_bits: u64,
-    /// The file that has the core.
+    /// Name of the file that holds the core.
     pub verilog: String,
 }
 
 /// `report.json`.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Specula: whoever replaces the folder sees by it whose files are listed.
+    /// Always `specula`: a later run recognises by it that the listed files are its own.
     program: &'static str,
     version: &'static str,
     figure: &'static str,
@@ -50,7 +50,7 @@ struct Report<'a> {
 }
 
 impl Line {
-    /// What came of a row.
+    /// The line of a row that has been simulated.
     pub fn new(
         (row, number): (&Row, usize),
         bench: &Bench,
@@ -140,7 +140,7 @@ pub fn markdown(rows: &[Shaded], balls: Balls, exact: &[f64]) -> String {
 
 const TITLE: &str = "# Lyon's figure 9, from hardware
 
-`specula run figure9` shades the figure of the report (Lyon, TR 43, figure 9 and appendix) with a
+`specula reproduce figure9` shades the figure of the report (Lyon, TR 43, figure 9 and appendix) with a
 core for each of its twelve rows, and writes this page.
 ";
 

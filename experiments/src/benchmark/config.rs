@@ -1,4 +1,4 @@
-//! What is measured.
+//! Configurations that are measured: an engine in a mode.
 use specula_sim::fast::Level;
 
 use specula_testbench::EngineKind;
@@ -12,7 +12,7 @@ pub enum Mode {
     EverySignal,
     /// Every signal, in a value change dump.
     Vcd,
-    /// The same, and nobody takes the bytes: what making them costs.
+    /// The same with the bytes discarded: the cost of making them.
     VcdNull,
     /// Every signal, in a fast signal trace.
     Fst,
@@ -37,7 +37,7 @@ impl Mode {
 
 /// An engine in a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct Config {
     /// The engine.
     pub engine: EngineKind,
     /// What it keeps.
@@ -49,18 +49,18 @@ pub struct Entry {
     pub threads: usize,
 }
 
-impl Entry {
+impl Config {
     /// An engine of which there is only one.
-    pub(crate) const fn only(engine: EngineKind, mode: Mode) -> Entry {
-        Entry { engine, mode, variant: None, threads: 1 }
+    pub(crate) const fn only(engine: EngineKind, mode: Mode) -> Config {
+        Config { engine, mode, variant: None, threads: 1 }
     }
 
     /// The columnar engine.
-    pub(crate) const fn fast(mode: Mode, level: Level, threads: usize) -> Entry {
-        Entry { engine: EngineKind::Fast, mode, variant: Some(level.name()), threads }
+    pub(crate) const fn fast(mode: Mode, level: Level, threads: usize) -> Config {
+        Config { engine: EngineKind::Fast, mode, variant: Some(level.name()), threads }
     }
 
-    /// In words.
+    /// The configuration as text.
     pub fn describe(&self) -> String {
         let mut words = vec![self.engine.program(), self.mode.name()];
         words.extend(self.variant);

@@ -1,4 +1,4 @@
-//! Sums of codes, by which engines are checked while they are measured.
+//! Checksums of codes, by which engines are checked while they are measured.
 use std::ops::Range;
 
 use specula_datapath::Design;
@@ -8,45 +8,46 @@ use specula_sim::{Batch, Lanes, Stimulus};
 /// The sum of each output over all pixels, modulo 2^32: as narrow as lanes are, so that adding up
 /// costs next to nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Sums(pub [u32; 3]);
+pub(crate) struct Checksum(pub [u32; 3]);
 
-impl Sums {
+impl Checksum {
     /// Adds the codes of pixels.
     pub fn add_pixels(&mut self, codes: &[[u8; 3]]) {
         for code in codes {
-            *self = self.plus(Sums(code.map(u32::from)));
+            *self = self.plus(Checksum(code.map(u32::from)));
         }
     }
 
-    /// Both together.
-    pub fn plus(self, other: Sums) -> Sums {
-        Sums(std::array::from_fn(|c| self.0[c].wrapping_add(other.0[c])))
+    /// The checksum of the pixels of both.
+    pub fn plus(self, other: Checksum) -> Checksum {
+        Checksum(std::array::from_fn(|c| self.0[c].wrapping_add(other.0[c])))
     }
 
-    /// As many of it.
-    pub fn times(self, count: usize) -> Sums {
+    /// The checksum of so many repetitions.
+    pub fn times(self, count: usize) -> Checksum {
         // Modulo 2^32 on both sides.
-        Sums(self.0.map(|sum| sum.wrapping_mul(count as u32)))
+        Checksum(self.0.map(|sum| sum.wrapping_mul(count as u32)))
     }
 }
 
 /// Adds up the outputs while an engine runs, over the clocks in which pixels must leave.
-pub(crate) struct Summing {
+pub(crate) struct Accumulator {
     /// The outputs' places among the watched signals.
     places: Vec<usize>,
     leaving: Range<u64>,
-    sums: Sums,
+    checksum: Checksum,
 }
 
-impl Summing {
-    /// For a run of this stimulus that watches these signals, the outputs among them.
-    pub fn new(design: &Design, watched: &[NodeId], stimulus: &Stimulus) -> Summing {
+impl Accumulator {
+    /// An accumulator for a run of this stimulus that watches these signals, the outputs among
+    /// them.
+    pub fn new(design: &Design, watched: &[NodeId], stimulus: &Stimulus) -> Accumulator {
         let latency = u64::from(design.latency());
         let place = |node: &NodeId| watched.iter().position(|watched| watched == node);
-        Summing {
+        Accumulator {
             places: design.outputs.iter().filter_map(place).collect(),
             leaving: latency..latency + stimulus.fed_clocks(),
-            sums: Sums::default(),
+            checksum: Checksum::default(),
         }
     }
 
@@ -55,14 +56,14 @@ impl Summing {
         let span = batch.span();
         let row = |clock: u64| (clock.clamp(span.start, span.end) - span.start) as usize;
         let rows = row(self.leaving.start)..row(self.leaving.end);
-        for (sum, &place) in self.sums.0.iter_mut().zip(&self.places) {
+        for (sum, &place) in self.checksum.0.iter_mut().zip(&self.places) {
             *sum = sum.wrapping_add(added_up(batch.lanes(place).rows(rows.clone())));
         }
     }
 
-    /// The sums so far.
-    pub fn sums(&self) -> Sums {
-        self.sums
+    /// The checksum so far.
+    pub fn checksum(&self) -> Checksum {
+        self.checksum
     }
 }
 
@@ -90,7 +91,7 @@ mod tests {
 
     #[test]
     fn sums_of_repeated_frames_wrap() {
-        let frame = Sums([3_000_000_000, 1, 0]);
+        let frame = Checksum([3_000_000_000, 1, 0]);
         assert_eq!(frame.times(3), frame.plus(frame).plus(frame));
     }
 }

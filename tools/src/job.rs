@@ -1,15 +1,15 @@
 //! A core to be made, from a scene or from a file, and the scene it is to shade.
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use specula_scene::spec::{Served, SpecError};
+use specula_scene::spec::Served;
 use specula_scene::{CoreSpec, LoadedScene, SpecFile};
 
-use crate::arguments::{NameArguments, SceneArguments, Wishes};
-use crate::error::ToolError;
+use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
+use crate::error::{Refused, ToolError};
 use crate::header::Origin;
 
 /// A core with its name, and a scene for it.
-pub struct Task {
+pub struct Job {
     /// The scene.
     pub scene: LoadedScene,
     /// The core, as it is written beside its Verilog.
@@ -18,19 +18,19 @@ pub struct Task {
     pub origin: Origin,
 }
 
-impl Task {
+impl Job {
     /// The core for a scene.
     pub fn of_scene(
         scene: &SceneArguments,
-        wishes: &Wishes,
+        core: &CoreArguments,
         name: &NameArguments,
-    ) -> Result<Task, ToolError> {
+    ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
-        let spec = wishes.core(&loaded)?;
-        let origin = Origin::of_scene(scene, wishes, &spec).called(name);
+        let spec = core.core(&loaded)?;
+        let origin = Origin::of_scene(scene, core, &spec).called(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
-        Ok(Task { file, scene: loaded, origin })
+        Ok(Job { file, scene: loaded, origin })
     }
 
     /// A scene and a core that was made before.
@@ -38,7 +38,7 @@ impl Task {
         scene: &SceneArguments,
         core: &Path,
         name: &NameArguments,
-    ) -> Result<Task, ToolError> {
+    ) -> Result<Job, ToolError> {
         let mut file = SpecFile::read(core)?;
         let loaded = scene.load()?;
         let served = file.spec.serving(&loaded.frame).map_err(|error| {
@@ -48,7 +48,7 @@ impl Task {
         let Served { frame, spec } = served?;
         let origin = Origin::of_file(core, &file).called(name);
         name.rename(&mut file)?;
-        Ok(Task { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })
+        Ok(Job { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })
     }
 
     /// The core.
@@ -60,17 +60,4 @@ impl Task {
     pub fn module(&self) -> String {
         specula_hdl::module_name(&self.file.name, self.spec())
     }
-}
-
-/// A core that a scene was to be shaded with cannot do it.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error("the core `{}` cannot shade `{scene}`: {error}", core.display())]
-#[diagnostic(forward(error))]
-pub struct Refused {
-    /// Where the core is.
-    core: PathBuf,
-    /// The scene.
-    scene: String,
-    /// What it lacks.
-    error: SpecError,
 }

@@ -1,45 +1,45 @@
-//! Cores that do not know some of a scene's needs.
+//! Ablations: the core elaborated without one known premise.
 use rayon::prelude::*;
 use specula_datapath::builder::BuildError;
 use specula_scene::needs::LocalKind;
 use specula_scene::spec::{InputPort, LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::{CoreSpec, LoadedScene, Needs, SceneError};
 
-use super::Ignorant;
+use super::Ablation;
 use super::general::{Baseline, General};
 
-/// What may be known of a scene before any of its inputs is.
-pub(super) struct Fact {
+/// A fact about a scene that may be known before any of its inputs is.
+pub(super) struct Premise {
     pub need: &'static str,
     safe: &'static str,
-    /// The needs of scenes of which it is not known.
-    pub forget: fn(&mut Needs),
-    /// What is known, in the words of a table.
+    /// Widens needs to those of scenes of which the premise is not known.
+    pub relax: fn(&mut Needs),
+    /// What is known, as a table's text.
     known: fn(&Needs) -> String,
 }
 
-/// Names of the facts that a renderer's core is built with.
+/// Names of the premises that a renderer's core is built with.
 pub(super) const LIGHTS: &str = "number of lights";
 pub(super) const LIGHTS_AT_INFINITY: &str = "lights at infinity";
 pub(super) const EYE_AT_INFINITY: &str = "eye at infinity";
 
-/// Every fact on which [`LoadedScene::core_for`] rests.
-const FACTS: [Fact; 10] = [
-    Fact {
+/// Every premise on which [`LoadedScene::core_for`] rests.
+const PREMISES: [Premise; 10] = [
+    Premise {
         need: LIGHTS,
         safe: "the scene has no more lights",
         // Lights at places are the last ones, so more lights at infinity would have their names.
-        forget: |needs| {
+        relax: |needs| {
             needs.lights = if needs.local_lights.is_empty() { MOST_LIGHTS } else { needs.lights }
         },
         known: |needs| {
             format!("{} of {MOST_LIGHTS} pipelines for lights", MOST_LIGHTS - needs.lights)
         },
     },
-    Fact {
+    Premise {
         need: LIGHTS_AT_INFINITY,
         safe: "the direction to such a light is the same everywhere",
-        forget: |needs| {
+        relax: |needs| {
             let at_infinity = needs.lights - needs.local_lights.len();
             needs.local_lights.splice(0..0, vec![LocalKind::Point; at_infinity]);
         },
@@ -50,28 +50,28 @@ const FACTS: [Fact; 10] = [
             )
         },
     },
-    Fact {
+    Premise {
         need: EYE_AT_INFINITY,
         safe: "the direction to the eye is the same everywhere",
-        forget: |needs| needs.local_eye = true,
+        relax: |needs| needs.local_eye = true,
         known: |_| "directions to the place of the eye".to_owned(),
     },
-    Fact {
+    Premise {
         need: "longest span",
         safe: "no span of this frame is longer",
-        forget: |needs| needs.longest_span = LONGEST_SPAN,
+        relax: |needs| needs.longest_span = LONGEST_SPAN,
         known: |needs| format!("spans of {} pixels, not {LONGEST_SPAN}", needs.longest_span),
     },
-    Fact {
+    Premise {
         need: "angle between the normals of a span",
         safe: "no span of this frame has a wider one",
-        forget: |needs| (needs.widest_angle, needs.shortest_normal) = (180.0, 0.0),
+        relax: |needs| (needs.widest_angle, needs.shortest_normal) = (180.0, 0.0),
         known: |needs| format!("{:.1} degrees, not 180", needs.widest_angle),
     },
-    Fact {
+    Premise {
         need: "angle between normals and faces",
         safe: "no triangle of this frame has a wider one",
-        forget: |needs| needs.least_cone_cosine = -1.0,
+        relax: |needs| needs.least_cone_cosine = -1.0,
         known: |needs| {
             format!(
                 "{:.1} degrees, not 180",
@@ -79,10 +79,10 @@ const FACTS: [Fact; 10] = [
             )
         },
     },
-    Fact {
+    Premise {
         need: "distance to places",
         safe: "no span of this frame comes nearer to one",
-        forget: |needs| {
+        relax: |needs| {
             if !needs.directions_are_constant() {
                 (needs.shortest_way, needs.shortest_unit_way) = (0.0, 0.0);
             }
@@ -94,22 +94,22 @@ const FACTS: [Fact; 10] = [
             )
         },
     },
-    Fact {
+    Premise {
         need: "largest exponent",
         safe: "no material of this frame has a larger one",
-        forget: |needs| needs.largest_shininess = LARGEST_SHININESS,
+        relax: |needs| needs.largest_shininess = LARGEST_SHININESS,
         known: |needs| format!("n = {}, not {LARGEST_SHININESS}", needs.largest_shininess),
     },
-    Fact {
+    Premise {
         need: "exponents are powers of two",
         safe: "squaring reaches every exponent of this frame",
-        forget: |needs| needs.uneven_shininess = Some(UNEVEN),
+        relax: |needs| needs.uneven_shininess = Some(UNEVEN),
         known: |_| "exponents between them".to_owned(),
     },
-    Fact {
+    Premise {
         need: "flat normals",
         safe: "the normal is the same, and of unit length, all over each triangle",
-        forget: |needs| needs.flat = false,
+        relax: |needs| needs.flat = false,
         known: |_| "making interpolated normals unit vectors".to_owned(),
     },
 ];
@@ -117,17 +117,17 @@ const FACTS: [Fact; 10] = [
 /// An exponent that squaring does not reach.
 const UNEVEN: u32 = 3;
 
-/// The cores for scenes of which one fact is not known, where that makes another core and it can be
-/// built; and the general cores.
+/// The ablations of premises, where the core is another one without the premise and can be built;
+/// and the general cores.
 ///
 /// # Errors
 /// [`BuildError`] if not even the scene's own general core can be built.
-pub fn ignorant(
+pub fn of_premises(
     scene: &LoadedScene,
     spec: &CoreSpec,
-) -> Result<(Vec<Ignorant>, Vec<General>), BuildError> {
+) -> Result<(Vec<Ablation>, Vec<General>), BuildError> {
     let chosen = Chosen::new(scene, spec);
-    let one = || FACTS.par_iter().filter_map(|fact| chosen.ignorant(fact)).collect();
+    let one = || PREMISES.par_iter().filter_map(|premise| chosen.ablation(premise)).collect();
     let general = || {
         Baseline::ALL.par_iter().map(|&baseline| chosen.general(baseline)).collect::<Result<_, _>>()
     };
@@ -151,46 +151,46 @@ impl Chosen<'_> {
         Chosen { scene, spec, needs, general }
     }
 
-    fn ignorant(&self, fact: &Fact) -> Option<Ignorant> {
-        let general = self.without(&[fact]).filter(|core| *core != self.spec.general())?;
+    fn ablation(&self, premise: &Premise) -> Option<Ablation> {
+        let general = self.without(&[premise]).filter(|core| *core != self.spec.general())?;
         let core = knowing_inputs(general, self.scene, self.spec);
         let design = specula_hdl::elaborate(&core, "core").ok()?;
-        let left_out = [(fact.known)(&self.needs), differences(self.spec, &core)].concat();
-        Some(Ignorant { need: fact.need, left_out, safe: fact.safe, design })
+        let left_out = [(premise.known)(&self.needs), differences(self.spec, &core)].concat();
+        Some(Ablation { need: premise.need, left_out, safe: premise.safe, design })
     }
 
-    /// The general core that forgets every fact as a baseline has it, or as many as one can be
-    /// built without.
+    /// The general core in which every premise is relaxed as the baseline says, or as many premises
+    /// as a core can be built without.
     fn general(&self, baseline: Baseline) -> Result<General, BuildError> {
-        let (mut core, mut forgotten, mut known) = (self.spec.general(), vec![], vec![]);
+        let (mut core, mut relaxed, mut known) = (self.spec.general(), vec![], vec![]);
         let mut design = specula_hdl::elaborate(&core, "core")?;
-        for fact in FACTS.iter().filter(|fact| !baseline.knows(fact.need)) {
-            forgotten.push(fact);
-            let ignorant =
-                self.for_needs(&baseline.forget(&self.needs, &self.scene.frame, &forgotten));
-            // Many facts make no other core, and that is built already.
-            if ignorant.as_ref() == Some(&core) {
+        for premise in PREMISES.iter().filter(|premise| !baseline.knows(premise.need)) {
+            relaxed.push(premise);
+            let unconstrained =
+                self.for_needs(&baseline.relax(&self.needs, &self.scene.frame, &relaxed));
+            // Without many premises the core is the same, and that one is built already.
+            if unconstrained.as_ref() == Some(&core) {
                 continue;
             }
-            let built = ignorant.and_then(|ignorant| {
-                Some((specula_hdl::elaborate(&ignorant, "core").ok()?, ignorant))
+            let built = unconstrained.and_then(|unconstrained| {
+                Some((specula_hdl::elaborate(&unconstrained, "core").ok()?, unconstrained))
             });
             match built {
-                Some(ignorant) => (design, core) = ignorant,
+                Some(built) => (design, core) = built,
                 None => {
-                    forgotten.pop();
-                    known.push(fact.need);
+                    relaxed.pop();
+                    known.push(premise.need);
                 }
             }
         }
-        let needs = baseline.forget(&self.needs, &self.scene.frame, &forgotten);
+        let needs = baseline.relax(&self.needs, &self.scene.frame, &relaxed);
         Ok(General { baseline, needs, design, known })
     }
 
-    /// The general core for scenes of which these facts are not known; none where it cannot be
+    /// The general core for scenes of which these premises are not known; none if it cannot be
     /// described.
-    fn without(&self, facts: &[&Fact]) -> Option<CoreSpec> {
-        self.for_needs(&Baseline::Nothing.forget(&self.needs, &self.scene.frame, facts))
+    fn without(&self, premises: &[&Premise]) -> Option<CoreSpec> {
+        self.for_needs(&Baseline::Nothing.relax(&self.needs, &self.scene.frame, premises))
     }
 
     /// The general core for such needs; none where it cannot be described.

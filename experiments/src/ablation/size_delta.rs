@@ -1,17 +1,17 @@
-//! Hardware of one core against that of another.
+//! Differences in size between two cores.
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_sim::{SimError, Synthesised};
 
 use specula_testbench::BenchError;
 
-/// Makes cells of designs, if that is asked for: [`specula_sim::synthesise`].
+/// A function that synthesises designs into cells, such as [`specula_sim::synthesise`].
 pub type Synthesis<'a> = &'a dyn Fn(&[&Design]) -> Result<Vec<Synthesised>, SimError>;
 
-/// What a hardware is spared; negative where a constant's shifts and sums are more than they stand
-/// for.
+/// Difference in size between two cores; negative where the shifts and sums of a product with a
+/// constant are more hardware than what they replace.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Spared {
+pub struct SizeDelta {
     /// Multipliers of two variables.
     pub multipliers: i64,
     /// Sum over multipliers of the product of their operands' widths.
@@ -26,12 +26,12 @@ pub struct Spared {
     pub latency: i64,
     /// Cells of an FPGA, if they were asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub cells: Option<SparedCells>,
+    pub cells: Option<CellDelta>,
 }
 
-/// Cells of an ECP5 that a hardware is spared.
+/// Difference in cells of an ECP5 between two cores.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct SparedCells {
+pub struct CellDelta {
     /// Look-up tables of four inputs.
     pub luts: i64,
     /// Multipliers of 18 x 18 bits.
@@ -60,24 +60,24 @@ impl Built<'_> {
     }
 }
 
-impl Spared {
+impl SizeDelta {
     /// Whether neither the hardware nor its cells are any less, or any more.
     pub(super) fn is_nothing(&self) -> bool {
         let nothing =
-            Spared { cells: self.cells.map(|_| SparedCells::default()), ..Spared::default() };
+            SizeDelta { cells: self.cells.map(|_| CellDelta::default()), ..SizeDelta::default() };
         *self == nothing
     }
 
     /// What `less` has less than `more`.
-    pub(super) fn between(more: &Built, less: &Built) -> Spared {
+    pub(super) fn between(more: &Built, less: &Built) -> SizeDelta {
         let (m, l) = (more.design.size(), less.design.size());
         let difference = |a: u64, b: u64| a as i64 - b as i64;
-        let cells = |(more, less): (Synthesised, Synthesised)| SparedCells {
+        let cells = |(more, less): (Synthesised, Synthesised)| CellDelta {
             luts: difference(more.luts, less.luts),
             multipliers: difference(more.multipliers, less.multipliers),
             flip_flops: difference(more.flip_flops, less.flip_flops),
         };
-        Spared {
+        SizeDelta {
             multipliers: difference(m.multipliers as u64, l.multipliers as u64),
             multiplier_bits: difference(m.multiplier_bits, l.multiplier_bits),
             adders: difference(m.adders as u64, l.adders as u64),

@@ -1,0 +1,27 @@
+//! Rows that the report for people and the printed summary share.
+use specula_testbench::ErrorFigures;
+
+use super::Report;
+
+/// How fast the core is: rows of name and value.
+pub fn speed(report: &Report) -> [[String; 2]; 4] {
+    [
+        ("cycles", report.cycles.to_string()),
+        ("cycles per pixel", format!("{:.4}", report.cycles_per_pixel)),
+        ("latency", format!("{} clocks", report.latency)),
+        ("frames per second", report.run.frames_per_second_in_words()),
+    ]
+    .map(|(name, value)| [name.to_owned(), value])
+}
+
+/// The device and what the core takes of it, if one was named.
+pub fn device(report: &Report) -> Option<[String; 2]> {
+    report.fitted.map(|fitted| ["device".to_owned(), fitted.in_words()])
+}
+
+/// Error figures: largest, root mean square and mean in LSBs, and the PSNR in dB.
+pub fn figures(figures: &ErrorFigures) -> [String; 4] {
+    let lsb = |x: f64| format!("{x:.3}");
+    let psnr = figures.psnr_db.map_or("no error".to_owned(), |db| format!("{db:.2}"));
+    [lsb(figures.max_lsb), lsb(figures.rms_lsb), lsb(figures.mean_lsb), psnr]
+}
