@@ -1,4 +1,7 @@
 //! Names that a module may have, whatever the scene is called that it is for.
+use std::collections::HashSet;
+use std::sync::LazyLock;
+
 /// Names of every module's control ports.
 pub const CONTROL: [&str; 2] = ["clock", "reset"];
 
@@ -7,7 +10,9 @@ const PIXEL: [&str; 6] = ["valid", "start", "valid_out", "red", "green", "blue"]
 
 /// Whether Verilog, or SystemVerilog, as which many tools read it, keeps the word for itself.
 pub fn is_reserved(word: &str) -> bool {
-    VERILOG.split(' ').any(|reserved| reserved == word)
+    // Every signal of every design is asked for.
+    static RESERVED: LazyLock<HashSet<&str>> = LazyLock::new(|| VERILOG.split(' ').collect());
+    RESERVED.contains(word)
 }
 
 /// A name for the module of a core from a scene's name: small letters, digits and single
