@@ -1,6 +1,7 @@
 //! Names: words that languages keep for themselves, names that are taken, and names that a module
 //! may have, whatever it is called after.
 use std::collections::HashSet;
+use std::sync::LazyLock;
 
 use crate::design::ScopeId;
 
@@ -12,7 +13,9 @@ const PIXEL: [&str; 6] = ["valid", "start", "valid_out", "red", "green", "blue"]
 
 /// Whether Verilog, or SystemVerilog, as which many tools read it, keeps the word for itself.
 pub fn is_reserved(word: &str) -> bool {
-    VERILOG.split(' ').any(|reserved| reserved == word)
+    // Every signal of every design is asked for.
+    static RESERVED: LazyLock<HashSet<&str>> = LazyLock::new(|| VERILOG.split(' ').collect());
+    RESERVED.contains(word)
 }
 
 /// `name`, or with a number behind it where the unit has it already; a word that Verilog keeps for

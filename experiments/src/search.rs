@@ -110,12 +110,10 @@ pub(crate) fn largest_error(spec: &CoreSpec, frame: &Frame) -> Result<f64, Bench
     let of_span = |index: usize| {
         let mut codes = vec![];
         model.shade(&spans.packet(index), &mut codes)?;
-        let method = MethodSpan::new(spec, frame, &frame.spans[index]);
-        let errors = codes.iter().zip(0..).flat_map(|(code, i)| {
-            let exact = method.pixel(i);
-            (0..3).map(move |c| (f64::from(code[c]) - exact[c]).abs())
-        });
-        Ok(errors.fold(0.0, f64::max))
+        let mut exact = vec![[0.0; 3]; codes.len()];
+        MethodSpan::new(spec, frame, &frame.spans[index]).shade(&mut exact);
+        let channels = codes.iter().flatten().zip(exact.iter().flatten());
+        Ok(channels.map(|(&code, exact)| (f64::from(code) - exact).abs()).fold(0.0, f64::max))
     };
     (0..frame.spans.len())
         .into_par_iter()

@@ -1,8 +1,10 @@
 //! What a point sees of lights and of the eye, for the host's set-up [Hast et al., eq. 35, 38;
 //! methods C15, C18].
 use glam::DVec3;
+use smallvec::SmallVec;
 
 use crate::frame::{EYE, Frame, LocalLight};
+use crate::spec::MOST_LIGHTS;
 
 /// A light as it is seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +23,7 @@ pub(crate) struct LitPoint {
     /// V, a unit vector towards the eye; none for an eye at the very point.
     pub view: Option<DVec3>,
     /// Every light, those at infinity first; none for a light at the very point (extremes row 39).
-    pub lights: Vec<Option<Illumination>>,
+    pub lights: SmallVec<[Option<Illumination>; MOST_LIGHTS]>,
 }
 
 impl LitPoint {

@@ -4,6 +4,7 @@
 //! `start` is high in idle clocks, so that accumulators stay where their units say that they are:
 //! behind the last pixel of a span they would go on, and what overflows then is nobody's business
 //! in hardware, but has to be the same in every engine.
+use std::iter;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -33,11 +34,43 @@ impl SpanSource for Vec<SpanPacket> {
     }
 }
 
+/// Where each span of a source begins in the order of all its pixels.
+#[derive(Clone, Debug)]
+pub struct FirstPixels(
+    /// The number of each span's first pixel, and behind them how many pixels there are.
+    Arc<[u64]>,
+);
+
+impl FirstPixels {
+    /// Those of a source.
+    pub fn of(spans: &dyn SpanSource) -> FirstPixels {
+        let ends = (0..spans.count()).scan(0, |pixels, index| {
+            *pixels += u64::from(spans.length(index));
+            Some(*pixels)
+        });
+        FirstPixels(iter::once(0).chain(ends).collect())
+    }
+
+    /// The number of span `index`'s first pixel; how many pixels there are for an index behind the
+    /// last.
+    pub fn of_span(&self, index: usize) -> u64 {
+        self.0[index.min(self.spans())]
+    }
+
+    /// The number of pixels of all spans.
+    pub fn pixels(&self) -> u64 {
+        self.0[self.spans()]
+    }
+
+    fn spans(&self) -> usize {
+        self.0.len() - 1
+    }
+}
+
 /// The stimulus of a run.
 pub struct Stimulus<'a> {
     spans: &'a dyn SpanSource,
-    /// The clock at which each span of the source begins, and behind them the clock after the last.
-    begins: Arc<[u64]>,
+    first_pixels: FirstPixels,
     /// Clocks of a pixel.
     interval: u64,
     /// The clocks of this run.
@@ -61,19 +94,18 @@ impl<'a> Stimulus<'a> {
     /// All spans of the source, then idle clocks until the last pixel has left a core of this
     /// design.
     pub fn whole(spans: &'a dyn SpanSource, design: &Design) -> Stimulus<'a> {
+        Stimulus::in_order(spans, &FirstPixels::of(spans), design)
+    }
+
+    /// As [`Stimulus::whole`], with the source's first pixels, which are not looked for again.
+    pub fn in_order(
+        spans: &'a dyn SpanSource,
+        first_pixels: &FirstPixels,
+        design: &Design,
+    ) -> Stimulus<'a> {
         let interval = u64::from(design.interval);
-        let mut begins = vec![0];
-        let mut clock = 0;
-        for index in 0..spans.count() {
-            clock += u64::from(spans.length(index)) * interval;
-            begins.push(clock);
-        }
-        Stimulus {
-            spans,
-            begins: begins.into(),
-            interval,
-            clocks: 0..clock + u64::from(design.latency()) + 1,
-        }
+        let clocks = first_pixels.pixels() * interval + u64::from(design.latency()) + 1;
+        Stimulus { spans, first_pixels: first_pixels.clone(), interval, clocks: 0..clocks }
     }
 
     /// The part of the run that `window` needs: from the beginning of a span early enough that at
@@ -90,15 +122,12 @@ impl<'a> Stimulus<'a> {
     pub(crate) fn reaching_back(&self, window: &Range<u64>, clocks: u64) -> Stimulus<'a> {
         let early = window.start.saturating_sub(clocks);
         // Idle clocks load what the last span has loaded.
-        let span = self
-            .begins
-            .partition_point(|&begin| begin <= early)
-            .min(self.begins.len() - 1)
-            .saturating_sub(1);
+        let span = self.begun(early).min(self.first_pixels.spans()).saturating_sub(1);
         // What a span loads may be added to by something that is older by up to as many clocks.
-        let first = self.begins[span].saturating_sub(clocks).min(early);
+        let first = self.begin_of(span).saturating_sub(clocks).min(early);
         let end = window.end.min(self.clocks.end);
-        Stimulus { begins: self.begins.clone(), clocks: first.max(self.clocks.start)..end, ..*self }
+        let first_pixels = self.first_pixels.clone();
+        Stimulus { first_pixels, clocks: first.max(self.clocks.start)..end, ..*self }
     }
 
     /// The clocks of the run.
@@ -108,18 +137,23 @@ impl<'a> Stimulus<'a> {
 
     /// Pixels that enter during the whole run.
     pub fn pixels(&self) -> u64 {
-        self.fed_clocks() / self.interval
+        self.first_pixels.pixels()
     }
 
     /// Clocks of all pixels of the whole run.
     pub fn fed_clocks(&self) -> u64 {
-        self.begins.last().copied().unwrap_or(0)
+        self.first_pixels.pixels() * self.interval
     }
 
     /// The clock at which span `index` begins; that after the last pixel for an index behind the
     /// last.
     pub fn begin_of(&self, index: usize) -> u64 {
-        self.begins[index.min(self.begins.len() - 1)]
+        self.first_pixels.of_span(index) * self.interval
+    }
+
+    /// How many spans have begun by `clock`, counting the idle clocks behind the last as one.
+    fn begun(&self, clock: u64) -> usize {
+        self.first_pixels.0.partition_point(|&first| first * self.interval <= clock)
     }
 
     /// Whether `clock` is one of a pixel's.
@@ -139,9 +173,9 @@ impl<'a> Stimulus<'a> {
 
     /// The span that goes in at `clock`, and which of its pixels; `None` when idle.
     pub fn pixel_at(&self, clock: u64) -> Option<(usize, u32)> {
-        let index = self.begins.partition_point(|&begin| begin <= clock).checked_sub(1)?;
-        let offset = clock - self.begins[index];
-        (index + 1 < self.begins.len()).then_some((index, (offset / self.interval) as u32))
+        let index = self.begun(clock).checked_sub(1)?;
+        let offset = clock - self.begin_of(index);
+        (index < self.first_pixels.spans()).then_some((index, (offset / self.interval) as u32))
     }
 
     /// The stretches that make up the run, in order.
@@ -155,8 +189,7 @@ impl<'a> Stimulus<'a> {
 
     /// The stretches without their inputs.
     pub(crate) fn strides(&self) -> Strides<'_> {
-        let span =
-            self.begins.partition_point(|&begin| begin <= self.clocks.start).saturating_sub(1);
+        let span = self.begun(self.clocks.start).saturating_sub(1);
         Strides { stimulus: self, span, clock: self.clocks.start }
     }
 
@@ -191,30 +224,29 @@ impl Iterator for Strides<'_> {
     type Item = Stride;
 
     fn next(&mut self) -> Option<Stride> {
-        let Stimulus { begins, clocks, .. } = self.stimulus;
+        let Stimulus { first_pixels, clocks, .. } = self.stimulus;
+        let spans = first_pixels.spans();
         if self.clock >= clocks.end {
             return None;
         }
         // Spans have at least one pixel, so each begins after the one before.
-        let stride = match begins.get(self.span + 1) {
-            Some(&end) => {
-                let end = end.min(clocks.end);
-                Stride {
-                    clocks: self.clock..end,
-                    valid: true,
-                    starts: self.clock == begins[self.span],
-                    span: Some(self.span),
-                }
+        let stride = if self.span < spans {
+            Stride {
+                clocks: self.clock..self.stimulus.begin_of(self.span + 1).min(clocks.end),
+                valid: true,
+                starts: self.clock == self.stimulus.begin_of(self.span),
+                span: Some(self.span),
             }
-            None => Stride {
+        } else {
+            Stride {
                 clocks: self.clock..self.clock + 1,
                 valid: false,
                 starts: true,
-                span: begins.len().checked_sub(2),
-            },
+                span: spans.checked_sub(1),
+            }
         };
         self.clock = stride.clocks.end;
-        self.span = (self.span + 1).min(begins.len() - 1);
+        self.span = (self.span + 1).min(spans);
         Some(stride)
     }
 }
@@ -232,7 +264,7 @@ mod tests {
     }
 
     fn stimulus(packets: &Vec<SpanPacket>, clocks: Range<u64>) -> Stimulus<'_> {
-        Stimulus { spans: packets, begins: [0, 3, 4, 8].into(), interval: 1, clocks }
+        Stimulus { spans: packets, first_pixels: FirstPixels::of(packets), interval: 1, clocks }
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Drives a core with a scene's spans and compares every pixel with independent models.
 //!
-//! [`FrameSpans`] is the *driver*'s side: it gives a frame's packets to an engine. The [`Monitor`]
+//! [`FrameSpans`] is the *driver*'s side: it sets up a frame's spans, once for a run, and
+//! [`KeptSpans`] give them to the engine and to the models. The [`Monitor`]
 //! collects the pixels that leave and the clocks in which they do. The *scoreboard* compares them
 //! with the bit-true model and with exact shading ([`Comparison`]). The [`checker`] looks at the
 //! facts that a core rests on, in every clock. A [`Bench`] puts them together.
@@ -20,5 +21,5 @@ pub use image::Image;
 pub use monitor::Monitor;
 pub use run::{Bench, EngineKind, Outcome, Progress};
 pub use scoreboard::{Comparison, Mismatch, WorstPixel, WorstQuantisation};
-pub use spans::FrameSpans;
+pub use spans::{FrameSpans, KeptSpans};
 pub use statistics::{ErrorFigures, Errors};

@@ -1,5 +1,6 @@
 //! The whole path from a frame to compared pixels.
 use std::ops::Range;
+use std::sync::OnceLock;
 use std::time::Instant;
 
 use specula_datapath::Design;
@@ -7,13 +8,14 @@ use specula_datapath::design::{self, NodeId};
 use specula_scene::{CoreSpec, Frame};
 use specula_sim::fast::Settings;
 use specula_sim::{
-    Batch, Effort, Engine, Fast, Flow, Icarus, RustHdl, SpanSource, Stimulus, Verilator,
+    Batch, Effort, Engine, Fast, FirstPixels, Flow, Icarus, RustHdl, SpanSource, Stimulus,
+    Verilator,
 };
 
 use crate::checker::{self, Facts, Violation};
 use crate::monitor::Monitor;
 use crate::scoreboard::{self, Comparison, WorstQuantisation};
-use crate::spans::FrameSpans;
+use crate::spans::{FrameSpans, KeptSpans};
 use crate::trace::{self, Choice};
 use crate::{BenchError, Image};
 
@@ -81,6 +83,10 @@ pub struct Bench<'a> {
     pub spec: &'a CoreSpec,
     /// The core.
     pub design: Design,
+    spans: FrameSpans<'a>,
+    first_pixels: FirstPixels,
+    /// The spans as they are set up for the first run; later runs and traces need them again.
+    kept: OnceLock<KeptSpans>,
 }
 
 /// What came of a run.
@@ -134,7 +140,10 @@ impl<'a> Bench<'a> {
     /// # Errors
     /// [`BenchError::TooWide`] if the spec's formats are too fine.
     pub fn new(frame: &'a Frame, spec: &'a CoreSpec, name: &str) -> Result<Bench<'a>, BenchError> {
-        Ok(Bench { frame, spec, design: specula_hdl::elaborate(spec, name)? })
+        let design = specula_hdl::elaborate(spec, name)?;
+        let spans = FrameSpans::new(frame, spec);
+        let first_pixels = FirstPixels::of(&spans);
+        Ok(Bench { frame, spec, design, spans, first_pixels, kept: OnceLock::new() })
     }
 
     /// Clocks from the first pixel's entry to the last one's exit, both counted.
@@ -148,7 +157,7 @@ impl<'a> Bench<'a> {
     /// # Errors
     /// [`BenchError`] if the engine fails.
     pub fn run(&self, engine: EngineKind, progress: Progress) -> Result<Outcome, BenchError> {
-        self.run_given(&FrameSpans::new(self.frame, self.spec), engine, progress)
+        self.run_kept(self.kept(), &self.first_pixels, engine, progress)
     }
 
     /// As [`Bench::run`], with packets of the frame's spans that another host has set up.
@@ -161,7 +170,18 @@ impl<'a> Bench<'a> {
         engine: EngineKind,
         progress: Progress,
     ) -> Result<Outcome, BenchError> {
-        let stimulus = Stimulus::whole(spans, &self.design);
+        let kept = KeptSpans::of(spans);
+        self.run_kept(&kept, &FirstPixels::of(&kept), engine, progress)
+    }
+
+    fn run_kept(
+        &self,
+        spans: &KeptSpans,
+        first_pixels: &FirstPixels,
+        engine: EngineKind,
+        progress: Progress,
+    ) -> Result<Outcome, BenchError> {
+        let stimulus = Stimulus::in_order(spans, first_pixels, &self.design);
         let mut monitor = Monitor::new(&self.design, &stimulus);
         let mut facts = Facts::of(&self.design);
         let mut engine = engine.engine(&self.design)?;
@@ -175,7 +195,8 @@ impl<'a> Bench<'a> {
         let simulation_seconds = begin.elapsed().as_secs_f64();
         let Monitor { codes, wrong_clocks, .. } = monitor;
         let bound_lsb = self.design.error_bound();
-        let comparison = scoreboard::compare((self.spec, self.frame), spans, &codes, bound_lsb)?;
+        let given = scoreboard::Given { spans, first_pixels, codes: &codes };
+        let comparison = scoreboard::compare((self.spec, self.frame), &given, bound_lsb)?;
         let latency = self.design.latency();
         let worst_cycle = comparison
             .worst_pixel
@@ -207,8 +228,7 @@ impl<'a> Bench<'a> {
         outcome: &Outcome,
         sink: &mut dyn FnMut(&Batch) -> Flow,
     ) -> Result<Option<Range<u64>>, BenchError> {
-        let spans = FrameSpans::new(self.frame, self.spec);
-        let whole = Stimulus::whole(&spans, &self.design);
+        let whole = Stimulus::in_order(self.kept(), &self.first_pixels, &self.design);
         let worst = outcome.comparison.worst_pixel.as_ref();
         let Some(window) = choice.window(&whole, self.design.latency(), worst) else {
             return Ok(None);
@@ -230,13 +250,12 @@ impl<'a> Bench<'a> {
 
     /// The clock in which pixel number `pixel` of span number `span` leaves the core.
     pub fn leaving_clock(&self, span: usize, pixel: u32) -> u64 {
-        let spans = FrameSpans::new(self.frame, self.spec);
-        trace::leaving_clock(
-            &Stimulus::whole(&spans, &self.design),
-            self.design.latency(),
-            span,
-            pixel,
-        )
+        let stimulus = Stimulus::in_order(&self.spans, &self.first_pixels, &self.design);
+        trace::leaving_clock(&stimulus, self.design.latency(), span, pixel)
+    }
+
+    fn kept(&self) -> &KeptSpans {
+        self.kept.get_or_init(|| KeptSpans::of(&self.spans))
     }
 
     /// Outputs and signals with stated facts.

@@ -3,10 +3,10 @@ use rayon::prelude::*;
 use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_golden::fixed::Model;
 use specula_scene::{CoreSpec, Frame, Span, SpanPacket};
-use specula_sim::SpanSource;
+use specula_sim::{FirstPixels, SpanSource};
 
 use crate::statistics::{Errors, Sums};
-use crate::{BenchError, Image};
+use crate::{BenchError, Image, KeptSpans};
 
 /// A pixel whose code is not the model's.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -104,8 +104,15 @@ struct SpanResult {
     sums: [Sums; 3],
 }
 
-/// Compares `codes`, one for each pixel in span order, with every model. `spans` are what the core
-/// was given of the frame's spans, and no error is to exceed `bound` LSBs.
+/// What the core was given of the frame's spans, and what it gave.
+pub(crate) struct Given<'a> {
+    pub spans: &'a KeptSpans,
+    pub first_pixels: &'a FirstPixels,
+    /// One for each pixel, in span order.
+    pub codes: &'a [[u8; 3]],
+}
+
+/// Compares a core's codes with every model. No error is to exceed `bound` LSBs.
 ///
 /// Spans are worked on in parallel; what they give is put together in their order, so the result
 /// does not depend on threads.
@@ -114,21 +121,18 @@ struct SpanResult {
 /// [`BenchError::Packet`] if the model refuses a span.
 pub(crate) fn compare(
     (spec, frame): (&CoreSpec, &Frame),
-    spans: &dyn SpanSource,
-    codes: &[[u8; 3]],
+    given: &Given,
     bound: f64,
 ) -> Result<Comparison, BenchError> {
     let model = Model::new(spec);
-    let begins = begins(frame);
     let mut whole = Whole::new(frame);
     // A block of spans at a time, so that memory does not grow with the frame.
     for block in (0..frame.spans.len()).collect::<Vec<_>>().chunks(4096) {
-        let one = |&index: &usize| {
-            let length = frame.spans[index].length as usize;
-            let given = codes.get(begins[index]..begins[index] + length).unwrap_or(&[]);
-            compare_span((spec, frame), (&model, spans), index, given, bound)
+        let one = |scratch: &mut Scratch, &index: &usize| {
+            compare_span((spec, frame), (&model, given), index, scratch, bound)
         };
-        let results: Vec<Result<SpanResult, BenchError>> = block.par_iter().map(one).collect();
+        let results: Vec<Result<SpanResult, BenchError>> =
+            block.par_iter().map_init(Scratch::new, one).collect();
         for (&index, result) in block.iter().zip(results) {
             whole.add(&frame.spans[index], result?);
         }
@@ -136,42 +140,50 @@ pub(crate) fn compare(
     Ok(whole.finish())
 }
 
-/// Where each span's pixels begin in the order of all pixels.
-fn begins(frame: &Frame) -> Vec<usize> {
-    let mut next = 0;
-    let mut begin = |span: &Span| {
-        let first = next;
-        next += span.length as usize;
-        first
-    };
-    frame.spans.iter().map(&mut begin).collect()
+/// Memory that is used again for one span after the other.
+struct Scratch {
+    packet: SpanPacket,
+    method: Vec<[f64; 3]>,
+}
+
+impl Scratch {
+    fn new() -> Scratch {
+        Scratch { packet: SpanPacket { length: 0, inputs: Vec::new() }, method: Vec::new() }
+    }
+
+    /// A span as the core was given it.
+    fn read(&mut self, spans: &KeptSpans, index: usize) {
+        self.packet.length = spans.length(index);
+        self.packet.inputs.clear();
+        self.packet.inputs.extend_from_slice(spans.inputs(index));
+    }
 }
 
 fn compare_span(
     (spec, frame): (&CoreSpec, &Frame),
-    (model, spans): (&Model, &dyn SpanSource),
+    (model, given): (&Model, &Given),
     index: usize,
-    given: &[[u8; 3]],
+    scratch: &mut Scratch,
     bound: f64,
 ) -> Result<SpanResult, BenchError> {
     let span = &frame.spans[index];
     let mut result = SpanResult::default();
-    model.shade(&packet(spans, index), &mut result.expected)?;
-    let (method, phong) = (MethodSpan::new(spec, frame, span), PhongSpan::new(frame, span));
+    scratch.read(given.spans, index);
+    model.shade(&scratch.packet, &mut result.expected)?;
+    scratch.method.resize(span.length as usize, [0.0; 3]);
+    MethodSpan::new(spec, frame, span).shade(&mut scratch.method);
+    let phong = PhongSpan::new(frame, span);
+    let [first, end] = [index, index + 1].map(|index| given.first_pixels.of_span(index) as usize);
+    let codes = given.codes.get(first..end).unwrap_or(&[]);
     for pixel in 0..span.length {
-        let expected = result.expected[pixel as usize];
+        let own = pixel as usize;
+        let (expected, method) = (result.expected[own], scratch.method[own]);
         // A pixel that never left the core counts as a mismatch.
-        let simulated = given.get(pixel as usize).copied();
-        let (method, exact) = (method.pixel(pixel), phong.pixel(pixel));
+        let simulated = codes.get(own).copied();
+        let exact = phong.pixel(pixel);
         result.add(Pixel { index, pixel, span, simulated, expected, method, exact }, bound);
     }
     Ok(result)
-}
-
-fn packet(spans: &dyn SpanSource, index: usize) -> SpanPacket {
-    let mut inputs = Vec::new();
-    spans.append_inputs(index, &mut inputs);
-    SpanPacket { length: spans.length(index), inputs }
 }
 
 struct Pixel<'a> {

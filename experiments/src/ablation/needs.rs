@@ -139,6 +139,8 @@ pub fn of_premises(
 struct Chosen<'a> {
     scene: &'a LoadedScene,
     spec: &'a CoreSpec,
+    /// The core for the scene alone.
+    special: CoreSpec,
     needs: Needs,
     /// What is chosen for the needs, before any format is narrowed.
     general: Result<CoreSpec, SceneError>,
@@ -148,12 +150,12 @@ impl Chosen<'_> {
     fn new<'a>(scene: &'a LoadedScene, spec: &'a CoreSpec) -> Chosen<'a> {
         let needs = Needs::of(&scene.frame);
         let general = scene.core_for(&needs, Some(spec.method()));
-        Chosen { scene, spec, needs, general }
+        Chosen { scene, spec, special: spec.specialised(&scene.frame), needs, general }
     }
 
     fn ablation(&self, premise: &Premise) -> Option<Ablation> {
         let general = self.without(&[premise]).filter(|core| *core != self.spec.general())?;
-        let core = knowing_inputs(general, self.scene, self.spec);
+        let core = self.knowing_inputs(general);
         let design = specula_hdl::elaborate(&core, "core").ok()?;
         let left_out = [(premise.known)(&self.needs), differences(self.spec, &core)].concat();
         Some(Ablation { need: premise.need, left_out, safe: premise.safe, design })
@@ -187,6 +189,21 @@ impl Chosen<'_> {
         Ok(General { baseline, needs, design, known })
     }
 
+    /// The core with what is known of its inputs: over the frame, or, if it has other lights than
+    /// the frame, of those inputs that the scene's core has too.
+    fn knowing_inputs(&self, core: CoreSpec) -> CoreSpec {
+        let places = |core: &CoreSpec| (core.lights, core.local_lights.clone(), core.local_eye);
+        if places(&core) == places(self.spec) {
+            return core.specialised_as(&self.special, &self.scene.frame);
+        }
+        let (own, theirs) = (core.inputs(), self.spec.general().inputs());
+        let port =
+            |ports: &[InputPort], name: &str| ports.iter().find(|port| port.name == name).cloned();
+        let known =
+            |name: &str| port(&own, name).is_some_and(|own| Some(own) == port(&theirs, name));
+        CoreSpec { specialisation: self.spec.specialisation.only(known), ..core }
+    }
+
     /// The general core for scenes of which these premises are not known; none if it cannot be
     /// described.
     fn without(&self, premises: &[&Premise]) -> Option<CoreSpec> {
@@ -198,20 +215,6 @@ impl Chosen<'_> {
         let to = self.scene.core_for(needs, Some(self.spec.method())).ok()?;
         self.spec.changed(self.general.as_ref().ok()?, &to).ok()
     }
-}
-
-/// The core with what is known of its inputs: over the frame, or, if it has other lights than the
-/// frame, of those inputs that the scene's core has too.
-fn knowing_inputs(core: CoreSpec, scene: &LoadedScene, spec: &CoreSpec) -> CoreSpec {
-    let places = |core: &CoreSpec| (core.lights, core.local_lights.clone(), core.local_eye);
-    if places(&core) == places(spec) {
-        return core.specialised(&scene.frame);
-    }
-    let (own, theirs) = (core.inputs(), spec.general().inputs());
-    let port =
-        |ports: &[InputPort], name: &str| ports.iter().find(|port| port.name == name).cloned();
-    let known = |name: &str| port(&own, name).is_some_and(|own| Some(own) == port(&theirs, name));
-    CoreSpec { specialisation: spec.specialisation.only(known), ..core }
 }
 
 /// What else the core for the scene has less, for the end of a line: options that are others, and

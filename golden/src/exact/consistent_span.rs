@@ -11,7 +11,7 @@ use super::consistent::{
     Scaling, cos_gamma, cosine, pixel_angle, q, rational_q, reflection, vertex_angle,
 };
 use super::diffuse::lambert;
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `consistent`.
@@ -83,7 +83,7 @@ impl<'a> ConsistentSpan<'a> {
     }
 }
 
-impl ShadePixel for ConsistentSpan<'_> {
+impl ShadeSpan for ConsistentSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let Some((normal, q)) = self.normal_and_q(i) else {
             return self.coefficients.sum(|_| Amounts::default());

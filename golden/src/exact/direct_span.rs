@@ -6,7 +6,7 @@ use specula_scene::spec::direct::Root;
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::newton;
 use super::shape::power;
 
@@ -34,7 +34,7 @@ impl<'a> DirectSpan<'a> {
     }
 }
 
-impl ShadePixel for DirectSpan<'_> {
+impl ShadeSpan for DirectSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let normal = self.ends[0] + self.span.parameter(i) * (self.ends[1] - self.ends[0]);
         let q = normal.length_squared();

@@ -8,7 +8,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::hybrid::base;
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `duff`.
@@ -37,7 +37,7 @@ impl<'a> DuffSpan<'a> {
     }
 }
 
-impl ShadePixel for DuffSpan<'_> {
+impl ShadeSpan for DuffSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let normal = self.start + self.span.parameter(i) * self.delta;
         self.coefficients.sum(|light| Amounts {

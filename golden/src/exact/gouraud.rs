@@ -8,7 +8,7 @@ use specula_scene::{Facet, Frame, Span};
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
 use super::illumination::{self, Illumination};
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `gouraud`.
@@ -60,7 +60,7 @@ impl<'a> GouraudSpan<'a> {
     }
 }
 
-impl ShadePixel for GouraudSpan<'_> {
+impl ShadeSpan for GouraudSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         self.coefficients.sum_of(self.lights.iter().map(|points| Amounts {
             diffuse: self.interpolated(i, points.iter().map(|point| point.diffuse)),

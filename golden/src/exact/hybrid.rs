@@ -6,7 +6,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::gouraud;
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `hybrid`.
@@ -34,7 +34,7 @@ impl<'a> HybridSpan<'a> {
     }
 }
 
-impl ShadePixel for HybridSpan<'_> {
+impl ShadeSpan for HybridSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let weights = self.span.weights(i);
         let normal = self.start + self.span.parameter(i) * self.delta;

@@ -6,7 +6,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::normalisation::{g2, gain, unit};
 use super::reflection::{
     halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light,
@@ -129,7 +129,7 @@ fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
     }
 }
 
-impl ShadePixel for LyonSpan<'_> {
+impl ShadeSpan for LyonSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let normal = self.normal(i);
         self.coefficients.sum(|light| Amounts {

@@ -8,12 +8,19 @@ use super::{
 };
 
 /// One span, shaded by a spec's method.
-pub struct MethodSpan<'a>(Box<dyn ShadePixel + 'a>);
+pub struct MethodSpan<'a>(Box<dyn ShadeSpan + 'a>);
 
-/// Shades the pixels of one span.
-pub(super) trait ShadePixel {
+/// Shades one span.
+pub(super) trait ShadeSpan {
     /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel.
     fn pixel(&self, i: u32) -> [f64; 3];
+
+    /// As many pixels as `out` has, the span's first pixel first: one virtual call for all of them.
+    fn shade(&self, out: &mut [[f64; 3]]) {
+        for (shade, i) in out.iter_mut().zip(0..) {
+            *shade = self.pixel(i);
+        }
+    }
 }
 
 impl<'a> MethodSpan<'a> {
@@ -43,6 +50,11 @@ impl<'a> MethodSpan<'a> {
     pub fn pixel(&self, i: u32) -> [f64; 3] {
         self.0.pixel(i)
     }
+
+    /// As many pixels as `out` has, the span's first pixel first: 0..=255 LSB a channel.
+    pub fn shade(&self, out: &mut [[f64; 3]]) {
+        self.0.shade(out);
+    }
 }
 
 /// The pixels of a span.
@@ -52,12 +64,13 @@ impl Shaded {
     /// Under lights and an eye at infinity, where the span's middle sees them.
     fn from_the_middle(spec: &CoreSpec, frame: &Frame, span: &Span) -> Shaded {
         let parallel = ParallelSpan::new(frame, span);
-        let method = MethodSpan::new(spec, &parallel.frame, parallel.span());
-        Shaded((0..span.length).map(|i| method.pixel(i)).collect())
+        let mut shades = vec![[0.0; 3]; span.length as usize];
+        MethodSpan::new(spec, &parallel.frame, parallel.span()).shade(&mut shades);
+        Shaded(shades)
     }
 }
 
-impl ShadePixel for Shaded {
+impl ShadeSpan for Shaded {
     fn pixel(&self, i: u32) -> [f64; 3] {
         self.0[i as usize]
     }

@@ -9,7 +9,7 @@ use super::diffuse::lambert;
 use super::directions::Directions;
 use super::distributions::{torrance_sparrow, trowbridge_reitz};
 use super::illumination::Illumination;
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::normalisation::unit;
 use super::shape::power;
 
@@ -88,7 +88,7 @@ impl<'a> PhongSpan<'a> {
     }
 }
 
-impl ShadePixel for PhongSpan<'_> {
+impl ShadeSpan for PhongSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         PhongSpan::pixel(self, i)
     }

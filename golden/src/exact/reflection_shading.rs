@@ -8,7 +8,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::hybrid::base;
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `reflection`.
@@ -52,7 +52,7 @@ impl<'a> ReflectionSpan<'a> {
     }
 }
 
-impl ShadePixel for ReflectionSpan<'_> {
+impl ShadeSpan for ReflectionSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let t = self.span.parameter(i);
         let at = |[start, end]: [DVec3; 2]| start + t * (end - start);

@@ -7,7 +7,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
-use super::method::ShadePixel;
+use super::method::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `slerp`.
@@ -47,7 +47,7 @@ impl<'a> SlerpSpan<'a> {
     }
 }
 
-impl ShadePixel for SlerpSpan<'_> {
+impl ShadeSpan for SlerpSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let normal = self.normal(i);
         if normal == DVec3::ZERO {

@@ -67,6 +67,7 @@ struct Reflection {
 
 impl Method for Consistent {
     type Inputs = ConsistentInputs<Wide>;
+    type State = ();
 
     fn read(&self, mut values: Values<'_>) -> ConsistentInputs<Wide> {
         self.ports.map(|port| values.next(port))
@@ -103,6 +104,7 @@ impl Method for Consistent {
     fn pixel(
         &self,
         inputs: &ConsistentInputs<Wide>,
+        (): (),
         i: u32,
         observer: &mut impl Observer,
     ) -> [u8; 3] {

@@ -1,6 +1,4 @@
 //! `direct`, bit for bit [lecture, eq. 4.3 to 4.6; methods A6, A7; `docs/arithmetic/direct.md`].
-use std::cell::RefCell;
-
 use specula_scene::Format;
 use specula_scene::spec::direct::{
     DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root,
@@ -24,13 +22,6 @@ pub(super) struct Direct {
     formats: DirectFormats,
     colour: Format,
     ports: DirectInputs<InputPort>,
-}
-
-/// A packet, and the lengths of its normals by Newton's method so far.
-pub(super) struct Walked {
-    inputs: DirectInputs<Wide>,
-    /// d of the pixels from the first on, as many as have been asked for.
-    lengths: RefCell<Vec<Wide>>,
 }
 
 /// What the lights have in common at one pixel.
@@ -57,20 +48,46 @@ impl Direct {
 }
 
 impl Method for Direct {
-    type Inputs = Walked;
+    type Inputs = DirectInputs<Wide>;
+    /// d, the length of the normal by Newton's method.
+    type State = Wide;
 
-    fn read(&self, mut values: Values<'_>) -> Walked {
-        Walked { inputs: self.ports.map(|port| values.next(port)), lengths: RefCell::default() }
+    fn read(&self, mut values: Values<'_>) -> DirectInputs<Wide> {
+        self.ports.map(|port| values.next(port))
     }
 
     /// With t below 2, q, 1/√q and scalars are as small as their formats say, but for a bit or two.
-    fn check(&self, Walked { inputs, .. }: &Walked, course: Course) -> Result<(), PacketError> {
+    fn check(&self, inputs: &DirectInputs<Wide>, course: Course) -> Result<(), PacketError> {
         course.weight(inputs.weight_step, self.formats.weight_accumulator)
     }
 
-    fn pixel(&self, walked: &Walked, i: u32, observer: &mut impl Observer) -> [u8; 3] {
-        let pixel = self.common(walked, i, observer);
-        let inputs = &walked.inputs;
+    /// d by Newton's steps from that of the pixel before, and from 1 at first; an exact root needs
+    /// none.
+    fn state(
+        &self,
+        inputs: &DirectInputs<Wide>,
+        before: Option<Wide>,
+        i: u32,
+        _observer: &mut impl Observer,
+    ) -> Wide {
+        let first = before.unwrap_or(Wide::ONE);
+        match self.root {
+            Root::Exact => first,
+            Root::Newton => {
+                let (_, q) = self.squared_length(inputs, i, &mut Nobody);
+                (0..self.newton_steps).fold(first, |d, _| self.newton_step(d, q))
+            }
+        }
+    }
+
+    fn pixel(
+        &self,
+        inputs: &DirectInputs<Wide>,
+        length: Wide,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
+        let pixel = self.common(inputs, length, i, observer);
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
@@ -90,14 +107,20 @@ impl Method for Direct {
 }
 
 impl Direct {
-    fn common(&self, walked: &Walked, i: u32, observer: &mut impl Observer) -> Pixel {
-        let (f, inputs) = (&self.formats, &walked.inputs);
+    fn common(
+        &self,
+        inputs: &DirectInputs<Wide>,
+        length: Wide,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Pixel {
+        let f = &self.formats;
         let (t, q) = self.squared_length(inputs, i, observer);
         let s = match self.root {
             Root::Exact => {
                 reciprocal_square_root(q, f.reciprocal.integer_bits, f.reciprocal.fraction_bits)
             }
-            Root::Newton => self.reciprocal_length(walked, i, observer),
+            Root::Newton => self.reciprocal_length(length, observer),
         };
         observer.see(format_args!("reciprocal"), s, f.reciprocal);
         let linear = self.linear("n_dot_v", &inputs.view, t, observer);
@@ -131,15 +154,8 @@ impl Direct {
         )
     }
 
-    /// 1/d of pixel `i`, d by Newton's steps from 1 on.
-    fn reciprocal_length(&self, walked: &Walked, i: u32, observer: &mut impl Observer) -> Wide {
-        let mut lengths = walked.lengths.borrow_mut();
-        for pixel in lengths.len() as u32..=i {
-            let (_, q) = self.squared_length(&walked.inputs, pixel, &mut Nobody);
-            let before = lengths.last().copied().unwrap_or(Wide::ONE);
-            lengths.push((0..self.newton_steps).fold(before, |d, _| self.newton_step(d, q)));
-        }
-        let d = lengths[i as usize];
+    /// 1/d.
+    fn reciprocal_length(&self, d: Wide, observer: &mut impl Observer) -> Wide {
         observer.see(format_args!("length"), d, self.formats.length);
         let reciprocal = self.formats.reciprocal;
         limited_quotient(Wide::ONE, d, reciprocal.integer_bits, reciprocal.fraction_bits)

@@ -50,6 +50,7 @@ impl Duff {
 
 impl Method for Duff {
     type Inputs = DuffInputs<Wide>;
+    type State = ();
 
     fn read(&self, mut values: Values<'_>) -> DuffInputs<Wide> {
         self.ports.map(|port| values.next(port))
@@ -81,7 +82,13 @@ impl Method for Duff {
         })
     }
 
-    fn pixel(&self, inputs: &DuffInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+    fn pixel(
+        &self,
+        inputs: &DuffInputs<Wide>,
+        (): (),
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
         let pixel = self.common(inputs, i, observer);
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {

@@ -33,6 +33,7 @@ impl Gouraud {
 
 impl Method for Gouraud {
     type Inputs = GouraudInputs<Wide>;
+    type State = ();
 
     fn read(&self, mut values: Values<'_>) -> GouraudInputs<Wide> {
         self.ports.map(|port| values.next(port))
@@ -50,7 +51,13 @@ impl Method for Gouraud {
         })
     }
 
-    fn pixel(&self, inputs: &GouraudInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+    fn pixel(
+        &self,
+        inputs: &GouraudInputs<Wide>,
+        (): (),
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };

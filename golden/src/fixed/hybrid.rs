@@ -35,6 +35,7 @@ impl Hybrid {
 
 impl Method for Hybrid {
     type Inputs = HybridInputs<Wide>;
+    type State = ();
 
     fn read(&self, mut values: Values<'_>) -> HybridInputs<Wide> {
         self.ports.map(|port| values.next(port))
@@ -65,7 +66,13 @@ impl Method for Hybrid {
         })
     }
 
-    fn pixel(&self, inputs: &HybridInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+    fn pixel(
+        &self,
+        inputs: &HybridInputs<Wide>,
+        (): (),
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
         let f = &self.formats;
         let operand = Accumulator { exact: f.accumulator, rounded: f.operand };
         let q = operand.quadratic(observer, "denominator", &inputs.denominator, i);

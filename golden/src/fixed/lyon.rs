@@ -1,6 +1,4 @@
 //! `lyon`, bit for bit [Lyon, TR 43; methods B; `docs/arithmetic.md`].
-use std::cell::RefCell;
-
 use specula_scene::Format;
 use specula_scene::spec::lyon::{
     Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation,
@@ -13,7 +11,7 @@ use super::course::Course;
 use super::highlight::limited_quotient;
 use super::method::{Method, Values};
 use super::number::Wide;
-use super::observer::{Nobody, Observer, OfLight, narrow, narrow_vector};
+use super::observer::{Observer, OfLight, narrow, narrow_vector};
 use super::packet::{self, PacketError};
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, cross, dot};
@@ -41,13 +39,6 @@ pub(super) struct Lyon {
     ports: LyonInputs<InputPort>,
 }
 
-/// A packet, and the normals that were wrapped around one another so far.
-pub(super) struct Followed {
-    inputs: LyonInputs<Wide>,
-    /// n of the pixels from the first on, as many as have been asked for.
-    normals: RefCell<Vec<Vector>>,
-}
-
 impl Lyon {
     pub fn new(core: &CoreSpec, lyon: &LyonSpec) -> Lyon {
         Lyon {
@@ -65,10 +56,12 @@ impl Lyon {
 }
 
 impl Method for Lyon {
-    type Inputs = Followed;
+    type Inputs = LyonInputs<Wide>;
+    /// n, if the next pixel's may be wrapped around it.
+    type State = Option<Vector>;
 
-    fn read(&self, mut values: Values<'_>) -> Followed {
-        Followed { inputs: self.ports.map(|port| values.next(port)), normals: RefCell::default() }
+    fn read(&self, mut values: Values<'_>) -> LyonInputs<Wide> {
+        self.ports.map(|port| values.next(port))
     }
 
     /// Whether Newton's steps converge and |n| < 2.
@@ -76,7 +69,7 @@ impl Method for Lyon {
     /// |N0|, |N1| ≤ 1 + 1/16 in `S1.4`, the coarsest format, and a ≤ 1 + 1/16 give |N'| ≤ 17/16 · (1 + 2/16) + √3/32 < 1.26, so z < 1.6. There z·g1² ≤ 1 and
     /// z·g2² < 1.42, inside the 3 below which g(3 - z g²)/2 goes towards 1/√z, and |n| = g√z < 1.2
     /// at first and 1 after a step, before rounding.
-    fn check(&self, Followed { inputs, .. }: &Followed, course: Course) -> Result<(), PacketError> {
+    fn check(&self, inputs: &LyonInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let axis = inputs.wrap_axis.unwrap_or_default();
         packet::check_length(format_args!("wrap_axis"), &axis, Wide::ONE, self.formats.vector)?;
         let longest_halfway = if self.difference.takes_halfway() { TWO } else { LONGEST_BY_G2 };
@@ -106,9 +99,31 @@ impl Method for Lyon {
         course.weight(inputs.weight_step.unwrap_or_default(), self.formats.weight_accumulator)
     }
 
-    fn pixel(&self, followed: &Followed, i: u32, observer: &mut impl Observer) -> [u8; 3] {
-        let inputs = &followed.inputs;
-        let (normal, has_direction) = self.normal(followed, i, observer);
+    /// n, wrapped around that of the pixel before, or around the axis (methods C7).
+    fn state(
+        &self,
+        inputs: &LyonInputs<Wide>,
+        before: Option<Option<Vector>>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Option<Vector> {
+        let (axis, follows) = (inputs.wrap_axis?, inputs.wrap_follows? == Wide::ONE);
+        let interpolated = self.interpolated(inputs, i, observer)?;
+        let before = before.flatten().filter(|_| follows).unwrap_or(axis);
+        Some(self.next(&interpolated, &before, observer))
+    }
+
+    fn pixel(
+        &self,
+        inputs: &LyonInputs<Wide>,
+        followed: Option<Vector>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
+        let (normal, has_direction) = match followed {
+            Some(normal) => (normal, normal != [Wide::ZERO; 3]),
+            None => self.normal(inputs, i, observer),
+        };
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
@@ -122,25 +137,20 @@ impl Method for Lyon {
 
 impl Lyon {
     /// n = g N', with N' = N0 + a (N1 - N0), and whether N' has a direction.
-    fn normal(&self, followed: &Followed, i: u32, observer: &mut impl Observer) -> (Vector, bool) {
-        let (f, inputs) = (&self.formats, &followed.inputs);
+    fn normal(
+        &self,
+        inputs: &LyonInputs<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> (Vector, bool) {
+        let f = &self.formats;
         let Some(interpolated) = self.interpolated(inputs, i, observer) else {
             return (inputs.normal_start, inputs.normal_start != [Wide::ZERO; 3]);
         };
         if let Some(axis) = &inputs.wrap_axis {
-            let normal = match inputs.wrap_follows {
-                None => {
-                    let formats = WrapFormats {
-                        operand: f.wrap_operand,
-                        ratio: f.wrap_ratio,
-                        vector: f.vector,
-                    };
-                    wrapped(observer, ["wrap", "normal"], &interpolated, axis, formats).vector
-                }
-                Some(follows) => {
-                    self.wrapped_after(followed, (axis, follows == Wide::ONE), i, observer)
-                }
-            };
+            let formats =
+                WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
+            let normal = wrapped(observer, ["wrap", "normal"], &interpolated, axis, formats).vector;
             return (normal, normal != [Wide::ZERO; 3]);
         }
         if self.normalisation == Normalisation::None {
@@ -173,32 +183,6 @@ impl Lyon {
         let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
         let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * delta[c]);
         Some(narrow_vector(observer, "interpolated", lerp, f.vector))
-    }
-
-    /// n of pixel `i`, wrapped around that of the pixel before, or around the axis (methods C7).
-    fn wrapped_after(
-        &self,
-        followed: &Followed,
-        (axis, follows): (&Vector, bool),
-        i: u32,
-        observer: &mut impl Observer,
-    ) -> Vector {
-        let mut normals = followed.normals.borrow_mut();
-        for pixel in normals.len() as u32..i {
-            let interpolated =
-                self.interpolated(&followed.inputs, pixel, &mut Nobody).unwrap_or_default();
-            let before = normals.last().filter(|_| follows).unwrap_or(axis);
-            let next = self.next(&interpolated, before, &mut Nobody);
-            normals.push(next);
-        }
-        let interpolated = self.interpolated(&followed.inputs, i, &mut Nobody).unwrap_or_default();
-        let before =
-            i.checked_sub(1).filter(|_| follows).map_or(*axis, |before| normals[before as usize]);
-        let normal = self.next(&interpolated, &before, observer);
-        if normals.len() == i as usize {
-            normals.push(normal);
-        }
-        normal
     }
 
     /// n = N' + u H with H = N' + b and u = (1 - z)/H·H, clamped to 0 to 1: 2H (H·b)/(H·H) - b for

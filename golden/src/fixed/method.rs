@@ -11,6 +11,9 @@ use super::packet::PacketError;
 pub(super) trait Method {
     /// A span's inputs, by name.
     type Inputs;
+    /// What a pixel leaves to the one after it: registers that are fed back. `()` where pixels do
+    /// not depend on one another.
+    type State: Copy + Default;
 
     /// Names a packet's inputs. The packet has one for each port.
     fn read(&self, values: Values<'_>) -> Self::Inputs;
@@ -18,8 +21,39 @@ pub(super) trait Method {
     /// Whether inputs within their ports' ranges can be computed together.
     fn check(&self, inputs: &Self::Inputs, course: Course) -> Result<(), PacketError>;
 
-    /// The code of pixel `i`.
-    fn pixel(&self, inputs: &Self::Inputs, i: u32, observer: &mut impl Observer) -> [u8; 3];
+    /// The state at pixel `i`, from that at the pixel before; `None` before the first pixel.
+    fn state(
+        &self,
+        _inputs: &Self::Inputs,
+        _before: Option<Self::State>,
+        _i: u32,
+        _observer: &mut impl Observer,
+    ) -> Self::State {
+        Self::State::default()
+    }
+
+    /// The code of pixel `i`, at which the state is `state`.
+    fn pixel(
+        &self,
+        inputs: &Self::Inputs,
+        state: Self::State,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3];
+}
+
+/// The code of pixel `i`, where `state` is what the pixel before has left; it is then what this one
+/// leaves.
+pub(super) fn next_pixel<M: Method>(
+    method: &M,
+    inputs: &M::Inputs,
+    state: &mut Option<M::State>,
+    i: u32,
+    observer: &mut impl Observer,
+) -> [u8; 3] {
+    let at_pixel = method.state(inputs, *state, i, observer);
+    *state = Some(at_pixel);
+    method.pixel(inputs, at_pixel, i, observer)
 }
 
 /// The raw values of a packet in port order.

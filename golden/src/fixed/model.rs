@@ -9,7 +9,7 @@ use super::duff::Duff;
 use super::gouraud::Gouraud;
 use super::hybrid::Hybrid;
 use super::lyon::Lyon;
-use super::method::{Method, Values};
+use super::method::{Method, Values, next_pixel};
 use super::observer::{Nobody, Notebook, Observation, Sums};
 use super::packet::{self, PacketError};
 use super::phong::Phong;
@@ -137,15 +137,19 @@ impl<M: Method + Send + Sync> ShadeSpan for M {
         out: &mut Vec<[u8; 3]>,
     ) -> Result<(), PacketError> {
         let inputs = read(self, packet, course)?;
-        out.extend((0..packet.length).map(|i| self.pixel(&inputs, i, &mut Nobody)));
+        let mut state = None;
+        out.extend(
+            (0..packet.length).map(|i| next_pixel(self, &inputs, &mut state, i, &mut Nobody)),
+        );
         Ok(())
     }
 
     fn sums(&self, packet: &SpanPacket, course: Course) -> Result<Vec<[f64; 3]>, PacketError> {
         let inputs = read(self, packet, course)?;
+        let mut state = None;
         let sums_of = |i| {
             let mut sums = Sums::default();
-            self.pixel(&inputs, i, &mut sums);
+            next_pixel(self, &inputs, &mut state, i, &mut sums);
             sums.0
         };
         Ok((0..packet.length).map(sums_of).collect())
@@ -158,8 +162,10 @@ impl<M: Method + Send + Sync> ShadeSpan for M {
         i: u32,
     ) -> Result<Vec<Observation>, PacketError> {
         let inputs = read(self, packet, course)?;
+        let mut state =
+            (0..i).fold(None, |before, i| Some(self.state(&inputs, before, i, &mut Nobody)));
         let mut notebook = Notebook::default();
-        self.pixel(&inputs, i, &mut notebook);
+        next_pixel(self, &inputs, &mut state, i, &mut notebook);
         Ok(notebook.0)
     }
 }

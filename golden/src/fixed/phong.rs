@@ -110,6 +110,7 @@ impl Phong {
 
 impl Method for Phong {
     type Inputs = PhongInputs<Wide>;
+    type State = ();
 
     fn read(&self, mut values: Values<'_>) -> PhongInputs<Wide> {
         self.ports.map(|port| values.next(port))
@@ -128,7 +129,13 @@ impl Method for Phong {
         course.weight(inputs.weight_step, self.formats.weight_accumulator)
     }
 
-    fn pixel(&self, inputs: &PhongInputs<Wide>, i: u32, observer: &mut impl Observer) -> [u8; 3] {
+    fn pixel(
+        &self,
+        inputs: &PhongInputs<Wide>,
+        (): (),
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
         let accumulated = Wide::from_num(i) * inputs.weight_step;
         observer.see(
             format_args!("weight_accumulator"),

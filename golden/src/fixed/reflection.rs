@@ -124,6 +124,7 @@ impl Reflection {
 
 impl Method for Reflection {
     type Inputs = ReflectionInputs<Wide>;
+    type State = ();
 
     fn read(&self, mut values: Values<'_>) -> ReflectionInputs<Wide> {
         self.ports.map(|port| values.next(port))
@@ -148,6 +149,7 @@ impl Method for Reflection {
     fn pixel(
         &self,
         inputs: &ReflectionInputs<Wide>,
+        (): (),
         i: u32,
         observer: &mut impl Observer,
     ) -> [u8; 3] {

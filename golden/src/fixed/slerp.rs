@@ -1,6 +1,6 @@
 //! `slerp`, bit for bit [lecture, eq. 4.7, 4.9 to 4.12; methods A10, A11;
 //! `docs/arithmetic/slerp.md`].
-use std::cell::RefCell;
+use std::iter;
 
 use specula_scene::Format;
 use specula_scene::spec::slerp::{Axes, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
@@ -25,14 +25,6 @@ pub(super) struct Slerp {
     ports: SlerpInputs<InputPort>,
 }
 
-/// A packet, and what the rotations have made of it so far.
-pub(super) struct Turning {
-    inputs: SlerpInputs<Wide>,
-    /// What the weights of start and end are taken from, at the pixels from the first on, as many
-    /// as have been asked for.
-    states: RefCell<Vec<[Circling; 2]>>,
-}
-
 /// A cosine and a sine, times a factor.
 type Circling = [Wide; 2];
 
@@ -53,21 +45,18 @@ impl Slerp {
 }
 
 impl Method for Slerp {
-    type Inputs = Turning;
+    type Inputs = SlerpInputs<Wide>;
+    /// What the weights of start and end are taken from.
+    type State = [Circling; 2];
 
-    fn read(&self, mut values: Values<'_>) -> Turning {
-        let inputs = self.ports.map(|port| values.next(port));
-        // Between the ends both have angles of their own; else one rotation has both weights.
-        let falling = [Wide::ONE, inputs.falling_cosine.unwrap_or(Wide::ZERO)];
-        let rising = [inputs.rising_cosine.unwrap_or(Wide::ONE), Wide::ZERO];
-        Turning { inputs, states: RefCell::new(vec![[falling, rising]]) }
+    fn read(&self, mut values: Values<'_>) -> SlerpInputs<Wide> {
+        self.ports.map(|port| values.next(port))
     }
 
     /// A turn that stretches would leave every range: its squares add up to 1 but for the host's
     /// rounding. With weights below 8 normals are shorter than 18, before their length is
     /// corrected.
-    fn check(&self, turning: &Turning, course: Course) -> Result<(), PacketError> {
-        let inputs = &turning.inputs;
+    fn check(&self, inputs: &SlerpInputs<Wide>, course: Course) -> Result<(), PacketError> {
         let stretch = inputs.turn_cosine * inputs.turn_cosine
             + inputs.turn_sine * inputs.turn_back.unwrap_or(inputs.turn_sine);
         let longest = Wide::ONE + (Wide::ONE >> (self.formats.turn.fraction_bits - 1));
@@ -85,15 +74,33 @@ impl Method for Slerp {
                 self.formats.vector,
             )?;
         }
-        let small = |i: u32| self.states(turning, i).iter().flatten().all(|x| x.abs() < 8);
-        let fits =
-            stretch <= longest && (inputs.turn_back.is_none() || (0..course.length).all(small));
+        let states =
+            iter::successors(Some(first(inputs)), |&state| Some(self.turned(inputs, state)));
+        let are_small =
+            || states.take(course.length as usize).flatten().flatten().all(|x| x.abs() < 8);
+        let fits = stretch <= longest && (inputs.turn_back.is_none() || are_small());
         if fits { Ok(()) } else { Err(PacketError::Turn) }
     }
 
-    fn pixel(&self, turning: &Turning, i: u32, observer: &mut impl Observer) -> [u8; 3] {
-        let (f, inputs) = (&self.formats, &turning.inputs);
-        let weights = self.weights(turning, i, observer);
+    fn state(
+        &self,
+        inputs: &SlerpInputs<Wide>,
+        before: Option<[Circling; 2]>,
+        _i: u32,
+        _observer: &mut impl Observer,
+    ) -> [Circling; 2] {
+        before.map_or_else(|| first(inputs), |before| self.turned(inputs, before))
+    }
+
+    fn pixel(
+        &self,
+        inputs: &SlerpInputs<Wide>,
+        state: [Circling; 2],
+        _i: u32,
+        observer: &mut impl Observer,
+    ) -> [u8; 3] {
+        let f = &self.formats;
+        let weights = self.weights(state, observer);
         let normal = inputs.normal.as_ref().map(|axes| self.normal(axes, weights, observer));
         let n_dot_v = match &normal {
             Some(n) => narrow(observer, format_args!("n_dot_v"), n[2], f.cosine),
@@ -115,15 +122,22 @@ impl Method for Slerp {
     }
 }
 
+/// The state at the first pixel: between the ends both weights have angles of their own; else one
+/// rotation has both.
+fn first(inputs: &SlerpInputs<Wide>) -> [Circling; 2] {
+    let falling = [Wide::ONE, inputs.falling_cosine.unwrap_or(Wide::ZERO)];
+    let rising = [inputs.rising_cosine.unwrap_or(Wide::ONE), Wide::ZERO];
+    [falling, rising]
+}
+
 /// u A·X + v T·X.
 fn on_arc(scalars: Option<&OnArc<Wide>>, [u, v]: [Wide; 2]) -> Wide {
     scalars.map_or(Wide::ZERO, |scalars| u * scalars.start + v * scalars.across)
 }
 
 impl Slerp {
-    /// The weights of start and end after `i` turns.
-    fn weights(&self, turning: &Turning, i: u32, observer: &mut impl Observer) -> [Wide; 2] {
-        let [falling, rising] = self.states(turning, i);
+    /// The weights of start and end.
+    fn weights(&self, [falling, rising]: [Circling; 2], observer: &mut impl Observer) -> [Wide; 2] {
         let [cosine, sine] = [falling[0], rising[1]];
         observer.see(format_args!("state_cosine"), cosine, self.state);
         observer.see(format_args!("state_sine"), sine, self.state);
@@ -132,19 +146,19 @@ impl Slerp {
         [c, s]
     }
 
-    fn states(&self, turning: &Turning, i: u32) -> [Circling; 2] {
-        let (cosine, sine) = (turning.inputs.turn_cosine, turning.inputs.turn_sine);
-        let back = turning.inputs.turn_back.unwrap_or(sine);
+    /// A turn further.
+    fn turned(
+        &self,
+        inputs: &SlerpInputs<Wide>,
+        [falling, rising]: [Circling; 2],
+    ) -> [Circling; 2] {
+        let (cosine, sine) = (inputs.turn_cosine, inputs.turn_sine);
+        let back = inputs.turn_back.unwrap_or(sine);
         let turned = |[c, s]: Circling, down: Wide, up: Wide| {
             [c * cosine - s * down, s * cosine + c * up]
                 .map(|x| round_to(x, self.state.fraction_bits))
         };
-        let mut states = turning.states.borrow_mut();
-        while states.len() <= i as usize {
-            let [falling, rising] = states[states.len() - 1];
-            states.push([turned(falling, sine, back), turned(rising, back, sine)]);
-        }
-        states[i as usize]
+        [turned(falling, sine, back), turned(rising, back, sine)]
     }
 
     /// K (2 - N·N).

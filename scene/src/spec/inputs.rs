@@ -1,5 +1,12 @@
 //! A core's inputs by name, for whatever belongs to each of them: its port, its signal, its raw
 //! value.
+use smallvec::SmallVec;
+
+use super::MOST_LIGHTS;
+
+/// Inputs of each light of a core, which has [`MOST_LIGHTS`] at most: no memory is allocated for
+/// them.
+pub type Many<T> = SmallVec<[T; MOST_LIGHTS]>;
 
 /// Inputs that go together: a struct that [`inputs`] defines.
 pub trait EachInput {
@@ -38,8 +45,16 @@ macro_rules! inputs {
                 T: Clone,
             {
                 let mut all = Vec::new();
-                self.map(|x| all.push(x.clone()));
+                self.append_to(&mut all);
                 all
+            }
+
+            /// Appends every input, in port order.
+            pub(in crate::spec) fn append_to(&self, all: &mut Vec<T>)
+            where
+                T: Clone,
+            {
+                $(inputs!(@append all, &self.$field, $kind);)*
             }
         }
 
@@ -57,7 +72,7 @@ macro_rules! inputs {
     (@type vector_if_any) => { Option<[T; 3]> };
     (@type group($inner:ident)) => { $inner<T> };
     (@type group_if_any($inner:ident)) => { Option<$inner<T>> };
-    (@type many($inner:ident)) => { Vec<$inner<T>> };
+    (@type many($inner:ident)) => { $crate::spec::inputs::Many<$inner<T>> };
     (@map $f:ident, $value:expr, one) => { $f($value) };
     (@map $f:ident, $value:expr, one_if_any) => { $value.as_ref().map(&mut *$f) };
     (@map $f:ident, $value:expr, vector) => { $value.each_ref().map(&mut *$f) };
@@ -65,6 +80,13 @@ macro_rules! inputs {
     (@map $f:ident, $value:expr, group) => { $value.map_with($f) };
     (@map $f:ident, $value:expr, group_if_any) => { $value.as_ref().map(|group| group.map_with($f)) };
     (@map $f:ident, $value:expr, many) => { $value.iter().map(|each| each.map_with($f)).collect() };
+    (@append $all:ident, $value:expr, one) => { $all.push($value.clone()) };
+    (@append $all:ident, $value:expr, one_if_any) => { $all.extend($value.as_ref().cloned()) };
+    (@append $all:ident, $value:expr, vector) => { $all.extend_from_slice($value) };
+    (@append $all:ident, $value:expr, vector_if_any) => { $value.iter().for_each(|v| $all.extend_from_slice(v)) };
+    (@append $all:ident, $value:expr, group) => { $value.append_to($all) };
+    (@append $all:ident, $value:expr, group_if_any) => { $value.iter().for_each(|group| group.append_to($all)) };
+    (@append $all:ident, $value:expr, many) => { $value.iter().for_each(|each| each.append_to($all)) };
 }
 
 pub(super) use inputs;

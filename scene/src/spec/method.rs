@@ -98,6 +98,17 @@ macro_rules! methods {
                 }
             }
 
+            /// The same with the formats of another of this method.
+            pub(super) fn with_formats_of(&self, other: &MethodSpec) -> Option<MethodSpec> {
+                match (self, other) {
+                    $((MethodSpec::$method(own), MethodSpec::$method(other)) => {
+                        let formats = other.formats.clone();
+                        Some(MethodSpec::$method($spec { formats, ..own.clone() }))
+                    })*
+                    _ => None,
+                }
+            }
+
             /// What it says of itself.
             pub(super) fn describe(&self) -> &dyn Describe {
                 match self {

@@ -16,10 +16,10 @@ pub struct SetUp<'a> {
 }
 
 /// A method's part of the set-up.
-pub trait SetUpSpan: Sync {
-    /// Raw values of the method's ports, in their order. They may lie outside the ports' ranges by
-    /// what f64 rounds.
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64>;
+pub trait SetUpSpan: Send + Sync {
+    /// Appends raw values of the method's ports, in their order. They may lie outside the ports'
+    /// ranges by what f64 rounds.
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>);
 }
 
 /// Inputs that depend on the material alone.
@@ -54,32 +54,39 @@ impl<'a> SetUp<'a> {
         }
     }
 
-    /// Sets up a span. Every value is within its port's range.
-    pub fn packet(&self, span: &Span) -> SpanPacket {
-        let mut inputs = self.inputs(span);
+    /// Sets up a span: appends the raw values of the ports, in their order, each within its port's
+    /// range. Nothing is allocated besides, unless the span's middle has to be asked where lights
+    /// and eye are.
+    pub fn append(&self, span: &Span, out: &mut Vec<i64>) {
+        let start = out.len();
+        if self.core.places_seen_from() == Viewpoint::Span && !self.frame.directions_are_constant()
+        {
+            self.append_from_the_middle(span, out);
+        } else {
+            let material = &self.materials[self.frame.triangles[span.triangle].material];
+            self.method.append(span, material, out);
+        }
         // In exact arithmetic nothing is out of range; f64 may be by some units of its own last
         // place, as N·N of a unit vector is.
-        for (value, &(low, high)) in inputs.iter_mut().zip(&self.ranges) {
+        for (value, &(low, high)) in out[start..].iter_mut().zip(&self.ranges) {
             *value = (*value).clamp(low, high);
         }
+    }
+
+    /// A span by itself, set up.
+    pub fn packet(&self, span: &Span) -> SpanPacket {
+        let mut inputs = Vec::with_capacity(self.ranges.len());
+        self.append(span, &mut inputs);
         SpanPacket { length: span.length, inputs }
     }
 
-    fn inputs(&self, span: &Span) -> Vec<i64> {
-        if self.core.places_seen_from() == Viewpoint::Span && !self.frame.directions_are_constant()
-        {
-            return self.inputs_from_the_middle(span);
-        }
-        let material = &self.materials[self.frame.triangles[span.triangle].material];
-        self.method.inputs(span, material)
-    }
-
     /// As the span's middle sees lights and eye.
-    fn inputs_from_the_middle(&self, span: &Span) -> Vec<i64> {
+    fn append_from_the_middle(&self, span: &Span, out: &mut Vec<i64>) {
         let parallel = ParallelSpan::new(self.frame, span);
         let material =
             MaterialInputs::new(self.core, &parallel.frame, &parallel.frame.materials[0]);
-        self.core.method.describe().set_up(&parallel.frame).inputs(parallel.span(), &material)
+        let method = self.core.method.describe().set_up(&parallel.frame);
+        method.append(parallel.span(), &material, out);
     }
 }
 

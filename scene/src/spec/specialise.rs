@@ -81,6 +81,24 @@ impl CoreSpec {
         CoreSpec { specialisation: Specialisation(given.collect()), ..general }
     }
 
+    /// As [`CoreSpec::specialised`], where another core for the frame alone is at hand, `special`.
+    /// Spans are set up only if this core's inputs are not given what that one's are.
+    pub fn specialised_as(&self, special: &CoreSpec, frame: &Frame) -> CoreSpec {
+        let general = self.general();
+        if general.is_given_what(&special.general()) {
+            CoreSpec { specialisation: special.specialisation.clone(), ..general }
+        } else {
+            general.specialised(frame)
+        }
+    }
+
+    /// Whether a host gives both cores the same raw values in every frame: set-up rests on ports
+    /// and options, and not on formats of values within the core.
+    fn is_given_what(&self, other: &CoreSpec) -> bool {
+        self.inputs() == other.inputs()
+            && self.method.with_formats_of(&other.method).as_ref() == Some(&other.method)
+    }
+
     /// A port as it is over the frames that this core is for.
     pub(super) fn over_frames(&self, port: &InputPort) -> InputPort {
         match self.specialisation.of(&port.name) {
@@ -146,7 +164,12 @@ impl Seen {
             (0..own).filter(|&other| ports[other].format == ports[own].format).collect()
         };
         let mut seen = Seen { ranges: None, twins: (0..ports.len()).map(earlier).collect() };
-        frame.spans.iter().for_each(|span| seen.add(&set_up.packet(span).inputs));
+        let mut inputs = Vec::with_capacity(ports.len());
+        for span in &frame.spans {
+            inputs.clear();
+            set_up.append(span, &mut inputs);
+            seen.add(&inputs);
+        }
         seen
     }
 

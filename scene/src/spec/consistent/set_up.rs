@@ -68,7 +68,7 @@ impl<'a> ConsistentSetUp<'a> {
 }
 
 impl SetUpSpan for ConsistentSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let f = &self.consistent.formats;
         let [start, end] = self.frame.end_axes(span).map(|n| f.vector.quantise_vector(n));
         let step = span.weight_step();
@@ -89,7 +89,7 @@ impl SetUpSpan for ConsistentSetUp<'_> {
                 .map(|(index, coefficients)| self.light(index, coefficients))
                 .collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }
 

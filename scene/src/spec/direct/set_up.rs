@@ -12,7 +12,7 @@ pub(super) struct DirectSetUp<'a> {
 }
 
 impl SetUpSpan for DirectSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let f = &self.direct.formats;
         let normals = self.frame.unit_end_normals(span);
         let step = span.weight_step();
@@ -27,7 +27,7 @@ impl SetUpSpan for DirectSetUp<'_> {
                 .map(|(light, coefficients)| self.light(normals, light, coefficients))
                 .collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }
 

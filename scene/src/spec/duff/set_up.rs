@@ -13,7 +13,7 @@ pub(super) struct DuffSetUp<'a> {
 }
 
 impl SetUpSpan for DuffSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let highlight = self.duff.specular;
         let normal = self.frame.normal_and_step(span);
         let [m, k] = normal;
@@ -28,7 +28,7 @@ impl SetUpSpan for DuffSetUp<'_> {
                 .map(|(light, coefficients)| self.light(span, normal, light, coefficients))
                 .collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }
 

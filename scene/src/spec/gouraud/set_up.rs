@@ -18,7 +18,7 @@ enum Points {
 }
 
 impl SetUpSpan for GouraudSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let (points, n) = (self.points(span), self.frame.material(span).shininess);
         let light =
             |(index, &Coefficients { diffuse, specular }): (usize, &Coefficients)| GouraudLight {
@@ -32,7 +32,7 @@ impl SetUpSpan for GouraudSetUp<'_> {
             ambient: material.ambient,
             lights: material.lights.iter().enumerate().map(light).collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }
 

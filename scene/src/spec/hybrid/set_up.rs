@@ -11,7 +11,7 @@ pub(super) struct HybridSetUp<'a> {
 }
 
 impl SetUpSpan for HybridSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let lights = self.frame.lights.iter().zip(&material.lights);
         let [m, k] = self.frame.normal_and_step(span);
         let inputs = HybridInputs {
@@ -23,7 +23,7 @@ impl SetUpSpan for HybridSetUp<'_> {
                 .map(|(light, coefficients)| self.light(span, light, coefficients))
                 .collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }
 

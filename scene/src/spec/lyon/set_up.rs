@@ -121,7 +121,7 @@ impl LyonSetUp<'_> {
 }
 
 impl SetUpSpan for LyonSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let normals = self.normals(span);
         let inputs = LyonInputs {
             normal_start: normals.start,
@@ -138,6 +138,6 @@ impl SetUpSpan for LyonSetUp<'_> {
                 .map(|(light, coefficients)| light.with(coefficients))
                 .collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }

@@ -16,7 +16,7 @@ pub(super) struct PhongSetUp<'a> {
 }
 
 impl SetUpSpan for PhongSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let (f, frame) = (&self.phong.formats, self.frame);
         let step = span.weight_step();
         let (at_infinity, local) = material.lights.split_at(frame.lights.len());
@@ -34,7 +34,7 @@ impl SetUpSpan for PhongSetUp<'_> {
             ambient: material.ambient,
             lights: at_infinity.chain(local).collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }
 

@@ -41,7 +41,7 @@ impl<'a> Halfway<'a> {
 }
 
 impl SetUpSpan for ReflectionSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let (spec, accumulator) = (self.reflection, self.reflection.formats.accumulator);
         let h = Halfway::new(spec, self.frame, span);
         let [m, k] = self.frame.normal_and_step(span);
@@ -58,7 +58,7 @@ impl SetUpSpan for ReflectionSetUp<'_> {
                 .map(|(light, coefficients)| self.light(&h, [m, k], light, coefficients))
                 .collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }
 

@@ -12,7 +12,7 @@ pub(super) struct SlerpSetUp<'a> {
 }
 
 impl SetUpSpan for SlerpSetUp<'_> {
-    fn inputs(&self, span: &Span, material: &MaterialInputs) -> Vec<i64> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
         let f = &self.slerp.formats;
         let course = self.slerp.course(self.frame, span);
         let [turn_cosine, turn_sine, turn_back] = course.turn.map(|x| f.turn.quantise(x));
@@ -34,7 +34,7 @@ impl SetUpSpan for SlerpSetUp<'_> {
                 .map(|(light, coefficients)| self.light(&course, light, coefficients))
                 .collect(),
         };
-        inputs.to_vec()
+        inputs.append_to(out);
     }
 }
 
