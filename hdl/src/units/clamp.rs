@@ -2,7 +2,7 @@
 use specula_datapath::builder::{Builder, Sig};
 
 /// min(max(c, 0), 1), rounded to `fraction_bits`, of a cosine that may leave -1 to 1 by rounding.
-/// [Lambert]
+/// Source: Lambert
 pub fn clamp_unit(b: &Builder, cosine: &Sig, fraction_bits: u32) -> Sig {
     b.unit("diffuse", "I = max(N.L, 0) [Lambert]", (("cosine", cosine),), |_, (cosine,)| {
         to_unit_interval(&cosine, fraction_bits).named("intensity")
