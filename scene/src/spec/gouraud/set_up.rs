@@ -11,6 +11,10 @@ pub(super) struct GouraudSetUp<'a> {
 }
 
 /// Where intensities are worked out.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "it is made for each span, where a box would allocate"
+)]
 enum Points {
     Vertices([LitPoint; 3]),
     /// The middle of the polygon.
