@@ -3,7 +3,7 @@
 //!
 //! # In five minutes
 //!
-//! A [`Builder`](builder::Builder) is what a datapath is described with. A value is a
+//! A [`Builder`] is what a datapath is described with. A value is a
 //! [`Sig`](builder::Sig): it has a format, a *proven range* of raw values and a *proven bound* on
 //! |fixed − real|. Operators derive the result's from the operands'; nothing is rounded unless it
 //! is asked for, and no unit counts its own registers.

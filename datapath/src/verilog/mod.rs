@@ -32,7 +32,7 @@ pub fn print(core: &Module, header: &Header) -> String {
     print_with(core, header, LongDelays::Memories)
 }
 
-/// [`print`] with a choice of what long delay lines are made of.
+/// [`print()`] with a choice of what long delay lines are made of.
 pub fn print_with(core: &Module, header: &Header, long_delays: LongDelays) -> String {
     let mut library = Library::new(&core.instance, long_delays);
     let (top, _) = library.text(core, &core.instance);

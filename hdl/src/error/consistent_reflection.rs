@@ -34,7 +34,7 @@ impl Components {
     /// g + ρb   rounded by u/2, times |n|
     /// ```
     ///
-    /// and what ρ is off by counts as often as bN - I is long: see [`of_sine_ratio`].
+    /// and what ρ is off by counts as often as bN - I is long: see `of_sine_ratio`.
     pub fn error(self, formats: &ConsistentFormats, known: Consistency) -> f64 {
         let [dividend, divisor] = self.operands;
         let e_rho = of_sine_ratio(dividend + divisor, divisor, formats, known);
@@ -85,7 +85,7 @@ impl Operands {
     /// their lengths are off. r is compared with the reflection of J about m with q as it comes,
     /// and that with the real one.
     ///
-    /// Roundings: [`Rounded`] bounds how far this moves r as a whole, and along r.
+    /// Roundings: `Rounded` bounds how far this moves r as a whole, and along r.
     ///
     /// Turns: r turns by 2a and a_I at most, and with q, since
     ///

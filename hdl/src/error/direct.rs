@@ -140,7 +140,7 @@ fn half(format: Format) -> f64 {
 /// |c' - n'·X|       ≤ σ + e_p (1 + σ)/m            with e_p for what N·X is off
 /// ```
 ///
-/// where n' is n turned by [`Moved`]'s angle.
+/// where n' is n turned by `Moved`'s angle.
 pub fn unit_normal(t: Parameter, formats: &DirectFormats, shortest: f64) -> Angular {
     let moved = Moved::new(t, formats, shortest);
     let Some(least_square) = moved.least_square(formats) else { return Angular::UNKNOWN };

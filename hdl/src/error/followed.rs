@@ -52,7 +52,7 @@ impl Followed {
     /// ```
     ///
     /// The first pixel of a span that follows has the error of w, no more than what following ends
-    /// at. Where the bound is too coarse for [`Followed::step`], two unit vectors are no further
+    /// at. Where the bound is too coarse for `Followed::step`, two unit vectors are no further
     /// apart than 2.
     pub fn error(self, formats: &LyonFormats) -> f64 {
         let around_fixed = self.step(self.shortest, 1.0 + self.shortest * self.shortest, formats);

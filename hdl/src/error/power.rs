@@ -9,7 +9,7 @@ use super::angular::Angular;
 /// Let the base be s cos t, off by an angle a and by r beside that.
 ///
 /// - The angle moves cos^n t by a times a slope σ(v) of it in t, n cos^(n-1) t sin t, at a v =
-///   cos^n t between both powers. [`Line`] says what is known of σ.
+///   cos^n t between both powers. `Line` says what is known of σ.
 /// - For x and y with |x - y| ≤ r and m = max(x, y)
 ///
 ///   ```text

@@ -22,7 +22,7 @@ const STEPS: u32 = 2048;
 /// Each counts as often as [`LengthOff`] says, or the first as often as D is off as a whole.
 /// Smaller exponents have no more of any at the same y.
 ///
-/// Then f of the fixed D, with y', is rounded: see [`Highlight::rounding`]. y' is no further from
+/// Then f of the fixed D, with y', is rounded: see `Highlight::rounding`. y' is no further from
 /// any y on the way to it than √(n/2K) times what D is off.
 pub fn bound(off: f64, length_off: LengthOff, shininess: f64, lyon: &LyonSpec) -> f64 {
     let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());

@@ -8,7 +8,7 @@ use super::MOST_LIGHTS;
 /// them.
 pub type Many<T> = SmallVec<[T; MOST_LIGHTS]>;
 
-/// Inputs that go together: a struct that [`inputs`] defines.
+/// Inputs that go together: a struct that `inputs!` defines.
 pub trait EachInput {
     /// What belongs to each of them.
     type Value;

@@ -7,7 +7,7 @@
 //!
 //! A method is a folder: `mod.rs` has its options and formats, `inputs` the ports of its cores,
 //! `choose` the formats for a scene and what may be asked for, `set_up` the host's work for a span.
-//! A line in [`method`] makes it known.
+//! A line in `method` makes it known.
 mod change;
 mod choose;
 pub mod consistent;
