@@ -3,7 +3,7 @@ use serde::Serialize;
 use specula_datapath::Design;
 use specula_scene::{Frame, Needs};
 
-use super::needs::{EYE_AT_INFINITY, LIGHTS, LIGHTS_AT_INFINITY, Premise};
+use super::premise::{EYE_AT_INFINITY, LIGHTS, LIGHTS_AT_INFINITY, Premise};
 
 /// What a general core is built for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -7,6 +7,7 @@
 mod general;
 mod inputs;
 mod needs;
+mod premise;
 mod size_delta;
 
 use serde::Serialize;

@@ -7,7 +7,7 @@ use specula_sim::{Icarus, Keeping, SimError, Stimulus, TimedVerilator, Verilator
 
 use super::external::{Interpreted, Verilated};
 use super::in_process::{InProcess, Kind};
-use super::rounds::Step;
+use super::progress::Step;
 use super::runner::Runner;
 use super::scratch::Scratch;
 use super::workload::Workload;

@@ -1,11 +1,12 @@
 //! Rounds in which every runner runs once.
+use super::progress::Step;
 use super::roster::Roster;
 use super::runner::{Runner, Timed};
 use super::scratch::Scratch;
 use super::workload::Workload;
 use super::{Config, Machine, MeasureError, Measurement, Mode, Row};
+use specula_testbench::Bench;
 use specula_testbench::statistics::median;
-use specula_testbench::{Bench, EngineKind};
 
 /// How much time a measurement may take.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,32 +21,6 @@ impl Default for Budget {
     fn default() -> Budget {
         Budget { rounds: 5, seconds: 0.25 }
     }
-}
-
-/// A step of a measurement, for a progress bar.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step {
-    /// A program is built.
-    Building {
-        /// The engine.
-        engine: EngineKind,
-        /// The mode that it is for.
-        mode: Mode,
-    },
-    /// Finding out how many spans make a run long enough.
-    Trying {
-        /// The engine and its mode.
-        config: Config,
-    },
-    /// A run is measured.
-    Measuring {
-        /// The engine and its mode.
-        config: Config,
-        /// Runs measured before.
-        done: usize,
-        /// Runs in all.
-        all: usize,
-    },
 }
 
 /// Spans of the first try.
@@ -179,6 +154,7 @@ fn more(spans: usize, factor: f64) -> usize {
 mod tests {
     use super::*;
     use crate::benchmark::checksum::Checksum;
+    use specula_testbench::EngineKind;
 
     /// Takes a millisecond for each span, and gives the model's checksum for one span more or less.
     struct Fake<'a> {

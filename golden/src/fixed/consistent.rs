@@ -9,10 +9,11 @@ use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::method::{Method, Values};
 use super::number::{Wide, round_down, round_quotient, round_root, round_to, round_up};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
-use super::packet::{self, PacketError};
+use super::packet;
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, dot};

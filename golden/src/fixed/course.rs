@@ -5,8 +5,8 @@ use std::fmt;
 use specula_scene::Format;
 use specula_scene::spec::{Linear, Quadratic};
 
+use super::error::PacketError;
 use super::number::Wide;
-use super::packet::PacketError;
 
 /// What f64 may add to a value that the host rounds: 2^-48.
 const HOST_ERROR: Wide = Wide::from_bits(1 << (Wide::FRAC_NBITS - 48));

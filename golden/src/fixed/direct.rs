@@ -7,10 +7,10 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::method::{Method, Values};
 use super::number::{Wide, round_quotient, round_to};
 use super::observer::{Nobody, Observer, OfLight, narrow};
-use super::packet::PacketError;
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
 

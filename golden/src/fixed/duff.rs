@@ -8,12 +8,12 @@ use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::forward::Accumulator;
 use super::highlight::{amount, cosine, quotient, reflection, root};
 use super::method::{Method, Values};
 use super::number::{Wide, round_signed_quotient};
 use super::observer::{Observer, OfLight};
-use super::packet::PacketError;
 use super::raised::Raised;
 
 /// The method in one core's formats.

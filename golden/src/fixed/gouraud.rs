@@ -8,10 +8,10 @@ use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight};
-use super::packet::PacketError;
 
 /// The method in one core's formats.
 pub(super) struct Gouraud {

@@ -6,12 +6,12 @@ use specula_scene::spec::{CoreSpec, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::forward::Accumulator;
 use super::highlight::quotient;
 use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight};
-use super::packet::PacketError;
 use super::raised::Raised;
 
 /// The method in one core's formats.

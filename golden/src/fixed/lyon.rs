@@ -8,11 +8,12 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::highlight::limited_quotient;
 use super::method::{Method, Values};
 use super::number::Wide;
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
-use super::packet::{self, PacketError};
+use super::packet;
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, cross, dot};
 use super::wrapped::{WrapFormats, wrapped};

@@ -3,9 +3,9 @@ use specula_scene::SpanPacket;
 use specula_scene::spec::InputPort;
 
 use super::course::Course;
+use super::error::PacketError;
 use super::number::{Wide, from_raw};
 use super::observer::Observer;
-use super::packet::PacketError;
 
 /// A method in the formats of one core.
 pub(super) trait Method {

@@ -6,6 +6,7 @@ mod consistent;
 mod course;
 mod direct;
 mod duff;
+mod error;
 mod exp2;
 mod forward;
 mod gaussian;
@@ -27,6 +28,6 @@ mod slerp;
 mod vector;
 mod wrapped;
 
+pub use error::PacketError;
 pub use model::Model;
 pub use observer::Observation;
-pub use packet::PacketError;

@@ -10,11 +10,12 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::gaussian::Gaussian;
 use super::method::{Method, Values};
 use super::number::{Wide, round_quotient, round_to};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
-use super::packet::{self, PacketError};
+use super::packet;
 use super::power::Power;
 use super::root::reciprocal_square_root;
 use super::vector::{Vector, dot};

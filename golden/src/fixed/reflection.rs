@@ -10,12 +10,12 @@ use specula_scene::spec::{CoreSpec, InputPort, Quadratic};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::forward::Accumulator;
 use super::highlight::{amount, cosine, quotient, reflection};
 use super::method::{Method, Values};
 use super::number::{Wide, round_quotient};
 use super::observer::{Observer, OfLight};
-use super::packet::PacketError;
 use super::raised::Raised;
 
 /// The largest 1/q.

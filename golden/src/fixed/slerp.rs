@@ -8,10 +8,11 @@ use specula_scene::spec::{CoreSpec, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;
+use super::error::PacketError;
 use super::method::{Method, Values};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, OfLight, narrow, narrow_vector};
-use super::packet::{self, PacketError};
+use super::packet;
 use super::raised::Raised;
 use super::vector::{Vector, dot};
 
