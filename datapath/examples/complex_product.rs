@@ -26,7 +26,11 @@ fn product(x: &Complex, y: &Complex, fraction_bits: u32) -> Complex {
     Complex { re: re.rounded(fraction_bits), im: im.rounded(fraction_bits) }
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// Builds, prints, simulates and judges the design.
+///
+/// # Errors
+/// A mistake in using the builder, or an error beyond the proven bound.
+pub fn main() -> Result<(), Box<dyn Error>> {
     let builder = Builder::new("complex_product", "(a + ib)(c + id)", Rc::new(Generic));
     let control = builder.control();
     let format = Format::signed(0, 10);

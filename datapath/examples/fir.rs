@@ -25,7 +25,11 @@ fn taps(builder: &Builder, first: &Sig, x: &Sig) -> [Sig; 5] {
     })
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// Builds, prints, simulates and judges the design.
+///
+/// # Errors
+/// A mistake in using the builder, or an error beyond the proven bound.
+pub fn main() -> Result<(), Box<dyn Error>> {
     let builder = Builder::new("fir", "y(i) = sum of c(k) x(i - k)", Rc::new(Generic));
     let control = builder.control();
     let format = Format::unsigned(0, 12);

@@ -17,7 +17,11 @@ fn lerp(a: &Sig, b: &Sig, t: &Sig) -> Sig {
     (a + t * (b - a)).rounded(0) // U8.0: between a and b, since 0 <= t < 1
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// Builds, prints, simulates and judges the design.
+///
+/// # Errors
+/// A mistake in using the builder, or an error beyond the proven bound.
+pub fn main() -> Result<(), Box<dyn Error>> {
     let builder = Builder::new("lerp", "a + t (b - a)", Rc::new(Generic));
     let control = builder.control();
     let byte = Format::unsigned(8, 0);

@@ -46,7 +46,11 @@ fn reciprocal(builder: &Builder, x: &Sig) -> Sig {
     y.stated_error_value((w / 2.0 + u).powi(2) + u / 32.0 + u / 2.0 + u / 2.0)
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// Builds, prints, simulates and judges the design.
+///
+/// # Errors
+/// A mistake in using the builder, or an error beyond the proven bound.
+pub fn main() -> Result<(), Box<dyn Error>> {
     let builder = Builder::new("reciprocal", "1/x for x in [1, 2)", Rc::new(Generic));
     let control = builder.control();
     let format = Format::unsigned(1, FRACTION_BITS);
