@@ -1,4 +1,5 @@
 //! The examples hold their own proven bounds in a simulation of each.
+#![expect(clippy::duplicate_mod, reason = "each example brings what all of them do with a design")]
 use std::error::Error;
 
 #[path = "../examples/complex_product.rs"]
