@@ -42,7 +42,12 @@ fn no_bound_is_broken() {
 /// Scenes that the search found to be wrong once.
 #[test]
 fn what_was_found_is_mended() {
-    for scene in ["root-of-a-constant", "short-of-the-reach", "direction-lost-in-rounding"] {
+    for scene in [
+        "root-of-a-constant",
+        "short-of-the-reach",
+        "direction-lost-in-rounding",
+        "normal-that-may-be-anywhere",
+    ] {
         let file = format!("{}/tests/climbed/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
         let loaded = load(&file, None).unwrap();
         let spec = loaded.core_spec(None).unwrap();

@@ -82,7 +82,9 @@ impl Sig {
     }
 
     /// The same value, off by `error` units of the last place at most; what else is known stays.
+    /// No number is no bound.
     pub(super) fn with_error(self, error: f64) -> Sig {
+        let error = if error.is_nan() { f64::INFINITY } else { error };
         Sig { error, ..self }
     }
 

@@ -57,7 +57,9 @@ impl Off {
         }
         let parts = gains.across * (self.across - self.free).max(0.0)
             + gains.along * (self.along - self.free).max(0.0);
-        parts + gains.free * self.free
+        let off = parts + gains.free * self.free;
+        // A part of 0 with a gain without limit: nothing is known.
+        if off.is_nan() { f64::INFINITY } else { off }
     }
 
     /// By how much the length of a real unit vector is off at most; infinite where nothing of it

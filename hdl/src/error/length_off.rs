@@ -153,4 +153,20 @@ mod tests {
         println!("{reached:?}");
         assert!(reached.iter().all(|&share| share > 0.9), "{reached:?}");
     }
+
+    /// n may be anywhere: how far it turns has no limit, and none of it is across or along n alone.
+    #[test]
+    fn of_a_normal_that_may_be_anywhere_nothing_is_known() {
+        let of = Reflected {
+            n: Off::within(2.0),
+            lengths: (-1.0, 3.0),
+            of: 0.0,
+            from: 0.0,
+            rounding_along: 0.0,
+            rounding: 0.0,
+        };
+        let LengthOff { level, growing, falling } = LengthOff::of_reflection(&of);
+        assert_eq!([level, growing, falling].map(f64::is_nan), [false; 3]);
+        assert!(level > 2.0, "{level}");
+    }
 }

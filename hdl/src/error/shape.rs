@@ -51,7 +51,9 @@ impl Highlight {
     /// Largest bound on the error for any y.
     fn worst(&self, length_off: LengthOff, moved: f64) -> f64 {
         let at = |i| self.error(f64::from(i) / f64::from(STEPS), length_off, moved);
-        (0..STEPS).map(at).fold(0.0, f64::max)
+        // What is no number is no bound, and `f64::max` would pass it over.
+        let known = |error: f64| if error.is_nan() { f64::INFINITY } else { error };
+        (0..STEPS).map(at).map(known).fold(0.0, f64::max)
     }
 
     /// Bound on the error for y from `begin` on, a step long.
