@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// The widest signal anywhere in a design, in bits (DESIGN.md section 2).
+/// The widest signal anywhere in a design, in bits.
 pub const WIDEST_SIGNAL: u32 = 63;
 
 /// A fixed-point format: value = raw · 2^-`fraction_bits`.

@@ -21,9 +21,15 @@ pub fn is_reserved(word: &str) -> bool {
 /// `name`, or with a number behind it where the unit has it already; a word that Verilog keeps for
 /// itself gets a number too.
 pub fn unique(names: &mut HashSet<(ScopeId, String)>, scope: ScopeId, name: &str) -> String {
+    first_taken(name, |candidate| names.insert((scope, candidate.to_owned())))
+}
+
+/// `name`, or with a number behind it, as `take` takes it; a word that Verilog keeps for itself gets
+/// a number too.
+pub fn first_taken(name: &str, mut take: impl FnMut(&str) -> bool) -> String {
     let mut candidate = if is_reserved(name) { format!("{name}_1") } else { name.to_owned() };
     let mut number = 2;
-    while !names.insert((scope, candidate.clone())) {
+    while !take(&candidate) {
         candidate = format!("{name}_{number}");
         number += 1;
     }

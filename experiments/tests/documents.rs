@@ -187,6 +187,25 @@ fn citing() -> Vec<PathBuf> {
     files
 }
 
+/// Pages that are in no repository are no authority.
+#[test]
+fn nothing_cites_a_page_that_is_not_here() {
+    let absent =
+        ["METHODS", "NUMERICS", "EXTREMES"].map(|page| [format!("{page}.md"), format!("{page} ")]);
+    let mut citing_them = Vec::new();
+    for file in citing() {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let lines = text.lines().zip(1..).filter(|(line, _)| {
+            let comment = line.find("//").map_or("", |at| &line[at..]);
+            let prose = if file.extension().is_some_and(|e| e == "rs") { comment } else { line };
+            absent.as_flattened().iter().any(|page| prose.contains(page))
+        });
+        citing_them
+            .extend(lines.map(|(line, number)| format!("{}:{number}: {line}", file.display())));
+    }
+    assert!(citing_them.is_empty(), "{citing_them:#?}");
+}
+
 #[test]
 fn every_id_that_is_cited_is_on_its_page() {
     let defined =

@@ -228,12 +228,8 @@ impl<'a> Bench<'a> {
         outcome: &Outcome,
         sink: &mut dyn FnMut(&Batch) -> Flow,
     ) -> Result<Option<Range<u64>>, BenchError> {
-        let whole = Stimulus::in_order(self.kept(), &self.first_pixels, &self.design);
-        let worst = outcome.comparison.worst_pixel.as_ref();
-        let Some(window) = choice.window(&whole, self.design.latency(), worst) else {
-            return Ok(None);
-        };
-        let lead = whole.leading_to(&window, &self.design);
+        let Some(window) = self.window(choice, outcome) else { return Ok(None) };
+        let lead = self.stimulus(self.kept()).leading_to(&window, &self.design);
         let nodes: Vec<NodeId> = self.design.variables();
         engine
             .engine(&self.design)?
@@ -243,15 +239,18 @@ impl<'a> Bench<'a> {
 
     /// The clocks that [`Bench::trace`] gives for `choice`; none if it asks for none.
     pub fn window(&self, choice: &Choice, outcome: &Outcome) -> Option<Range<u64>> {
-        let spans = FrameSpans::new(self.frame, self.spec);
-        let whole = Stimulus::whole(&spans, &self.design);
-        choice.window(&whole, self.design.latency(), outcome.comparison.worst_pixel.as_ref())
+        let worst = outcome.comparison.worst_pixel.as_ref();
+        choice.window(&self.stimulus(&self.spans), self.design.latency(), worst)
     }
 
     /// The clock in which pixel number `pixel` of span number `span` leaves the core.
     pub fn leaving_clock(&self, span: usize, pixel: u32) -> u64 {
-        let stimulus = Stimulus::in_order(&self.spans, &self.first_pixels, &self.design);
-        trace::leaving_clock(&stimulus, self.design.latency(), span, pixel)
+        trace::leaving_clock(&self.stimulus(&self.spans), self.design.latency(), span, pixel)
+    }
+
+    /// The whole run, of the frame's spans as a source has them.
+    fn stimulus<'s>(&self, spans: &'s dyn SpanSource) -> Stimulus<'s> {
+        Stimulus::in_order(spans, &self.first_pixels, &self.design)
     }
 
     fn kept(&self) -> &KeptSpans {

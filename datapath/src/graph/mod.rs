@@ -121,9 +121,7 @@ impl Graph {
     pub fn left_unit(&self, value: &Value) -> Option<ScopeId> {
         let Op::Copy(from) = value.op else { return None };
         let inside = self.value(from).scope;
-        let crosses = value.pace == Pace::Wire
-            && self.unit(inside).parent == Some(value.scope)
-            && inside != value.scope;
+        let crosses = value.pace == Pace::Wire && self.unit(inside).parent == Some(value.scope);
         crosses.then_some(inside)
     }
 

@@ -103,8 +103,6 @@ impl<'a> Placing<'a> {
             return last;
         }
         let inner = self.node(signal).name.clone();
-        let instance = &self.graph.unit(node.scope).instance;
-        let follows = !given && *outer == format!("{instance}_{inner}");
         let output = if last != signal {
             if !node.named {
                 let name = self.unique(node.scope, &format!("{inner}_out"));
@@ -115,12 +113,12 @@ impl<'a> Placing<'a> {
         } else if self.is_input_of_unit(last) {
             self.passed_on(last)
         } else {
-            last
+            return last;
         };
-        if follows && output != signal {
-            let instance = self.graph.unit(node.scope).instance.clone();
-            let scope = self.graph.unit(node.scope).parent.unwrap_or(ScopeId::TOP);
-            *outer = self.unique(scope, &format!("{instance}_{}", self.node(output).name));
+        let unit = self.graph.unit(node.scope);
+        if !given && *outer == format!("{}_{inner}", unit.instance) {
+            let name = format!("{}_{}", unit.instance, self.node(output).name);
+            *outer = self.unique(unit.parent.unwrap_or(ScopeId::TOP), &name);
         }
         output
     }

@@ -3,6 +3,7 @@ use std::collections::HashSet;
 
 use crate::block::{AtomKind, Cell, Module};
 use crate::design::{Op, Register};
+use crate::names::first_taken;
 
 /// The clocks of the shortest line that is an instance of its own.
 const SHORTEST: usize = 4;
@@ -81,7 +82,7 @@ impl Delays {
             let long = rows.into_iter().filter(|(_, stages)| stages.len() >= shortest);
             let line = |(input, stages): (u32, Vec<u32>)| {
                 let entering = &module.wires()[input as usize].wire_type().name;
-                DelayLine { name: names.unique(format!("{entering}_{suffix}")), input, stages }
+                DelayLine { name: names.unique(&format!("{entering}_{suffix}")), input, stages }
             };
             long.map(line).collect::<Vec<_>>()
         };
@@ -172,13 +173,7 @@ impl Names {
         Names(wires.chain(instances).chain([module.instance.clone()]).collect())
     }
 
-    fn unique(&mut self, name: String) -> String {
-        let mut candidate = name.clone();
-        let mut number = 2;
-        while !self.0.insert(candidate.clone()) {
-            candidate = format!("{name}_{number}");
-            number += 1;
-        }
-        candidate
+    fn unique(&mut self, name: &str) -> String {
+        first_taken(name, |candidate| self.0.insert(candidate.to_owned()))
     }
 }

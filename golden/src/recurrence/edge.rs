@@ -1,5 +1,5 @@
 //! Along the edge of a triangle from scan line to scan line, and from it into each of them
-//! [lecture, eq. 3.2 to 3.6; METHODS.md A4].
+//! [lecture, eq. 3.2 to 3.6; methods A4].
 use glam::DVec2;
 use specula_scene::Span;
 

@@ -162,7 +162,7 @@ fn lit_vertices<T: Number>(mesh: &Mesh) -> AtPoints<T, 2> {
 
 /// I_d and I_s^n that each light gives at a point.
 ///
-/// A light at the very point gives nothing, and an eye there sees no highlight (EXTREMES row 39).
+/// A light at the very point gives nothing, and an eye there sees no highlight (extremes row 39).
 fn lit<T: Number>(frame: &Frame, point: Point) -> impl Iterator<Item = [T; 2]> {
     let shininess = frame.materials[point.material].shininess;
     let view = view_from(frame, point.position).unwrap_or_default();
