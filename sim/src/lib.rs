@@ -22,6 +22,7 @@ mod verilator;
 
 pub use columns::{Batch, Columns, Lanes};
 pub use engine::{Engine, Flow, SimError};
+pub use external::{Tool, temporary_directory};
 pub use fast::Fast;
 pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;

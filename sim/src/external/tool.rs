@@ -57,6 +57,49 @@ impl Tool {
         self.named(run(self.command.as_ref(), directory, arguments))
     }
 
+    /// Runs it in `directory`, whatever it writes to stderr.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] if it is not installed, [`SimError::ToolFailed`] if it fails.
+    pub fn run_with_warnings(
+        &self,
+        directory: &Path,
+        arguments: &[String],
+    ) -> Result<(), SimError> {
+        let output = self.named(output(self.command.as_ref(), directory, arguments))?;
+        if output.status.success() {
+            return Ok(());
+        }
+        Err(failed(self.command.as_ref(), arguments, &output))
+    }
+
+    /// The first of several programs that is there, where each would do.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] names the first if none is there.
+    pub fn or_else(self, others: &[Tool]) -> Result<Tool, SimError> {
+        let absent = match self.present() {
+            Ok(()) => return Ok(self),
+            Err(absent) => absent,
+        };
+        others.iter().find(|tool| tool.present().is_ok()).copied().ok_or(absent)
+    }
+
+    /// The first line of what it prints of its version, which some programs write to stderr.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] says how to install it.
+    pub fn version_line(&self) -> Result<String, SimError> {
+        let output = self.named(output(
+            self.command.as_ref(),
+            Path::new("."),
+            &[self.version_argument.to_owned()],
+        ))?;
+        let texts = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+        let line = texts.iter().flat_map(|text| text.lines()).find(|line| !line.trim().is_empty());
+        Ok(line.unwrap_or(self.command).trim().to_owned())
+    }
+
     /// Says how to install the program if that is what is wrong.
     fn named<T>(&self, result: Result<T, SimError>) -> Result<T, SimError> {
         result.map_err(|error| match error {
@@ -79,13 +122,18 @@ pub fn run(program: &OsStr, directory: &Path, arguments: &[String]) -> Result<()
     if output.status.success() && output.stderr.is_empty() {
         return Ok(());
     }
+    Err(failed(program, arguments, &output))
+}
+
+/// The error that tells what a program printed.
+fn failed(program: &OsStr, arguments: &[String], output: &Output) -> SimError {
     let texts = [&output.stderr, &output.stdout]
         .map(|bytes| String::from_utf8_lossy(bytes).trim().to_owned());
-    Err(SimError::ToolFailed {
+    SimError::ToolFailed {
         command: format!("{} {}", program.to_string_lossy(), arguments.join(" ")),
         status: output.status.to_string(),
         output: texts.join("\n").trim().to_owned(),
-    })
+    }
 }
 
 fn output(program: &OsStr, directory: &Path, arguments: &[String]) -> Result<Output, SimError> {

@@ -1,0 +1,99 @@
+//! Synthesis and place-and-route of a core, by programs that need no vendor's licence: Yosys and
+//! nextpnr.
+//!
+//! A core has more ports than a device has pins, so it stands in a [harness](harness::text) of
+//! three pins. Cells are those of the core alone. nextpnr's result depends on the seed of its
+//! placer, so it runs with several, and the median is what a core reaches.
+mod cells;
+mod harness;
+mod path;
+mod place;
+mod target;
+mod yosys;
+
+use rayon::prelude::*;
+use serde::Serialize;
+use specula_datapath::Design;
+use specula_datapath::verilog::{self, Header};
+use specula_sim::{SimError, temporary_directory};
+
+pub use cells::Cells;
+pub use path::{CriticalPath, Step};
+pub use place::Placed;
+pub use target::SynthTarget;
+
+/// Why a core was not synthesised, placed and routed.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum SynthError {
+    /// A program is absent or failed.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Tool(#[from] SimError),
+    /// nextpnr's report is not what this version of Specula knows.
+    #[error("the report of `{program}` cannot be read: {problem}")]
+    #[diagnostic(
+        code(specula::synth::report),
+        help("Specula knows the reports of nextpnr 0.4 to 0.11: please report this with its version")
+    )]
+    Report {
+        /// The program.
+        program: &'static str,
+        /// What is wrong with the report.
+        problem: String,
+    },
+}
+
+/// What a device makes of a core.
+#[derive(Clone, Debug, Serialize)]
+pub struct Synthesis {
+    /// Name of the target.
+    pub target: &'static str,
+    /// The device, with speed grade and package.
+    pub device: &'static str,
+    /// The programs, with their versions.
+    pub programs: Vec<String>,
+    /// Cells of the core, without those of the harness.
+    pub cells: Cells,
+    /// Frequency that place-and-route was asked for, in MHz.
+    pub asked_mhz: u32,
+    /// What came of each seed of the placer, in the order of seeds.
+    pub seeds: Vec<Placed>,
+}
+
+impl Synthesis {
+    /// What came of the seed whose frequency is the median; the lower one of the two in the middle.
+    pub fn median(&self) -> Option<&Placed> {
+        let mut sorted: Vec<&Placed> = self.seeds.iter().collect();
+        sorted.sort_by(|a, b| a.reached_mhz.total_cmp(&b.reached_mhz));
+        sorted.get(sorted.len().saturating_sub(1) / 2).copied()
+    }
+}
+
+/// Synthesises a design for a target, places and routes it with the seeds 1 to `seeds` for
+/// `asked_mhz`, as many at a time as there are processors, and tells `watch` how many are done.
+///
+/// # Errors
+/// [`SynthError::Tool`] if a program is not installed or fails, as nextpnr does where the core has
+/// more cells than the device; [`SynthError::Report`] if its report cannot be read.
+pub fn synthesise_and_place(
+    design: &Design,
+    target: &SynthTarget,
+    (asked_mhz, seeds): (u32, u32),
+    watch: &(dyn Fn() + Sync),
+) -> Result<Synthesis, SynthError> {
+    let [synthesiser, placer] = [yosys::program()?, target.placer()?];
+    let directory = temporary_directory()?;
+    let harness = harness::text(design);
+    let core = verilog::print(&design.to_block(), &Header::default());
+    let cells = yosys::run(&synthesiser, directory.path(), (&core, &harness), design, target)?;
+    let job = place::Job { placer: &placer, directory: directory.path(), target, asked_mhz };
+    let placed = (1..=seeds).into_par_iter().map(|seed| {
+        let placed = job.run(design, seed);
+        watch();
+        placed
+    });
+    let seeds = placed.collect::<Result<Vec<Placed>, SynthError>>()?;
+    let programs = vec![synthesiser.version_line()?, placer.version_line()?];
+    let SynthTarget { name, device, .. } = *target;
+    Ok(Synthesis { target: name, device, programs, cells, asked_mhz, seeds })
+}

@@ -1,0 +1,96 @@
+//! One run of nextpnr.
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use specula_datapath::Design;
+use specula_sim::{SimError, Tool};
+
+use super::path::{CriticalPath, ReportedPath};
+use super::{SynthError, SynthTarget, yosys};
+
+/// A core that is placed and routed.
+#[derive(Clone, Debug, Serialize)]
+pub struct Placed {
+    /// Seed of the placer.
+    pub seed: u32,
+    /// The clock that every path allows, in MHz.
+    pub reached_mhz: f64,
+    /// The longest path, if nextpnr tells it.
+    pub critical_path: Option<CriticalPath>,
+}
+
+/// What runs with different seeds have in common.
+pub struct Job<'a> {
+    /// nextpnr.
+    pub placer: &'a Tool,
+    /// Where Yosys has left the netlist.
+    pub directory: &'a Path,
+    /// The target.
+    pub target: &'a SynthTarget,
+    /// The frequency to ask for, in MHz.
+    pub asked_mhz: u32,
+}
+
+/// The parts of nextpnr's report that are read.
+#[derive(Deserialize)]
+struct Report {
+    fmax: BTreeMap<String, Frequency>,
+    #[serde(default)]
+    critical_paths: Vec<ReportedPath>,
+}
+
+/// The frequency of a clock.
+#[derive(Deserialize)]
+struct Frequency {
+    achieved: f64,
+}
+
+impl Job<'_> {
+    /// Places and routes with a seed.
+    pub fn run(&self, design: &Design, seed: u32) -> Result<Placed, SynthError> {
+        let name = format!("report_{seed}.json");
+        let own = ["--json", yosys::NETLIST, "--report", &name, "-q"];
+        let numbers = ["--freq".into(), self.asked_mhz.to_string(), "--seed".into(), seed.to_string()];
+        let fixed = self.target.arguments.iter().chain(&own).map(|argument| (*argument).to_owned());
+        let arguments: Vec<String> = fixed.chain(numbers).collect();
+        self.placer.run_with_warnings(self.directory, &arguments)?;
+        let text = std::fs::read_to_string(self.directory.join(&name)).map_err(|source| {
+            SimError::File { doing: format!("read {name} from nextpnr"), source }
+        })?;
+        placed(&text, design, seed)
+            .map_err(|problem| SynthError::Report { program: self.placer.command, problem })
+    }
+}
+
+/// What a report says.
+fn placed(text: &str, design: &Design, seed: u32) -> Result<Placed, String> {
+    let report: Report = serde_json::from_str(text).map_err(|error| error.to_string())?;
+    let slowest = report.fmax.values().map(|clock| clock.achieved).min_by(f64::total_cmp);
+    let reached_mhz = slowest.ok_or("it tells no clock's frequency")?;
+    let critical_path =
+        report.critical_paths.iter().find(|path| path.is_clocked()).map(|path| path.named(design));
+    Ok(Placed { seed, reached_mhz, critical_path })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_slowest_clock_counts() {
+        let design = crate::synth::path::tests::sum_and_product();
+        let text = r#"{"fmax": {"a": {"achieved": 99.5, "constraint": 300}, "b": {"achieved": 71.25}}}"#;
+        let placed = placed(text, &design, 3).expect("it is a report");
+        assert_eq!((placed.seed, placed.reached_mhz), (3, 71.25));
+        assert!(placed.critical_path.is_none());
+    }
+
+    #[test]
+    fn a_report_without_a_clock_is_refused() {
+        let design = crate::synth::path::tests::sum_and_product();
+        for text in ["", "[]", "{}", r#"{"fmax": {}}"#, r#"{"fmax": {"a": {"achieved": "fast"}}}"#] {
+            assert!(placed(text, &design, 1).is_err(), "{text}");
+        }
+    }
+}

