@@ -12,6 +12,7 @@ use specula_datapath::design::NodeId;
 use specula_datapath::{Design, SpanPacket};
 use specula_sim::fast::{Level, Settings};
 use specula_sim::{Batch, Engine, Fast, Flow, SpanSource, Stimulus};
+use specula_spec::SceneCore;
 
 /// Frames in a run: long enough for the clock that it is timed by.
 const FRAMES: usize = 20;

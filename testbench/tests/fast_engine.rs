@@ -4,9 +4,10 @@
 mod each_method;
 
 use specula_datapath::design::NodeId;
-use specula_scene::{Method, load};
+use specula_scene::load;
 use specula_sim::fast::{Level, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind, FrameSpans};
 
 fn all_columns(engine: &mut dyn Engine, stimulus: &Stimulus, nodes: &[NodeId]) -> Columns {

@@ -1,6 +1,6 @@
 //! The core for consistent normal interpolation.
-use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
-use specula_scene::{CoreSpec, Format};
+use specula_spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
+use specula_spec::{CoreSpec, Format};
 
 use super::{eye, finish, pipelines, turns};
 use crate::error;

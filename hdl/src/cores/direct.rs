@@ -1,6 +1,6 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_scene::spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
-use specula_scene::{CoreSpec, Format};
+use specula_spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
+use specula_spec::{CoreSpec, Format};
 
 use super::{finish, pipelines, turns};
 use crate::error::angular::Angular;

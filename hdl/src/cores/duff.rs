@@ -1,6 +1,6 @@
 //! Duff's core, with Hast's highlights.
-use specula_scene::CoreSpec;
-use specula_scene::spec::duff::{DuffLight, DuffSpec, Highlight};
+use specula_spec::CoreSpec;
+use specula_spec::duff::{DuffLight, DuffSpec, Highlight};
 
 use super::forward::Forward;
 use super::{finish, pipelines, turns};

@@ -1,6 +1,6 @@
 //! The core of linearly interpolated or uniform intensities.
-use specula_scene::CoreSpec;
-use specula_scene::spec::gouraud::{GouraudLight, GouraudSpec, Intensity};
+use specula_spec::CoreSpec;
+use specula_spec::gouraud::{GouraudLight, GouraudSpec, Intensity};
 
 use super::{finish, pipelines, turns};
 use crate::units::{self, Light};

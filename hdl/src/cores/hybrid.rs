@@ -1,6 +1,6 @@
 //! Hast's hybrid core.
-use specula_scene::CoreSpec;
-use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
+use specula_spec::CoreSpec;
+use specula_spec::hybrid::{HybridLight, HybridSpec};
 
 use super::forward::Forward;
 use super::{finish, pipelines, turns};

@@ -1,6 +1,6 @@
 //! Lyon's core.
-use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{
+use specula_spec::CoreSpec;
+use specula_spec::lyon::{
     Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath,
 };
 

@@ -13,8 +13,7 @@ mod slerp;
 
 use std::rc::Rc;
 
-use specula_scene::spec::EachInput;
-use specula_scene::{CoreSpec, Format, MethodSpec};
+use specula_spec::{CoreSpec, EachInput, Format, MethodSpec};
 
 use crate::units::{self, Coefficients, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig, Turns, Vector};

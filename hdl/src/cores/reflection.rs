@@ -1,6 +1,6 @@
 //! The core of Hast's reflection shading.
-use specula_scene::spec::reflection::{Bisector, Highlight, ReflectionLight, ReflectionSpec};
-use specula_scene::spec::{CoreSpec, Quadratic};
+use specula_spec::reflection::{Bisector, Highlight, ReflectionLight, ReflectionSpec};
+use specula_spec::{CoreSpec, Quadratic};
 
 use super::forward::Forward;
 use super::{finish, pipelines, turns};
@@ -169,7 +169,7 @@ impl Pixel<'_> {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::spec::reflection::Bisector;
+    use specula_spec::reflection::Bisector;
 
     use super::smallest_square;
 

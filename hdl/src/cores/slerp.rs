@@ -1,6 +1,6 @@
 //! The core of spherical interpolation.
-use specula_scene::CoreSpec;
-use specula_scene::spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
+use specula_spec::CoreSpec;
+use specula_spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
 
 use super::{eye, finish, pipelines, turns, unit_vector};
 use crate::error;

@@ -1,6 +1,6 @@
 //! How far a colour is off before it is rounded.
 use specula_datapath::design::{ErrorForm, SHARES, Share};
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 /// A value that is never negative.
 #[derive(Clone, Copy, Debug)]

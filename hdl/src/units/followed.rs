@@ -1,5 +1,5 @@
 //! Normals of unit length without a root, each made of the one before.
-use specula_scene::spec::lyon::LyonFormats;
+use specula_spec::lyon::LyonFormats;
 
 use super::divider;
 use crate::error::followed::Followed;

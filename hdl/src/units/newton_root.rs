@@ -1,6 +1,6 @@
 //! A square root that follows the pixel before.
-use specula_scene::format::power_of_two;
-use specula_scene::spec::direct::DirectFormats;
+use specula_spec::direct::DirectFormats;
+use specula_spec::format::power_of_two;
 
 use super::direct::at_least;
 use super::divider::{QuotientFormat, quotient};

@@ -1,5 +1,5 @@
 //! A vector that turns by the same angle with each pixel.
-use specula_scene::spec::slerp::{LARGEST_WEIGHT, SlerpFormats};
+use specula_spec::slerp::{LARGEST_WEIGHT, SlerpFormats};
 
 use crate::error::rotation::{drift, scaled_drift};
 use specula_datapath::builder::{Builder, Known, Sig};

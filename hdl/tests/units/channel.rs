@@ -3,7 +3,7 @@ use specula_datapath::Design;
 use specula_datapath::builder::Sig;
 use specula_datapath::design::ErrorForm;
 use specula_hdl::units::{self, Light};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs};
 

@@ -28,10 +28,10 @@ use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use specula_datapath::Design;
 use specula_datapath::builder::{Builder, Sig, Turns};
 use specula_datapath::target::Generic;
+use specula_scene::Needs;
 use specula_scene::contributions::Contributions;
 use specula_scene::needs::Ranges;
-use specula_scene::spec::{InputPort, LyonSpec};
-use specula_scene::{Format, Needs};
+use specula_spec::{Format, InputPort, LyonSpec};
 
 use common::{Drive, run};
 

@@ -1,7 +1,6 @@
 //! Pixels of several clocks.
 use specula_datapath::builder::Sig;
-use specula_scene::Format;
-use specula_scene::spec::InputPort;
+use specula_spec::{Format, InputPort};
 
 use super::common::{Drive, Runner};
 use super::{Builder, Generic, Rc};

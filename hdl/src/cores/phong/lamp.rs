@@ -1,5 +1,5 @@
 //! Lights of all kinds in one form, so that they can take turns.
-use specula_scene::spec::phong::{PhongLight, Way};
+use specula_spec::phong::{PhongLight, Way};
 
 use super::super::pipelines;
 use specula_datapath::builder::{Builder, Sig, Turns};

@@ -2,8 +2,8 @@
 mod direction;
 mod lamp;
 
-use specula_scene::CoreSpec;
-use specula_scene::spec::phong::{Highlight, PhongInputs, PhongSpec};
+use specula_spec::CoreSpec;
+use specula_spec::phong::{Highlight, PhongInputs, PhongSpec};
 
 use super::{eye, finish, turns, unit_vector};
 use crate::error;
