@@ -1,23 +1,23 @@
 //! Which copy of the kernels runs.
 
 /// An instruction set that kernels are compiled for. A value other than the baseline exists only
-/// where the processor has it, since only [`Level::best`] makes one.
+/// where the processor has it, since only [`InstructionSet::best`] makes one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Level {
+pub struct InstructionSet {
     pub(crate) avx2: bool,
 }
 
-impl Level {
+impl InstructionSet {
     /// What every processor of the target has.
-    pub const BASELINE: Level = Level { avx2: false };
+    pub const BASELINE: InstructionSet = InstructionSet { avx2: false };
 
     /// The best that this processor has.
-    pub fn best() -> Level {
+    pub fn best() -> InstructionSet {
         #[cfg(target_arch = "x86_64")]
         let avx2 = std::arch::is_x86_feature_detected!("avx2");
         #[cfg(not(target_arch = "x86_64"))]
         let avx2 = false;
-        Level { avx2 }
+        InstructionSet { avx2 }
     }
 
     /// Its name.

@@ -7,17 +7,17 @@ use super::{Builder, Generic, Rc};
 
 const STEPS: [i64; 3] = [1, 10, 100];
 
-/// The accumulator of the last turn and the sum over all turns, each for pixel i of a span whose
+/// The accumulator of the last time slot and the sum over all of them, each for pixel i of a span whose
 /// steps are `factor` times [`STEPS`]: 100 i and 7 + 111 i times the factor.
 fn wanted(factor: i64, length: u32) -> Vec<[i64; 2]> {
     (0..i64::from(length)).map(|i| [100 * i * factor, 7 + 111 * i * factor]).collect()
 }
 
 #[test]
-fn turns_have_values_of_their_own() {
+fn time_slots_have_values_of_their_own() {
     let b = Builder::new("bench", "", Rc::new(Generic));
     let control = b.control();
-    let turns = b.take_turns(&control, 3);
+    let slots = b.time_slots(&control, 3);
     let input = |name: &str| {
         b.input(&InputPort {
             name: name.into(),
@@ -26,20 +26,24 @@ fn turns_have_values_of_their_own() {
             same_as: None,
         })
     };
-    let step = turns.select(&["one", "ten", "hundred"].map(input));
+    let step = slots.multiplexed(&["one", "ten", "hundred"].map(input));
     let zero = b.integer(0);
     let grown = b.unit(
         "grown",
         "",
-        (("first", &turns.first_pixel), ("step", &step)),
+        (("first", &slots.first_pixel), ("step", &step)),
         |_, (first, step)| Sig::accumulated(&first, &zero, &step, (0.0, 4000.0), 8, "few steps"),
     );
     let seven = b.integer(7);
-    let sum =
-        b.unit("sum", "", (("begins", &turns.begins), ("term", &grown)), |_, (begins, term)| {
-            Sig::summed(&begins, &seven, &term, (0.0, 12_007.0), 3, "three turns")
-        });
-    let design = b.finish(&turns.valid_at_last, &[("grown", grown), ("sum", sum)]).unwrap();
+    let sum = b.unit(
+        "sum",
+        "",
+        (("begins", &slots.first_slot), ("term", &grown)),
+        |_, (begins, term)| {
+            Sig::summed(&begins, &seven, &term, (0.0, 12_007.0), 3, "three time slots")
+        },
+    );
+    let design = b.finish(&slots.valid_in_last_slot, &[("grown", grown), ("sum", sum)]).unwrap();
     assert_eq!((design.interval, design.latency()), (3, design.depth() + 2));
 
     let spans = [(1, 4), (2, 1), (3, 3), (1, 2)];
