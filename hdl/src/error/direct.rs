@@ -3,9 +3,9 @@ use specula_scene::Format;
 use specula_scene::format::power_of_two;
 use specula_scene::spec::direct::DirectFormats;
 
-use super::angular::Angular;
 use super::host::HOST_ERROR;
 use super::interpolate::chord;
+use specula_datapath::bound::Angular;
 
 /// What comes of t and κ = |B - A|².
 #[derive(Clone, Copy, Debug)]
