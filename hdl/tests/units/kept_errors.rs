@@ -1,8 +1,8 @@
 //! Bounds that must not be lost where hardware is left out, merged or shared: every operator on
 //! constants, twins and choices, against real values that the host rounded.
 use specula_datapath::builder::{LoopInvariant, Sig};
-use specula_scene::Format;
-use specula_scene::format::power_of_two;
+use specula_spec::Format;
+use specula_spec::format::power_of_two;
 
 use super::common::draw::Draw;
 use super::{Bench, outputs};
