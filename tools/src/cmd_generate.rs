@@ -1,18 +1,15 @@
 //! `specula generate`: a core's Verilog without simulating it.
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
-use specula_scene::SpecFile;
+use specula_spec::SpecFile;
 use specula_testbench::BenchError;
 
-use crate::arguments::{
-    CoreArguments, NameArguments, OutputArguments, PictureArguments, SceneArguments,
-};
+use crate::arguments::{NameArguments, OutputArguments};
 use crate::device::DeviceArguments;
 use crate::error::ToolError;
-use crate::header::Origin;
-use crate::job::Job;
+use crate::job::SceneOrSpec;
 use crate::output::{Interrupts, write_core};
 use crate::verdict::Verdict;
 use crate::verilog;
@@ -28,21 +25,12 @@ Example: specula generate teapot --method hybrid --name shader -o rtl";
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
-    /// .glb)
-    #[arg(required_unless_present = "spec")]
-    scene: Option<String>,
+    #[command(flatten)]
+    core: SceneOrSpec,
     #[command(flatten)]
     output: OutputArguments,
     #[command(flatten)]
     name: NameArguments,
-    /// The core in this spec.toml, in place of one for a scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error"])]
-    spec: Option<PathBuf>,
-    #[command(flatten)]
-    picture: PictureArguments,
-    #[command(flatten)]
-    wanted: CoreArguments,
     #[command(flatten)]
     device: DeviceArguments,
 }
@@ -56,7 +44,7 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let (file, origin) = arguments.core()?;
+    let (file, origin) = arguments.core.file(&arguments.name)?;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     arguments.device.fitted(&design)?;
@@ -80,27 +68,9 @@ impl Arguments {
     /// Whether the spec that was given is the one in `folder`; it stays as the user wrote it.
     fn is_spec_of(&self, folder: &Path) -> bool {
         let place = |path: &Path| path.canonicalize().ok();
-        self.spec.as_ref().is_some_and(|spec| place(spec) == place(&folder.join(SpecFile::NAME)))
-    }
-
-    /// The core, and where it comes from.
-    fn core(&self) -> Result<(SpecFile, Origin), ToolError> {
-        match (&self.spec, &self.scene) {
-            (Some(path), _) => {
-                let mut file = SpecFile::read(path)?;
-                let origin = Origin::of_file(path, &file).called(&self.name);
-                self.name.rename(&mut file)?;
-                Ok((file, origin))
-            }
-            // The command line asks for one of both.
-            (None, scene) => {
-                let scene = SceneArguments {
-                    scene: scene.clone().unwrap_or_default(),
-                    picture: self.picture.clone(),
-                };
-                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, &self.name)?;
-                Ok((file, origin))
-            }
-        }
+        self.core
+            .spec
+            .as_ref()
+            .is_some_and(|spec| place(spec) == place(&folder.join(SpecFile::NAME)))
     }
 }

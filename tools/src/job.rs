@@ -1,10 +1,11 @@
 //! A core to be made, from a scene or from a file, and the scene it is to shade.
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use specula_scene::spec::Served;
-use specula_scene::{CoreSpec, LoadedScene, SpecFile};
+use clap::Args;
+use specula_scene::LoadedScene;
+use specula_spec::{CoreSpec, Served, SpecFile};
 
-use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
+use crate::arguments::{CoreArguments, NameArguments, PictureArguments, SceneArguments};
 use crate::error::{Refused, ToolError};
 use crate::header::Origin;
 
@@ -59,5 +60,44 @@ impl Job {
     /// The name of its Verilog module.
     pub fn module(&self) -> String {
         specula_hdl::module_name(&self.file.name, self.spec())
+    }
+}
+
+/// A core for a scene, or one that was made before: for commands that need no picture.
+#[derive(Clone, Debug, Args)]
+pub struct SceneOrSpec {
+    /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
+    /// .glb)
+    #[arg(required_unless_present = "spec")]
+    pub scene: Option<String>,
+    /// The core in this spec.toml, in place of one for a scene
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error"])]
+    pub spec: Option<PathBuf>,
+    #[command(flatten)]
+    picture: PictureArguments,
+    #[command(flatten)]
+    wanted: CoreArguments,
+}
+
+impl SceneOrSpec {
+    /// The core, and where it comes from.
+    pub fn file(&self, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
+        match (&self.spec, &self.scene) {
+            (Some(path), _) => {
+                let mut file = SpecFile::read(path)?;
+                let origin = Origin::of_file(path, &file).called(name);
+                name.rename(&mut file)?;
+                Ok((file, origin))
+            }
+            // The command line asks for one of both.
+            (None, scene) => {
+                let scene = SceneArguments {
+                    scene: scene.clone().unwrap_or_default(),
+                    picture: self.picture.clone(),
+                };
+                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, name)?;
+                Ok((file, origin))
+            }
+        }
     }
 }

@@ -12,6 +12,7 @@ mod cmd_reproduce;
 mod cmd_run;
 mod cmd_scenes;
 mod cmd_stress;
+mod cmd_synth;
 mod cmd_wave;
 mod device;
 mod disagreement;

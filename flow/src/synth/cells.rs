@@ -57,7 +57,8 @@ mod tests {
     fn cells_are_counted_whichever_column_they_stand_in() {
         let older = "\n     CCU2C                        1060\n     LUT4                          472\n     \
                      MULT18X18D                     54\n     TRELLIS_FF                   3632\n";
-        let newer = "     1060  CCU2C\n      472   LUT4\n       54   MULT18X18D\n     3632  TRELLIS_FF\n";
+        let newer =
+            "     1060  CCU2C\n      472   LUT4\n       54   MULT18X18D\n     3632  TRELLIS_FF\n";
         let expected = Cells { luts: 2592, flip_flops: 3632, blocks: 54, memories: 0 };
         for text in [older, newer] {
             assert_eq!(Cells::listed(text, &SynthTarget::ECP5), expected);
@@ -66,7 +67,8 @@ mod tests {
 
     #[test]
     fn flip_flops_of_every_kind_count() {
-        let text = "  SB_CARRY 7\n  SB_DFF 10\n  SB_DFFE 4\n  SB_DFFSR 2\n  SB_LUT4 30\n  SB_RAM40_4K 1\n";
+        let text =
+            "  SB_CARRY 7\n  SB_DFF 10\n  SB_DFFE 4\n  SB_DFFSR 2\n  SB_LUT4 30\n  SB_RAM40_4K 1\n";
         let expected = Cells { luts: 30, flip_flops: 16, blocks: 0, memories: 1 };
         assert_eq!(Cells::listed(text, &SynthTarget::ICE40_HX), expected);
     }

@@ -46,14 +46,19 @@ pub fn text(design: &Design) -> String {
         .collect();
     let module = &design.scope(ScopeId::TOP).instance;
     // Writing to a String cannot fail.
-    let _ = writeln!(text, "  {module} {INSTANCE} (\n    {}\n  );\nendmodule", connections.join(",\n    "));
+    let _ = writeln!(
+        text,
+        "  {module} {INSTANCE} (\n    {}\n  );\nendmodule",
+        connections.join(",\n    ")
+    );
     text
 }
 
 /// Everything that the core takes besides its clock.
 fn inputs(design: &Design) -> Vec<Port> {
     let reset = design.to_block().has_reset().then(|| Port { name: "reset".to_owned(), width: 1 });
-    let ids = [design.valid, design.start].into_iter().chain(design.inputs.iter().flatten().copied());
+    let ids =
+        [design.valid, design.start].into_iter().chain(design.inputs.iter().flatten().copied());
     let is_port = |id: &NodeId| design.node(*id).op == Op::Input;
     reset.into_iter().chain(ids.filter(is_port).map(|id| port(design, id))).collect()
 }

@@ -33,7 +33,9 @@ pub enum SynthError {
     #[error("the report of `{program}` cannot be read: {problem}")]
     #[diagnostic(
         code(specula::synth::report),
-        help("Specula knows the reports of nextpnr 0.4 to 0.11: please report this with its version")
+        help(
+            "Specula knows the reports of nextpnr 0.4 to 0.11: please report this with its version"
+        )
     )]
     Report {
         /// The program.

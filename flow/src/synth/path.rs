@@ -118,8 +118,18 @@ impl Names {
 /// The first word of a cell's name that is written in capitals and is a kind of cell.
 fn kind(rest: &str) -> String {
     const KINDS: [&str; 12] = [
-        "MULT18X18D", "CCU2C", "LUT4", "PFUMX", "L6MUX21", "TRELLIS_FF", "DP16KD", "SB_MAC16",
-        "SB_CARRY", "SB_LUT4", "SB_DFF", "SB_RAM40",
+        "MULT18X18D",
+        "CCU2C",
+        "LUT4",
+        "PFUMX",
+        "L6MUX21",
+        "TRELLIS_FF",
+        "DP16KD",
+        "SB_MAC16",
+        "SB_CARRY",
+        "SB_LUT4",
+        "SB_DFF",
+        "SB_RAM40",
     ];
     let first = KINDS.iter().filter_map(|kind| Some((rest.find(kind)?, kind))).min();
     first.map_or("cell", |(_, kind)| kind).to_owned()

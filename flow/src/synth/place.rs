@@ -51,7 +51,8 @@ impl Job<'_> {
     pub fn run(&self, design: &Design, seed: u32) -> Result<Placed, SynthError> {
         let name = format!("report_{seed}.json");
         let own = ["--json", yosys::NETLIST, "--report", &name, "-q"];
-        let numbers = ["--freq".into(), self.asked_mhz.to_string(), "--seed".into(), seed.to_string()];
+        let numbers =
+            ["--freq".into(), self.asked_mhz.to_string(), "--seed".into(), seed.to_string()];
         let fixed = self.target.arguments.iter().chain(&own).map(|argument| (*argument).to_owned());
         let arguments: Vec<String> = fixed.chain(numbers).collect();
         self.placer.run_with_warnings(self.directory, &arguments)?;
@@ -80,7 +81,8 @@ mod tests {
     #[test]
     fn the_slowest_clock_counts() {
         let design = crate::synth::path::tests::sum_and_product();
-        let text = r#"{"fmax": {"a": {"achieved": 99.5, "constraint": 300}, "b": {"achieved": 71.25}}}"#;
+        let text =
+            r#"{"fmax": {"a": {"achieved": 99.5, "constraint": 300}, "b": {"achieved": 71.25}}}"#;
         let placed = placed(text, &design, 3).expect("it is a report");
         assert_eq!((placed.seed, placed.reached_mhz), (3, 71.25));
         assert!(placed.critical_path.is_none());
@@ -89,7 +91,8 @@ mod tests {
     #[test]
     fn a_report_without_a_clock_is_refused() {
         let design = crate::synth::path::tests::sum_and_product();
-        for text in ["", "[]", "{}", r#"{"fmax": {}}"#, r#"{"fmax": {"a": {"achieved": "fast"}}}"#] {
+        for text in ["", "[]", "{}", r#"{"fmax": {}}"#, r#"{"fmax": {"a": {"achieved": "fast"}}}"#]
+        {
             assert!(placed(text, &design, 1).is_err(), "{text}");
         }
     }

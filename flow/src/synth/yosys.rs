@@ -44,10 +44,12 @@ pub fn run(
     write("core.v", core)?;
     write("harness.v", harness)?;
     let module = &design.scope(ScopeId::TOP).instance;
-    yosys.run_with_warnings(directory, &["-q".to_owned(), "-p".to_owned(), script(module, target)])?;
-    let counts = std::fs::read_to_string(directory.join(COUNTS)).map_err(|source| {
-        SimError::File { doing: format!("read {COUNTS} from Yosys"), source }
-    })?;
+    yosys.run_with_warnings(
+        directory,
+        &["-q".to_owned(), "-p".to_owned(), script(module, target)],
+    )?;
+    let counts = std::fs::read_to_string(directory.join(COUNTS))
+        .map_err(|source| SimError::File { doing: format!("read {COUNTS} from Yosys"), source })?;
     Ok(Cells::listed(&counts, target))
 }
 

