@@ -4,8 +4,10 @@
 pub mod draw;
 
 use specula_datapath::block::{Module, simulate};
-use specula_datapath::design::{NodeId, Op};
+use specula_datapath::design::{NodeId, Op, Range};
 use specula_datapath::{Design, SpanPacket};
+
+use draw::Draw;
 
 /// What is put to the pins for one clock.
 #[derive(Clone, Debug)]
@@ -32,6 +34,29 @@ impl Drive {
             inputs: packet.inputs.clone(),
         })
     }
+}
+
+/// The same clocks with bubbles of 0 to 2 clocks before each. In a bubble within a span the inputs
+/// are held and `start` is anything; between spans the inputs are anything, too.
+pub fn paused(design: &Design, drives: &[Drive], draw: &mut Draw) -> Vec<Drive> {
+    let mut all = vec![];
+    for drive in drives {
+        for _ in 0..draw.between(0, 2) {
+            let start = draw.between(0, 1) == 1;
+            let inputs = if drive.start { any_inputs(design, draw) } else { drive.inputs.clone() };
+            all.push(Drive { valid: false, start, inputs });
+        }
+        all.push(drive.clone());
+    }
+    all
+}
+
+fn any_inputs(design: &Design, draw: &mut Draw) -> Vec<i64> {
+    let any = |input: &Option<NodeId>| {
+        let range = input.map_or(Range::single(0), |id| design.node(id).range);
+        range.low + (draw.unit() * range.extent()) as i64
+    };
+    design.inputs.iter().map(any).collect()
 }
 
 /// A design's block, from reset on.

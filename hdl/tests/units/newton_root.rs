@@ -4,7 +4,8 @@ use specula_hdl::units::{self, NewtonRoot};
 use specula_spec::Format;
 use specula_spec::direct::DirectFormats;
 
-use super::common::{Drive, run};
+use super::common::draw::Draw;
+use super::common::{Drive, paused, run};
 use super::{Bench, rounded};
 
 const LENGTHS: [u32; 7] = [1, 1, 3, 2, 40, 1, 9];
@@ -63,7 +64,9 @@ fn every_pixel_follows_the_one_before() {
         };
         let firsts: Vec<bool> =
             LENGTHS.iter().flat_map(|&length| (0..length).map(|i| i == 0)).collect();
-        let got = run(&design, (0..).zip(&firsts).map(|(i, &first)| pixel(i, first)));
+        let drives: Vec<Drive> = (0..).zip(&firsts).map(|(i, &first)| pixel(i, first)).collect();
+        let got = run(&design, drives.clone());
+        assert!(run(&design, paused(&design, &drives, &mut Draw::new(5))) == got);
         let mut d = 0;
         for ((i, first), got) in (0..).zip(firsts).zip(got) {
             let q = values[(i * 7 % 11) as usize].max(1 << (SQUARE - 2 * reach));

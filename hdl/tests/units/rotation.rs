@@ -5,7 +5,8 @@ use specula_hdl::units;
 use specula_spec::Format;
 use specula_spec::slerp::SlerpFormats;
 
-use super::common::{Drive, run};
+use super::common::draw::Draw;
+use super::common::{Drive, paused, run};
 use super::{Bench, rounded};
 
 const LENGTHS: [u32; 8] = [1, 1, 3, 2, 1024, 2, 1, 300];
@@ -51,7 +52,10 @@ fn every_step_is_a_rounded_rotation() {
             }
         };
         let packets: Vec<SpanPacket> = LENGTHS.iter().zip(angles).map(packet).collect();
-        let mut got = run(&design, packets.iter().flat_map(Drive::span)).into_iter();
+        let drives: Vec<Drive> = packets.iter().flat_map(Drive::span).collect();
+        let got = run(&design, drives.clone());
+        assert!(run(&design, paused(&design, &drives, &mut Draw::new(4))) == got);
+        let mut got = got.into_iter();
         for packet in &packets {
             let (mut c, mut s) = (1i64 << state, 0);
             for pixel in 0..packet.length {

@@ -27,7 +27,8 @@ pub fn case(random: &mut Random, profile: Profile) -> Case {
     add_outputs(&mut net);
     let design = net.design;
     let packets = stimulus::packets(random, &design, profile);
-    Case { design, packets, window: None, watched: vec![], subject: Subject::RustHdl }
+    let bubbles = (random.below(2) == 0).then(|| random.below(1000) as u64);
+    Case { design, packets, bubbles, window: None, watched: vec![], subject: Subject::RustHdl }
 }
 
 fn add_inputs(net: &mut Net) {
