@@ -1,10 +1,7 @@
 //! Spans that are set up one behind the other, and cores for one frame that need none.
+use specula_fixtures::each_method;
 use specula_scene::spec::SetUp;
 use specula_scene::{CoreSpec, Format, Frame, LoadedScene, Method, load};
-
-#[macro_use]
-#[path = "common/each_method.rs"]
-mod each_method;
 
 each_method!(spans_are_appended);
 each_method!(a_place_within_the_core_needs_no_set_up);

@@ -1,8 +1,5 @@
 //! Built-in scenes, small, through the whole path.
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
+use specula_fixtures::each_method;
 use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind};
 

@@ -1,9 +1,6 @@
 //! The fast engine against rust-hdl, on every signal and clock of both cores.
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
 use specula_datapath::design::NodeId;
+use specula_fixtures::each_method;
 use specula_scene::{Method, load};
 use specula_sim::fast::{Level, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};

@@ -1,10 +1,9 @@
 //! A bench that finds nothing must be one that would have found something: designs, specs and facts
 //! broken on purpose.
-mod common;
-
-use common::{Row, frame, frame_of, lyon, material, spec, tilted};
 use glam::DVec3;
 use specula_datapath::design::{Assumption, NodeId, Op, Range};
+use specula_fixtures::frames::{Row, frame, frame_of, material, tilted};
+use specula_fixtures::specs::{lyon, spec};
 use specula_scene::spec::lyon::{Difference, Normalisation};
 use specula_scene::{CoreSpec, Frame, Method};
 use specula_testbench::{Bench, BenchError, EngineKind, Outcome};

@@ -1,9 +1,6 @@
 //! A core for one scene gives the codes of the general core, and is never larger.
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
 use specula_datapath::Design;
+use specula_fixtures::each_method;
 use specula_scene::{Method, load};
 use specula_testbench::{Bench, EngineKind, Image};
 

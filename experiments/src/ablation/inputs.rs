@@ -3,7 +3,7 @@ use rayon::prelude::*;
 use specula_scene::CoreSpec;
 use specula_scene::spec::{Given, InputPort, Subject};
 
-use super::Ablation;
+use super::core::Ablation;
 use specula_testbench::BenchError;
 
 /// The ablations of inputs, group by group.

@@ -4,7 +4,7 @@ use specula_datapath::builder::BuildError;
 use specula_scene::spec::InputPort;
 use specula_scene::{CoreSpec, LoadedScene, Needs, SceneError};
 
-use super::Ablation;
+use super::core::Ablation;
 use super::general::{Baseline, General};
 use super::premise::{PREMISES, Premise};
 

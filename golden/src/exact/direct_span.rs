@@ -6,8 +6,8 @@ use specula_scene::spec::direct::Root;
 use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
-use super::method::ShadeSpan;
 use super::newton;
+use super::shade_span::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `direct`.

@@ -110,8 +110,8 @@ impl LengthOff {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     fn difference(n: DVec3, v: DVec3, l: DVec3) -> DVec3 {

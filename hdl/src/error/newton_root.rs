@@ -58,9 +58,9 @@ pub fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
     use specula_scene::Format;
 
-    use super::super::draw::Draw;
     use super::*;
 
     fn formats(length: u32) -> DirectFormats {
@@ -91,7 +91,7 @@ mod tests {
         for _ in 0..5000 {
             let (mut real, mut fixed) = (1.0_f64, 1.0_f64);
             for _ in 0..8 {
-                let between = draw.between(shortest * shortest, 1.0);
+                let between = draw.within(shortest * shortest, 1.0);
                 let q = draw.one_of(&[shortest * shortest, 1.0, between]);
                 let q_fixed = q + draw.error(e_q);
                 for _ in 0..steps {

@@ -73,9 +73,9 @@ pub fn sum_of_components(widest: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
     use specula_scene::Format;
 
-    use super::super::draw::Draw;
     use super::*;
 
     fn formats(turn: u32, state: u32) -> SlerpFormats {
@@ -131,7 +131,7 @@ mod tests {
         leads: bool,
     ) -> f64 {
         let (half_turn, half_state) = (0.5 * formats.turn.ulp(), 0.5 * formats.state.ulp());
-        let (angle, step) = (draw.between(0.0, 6.3), draw.between(0.0, 0.2));
+        let (angle, step) = (draw.within(0.0, 6.3), draw.within(0.0, 0.2));
         let (cosine, sine) =
             (step.cos() + draw.error(half_turn), step.sin() + draw.error(half_turn));
         let starts_off = if length > 1.0 { half_state } else { 0.0 };

@@ -4,8 +4,8 @@ use specula_datapath::{Design, SpanPacket};
 use specula_hdl::units::{self, Differences, Interpolation, SpanNormals, Steps};
 use specula_scene::Format;
 
-use super::common::{Drive, run};
 use super::{Bench, lyon, rounded};
+use specula_fixtures::clocked::{Drive, run};
 
 const LENGTHS: [u32; 8] = [1, 1, 3, 2, 8192, 2, 1, 3];
 const STEPS: u32 = 8191;

@@ -4,8 +4,8 @@ use specula_hdl::units::{self, NewtonRoot};
 use specula_scene::Format;
 use specula_scene::spec::direct::DirectFormats;
 
-use super::common::{Drive, run};
 use super::{Bench, rounded};
+use specula_fixtures::clocked::{Drive, run};
 
 const LENGTHS: [u32; 7] = [1, 1, 3, 2, 40, 1, 9];
 /// q's fraction bits.

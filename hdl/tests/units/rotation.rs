@@ -5,8 +5,8 @@ use specula_hdl::units;
 use specula_scene::Format;
 use specula_scene::spec::slerp::SlerpFormats;
 
-use super::common::{Drive, run};
 use super::{Bench, rounded};
+use specula_fixtures::clocked::{Drive, run};
 
 const LENGTHS: [u32; 8] = [1, 1, 3, 2, 1024, 2, 1, 300];
 const STEPS: u32 = 1023;

@@ -3,8 +3,8 @@ use specula_datapath::builder::Sig;
 use specula_scene::Format;
 use specula_scene::spec::InputPort;
 
-use super::common::{Drive, Runner};
 use super::{Builder, Generic, Rc};
+use specula_fixtures::clocked::{Drive, Runner};
 
 const STEPS: [i64; 3] = [1, 10, 100];
 

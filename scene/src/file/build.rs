@@ -4,8 +4,9 @@ use std::path::Path;
 use glam::DVec3;
 use toml::Spanned;
 
+use super::shown::Shown;
 use super::values::{Integer, Number, Triple};
-use super::{Shown, SourceFile, check, light, object, raw, span};
+use super::{SourceFile, check, light, object, raw, span};
 use crate::mesh::Warning;
 use crate::picture::camera::Camera;
 use crate::picture::{Light, Rows, Scene, limits};

@@ -1,14 +1,12 @@
 //! A core for one scene is the general core under what is known of the scene: Yosys proves it, for
 //! every input there is, at reduced widths.
-#[path = "../common/mod.rs"]
-mod common;
 mod miter;
 
 use std::process::Command;
 
+use specula_fixtures::tools;
 use specula_scene::{CoreSpec, Method, parse};
 
-use common::tools;
 use miter::Miter;
 
 /// Faces that look at the viewer, in a light, without ambient light, in formats so coarse that a
@@ -78,7 +76,7 @@ fn proven(miter: &Miter, given: &[String]) -> bool {
 
 /// Given all that is known the cores agree, and they rest on every line of it that `matters`.
 fn assert_equivalent(spec: &CoreSpec, facts: &str, matters: &[&str]) {
-    if !tools::program("yosys") {
+    if !tools::is_installed("yosys") {
         return;
     }
     let miter = Miter::new(spec, facts);

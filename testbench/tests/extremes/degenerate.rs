@@ -1,13 +1,13 @@
 //! Normals that vanish or oppose each other.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::{lyon, spec};
 use specula_scene::spec::lyon::Difference;
 use specula_scene::spec::reflection::Bisector;
 use specula_scene::{Method, Needs};
 
-use crate::common::{
-    codes, cores, cross_form, duffs, frame, lyon, material, mirror, reflection_form, reflections,
-    shade, spec, tilted,
-};
+use crate::cores::{cores, cross_form, duffs, reflection_form, reflections};
+use crate::run::{assert_agrees, codes};
 
 const AMBIENT: f64 = 0.2;
 const AMBIENT_CODE: u8 = 51;
@@ -53,7 +53,7 @@ fn hybrid_at_q_zero() {
     // In the longest span rounding leaves something of q, and what p/q then is nobody knows: the
     // bound says so.
     let longest = frame([DVec3::Z, -DVec3::Z], 8191, &[DVec3::Z], mirror(16));
-    shade(&spec(&longest, Method::Hybrid), &longest);
+    assert_agrees(&spec(&longest, Method::Hybrid), &longest);
 }
 
 /// Row 2: where q = 0 nobody knows a direction, and ambient light is all there is; the pixels
@@ -80,7 +80,7 @@ fn duff_at_q_zero() {
     }
     // In the longest span rounding leaves something of q.
     let longest = frame([DVec3::Z, -DVec3::Z], 8191, &[DVec3::Z], mirror(16));
-    duffs(&longest).iter().for_each(|core| drop(shade(core, &longest)));
+    duffs(&longest).iter().for_each(|core| drop(assert_agrees(core, &longest)));
 }
 
 /// Row 12: L = -V leaves Blinn's half-way vector without a direction, and the highlight is 0; R·L
@@ -143,7 +143,7 @@ fn reflection_about_the_normal_itself() {
 fn wide_spans() {
     for shininess in [1, 256, 4096] {
         let frame = frame([tilted(-75.0), tilted(75.0)], 300, &[tilted(10.0)], mirror(shininess));
-        cores(&frame).iter().for_each(|core| drop(shade(core, &frame)));
+        cores(&frame).iter().for_each(|core| drop(assert_agrees(core, &frame)));
     }
 }
 
@@ -179,7 +179,7 @@ fn bound_knows_of_normals_that_round_away() {
             lyon.formats.vector.fraction_bits = 8;
             lyon.formats.length_squared.fraction_bits = 24;
         });
-        let outcome = shade(&core, &frame);
+        let outcome = assert_agrees(&core, &frame);
         assert_eq!(outcome.simulated.pixels[1], [0; 3]);
         assert!(outcome.comparison.errors.quantisation.max_lsb > 200.0);
     }
@@ -208,7 +208,7 @@ fn a_zero_normal_at_one_end() {
     for normals in [[DVec3::ZERO, DVec3::Z], [tilted(60.0), DVec3::ZERO]] {
         let frame = frame(normals, 17, &[tilted(20.0)], material(AMBIENT, 0.3, 0.3, 64));
         for core in cores(&frame) {
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
 }
@@ -235,6 +235,6 @@ fn light_nearly_opposite_the_eye() {
             &[tilted(degrees)],
             mirror(64),
         );
-        cores(&frame).iter().for_each(|core| drop(shade(core, &frame)));
+        cores(&frame).iter().for_each(|core| drop(assert_agrees(core, &frame)));
     }
 }

@@ -1,14 +1,14 @@
 //! The highlight: its centre, its end, its exponents.
 use glam::DVec3;
+use specula_fixtures::frames::{Row, frame, frame_of, material, mirror, tilted};
+use specula_fixtures::specs::{lyon, spec};
 use specula_scene::spec::SpecError;
 use specula_scene::spec::duff::Highlight;
 use specula_scene::spec::lyon::Difference;
 use specula_scene::{CoreSpec, Frame, Method, Needs};
 
-use crate::common::{
-    Row, codes, cores, cross_form, duff, duffs, frame, frame_of, lyon, material, mirror,
-    reflection_form, shade, spec, tilted,
-};
+use crate::cores::{cores, cross_form, duff, duffs, reflection_form};
+use crate::run::{assert_agrees, codes};
 
 fn flat(light: DVec3, shininess: u32) -> Frame {
     frame([DVec3::Z; 2], 1, &[light], mirror(shininess))
@@ -106,7 +106,7 @@ fn longest_difference_with_overshoot() {
                 lyon.difference = Difference::ReflectionMinusLight;
                 lyon.newton_steps = newton_steps;
             });
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
 }
@@ -152,13 +152,13 @@ fn exponents() {
     for shininess in [1, 2, 3, 5, 100, 255, 257, 4095, 4097, 8190, 8191] {
         let frame = lit(shininess);
         for core in [cross_form(&frame, 2), reflection_form(&frame, 2)] {
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
     for j in 0..=12 {
         let frame = lit(1 << j);
-        shade(&spec(&frame, Method::Hybrid), &frame);
-        duffs(&frame).iter().for_each(|core| drop(shade(core, &frame)));
+        assert_agrees(&spec(&frame, Method::Hybrid), &frame);
+        duffs(&frame).iter().for_each(|core| drop(assert_agrees(core, &frame)));
     }
 }
 
@@ -219,6 +219,6 @@ fn exponents_change_between_spans() {
     let rows: Vec<Row> = (0..=12).map(row).collect();
     let frame = frame_of(&rows, &[tilted(12.0)]);
     for core in cores(&frame) {
-        shade(&core, &frame);
+        assert_agrees(&core, &frame);
     }
 }

@@ -1,11 +1,13 @@
 //! What the options of `lyon` do at their ends.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::lyon;
 use specula_scene::spec::lyon::{
     Difference, Halfway, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis,
 };
 use specula_scene::{CoreSpec, Frame};
 
-use crate::common::{codes, frame, lyon, material, mirror, tilted};
+use crate::run::codes;
 
 fn flat(light: DVec3, shininess: u32) -> Frame {
     frame([DVec3::Z; 2], 1, &[light], mirror(shininess))

@@ -1,10 +1,13 @@
 //! Values at the ends of their ranges.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::spec;
 use specula_scene::spec::MOST_LIGHTS;
 use specula_scene::{Frame, Method};
 use specula_testbench::{Bench, EngineKind};
 
-use crate::common::{codes, cores, frame, material, mirror, shade, spec, tilted};
+use crate::cores::cores;
+use crate::run::{assert_agrees, codes};
 
 /// Row 26: quantised normals may be a little longer than 1, and y negative.
 #[test]
@@ -17,7 +20,7 @@ fn normals_longer_than_one() {
             mirror(256),
         );
         for core in cores(&frame) {
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
 }

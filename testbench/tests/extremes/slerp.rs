@@ -1,9 +1,11 @@
 //! Angles between nothing and half a turn.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::spec;
 use specula_scene::spec::slerp::SlerpFormats;
 use specula_scene::{CoreSpec, Frame, Method, MethodSpec, Span};
 
-use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
+use crate::run::{assert_agrees, codes};
 
 fn slerp(frame: &Frame, change: impl FnOnce(&mut SlerpFormats)) -> CoreSpec {
     let mut core = spec(frame, Method::Slerp);
@@ -26,7 +28,7 @@ fn small_angles() {
                 &[tilted(21.0)],
                 material(0.1, 0.4, 0.4, n),
             );
-            let outcome = shade(&spec(&frame, Method::Slerp), &frame);
+            let outcome = assert_agrees(&spec(&frame, Method::Slerp), &frame);
             let total = outcome.comparison.errors.total.max_lsb;
             assert!(total <= 1.0, "{degrees} degrees over {length} pixels: {total} LSB");
         }

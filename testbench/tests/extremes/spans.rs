@@ -1,9 +1,11 @@
 //! Lengths of spans.
 use glam::DVec3;
 use rayon::prelude::*;
+use specula_fixtures::frames::{Row, frame, frame_of, material, mirror, tilted};
 use specula_scene::{Material, Method};
 
-use crate::common::{Row, codes, cores, frame, frame_of, material, mirror, row, shade, tilted};
+use crate::cores::cores;
+use crate::run::{assert_agrees, codes, row};
 
 fn lit(shininess: u32) -> Material {
     material(0.1, 0.3, 0.5, shininess)
@@ -16,7 +18,7 @@ fn shortest_spans() {
         let frame =
             frame([tilted(-20.0), tilted(20.0)], length, &[tilted(-38.0), tilted(39.0)], lit(64));
         for core in cores(&frame) {
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
 }
@@ -74,13 +76,13 @@ fn spans_leave_nothing_behind() {
     let lights = [tilted(15.0), DVec3::new(-0.6, 0.64, 0.48)];
     let together = frame_of(&rows, &lights);
     cores(&together).par_iter().for_each(|core| {
-        let outcome = shade(core, &together);
+        let outcome = assert_agrees(core, &together);
         assert_eq!(outcome.pixels, MIXED.iter().map(|&length| u64::from(length)).sum::<u64>());
         for (number, alone) in rows.iter().enumerate().filter(|(_, row)| row.length < 10) {
             let alone = frame_of(std::slice::from_ref(alone), &lights);
             assert_eq!(
                 row(&outcome, &together, number),
-                row(&shade(core, &alone), &alone, 0),
+                row(&assert_agrees(core, &alone), &alone, 0),
                 "{core:?}, span {number}"
             );
         }
@@ -93,7 +95,7 @@ fn no_span_at_all() {
     let mut frame = frame([DVec3::Z; 2], 3, &[DVec3::Z], lit(4));
     frame.spans.clear();
     for core in cores(&frame) {
-        let outcome = shade(&core, &frame);
+        let outcome = assert_agrees(&core, &frame);
         assert_eq!((outcome.pixels, outcome.worst_cycle), (0, None));
         assert!(outcome.simulated.pixels.iter().all(|&code| code == frame.background));
     }

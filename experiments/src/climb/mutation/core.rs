@@ -2,7 +2,8 @@
 use specula_scene::Format;
 use specula_scene::spec::{LightPipelines, Specialise};
 
-use super::{Genome, Operator, any};
+use super::operator::{Operator, any};
+use crate::climb::genome::Genome;
 use crate::climb::random;
 use crate::stress::draw::Draw;
 

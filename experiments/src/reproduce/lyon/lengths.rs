@@ -5,7 +5,7 @@ use specula_golden::exact::shape::f_k;
 use specula_scene::spec::FULL_SCALE;
 
 use super::super::claim::{Claim, Ground, Ruling};
-use super::{core_height, height};
+use super::heights::{core_height, height};
 use crate::stress::draw::tilted;
 
 /// Half of the widest angle in degrees of a span whose middle normal, not normalised, is `length`

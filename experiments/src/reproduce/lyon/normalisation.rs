@@ -5,9 +5,9 @@ use specula_scene::Method;
 use specula_scene::spec::FULL_SCALE;
 
 use super::super::claim::{Claim, Ground, Ruling};
-use super::super::largest;
+use super::super::maximum::largest;
 use super::super::span_core::{SpanCore, frame, value, vector};
-use super::height;
+use super::heights::height;
 use crate::stress::draw::tilted;
 use crate::stress::scene::matt;
 use crate::stress::variant::Variant;

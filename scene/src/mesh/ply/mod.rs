@@ -7,8 +7,8 @@ use body::{Binary, Body, Text};
 use content::Content;
 use header::{Element, Encoding, Header, Kind, Property};
 
-use super::Mesh;
 use super::error::{Located, MeshProblem};
+use super::indexed::Mesh;
 use super::text::unmarked;
 use super::warning::{Notices, quoted};
 
