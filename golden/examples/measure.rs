@@ -6,9 +6,9 @@ use specula_fixtures::highlights::{Drawn, SpanRange, choices, draw_frame};
 use specula_fixtures::specs::{packet, spec};
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::{Model, Observation};
-use specula_scene::spec::MethodSpec;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::{CoreSpec, Material, Method};
+use specula_scene::Material;
+use specula_spec::lyon::Difference;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 const TYPICAL: SpanRange = SpanRange { widest: 30.0, tilt: 70.0, log2_length: 12.0, lights: 1 };
 const EXTREME: SpanRange = SpanRange { widest: 90.0, tilt: 45.0, ..TYPICAL };

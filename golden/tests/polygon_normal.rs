@@ -4,7 +4,8 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, tilted};
 use specula_golden::exact::MethodSpan;
-use specula_scene::{CoreSpec, Method, Needs};
+use specula_scene::Needs;
+use specula_spec::{CoreSpec, Method};
 
 /// Options that take the polygon's normal, and those that take the one half-way between the ends.
 const OPTIONS: [(Method, &str, &str); 2] = [

@@ -6,10 +6,10 @@ use specula_fixtures::highlights::{Choices, Drawn, SpanRange, draw_frame};
 use specula_fixtures::specs::{packet, spec};
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
-use specula_scene::spec::duff::Highlight;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::spec::{MethodSpec, reflection};
-use specula_scene::{CoreSpec, Frame, Material, Method};
+use specula_scene::{Frame, Material};
+use specula_spec::duff::Highlight;
+use specula_spec::lyon::Difference;
+use specula_spec::{CoreSpec, Method, MethodSpec, reflection};
 
 const TYPICAL: SpanRange = SpanRange { widest: 30.0, tilt: 70.0, log2_length: 9.0, lights: 1 };
 const EXTREME: SpanRange = SpanRange { widest: 90.0, tilt: 45.0, log2_length: 9.0, lights: 1 };

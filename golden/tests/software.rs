@@ -15,9 +15,9 @@ use specula_golden::recurrence::{
 };
 use specula_golden::software::{METHODS, Mesh, by_name};
 use specula_scene::frame::EYE;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::spec::phong::Places;
-use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Needs, Spot};
+use specula_scene::{Frame, LocalLight, Needs, Spot};
+use specula_spec::phong::Places;
+use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec};
 
 const STEPS: u32 = 64;
 const SHININESS: u32 = 16;

@@ -2,7 +2,7 @@
 //! are.
 use specula_fixtures::clocked::{Drive, run};
 use specula_fixtures::{Draw, drawn, each_method};
-use specula_scene::Method;
+use specula_spec::Method;
 
 fn stays_in_range(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);

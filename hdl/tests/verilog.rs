@@ -4,8 +4,8 @@ use std::fmt::Write;
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header};
 use specula_fixtures::specs::small_needs;
-use specula_scene::spec::lyon::{Difference, Normalisation};
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::{Difference, Normalisation};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 /// A core for one light, spans of up to 4 pixels and small exponents, in small formats.
 fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {

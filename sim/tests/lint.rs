@@ -6,8 +6,8 @@ use specula_datapath::design::ScopeId;
 use specula_datapath::verilog::{self, Header};
 use specula_fixtures::specs::{lyon, spec, spec_with};
 use specula_fixtures::{each_method, few_spans, tools};
-use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation, Normals, ShapeDatapath};
-use specula_scene::{CoreSpec, Method};
+use specula_spec::lyon::{Difference, LyonSpec, Normalisation, Normals, ShapeDatapath};
+use specula_spec::{CoreSpec, Method};
 
 /// Specs that differ in what hardware they ask for.
 fn specs() -> Vec<CoreSpec> {

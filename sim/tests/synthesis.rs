@@ -6,8 +6,8 @@ use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header, LongDelays};
 use specula_fixtures::specs::spec_with;
 use specula_fixtures::{few_spans, tools};
-use specula_scene::Method;
 use specula_sim::{Progress, Synthesised, synthesise};
+use specula_spec::Method;
 
 /// What Yosys makes of a core as a whole, flattened, with every register mapped.
 fn flattened(design: &Design) -> Synthesised {

@@ -1,7 +1,8 @@
 //! A core for one scene gives the codes of the general core, and is never larger.
 use specula_datapath::Design;
 use specula_fixtures::each_method;
-use specula_scene::{Method, load};
+use specula_scene::load;
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind, Image};
 
 /// What a core gives, with a right answer to every question a bench asks.

@@ -3,8 +3,9 @@ use std::ops::Range;
 
 use specula_fixtures::frames::{Row, frame_of, material, tilted};
 use specula_fixtures::specs::{lyon, spec};
-use specula_scene::{CoreSpec, Frame, Method};
+use specula_scene::Frame;
 use specula_sim::{Batch, Columns, Flow, Stimulus};
+use specula_spec::{CoreSpec, Method};
 use specula_testbench::trace::{Choice, WORST_WINDOW, leaving_clock};
 use specula_testbench::{Bench, EngineKind, FrameSpans, Outcome, WorstPixel};
 

@@ -13,7 +13,8 @@ mod size_delta;
 
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_scene::{CoreSpec, LoadedScene};
+use specula_scene::LoadedScene;
+use specula_spec::CoreSpec;
 use specula_testbench::BenchError;
 
 use core::Ablation;

@@ -4,7 +4,7 @@ use serde::Serialize;
 use super::paper::Paper;
 
 /// Half an LSB of full scale.
-pub(super) const HALF_LSB: f64 = 0.5 / specula_scene::spec::FULL_SCALE;
+pub(super) const HALF_LSB: f64 = 0.5 / specula_spec::FULL_SCALE;
 
 /// A claim.
 pub(super) struct Claim {

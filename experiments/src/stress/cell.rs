@@ -1,7 +1,7 @@
 //! How one method does in one row of the catalogue.
 use serde::Serialize;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{CoreSpec, Method};
+use specula_spec::FULL_SCALE;
+use specula_spec::{CoreSpec, Method};
 
 use super::asked::{Asked, Verdict};
 use super::measured::Measured;

@@ -2,7 +2,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::asked::Asked;
 use super::catalogue::CATALOGUE;

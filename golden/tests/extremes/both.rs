@@ -3,7 +3,7 @@ use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::specs::spec;
 use specula_golden::exact;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::{assert_within_one_code, codes};
 

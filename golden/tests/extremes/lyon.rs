@@ -2,9 +2,9 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, mirror, tilted};
 use specula_fixtures::specs::spec;
-use specula_scene::spec::MethodSpec;
-use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation};
-use specula_scene::{CoreSpec, Frame, Method};
+use specula_scene::Frame;
+use specula_spec::lyon::{Difference, LyonSpec, Normalisation};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::{assert_within_one_code, codes, trace, value};
 

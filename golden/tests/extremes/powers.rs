@@ -3,7 +3,8 @@ use glam::DVec3;
 use specula_fixtures::frames::{frame, mirror, tilted};
 use specula_fixtures::specs::spec;
 use specula_golden::exact;
-use specula_scene::{CoreSpec, Method, Needs};
+use specula_scene::Needs;
+use specula_spec::{CoreSpec, Method};
 
 use crate::{assert_within_one_code, codes, trace, value};
 

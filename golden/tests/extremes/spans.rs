@@ -3,7 +3,7 @@ use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::specs::{packet, spec};
 use specula_golden::fixed::{Model, PacketError};
-use specula_scene::{Method, SpanPacket};
+use specula_spec::{Method, SpanPacket};
 
 use crate::{assert_within_one_code, codes};
 

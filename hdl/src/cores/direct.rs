@@ -1,8 +1,8 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_scene::spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
-use specula_scene::{CoreSpec, Format};
+use specula_spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
+use specula_spec::{CoreSpec, Format};
 
-use super::{finish, pipelines, turns};
+use super::{finish, pipelines, time_slots};
 use crate::error::angular::Angular;
 use crate::error::direct::{Product, normal_by_newton, unit_normal};
 use crate::units::{self, DirectedBase, Light, NewtonRoot, QuotientFormat};
@@ -12,12 +12,12 @@ use specula_datapath::design::Design;
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = direct.inputs(spec).map(|port| b.input(port));
     let formats = &direct.formats;
     let t = units::parameter(
         &b,
-        &turns.first_pixel,
+        &slots.first_pixel,
         &inputs.weight_step,
         formats,
         spec.longest_span - 1,
@@ -27,7 +27,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
     let length = length(
         &b,
-        Squared { first: &turns.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
+        Squared { first: &slots.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
         spec,
         direct,
     );
@@ -41,12 +41,12 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
         smallest_q,
         exponent: &inputs.exponent,
     };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// What a pixel's length is made of.

@@ -1,6 +1,6 @@
 //! How far reflections are off that never point into the surface.
 use specula_datapath::builder::Off;
-use specula_scene::spec::consistent::ConsistentFormats;
+use specula_spec::consistent::ConsistentFormats;
 
 /// What is known of the real values, for error bounds alone.
 #[derive(Clone, Copy, Debug)]
@@ -314,7 +314,7 @@ impl Horizon {
 mod tests {
     use glam::DVec3;
     use specula_fixtures::Draw;
-    use specula_scene::Format;
+    use specula_spec::Format;
 
     use super::*;
 

@@ -1,6 +1,6 @@
 //! How long the differences are that highlights depend on, and how far they are off.
 use specula_datapath::builder::Off;
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::length_off::{LengthOff, Reflected};
 

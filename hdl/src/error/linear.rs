@@ -18,7 +18,7 @@ pub fn bound(steps: u32, ulp: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use specula_fixtures::Draw;
-    use specula_scene::Format;
+    use specula_spec::Format;
 
     /// Starts and steps as the host rounds them: 90 % of the bound is reached.
     #[test]

@@ -1,6 +1,6 @@
 //! How far a square root is off that follows the pixel before.
-use specula_scene::format::power_of_two;
-use specula_scene::spec::direct::DirectFormats;
+use specula_spec::direct::DirectFormats;
+use specula_spec::format::power_of_two;
 
 /// Bound on the error of d after `steps` steps d ← (d + q/d)/2 at each pixel, from the d of the
 /// pixel before on and from 1 at the first; nothing where steps may lead away from the root. Real q
@@ -59,7 +59,7 @@ pub fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use specula_fixtures::Draw;
-    use specula_scene::Format;
+    use specula_spec::Format;
 
     use super::*;
 

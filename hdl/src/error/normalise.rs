@@ -4,8 +4,8 @@
 //! make g (3 - z g²)/2 of it; n = g N'. Both ends of a span lie in the unit ball, so r ≤ 1 up to
 //! rounding.
 use specula_datapath::builder::Off;
-use specula_scene::Format;
-use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
+use specula_spec::Format;
+use specula_spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
 
 use super::vector::VectorBounds;
 

@@ -1,6 +1,6 @@
 //! How far powers of a cosine are off.
 use specula_datapath::design::{SHARES, Share};
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 use super::angular::Angular;
 

@@ -20,7 +20,7 @@ pub fn bound(steps: u32, ulp: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use specula_fixtures::Draw;
-    use specula_scene::Format;
+    use specula_spec::Format;
 
     /// Parabolas through three values from -1 to 1, as the host rounds them: 80 % of the bound is
     /// reached.

@@ -1,5 +1,5 @@
 //! How far highlights are off.
-use specula_scene::spec::lyon::LyonSpec;
+use specula_spec::lyon::LyonSpec;
 
 use super::length_off::LengthOff;
 

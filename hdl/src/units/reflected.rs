@@ -3,7 +3,7 @@ use super::clamp::to_unit_interval;
 use crate::error::angular::Angular;
 use specula_datapath::builder::{Builder, Sig};
 use specula_datapath::design::ErrorForm;
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 /// What R·L = 2(N·V)(N·L) - V·L is made of.
 pub(super) struct Reflected<'a> {

@@ -1,7 +1,7 @@
 //! Reciprocal square roots, over every operand of small widths and many of large ones.
 use proptest::prelude::*;
 use specula_hdl::units::{self, ReciprocalRoot};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs, property_tests};
 

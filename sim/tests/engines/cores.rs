@@ -1,10 +1,10 @@
 //! Cores in every engine.
 use specula_fixtures::specs::{packets, spec, spec_with};
 use specula_fixtures::{each_method, few_spans};
-use specula_scene::spec::LightPipelines;
-use specula_scene::spec::phong::Places;
-use specula_scene::{CoreSpec, Frame, Method, MethodSpec};
+use specula_scene::Frame;
 use specula_sim::{Effort, Engine, Icarus, RustHdl, Stimulus, Verilator};
+use specula_spec::phong::Places;
+use specula_spec::{CoreSpec, LightPipelines, Method, MethodSpec};
 
 use crate::agreement;
 use crate::installed::{if_installed, verilator};

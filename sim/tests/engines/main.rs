@@ -13,7 +13,7 @@ mod waves_of_engines;
 
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
-use specula_scene::CoreSpec;
+use specula_spec::CoreSpec;
 
 /// A core, elaborated.
 fn elaborated(spec: &CoreSpec) -> Design {

@@ -2,8 +2,8 @@
 use specula_datapath::design::NodeId;
 use specula_fixtures::few_spans;
 use specula_fixtures::specs::{packets, spec};
-use specula_scene::Method;
 use specula_sim::{Engine, Fast, Icarus, RustHdl, Stimulus};
+use specula_spec::Method;
 
 use crate::agreement;
 use crate::dump::{Format, read, written};

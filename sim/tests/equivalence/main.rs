@@ -5,7 +5,8 @@ mod miter;
 use std::process::Command;
 
 use specula_fixtures::tools;
-use specula_scene::{CoreSpec, Method, parse};
+use specula_scene::parse;
+use specula_spec::{CoreSpec, Method, SceneCore};
 
 use miter::Miter;
 

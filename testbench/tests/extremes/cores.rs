@@ -1,9 +1,10 @@
 //! Cores with several options of a method.
 use specula_fixtures::specs::{lyon, spec};
-use specula_scene::spec::duff::Highlight;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::spec::reflection;
-use specula_scene::{CoreSpec, Frame, Method, MethodSpec};
+use specula_scene::Frame;
+use specula_spec::duff::Highlight;
+use specula_spec::lyon::Difference;
+use specula_spec::reflection;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 /// `lyon` with D = R - L and k squarings.
 pub fn reflection_form(frame: &Frame, squarings: u32) -> CoreSpec {

@@ -2,9 +2,10 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::specs::{lyon, spec};
-use specula_scene::spec::lyon::Difference;
-use specula_scene::spec::reflection::Bisector;
-use specula_scene::{Method, Needs};
+use specula_scene::Needs;
+use specula_spec::Method;
+use specula_spec::lyon::Difference;
+use specula_spec::reflection::Bisector;
 
 use crate::cores::{cores, cross_form, duffs, reflection_form, reflections};
 use crate::run::{assert_agrees, codes};

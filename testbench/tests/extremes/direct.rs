@@ -2,7 +2,7 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::specs::spec;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::run::{assert_agrees, codes};
 

@@ -2,8 +2,9 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, tilted};
 use specula_fixtures::specs::spec;
-use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::{CoreSpec, Facet, Frame, LocalLight, Method, MethodSpec, Spot};
+use specula_scene::{Facet, Frame, LocalLight, Spot};
+use specula_spec::gouraud::Interpolation;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::run::{assert_agrees, codes};
 

@@ -2,10 +2,10 @@
 use glam::DVec3;
 use specula_fixtures::frames::{Row, frame, frame_of, material, mirror, tilted};
 use specula_fixtures::specs::{lyon, spec};
-use specula_scene::spec::SpecError;
-use specula_scene::spec::duff::Highlight;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::duff::Highlight;
+use specula_spec::lyon::Difference;
+use specula_spec::{CoreSpec, Method, SpecError};
 
 use crate::cores::{cores, cross_form, duff, duffs, reflection_form};
 use crate::run::{assert_agrees, codes};

@@ -2,10 +2,11 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::specs::lyon;
-use specula_scene::spec::lyon::{
+use specula_scene::Frame;
+use specula_spec::CoreSpec;
+use specula_spec::lyon::{
     Difference, Halfway, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis,
 };
-use specula_scene::{CoreSpec, Frame};
 
 use crate::run::codes;
 

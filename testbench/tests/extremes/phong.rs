@@ -2,8 +2,9 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::specs::spec;
-use specula_scene::spec::phong::{Highlight, Places};
-use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Spot};
+use specula_scene::{Frame, LocalLight, Spot};
+use specula_spec::phong::{Highlight, Places};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::run::{assert_agrees, codes};
 

@@ -2,8 +2,9 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::specs::spec;
-use specula_scene::spec::MOST_LIGHTS;
-use specula_scene::{Frame, Method};
+use specula_scene::Frame;
+use specula_scene::limits::MOST_LIGHTS;
+use specula_spec::Method;
 use specula_testbench::{Bench, EngineKind};
 
 use crate::cores::cores;

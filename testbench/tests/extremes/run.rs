@@ -1,5 +1,6 @@
 //! Cores that are run, and what leaves them.
-use specula_scene::{CoreSpec, Frame};
+use specula_scene::Frame;
+use specula_spec::CoreSpec;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 /// Runs a core: every pixel is the model's and leaves in its clock, every stated fact holds, and no

@@ -2,8 +2,9 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::specs::spec;
-use specula_scene::spec::slerp::SlerpFormats;
-use specula_scene::{CoreSpec, Frame, Method, MethodSpec, Span};
+use specula_scene::{Frame, Span};
+use specula_spec::slerp::SlerpFormats;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::run::{assert_agrees, codes};
 

@@ -2,7 +2,8 @@
 use glam::DVec3;
 use rayon::prelude::*;
 use specula_fixtures::frames::{Row, frame, frame_of, material, mirror, tilted};
-use specula_scene::{Material, Method};
+use specula_scene::Material;
+use specula_spec::Method;
 
 use crate::cores::cores;
 use crate::run::{assert_agrees, codes, row};

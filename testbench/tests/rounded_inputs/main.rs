@@ -3,8 +3,8 @@
 use glam::DVec3;
 use specula_fixtures::Draw;
 use specula_fixtures::frames::{Row, frame_of, material};
-use specula_scene::spec::CoreOptions;
-use specula_scene::{CoreSpec, Frame, LoadedScene, Method, Needs, parse};
+use specula_scene::{Frame, LoadedScene, Needs, parse};
+use specula_spec::{CoreOptions, CoreSpec, Method, SceneCore};
 use specula_testbench::{Bench, BenchError, EngineKind, Outcome};
 
 fn outcome(frame: &Frame, spec: &CoreSpec) -> Result<Outcome, BenchError> {

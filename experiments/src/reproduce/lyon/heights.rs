@@ -2,7 +2,7 @@
 use glam::DVec3;
 use specula_golden::exact::reflection::{reflect, reflection_minus_light};
 use specula_golden::exact::shape::f_k;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::reproduce::span_core::{SpanCore, frame, value};
 use crate::stress::scene::mirror;

@@ -1,6 +1,6 @@
 //! Newton's steps towards a length.
-use specula_scene::spec::lyon::Normals;
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::Normals;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use super::scenes::{aimed, spans};
 use crate::stress::draw::tilted;

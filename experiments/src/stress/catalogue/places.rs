@@ -1,7 +1,7 @@
 //! Lights and eyes at places.
 use glam::DVec3;
-use specula_scene::spec::phong::{Highlight, Places};
-use specula_scene::{CoreSpec, MethodSpec};
+use specula_spec::phong::{Highlight, Places};
+use specula_spec::{CoreSpec, MethodSpec};
 
 use crate::stress::draw::{Draw, tilted};
 use crate::stress::row::{Case, Pixel, Row, scenes};
