@@ -9,7 +9,7 @@ use crate::{assert_within_one_code, codes};
 
 /// Row 37: one pixel (S = 0, nothing to divide by) and two.
 #[test]
-fn shortest_spans() {
+fn the_shortest_spans_are_within_a_code() {
     for length in [1, 2] {
         let frame = frame(
             [tilted(-20.0), tilted(20.0)],
@@ -25,7 +25,7 @@ fn shortest_spans() {
 
 /// Row 38: S = 8191, where second differences add up 2^24 times.
 #[test]
-fn longest_span() {
+fn the_longest_span_is_within_a_code() {
     for (widest, shininess) in [(30.0, 256), (90.0, 4096)] {
         let frame = frame(
             [tilted(-widest / 3.0), tilted(widest * 2.0 / 3.0)],

@@ -73,28 +73,28 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn lyon(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn lyon_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Lyon, &draw, &bits, n)?;
     }
 
     #[test]
-    fn phong(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn phong_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Phong, &draw, &bits, n)?;
     }
 
     #[test]
-    fn phong_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn phong_at_places_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check_frame(Method::Phong, &frame_with_places(&draw, n), &bits)?;
     }
 
     #[test]
-    fn gouraud_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn gouraud_at_places_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check_frame(Method::Gouraud, &frame_with_places(&draw, n), &bits)?;
     }
 
     /// The other methods see places from the middles of spans.
     #[test]
-    fn others_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+    fn the_others_at_places_agree_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
         let frame = frame_with_places(&draw, 1 << j);
         for method in Method::ALL {
             check_frame(method, &frame, &bits)?;
@@ -102,37 +102,37 @@ proptest! {
     }
 
     #[test]
-    fn hybrid(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn hybrid_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Hybrid, &draw, &bits, n)?;
     }
 
     #[test]
-    fn duff(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn duff_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Duff, &draw, &bits, n)?;
     }
 
     #[test]
-    fn gouraud(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn gouraud_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Gouraud, &draw, &bits, n)?;
     }
 
     #[test]
-    fn slerp(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn slerp_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Slerp, &draw, &bits, n)?;
     }
 
     #[test]
-    fn direct(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn direct_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Direct, &draw, &bits, n)?;
     }
 
     #[test]
-    fn reflection(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn reflection_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Reflection, &draw, &bits, n)?;
     }
 
     #[test]
-    fn consistent(
+    fn consistent_agrees_with_integers(
         draw in prop::array::uniform12(0.0..1.0_f64),
         bits in prop::array::uniform8(0.0..=1.0_f64),
         n in exponent(),

@@ -156,7 +156,7 @@ fn unary_and_constants(
 
 /// Small operands against constants of either sign on either side.
 #[test]
-fn constants() {
+fn operators_on_constants_mean_what_they_say() {
     let types = small_types();
     let mut program = Program::default();
     for (i, &(range, fraction_bits)) in types.iter().enumerate() {
@@ -326,7 +326,7 @@ fn tables_and_registers_that_hold() {
 /// Netlists in which operators read each other's results, with feedback and spans of several
 /// pixels.
 #[test]
-fn random_netlists() {
+fn random_programs_mean_what_they_say() {
     const SEED: u64 = 20_240_611;
     const NETLISTS: usize = 20;
     const STEPS: usize = 14;

@@ -16,7 +16,7 @@ const AMBIENT_CODE: u8 = 51;
 /// Rows 1 and 2: N0 = -N1, and t = 1/2 is a pixel, whose normal has no direction. `lyon` gives
 /// ambient light there.
 #[test]
-fn opposite_normals() {
+fn opposite_normals_leave_ambient_light_in_the_middle() {
     for (first, length) in [(DVec3::X, 3), (DVec3::Z, 5), (tilted(40.0), 33), (DVec3::Y, 257)] {
         let frame =
             frame([first, -first], length, &[tilted(30.0)], material(AMBIENT, 0.5, 0.3, 16));
@@ -81,7 +81,9 @@ fn duff_at_q_zero() {
     }
     // In the longest span rounding leaves something of q.
     let longest = frame([DVec3::Z, -DVec3::Z], 8191, &[DVec3::Z], mirror(16));
-    duffs(&longest).iter().for_each(|core| drop(assert_agrees(core, &longest)));
+    for core in duffs(&longest) {
+        assert_agrees(&core, &longest);
+    }
 }
 
 /// Row 12: L = -V leaves Blinn's half-way vector without a direction, and the highlight is 0; R·L
@@ -141,16 +143,18 @@ fn reflection_about_the_normal_itself() {
 
 /// Row 3: 150 degrees.
 #[test]
-fn wide_spans() {
+fn spans_of_150_degrees_agree() {
     for shininess in [1, 256, 4096] {
         let frame = frame([tilted(-75.0), tilted(75.0)], 300, &[tilted(10.0)], mirror(shininess));
-        cores(&frame).iter().for_each(|core| drop(assert_agrees(core, &frame)));
+        for core in cores(&frame) {
+            assert_agrees(&core, &frame);
+        }
     }
 }
 
 /// Row 27: z = 0 gives g2 = 2 and, with three Newton steps, 6.75; nothing wraps around.
 #[test]
-fn largest_gain() {
+fn the_largest_gain_does_not_wrap_around() {
     let frame = frame([DVec3::X, -DVec3::X], 3, &[DVec3::Z], material(AMBIENT, 0.5, 0.3, 8191));
     for newton_steps in 0..=3 {
         for difference in [Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight] {
@@ -189,7 +193,7 @@ fn bound_knows_of_normals_that_round_away() {
 /// Row 50: a triangle whose normals are all 0 has ambient light alone in `lyon`, and no highlight
 /// in `hybrid`.
 #[test]
-fn zero_normals() {
+fn normals_of_length_0_leave_ambient_light() {
     for length in [1, 2, 100] {
         let frame = frame(
             [DVec3::ZERO; 2],
@@ -236,6 +240,8 @@ fn light_nearly_opposite_the_eye() {
             &[tilted(degrees)],
             mirror(64),
         );
-        cores(&frame).iter().for_each(|core| drop(assert_agrees(core, &frame)));
+        for core in cores(&frame) {
+            assert_agrees(&core, &frame);
+        }
     }
 }

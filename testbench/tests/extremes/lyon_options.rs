@@ -59,7 +59,7 @@ fn no_halfway_vector_no_highlight() {
 /// Row 34: D = h1 - N loses the highlight of a light from behind, where h1 is short: figure 9's row
 /// 10, at most 0.153 for n = 16.
 #[test]
-fn grazing_light() {
+fn unit_halfway_minus_normal_loses_the_highlight_of_a_grazing_light() {
     let light = DVec3::new(1.0, 1.0, -1.0).normalize();
     let normal = (light + DVec3::Z).normalize();
     for (n, brightest) in [(16, 0.153), (64, 0.0)] {

@@ -28,7 +28,7 @@ fn normals_longer_than_one() {
 
 /// Row 29: normals and lights along every axis, in both directions: ±1.0 is representable.
 #[test]
-fn axes() {
+fn normals_and_lights_along_axes_are_exact() {
     let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
     for normal in axes {
         for light in axes {
@@ -51,7 +51,7 @@ fn bright(lights: usize, factor: f64) -> Frame {
 /// All coefficients at full scale, then at the largest that a core takes: white, not wrapped
 /// around.
 #[test]
-fn saturation() {
+fn light_beyond_full_scale_is_white() {
     for (lights, factor) in [(1, 1.0), (MOST_LIGHTS, 1.0), (1, 256.0), (MOST_LIGHTS, 256.9)] {
         let frame = bright(lights, factor);
         for core in cores(&frame) {
@@ -62,7 +62,7 @@ fn saturation() {
 
 /// Every coefficient all ones: as bright as the format goes, by raw value.
 #[test]
-fn all_ones() {
+fn coefficients_of_all_ones_do_not_wrap_around() {
     for method in Method::ALL {
         let mut frame = bright(MOST_LIGHTS, 1.0);
         let mut core = spec(&frame, method);
@@ -84,7 +84,7 @@ fn all_ones() {
 
 /// Nothing reflects anything: black, and no code below it.
 #[test]
-fn black() {
+fn what_reflects_nothing_is_black() {
     let frame =
         frame([tilted(-40.0), tilted(40.0)], 20, &[tilted(10.0)], material(0.0, 0.0, 0.0, 1));
     for core in cores(&frame) {

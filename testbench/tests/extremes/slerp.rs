@@ -20,7 +20,7 @@ fn slerp(frame: &Frame, change: impl FnOnce(&mut SlerpFormats)) -> CoreSpec {
 /// those round 10 degrees, where others go over to linear interpolation: within a code of exact
 /// shading.
 #[test]
-fn small_angles() {
+fn small_angles_are_within_a_code_of_exact_shading() {
     for degrees in [0.0, 1e-9, 0.01, 9.9, 10.1] {
         for (length, n) in [(17, 32), (250, 256)] {
             let frame = frame(

@@ -14,7 +14,7 @@ fn lit(shininess: u32) -> Material {
 
 /// Row 37: one pixel, whose step has nothing to divide by, and two.
 #[test]
-fn shortest_spans() {
+fn the_shortest_spans_agree() {
     for length in [1, 2, 3] {
         let frame =
             frame([tilted(-20.0), tilted(20.0)], length, &[tilted(-38.0), tilted(39.0)], lit(64));
@@ -26,7 +26,7 @@ fn shortest_spans() {
 
 /// Row 38: S = 8191, where second differences add up to 2^24 times their error.
 #[test]
-fn longest_span() {
+fn the_longest_span_has_its_highlight() {
     let frame = frame([tilted(-30.0), tilted(60.0)], 8192, &[tilted(90.0)], mirror(4096));
     for core in cores(&frame) {
         let codes = codes(&core, &frame);
@@ -41,7 +41,7 @@ fn longest_span() {
 
 /// Row 52: a flat face has one code from end to end.
 #[test]
-fn flat_faces() {
+fn flat_faces_have_one_code_from_end_to_end() {
     for (tilt, light) in [(0.0, 0.0), (17.3, 31.9), (60.0, 110.0), (85.0, 165.0)] {
         let frame = frame([tilted(tilt); 2], 1000, &[tilted(light)], material(0.1, 0.4, 0.4, 64));
         for core in cores(&frame) {

@@ -22,7 +22,7 @@ fn light_behind_keeps_its_highlight() {
 
 /// Row 33: with the eye behind the surface R points inwards, and pixels are what the formula says.
 #[test]
-fn eye_behind() {
+fn pixels_seen_from_behind_agree() {
     for degrees in [85.0, 90.0, 95.0, 120.0, 180.0] {
         let frame = frame(
             [tilted(degrees - 5.0), tilted(degrees + 5.0)],
@@ -38,7 +38,7 @@ fn eye_behind() {
 
 /// Row 34: a grazing light keeps its highlight, with both forms of D.
 #[test]
-fn grazing_lights() {
+fn grazing_lights_keep_their_highlight() {
     let light = DVec3::new(1.0, 1.0, -1.0).normalize();
     let halfway = (light + DVec3::Z).normalize();
     for shininess in [1, 16, 64, 256] {

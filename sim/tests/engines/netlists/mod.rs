@@ -50,23 +50,23 @@ fn seed(usual: u64) -> u64 {
 }
 
 #[test]
-fn small_netlists() {
+fn small_netlists_give_what_the_interpreter_gives() {
     hunt(seed(20_260_101), 4000, Profile::small);
 }
 
 #[test]
-fn large_netlists() {
+fn large_netlists_give_what_the_interpreter_gives() {
     hunt(seed(7), 300, Profile::large);
 }
 
 /// Runs that cross the borders of the largest batches.
 #[test]
-fn long_runs() {
+fn long_runs_give_what_the_interpreter_gives() {
     hunt(seed(1993), 150, Profile::long);
 }
 
 #[test]
-fn known_failures() {
+fn known_failures_do_not_come_back() {
     regressions::replay(|case: &Case| check::failure(case).map(|failure| failure.to_string()));
 }
 

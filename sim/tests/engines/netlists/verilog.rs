@@ -19,7 +19,7 @@ const SEED: u64 = 2001;
 const NETLISTS: u64 = 2;
 
 #[test]
-fn as_verilog() {
+fn netlists_as_verilog_give_what_the_interpreter_gives() {
     println!("seed {SEED}");
     for number in 0..NETLISTS {
         let case = pruned(draw::case(&mut Draw::new(SEED + number), Profile::verilog()));
