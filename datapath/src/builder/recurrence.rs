@@ -1,6 +1,6 @@
 //! Feedback of any kind: values that each pixel makes of those of the pixel before.
 use super::error::BuildError;
-use super::state::Facts;
+use super::state::SignalInfo;
 use super::{Builder, Sig};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::{GroupId, Pace};
@@ -94,7 +94,7 @@ impl Builder {
             starts.each_ref().map(|_| self.feedback_register(whole, fraction_bits, together));
         let values: [Sig; N] = std::array::from_fn(|k| {
             let select = Op::Select(first.id(), starts[k].id(), self.kept_for_a_pixel(states[k]));
-            let facts = Facts {
+            let facts = SignalInfo {
                 range: whole.hull(starts[k].range()).into(),
                 fraction_bits,
                 error,
@@ -122,7 +122,7 @@ impl Builder {
     }
 
     fn registered_after<const N: usize>(&self, value: &Sig, round: &Round<N>) -> Sig {
-        let facts = Facts {
+        let facts = SignalInfo {
             range: value.range().into(),
             fraction_bits: round.fraction_bits,
             error: round.error,

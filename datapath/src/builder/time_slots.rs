@@ -1,6 +1,6 @@
 //! Pixels of several clocks: what there is of several, such as lights, shares one pipeline, in a
 //! time slot each.
-use super::state::Facts;
+use super::state::SignalInfo;
 use super::{Builder, Control, Sig};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::Pace;
@@ -56,7 +56,7 @@ impl Builder {
         let whole = Range::whole(range.width(), false);
         let round = self.group([first]);
         let register = self.feedback_register(whole, 0, round);
-        let facts = Facts { range: whole.into(), fraction_bits: 0, error: 0.0, kind: "value" };
+        let facts = SignalInfo { range: whole.into(), fraction_bits: 0, error: 0.0, kind: "value" };
         let value = self.emit(Op::Select(first.id(), start.id(), register), Pace::Wire, facts);
         (value.named(name), register)
     }

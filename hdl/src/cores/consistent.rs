@@ -6,8 +6,9 @@ use super::{eye, finish, pipelines, time_slots};
 use crate::error;
 use crate::error::consistent_reflection::Consistency;
 use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
+use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::{Design, ErrorForm};
+use specula_datapath::design::Design;
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection.
 /// [Reshetov, Soupikov and Mark]
@@ -149,7 +150,7 @@ impl Pixel<'_> {
                     true => base
                         .stated_error_value(cosine.error_value())
                         .known_cosine(off.angle(), rest),
-                    false => base.stated_error_value(1.0).of_error_form(ErrorForm::Bounded),
+                    false => base.stated_error_value(1.0).of_error_model(ErrorModel::Bounded),
                 }
             },
         )

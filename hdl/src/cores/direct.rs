@@ -3,9 +3,9 @@ use specula_spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
 use specula_spec::{CoreSpec, Format};
 
 use super::{finish, pipelines, time_slots};
-use crate::error::angular::Angular;
 use crate::error::direct::{Product, normal_by_newton, unit_normal};
 use crate::units::{self, DirectedBase, Light, NewtonRoot, QuotientFormat};
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
 
@@ -72,7 +72,7 @@ struct Length {
 /// What the base of the highlight is made of.
 enum Highlight {
     /// J and this K.
-    OfCosines(Sig),
+    Angulars(Sig),
     /// p_L and this p_V/q, whose product is known so well.
     OfQuotient(Sig, Option<Product>),
 }
@@ -92,7 +92,7 @@ fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Len
             let k = b.instance("n_dot_v", || {
                 units::direct_cosine(b, view, &reciprocal, formats, normal)
             });
-            Length { reciprocal, normal, highlight: Highlight::OfCosines(k) }
+            Length { reciprocal, normal, highlight: Highlight::Angulars(k) }
         }
         Root::Newton => {
             let newton = NewtonRoot { steps: direct.newton_steps, shortest };
@@ -161,7 +161,7 @@ impl Pixel<'_> {
 
     fn base<'a>(&'a self, p: &'a Sig, j: &'a Sig, light: &'a DirectLight<Sig>) -> DirectedBase<'a> {
         let (factors, known) = match &self.length.highlight {
-            Highlight::OfCosines(k) => ([j, k], units::product_of_cosines([j, k])),
+            Highlight::Angulars(k) => ([j, k], units::product_of_cosines([j, k])),
             Highlight::OfQuotient(k, known) => ([p, k], *known),
         };
         DirectedBase {

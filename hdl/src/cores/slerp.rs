@@ -4,9 +4,9 @@ use specula_spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, S
 
 use super::{eye, finish, pipelines, time_slots, unit_vector};
 use crate::error;
-use crate::error::angular::Angular;
 use crate::error::turned_normal::Weighing;
 use crate::units::{self, Light, Turn};
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::Design;
 

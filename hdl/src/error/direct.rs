@@ -3,9 +3,9 @@ use specula_spec::Format;
 use specula_spec::direct::DirectFormats;
 use specula_spec::format::power_of_two;
 
-use super::angular::Angular;
 use super::host::HOST_ERROR;
 use super::interpolate::chord;
+use specula_datapath::bound::Angular;
 
 /// What comes of t and κ = |B - A|².
 #[derive(Clone, Copy, Debug)]

@@ -5,9 +5,9 @@
 use specula_spec::Format;
 use specula_spec::slerp::SlerpFormats;
 
-use super::angular::Angular;
 use super::host::HOST_ERROR;
 use super::rotation::{drift, drift_across, sum_of_components};
+use specula_datapath::bound::Angular;
 
 /// e: how far (c, s) is off once it is rounded to weights, as a distance in the plane, after `steps`
 /// steps at most; so |N' - N| ≤ e and |N'| ≤ 1 + e.

@@ -1,7 +1,7 @@
 //! How far normals are off that are put together along an arc and brought to unit length.
 //!
 //! N = u P + v Q, and n = N (3 - N·N)/2. [lecture, eq. 4.7; methods A8, A9, A11]
-use specula_datapath::builder::Off;
+use specula_datapath::bound::VectorError;
 use specula_spec::slerp::SlerpFormats;
 
 use super::rotation::{drift, scaled_drift};
@@ -65,15 +65,15 @@ impl Weighing {
     /// ```
     ///
     /// with the length ρ = r (3 - r²)/2, whose slope 3/2 (1 - r²) is steepest at r = l - e or 1 + e.
-    pub fn lengthened(self, off: f64, half_unit: f64) -> Off {
+    pub fn lengthened(self, off: f64, half_unit: f64) -> VectorError {
         let (e, shortest) = (off, self.shortest);
         if e >= shortest / 2.0 {
-            return Off::within(2.0 + half_unit);
+            return VectorError::ball(2.0 + half_unit);
         }
         let longer = half_unit * (1.0 + e);
         let across = (1.0 + longer) * e / (shortest * (shortest - e)).sqrt();
         let slope = 1.5 * (1.0 - (shortest - e).powi(2)).max((1.0 + e).powi(2) - 1.0);
-        Off::parts(across, slope * e + longer + across * across / 2.0)
+        VectorError::components(across, slope * e + longer + across * across / 2.0)
     }
 }
 
@@ -111,8 +111,8 @@ mod tests {
                 assert!(fixed.length() <= most);
                 let along = (fixed - real).dot(direction);
                 let across = (fixed - real - along * direction).length();
-                reached[0] = reached[0].max(across / proven.across);
-                reached[1] = reached[1].max(along.abs() / proven.along);
+                reached[0] = reached[0].max(across / proven.transverse);
+                reached[1] = reached[1].max(along.abs() / proven.radial);
             }
             println!("{shortest}, {error}, {half_unit}: {reached:?}");
             assert!(reached.iter().all(|&share| share <= 1.0), "{shortest}: {reached:?}");

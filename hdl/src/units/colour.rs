@@ -117,7 +117,7 @@ fn error_of_sum(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], slots:
     let term = |(coefficient, intensity): (&Sig, &Sig)| Term {
         coefficient: factor(coefficient),
         intensity: factor(intensity),
-        form: intensity.error_form(),
+        form: intensity.error_model(),
     };
     let terms: Vec<Term> = coefficients.iter().zip(intensities).map(term).collect();
     error::colour::below_full_scale(ambient.error_value(), &terms, slots)

@@ -3,7 +3,8 @@ use specula_spec::lyon::LyonFormats;
 
 use super::divider;
 use crate::error::followed::Followed;
-use specula_datapath::builder::{Builder, LoopInvariant, Off, Sig, Vector};
+use specula_datapath::bound::VectorError;
+use specula_datapath::builder::{Builder, LoopInvariant, Sig, Vector};
 
 /// What normals that follow one another begin with.
 pub struct Follow<'a> {
@@ -65,7 +66,10 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
                     [x, y, z]
                 },
             );
-            Vector::new(next).known_off(Off::within(error)).no_longer_than(longest).named("normal")
+            Vector::new(next)
+                .known_off(VectorError::ball(error))
+                .no_longer_than(longest)
+                .named("normal")
         },
     )
 }

@@ -1,10 +1,10 @@
 //! How far the length of a vector D is off: a highlight depends on that alone.
-use specula_datapath::builder::{Gains, Off};
+use specula_datapath::bound::{Sensitivity, VectorError};
 
 /// On a way from the real D to the fixed one, |D| = d changes by no more than `level` + `growing` ·
 /// d + `falling`/d in all, if it were d all the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LengthOff {
+pub struct LengthError {
     /// Whatever d is.
     pub level: f64,
     /// What grows with d.
@@ -16,7 +16,7 @@ pub struct LengthOff {
 /// What D = 2(n·v)n - v - l is made of.
 pub struct Reflected {
     /// How far n is off.
-    pub n: Off,
+    pub n: VectorError,
     /// From which length to which n goes at most on its way.
     pub lengths: (f64, f64),
     /// How far the real unit vector v is off.
@@ -29,10 +29,10 @@ pub struct Reflected {
     pub rounding: f64,
 }
 
-impl LengthOff {
+impl LengthError {
     /// Of a vector that is off by no more than `error` as a whole.
-    pub const fn whole(error: f64) -> LengthOff {
-        LengthOff { level: error, growing: 0.0, falling: 0.0 }
+    pub const fn whole(error: f64) -> LengthError {
+        LengthError { level: error, growing: 0.0, falling: 0.0 }
     }
 
     /// Of D = 2(n·v)n - v - l for about unit vectors, where n may be longer and shorter. [Lyon, TR
@@ -85,18 +85,22 @@ impl LengthOff {
     ///    |D·R| = |d² + 1 - |m|²|/2
     ///    |p|   ≤ d/2 + (μ + μ²/2)/d
     ///    ```
-    pub fn of_reflection(of: &Reflected) -> LengthOff {
+    pub fn of_reflection(of: &Reflected) -> LengthError {
         let (shortest, longest) = of.lengths;
-        let turned = if shortest > 0.0 { of.n.across / shortest } else { f64::INFINITY };
+        let turned = if shortest > 0.0 { of.n.transverse / shortest } else { f64::INFINITY };
         let rounding = of.rounding_along * longest + of.rounding;
         let stretch = (longest * longest - 1.0).max(1.0 - shortest * shortest).max(0.0);
         let reach = longest * (1.0 + of.of);
         let m = of.from + stretch * (2.0 + of.of) + longest * longest * of.of + rounding;
         let mixed = 4.0 * turned;
-        let level =
-            of.n.times(Gains { across: 2.0 + mixed, along: 2.0 + mixed, free: 8f64.sqrt() });
-        let with_p = reach * of.n.times(Gains { across: 0.0, along: 4.0, free: 4.0 });
-        LengthOff {
+        let level = of.n.propagated(Sensitivity {
+            transverse: 2.0 + mixed,
+            radial: 2.0 + mixed,
+            isotropic: 8f64.sqrt(),
+        });
+        let with_p =
+            reach * of.n.propagated(Sensitivity { transverse: 0.0, radial: 4.0, isotropic: 4.0 });
+        LengthError {
             level: reach * level
                 + of.of * (2.0 * longest * longest - 1.0).max(1.0)
                 + of.from
@@ -130,13 +134,13 @@ mod tests {
             let apart = [0.003, 0.03, 0.3][round % 3];
             let l = (r + apart * draw.direction()).normalize();
             let (kind, error, off) = match round / 3 % 3 {
-                0 => (0, draw.direction(), Off::within(SIZE)),
-                1 => (1, n, Off::parts(0.0, SIZE)),
-                _ => (2, draw.across(n), Off::parts(SIZE, 0.0)),
+                0 => (0, draw.direction(), VectorError::ball(SIZE)),
+                1 => (1, n, VectorError::components(0.0, SIZE)),
+                _ => (2, draw.across(n), VectorError::components(SIZE, 0.0)),
             };
             let from = difference(n, v, l).length();
             let to = difference(n + SIZE * error, v, l).length();
-            let stated = LengthOff::of_reflection(&Reflected {
+            let stated = LengthError::of_reflection(&Reflected {
                 n: off,
                 lengths: (1.0 - SIZE, 1.0 + SIZE),
                 of: 0.0,
@@ -158,14 +162,14 @@ mod tests {
     #[test]
     fn of_a_normal_that_may_be_anywhere_nothing_is_known() {
         let of = Reflected {
-            n: Off::within(2.0),
+            n: VectorError::ball(2.0),
             lengths: (-1.0, 3.0),
             of: 0.0,
             from: 0.0,
             rounding_along: 0.0,
             rounding: 0.0,
         };
-        let LengthOff { level, growing, falling } = LengthOff::of_reflection(&of);
+        let LengthError { level, growing, falling } = LengthError::of_reflection(&of);
         assert_eq!([level, growing, falling].map(f64::is_nan), [false; 3]);
         assert!(level > 2.0, "{level}");
     }
