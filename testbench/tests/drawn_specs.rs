@@ -22,8 +22,7 @@ fn agrees(seed: u64, method: Method) {
         Err(error) => panic!("{error}"),
     };
     let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();
-    assert_eq!(outcome.comparison.first_mismatch, None);
-    assert_eq!((outcome.violation, outcome.wrong_clocks), (None, vec![]));
+    assert_eq!(outcome.fault(), None);
     errors_stay_within_bounds(&bench.design, &spec, &frame, &outcome.simulated);
 }
 

@@ -246,24 +246,17 @@ impl Product {
 mod tests {
     use glam::DVec3;
     use specula_fixtures::Draw;
+    use specula_fixtures::formats::direct_formats;
 
     use super::*;
 
     fn formats(bits: u32) -> DirectFormats {
-        let one = Format::unsigned(1, bits);
         DirectFormats {
-            weight_accumulator: one,
-            weight: one,
-            product: one,
             spread: Format::unsigned(3, bits),
             component: Format::signed(1, bits),
-            length_squared: one,
-            length: one,
             reciprocal: Format::unsigned(3, bits),
             cosine: Format::signed(1, bits),
-            diffuse: one,
-            base: one,
-            shape: one,
+            ..direct_formats(Format::unsigned(1, bits))
         }
     }
 

@@ -59,25 +59,16 @@ pub fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use specula_fixtures::Draw;
+    use specula_fixtures::formats::direct_formats;
     use specula_spec::Format;
 
     use super::*;
 
     fn formats(length: u32) -> DirectFormats {
-        let rest = Format::unsigned(1, 10);
         DirectFormats {
-            weight_accumulator: rest,
-            weight: rest,
-            product: rest,
-            spread: rest,
-            component: rest,
-            length_squared: rest,
             length: Format::unsigned(1, length),
             reciprocal: Format::unsigned(3, 10),
-            cosine: rest,
-            diffuse: rest,
-            base: rest,
-            shape: rest,
+            ..direct_formats(Format::unsigned(1, 10))
         }
     }
 

@@ -1,11 +1,11 @@
 //! Bounds that must not be lost where hardware is left out, merged or shared: every operator on
 //! constants, twins and choices, against real values that the host rounded.
 use specula_datapath::builder::{LoopInvariant, Sig};
+use specula_fixtures::Draw;
 use specula_spec::Format;
 use specula_spec::format::power_of_two;
 
 use super::{Bench, outputs};
-use specula_fixtures::Draw;
 
 /// 2^-3.
 const FORMAT: Format = Format::signed(3, 3);

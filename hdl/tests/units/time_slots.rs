@@ -1,9 +1,9 @@
 //! Pixels of several clocks.
 use specula_datapath::builder::Sig;
+use specula_fixtures::clocked::{Drive, Runner};
 use specula_spec::{Format, InputPort};
 
 use super::{Builder, Generic, Rc};
-use specula_fixtures::clocked::{Drive, Runner};
 
 const STEPS: [i64; 3] = [1, 10, 100];
 

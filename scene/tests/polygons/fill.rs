@@ -1,6 +1,7 @@
 //! What a polygon covers, and what triangles do, without a line of the code that is tested.
-use super::shapes::{Place, edges, turn};
 use specula_fixtures::Draw;
+
+use super::shapes::{Place, edges, turn};
 
 /// Points nearer than this share of the polygon's extent to an edge say nothing: they are on it but
 /// for rounding.

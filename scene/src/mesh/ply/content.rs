@@ -3,7 +3,7 @@ use glam::DVec3;
 
 use super::body::Body;
 use super::header::{Element, Header, Kind, Property, Scalar};
-use super::{list_length, skip};
+use super::list::{list_length, skip};
 use crate::mesh::error::{Item, Located, MeshProblem};
 use crate::mesh::indexed::Mesh;
 use crate::mesh::limits::{FARTHEST, MOST_TRIANGLES};

@@ -4,10 +4,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
 use specula_datapath::design::{NodeId, Op};
+use specula_fixtures::Draw;
 use specula_sim::fast::{InstructionSet, Settings};
 
 use crate::netlists::case::{Case, Subject};
-use specula_fixtures::Draw;
 
 /// How a run went wrong.
 #[derive(Clone, Debug)]

@@ -5,6 +5,7 @@
 mod known;
 
 use specula_datapath::design::NodeId;
+use specula_fixtures::Draw;
 use specula_sim::{Columns, Engine, Icarus};
 
 use crate::agreement;
@@ -13,7 +14,6 @@ use crate::netlists::case::Case;
 use crate::netlists::draw;
 use crate::netlists::minimise::without_unused;
 use crate::netlists::profile::Profile;
-use specula_fixtures::Draw;
 
 const SEED: u64 = 2001;
 const NETLISTS: u64 = 2;

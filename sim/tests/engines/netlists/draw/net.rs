@@ -1,10 +1,10 @@
 //! A netlist that grows.
 use specula_datapath::Design;
 use specula_datapath::design::{Node, NodeId, Op, Range, Register, Scope, ScopeId};
+use specula_fixtures::{Draw, designs};
 
 use super::ranges;
 use crate::netlists::profile::Profile;
-use specula_fixtures::{Draw, designs};
 
 /// What the comment of every unit says.
 const FORMULA: &str = "drawn";

@@ -1,9 +1,9 @@
 //! What goes in.
 use specula_datapath::design::Range;
 use specula_datapath::{Design, SpanPacket};
+use specula_fixtures::Draw;
 
 use crate::netlists::profile::Profile;
-use specula_fixtures::Draw;
 
 /// Spans of random inputs; some inputs stay the same for long.
 pub fn packets(draw: &mut Draw, design: &Design, profile: Profile) -> Vec<SpanPacket> {
