@@ -2,8 +2,6 @@
 //! materials' products left out, as they leave them out.
 //!
 //! A test runs each [`Scheme`] on [`Counted`] numbers and compares.
-use std::ops::Add;
-
 use glam::DVec3;
 
 use crate::recurrence::{
@@ -12,41 +10,7 @@ use crate::recurrence::{
     Scheme, Slerp, Uniform, count,
 };
 
-/// How often each operation is done. Doublings and halvings are shifts and comparisons are free, as
-/// in the papers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Operations {
-    /// Additions.
-    pub adds: u32,
-    /// Subtractions.
-    pub subtractions: u32,
-    /// Multiplications.
-    pub multiplies: u32,
-    /// Divisions.
-    pub divisions: u32,
-    /// Square roots.
-    pub square_roots: u32,
-}
-
-impl Operations {
-    /// Nothing to do.
-    pub const NONE: Operations =
-        Operations { adds: 0, subtractions: 0, multiplies: 0, divisions: 0, square_roots: 0 };
-}
-
-impl Add for Operations {
-    type Output = Operations;
-
-    fn add(self, other: Operations) -> Operations {
-        Operations {
-            adds: self.adds + other.adds,
-            subtractions: self.subtractions + other.subtractions,
-            multiplies: self.multiplies + other.multiplies,
-            divisions: self.divisions + other.divisions,
-            square_roots: self.square_roots + other.square_roots,
-        }
-    }
-}
+pub use crate::recurrence::Operations;
 
 /// A row of a paper's table.
 #[derive(Clone, Copy, Debug)]

@@ -4,6 +4,7 @@
 //! A scheme is given neither the number of the pixel nor anything but the operations of [`Number`],
 //! so that all of them go from pixel to pixel.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, tilted};
 use specula_golden::exact::{MethodSpan, wrap};
 use specula_golden::recurrence::{
     Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid,
@@ -17,9 +18,6 @@ use specula_scene::frame::EYE;
 use specula_scene::{Frame, LocalLight, Needs, Spot};
 use specula_spec::phong::Places;
 use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec};
-
-mod common;
-use common::{frame, material, tilted};
 
 const STEPS: u32 = 64;
 const SHININESS: u32 = 16;

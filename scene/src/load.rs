@@ -2,8 +2,8 @@
 use std::path::Path;
 
 use crate::file::{CoreTable, SceneFile, SourceFile};
-use crate::mesh::error::{EXTENSIONS, listed};
-use crate::mesh::{self, Mesh, Warning};
+use crate::mesh::error::listed;
+use crate::mesh::{self, EXTENSIONS, Mesh, Warning};
 use crate::picture::camera::Camera;
 use crate::picture::{Object, Scene};
 use crate::{Frame, SceneError, Surface, builtin, defaults};

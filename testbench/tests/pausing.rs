@@ -1,16 +1,13 @@
 //! Spans that pause anywhere: random bubbles before time slots of pixels change no pixel.
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-mod common;
-
 use std::ops::Range;
 
-use common::{Row, frame_of, material, spec, tilted};
 use glam::DVec3;
 use specula_datapath::Design;
 use specula_datapath::design::{Node, NodeId, Op};
-use specula_scene::{Frame, Needs};
+use specula_fixtures::each_method;
+use specula_fixtures::frames::{Row, frame_of, material, tilted};
+use specula_fixtures::specs::{spec, spec_with};
+use specula_scene::Frame;
 use specula_sim::{Batch, Columns, Flow};
 use specula_spec::{CoreSpec, LightPipelines, Method};
 use specula_testbench::trace::Choice;
@@ -110,7 +107,7 @@ fn enabled(design: &Design) -> Vec<(NodeId, NodeId)> {
 fn a_loop_that_does_not_pause_is_reported() {
     let frame = picture();
     let cores = [
-        with(&frame, Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\""),
+        spec_with(&frame, Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\""),
         spec(&frame, Method::Hybrid),
         spec(&frame, Method::Slerp),
         shared(spec(&frame, Method::Gouraud)),
@@ -130,10 +127,4 @@ fn a_loop_that_does_not_pause_is_reported() {
             assert!(found, "{name} of {:?} is not found", core.method());
         }
     }
-}
-
-/// With these lines in the method's table.
-fn with(frame: &Frame, method: Method, options: &str) -> CoreSpec {
-    let table = format!("[{}]\n{options}", method.name()).parse().unwrap();
-    CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(method)).unwrap()
 }

@@ -2,7 +2,7 @@
 use rayon::prelude::*;
 use specula_spec::{CoreSpec, Given, InputPort, Subject};
 
-use super::Ablation;
+use super::core::Ablation;
 use specula_testbench::BenchError;
 
 /// The ablations of inputs, group by group.

@@ -4,6 +4,7 @@
 //! What is known of a scene comes in two kinds: premises from which options and formats are chosen
 //! before any input is looked at ([`needs`]), and what inputs are given over the frame
 //! ([`inputs`]).
+mod core;
 mod general;
 mod inputs;
 mod needs;
@@ -14,10 +15,11 @@ use serde::Serialize;
 use specula_datapath::Design;
 use specula_scene::LoadedScene;
 use specula_spec::CoreSpec;
+use specula_testbench::BenchError;
 
+use core::Ablation;
 use general::General;
 use size_delta::Built;
-use specula_testbench::BenchError;
 
 pub use general::Baseline;
 pub use size_delta::{CellDelta, SizeDelta, Synthesis};
@@ -110,12 +112,4 @@ pub fn ablation(
         saves: SizeDelta::between(built, special),
     };
     Ok(Savings { needs, together: generals.iter().zip(of_generals).map(against).collect() })
-}
-
-/// The core elaborated without knowing one need.
-struct Ablation {
-    need: &'static str,
-    left_out: String,
-    safe: &'static str,
-    design: Design,
 }

@@ -4,7 +4,7 @@ use specula_datapath::builder::BuildError;
 use specula_scene::{LoadedScene, Needs};
 use specula_spec::{CoreError, CoreSpec, InputPort, SceneCore};
 
-use super::Ablation;
+use super::core::Ablation;
 use super::general::{Baseline, General};
 use super::premise::{PREMISES, Premise};
 

@@ -1,7 +1,10 @@
 //! What a paper claims, what is measured for it, and what follows.
 use serde::Serialize;
 
-use super::Paper;
+use super::paper::Paper;
+
+/// Half an LSB of full scale.
+pub(super) const HALF_LSB: f64 = 0.5 / specula_spec::FULL_SCALE;
 
 /// A claim.
 pub(super) struct Claim {

@@ -43,7 +43,7 @@ impl SpanCore {
 
 /// The value of that name.
 pub fn value(trace: &[Observation], name: &str) -> Option<f64> {
-    trace.iter().find(|observation| observation.name == name).map(Observation::value)
+    Observation::named(trace, name).map(Observation::value)
 }
 
 /// The vector whose components have that name.

@@ -9,6 +9,7 @@
 //! each method.
 mod asked;
 mod catalogue;
+mod cell;
 pub(crate) mod draw;
 pub mod drift;
 pub mod limits;
@@ -23,8 +24,9 @@ pub mod variant;
 
 pub use asked::{Asked, Verdict};
 pub use catalogue::CATALOGUE;
+pub use cell::{Cell, Worst};
 pub use measured::{Counted, Far, Largest, Measured};
 pub use page::{besides, page};
 pub use raw::{ID as RAW, INPUT as RAW_INPUT};
 pub use row::{Extent, Place};
-pub use sweep::{Cell, Worst, sweep};
+pub use sweep::sweep;

@@ -1,9 +1,9 @@
 //! The catalogue as a page: what is asked of each method in each row, what came, and the limits.
 use super::asked::{Asked, Verdict};
 use super::catalogue::CATALOGUE;
+use super::cell::Cell;
 use super::limits::Reason;
 use super::raw;
-use super::sweep::Cell;
 
 const HEAD: &str = "\
 # What is asked of each method in each row of the catalogue of extremes, and what came

@@ -7,10 +7,10 @@ use specula_sim::{Engine, Fast, Flow, Stimulus};
 use specula_spec::{CoreSpec, InputPort, Method, SpanPacket, SpecError};
 
 use super::asked::Asked;
+use super::cell::Cell;
 use super::draw::{Draw, tilted};
 use super::row::{Extent, Place};
 use super::scene::{RawSpan, SpanScene, lit};
-use super::sweep::Cell;
 use super::variant::Variant;
 use specula_testbench::Monitor;
 use specula_testbench::checker;

@@ -11,7 +11,7 @@ use super::consistent::{
     Scaling, cos_gamma, cosine, pixel_angle, q, rational_q, reflection, vertex_angle,
 };
 use super::diffuse::lambert;
-use super::method::ShadeSpan;
+use super::shade_span::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `consistent`.

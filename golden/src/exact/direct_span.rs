@@ -6,8 +6,8 @@ use specula_spec::DirectSpec;
 use specula_spec::direct::Root;
 
 use super::coefficients::{Amounts, Coefficients};
-use super::method::ShadeSpan;
 use super::newton;
+use super::shade_span::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `direct`.

@@ -8,7 +8,7 @@ use specula_spec::duff::Highlight;
 
 use super::coefficients::{Amounts, Coefficients};
 use super::hybrid::base;
-use super::method::ShadeSpan;
+use super::shade_span::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `duff`.

@@ -8,7 +8,7 @@ use specula_spec::gouraud::Interpolation;
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
 use super::illumination::{self, Illumination};
-use super::method::ShadeSpan;
+use super::shade_span::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `gouraud`.

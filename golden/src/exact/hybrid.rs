@@ -6,7 +6,7 @@ use specula_scene::{Frame, Span};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::gouraud;
-use super::method::ShadeSpan;
+use super::shade_span::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `hybrid`.

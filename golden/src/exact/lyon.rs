@@ -6,11 +6,11 @@ use specula_spec::lyon::{Difference, Halfway, NormalWrap, Normals};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
-use super::method::ShadeSpan;
 use super::normalisation::{g2, gain, unit};
 use super::reflection::{
     halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light,
 };
+use super::shade_span::ShadeSpan;
 use super::shape::f_k;
 use super::wrap::{chained, wrap};
 

@@ -2,6 +2,7 @@
 use specula_scene::{Frame, ParallelSpan, Span};
 use specula_spec::{CoreSpec, MethodSpec, Viewpoint};
 
+use super::shade_span::ShadeSpan;
 use super::{
     ConsistentSpan, DirectSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan,
     ReflectionSpan, SlerpSpan,
@@ -9,19 +10,6 @@ use super::{
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadeSpan + 'a>);
-
-/// Shades one span.
-pub(super) trait ShadeSpan {
-    /// Pixel `i`, 0 to length - 1: 0..=255 LSB a channel.
-    fn pixel(&self, i: u32) -> [f64; 3];
-
-    /// As many pixels as `out` has, the span's first pixel first: one virtual call for all of them.
-    fn shade(&self, out: &mut [[f64; 3]]) {
-        for (shade, i) in out.iter_mut().zip(0..) {
-            *shade = self.pixel(i);
-        }
-    }
-}
 
 impl<'a> MethodSpan<'a> {
     /// Sets up a span of a frame.

@@ -26,6 +26,7 @@ pub mod quadratic;
 pub mod reflection;
 pub mod reflection_shading;
 pub mod root_shininess;
+mod shade_span;
 pub mod shape;
 pub mod slerp;
 mod slerp_span;

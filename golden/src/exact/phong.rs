@@ -9,8 +9,8 @@ use super::diffuse::lambert;
 use super::directions::Directions;
 use super::distributions::{torrance_sparrow, trowbridge_reitz};
 use super::illumination::Illumination;
-use super::method::ShadeSpan;
 use super::normalisation::unit;
+use super::shade_span::ShadeSpan;
 use super::shape::power;
 
 /// True shading of one span: the normal interpolated linearly between the triangle's vertices and

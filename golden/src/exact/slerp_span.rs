@@ -7,7 +7,7 @@ use specula_spec::SlerpSpec;
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;
-use super::method::ShadeSpan;
+use super::shade_span::ShadeSpan;
 use super::shape::power;
 
 /// One span, shaded by `slerp`.

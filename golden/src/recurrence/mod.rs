@@ -14,6 +14,7 @@ mod gouraud;
 mod line;
 mod lyon;
 mod number;
+mod operations;
 mod phong;
 mod place;
 mod reflection;
@@ -34,6 +35,7 @@ pub use lyon::{
     Unit,
 };
 pub use number::{Number, power};
+pub use operations::Operations;
 pub use phong::{FastPhong, Phong};
 pub use place::{Normalised, Place, Seen, Wrapped};
 pub use reflection::{Chained, Reflection, ReflectionBlinn, ReflectionHybrid, ReflectionRoot};

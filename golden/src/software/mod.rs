@@ -3,6 +3,7 @@
 //! What belongs to the frame (intensities of vertices, steps along edges, products of materials and
 //! lights) is worked out once for it, set-up once for a span, and the loop runs from pixel to pixel;
 //! they are apart so that their times can be measured apart. Nothing is allocated for a span.
+mod along_span;
 mod linear;
 mod looped;
 mod mesh;

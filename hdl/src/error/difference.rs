@@ -123,8 +123,8 @@ pub fn minus([h, n]: [Operand; 2]) -> Difference {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     const VECTOR: Format = Format::signed(1, 14);

@@ -81,7 +81,8 @@ pub fn unit_vector(bounds: VectorBounds, of_z: f64, of_root: f64) -> VectorError
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Of vectors about as short as they come, 99 % of the bound across and 80 % of that along n
@@ -97,7 +98,7 @@ mod tests {
             let mut reached = [0.0_f64; 2];
             for _ in 0..20_000 {
                 let direction = draw.direction();
-                let length = shortest + (1.0 - shortest) * draw.between(0.0, 1.0).powi(4);
+                let length = shortest + (1.0 - shortest) * draw.within(0.0, 1.0).powi(4);
                 let moved = [direction, draw.across(direction), draw.direction()];
                 let moved = draw.one_of(&moved) * draw.error(error);
                 let fixed = length * direction + moved;

@@ -2,11 +2,11 @@
 //! and with bubbles.
 use specula_datapath::builder::Vector;
 use specula_datapath::{Design, SpanPacket};
+use specula_fixtures::Draw;
+use specula_fixtures::clocked::{Drive, paused, run};
 use specula_hdl::units::{self, Differences, Interpolation, SpanNormals, Steps};
 use specula_spec::Format;
 
-use super::common::draw::Draw;
-use super::common::{Drive, paused, run};
 use super::{Bench, lyon, rounded};
 
 const LENGTHS: [u32; 8] = [1, 1, 3, 2, 8192, 2, 1, 3];

@@ -1,9 +1,9 @@
 //! Registers with an enable: both the enable and the load count with a valid pixel only.
 use specula_datapath::Format;
+use specula_fixtures::Draw;
+use specula_fixtures::clocked::{Drive, paused, run};
 
 use super::Bench;
-use super::common::draw::Draw;
-use super::common::{Drive, paused, run};
 
 #[test]
 fn registers_with_an_enable_wait_for_a_pixel() {
@@ -26,8 +26,8 @@ fn registers_with_an_enable_wait_for_a_pixel() {
     let mut draw = Draw::new(6);
     let mut row = |number: u32| {
         // The first pixel takes both over.
-        let bit = |draw: &mut Draw| i64::from(number == 0 || draw.between(0, 3) == 0);
-        let mut byte = || i64::from(draw.between(0, 255));
+        let bit = |draw: &mut Draw| i64::from(number == 0 || draw.below(4) == 0);
+        let mut byte = || draw.between(0, 255);
         let [value, loaded] = [byte(), byte()];
         vec![value, loaded, bit(&mut draw), bit(&mut draw)]
     };

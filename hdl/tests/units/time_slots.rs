@@ -1,10 +1,10 @@
 //! Pixels of several clocks.
 use specula_datapath::Design;
 use specula_datapath::builder::Sig;
+use specula_fixtures::Draw;
+use specula_fixtures::clocked::{Drive, Runner, paused};
 use specula_spec::{Format, InputPort};
 
-use super::common::draw::Draw;
-use super::common::{Drive, Runner, paused};
 use super::{Builder, Generic, Rc};
 
 const STEPS: [i64; 3] = [1, 10, 100];

@@ -159,7 +159,7 @@ fn columns(bits: u32) -> impl Strategy<Value = (Vec<i64>, Vec<i64>)> {
 
 proptest! {
     #[test]
-    fn narrow_lanes(post in posts(32, 32), shape in shape(), (a, b) in columns(32)) {
+    fn narrow_lanes_are_narrow_arithmetic(post in posts(32, 32), shape in shape(), (a, b) in columns(32)) {
         check::<i32, i32>(narrow, 32, post, shape, &a, &b);
     }
 
@@ -174,7 +174,7 @@ proptest! {
     }
 
     #[test]
-    fn wide_lanes(post in posts(64, 64), shape in shape(), (a, b) in columns(64)) {
+    fn wide_lanes_are_wide_arithmetic(post in posts(64, 64), shape in shape(), (a, b) in columns(64)) {
         check::<i64, i64>(wide, 64, post, shape, &a, &b);
     }
 

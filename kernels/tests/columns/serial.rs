@@ -82,7 +82,7 @@ fn looked_up<O: Lane>(shape: Shape, address: &[i64], table: &[i64]) {
 
 proptest! {
     #[test]
-    fn accumulators(
+    fn accumulators_add_up_pixel_by_pixel(
         shape in shape(),
         cut in 0..70usize,
         states in 1..5usize,
@@ -107,7 +107,7 @@ proptest! {
     }
 
     #[test]
-    fn tables(
+    fn tables_are_looked_up_lane_by_lane(
         shape in shape(),
         address in column(5),
         far in column(32),

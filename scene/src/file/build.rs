@@ -4,8 +4,10 @@ use std::path::Path;
 use glam::DVec3;
 use toml::Spanned;
 
+use super::shown::Shown;
 use super::values::{Integer, Number, Triple};
-use super::{Shown, SourceFile, check, light, object, raw, span};
+
+use super::{SourceFile, check, light, object, raw, span};
 use crate::limits::MOST_LIGHTS;
 use crate::mesh::Warning;
 use crate::picture::camera::Camera;

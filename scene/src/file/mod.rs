@@ -5,6 +5,7 @@ mod core;
 mod light;
 mod object;
 mod raw;
+mod shown;
 mod source;
 mod span;
 mod values;
@@ -16,20 +17,14 @@ pub use self::core::CoreTable;
 pub use self::source::SourceFile;
 
 use crate::mesh::Warning;
+use crate::picture::Scene;
 use crate::picture::project::PictureError;
-use crate::picture::{Rows, Scene};
 use crate::{Frame, SceneError, Surface};
+
+use shown::Shown;
 
 /// Where a scene file's keys are said.
 const KEYS: &str = "docs/scene-format.md lists every key with its unit, range and default";
-
-/// What a scene shows.
-pub(crate) enum Shown {
-    /// Objects, seen by a camera.
-    Objects(Scene),
-    /// Spans as they are given.
-    Rows(Rows),
-}
 
 /// A scene file that was read: the scene, and its table for the core if it has one.
 pub(crate) struct SceneFile {

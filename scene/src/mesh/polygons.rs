@@ -2,11 +2,12 @@
 use glam::DVec3;
 
 use super::error::{Item, Located, MeshProblem};
+use super::indexed::Mesh;
+use super::limits::{FARTHEST, MOST_TRIANGLES};
 use super::normals::{direction, newell, vertex_normals};
 use super::triangulate::{MOST_CROSSINGS, Triangulation, triangulate};
 use super::warning::Notices;
 use super::weld::weld;
-use super::{FARTHEST, MOST_TRIANGLES, Mesh};
 use crate::Facet;
 
 /// What becomes of a corner without a normal that can be used.

@@ -2,10 +2,13 @@
 pub mod camera;
 mod cones;
 pub mod coverage;
+mod faces;
 pub mod limits;
 pub mod project;
 mod rows;
+mod scene;
 mod visibility;
 
-pub use project::{ConedFace, Light, LightSource, LightSpace, Object, Scene, coned_faces};
+pub use faces::{ConedFace, coned_faces};
 pub use rows::{Row, Rows};
+pub use scene::{Light, LightSource, LightSpace, Object, Scene};

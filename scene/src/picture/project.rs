@@ -2,93 +2,15 @@
 use glam::{DAffine3, DMat3, DVec3};
 use thiserror::Error;
 
-use super::camera::{Camera, Window};
+use super::camera::Window;
 use super::cones::{Face, Fans};
 use super::coverage::{Coverage, Point};
 use super::limits;
+use super::scene::{Light, LightSource, LightSpace, Object, Scene};
 use super::visibility::{Projected, visible_spans};
-use crate::mesh::Mesh;
 use crate::mesh::normals::{direction, newell, normal_matrix};
-use crate::primitive::Primitive;
 use crate::surface::Surface;
-use crate::{
-    Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone,
-    defaults,
-};
-
-/// A mesh put somewhere in the world.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Object {
-    /// Its shape, in its own coordinates.
-    pub mesh: Mesh,
-    /// The primitive that the mesh was made from, if it was.
-    pub primitive: Option<Primitive>,
-    /// From its own coordinates to the world's.
-    pub place: DAffine3,
-    /// How it answers light.
-    pub material: Material,
-}
-
-/// The coordinates a light's direction is given in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LightSpace {
-    /// Those of the objects: the light stays when the camera moves.
-    World,
-    /// Those of the picture, x right, y up, z to the eye: the light moves with the camera.
-    View,
-}
-
-/// A light, as a scene gives it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Light {
-    /// Where it shines from.
-    pub source: LightSource,
-    /// What `source` is measured in.
-    pub space: LightSpace,
-    /// Its colour and strength.
-    pub colour: Colour,
-}
-
-/// Where a light shines from.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LightSource {
-    /// From infinity.
-    Directional {
-        /// Towards the light; any length but 0.
-        direction: DVec3,
-    },
-    /// From a place, to all sides.
-    Point {
-        /// The place.
-        position: DVec3,
-    },
-    /// From a place, most of all along one direction.
-    Spot {
-        /// The place.
-        position: DVec3,
-        /// The direction along which it shines; any length but 0.
-        axis: DVec3,
-        /// Warn's exponent, 1 to 8191.
-        exponent: u32,
-    },
-}
-
-/// Everything a picture is made from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// Width and height of the picture in pixels.
-    pub size: (u32, u32),
-    /// 8-bit colour of pixels without object.
-    pub background: [u8; 3],
-    /// How the world is looked at.
-    pub camera: Camera,
-    /// Colour of the ambient light.
-    pub ambient: Colour,
-    /// Lights.
-    pub lights: Vec<Light>,
-    /// What is to be seen.
-    pub objects: Vec<Object>,
-}
+use crate::{DirectionalLight, Facet, Frame, LocalLight, Span, Spot, Triangle, VertexCone};
 
 /// Why a scene does not become a picture.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -309,16 +231,16 @@ impl Light {
 
 /// A triangle of an object.
 #[derive(Clone, Copy)]
-struct Name {
-    object: usize,
-    triangle: usize,
+pub(super) struct Name {
+    pub object: usize,
+    pub triangle: usize,
 }
 
 /// The triangles that can be seen, and the spans that name them.
 type Visible = (Vec<Name>, Vec<Span>);
 
 /// An object in view space.
-struct Seen<'a> {
+pub(super) struct Seen<'a> {
     object: &'a Object,
     place: DAffine3,
     positions: Vec<DVec3>,
@@ -326,7 +248,7 @@ struct Seen<'a> {
 }
 
 impl<'a> Seen<'a> {
-    fn new(object: &'a Object, rotation: DMat3) -> Seen<'a> {
+    pub fn new(object: &'a Object, rotation: DMat3) -> Seen<'a> {
         let place = DAffine3::from_mat3(rotation) * object.place;
         let positions = object.mesh.positions.iter().map(|&p| place.transform_point3(p)).collect();
         Seen { object, place, positions, to_normals: normal_matrix(place.matrix3) }
@@ -338,7 +260,7 @@ impl<'a> Seen<'a> {
     }
 
     /// A triangle of the object, turned to the side to which its vertex normals point.
-    fn face(&self, triangle: usize) -> Face {
+    pub fn face(&self, triangle: usize) -> Face {
         let places = self.object.mesh.triangles[triangle].map(|k| self.positions[k as usize]);
         let face = newell(&places);
         let fallback = face.unwrap_or(DVec3::Z);
@@ -350,7 +272,7 @@ impl<'a> Seen<'a> {
     }
 
     /// The faces around the vertices of those of the visible triangles that belong to this object.
-    fn fans(&self, object: usize, visible: &[Name]) -> Fans {
+    pub fn fans(&self, object: usize, visible: &[Name]) -> Fans {
         let wanted = visible
             .iter()
             .filter(|name| name.object == object)
@@ -391,36 +313,6 @@ impl<'a> Seen<'a> {
         let turn = if of_triangle.unwrap_or(normal).z < 0.0 { -1.0 } else { 1.0 };
         Facet { normal: normal * turn, middle: self.place.transform_point3(facet.middle) }
     }
-}
-
-/// A triangle of a mesh among its neighbours.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ConedFace {
-    /// Its unit normal, on the side to which its vertex normals point.
-    pub outward: DVec3,
-    /// Unit normals at its vertices.
-    pub normals: [DVec3; 3],
-    /// Cones about them.
-    pub cones: [VertexCone; 3],
-}
-
-/// The triangles of a whole mesh that have an area, with the cones of their vertices.
-pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
-    let object = Object {
-        mesh: mesh.clone(),
-        primitive: None,
-        place: DAffine3::IDENTITY,
-        material: defaults::material(),
-    };
-    let seen = Seen::new(&object, DMat3::IDENTITY);
-    let all: Vec<Name> =
-        (0..mesh.triangles.len()).map(|triangle| Name { object: 0, triangle }).collect();
-    let fans = seen.fans(0, &all);
-    let coned = |name: &Name| {
-        let face = seen.face(name.triangle);
-        Some(ConedFace { outward: face.outward?, normals: face.normals, cones: fans.cones(&face) })
-    };
-    all.iter().filter_map(coned).collect()
 }
 
 /// A unit vector along one of any length but 0.

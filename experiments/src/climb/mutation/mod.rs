@@ -1,6 +1,7 @@
 //! Small changes to a scene and its core.
 mod core;
 mod light;
+mod operator;
 mod span;
 mod vector;
 
@@ -8,8 +9,7 @@ use super::genome::Genome;
 use super::random::happens;
 use crate::stress::draw::Draw;
 
-/// A change; it may leave everything as it is.
-pub(super) type Operator = fn(&mut Genome, &mut Draw);
+use operator::Operator;
 
 /// What changes are about, formats first. An ascent leaves some of these as they are, so that not all end on the
 /// same peak.
@@ -55,10 +55,4 @@ impl Mutation {
             }
         }
     }
-}
-
-/// An element of what may be empty.
-fn any<'a, T>(elements: &'a mut [T], draw: &mut Draw) -> Option<&'a mut T> {
-    let last = elements.len().checked_sub(1)?;
-    elements.get_mut(draw.between(0, last as i64) as usize)
 }

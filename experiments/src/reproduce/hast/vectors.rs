@@ -9,8 +9,8 @@ use specula_golden::exact::wrap;
 use specula_scene::frame::EYE;
 use specula_spec::FULL_SCALE;
 
-use super::super::claim::{Claim, Ruling, exact};
-use super::super::{HALF_LSB, largest};
+use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::super::maximum::largest;
 use crate::stress::draw::{Draw, tilted, turned};
 
 /// Cases drawn.

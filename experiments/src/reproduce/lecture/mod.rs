@@ -6,8 +6,8 @@ use specula_golden::exact::slerp::{slerp, weights};
 use specula_golden::exact::specular::{fast, textbook};
 use specula_spec::FULL_SCALE;
 
-use super::claim::{Claim, Ruling, exact};
-use super::{HALF_LSB, largest};
+use super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
 
 /// Largest angle in degrees between slerp and the normalised lerp.

@@ -1,6 +1,7 @@
 //! Spans that nothing restricts.
-use super::super::scene::material;
-use super::{Case, Draw, Extent, RawSpan, Row, SpanScene, scenes};
+use crate::stress::draw::Draw;
+use crate::stress::row::{Case, Extent, Row, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, material};
 
 /// Random spans.
 pub const ANYTHING: Row = Row {

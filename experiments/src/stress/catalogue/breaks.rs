@@ -2,10 +2,11 @@
 //! as bad as they say, and its bound says so.
 use specula_spec::{CoreSpec, Method};
 
-use super::super::draw::tilted;
-use super::super::row::{Place, Shaded};
-use super::super::variant::Variant;
-use super::{Case, RawSpan, Row, SpanScene, Trial, lyon, mirror};
+use super::lyon;
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, Place, Row, Shaded, Trial};
+use crate::stress::scene::{RawSpan, SpanScene, matt, mirror};
+use crate::stress::variant::Variant;
 
 /// A highlight on a span of so many degrees and pixels.
 fn highlight(degrees: f64, length: u32, n: u32) -> SpanScene {
@@ -106,7 +107,7 @@ pub const SHORT_ACCUMULATOR: Row = Row {
     trial: Trial::Scenes {
         cases: |_, _| {
             let is_short = |spec: &CoreSpec| bits(spec, "accumulator") == Some(18);
-            let span = RawSpan::between([tilted(-13.0), tilted(17.0)], 257, super::matt());
+            let span = RawSpan::between([tilted(-13.0), tilted(17.0)], 257, matt());
             let scene = SpanScene::new(&[tilted(7.0)], vec![span]);
             vec![breaks(scene, "more than 1 LSB off, with 18 bits", is_short, 1.0)]
         },

@@ -3,10 +3,11 @@ use glam::DVec3;
 use specula_spec::consistent::{Diffuse, Highlight};
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::super::scene::matt;
-use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, material, mirror, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, Extent, Pixel, Row, Trial};
+use crate::stress::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
+use crate::stress::variant::Variant;
 
 /// Both curves with both kinds of diffuse light, and Blinn's highlight.
 fn forms() -> Vec<Variant> {
@@ -25,7 +26,7 @@ fn forms() -> Vec<Variant> {
         .collect()
 }
 
-const fn trial(cases: fn(&mut super::Draw, super::Extent) -> Vec<Case>) -> Trial {
+const fn trial(cases: fn(&mut Draw, Extent) -> Vec<Case>) -> Trial {
     Trial::Scenes { cases, variants: forms }
 }
 

@@ -1,6 +1,7 @@
 //! Exponents.
-use super::super::draw::tilted;
-use super::{Case, RawSpan, Row, SpanScene, lit, scenes};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, Row, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit};
 
 /// Row 54.
 pub const EVERY: Row = Row {

@@ -3,9 +3,11 @@ use glam::DVec3;
 use specula_spec::lyon::{Difference, LyonSpec, Normalisation, Normals};
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, all, lit, mirror, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, Pixel, Row, Trial, all};
+use crate::stress::scene::{RawSpan, SpanScene, lit, mirror};
+use crate::stress::variant::Variant;
 
 /// D = R - L with every number of squarings, as f_k and by m = √n.
 fn reflection_forms() -> Vec<Variant> {

@@ -2,9 +2,10 @@
 use glam::DVec3;
 use specula_spec::{CoreSpec, Method};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{Case, Draw, Extent, RawSpan, Row, SpanScene, aimed, lit, mirror, scenes, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, Extent, Pixel, Row, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, mirror};
 
 /// Row 1.
 pub const LERP: Row = Row {

@@ -3,10 +3,9 @@ use glam::DVec3;
 use specula_spec::phong::{Highlight, Places};
 use specula_spec::{CoreSpec, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::super::scene::Light;
-use super::{Case, Draw, RawSpan, Row, SpanScene, lit, material, scenes};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, Pixel, Row, scenes};
+use crate::stress::scene::{Light, RawSpan, SpanScene, lit, material};
 
 /// A wall of five pixels from x = -2 to 2, seen from the front.
 fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {

@@ -6,10 +6,9 @@ use specula_spec::lyon::{Difference, Halfway};
 use specula_spec::phong::Highlight;
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::{tilted, turned};
-use super::super::row::Pixel;
-use super::super::scene::matt;
-use super::{Case, RawSpan, Row, SpanScene, all, lit, material, mirror, scenes};
+use crate::stress::draw::{tilted, turned};
+use crate::stress::row::{Case, Pixel, Row, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
 
 /// Row 12.
 pub const OPPOSITE_LIGHT: Row = Row {
