@@ -32,6 +32,8 @@ pub(crate) struct HoldRanges<'a> {
     clock: u64,
     /// The span of the time slot that goes in at `clock` or next, or one behind the last.
     span: usize,
+    /// The numbers of its time slots.
+    own: Range<u64>,
 }
 
 impl<'a> HoldRanges<'a> {
@@ -39,18 +41,18 @@ impl<'a> HoldRanges<'a> {
     pub fn of(stimulus: &'a Stimulus<'a>) -> HoldRanges<'a> {
         let clock = stimulus.clocks.start;
         let pixel = stimulus.slots.before(clock) / stimulus.interval;
-        let spans = stimulus.first_pixels.spans();
-        HoldRanges { stimulus, clock, span: stimulus.first_pixels.span_of(pixel).min(spans) }
+        let span = stimulus.first_pixels.span_of(pixel);
+        HoldRanges { stimulus, clock, span, own: stimulus.slots_of(span) }
     }
 
     /// Time slots of the span that go in without a bubble, from number `slot` on.
     fn fed(&self, slot: u64) -> HoldRange {
         let Stimulus { slots, clocks, .. } = self.stimulus;
-        let run = slots.run_from(slot, self.stimulus.first_slot(self.span + 1));
+        let run = slots.run_from(slot, self.own.end);
         HoldRange {
             clocks: run.start..run.end.min(clocks.end),
             valid: true,
-            starts: slot == self.stimulus.first_slot(self.span),
+            starts: slot == self.own.start,
             span: Some(self.span),
         }
     }
@@ -61,7 +63,7 @@ impl<'a> HoldRanges<'a> {
         let Stimulus { slots, first_pixels, .. } = self.stimulus;
         let nonsense = slots.nonsense(self.clock);
         let next = Some(self.span).filter(|&span| span < first_pixels.spans());
-        let within = next.is_some() && slot > self.stimulus.first_slot(self.span);
+        let within = next.is_some() && slot > self.own.start;
         let before = self.span.checked_sub(1);
         let clocks = self.clock..self.clock + 1;
         let (starts, span) = if within {
@@ -85,13 +87,12 @@ impl Iterator for HoldRanges<'_> {
         }
         let slot = slots.before(self.clock);
         // Spans have at least one pixel, so each begins after the one before.
-        if self.span < first_pixels.spans() && slot == self.stimulus.first_slot(self.span + 1) {
+        if slot == self.own.end && self.span < first_pixels.spans() {
             self.span += 1;
+            self.own = self.stimulus.slots_of(self.span);
         }
-        let range = match slots.at(self.clock) {
-            Some(slot) => self.fed(slot),
-            None => self.idle(slot),
-        };
+        let goes_in = slot < self.own.end && slots.clock_of(slot) == self.clock;
+        let range = if goes_in { self.fed(slot) } else { self.idle(slot) };
         self.clock = range.clocks.end;
         Some(range)
     }

@@ -109,6 +109,11 @@ impl<'a> Stimulus<'a> {
         self.first_pixels.of_span(index) * self.interval
     }
 
+    /// The numbers of the time slots of span `index`; none for an index behind the last.
+    fn slots_of(&self, index: usize) -> Range<u64> {
+        self.first_slot(index)..self.first_slot(index + 1)
+    }
+
     /// Whether a time slot of a pixel goes in at `clock`.
     pub fn feeds(&self, clock: u64) -> bool {
         self.slots.at(clock).is_some()
