@@ -9,7 +9,7 @@ use crate::error::ToolError;
 use crate::output::{Interrupts, write_file};
 use crate::picture;
 use crate::verdict::Verdict;
-use specula_wave::{self as wave, Asked, Figure, Selection, View, WaveError};
+use specula_wave::{self as wave, DumpView, Figure, Selection, WaveError, WindowRequest};
 
 const NOTES: &str = "\
 Numbers are fixed-point where the format is known: from GTKWave's save file beside FILE, of the \
@@ -119,15 +119,19 @@ pub fn execute(
 }
 
 fn figure(arguments: &Arguments, target: &Target) -> Result<Figure, WaveError> {
-    let mut view = View::open(&arguments.file)?;
+    let mut view = DumpView::open(&arguments.file)?;
     for warning in view.warnings() {
         // A closed standard error is no reason to stop.
         let _ = writeln!(io::stderr(), "warning: {warning}");
     }
     let choice = view
         .choose(&Selection { patterns: arguments.signals.clone(), unit: arguments.unit.clone() })?;
-    let mut figure =
-        |usual| view.figure(&choice, &Asked { from: arguments.from, to: arguments.to, usual });
+    let mut figure = |default_columns| {
+        view.figure(
+            &choice,
+            &WindowRequest { from: arguments.from, to: arguments.to, default_columns },
+        )
+    };
     match *target {
         Target::Svg(_) | Target::Png(_) => figure(USUAL),
         // How many clocks fit shows once their values are known.

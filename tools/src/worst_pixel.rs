@@ -11,13 +11,13 @@ use crate::error::ToolError;
 use crate::output::Staging;
 use crate::run::Run;
 use crate::waveform;
-use specula_wave::{self as wave, Asked, View};
+use specula_wave::{self as wave, DumpView, WindowRequest};
 
 /// Name of the picture.
 pub const PICTURE: &str = "worst.svg";
 
 /// Rows of units, at most; where there are more, values on a unit's way to its result are left out.
-const MOST_ROWS: usize = 26;
+const MAX_ROWS: usize = 26;
 /// Clocks shown before the pixel enters and after it leaves.
 const AROUND: u64 = 2;
 
@@ -31,10 +31,12 @@ pub fn write(run: &Run, staging: &Staging, name: &str) -> Result<(), ToolError> 
     let (first, last) = (enters.saturating_sub(AROUND), leaves + AROUND);
     let dump = staging.scratch(run.trace_format.file_name());
     waveform::dump(&dump, run, &Choice::Cycles(first..last + 1))?.map_err(staging.failed(name))?;
-    let mut view = View::open(&dump)?;
-    let choice = view.named(&way(design, enters));
-    let mut figure =
-        view.figure(&choice, &Asked { from: Some(first), to: Some(last), usual: 0 })?;
+    let mut view = DumpView::open(&dump)?;
+    let choice = view.signals_by_name(&way(design, enters));
+    let mut figure = view.figure(
+        &choice,
+        &WindowRequest { from: Some(first), to: Some(last), default_columns: 0 },
+    )?;
     figure.notes =
         vec!["A pixel's way through the core: marked values belong to the pixel that leaves in the marked clock.".to_owned()];
     let svg = wave::svg(&figure, None);
@@ -60,10 +62,10 @@ fn in_units(design: &Design) -> Vec<NodeId> {
     let mut nodes: Vec<NodeId> =
         gtkw::interesting(design).into_iter().filter(|id| of_unit(id) && computed(id)).collect();
     let results = |id: &NodeId| design.node(*id).stage == design.scope(design.node(*id).scope).exit;
-    if nodes.len() > MOST_ROWS {
+    if nodes.len() > MAX_ROWS {
         nodes.retain(results);
     }
-    nodes.truncate(2 * MOST_ROWS);
+    nodes.truncate(2 * MAX_ROWS);
     nodes.sort_by_key(|id| {
         (
             design.scope(design.node(*id).scope).entry,

@@ -33,17 +33,17 @@ pub fn render(plot: &Plot) -> Result<Sheet, String> {
         f64::from(SIZE.1) + LINE * (1 + plot.notes.len()) as f64 + 2.0 * MARGIN,
     );
     let mut marks = vec![Mark::Box(Ink::Paper, (0.0, 0.0), size)];
-    marks.push(Mark::Words(Ink::Title, (MARGIN, MARGIN + CAPITAL), plot.title.clone()));
+    marks.push(Mark::Text(Ink::Title, (MARGIN, MARGIN + CAPITAL), plot.title.clone()));
     let (axes, area) = axes(plot, &mut marks).map_err(|error| error.to_string())?;
     draw(plot, &axes, &area, &mut marks);
     for (number, note) in plot.notes.iter().enumerate() {
         let base = f64::from(SIZE.1) + MARGIN + LINE * (number + 2) as f64 - CAPITAL / 2.0;
-        marks.push(Mark::Words(Ink::Aside, (MARGIN, base), note.clone()));
+        marks.push(Mark::Text(Ink::Aside, (MARGIN, base), note.clone()));
     }
     let below = |mark: &Mark| {
         !matches!(
             mark,
-            Mark::Words(..) | Mark::WordsAmid(..) | Mark::WordsBefore(..) | Mark::WordsUp(..)
+            Mark::Text(..) | Mark::TextCentred(..) | Mark::TextEnding(..) | Mark::TextUpwards(..)
         )
     };
     // Words lie above shapes.
@@ -122,10 +122,10 @@ fn moved(mark: Mark, (dx, dy): (f64, f64)) -> Mark {
         Mark::Lines(ink, lines) => {
             Mark::Lines(ink, lines.into_iter().map(|(from, end)| (to(from), to(end))).collect())
         }
-        Mark::Words(ink, place, words) => Mark::Words(ink, to(place), words),
-        Mark::WordsBefore(ink, place, words) => Mark::WordsBefore(ink, to(place), words),
-        Mark::WordsAmid(ink, place, words) => Mark::WordsAmid(ink, to(place), words),
-        Mark::WordsUp(ink, place, words) => Mark::WordsUp(ink, to(place), words),
+        Mark::Text(ink, place, words) => Mark::Text(ink, to(place), words),
+        Mark::TextEnding(ink, place, words) => Mark::TextEnding(ink, to(place), words),
+        Mark::TextCentred(ink, place, words) => Mark::TextCentred(ink, to(place), words),
+        Mark::TextUpwards(ink, place, words) => Mark::TextUpwards(ink, to(place), words),
         // The recorder makes no others.
         other @ (Mark::Box(..) | Mark::Traces(..) | Mark::Areas(..) | Mark::Dots(..)) => other,
     }
@@ -166,7 +166,7 @@ fn write_labels(plot: &Plot, axes: &Axes, (area, drawn): (&Area, &[Area]), marks
     for ((_, label), place) in labels.iter().zip(placed(&asked, drawn, area)) {
         let Some(place) = place else { continue };
         marks.extend(place.leader.map(|leader| Mark::Lines(Ink::Axis, vec![leader])));
-        marks.push(Mark::Words(Ink::Series(label.colour), place.begin, label.words.clone()));
+        marks.push(Mark::Text(Ink::Series(label.colour), place.begin, label.words.clone()));
     }
 }
 

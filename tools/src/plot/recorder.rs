@@ -103,10 +103,10 @@ impl DrawingBackend for Recorder<'_> {
         };
         let words = text.to_owned();
         self.marks.push(match (style.transform(), style.anchor().h_pos) {
-            (FontTransform::Rotate270, _) => Mark::WordsUp(Ink::Aside, (x + below, y), words),
-            (_, HPos::Left) => Mark::Words(Ink::Aside, (x, y + below), words),
-            (_, HPos::Center) => Mark::WordsAmid(Ink::Aside, (x, y + below), words),
-            (_, HPos::Right) => Mark::WordsBefore(Ink::Aside, (x, y + below), words),
+            (FontTransform::Rotate270, _) => Mark::TextUpwards(Ink::Aside, (x + below, y), words),
+            (_, HPos::Left) => Mark::Text(Ink::Aside, (x, y + below), words),
+            (_, HPos::Center) => Mark::TextCentred(Ink::Aside, (x, y + below), words),
+            (_, HPos::Right) => Mark::TextEnding(Ink::Aside, (x, y + below), words),
         });
         Ok(())
     }
