@@ -3,8 +3,8 @@
 mod common;
 
 use glam::DVec3;
-use specula_golden::exact::distributions::{Formulation, formulation};
 use specula_golden::exact::figure9::EXPONENTS;
+use specula_golden::exact::formula::distributions::{Formulation, formulation};
 use specula_golden::exact::method;
 use specula_scene::Method;
 use specula_scene::spec::MethodSpec;

@@ -1,5 +1,5 @@
-//! What the papers claim and show, computed by our own code: whether it holds, and whether
-//! docs/numerics.md's number comes out.
+//! The papers' claims and figures, computed by Specula's own code: whether each claim holds, and
+//! whether the number of docs/numerics.md comes out.
 mod claim;
 pub mod figure;
 pub mod hast;
@@ -11,7 +11,7 @@ mod span_core;
 use serde::Serialize;
 
 use claim::Claim;
-pub use claim::{Ground, Ruling, Verdict};
+pub use claim::{ClaimVerdict, Ground, Ruling};
 pub use figure::Figure;
 
 /// A paper.
@@ -32,7 +32,7 @@ impl Paper {
     /// Every paper.
     pub const ALL: [Paper; 4] = [Paper::Lyon, Paper::Hast, Paper::Lecture, Paper::Reshetov];
 
-    /// The name that the command line uses.
+    /// The name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Paper::Lyon => "lyon",
@@ -67,8 +67,8 @@ impl Paper {
         }
     }
 
-    /// Computes what the paper claims.
-    pub fn verdicts(self) -> Vec<Verdict> {
+    /// Evaluates the paper's claims.
+    pub fn verdicts(self) -> Vec<ClaimVerdict> {
         self.claims().into_iter().map(|claim| claim.verdict(self)).collect()
     }
 
@@ -82,10 +82,10 @@ impl Paper {
     }
 }
 
-/// Samples of a maximum.
+/// Number of samples for a maximum.
 const SAMPLES: u32 = 20_000;
 
-/// The largest of `f` over 0 to 1.
+/// The largest value of `f` over 0 to 1.
 fn largest(f: impl Fn(f64) -> f64) -> f64 {
     (0..=SAMPLES).map(|k| f(f64::from(k) / f64::from(SAMPLES))).fold(f64::NEG_INFINITY, f64::max)
 }

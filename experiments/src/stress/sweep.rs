@@ -1,4 +1,4 @@
-//! The whole catalogue.
+//! Trying the whole catalogue.
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -6,41 +6,41 @@ use serde::Serialize;
 use specula_scene::spec::FULL_SCALE;
 use specula_scene::{CoreSpec, Method};
 
-use super::asked::{Asked, Verdict};
 use super::catalogue::CATALOGUE;
 use super::draw::Draw;
-use super::measured::Measured;
+use super::measured::Measurements;
 use super::raw;
-use super::row::{Case, Extent, Place, Row, Trial};
+use super::requirement::{Requirement, RowVerdict};
+use super::row::{Case, CatalogueRow, PixelPlace, Trial, TrialExtent};
 use super::trial::{Prepared, Tried};
 use super::variant::Variant;
 
-/// How one method does in one row.
+/// The result of one method in one row.
 #[derive(Clone, Debug, Serialize)]
 pub struct Cell {
     /// The row.
     pub row: &'static str,
-    /// The method; none where no core is asked.
+    /// The method; `None` if the row needs no core.
     pub method: Option<&'static str>,
-    /// Cores that were built.
+    /// Number of cores that were built.
     pub cores: usize,
-    /// Pixels that they shaded.
+    /// Number of pixels that they shaded.
     pub pixels: u64,
-    /// Why others were not built, each reason once.
+    /// The reasons why others were not built, each once.
     pub refused: Vec<String>,
-    /// Patterns of bits that break a fact which hosts keep; each was reported by the bench.
+    /// Number of bit patterns that break a fact which hosts guarantee; each was reported by the
+    /// bench.
     pub reported: usize,
-    /// What is asked, everywhere and in this row, and what came.
-    pub asked: Vec<Asked>,
-    /// Largest total error, if any pixel was shaded that has an exact shade.
+    /// All requirements, those of every row and this row's own, with the results.
+    pub asked: Vec<Requirement>,
+    /// The largest total error, if a pixel was shaded that has an exact shade.
     pub worst: Option<Worst>,
-    /// The scene file in which the fault, or the largest error, is to be seen; none without a core
-    /// that ran.
+    /// The scene file that shows the fault, or the largest error; `None` if no core ran.
     #[serde(skip)]
     pub reproducer: Option<String>,
 }
 
-/// The pixel with the largest total error, and the core that made it.
+/// The pixel with the largest total error, and its core.
 #[derive(Clone, Debug, Serialize)]
 pub struct Worst {
     /// The method and its options.
@@ -51,27 +51,27 @@ pub struct Worst {
     pub method: f64,
     /// Largest error of quantisation, in LSBs.
     pub quantisation: f64,
-    /// Its proven bound, in LSBs; none where nothing is proven.
+    /// The proven bound of that error in LSBs; `None` if there is none.
     pub bound: Option<f64>,
 }
 
-/// Tries the catalogue on `methods`, row by row; `progress` is told how many parts of how many are
-/// done.
+/// Tries the catalogue with `methods`, row by row; `progress` is called with the number of parts
+/// done and the number of all parts.
 pub fn sweep(
     seed: u64,
     methods: &[Method],
-    extent: Extent,
+    extent: TrialExtent,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Vec<Cell> {
-    let draws = |(number, row): (usize, &'static Row)| {
+    let draws = |(number, row): (usize, &'static CatalogueRow)| {
         let draw = Draw::new(seed, number as u64);
         parts(row, methods).into_iter().map(move |part| (draw.clone(), row, part))
     };
-    let parts: Vec<(Draw, &Row, Option<Method>)> =
+    let parts: Vec<(Draw, &CatalogueRow, Option<Method>)> =
         CATALOGUE.iter().copied().enumerate().flat_map(draws).collect();
     let (done, all) = (AtomicUsize::new(0), parts.len() + methods.len());
     let count = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, all);
-    let one = |(mut draw, row, method): (Draw, &Row, Option<Method>)| {
+    let one = |(mut draw, row, method): (Draw, &CatalogueRow, Option<Method>)| {
         let cell = tried(row, method, &mut draw, extent);
         count();
         cell
@@ -87,25 +87,25 @@ pub fn sweep(
     cells
 }
 
-/// Every method, or none for what the host does alone.
-fn parts(row: &Row, methods: &[Method]) -> Vec<Option<Method>> {
+/// The parts of a row: one for each method, or one without a method for what the host does alone.
+fn parts(row: &CatalogueRow, methods: &[Method]) -> Vec<Option<Method>> {
     match row.trial {
         Trial::Scenes { .. } => methods.iter().copied().map(Some).collect(),
         Trial::Host { .. } => vec![None],
     }
 }
 
-fn tried(row: &Row, method: Option<Method>, draw: &mut Draw, extent: Extent) -> Cell {
+fn tried(row: &CatalogueRow, method: Option<Method>, draw: &mut Draw, extent: TrialExtent) -> Cell {
     let mut cell = Cell::empty(row.id, method);
     match (&row.trial, method) {
         (Trial::Host { what, check }, _) => {
             let error = check().err();
             cell.ask(
                 "host",
-                Asked {
+                Requirement {
                     detail: error.clone(),
                     of_row: true,
-                    ..Asked::none_of(*what, u64::from(error.is_some()), None)
+                    ..Requirement::none_of(*what, u64::from(error.is_some()), None)
                 },
             );
         }
@@ -127,7 +127,7 @@ fn tried(row: &Row, method: Option<Method>, draw: &mut Draw, extent: Extent) -> 
 }
 
 impl Cell {
-    /// Nothing tried yet.
+    /// A cell before anything is tried.
     pub(super) fn empty(row: &'static str, method: Option<Method>) -> Cell {
         Cell {
             row,
@@ -142,19 +142,19 @@ impl Cell {
         }
     }
 
-    /// What it all comes to; nothing where no core could be built.
-    pub fn verdict(&self) -> Option<Verdict> {
-        self.asked.iter().map(Asked::verdict).max()
+    /// The verdict; `None` if no core could be built.
+    pub fn verdict(&self) -> Option<RowVerdict> {
+        self.asked.iter().map(Requirement::verdict).max()
     }
 
-    /// The first thing that did not happen.
-    pub fn fault(&self) -> Option<&Asked> {
-        self.asked.iter().find(|asked| asked.verdict() == Verdict::Fault)
+    /// The first requirement that is not met.
+    pub fn fault(&self) -> Option<&Requirement> {
+        self.asked.iter().find(|asked| asked.verdict() == RowVerdict::Fault)
     }
 
-    /// Adds what was asked of a core, and what came.
-    pub(super) fn ask(&mut self, core: &str, asked: Asked) {
-        Asked::add_to(&mut self.asked, Asked { core: core.to_owned(), ..asked });
+    /// Adds a requirement on a core, and its result.
+    pub(super) fn ask(&mut self, core: &str, asked: Requirement) {
+        Requirement::add_to(&mut self.asked, Requirement { core: core.to_owned(), ..asked });
     }
 
     fn try_case(&mut self, case: &Case, variants: &[Variant]) {
@@ -170,17 +170,21 @@ impl Cell {
                 Tried::Ran(Ok(measured)) => self.add(&prepared, variant, &measured),
                 Tried::Ran(Err(what)) => {
                     self.breaks(&variant.describe(), what);
-                    self.reproducer = Some(prepared.reproducer(variant, Place::default(), true));
+                    self.reproducer =
+                        Some(prepared.reproducer(variant, PixelPlace::default(), true));
                 }
             }
         }
     }
 
-    /// A core that gave nothing.
+    /// Records a core that failed without a result.
     fn breaks(&mut self, core: &str, detail: String) {
         self.ask(
             core,
-            Asked { detail: Some(detail), ..Asked::none_of("runs that break off", 1, None) },
+            Requirement {
+                detail: Some(detail),
+                ..Requirement::none_of("runs that break off", 1, None)
+            },
         );
     }
 
@@ -190,7 +194,7 @@ impl Cell {
         }
     }
 
-    fn add(&mut self, prepared: &Prepared, variant: &Variant, measured: &Measured) {
+    fn add(&mut self, prepared: &Prepared, variant: &Variant, measured: &Measurements) {
         let (total, core, had_fault) =
             (measured.total.lsb, variant.describe(), self.fault().is_some());
         let is_worst = self.worst.as_ref().is_none_or(|worst| total > worst.total);
@@ -220,14 +224,14 @@ mod tests {
     use super::super::limits::Reason;
     use super::*;
 
-    /// A light a quarter of a unit from a wall: wrapped directions are 191 LSB off, which is told
-    /// as a limit, and what the row asks is said of whom it is asked of.
+    /// A light a quarter of a unit from a wall: wrapped directions have an error of 191 LSB, which
+    /// is reported as a limit, and the row's requirement names the cores that it applies to.
     #[test]
     fn places_wrapped_are_at_a_limit_near_a_wall() {
         let row = CATALOGUE.iter().find(|row| row.id == "40").expect("it is in the catalogue");
-        let extent = Extent { every_option: true, ..Extent::SMALL };
+        let extent = TrialExtent { every_option: true, ..TrialExtent::SMALL };
         let cell = tried(row, Some(Method::Phong), &mut Draw::new(1, 0), extent);
-        assert_eq!(cell.verdict(), Some(Verdict::Limit));
+        assert_eq!(cell.verdict(), Some(RowVerdict::Limit));
         let wrapped =
             cell.asked.iter().filter(|asked| asked.reasons.contains(&Reason::WrappedPlaces));
         let worst = wrapped.map(|asked| asked.came).fold(0.0, f64::max);

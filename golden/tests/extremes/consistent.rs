@@ -2,7 +2,7 @@
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use glam::{DQuat, DVec3};
-use specula_golden::exact::consistent_span::consistent_cosine;
+use specula_golden::exact::method::consistent::consistent_cosine;
 use specula_scene::mesh::Mesh;
 use specula_scene::mesh::normals::newell;
 use specula_scene::primitive::Primitive;

@@ -1,4 +1,4 @@
-//! docs/extremes.md, a file for each subject.
+//! The rows of docs/extremes.md, a file for each subject.
 mod anything;
 mod bases;
 mod breaks;
@@ -16,13 +16,13 @@ mod viewpoints;
 mod wrapped;
 
 use super::draw::Draw;
-use super::row::{Case, Extent, Pixel, Row, Trial, all, scenes};
+use super::row::{Case, CatalogueRow, Pixel, Trial, TrialExtent, all, scenes};
 use super::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
 use super::variant::Variant;
 
-/// Every row, in docs/extremes.md's order; then what breaks first by docs/numerics.md, and
-/// anything.
-pub static CATALOGUE: [&Row; 62] = [
+/// Every row, in the order of docs/extremes.md; then what breaks first according to
+/// docs/numerics.md, and random spans.
+pub static CATALOGUE: [&CatalogueRow; 62] = [
     &opposite::LERP,
     &opposite::DUFF,
     &opposite::WIDE,
@@ -87,18 +87,18 @@ pub static CATALOGUE: [&Row; 62] = [
     &anything::ANYTHING,
 ];
 
-/// A scene of which all spans have the same code from end to end.
+/// The case that all spans of a scene have the same code from end to end.
 fn flat_from_end_to_end(scene: SpanScene) -> Case {
-    Case::new(scene).asking("one code from end to end, bit for bit", all, |pixel| {
+    Case::new(scene).requiring("one code from end to end, bit for bit", all, |pixel| {
         pixel.code() == Pixel { i: 0, ..*pixel }.code()
     })
 }
 
-/// Random spans of a row: angles between their ends from `degrees`, half the time at one of its
-/// ends, and every length and exponent.
+/// Random spans of a row: angles between their ends from the range `degrees`, half of the time at
+/// one of its ends, and every length and exponent.
 fn spans(
     draw: &mut Draw,
-    extent: Extent,
+    extent: TrialExtent,
     degrees: [f64; 2],
     material: fn(u32) -> specula_scene::Material,
 ) -> Vec<RawSpan> {
@@ -115,7 +115,8 @@ fn spans(
     (0..extent.spans).map(|_| one(draw)).collect()
 }
 
-/// Random spans under two lights that make highlights on the first and on any.
+/// Random spans under two lights: one makes a highlight on the first span, the other on the last
+/// span.
 fn aimed(draw: &mut Draw, spans: Vec<RawSpan>) -> SpanScene {
     let light = |draw: &mut Draw, span: &RawSpan| {
         draw.aimed([span.normals[0], span.normals[1]], span.material.shininess)
