@@ -4,9 +4,9 @@ use crate::spec::{CoreOptions, Specialise};
 use crate::{CoreSpec, LoadedScene, Method, MethodSpec, Needs, SceneError};
 
 impl LoadedScene {
-    /// The core for this scene, by `method` if one is given, else by what the scene file's `[core]`
-    /// table says, else `lyon`. It is for this frame alone, unless the table has it
-    /// `specialise = "general"`.
+    /// The core for this scene, with `method` if one is given, or else the method in the scene
+    /// file's `[core]` table, or else `lyon`. It is specialised for this frame, unless the table
+    /// has `specialise = "general"`.
     ///
     /// # Errors
     /// A [`SceneError`] that points at the `[core]` table, if there is one.
@@ -18,11 +18,10 @@ impl LoadedScene {
         })
     }
 
-    /// The core that this scene would get if its needs were these: it is general, and its frame is
-    /// not looked at.
+    /// The general core that this scene would get with these needs; its frame is not looked at.
     ///
     /// # Errors
-    /// As [`LoadedScene::core_spec`].
+    /// The errors of [`LoadedScene::core_spec`].
     pub fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, SceneError> {
         let options = self.options()?;
         let spec = CoreSpec::for_scene(needs, options.as_ref(), method);
@@ -45,8 +44,8 @@ impl LoadedScene {
     }
 }
 
-/// Where every triangle has one normal, `lyon` takes it as it is, unless it is told what to do with
-/// normals.
+/// If every triangle has only one normal, `lyon` does not interpolate it, unless the `[core]` table
+/// says how to treat normals.
 fn without_interpolation(
     mut spec: CoreSpec,
     needs: &Needs,

@@ -1,4 +1,4 @@
-//! What is to be shaded, and the hardware it is to be shaded by.
+//! Scenes to be shaded, and the specification of the hardware that shades them.
 //!
 //! A scene file or mesh becomes a [`Frame`]: visible [`Span`]s of triangles. A [`CoreSpec`] says
 //! which core shades them, and [`CoreSpec::packet`] sets up each span for it.

@@ -8,7 +8,7 @@ use crate::SceneError;
 use crate::picture::{Light, LightSource, LightSpace};
 use crate::spec::LARGEST_SHININESS;
 
-/// The exponent of a spot that names none.
+/// The exponent of a spot whose table has none.
 const EXPONENT: u32 = 16;
 
 #[derive(Clone, Copy)]

@@ -44,8 +44,8 @@ pub enum Primitive {
 pub const NAMES: [&str; 4] = ["teapot", "sphere", "torus", "icosahedron"];
 
 impl Primitive {
-    /// The shape of that name with its defaults.
-    pub fn named(name: &str) -> Option<Primitive> {
+    /// The shape with that name and its default parameters.
+    pub fn by_name(name: &str) -> Option<Primitive> {
         match name {
             "teapot" => Some(Primitive::Teapot { level: 12 }),
             "sphere" => Some(Primitive::Sphere { level: 16 }),
@@ -55,8 +55,7 @@ impl Primitive {
         }
     }
 
-    /// The same shape, tessellated at `level`; the range of levels that it can have if that is not
-    /// one.
+    /// The same shape, tessellated at `level`; the error is the range of its levels.
     pub fn at_level(self, level: u32) -> Result<Primitive, std::ops::RangeInclusive<u32>> {
         let (range, shape) = match self {
             Primitive::Teapot { .. } => (1..=64, Primitive::Teapot { level }),
@@ -69,7 +68,7 @@ impl Primitive {
 
     /// The shape's triangles, counter-clockwise seen from outside, and its exact normals.
     ///
-    /// Levels outside the stated ranges are brought into them.
+    /// Levels outside the stated ranges are clamped.
     pub fn mesh(self) -> Mesh {
         match self {
             Primitive::Teapot { level } => teapot::mesh(level.clamp(1, 64)),
@@ -89,8 +88,8 @@ struct Grid {
 }
 
 impl Grid {
-    /// Samples a surface, given as place and unit normal, at the corners of `rows` times `columns`
-    /// cells; the closure is given the indices of a corner.
+    /// Samples a surface, given as position and unit normal, at the corners of `rows` times
+    /// `columns` cells; the closure is called with the indices of a corner.
     fn sample(
         rows: u32,
         columns: u32,
@@ -101,10 +100,10 @@ impl Grid {
         Grid { columns, positions, normals }
     }
 
-    /// Appends the grid's triangles to a mesh: two a cell, those without area left out, each turned
-    /// to the side its normals point to.
+    /// Appends the grid's triangles to a mesh: two for each cell, without those that have no area,
+    /// each with the orientation of its normals.
     fn append_to(self, mesh: &mut Mesh) {
-        // Levels are bounded, so that indices fit.
+        // Levels are bounded, so indices fit.
         let (across, rows) =
             (self.columns + 1, self.positions.len() as u32 / (self.columns + 1) - 1);
         let first = mesh.positions.len() as u32;
@@ -124,8 +123,8 @@ impl Grid {
         mesh.positions.extend(self.positions);
     }
 
-    /// The triangle turned so that its own normal agrees with its vertex normals, if it has an
-    /// area.
+    /// The triangle, reversed if necessary so that its own normal agrees with its vertex normals;
+    /// `None` if it has no area.
     fn outward(&self, triangle: [u32; 3]) -> Option<([u32; 3], Facet)> {
         let facet = Facet::of_polygon(&triangle.map(|k| self.positions[k as usize]))?;
         let normals: DVec3 = triangle.iter().map(|&k| self.normals[k as usize]).sum();
@@ -137,7 +136,7 @@ impl Grid {
     }
 }
 
-/// A mesh without anything yet.
+/// An empty mesh.
 fn empty() -> Mesh {
     Mesh { positions: Vec::new(), triangles: Vec::new(), normals: Vec::new(), facets: Vec::new() }
 }

@@ -1,4 +1,4 @@
-//! Cones about vertex normals that hold the normals of all faces around the vertex [Reshetov,
+//! Cones about vertex normals that contain the normals of all faces around the vertex [Reshetov,
 //! Soupikov and Mark; methods D].
 use std::collections::HashMap;
 
@@ -6,46 +6,46 @@ use glam::DVec3;
 
 use crate::VertexCone;
 
-/// Places count as one when they agree in this share of the object's extent: corners computed on
-/// both sides of a seam do, but for rounding.
+/// Places count as equal if they agree to within this share of the object's extent: corners
+/// computed on both sides of a seam do, apart from rounding.
 const PLACE: f64 = 1.0 / (1u64 << 32) as f64;
 
-/// Unit normals count as one when their components agree in this.
+/// Unit normals count as equal if their components agree to within this.
 const NORMAL: f64 = 1.0 / (1u64 << 20) as f64;
 
-/// Repair is given up after so many turns; 2 of 19 000 random fans were left over then (extremes
-/// row 48).
-const MOST_TURNS: usize = 200;
+/// Repair is given up after this many reflections; 2 of 19 000 random fans were not repaired then
+/// (extremes row 48).
+const MAX_REFLECTIONS: usize = 200;
 
-/// A triangle as far as cones ask.
+/// A triangle, with what cones need.
 pub(super) struct Face {
     /// Its corners.
     pub places: [DVec3; 3],
-    /// Unit normals there.
+    /// Unit normals at the corners.
     pub normals: [DVec3; 3],
-    /// Its own normal, on the side to which those point; `None` for a triangle without area.
+    /// Its own normal, on the side to which these point; `None` for a triangle without area.
     pub outward: Option<DVec3>,
 }
 
-/// What corners have in common that belong to one vertex with one normal: place and normal, in
-/// units of [`PLACE`] and [`NORMAL`].
+/// What identifies corners that belong to one vertex with one normal: place and normal, in units of
+/// [`PLACE`] and [`NORMAL`].
 type Key = [i64; 6];
 
 /// The faces around vertices.
-pub(super) struct Fans {
+pub(super) struct VertexFans {
     extent: f64,
     fans: HashMap<Key, Vec<DVec3>>,
 }
 
-impl Fans {
-    /// The faces around the corners of `wanted`, found among all `faces` of an object no coordinate
-    /// of which exceeds `extent`.
+impl VertexFans {
+    /// The faces around the corners of `wanted`, found among all `faces` of an object whose
+    /// coordinates do not exceed `extent`.
     pub fn around(
         wanted: impl Iterator<Item = Face>,
         faces: impl Iterator<Item = Face>,
         extent: f64,
-    ) -> Fans {
-        let mut fans = Fans { extent, fans: HashMap::new() };
+    ) -> VertexFans {
+        let mut fans = VertexFans { extent, fans: HashMap::new() };
         for face in wanted {
             for key in fans.keys(&face) {
                 fans.fans.entry(key).or_default();
@@ -79,12 +79,12 @@ impl Fans {
     }
 }
 
-/// The cone of a vertex with this normal, repaired if need be: while it is more than 90 degrees
-/// from a face, it is mirrored at the plane of the worst, N ← N - 2(N·n)n [methods D, with ε =
-/// 1].
+/// The cone of a vertex with this normal, which is repaired if necessary: while it is more than 90
+/// degrees from a face, it is reflected at the plane of the worst one, N ← N - 2(N·n)n [methods D,
+/// with ε = 1].
 fn cone(normal: DVec3, faces: &[DVec3]) -> VertexCone {
     let mut axis = normal;
-    for _ in 0..MOST_TURNS {
+    for _ in 0..MAX_REFLECTIONS {
         let worst = faces.iter().copied().min_by(|a, b| axis.dot(*a).total_cmp(&axis.dot(*b)));
         match worst {
             Some(face) if axis.dot(face) < 0.0 => {
@@ -148,7 +148,7 @@ mod tests {
             ]
             .into_iter()
         };
-        let fans = Fans::around(faces(), faces(), 1.0);
+        let fans = VertexFans::around(faces(), faces(), 1.0);
         let cosines: Vec<f64> = faces().map(|face| fans.cones(&face)[0].cosine).collect();
         assert_eq!(cosines[..2], [0.8, 0.8]);
         assert!((cosines[2] - 1.0).abs() < 1e-15);
