@@ -1,8 +1,8 @@
 //! The origin of a core's error bound: the share of it that each narrowing point contributes.
 use rayon::prelude::*;
 use serde::Serialize;
-use specula_scene::spec::NarrowingPoint;
-use specula_scene::{CoreSpec, Format, Frame};
+use specula_scene::Frame;
+use specula_spec::{CoreSpec, Format, NarrowingPoint};
 
 /// Numbers of added fraction bits with which a rounding contributes next to nothing; the smaller
 /// ones are for formats that may not have so many.

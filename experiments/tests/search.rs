@@ -1,10 +1,8 @@
 //! Cores within an error that is asked for.
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
 use specula_experiments::search;
-use specula_scene::{CoreSpec, Method, load};
+use specula_fixtures::each_method;
+use specula_scene::load;
+use specula_spec::{CoreSpec, Method, SceneCore};
 use specula_testbench::{Bench, EngineKind};
 
 fn multiplier_bits(spec: &CoreSpec) -> u64 {

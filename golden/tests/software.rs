@@ -4,6 +4,7 @@
 //! A scheme is given neither the number of the pixel nor anything but the operations of [`Number`],
 //! so that all of them go from pixel to pixel.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, tilted};
 use specula_golden::exact::MethodSpan;
 use specula_golden::exact::formula::wrap;
 use specula_golden::loops::software::{METHODS, Mesh, by_name};
@@ -15,12 +16,9 @@ use specula_golden::loops::{
     Trigonometric, TrowbridgeReitz, Uniform, Unit,
 };
 use specula_scene::frame::EYE;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::spec::phong::Places;
-use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Needs, Spot};
-
-mod common;
-use common::{frame, material, tilted};
+use specula_scene::{Frame, LocalLight, Needs, Spot};
+use specula_spec::phong::Places;
+use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec};
 
 const STEPS: u32 = 64;
 const SHININESS: u32 = 16;

@@ -72,10 +72,6 @@ pub enum SceneError {
         #[help]
         help: String,
     },
-    /// The core that the scene or the user asks for cannot be built.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Spec(#[from] crate::spec::SpecError),
 }
 
 impl From<MeshError> for SceneError {

@@ -2,8 +2,8 @@
 use std::path::Path;
 
 use crate::file::{CoreTable, SceneFile, SourceFile};
-use crate::mesh::error::{EXTENSIONS, listed};
-use crate::mesh::{self, Mesh, Warning};
+use crate::mesh::error::listed;
+use crate::mesh::{self, EXTENSIONS, Mesh, Warning};
 use crate::picture::camera::Camera;
 use crate::picture::{Object, Scene};
 use crate::{Frame, SceneError, Surface, builtin, defaults};
@@ -27,7 +27,7 @@ pub struct LoadedScene {
 }
 
 /// Largest length of a name that is made from a file's name, in characters.
-pub(crate) const LONGEST_NAME: usize = 48;
+pub const LONGEST_NAME: usize = 48;
 
 /// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh
 /// (`.obj`, `.ply`, `.stl`, `.glb`). `size` in pixels takes precedence over the scene's own.
@@ -44,13 +44,13 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
         let source = SourceFile::new(&format!("{scene}.toml"), text.to_owned());
         return finish(scene, scene, SceneFile::parse(&source, None)?, size);
     }
-    let name = scene_name(path);
+    let name = module_name(path);
     if mesh::extension(path).is_some() {
         let (mesh, warnings) = Mesh::read(path)?;
         return finish(scene, &name, SceneFile::without_text(mesh_scene(mesh), warnings), size);
     }
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
-        let source = read_text("scene file", path)?;
+        let source = SourceFile::read("scene file", path)?;
         return finish(scene, &name, SceneFile::parse(&source, path.parent())?, size);
     }
     let help = format!(
@@ -70,7 +70,7 @@ pub fn parse(name: &str, text: String) -> Result<LoadedScene, SceneError> {
     let source = SourceFile::new(name, text);
     finish(
         name,
-        &scene_name(Path::new(name)),
+        &module_name(Path::new(name)),
         SceneFile::parse(&source, Some(Path::new("")))?,
         None,
     )
@@ -110,30 +110,8 @@ fn mesh_scene(mesh: Mesh) -> Scene {
     }
 }
 
-/// The text of a file of the given kind.
-pub(crate) fn read_text(kind: &'static str, path: &Path) -> Result<SourceFile, SceneError> {
-    let shown = path.display().to_string();
-    let unreadable = |reason: String, help: &str| SceneError::Unreadable {
-        kind,
-        path: shown.clone(),
-        reason,
-        help: help.into(),
-    };
-    let bytes = mesh::read_file(path)
-        .map_err(|problem| unreadable(problem.to_string(), "check the path"))?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
-        unreadable(
-            format!("it is not UTF-8 text: byte {at}, in line {line}, is wrong"),
-            "scenes and specs are TOML, in UTF-8",
-        )
-    })?;
-    Ok(SourceFile::new(&shown, text))
-}
-
 /// A path's stem in the form of [`LoadedScene::name`].
-pub(crate) fn scene_name(path: &Path) -> String {
+pub fn module_name(path: &Path) -> String {
     let stem =
         path.file_stem().map(|stem| stem.to_string_lossy().to_lowercase()).unwrap_or_default();
     let plain =
@@ -160,8 +138,8 @@ mod tests {
             ("", "scene"),
             ("x.tar.gz", "x_tar"),
         ] {
-            assert_eq!(scene_name(Path::new(path)), name);
+            assert_eq!(module_name(Path::new(path)), name);
         }
-        assert_eq!(scene_name(Path::new(&"9".repeat(300))).len(), LONGEST_NAME);
+        assert_eq!(module_name(Path::new(&"9".repeat(300))).len(), LONGEST_NAME);
     }
 }

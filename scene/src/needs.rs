@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::contributions::Contributions;
 use crate::frame::{EYE, Frame, LocalLight, Span, Triangle};
 use crate::parallel::ParallelSpan;
-use crate::spec::Wrap;
+use crate::wrap::Wrap;
 
 /// The needs of shading a frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -17,7 +17,7 @@ pub struct Needs {
     pub local_lights: Vec<LocalKind>,
     /// Whether the eye that sees highlights is at a place.
     pub local_eye: bool,
-    /// Pixels of the longest span.
+    /// Length of the longest span in pixels.
     pub longest_span: u32,
     /// Smallest exponent n of a material.
     pub smallest_shininess: u32,

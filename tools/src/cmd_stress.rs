@@ -13,7 +13,7 @@ use specula_experiments::climb::Search;
 use specula_experiments::stress::{
     CATALOGUE, Cell, RAW, RAW_INPUT, RowVerdict, TrialExtent, sweep,
 };
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::arguments::method_parser;
 use crate::error::ToolError;

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header};
-use specula_scene::{CoreSpec, SpecFile, builtin_names};
+use specula_scene::builtin_names;
+use specula_spec::{CoreSpec, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
 use crate::table;
@@ -172,15 +173,16 @@ pub fn bound(lsb: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use specula_spec::SceneCore;
+
     use super::*;
     use crate::arguments::PictureArguments;
 
     fn origin(scene: &str, size: Option<(u32, u32)>) -> Origin {
         let arguments =
             SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
-        let spec = specula_scene::load("icosahedron", Some((8, 6)))
-            .and_then(|scene| scene.core_spec(None))
-            .expect("it has a core");
+        let scene = specula_scene::load("icosahedron", Some((8, 6))).expect("it is built in");
+        let spec = scene.core_spec(None).expect("it has a core");
         Origin::of_scene(&arguments, &CoreArguments::default(), &spec)
     }
 

@@ -1,9 +1,8 @@
 //! Ablations of inputs: the core elaborated without known values or ranges of some of its inputs.
 use rayon::prelude::*;
-use specula_scene::CoreSpec;
-use specula_scene::spec::{Given, InputPort, Subject};
+use specula_spec::{CoreSpec, Given, InputPort, Subject};
 
-use super::Ablation;
+use super::core::Ablation;
 use specula_testbench::BenchError;
 
 /// The ablations of inputs, one group at a time.

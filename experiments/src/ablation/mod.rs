@@ -4,6 +4,7 @@
 //! There are two kinds of knowledge about a scene: premises, from which options and formats are
 //! chosen before any input is looked at ([`needs`]), and the values of inputs over the frame
 //! ([`inputs`]).
+mod core;
 mod general;
 mod inputs;
 mod needs;
@@ -12,11 +13,13 @@ mod size_delta;
 
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_scene::{CoreSpec, LoadedScene};
+use specula_scene::LoadedScene;
+use specula_spec::CoreSpec;
+use specula_testbench::BenchError;
 
+use core::Ablation;
 use general::General;
 use size_delta::Built;
-use specula_testbench::BenchError;
 
 pub use general::Baseline;
 pub use size_delta::{CellDelta, SizeDelta, Synthesis};
@@ -109,12 +112,4 @@ pub fn ablation(
         saves: SizeDelta::between(built, special),
     };
     Ok(Savings { needs, together: generals.iter().zip(of_generals).map(against).collect() })
-}
-
-/// The core elaborated without knowing one need.
-struct Ablation {
-    need: &'static str,
-    left_out: String,
-    safe: &'static str,
-    design: Design,
 }

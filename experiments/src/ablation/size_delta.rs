@@ -36,7 +36,7 @@ pub struct CellDelta {
     pub luts: i64,
     /// Multipliers of 18 x 18 bits.
     pub multipliers: i64,
-    /// Flip-flops.
+    /// Number of flip-flops.
     pub flip_flops: i64,
 }
 

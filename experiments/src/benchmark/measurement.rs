@@ -8,7 +8,7 @@ use specula_testbench::statistics::median;
 pub struct Measurement {
     /// The machine.
     pub machine: Machine,
-    /// Clocks that a frame takes.
+    /// Clocks for one frame.
     pub clocks_of_a_frame: u64,
     /// The engines and modes that were measured, in their order.
     pub rows: Vec<EngineResult>,

@@ -1,6 +1,6 @@
 //! One climber: it starts from random scenes again and again until it has tried as many scenes as
 //! it may.
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::genome::Genome;
 use super::measure::{Bound, Measure, Unmeasured, measure};
@@ -36,7 +36,7 @@ const AMBIENTS: u64 = 24;
 pub struct Found {
     /// The scene and its core.
     pub genome: Genome,
-    /// What was measured.
+    /// The measurement.
     pub measure: Measure,
 }
 

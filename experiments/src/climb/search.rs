@@ -1,6 +1,6 @@
 //! The search: climbers with every method.
 use rayon::prelude::*;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::ascent::{Ascent, Found};
 use super::genome::Genome;

@@ -1,6 +1,6 @@
 //! Minimises scenes that show a fault.
 use glam::DVec3;
-use specula_scene::spec::{LightPipelines, Specialise};
+use specula_spec::{LightPipelines, Specialise};
 
 use super::genome::Genome;
 use crate::stress::scene::{RawSpan, SpanScene};

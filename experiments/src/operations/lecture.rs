@@ -1,6 +1,7 @@
 //! The operation counts that the lecture prints, compared with the cores.
 use specula_datapath::Design;
-use specula_scene::{Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::Method;
 
 use super::{Contents, general_core};
 use specula_testbench::BenchError;

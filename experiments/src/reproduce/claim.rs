@@ -1,7 +1,10 @@
 //! Claims of a paper: what is claimed, what is measured, and what follows.
 use serde::Serialize;
 
-use super::Paper;
+use super::paper::Paper;
+
+/// Half an LSB of full scale.
+pub(super) const HALF_LSB: f64 = 0.5 / specula_spec::FULL_SCALE;
 
 /// A claim.
 pub(super) struct Claim {

@@ -1,8 +1,8 @@
 //! A core that shades single spans.
 use glam::DVec3;
 use specula_golden::fixed::{Model, Observation};
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{CoreSpec, Frame, Material, Needs, parse};
+use specula_scene::{Frame, Material, Needs, parse};
+use specula_spec::{CoreSpec, FULL_SCALE};
 
 use crate::stress::scene::{RawSpan, SpanScene};
 use crate::stress::variant::Variant;
@@ -44,7 +44,7 @@ impl SpanCore {
 
 /// The value of that name.
 pub fn value(trace: &[Observation], name: &str) -> Option<f64> {
-    trace.iter().find(|observation| observation.name == name).map(Observation::value)
+    Observation::named(trace, name).map(Observation::value)
 }
 
 /// The vector whose components have that name.

@@ -1,6 +1,6 @@
 //! Measurements of a core that has shaded a scene, and the requirements on them.
 use specula_golden::exact::{MethodSpan, PhongSpan};
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 use super::limits::{EXACT, Limits, Reason, Rounding};
 use super::requirement::{QUANTISATION, Requirement};
@@ -10,7 +10,7 @@ use specula_testbench::{Bench, Outcome};
 /// A number of things, and the first of them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counted {
-    /// How many there are.
+    /// How many exist.
     pub number: u64,
     /// The place of the first one.
     pub first: Option<PixelPlace>,
@@ -270,7 +270,8 @@ fn pixel_of(bench: &Bench, clock: u64) -> PixelPlace {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::{CoreSpec, Method, Needs, parse};
+    use specula_scene::{Needs, parse};
+    use specula_spec::{CoreSpec, Method};
 
     use super::super::draw::tilted;
     use super::super::requirement::RowVerdict;

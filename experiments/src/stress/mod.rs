@@ -8,6 +8,7 @@
 //! documented [`limits`] of the method. The results are reported next to the requirements, for each
 //! method.
 mod catalogue;
+mod cell;
 pub(crate) mod draw;
 pub mod drift;
 pub mod limits;
@@ -22,9 +23,10 @@ mod trial;
 pub mod variant;
 
 pub use catalogue::CATALOGUE;
+pub use cell::{Cell, Worst};
 pub use measured::{Counted, Far, Largest, Measurements};
 pub use page::{page, row_requirements};
 pub use raw::{ID as RAW, INPUT as RAW_INPUT};
 pub use requirement::{Requirement, RowVerdict};
 pub use row::{PixelPlace, TrialExtent};
-pub use sweep::{Cell, Worst, sweep};
+pub use sweep::sweep;

@@ -1,10 +1,10 @@
 //! The catalogue as a page: for each row the requirements on each method, the results, and the
 //! limits.
 use super::catalogue::CATALOGUE;
+use super::cell::Cell;
 use super::limits::Reason;
 use super::raw;
 use super::requirement::{Requirement, RowVerdict};
-use super::sweep::Cell;
 
 const HEAD: &str = "\
 # What is asked of each method in each row of the catalogue of extremes, and what came
@@ -18,7 +18,7 @@ Of every method it is asked everywhere that no pixel is other than the bit-true 
 comes in its clock, that stated facts hold, that every shade is a number from 0 to 255, that no error
 of quantisation is beyond its proven bound (one of 255 LSB or more says nothing, and counts as none),
 and that no pixel is farther from exact shading than 1 LSB or than the documented limits below. What a
-row requirements row_requirements, and of which methods, stands under `asked besides`.
+row asks besides, and of which methods, stands under `asked besides`.
 
 A method *holds* if all of that happens and no pixel is more than 1 LSB off. It is at its *limit* if
 it is farther off, for a reason that is listed below and by no more than that allows: `came of most`

@@ -2,15 +2,15 @@
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 use specula_golden::fixed::Model;
-use specula_scene::spec::{InputPort, SpecError};
-use specula_scene::{CoreSpec, Method, Needs, SpanPacket, parse};
+use specula_scene::{Needs, parse};
 use specula_sim::{Engine, Fast, Flow, Stimulus};
+use specula_spec::{CoreSpec, InputPort, Method, SpanPacket, SpecError};
 
+use super::cell::Cell;
 use super::draw::{Draw, tilted};
 use super::requirement::Requirement;
 use super::row::{PixelPlace, TrialExtent};
 use super::scene::{RawSpan, SpanScene, lit};
-use super::sweep::Cell;
 use super::variant::Variant;
 use specula_testbench::Monitor;
 use specula_testbench::checker;

@@ -1,7 +1,7 @@
 //! The rows of the catalogue: what they are made of.
 use specula_golden::exact;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{CoreSpec, Frame, Span};
+use specula_scene::{Frame, Span};
+use specula_spec::{CoreSpec, FULL_SCALE};
 
 use super::draw::Draw;
 use super::scene::SpanScene;
@@ -143,7 +143,7 @@ pub fn all(_: &CoreSpec) -> bool {
 pub struct Shaded<'a> {
     /// The core.
     pub spec: &'a CoreSpec,
-    /// The frame.
+    /// The shaded frame.
     pub frame: &'a Frame,
     /// The outcome of the simulation.
     pub outcome: &'a Outcome,

@@ -1,7 +1,8 @@
 //! The trial of one scene with one core.
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use specula_scene::{CoreSpec, Frame, Needs, SceneError, parse};
+use specula_scene::{Frame, Needs, SceneError, parse};
+use specula_spec::CoreSpec;
 
 use super::measured::Measurements;
 use super::requirement::{Requirement, RowVerdict};
@@ -96,7 +97,7 @@ fn has_fault(measured: &Measurements) -> bool {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
-    use specula_scene::Method;
+    use specula_spec::{Method, SceneCore};
 
     use super::super::row::all;
     use super::super::scene::{RawSpan, matt};

@@ -1,9 +1,8 @@
 //! The software software_equivalent of a core: the paper's loop that computes the same.
-use specula_scene::CoreSpec;
-use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::spec::lyon::{Difference, Halfway, LyonSpec, Normals};
-use specula_scene::spec::{
-    ConsistentSpec, DirectSpec, MethodSpec, consistent, direct, duff, phong, reflection,
+use specula_spec::gouraud::Interpolation;
+use specula_spec::lyon::{Difference, Halfway, LyonSpec, Normals};
+use specula_spec::{
+    ConsistentSpec, CoreSpec, DirectSpec, MethodSpec, consistent, direct, duff, phong, reflection,
 };
 
 /// The name of the loop that computes the same as a core, if there is one.
@@ -91,7 +90,8 @@ fn of_direct(spec: &DirectSpec) -> &'static str {
 #[cfg(test)]
 mod tests {
     use specula_golden::loops::software::by_name;
-    use specula_scene::{CoreSpec, Method, Needs, load};
+    use specula_scene::{Needs, load};
+    use specula_spec::{CoreSpec, Method};
 
     use super::software_equivalent;
     use crate::stress::variant::Variant;

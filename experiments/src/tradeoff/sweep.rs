@@ -1,7 +1,8 @@
 //! Runs all configurations of a sweep in parallel.
 use miette::Diagnostic;
 use rayon::prelude::*;
-use specula_scene::{CoreSpec, LoadedScene};
+use specula_scene::LoadedScene;
+use specula_spec::CoreSpec;
 use thiserror::Error;
 
 use super::{Configuration, Journal, JournalError, Measured};
@@ -30,7 +31,7 @@ pub struct SweepResult {
 pub struct Measurement {
     /// The core.
     pub spec: CoreSpec,
-    /// What was measured.
+    /// The measured figures.
     pub measured: Measured,
     /// Whether the journal contained it.
     pub known: bool,

@@ -8,7 +8,8 @@ pub mod figure9;
 pub mod formula;
 pub mod method;
 
-use specula_scene::{CoreSpec, Frame, Span};
+use specula_scene::{Frame, Span};
+use specula_spec::CoreSpec;
 
 pub use method::{
     ConsistentSpan, DirectSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, MethodSpan, PhongSpan,

@@ -1,7 +1,7 @@
 //! Watching the values of one pixel as they are worked out.
 use std::fmt;
 
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::number::{Wide, round_to, to_raw};
 use super::vector::{AXES, Vector};
@@ -19,6 +19,11 @@ pub struct Observation {
 }
 
 impl Observation {
+    /// The value of that name among those of a pixel, if there is one.
+    pub fn named<'a>(trace: &'a [Observation], name: &str) -> Option<&'a Observation> {
+        trace.iter().find(|observation| observation.name == name)
+    }
+
     /// What the raw value stands for.
     pub fn value(&self) -> f64 {
         self.format.value(self.raw)

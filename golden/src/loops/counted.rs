@@ -3,7 +3,7 @@ use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Sub};
 
 use super::Number;
-use crate::loops::operations::Operations;
+use super::operation_counts::Operations;
 
 thread_local! {
     static DONE: Cell<Operations> = const { Cell::new(Operations::NONE) };

@@ -13,6 +13,7 @@ mod gouraud;
 mod line;
 mod lyon;
 mod number;
+mod operation_counts;
 pub mod operations;
 mod phong;
 mod place;
@@ -35,6 +36,7 @@ pub use lyon::{
     Unit,
 };
 pub use number::{Number, power};
+pub use operation_counts::Operations;
 pub use phong::{FastPhong, Phong};
 pub use place::{Normalised, PlaceDirection, SeenPlace, Wrapped};
 pub use reflection::{Chained, Reflection, ReflectionBlinn, ReflectionHybrid, ReflectionRoot};

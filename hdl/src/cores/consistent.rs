@@ -1,13 +1,14 @@
 //! The core for consistent normal interpolation.
-use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
-use specula_scene::{CoreSpec, Format};
+use specula_spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
+use specula_spec::{CoreSpec, Format};
 
-use super::{eye, finish, pipelines, turns};
+use super::{eye, finish, pipelines, time_slots};
 use crate::error;
 use crate::error::consistent_reflection::Consistency;
 use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
+use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::{Design, ErrorForm};
+use specula_datapath::design::Design;
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection.
 /// [Reshetov, Soupikov and Mark]
@@ -16,11 +17,11 @@ pub(super) fn core(
     spec: &CoreSpec,
     consistent: &ConsistentSpec,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = consistent.inputs(spec).map(|port| b.input(port));
     let (f, steps) = (&consistent.formats, spec.longest_span - 1);
     let span = SpanNormals {
-        first: &turns.first_pixel,
+        first: &slots.first_pixel,
         start: &Vector::new(inputs.normal_start),
         delta: &Vector::new(inputs.normal_delta),
         weight_step: &inputs.weight_step,
@@ -44,7 +45,7 @@ pub(super) fn core(
     };
     let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
     let angles = SpanAngles {
-        first: &turns.first_pixel,
+        first: &slots.first_pixel,
         start: &inputs.angle_start,
         step: &inputs.angle_step,
     };
@@ -63,12 +64,12 @@ pub(super) fn core(
         r: r.as_ref(),
     };
     let exponent = &inputs.exponent;
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light, exponent))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// q at the largest angle that a vertex has.
@@ -149,7 +150,7 @@ impl Pixel<'_> {
                     true => base
                         .stated_error_value(cosine.error_value())
                         .known_cosine(off.angle(), rest),
-                    false => base.stated_error_value(1.0).of_error_form(ErrorForm::Bounded),
+                    false => base.stated_error_value(1.0).of_error_model(ErrorModel::Bounded),
                 }
             },
         )

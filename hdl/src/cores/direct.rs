@@ -1,23 +1,23 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_scene::spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
-use specula_scene::{CoreSpec, Format};
+use specula_spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
+use specula_spec::{CoreSpec, Format};
 
-use super::{finish, pipelines, turns};
-use crate::error::angular::Angular;
+use super::{finish, pipelines, time_slots};
 use crate::error::direct::{Product, normal_by_newton, unit_normal};
 use crate::units::{self, DirectedBase, Light, NewtonRoot, QuotientFormat};
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = direct.inputs(spec).map(|port| b.input(port));
     let formats = &direct.formats;
     let t = units::parameter(
         &b,
-        &turns.first_pixel,
+        &slots.first_pixel,
         &inputs.weight_step,
         formats,
         spec.longest_span - 1,
@@ -27,7 +27,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
     let length = length(
         &b,
-        Squared { first: &turns.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
+        Squared { first: &slots.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
         spec,
         direct,
     );
@@ -41,12 +41,12 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
         smallest_q,
         exponent: &inputs.exponent,
     };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// What a pixel's length is made of.
@@ -72,7 +72,7 @@ struct Length {
 /// What the base of the highlight is made of.
 enum Highlight {
     /// J and this K.
-    OfCosines(Sig),
+    Angulars(Sig),
     /// p_L and this p_V/q, whose product is known so well.
     OfQuotient(Sig, Option<Product>),
 }
@@ -92,7 +92,7 @@ fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Len
             let k = b.instance("n_dot_v", || {
                 units::direct_cosine(b, view, &reciprocal, formats, normal)
             });
-            Length { reciprocal, normal, highlight: Highlight::OfCosines(k) }
+            Length { reciprocal, normal, highlight: Highlight::Angulars(k) }
         }
         Root::Newton => {
             let newton = NewtonRoot { steps: direct.newton_steps, shortest };
@@ -161,7 +161,7 @@ impl Pixel<'_> {
 
     fn base<'a>(&'a self, p: &'a Sig, j: &'a Sig, light: &'a DirectLight<Sig>) -> DirectedBase<'a> {
         let (factors, known) = match &self.length.highlight {
-            Highlight::OfCosines(k) => ([j, k], units::product_of_cosines([j, k])),
+            Highlight::Angulars(k) => ([j, k], units::product_of_cosines([j, k])),
             Highlight::OfQuotient(k, known) => ([p, k], *known),
         };
         DirectedBase {

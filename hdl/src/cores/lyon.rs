@@ -1,23 +1,24 @@
 //! Lyon's core.
-use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{
+use specula_spec::CoreSpec;
+use specula_spec::lyon::{
     Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath,
 };
 
-use super::{eye, finish, pipelines, turns, unit_vector};
+use super::{eye, finish, pipelines, time_slots, unit_vector};
 use crate::error;
-use crate::units::{self, Follow, Interpolation, LengthOff, Light, SpanNormals, WrapFormats};
+use crate::units::{self, Follow, Interpolation, LengthError, Light, SpanNormals, WrapFormats};
+use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::{Design, ErrorForm};
+use specula_datapath::design::Design;
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
 /// 43, fig. 6 to 8]
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
-    let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs, spec, lyon);
-    let lights = pipelines(&turns, &inputs.lights);
-    let apart = if turns.count() == 1 { least_distance(&lights) } else { 0.0 };
+    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs, spec, lyon);
+    let lights = pipelines(&slots, &inputs.lights);
+    let apart = if slots.count() == 1 { least_distance(&lights) } else { 0.0 };
     let shortest = shortest_normal(spec, lyon);
     let pixel = Pixel {
         b: &b,
@@ -30,7 +31,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
     };
     let lights: Vec<Light> =
         lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// n at each pixel, and whether it has a direction.
@@ -129,17 +130,17 @@ impl Pixel<'_> {
         let (b, formats) = (self.b, &self.lyon.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
-        let (d, length_off) = b.instance(&called("difference"), || self.difference(light));
+        let (d, length_error) = b.instance(&called("difference"), || self.difference(light));
         let shape = || match self.lyon.shape {
             ShapeDatapath::FK => {
                 let f = units::shape(
                     b,
-                    (&d, length_off),
+                    (&d, length_error),
                     self.shininess,
                     self.has_direction,
                     self.lyon,
                 );
-                self.alone(f, &d, length_off)
+                self.alone(f, &d, length_error)
             }
             ShapeDatapath::Root => {
                 units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon)
@@ -162,7 +163,7 @@ impl Pixel<'_> {
     /// but one are at least half as long as lights are apart. With exponents from
     /// [`error::shape::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is
     /// off for those.
-    fn alone(&self, f: Sig, d: &Vector, length_off: LengthOff) -> Sig {
+    fn alone(&self, f: Sig, d: &Vector, length_error: LengthError) -> Sig {
         let off = d.off().length;
         let dark = error::shape::least_dark_exponent(self.apart / 2.0 - off, self.lyon);
         let largest = self.shininess.range().magnitude();
@@ -172,13 +173,13 @@ impl Pixel<'_> {
         {
             return f;
         }
-        f.of_error_form(ErrorForm::OneOfSeveral {
-            together: error::shape::bound(off, length_off, dark, self.lyon),
+        f.of_error_model(ErrorModel::Exclusive {
+            together: error::shape::bound(off, length_error, dark, self.lyon),
         })
     }
 
     /// D, and how far its length is off.
-    fn difference(&self, light: &LyonLight<Sig>) -> (Vector, LengthOff) {
+    fn difference(&self, light: &LyonLight<Sig>) -> (Vector, LengthError) {
         let (b, n, formats) = (self.b, self.n, &self.lyon.formats);
         let direction = unit_vector(&light.direction, formats.vector);
         let Some(halfway) = light.halfway.clone().map(Vector::new) else {
@@ -204,7 +205,7 @@ impl Pixel<'_> {
             Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
             _ => units::halfway_projection(b, &h, n, formats),
         };
-        let length_off = LengthOff::whole(d.off().length);
-        (d, length_off)
+        let length_error = LengthError::whole(d.off().length);
+        (d, length_error)
     }
 }

@@ -13,11 +13,10 @@ mod slerp;
 
 use std::rc::Rc;
 
-use specula_scene::spec::EachInput;
-use specula_scene::{CoreSpec, Format, MethodSpec};
+use specula_spec::{CoreSpec, EachInput, Format, MethodSpec};
 
 use crate::units::{self, Coefficients, Light};
-use specula_datapath::builder::{BuildError, Builder, Sig, Turns, Vector};
+use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots, Vector};
 use specula_datapath::design::Design;
 use specula_datapath::target::Generic;
 
@@ -84,15 +83,15 @@ fn unit_vector(components: &[Sig; 3], format: Format) -> Vector {
     Vector::new(components.clone()).no_longer_than(1.0 + format.ulp())
 }
 
-/// Opens the control inputs; lights that share a pipeline take turns from there on.
-fn turns(b: &Builder, spec: &CoreSpec) -> Turns {
-    b.take_turns(&b.control(), spec.interval())
+/// Opens the control inputs; lights that share a pipeline have a time slot each from there on.
+fn time_slots(b: &Builder, spec: &CoreSpec) -> TimeSlots {
+    b.time_slots(&b.control(), spec.interval())
 }
 
-/// The inputs of each pipeline: those of each light, or of the light whose turn it is. Lights are
+/// The inputs of each pipeline: those of each light, or of the light whose time slot it is. Lights are
 /// alike: they have the same inputs.
-fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
-    if turns.count() == 1 {
+fn pipelines<L: EachInput<Value = Sig>>(slots: &TimeSlots, lights: &[L]) -> Vec<L> {
+    if slots.count() == 1 {
         return lights.iter().map(|light| light.each(Sig::clone)).collect();
     }
     let inputs = |light: &L| {
@@ -108,7 +107,7 @@ fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
         (0..).map(|k| of_lights.iter().map(|inputs| inputs[k].clone()).collect::<Vec<Sig>>());
     let selected = |first: &L| {
         first.each(|input| {
-            columns.next().map_or_else(|| input.clone(), |column| turns.select(&column))
+            columns.next().map_or_else(|| input.clone(), |column| slots.multiplexed(&column))
         })
     };
     lights.first().map(selected).into_iter().collect()
@@ -117,10 +116,10 @@ fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
 /// The codes of the lights' sum are the core's outputs.
 fn finish(
     b: &Builder,
-    turns: &Turns,
+    slots: &TimeSlots,
     ambient: &Coefficients,
     lights: &[Light],
 ) -> Result<Design, BuildError> {
-    let [red, green, blue] = units::channels(b, turns, ambient, lights);
-    b.clone().finish(&turns.valid_at_last, &[("red", red), ("green", green), ("blue", blue)])
+    let [red, green, blue] = units::channels(b, slots, ambient, lights);
+    b.clone().finish(&slots.valid_in_last_slot, &[("red", red), ("green", green), ("blue", blue)])
 }

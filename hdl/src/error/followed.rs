@@ -1,5 +1,5 @@
 //! How far wrapped normals that follow one another are off.
-use specula_scene::spec::lyon::LyonFormats;
+use specula_spec::lyon::LyonFormats;
 
 /// What n = N + u H is made of, H = N + b and u = (1 - N·N)/(H·H), with b the n of the pixel before
 /// or some w.
@@ -89,9 +89,9 @@ const SHORTER_BY: f64 = 0.0625;
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
-    use specula_scene::Format;
+    use specula_fixtures::Draw;
+    use specula_spec::Format;
 
-    use super::super::draw::Draw;
     use super::*;
 
     const OPERAND: f64 = 1.0 / 4096.0;

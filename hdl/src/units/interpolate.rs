@@ -1,5 +1,5 @@
 //! Vectors along a span.
-use specula_scene::Format;
+use specula_spec::Format;
 
 use crate::error::interpolate::{Ends, overshoot, reach, slack};
 use specula_datapath::builder::{Builder, Sig, Vector};

@@ -1,6 +1,6 @@
 //! Exact normalisation.
-use specula_scene::format::power_of_two;
-use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats};
+use specula_spec::format::power_of_two;
+use specula_spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats};
 
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 use super::vector::bounds;

@@ -1,10 +1,10 @@
 //! Scalars along an arc: what the normal's rotation makes of them, and the base of the highlight.
 //! What is proven of them: [`error::turned`].
-use specula_scene::spec::slerp::SlerpFormats;
+use specula_spec::slerp::SlerpFormats;
 
 use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;
-use crate::error::angular::Angular;
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{Builder, Sig};
 
 /// N·X = c A·X + s T·X, for L and V alike. [lecture, eq. 4.7; methods A10]

@@ -1,6 +1,6 @@
 //! Cosines and bases, over every pair of small operands.
 use specula_hdl::units::{self, Base};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs, rounded};
 

@@ -1,6 +1,6 @@
 //! The divider, over every pair of operands.
 use specula_hdl::units;
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs};
 

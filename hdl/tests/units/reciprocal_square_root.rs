@@ -1,7 +1,7 @@
 //! Reciprocal square roots, over every operand of small widths and many of large ones.
 use proptest::prelude::*;
 use specula_hdl::units::{self, ReciprocalRoot};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs, property_tests};
 
@@ -56,7 +56,7 @@ fn every_reciprocal_is_the_nearest() {
 
 /// 0, what is negative and what is too small give 2^m; 1 gives 1.
 #[test]
-fn known_reciprocals() {
+fn known_reciprocals_come_out() {
     let to = ReciprocalRoot { integer_bits: 3, fraction_bits: 4 };
     assert_eq!(
         [-5, 0, 1, 4, 16, 64, 256].map(|z| wanted(z, 8, to)),

@@ -2,8 +2,7 @@
 use specula_datapath::Design;
 use specula_datapath::builder::Vector;
 use specula_hdl::units;
-use specula_scene::Format;
-use specula_scene::spec::LyonSpec;
+use specula_spec::{Format, LyonSpec};
 
 use super::{Bench, cube, dot, lyon, outputs, rounded};
 
@@ -18,7 +17,7 @@ fn design(lyon: &LyonSpec, largest: i64) -> Design {
     let d = Vector::new(d).no_longer_than(2.0);
     let f = units::shape(
         &bench.b,
-        (&d, units::LengthOff::whole(d.off().length)),
+        (&d, units::LengthError::whole(d.off().length)),
         &n,
         &has_direction,
         lyon,
@@ -116,7 +115,7 @@ fn centre_of_the_shape() {
 /// extremes rows 24 and 31: the longest D with the largest exponent, along one axis alone and along
 /// none.
 #[test]
-fn longest_difference() {
+fn the_longest_difference_gives_no_highlight() {
     let mut lyon = lyon(6);
     lyon.formats.shape.fraction_bits = 12;
     let design = design(&lyon, 8191);

@@ -66,7 +66,7 @@ fn looked_up<O: Lane>(shape: Shape, address: &[i64], table: &[i64]) {
 
 proptest! {
     #[test]
-    fn accumulators(shape in shape(), cut in 0..70usize, first in column(1), narrow in column(24), wide in column(60)) {
+    fn accumulators_add_up_pixel_by_pixel(shape in shape(), cut in 0..70usize, first in column(1), narrow in column(24), wide in column(60)) {
         accumulated::<i32, i32, i32>(shape, cut, &first, &narrow, &narrow);
         accumulated::<i32, i32, i64>(shape, cut, &first, &narrow, &narrow);
         accumulated::<i32, i64, i32>(shape, cut, &first, &narrow, &wide);
@@ -82,7 +82,7 @@ proptest! {
     }
 
     #[test]
-    fn tables(
+    fn tables_are_looked_up_lane_by_lane(
         shape in shape(),
         address in column(5),
         far in column(32),

@@ -4,15 +4,15 @@ use std::path::Path;
 use glam::DVec3;
 use toml::Spanned;
 
+use super::shown::Shown;
 use super::values::{Integer, Number, Triple};
-use super::{Shown, SourceFile, check, light, object, raw, span};
+
+use super::{SourceFile, check, light, object, raw, span};
+use crate::limits::MOST_LIGHTS;
 use crate::mesh::Warning;
 use crate::picture::camera::Camera;
 use crate::picture::{Light, Scene, SpanRows, limits};
 use crate::{Colour, SceneError, defaults};
-
-/// Largest number of lights of a core.
-const MAX_LIGHTS: usize = 4;
 
 /// Checks every value and reads the meshes, which are looked for in `folder`; notes about skipped
 /// parts of meshes are added to `warnings`.
@@ -165,12 +165,12 @@ fn positive(source: &SourceFile, given: &Spanned<Number>) -> Result<f64, SceneEr
 }
 
 fn lights(source: &SourceFile, given: &[Spanned<raw::Light>]) -> Result<Vec<Light>, SceneError> {
-    if let Some(extra) = given.get(MAX_LIGHTS) {
+    if let Some(extra) = given.get(MOST_LIGHTS) {
         let problem = format!("there are {} lights", given.len());
         return Err(source.error(
             extra.span(),
             problem,
-            format!("a scene has 1 to {MAX_LIGHTS} lights"),
+            format!("a scene has 1 to {MOST_LIGHTS} lights"),
         ));
     }
     if given.is_empty() {

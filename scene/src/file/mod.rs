@@ -5,6 +5,7 @@ mod core;
 mod light;
 mod object;
 mod raw;
+mod shown;
 mod source;
 mod span;
 mod values;
@@ -13,23 +14,17 @@ use std::ops::Range;
 use std::path::Path;
 
 pub use self::core::CoreTable;
-pub(crate) use self::source::SourceFile;
+pub use self::source::SourceFile;
 
 use crate::mesh::Warning;
+use crate::picture::Scene;
 use crate::picture::project::PictureError;
-use crate::picture::{Scene, SpanRows};
 use crate::{Frame, SceneError, Surface};
+
+use shown::Shown;
 
 /// A pointer to the documentation of the keys.
 const KEYS: &str = "docs/scene-format.md lists every key with its unit, range and default";
-
-/// The contents of a scene.
-pub(crate) enum Shown {
-    /// Objects, seen by a camera.
-    Objects(Scene),
-    /// Spans that the file gives directly.
-    Rows(SpanRows),
-}
 
 /// A scene file that has been read: the scene, and its table for the core if it has one.
 pub(crate) struct SceneFile {

@@ -3,8 +3,8 @@ use std::path::Path;
 
 use thiserror::Error;
 
-/// File name extensions of meshes that can be read.
-pub const EXTENSIONS: [&str; 4] = ["obj", "ply", "stl", "glb"];
+use super::limits::{self, EXTENSIONS, FARTHEST, LONGEST_FILE, MAX_TRIANGLES};
+use super::triangulate::MAX_CROSSINGS;
 
 /// What is wrong with a mesh, without saying where.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -16,7 +16,7 @@ pub enum MeshProblem {
     #[error("it is not a regular file")]
     NotAFile,
     /// The file is too long; contains its length in bytes.
-    #[error("it is {0} bytes long; files up to {limit} bytes are read", limit = super::LONGEST_FILE)]
+    #[error("it is {0} bytes long; files up to {limit} bytes are read", limit = LONGEST_FILE)]
     TooLong(u64),
     /// The file's extension is not that of a mesh.
     #[error("its extension is not that of a mesh")]
@@ -30,7 +30,7 @@ pub enum MeshProblem {
     /// The file uses a part of the format that is not supported.
     #[error("it uses {0}, which is not read")]
     Unsupported(String),
-    /// A number is not finite, or beyond [`super::FARTHEST`].
+    /// A number is not finite, or beyond [`FARTHEST`].
     #[error("{what} {index} (counted from 0) has the coordinate {value:?}")]
     Coordinate {
         /// `vertex` or `normal`.
@@ -56,7 +56,7 @@ pub enum MeshProblem {
     #[error(
         "face {face} (counted from 0), a polygon of {corners} corners, crosses or covers itself too often; \
          all faces of a file together may do so {limit} times",
-        limit = super::triangulate::MAX_CROSSINGS
+        limit = MAX_CROSSINGS
     )]
     Tangled {
         /// The face, counted from 0.
@@ -68,7 +68,7 @@ pub enum MeshProblem {
     #[error("it has no triangles with an area")]
     Empty,
     /// The mesh has too many triangles; contains the number.
-    #[error("it has {0} triangles; at most {limit} are taken", limit = super::MAX_TRIANGLES)]
+    #[error("it has {0} triangles; at most {limit} are taken", limit = MAX_TRIANGLES)]
     TooManyTriangles(usize),
 }
 
@@ -84,7 +84,7 @@ impl MeshProblem {
             MeshProblem::Truncated(_) => "the file was cut off, or its header is damaged; fetch or export it again".into(),
             MeshProblem::Unsupported(_) => "export the mesh as plain triangles, uncompressed, in one file".into(),
             MeshProblem::Coordinate { .. } => {
-                format!("coordinates are finite numbers from -{0:e} to {0:e}", super::FARTHEST)
+                format!("coordinates are finite numbers from -{0:e} to {0:e}", FARTHEST)
             }
             MeshProblem::Index { .. } => "every face may name only what the file defines; export the mesh again".into(),
             MeshProblem::Tangled { .. } => "faces go around their outline once; export the mesh again, as triangles".into(),
@@ -124,7 +124,7 @@ impl MeshError {
             Some(line) => format!("mesh `{}`, line {line}", path.display()),
             None => format!("mesh `{}`", path.display()),
         };
-        MeshError { place, extension: super::extension(path), problem }
+        MeshError { place, extension: limits::extension(path), problem }
     }
 
     /// What would be right.

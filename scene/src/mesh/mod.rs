@@ -1,6 +1,8 @@
 //! Triangle meshes and the files they come from.
 pub mod error;
 mod glb;
+mod indexed;
+mod limits;
 mod lines;
 pub mod normals;
 mod number;
@@ -15,40 +17,14 @@ mod weld;
 
 use std::path::Path;
 
-use glam::DVec3;
-
-use error::{EXTENSIONS, Located};
+use error::Located;
 pub use error::{MeshError, MeshProblem};
+pub use indexed::Mesh;
+pub use limits::{EXTENSIONS, FARTHEST, LONGEST_FILE, MAX_TRIANGLES, extension};
 use warning::Notices;
 pub use warning::Warning;
 
-use crate::Facet;
-
 use crate::regular::{NotRead, read_regular};
-
-/// Largest file that is read, in bytes.
-pub const LONGEST_FILE: u64 = 1 << 30;
-
-/// Largest number of triangles of a mesh.
-pub const MAX_TRIANGLES: usize = 10_000_000;
-
-/// Coordinates farther from 0 than this are refused, so that products of them stay finite.
-pub const FARTHEST: f64 = 1e30;
-
-/// A triangle mesh with unit normals at the corners of its triangles.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Mesh {
-    /// Positions of vertices.
-    pub positions: Vec<DVec3>,
-    /// Triangles as indices of `positions`, counter-clockwise as seen from outside if the file
-    /// follows that rule; there is at least one.
-    pub triangles: Vec<[u32; 3]>,
-    /// Unit normals at each triangle's corners.
-    pub normals: Vec<[DVec3; 3]>,
-    /// The polygon that each triangle belongs to, with its normal on the side from which the
-    /// triangle's corners go counter-clockwise; triangles of one polygon have the same.
-    pub facets: Vec<Facet>,
-}
 
 impl Mesh {
     /// Reads a mesh by its file name extension: `.obj`, `.ply`, `.stl` or `.glb`.
@@ -76,12 +52,6 @@ impl Mesh {
             extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
         warned(path, extension, bytes)
     }
-}
-
-/// The mesh extension of a path, in lower case, if it has one that can be read.
-pub fn extension(path: &Path) -> Option<&'static str> {
-    let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-    EXTENSIONS.into_iter().find(|known| *known == extension)
 }
 
 /// Reads a mesh from the bytes of the file `path`, with warnings about what was skipped.

@@ -9,8 +9,8 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
-use super::Mesh;
 use super::error::{Item, Located, MeshProblem};
+use super::indexed::Mesh;
 use super::lines::{Lines, is_blank, words};
 use super::number::number;
 use super::polygons::{Corner, Polygons};

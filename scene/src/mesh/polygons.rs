@@ -2,11 +2,12 @@
 use glam::DVec3;
 
 use super::error::{Item, Located, MeshProblem};
+use super::indexed::Mesh;
+use super::limits::{FARTHEST, MAX_TRIANGLES};
 use super::normals::{direction, newell, vertex_normals};
 use super::triangulate::{MAX_CROSSINGS, Triangulation, triangulate};
 use super::warning::Notices;
 use super::weld::weld;
-use super::{FARTHEST, MAX_TRIANGLES, Mesh};
 use crate::Facet;
 
 /// What happens to a corner without a usable normal.

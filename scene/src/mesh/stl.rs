@@ -7,12 +7,13 @@
 use glam::DVec3;
 
 use super::error::{Located, MeshProblem};
+use super::indexed::Mesh;
+use super::limits::FARTHEST;
 use super::lines::{Lines, is_blank, words};
 use super::number::number;
 use super::polygons::{Corner, Polygons};
 use super::text::unmarked;
 use super::warning::{Notices, quoted};
-use super::{FARTHEST, Mesh};
 
 /// Bytes before the first triangle of a binary file: a comment of 80 bytes and the number of
 /// triangles.

@@ -2,94 +2,15 @@
 use glam::{DAffine3, DMat3, DVec3};
 use thiserror::Error;
 
-use super::camera::{Camera, Window};
+use super::camera::Window;
 use super::coverage::{Coverage, Point};
 use super::limits;
 use super::normal_cones::{Face, VertexFans};
+use super::scene::{Light, LightSource, LightSpace, Object, Scene};
 use super::visibility::{Projected, visible_spans};
-use crate::mesh::Mesh;
 use crate::mesh::normals::{direction, newell, normal_matrix};
-use crate::primitive::Primitive;
 use crate::surface::Surface;
-use crate::{
-    Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone,
-    defaults,
-};
-
-/// A mesh at a place in the world.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Object {
-    /// Its shape, in its own coordinates.
-    pub mesh: Mesh,
-    /// The primitive that the mesh was made from, if any.
-    pub primitive: Option<Primitive>,
-    /// The transformation from its own coordinates to the world's.
-    pub place: DAffine3,
-    /// Its material.
-    pub material: Material,
-}
-
-/// The coordinates in which a light's direction is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LightSpace {
-    /// The coordinates of the objects: the light stays when the camera moves.
-    World,
-    /// The coordinates of the picture, x right, y up, z to the eye: the light moves with the
-    /// camera.
-    View,
-}
-
-/// A light of a scene.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Light {
-    /// The place or direction of the light.
-    pub source: LightSource,
-    /// The coordinates of `source`.
-    pub space: LightSpace,
-    /// Its colour and strength.
-    pub colour: Colour,
-}
-
-/// The place or direction of a light.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LightSource {
-    /// The light is at infinity.
-    Directional {
-        /// The direction to the light; any length except 0.
-        direction: DVec3,
-    },
-    /// The light is at a place and shines in all directions.
-    Point {
-        /// The place.
-        position: DVec3,
-    },
-    /// The light is at a place and shines most strongly along its axis.
-    Spot {
-        /// The place.
-        position: DVec3,
-        /// The direction along which it shines; any length except 0.
-        axis: DVec3,
-        /// Warn's exponent, 1 to 8191.
-        exponent: u32,
-    },
-}
-
-/// Everything a picture is made from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// Width and height of the picture in pixels.
-    pub size: (u32, u32),
-    /// 8-bit colour of pixels without an object.
-    pub background: [u8; 3],
-    /// The camera.
-    pub camera: Camera,
-    /// Colour of the ambient light.
-    pub ambient: Colour,
-    /// Lights.
-    pub lights: Vec<Light>,
-    /// The objects.
-    pub objects: Vec<Object>,
-}
+use crate::{DirectionalLight, Facet, Frame, LocalLight, Span, Spot, Triangle, VertexCone};
 
 /// The reason why a scene cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -311,16 +232,16 @@ impl Light {
 
 /// The name of an object's triangle.
 #[derive(Clone, Copy)]
-struct TriangleId {
-    object: usize,
-    triangle: usize,
+pub(super) struct TriangleId {
+    pub object: usize,
+    pub triangle: usize,
 }
 
 /// The visible triangles, and the spans that refer to them.
 type Visible = (Vec<TriangleId>, Vec<Span>);
 
 /// An object in view space.
-struct ViewedObject<'a> {
+pub(super) struct ViewedObject<'a> {
     object: &'a Object,
     place: DAffine3,
     positions: Vec<DVec3>,
@@ -328,7 +249,7 @@ struct ViewedObject<'a> {
 }
 
 impl<'a> ViewedObject<'a> {
-    fn new(object: &'a Object, rotation: DMat3) -> ViewedObject<'a> {
+    pub fn new(object: &'a Object, rotation: DMat3) -> ViewedObject<'a> {
         let place = DAffine3::from_mat3(rotation) * object.place;
         let positions = object.mesh.positions.iter().map(|&p| place.transform_point3(p)).collect();
         ViewedObject { object, place, positions, to_normals: normal_matrix(place.matrix3) }
@@ -340,7 +261,7 @@ impl<'a> ViewedObject<'a> {
     }
 
     /// A triangle of the object, turned to the side to which its vertex normals point.
-    fn face(&self, triangle: usize) -> Face {
+    pub fn face(&self, triangle: usize) -> Face {
         let places = self.object.mesh.triangles[triangle].map(|k| self.positions[k as usize]);
         let face = newell(&places);
         let fallback = face.unwrap_or(DVec3::Z);
@@ -352,7 +273,7 @@ impl<'a> ViewedObject<'a> {
     }
 
     /// The faces around the vertices of this object's visible triangles.
-    fn fans(&self, object: usize, visible: &[TriangleId]) -> VertexFans {
+    pub fn fans(&self, object: usize, visible: &[TriangleId]) -> VertexFans {
         let wanted = visible
             .iter()
             .filter(|name| name.object == object)
@@ -398,36 +319,6 @@ impl<'a> ViewedObject<'a> {
         let turn = if of_triangle.unwrap_or(normal).z < 0.0 { -1.0 } else { 1.0 };
         Facet { normal: normal * turn, middle: self.place.transform_point3(facet.middle) }
     }
-}
-
-/// A triangle of a mesh among its neighbours.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ConedFace {
-    /// Its unit normal, on the side to which its vertex normals point.
-    pub outward: DVec3,
-    /// Unit normals at its vertices.
-    pub normals: [DVec3; 3],
-    /// Cones about the normals.
-    pub cones: [VertexCone; 3],
-}
-
-/// The triangles of a whole mesh that have an area, with the cones of their vertices.
-pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
-    let object = Object {
-        mesh: mesh.clone(),
-        primitive: None,
-        place: DAffine3::IDENTITY,
-        material: defaults::material(),
-    };
-    let seen = ViewedObject::new(&object, DMat3::IDENTITY);
-    let all: Vec<TriangleId> =
-        (0..mesh.triangles.len()).map(|triangle| TriangleId { object: 0, triangle }).collect();
-    let fans = seen.fans(0, &all);
-    let coned = |name: &TriangleId| {
-        let face = seen.face(name.triangle);
-        Some(ConedFace { outward: face.outward?, normals: face.normals, cones: fans.cones(&face) })
-    };
-    all.iter().filter_map(coned).collect()
 }
 
 /// A unit vector along a vector of any length except 0.

@@ -1,7 +1,7 @@
 //! Newell's teapot, 1975: 32 bicubic Bézier patches.
 use glam::DVec3;
 
-use super::{Grid, empty};
+use super::grid::{Grid, empty};
 use crate::mesh::Mesh;
 
 /// Control points, a line each: x, y, z with z up.

@@ -1,7 +1,7 @@
 //! The table of a core's ports.
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
-use specula_scene::CoreSpec;
+use specula_spec::CoreSpec;
 
 /// Rows of name, direction, width, format and meaning: control, the inputs of a span, and the
 /// output pixel.

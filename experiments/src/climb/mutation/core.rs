@@ -1,8 +1,8 @@
 //! Changes to the core.
-use specula_scene::Format;
-use specula_scene::spec::{LightPipelines, Specialise};
+use specula_spec::{Format, LightPipelines, Specialise};
 
-use super::{Genome, Operator, any};
+use super::operator::{Operator, any};
+use crate::climb::genome::Genome;
 use crate::climb::random;
 use crate::stress::draw::Draw;
 

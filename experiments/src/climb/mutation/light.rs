@@ -1,8 +1,9 @@
 //! Changes to lights and to the eye.
 use glam::DVec3;
 
+use super::operator::{Operator, any};
 use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
-use super::{Genome, Operator, any};
+use crate::climb::genome::Genome;
 use crate::climb::random::{self, MAX_LIGHTS, happens};
 use crate::stress::draw::{AXES, Draw};
 use crate::stress::scene::Light;

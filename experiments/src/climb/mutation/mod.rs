@@ -1,6 +1,7 @@
 //! Small changes to a scene and its core.
 mod core;
 mod light;
+mod operator;
 mod span;
 mod vector;
 
@@ -8,8 +9,7 @@ use super::genome::Genome;
 use super::random::happens;
 use crate::stress::draw::Draw;
 
-/// A change; it may leave the genome as it is.
-pub(super) type Operator = fn(&mut Genome, &mut Draw);
+use operator::Operator;
 
 /// The subjects of changes, formats first. An ascent leaves some of them unchanged, so that not all
 /// ascents end on the same peak.
@@ -55,10 +55,4 @@ impl Mutation {
             }
         }
     }
-}
-
-/// A random element of a slice, which may be empty.
-fn any<'a, T>(elements: &'a mut [T], draw: &mut Draw) -> Option<&'a mut T> {
-    let last = elements.len().checked_sub(1)?;
-    elements.get_mut(draw.between(0, last as i64) as usize)
 }

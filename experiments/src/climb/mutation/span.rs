@@ -2,10 +2,11 @@
 use glam::DVec3;
 use specula_scene::Colour;
 use specula_scene::frame::EYE;
-use specula_scene::spec::LONGEST_SPAN;
+use specula_scene::limits::LONGEST_SPAN;
 
+use super::operator::{Operator, any};
 use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
-use super::{Genome, Operator, any};
+use crate::climb::genome::Genome;
 use crate::climb::random::{self, LONGEST, MAX_SPANS, happens};
 use crate::stress::draw::{Draw, turned};
 use crate::stress::scene::RawSpan;

@@ -1,6 +1,7 @@
 //! Figures 2 and 3: Phong shading and reflection shading, both with highlights by eq. 34, drawn by
 //! cores.
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::{CoreSpec, Method};
 
 use specula_testbench::statistics::Sums;
 use specula_testbench::{Bench, BenchError, EngineKind, ErrorFigures, Image};

@@ -6,10 +6,10 @@ use specula_golden::exact::formula::reflection::{halfway, reflect};
 use specula_golden::exact::formula::shape::power;
 use specula_golden::exact::formula::wrap;
 use specula_scene::frame::EYE;
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
-use super::super::claim::{Claim, Ruling, exact};
-use super::super::{HALF_LSB, largest};
+use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::super::maximum::largest;
 use crate::stress::draw::{Draw, tilted, turned};
 
 /// Number of random cases.

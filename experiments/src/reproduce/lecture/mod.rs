@@ -4,10 +4,10 @@ use specula_golden::exact::formula::direct::{kappa, length_squared};
 use specula_golden::exact::formula::newton::lengths;
 use specula_golden::exact::formula::slerp::{slerp, weights};
 use specula_golden::exact::formula::specular::{fast, textbook};
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
-use super::claim::{Claim, Ruling, exact};
-use super::{HALF_LSB, largest};
+use super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
 
 /// Largest angle in degrees between slerp and the normalised lerp.

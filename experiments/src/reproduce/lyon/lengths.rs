@@ -2,10 +2,10 @@
 use glam::DVec3;
 use specula_golden::exact::formula::normalisation::g2;
 use specula_golden::exact::formula::shape::f_k;
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 use super::super::claim::{Claim, Ground, Ruling};
-use super::{core_height, height};
+use super::heights::{core_height, height};
 use crate::stress::draw::tilted;
 
 /// Half of the angle in degrees of the widest span whose middle normal, if not normalised, is
@@ -63,13 +63,33 @@ const CORE_TOLERANCE: f64 = 0.01;
 
 const ONE_PERCENT: &str = "1 % residual length error is good enough at n = 1000 (5 % of the peak)";
 
+/// What 1 % of the length costs.
+const fn one_percent(on: Ground, tolerance: f64, measure: fn() -> f64) -> Claim {
+    Claim {
+        what: ONE_PERCENT,
+        quantity: "share of the peak that f_2 loses to 1 % of |N|",
+        on,
+        expected: (0.59, tolerance),
+        measure,
+        judge: five_percent,
+    }
+}
+
+/// What costs an LSB.
+const fn one_lsb(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+    Claim {
+        what: ONE_PERCENT,
+        quantity,
+        on: Ground::Exact,
+        expected,
+        measure,
+        judge: |error| Ruling::of(error >= 0.01, "an LSB is lost long before"),
+    }
+}
+
 fn five_percent(loss: f64) -> Ruling {
     let why = "that is for the length of R. An error e of N makes R wrong by 4e cos(V, N), and costs 8 n e^2 cos^2";
     Ruling::of(loss <= 0.05, why)
-}
-
-fn one_in_a_hundred(error: f64) -> Ruling {
-    Ruling::of(error >= 0.01, "an LSB is lost long before")
 }
 
 fn about_a_half(height: f64) -> Ruling {
@@ -120,46 +140,11 @@ pub const CLAIMS: [Claim; 18] = [
         measure: || core_loss((0.995_f64).sqrt(), 1000),
         judge: |loss| Ruling::of(loss <= 0.05, "it loses more"),
     },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "share of the peak that f_2 loses to 1 % of |N|",
-        on: Ground::Exact,
-        expected: (0.59, 5e-3),
-        measure: || loss(0.01, 1000),
-        judge: five_percent,
-    },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "share of the peak that f_2 loses to 1 % of |N|",
-        on: Ground::Core,
-        expected: (0.59, CORE_TOLERANCE),
-        measure: || core_loss(0.99, 1000),
-        judge: five_percent,
-    },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "error of |N| that costs an LSB, n = 256",
-        on: Ground::Exact,
-        expected: (1.4e-3, 5e-5),
-        measure: || error_for_one_lsb(256),
-        judge: one_in_a_hundred,
-    },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "error of |N| that costs an LSB",
-        on: Ground::Exact,
-        expected: (7.0e-4, 5e-6),
-        measure: || error_for_one_lsb(1000),
-        judge: one_in_a_hundred,
-    },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "error of |N| that costs an LSB, n = 8000",
-        on: Ground::Exact,
-        expected: (2.5e-4, 5e-6),
-        measure: || error_for_one_lsb(8000),
-        judge: one_in_a_hundred,
-    },
+    one_percent(Ground::Exact, 5e-3, || loss(0.01, 1000)),
+    one_percent(Ground::Core, CORE_TOLERANCE, || core_loss(0.99, 1000)),
+    one_lsb("error of |N| that costs an LSB, n = 256", (1.4e-3, 5e-5), || error_for_one_lsb(256)),
+    one_lsb("error of |N| that costs an LSB", (7.0e-4, 5e-6), || error_for_one_lsb(1000)),
+    one_lsb("error of |N| that costs an LSB, n = 8000", (2.5e-4, 5e-6), || error_for_one_lsb(8000)),
     Claim {
         what: ONE_PERCENT,
         quantity: "LSBs that 7.0e-4 of |N| cost",

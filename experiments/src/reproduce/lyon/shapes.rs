@@ -8,8 +8,8 @@ use specula_golden::exact::formula::reflection::{halfway, reflect, reflection_mi
 use specula_golden::exact::formula::root_shininess;
 use specula_golden::exact::formula::shape::{f_k, power};
 
-use super::super::claim::{Claim, Ruling, exact};
-use super::super::{HALF_LSB, largest};
+use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
 
 /// |D| where R and L are `angle` radians apart.

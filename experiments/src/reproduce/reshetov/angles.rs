@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use specula_golden::exact::formula::consistent::{Scaling, cos_gamma, q, rational_q, vertex_angle};
 
 use super::super::claim::{Claim, Ruling, exact};
-use super::super::largest;
+use super::super::maximum::largest;
 
 /// The angle α at a share u of the way from a vertex with the face's normal to one whose normal is
 /// `theta` radians from it.

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use specula_golden::exact::formula::consistent::{q, rational_q};
 
 use super::super::claim::{Claim, Ground, Ruling};
-use super::super::{SAMPLES, largest};
+use super::super::maximum::{SAMPLES, largest};
 
 fn difference(t: f64) -> f64 {
     q(FRAC_PI_2 * t) - rational_q(FRAC_PI_2 * t)

@@ -9,7 +9,7 @@ use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
 
 use super::super::claim::{Claim, Ground, Ruling};
-use super::super::largest;
+use super::super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
 
 /// The largest value of `f` over angles α from 0 to 90 degrees, and over t from 0 to 1 for whatever

@@ -1,8 +1,8 @@
 //! The hardware cost of consistent normals.
 use specula_datapath::Design;
 use specula_datapath::design::Size;
-use specula_scene::spec::CoreOptions;
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::{CoreOptions, CoreSpec, Method};
 
 use specula_testbench::BenchError;
 

@@ -1,6 +1,7 @@
 //! Random spans without any restriction.
-use super::super::scene::material;
-use super::{Case, CatalogueRow, Draw, RawSpan, SpanScene, TrialExtent, scenes};
+use crate::stress::draw::Draw;
+use crate::stress::row::{Case, CatalogueRow, TrialExtent, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, material};
 
 /// Random spans.
 pub const ANYTHING: CatalogueRow = CatalogueRow {

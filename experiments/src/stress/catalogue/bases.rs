@@ -1,11 +1,9 @@
 //! Bases of powers.
 use glam::DVec3;
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{
-    Case, CatalogueRow, Draw, RawSpan, SpanScene, TrialExtent, all, material, mirror, scenes,
-};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, CatalogueRow, Pixel, TrialExtent, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, material, mirror};
 
 /// Row 5.
 pub const NEGATIVE: CatalogueRow = CatalogueRow {

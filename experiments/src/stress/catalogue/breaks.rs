@@ -1,11 +1,12 @@
 //! What breaks first [numerics N4]: the papers' own formats, where they are too short. The core is
 //! as inexact as they imply, and its bound says so.
-use specula_scene::{CoreSpec, Method};
+use specula_spec::{CoreSpec, Method};
 
-use super::super::draw::tilted;
-use super::super::row::{PixelPlace, Shaded};
-use super::super::variant::Variant;
-use super::{Case, CatalogueRow, RawSpan, SpanScene, Trial, lyon, mirror};
+use super::lyon;
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, PixelPlace, Shaded, Trial};
+use crate::stress::scene::{RawSpan, SpanScene, matt, mirror};
+use crate::stress::variant::Variant;
 
 /// A highlight on a span of `degrees` and `length` pixels.
 fn highlight(degrees: f64, length: u32, n: u32) -> SpanScene {
@@ -94,8 +95,8 @@ pub const SHORT_DIFFERENCE: CatalogueRow = CatalogueRow {
 };
 
 fn is_reflection_form(spec: &CoreSpec) -> bool {
-    use specula_scene::spec::lyon::Difference;
-    matches!(&spec.method, specula_scene::MethodSpec::Lyon(lyon)
+    use specula_spec::lyon::Difference;
+    matches!(&spec.method, specula_spec::MethodSpec::Lyon(lyon)
         if lyon.difference == Difference::ReflectionMinusLight && lyon.newton_steps == 0)
 }
 
@@ -106,7 +107,7 @@ pub const SHORT_ACCUMULATOR: CatalogueRow = CatalogueRow {
     trial: Trial::Scenes {
         cases: |_, _| {
             let is_short = |spec: &CoreSpec| bits(spec, "accumulator") == Some(18);
-            let span = RawSpan::between([tilted(-13.0), tilted(17.0)], 257, super::matt());
+            let span = RawSpan::between([tilted(-13.0), tilted(17.0)], 257, matt());
             let scene = SpanScene::new(&[tilted(7.0)], vec![span]);
             vec![breaks(scene, "more than 1 LSB off, with 18 bits", is_short, 1.0)]
         },
@@ -126,8 +127,8 @@ pub const WRAPPED_HIGHLIGHT: CatalogueRow = CatalogueRow {
     trial: Trial::Scenes {
         cases: |_, _| {
             let is_wrapped = |spec: &CoreSpec| {
-                use specula_scene::spec::reflection::Highlight;
-                matches!(&spec.method, specula_scene::MethodSpec::Reflection(spec) if spec.specular != Highlight::Hybrid)
+                use specula_spec::reflection::Highlight;
+                matches!(&spec.method, specula_spec::MethodSpec::Reflection(spec) if spec.specular != Highlight::Hybrid)
             };
             let spans = SpanScene::new(
                 &[tilted(-30.0)],

@@ -1,14 +1,13 @@
 //! Consistent normal interpolation.
 use glam::DVec3;
-use specula_scene::spec::consistent::{Diffuse, Highlight};
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::consistent::{Diffuse, Highlight};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::super::scene::matt;
-use super::{
-    Case, CatalogueRow, RawSpan, SpanScene, Trial, Variant, aimed, lit, material, mirror, spans,
-};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, CatalogueRow, Pixel, Trial, TrialExtent};
+use crate::stress::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
+use crate::stress::variant::Variant;
 
 /// Variants with both curves, each with both kinds of diffuse light, and with Blinn's highlight.
 fn forms() -> Vec<Variant> {
@@ -27,7 +26,7 @@ fn forms() -> Vec<Variant> {
         .collect()
 }
 
-const fn trial(cases: fn(&mut super::Draw, super::TrialExtent) -> Vec<Case>) -> Trial {
+const fn trial(cases: fn(&mut Draw, TrialExtent) -> Vec<Case>) -> Trial {
     Trial::Scenes { cases, variants: forms }
 }
 

@@ -2,9 +2,9 @@
 use glam::DVec3;
 use specula_scene::mesh::normals::newell;
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{Case, CatalogueRow, RawSpan, SpanScene, Trial, all, material, scenes};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, Pixel, Trial, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, material};
 
 /// Row 50.
 pub const TRIANGLES: CatalogueRow = CatalogueRow {

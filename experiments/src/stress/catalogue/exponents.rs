@@ -1,6 +1,7 @@
 //! Exponents.
-use super::super::draw::tilted;
-use super::{Case, CatalogueRow, RawSpan, SpanScene, lit, scenes};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit};
 
 /// Row 54.
 pub const EVERY: CatalogueRow = CatalogueRow {

@@ -1,10 +1,10 @@
 //! Lengths of spans.
 use glam::DVec3;
 
-use super::super::draw::tilted;
-use super::{
-    Case, CatalogueRow, RawSpan, SpanScene, aimed, flat_from_end_to_end, lit, mirror, scenes, spans,
-};
+use super::scenes::{aimed, flat_from_end_to_end, spans};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, mirror};
 
 /// Row 37.
 pub const SHORTEST: CatalogueRow = CatalogueRow {

@@ -1,13 +1,13 @@
 //! Lyon's shape function and its arguments.
 use glam::DVec3;
-use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation, Normals};
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::{Difference, LyonSpec, Normalisation, Normals};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{
-    Case, CatalogueRow, RawSpan, SpanScene, Trial, Variant, aimed, all, lit, mirror, spans,
-};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, Pixel, Trial, all};
+use crate::stress::scene::{RawSpan, SpanScene, lit, mirror};
+use crate::stress::variant::Variant;
 
 /// Variants with D = R - L and every number of squarings, as f_k and with m = √n.
 fn reflection_forms() -> Vec<Variant> {

@@ -11,14 +11,12 @@ mod newton;
 mod opposite;
 mod places;
 mod ranges;
+mod scenes;
 mod slerp;
 mod viewpoints;
 mod wrapped;
 
-use super::draw::Draw;
-use super::row::{Case, CatalogueRow, Pixel, Trial, TrialExtent, all, scenes};
-use super::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
-use super::variant::Variant;
+use super::row::CatalogueRow;
 
 /// Every row, in the order of docs/extremes.md; then what breaks first according to
 /// docs/numerics.md, and random spans.
@@ -86,42 +84,3 @@ pub static CATALOGUE: [&CatalogueRow; 62] = [
     &breaks::WRAPPED_HIGHLIGHT,
     &anything::ANYTHING,
 ];
-
-/// The case that all spans of a scene have the same code from end to end.
-fn flat_from_end_to_end(scene: SpanScene) -> Case {
-    Case::new(scene).requiring("one code from end to end, bit for bit", all, |pixel| {
-        pixel.code() == Pixel { i: 0, ..*pixel }.code()
-    })
-}
-
-/// Random spans of a row: angles between their ends from the range `degrees`, half of the time at
-/// one of its ends, and every length and exponent.
-fn spans(
-    draw: &mut Draw,
-    extent: TrialExtent,
-    degrees: [f64; 2],
-    material: fn(u32) -> specula_scene::Material,
-) -> Vec<RawSpan> {
-    let one = |draw: &mut Draw| {
-        let either = draw.one_of(&degrees);
-        let between = draw.within(degrees[0], degrees[1]);
-        let angle = draw.one_of(&[either, between]);
-        RawSpan::between(
-            draw.ends(angle, 80.0),
-            draw.length(extent.longest),
-            material(draw.even_shininess()),
-        )
-    };
-    (0..extent.spans).map(|_| one(draw)).collect()
-}
-
-/// Random spans under two lights: one makes a highlight on the first span, the other on the last
-/// span.
-fn aimed(draw: &mut Draw, spans: Vec<RawSpan>) -> SpanScene {
-    let light = |draw: &mut Draw, span: &RawSpan| {
-        draw.aimed([span.normals[0], span.normals[1]], span.material.shininess)
-    };
-    let lights: Vec<glam::DVec3> =
-        spans.first().into_iter().chain(spans.last()).map(|span| light(draw, span)).collect();
-    SpanScene::new(&lights, spans)
-}

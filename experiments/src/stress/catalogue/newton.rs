@@ -1,10 +1,12 @@
 //! Newton iterations towards a length.
-use specula_scene::spec::lyon::Normals;
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::Normals;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::{Pixel, PixelPlace, Shaded};
-use super::{Case, CatalogueRow, RawSpan, SpanScene, Trial, Variant, aimed, all, lit, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, Pixel, PixelPlace, Shaded, Trial, all};
+use crate::stress::scene::{RawSpan, SpanScene, lit, matt};
+use crate::stress::variant::Variant;
 
 fn steps() -> Vec<Variant> {
     let lyon =
@@ -26,8 +28,7 @@ pub const FIRST_PIXEL: CatalogueRow = CatalogueRow {
     input: "90 degrees in 1, 2 and 3 steps; the first pixel of a span",
     trial: Trial::Scenes {
         cases: |_, _| {
-            let span =
-                |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, super::matt());
+            let span = |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, matt());
             let scene = SpanScene::new(&[tilted(30.0)], [2, 3, 4, 5].map(span).into());
             let what = "with two steps or more within 2 LSB of exact diffuse light everywhere";
             let first = |pixel: &Pixel| pixel.i > 0 || pixel.is_within(2.0, pixel.method());
@@ -78,7 +79,7 @@ pub const NEW_SPAN: CatalogueRow = CatalogueRow {
             let scene = aimed(draw, all.iter().chain(&all).cloned().collect());
             vec![Case::new(scene).requiring_frame(
                 "the second time as the first: a span leaves nothing behind",
-                super::all,
+                crate::stress::row::all,
                 first_that_differs,
             )]
         },

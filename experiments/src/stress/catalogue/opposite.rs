@@ -1,12 +1,11 @@
 //! Normals that oppose each other along a span.
 use glam::DVec3;
-use specula_scene::{CoreSpec, Method};
+use specula_spec::{CoreSpec, Method};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{
-    Case, CatalogueRow, Draw, RawSpan, SpanScene, TrialExtent, aimed, lit, mirror, scenes, spans,
-};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, CatalogueRow, Pixel, TrialExtent, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, mirror};
 
 /// Row 1.
 pub const LERP: CatalogueRow = CatalogueRow {

@@ -1,12 +1,11 @@
 //! Lights and eyes at places.
 use glam::DVec3;
-use specula_scene::spec::phong::{Highlight, Places};
-use specula_scene::{CoreSpec, MethodSpec};
+use specula_spec::phong::{Highlight, Places};
+use specula_spec::{CoreSpec, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::super::scene::Light;
-use super::{Case, CatalogueRow, Draw, RawSpan, SpanScene, lit, material, scenes};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, CatalogueRow, Pixel, scenes};
+use crate::stress::scene::{Light, RawSpan, SpanScene, lit, material};
 
 /// A wall of five pixels from x = -2 to 2, seen from the front.
 fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {

@@ -1,8 +1,9 @@
 //! Values at the ends of their ranges.
 use glam::DVec3;
 
-use super::super::draw::{AXES, tilted};
-use super::{Case, CatalogueRow, RawSpan, SpanScene, all, material, matt, mirror, scenes};
+use crate::stress::draw::{AXES, tilted};
+use crate::stress::row::{Case, CatalogueRow, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, material, matt, mirror};
 
 /// Row 26.
 pub const LONGER_THAN_ONE: CatalogueRow = CatalogueRow {

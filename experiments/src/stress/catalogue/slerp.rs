@@ -2,16 +2,15 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use specula_scene::spec::{FULL_SCALE, SlerpSpec};
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec, SlerpSpec};
 
-use super::super::draw::{AXES, tilted};
-use super::super::row::{Pixel, PixelPlace, Shaded};
-use super::super::scene::matt;
-use super::{
-    Case, CatalogueRow, Draw, RawSpan, SpanScene, Trial, TrialExtent, Variant, aimed,
-    flat_from_end_to_end, lit, material, scenes, spans,
+use super::scenes::{aimed, flat_from_end_to_end, spans};
+use crate::stress::draw::{AXES, Draw, tilted, turned};
+use crate::stress::row::{
+    Case, CatalogueRow, Pixel, PixelPlace, Shaded, Trial, TrialExtent, scenes,
 };
+use crate::stress::scene::{RawSpan, SpanScene, lit, material, matt};
+use crate::stress::variant::Variant;
 
 /// Variants that compute the normal itself, in both frames.
 fn vectors() -> Vec<Variant> {
@@ -156,7 +155,7 @@ pub const ORIENTATION: CatalogueRow = CatalogueRow {
 fn medians(degrees: f64) -> [RawSpan; 3] {
     // Three unit vectors about z that are `degrees` apart: 3/2 sin² = 1 - cos.
     let tilt = libm::asin(((1.0 - libm::cos(degrees.to_radians())) / 1.5).sqrt());
-    let about = |k: usize| super::super::draw::turned(DVec3::Z, tilt, k as f64 / 3.0);
+    let about = |k: usize| turned(DVec3::Z, tilt, k as f64 / 3.0);
     [0, 1, 2].map(|first| {
         let mut span = RawSpan::between([DVec3::Z; 2], 4, material(0.0, 1.0, 0.0, 1));
         span.normals = [0, 1, 2].map(|k| about((first + k) % 3));
@@ -184,7 +183,7 @@ pub const ARC_COSINE: CatalogueRow = CatalogueRow {
         let all = directions.map(one).collect();
         vec![Case::new(SpanScene::new(&[tilted(20.0)], all)).requiring(
             "one code from end to end, or the next to it",
-            super::all,
+            crate::stress::row::all,
             |pixel| pixel.code().abs_diff(Pixel { i: 0, ..*pixel }.code()) <= 1,
         )]
     }),

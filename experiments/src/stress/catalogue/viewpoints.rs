@@ -2,14 +2,13 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use specula_scene::spec::lyon::{Difference, Halfway};
-use specula_scene::spec::phong::Highlight;
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::{Difference, Halfway};
+use specula_spec::phong::Highlight;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::{tilted, turned};
-use super::super::row::Pixel;
-use super::super::scene::matt;
-use super::{Case, CatalogueRow, RawSpan, SpanScene, all, lit, material, mirror, scenes};
+use crate::stress::draw::{tilted, turned};
+use crate::stress::row::{Case, CatalogueRow, Pixel, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
 
 /// Row 12.
 pub const OPPOSITE_LIGHT: CatalogueRow = CatalogueRow {

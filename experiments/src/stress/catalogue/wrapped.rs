@@ -1,12 +1,13 @@
 //! Normals reflected about a fixed one.
 use glam::DVec3;
-use specula_scene::spec::lyon::Normals;
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::Normals;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::super::scene::{lit, matt};
-use super::{Case, CatalogueRow, RawSpan, SpanScene, Trial, Variant, aimed, all, scenes, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::{AXES, tilted};
+use crate::stress::row::{Case, CatalogueRow, Pixel, Trial, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, matt};
+use crate::stress::variant::Variant;
 
 /// Row 7.
 pub const OPPOSITE: CatalogueRow = CatalogueRow {
@@ -65,7 +66,7 @@ pub const ITSELF: CatalogueRow = CatalogueRow {
             let scene = SpanScene::new(&[axis], vec![RawSpan::between([axis; 2], 300, matt())]);
             Case::new(scene).requiring("255", all, |pixel| pixel.code() == 255)
         };
-        super::super::draw::AXES.iter().map(case).collect()
+        AXES.iter().map(case).collect()
     }),
 };
 

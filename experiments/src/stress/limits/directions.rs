@@ -2,9 +2,8 @@
 //! pixel sees.
 use glam::DVec3;
 use specula_golden::exact::formula::illumination::{self, Illumination};
-use specula_scene::spec::Wrap;
-use specula_scene::spec::phong::{wrap_to_eye, wrap_to_light};
-use specula_scene::{Frame, Span};
+use specula_scene::{Frame, Span, Wrap};
+use specula_spec::phong::{wrap_to_eye, wrap_to_light};
 
 use super::lobe::power_turn_change;
 use super::normal::{angle, wrap_turn};

@@ -7,9 +7,9 @@ use specula_golden::exact::formula::reflection::{
     halfway, halfway_cross_normal, projection, reflect,
 };
 use specula_golden::exact::formula::shape::{f_k, power};
-use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::{Difference, Halfway};
-use specula_scene::spec::phong::Highlight;
+use specula_spec::LyonSpec;
+use specula_spec::lyon::{Difference, Halfway};
+use specula_spec::phong::Highlight;
 
 /// If L + V is shorter than this, cores do not normalise the half-way vector (extremes rows 12 and
 /// 35).
@@ -24,11 +24,11 @@ pub enum Lobe {
     Formula(Formulation),
     /// f_k of one of Lyon's differences.
     Shape {
-        /// D.
+        /// The vector D.
         difference: Difference,
         /// The half-way vector in it.
         halfway: Halfway,
-        /// k.
+        /// The number k of squarings.
         squarings: u32,
     },
     /// A highlight without a formula here.

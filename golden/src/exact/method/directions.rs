@@ -1,9 +1,8 @@
 //! Directions to lights and eye along a span of `phong`: true ones, or wrapped ones [Hast, Barrera
 //! and Bengtsson, eq. 35 to 38; methods C15 to C18].
 use glam::DVec3;
-use specula_scene::spec::Wrap;
-use specula_scene::spec::phong::{Places, wrap_to_eye, wrap_to_light};
-use specula_scene::{Frame, LocalLight, Span};
+use specula_scene::{Frame, LocalLight, Span, Wrap};
+use specula_spec::phong::{Places, wrap_to_eye, wrap_to_light};
 
 use crate::exact::formula::illumination::{self, Illumination};
 use crate::exact::formula::point_light;

@@ -9,10 +9,13 @@ mod hybrid;
 mod lyon;
 mod phong;
 pub mod reflection;
+mod shade_span;
 mod slerp;
 
-use specula_scene::spec::{MethodSpec, Viewpoint};
-use specula_scene::{CoreSpec, Frame, ParallelSpan, Span};
+use specula_scene::{Frame, ParallelSpan, Span};
+use specula_spec::{CoreSpec, MethodSpec, Viewpoint};
+
+use shade_span::ShadeSpan;
 
 pub use consistent::ConsistentSpan;
 pub use direct::DirectSpan;
@@ -26,19 +29,6 @@ pub use slerp::SlerpSpan;
 
 /// One span, shaded by a spec's method.
 pub struct MethodSpan<'a>(Box<dyn ShadeSpan + 'a>);
-
-/// Shades a span.
-trait ShadeSpan {
-    /// Pixel `i`, from 0 to length - 1: 0..=255 LSB a channel.
-    fn pixel(&self, i: u32) -> [f64; 3];
-
-    /// Shades as many pixels as `out` has, from the span's first pixel on, with one virtual call.
-    fn shade(&self, out: &mut [[f64; 3]]) {
-        for (shade, i) in out.iter_mut().zip(0..) {
-            *shade = self.pixel(i);
-        }
-    }
-}
 
 impl<'a> MethodSpan<'a> {
     /// Sets up a span of a frame.

@@ -1,10 +1,10 @@
 //! The loop around any scheme.
 use specula_scene::{Frame, Span};
 
+use super::along_span::AlongSpan;
 use super::set_up::SetUp;
-use super::surface::{Reflected, Surface, clamped};
+use super::surface::{Surface, clamped};
 use super::{Mesh, Software};
-use crate::loops::{Phong, Scheme, power};
 
 /// A frame whose spans are shaded one light after another.
 pub struct Loop<'a, U: SetUp<'a>> {
@@ -15,12 +15,6 @@ pub struct Loop<'a, U: SetUp<'a>> {
     materials: Vec<usize>,
     /// Each light along the first span, along the second, and so on.
     lights: Vec<U::Light>,
-}
-
-/// A light along a span.
-pub trait AlongSpan: Copy {
-    /// Adds its reflection to every pixel.
-    fn add(self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]);
 }
 
 impl<'a, U: SetUp<'a>> Loop<'a, U> {
@@ -56,36 +50,6 @@ impl<'a, U: SetUp<'a>> Software for Loop<'a, U> {
         }
         for pixel in out {
             *pixel = clamped(*pixel);
-        }
-    }
-}
-
-impl<S: Scheme<f32>> AlongSpan for S {
-    #[inline]
-    fn add(mut self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]) {
-        let exponent = S::exponent(shininess);
-        for pixel in out {
-            let amounts = self.pixel();
-            let specular = power(amounts.base.clamp(0.0, 1.0), exponent);
-            reflected.add(amounts.diffuse.clamp(0.0, 1.0), specular, pixel);
-        }
-    }
-}
-
-/// A scheme, or Phong's where the scheme cannot shade the span.
-#[derive(Clone, Copy, Debug)]
-pub enum OrPhong<S> {
-    /// The scheme.
-    Scheme(S),
-    /// Phong's.
-    Phong(Phong<f32>),
-}
-
-impl<S: Scheme<f32>> AlongSpan for OrPhong<S> {
-    fn add(self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]) {
-        match self {
-            OrPhong::Scheme(scheme) => scheme.add(shininess, reflected, out),
-            OrPhong::Phong(phong) => phong.add(shininess, reflected, out),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! lights) is computed once for it, set-up once for a span, and the loop runs from pixel to pixel.
 //! The three are separate functions, so that their times can be measured separately. Nothing is
 //! allocated for a span.
+mod along_span;
 mod linear;
 mod looped;
 mod mesh;

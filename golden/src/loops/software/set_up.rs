@@ -3,8 +3,8 @@ use std::marker::PhantomData;
 
 use specula_scene::{DirectionalLight, Facet, Frame, Span, Triangle};
 
+use super::along_span::{AlongSpan, OrPhong};
 use super::linear::{AtPoints, Planes};
-use super::looped::{AlongSpan, OrPhong};
 use super::mesh::{Mesh, Point};
 use crate::exact::formula::diffuse::lambert;
 use crate::exact::formula::illumination::{Illumination, lights_from, view_from};
@@ -178,8 +178,7 @@ mod tests {
     use std::ops::Add;
 
     use super::*;
-    use crate::loops::operations::Operations;
-    use crate::loops::{Counted, count};
+    use crate::loops::{Counted, Operations, count};
 
     /// The vertices of a frame's mesh, each once.
     fn vertices(frame: &Frame) -> Vec<Point> {

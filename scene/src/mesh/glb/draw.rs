@@ -8,10 +8,10 @@ use super::json::{Instancing, Whole};
 use super::nodes::{Placed, rotation};
 use super::primitives::{Accessors, Drawable};
 use crate::mesh::error::MeshProblem;
+use crate::mesh::limits::{FARTHEST, MAX_TRIANGLES};
 use crate::mesh::normals::normal_matrix;
 use crate::mesh::polygons::{Corner, Polygons};
 use crate::mesh::warning::Notices;
-use crate::mesh::{FARTHEST, MAX_TRIANGLES};
 
 /// All triangles of `placed`; the accessors of their meshes have been looked up.
 ///

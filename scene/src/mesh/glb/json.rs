@@ -208,7 +208,7 @@ pub struct Accessor {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct Sparse {
-    /// How many there are.
+    /// How many exist.
     pub count: Whole,
     /// Indices of the replaced elements.
     pub indices: SparsePart,

@@ -16,8 +16,8 @@ use json::{Document, Whole};
 use nodes::Placed;
 use primitives::Accessors;
 
-use super::Mesh;
 use super::error::{Located, MeshProblem};
+use super::indexed::Mesh;
 use super::polygons::Polygons;
 use super::warning::{Notices, quoted};
 

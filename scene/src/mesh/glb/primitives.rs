@@ -5,8 +5,8 @@ use super::accessors::{Component, Elements, is_index};
 use super::buffers::Buffers;
 use super::extensions::unread;
 use super::json::{Document, Primitive, Whole};
-use crate::mesh::MAX_TRIANGLES;
 use crate::mesh::error::MeshProblem;
+use crate::mesh::limits::MAX_TRIANGLES;
 use crate::mesh::warning::{Notices, quoted};
 
 /// The extension by which positions and normals may be integers.

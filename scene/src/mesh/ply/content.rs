@@ -3,11 +3,12 @@ use glam::DVec3;
 
 use super::body::Body;
 use super::header::{Element, Header, Kind, Property, Scalar};
-use super::{list_length, skip};
+use super::list::{list_length, skip};
 use crate::mesh::error::{Item, Located, MeshProblem};
+use crate::mesh::indexed::Mesh;
+use crate::mesh::limits::{FARTHEST, MAX_TRIANGLES};
 use crate::mesh::polygons::{Corner, Polygons};
 use crate::mesh::warning::Notices;
-use crate::mesh::{FARTHEST, MAX_TRIANGLES, Mesh};
 
 const PLACE: [&str; 3] = ["x", "y", "z"];
 

@@ -2,13 +2,15 @@
 mod body;
 mod content;
 mod header;
+mod list;
 
 use body::{Binary, Body, Text};
 use content::Content;
-use header::{Element, Encoding, Header, Kind, Property};
+use header::{Element, Encoding, Header};
+use list::skip;
 
-use super::Mesh;
 use super::error::{Located, MeshProblem};
+use super::indexed::Mesh;
 use super::text::unmarked;
 use super::warning::{Notices, quoted};
 
@@ -72,21 +74,4 @@ fn read(
 
 fn skip_all(element: &Element<'_>, body: &mut impl Body) -> Result<(), Located> {
     element.properties.iter().try_for_each(|property| skip(property, body))
-}
-
-fn skip(property: &Property<'_>, body: &mut impl Body) -> Result<(), Located> {
-    match property.kind {
-        Kind::Number(scalar) => body.skip(property, scalar, 1),
-        Kind::List { length, item } => {
-            let length = list_length(body.whole(property, length)?, property, body)?;
-            body.skip(property, item, length)
-        }
-    }
-}
-
-/// A list's length, which was read as an integer.
-fn list_length(length: i64, property: &Property<'_>, body: &impl Body) -> Result<usize, Located> {
-    usize::try_from(length).map_err(|_| {
-        body.wrong(format!("the list {} has the length {length}", quoted(property.name)))
-    })
 }

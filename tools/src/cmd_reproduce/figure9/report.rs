@@ -34,7 +34,7 @@ pub struct Line {
     pub verilog: String,
 }
 
-/// `report.json`.
+/// The text of `report.json`.
 #[derive(Serialize)]
 struct Report<'a> {
     /// Always `specula`: by it a later run recognises that the listed files are its own.

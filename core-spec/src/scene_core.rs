@@ -1,0 +1,85 @@
+//! The core for a loaded scene.
+use specula_scene::{LoadedScene, Needs, SceneError};
+
+use crate::lyon::Normals;
+use crate::{CoreOptions, CoreSpec, Method, MethodSpec, SpecError, Specialise};
+
+/// Why there is no core for a scene.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum CoreError {
+    /// Something wrong at a place in the scene's file.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Scene(#[from] SceneError),
+    /// The core that the scene or the user asks for cannot be built.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Spec(#[from] SpecError),
+}
+
+/// What a loaded scene says of the core that shades it.
+pub trait SceneCore {
+    /// The core for this scene, with `method` if one is given, or else the method in the scene
+    /// file's `[core]` table, or else `lyon`. It is specialised for this frame, unless the table
+    /// has `specialise = "general"`.
+    ///
+    /// # Errors
+    /// A [`CoreError`] that points at the `[core]` table, if there is one.
+    fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, CoreError>;
+
+    /// The general core that this scene would get with these needs; its frame is not looked at.
+    ///
+    /// # Errors
+    /// As [`SceneCore::core_spec`].
+    fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, CoreError>;
+}
+
+impl SceneCore for LoadedScene {
+    fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, CoreError> {
+        let spec = self.core_for(&Needs::of(&self.frame), method)?;
+        Ok(match specialise(self)? {
+            Specialise::General => spec,
+            Specialise::Scene => spec.specialised(&self.frame),
+        })
+    }
+
+    fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, CoreError> {
+        let options = core_options(self)?;
+        let spec = CoreSpec::for_scene(needs, options.as_ref(), method);
+        let spec = spec.map_err(|error| -> CoreError {
+            match &self.core {
+                Some(table) => {
+                    table.error(table.span(), error.to_string(), error.help_text()).into()
+                }
+                None => error.into(),
+            }
+        })?;
+        Ok(match specialise(self)? {
+            Specialise::General => spec,
+            Specialise::Scene => without_interpolation(spec, needs, options.as_ref()),
+        })
+    }
+}
+
+/// What the scene file's `[core]` table says.
+fn core_options(scene: &LoadedScene) -> Result<Option<CoreOptions>, SceneError> {
+    scene.core.as_ref().map(|table| table.parse::<CoreOptions>()).transpose()
+}
+
+fn specialise(scene: &LoadedScene) -> Result<Specialise, SceneError> {
+    Ok(core_options(scene)?.and_then(|options| options.specialise).unwrap_or(Specialise::Scene))
+}
+
+/// If every triangle has only one normal, `lyon` does not interpolate it, unless the `[core]` table
+/// says how to treat normals.
+fn without_interpolation(
+    mut spec: CoreSpec,
+    needs: &Needs,
+    options: Option<&CoreOptions>,
+) -> CoreSpec {
+    let told = options.is_some_and(|options| options.of(Method::Lyon).contains_key("normals"));
+    if let (MethodSpec::Lyon(lyon), true, false) = (&mut spec.method, needs.flat, told) {
+        lyon.normals = Normals::Flat;
+    }
+    spec
+}
