@@ -5,7 +5,7 @@ use specula_spec::FULL_SCALE;
 use super::asked::{Asked, QUANTISATION};
 use super::limits::{EXACT, Limits, Reason, Rounding};
 use super::row::{Ask, Place, Shaded};
-use specula_testbench::{Bench, Outcome};
+use specula_testbench::{Bench, Outcome, Violation};
 
 /// How many there are of something, and the first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -106,7 +106,7 @@ impl Measured {
         self.broken_facts = Counted {
             number: u64::from(broken.is_some()),
             first: broken.map(|broken| pixel_of(bench, broken.clock)),
-            detail: broken.map(|broken| broken.in_words()),
+            detail: broken.map(Violation::in_words),
         };
     }
 
@@ -186,11 +186,10 @@ impl Measured {
 
     fn quantisation(&self) -> Asked {
         let (came, place) = (self.quantisation.lsb, Some(self.quantisation.place));
-        match self.bound < FULL_SCALE {
-            true => Asked::within(QUANTISATION, Some(self.bound), came, place),
-            false => {
-                Asked::within("LSB of quantisation, of cores without a bound", None, came, place)
-            }
+        if self.bound < FULL_SCALE {
+            Asked::within(QUANTISATION, Some(self.bound), came, place)
+        } else {
+            Asked::within("LSB of quantisation, of cores without a bound", None, came, place)
         }
     }
 
