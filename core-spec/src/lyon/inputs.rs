@@ -95,11 +95,14 @@ impl LyonSpec {
     fn light_inputs(&self, core: &CoreSpec, index: usize) -> LyonLight<InputPort> {
         let f = &self.formats;
         let name = format!("light{index}_halfway");
-        let halfway = || match self.difference.takes_unit_halfway() {
-            // g2 makes h longer than 1 by 0.2 % at most (methods B9), and that only where it is no
-            // nearer than 20 degrees to an axis.
-            true => InputPort::vector(&name, f.vector, 1.0),
-            false => InputPort::vector(&name, f.vector_sum(), 2.0),
+        let halfway = || {
+            if self.difference.takes_unit_halfway() {
+                // g2 makes h longer than 1 by 0.2 % at most (methods B9), and that only where it is
+                // no nearer than 20 degrees to an axis.
+                InputPort::vector(&name, f.vector, 1.0)
+            } else {
+                InputPort::vector(&name, f.vector_sum(), 2.0)
+            }
         };
         LyonLight {
             direction: InputPort::vector(&format!("light{index}_direction"), f.vector, 1.0),

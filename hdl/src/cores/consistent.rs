@@ -146,11 +146,10 @@ impl Pixel<'_> {
                     has_direction.choose(&cosine, &b.integer(0)).clamped_above(1).named("base");
                 // Where rounding may decide whether a normal has a direction, nothing is known of
                 // its highlight.
-                match has_direction.error() == 0.0 {
-                    true => base
-                        .stated_error_value(cosine.error_value())
-                        .known_cosine(off.angle(), rest),
-                    false => base.stated_error_value(1.0).of_error_model(ErrorModel::Bounded),
+                if has_direction.error() == 0.0 {
+                    base.stated_error_value(cosine.error_value()).known_cosine(off.angle(), rest)
+                } else {
+                    base.stated_error_value(1.0).of_error_model(ErrorModel::Bounded)
                 }
             },
         )

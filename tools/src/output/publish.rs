@@ -75,11 +75,10 @@ impl Staging {
         let Staging { destination, new, temporary, created } = self;
         let interrupts: Interrupts = destination.interrupts().clone();
         let held = interrupts.hold();
-        let published = match destination.place.exists() {
-            true => replace(&destination, &new, temporary.path(), disk),
-            false => disk
-                .rename(&new, &destination.place)
-                .map_err(OutputError::system(&destination.shown)),
+        let published = if destination.place.exists() {
+            replace(&destination, &new, temporary.path(), disk)
+        } else {
+            disk.rename(&new, &destination.place).map_err(OutputError::system(&destination.shown))
         };
         match published {
             // It must not be deleted with the temporary folder.

@@ -63,10 +63,7 @@ fn result(report: &Report) -> String {
             .to_owned(),
         Some(disagreement) => {
             let lines: Vec<String> = disagreement.lines().iter().map(|line| format!("- {line}\n")).collect();
-            let verdict = match disagreement.is_bound_only() {
-                true => "The quantisation error is above its proven bound.",
-                false => "The core does not agree with its models.",
-            };
+            let verdict = if disagreement.is_bound_only() { "The quantisation error is above its proven bound." } else { "The core does not agree with its models." };
             format!("**{verdict}**\n\n{}", lines.concat())
         }
     };

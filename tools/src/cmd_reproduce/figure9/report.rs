@@ -121,9 +121,10 @@ pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
 /// The text of `report.md`, which is docs/figure9.md at the report's size. `exact` is the figure in
 /// f64.
 pub fn markdown(rows: &[Shaded], balls: Balls, exact: &[f64]) -> String {
-    let verdict = match rows.iter().all(|row| row.line.agrees) {
-        true => "Every pixel of every row agrees with the bit-true model, each in its clock.",
-        false => "**Not every row agrees with its model.**",
+    let verdict = if rows.iter().all(|row| row.line.agrees) {
+        "Every pixel of every row agrees with the bit-true model, each in its clock."
+    } else {
+        "**Not every row agrees with its model.**"
     };
     let (radius, sum) = (balls.radius, exact.iter().sum::<f64>());
     let table = table::markdown(COLUMNS, &lines(rows));
