@@ -10,8 +10,8 @@ fn low_bits(value: i64) -> i64 {
     (value << 40) >> 40
 }
 
-/// value = first ? start : state, state ← low bits of value + step; a column in two parts, as
-/// batches follow each other.
+/// value = first ? start : state, state ← low bits of value + step; the column comes in two parts,
+/// as batches follow each other.
 fn accumulated<S: Lane, T: Lane, O: Lane>(
     shape: Shape,
     cut: usize,
@@ -36,7 +36,7 @@ fn accumulated<S: Lane, T: Lane, O: Lane>(
     assert_eq!((numbers(&out), got_state), (expected, state));
 }
 
-/// state ← enable ? value : state, in two parts.
+/// state ← enable ? value : state, with the column in two parts.
 fn held<I: Lane, O: Lane>(shape: Shape, cut: usize, enable: &[i64], value: &[i64]) {
     let (mut state, mut expected) = (0, vec![]);
     for (&enable, &value) in shape.of(enable, 0).iter().zip(shape.of(value, 1)) {

@@ -42,8 +42,8 @@ pub enum Primitive {
 pub const NAMES: [&str; 4] = ["teapot", "sphere", "torus", "icosahedron"];
 
 impl Primitive {
-    /// The shape of that name with its defaults.
-    pub fn named(name: &str) -> Option<Primitive> {
+    /// The shape with that name and its default parameters.
+    pub fn by_name(name: &str) -> Option<Primitive> {
         match name {
             "teapot" => Some(Primitive::Teapot { level: 12 }),
             "sphere" => Some(Primitive::Sphere { level: 16 }),
@@ -69,7 +69,7 @@ impl Primitive {
 
     /// The shape's triangles, counter-clockwise seen from outside, and its exact normals.
     ///
-    /// Levels outside the stated ranges are brought into them.
+    /// Levels outside the stated ranges are clamped.
     pub fn mesh(self) -> Mesh {
         match self {
             Primitive::Teapot { level } => teapot::mesh(level.clamp(1, 64)),
