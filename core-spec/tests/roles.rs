@@ -3,7 +3,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use specula_scene::{Needs, load};
-use specula_spec::{CoreOptions, CoreSpec, Method, Subject};
+use specula_spec::{CoreOptions, CoreSpec, Method};
 
 /// Scenes with lights at infinity and at places, of exponents that are powers of two and others.
 const SCENES: [&str; 2] = ["teapot", "lamps"];
@@ -11,9 +11,9 @@ const SCENES: [&str; 2] = ["teapot", "lamps"];
 /// The options of a method: none, and each with each of its values.
 fn tables(method: Method) -> impl Iterator<Item = CoreOptions> {
     let options = method
-        .choices()
+        .option_domains()
         .iter()
-        .flat_map(|choice| choice.values.iter().map(|value| format!("{} = {value}", choice.key)));
+        .flat_map(|option| option.values.iter().map(|value| format!("{} = {value}", option.key)));
     let tables = [String::new()].into_iter().chain(options);
     // Some options tell only beside others.
     let beside = |option: &str| match option.split_once(' ') {
@@ -35,12 +35,12 @@ fn roles(method: Method) -> BTreeMap<String, &'static str> {
         for table in tables(method) {
             let needs = Needs { uneven_shininess: None, ..Needs::of(&frame) };
             let spec = CoreSpec::for_scene(&needs, Some(&table), Some(method)).expect("it is one");
-            for port in spec.inputs() {
+            for (port, role) in spec.inputs().iter().zip(spec.input_roles()) {
                 let one_light = match port.name.strip_prefix("light") {
                     Some(rest) => format!("light<l>{}", &rest[1..]),
                     None => port.name.clone(),
                 };
-                let role = Subject::of(&port.name).in_words();
+                let role = role.in_words();
                 assert_eq!(*roles.entry(one_light).or_insert(role), role, "{}", port.name);
             }
         }

@@ -19,7 +19,8 @@ fn agrees(seed: u64, method: Method) {
     let longest = draw.one_of(&[1, 2, 3, 20, 150]);
     let frame = draw::frame(&mut draw, longest);
     let light_pipelines = draw.one_of(&LightPipelines::ALL);
-    let general = CoreSpec { light_pipelines, ..draw::spec(&mut draw, &frame, method) };
+    let mut general = draw::spec(&mut draw, &frame, method);
+    general.parameters.light_pipelines = light_pipelines;
     let spec = if draw.one_of(&[true, false]) { general.specialised(&frame) } else { general };
     println!("{spec:?}");
     let bench = match Bench::new(&frame, &spec, "core") {

@@ -78,7 +78,7 @@ fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw
 fn patterns(spec: &CoreSpec, draw: &mut Draw, random: usize) -> Vec<SpanPacket> {
     let ports = spec.inputs();
     let of = |draw: &mut Draw, value: &mut dyn FnMut(usize, &InputPort) -> i64| SpanPacket {
-        length: draw.length(spec.longest_span),
+        length: draw.length(spec.parameters.longest_span),
         inputs: ports
             .iter()
             .enumerate()

@@ -21,12 +21,12 @@ pub struct Edge {
     x: f64,
     x_step: f64,
     /// Barycentric weights of the first two vertices.
-    weights: Course<[f64; 2]>,
+    weights: Affine<[f64; 2]>,
 }
 
 /// What is linear in a triangle: at its edge, and what it grows by.
 #[derive(Clone, Copy, Debug, Default)]
-struct Course<V> {
+struct Affine<V> {
     at_edge: V,
     /// With each line, along the edge.
     down: V,
@@ -61,7 +61,7 @@ impl Edge {
             line,
             x: from.x + t * down.x,
             x_step: down.x / down.y,
-            weights: Course {
+            weights: Affine {
                 at_edge: [0, 1].map(|v| at_top[v] + t * edge[v]),
                 down: edge.map(|weight| weight / down.y),
                 // (I2 - I1)/(x2 - x1) of each weight, x2 where the line through the middle vertex
@@ -77,7 +77,7 @@ impl Edge {
             line: f64::from(span.y),
             x: centre(span.x),
             x_step: 0.0,
-            weights: Course::along([span.start, span.end], span.weight_step()),
+            weights: Affine::along([span.start, span.end], span.weight_step()),
         }
     }
 
@@ -95,10 +95,10 @@ fn centre(column: u32) -> f64 {
     f64::from(column) + 0.5
 }
 
-impl Course<[f64; 2]> {
+impl Affine<[f64; 2]> {
     /// From weights at the first pixel of a line to those at its last, 1/S apart.
     fn along([start, end]: [[f64; 3]; 2], per_step: f64) -> Self {
-        Course {
+        Affine {
             at_edge: [start[0], start[1]],
             down: [0.0; 2],
             across: [0, 1].map(|v| (end[v] - start[v]) * per_step),
@@ -108,7 +108,7 @@ impl Course<[f64; 2]> {
 
 /// A value at a triangle's three vertices, linear between them, that goes with its [`Edge`].
 #[derive(Clone, Copy, Debug)]
-pub struct Plane(Course<f64>);
+pub struct Plane(Affine<f64>);
 
 impl Plane {
     /// From the values at the vertices, before the edge's first line.
@@ -118,13 +118,13 @@ impl Plane {
 
     /// From the first pixel of a span to its last, without its triangle.
     pub fn along<T: Number>(line: &Line, at_vertices: [f64; 3]) -> Linear<T> {
-        let Plane(value) = Plane::of(&Course::along(line.weights, line.per_step()), at_vertices);
+        let Plane(value) = Plane::of(&Affine::along(line.weights, line.per_step()), at_vertices);
         Linear::new(value.at_edge, value.across)
     }
 
-    fn of(weights: &Course<[f64; 2]>, [first, second, last]: [f64; 3]) -> Plane {
+    fn of(weights: &Affine<[f64; 2]>, [first, second, last]: [f64; 3]) -> Plane {
         let more = |by: [f64; 2]| by[0] * (first - last) + by[1] * (second - last);
-        Plane(Course {
+        Plane(Affine {
             at_edge: last + more(weights.at_edge),
             down: more(weights.down),
             across: more(weights.across),

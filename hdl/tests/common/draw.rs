@@ -180,6 +180,7 @@ pub fn spec(draw: &mut Draw, frame: &Frame, method: Method) -> CoreSpec {
     let mut needs = Needs::of(frame);
     needs.longest_span = draw.one_of(&[needs.longest_span, 8192]);
     let mut spec = any_spec(&needs, method, |low, high| draw.between(low, high));
-    spec.coefficient.integer_bits = draw.between(spec.coefficient.integer_bits, 16);
+    let coefficient = &mut spec.parameters.coefficient;
+    coefficient.integer_bits = draw.between(coefficient.integer_bits, 16);
     spec
 }

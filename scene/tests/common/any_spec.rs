@@ -9,11 +9,11 @@ pub fn any_spec(
     method: Method,
     mut between: impl FnMut(u32, u32) -> u32,
 ) -> CoreSpec {
-    let mut option = |choice: &specula_spec::Choice| {
+    let mut option = |choice: &specula_spec::OptionDomain| {
         let value = choice.values[between(0, choice.values.len() as u32 - 1) as usize];
         format!("{} = {value}", choice.key)
     };
-    let mut options: Vec<String> = method.choices().iter().map(&mut option).collect();
+    let mut options: Vec<String> = method.option_domains().iter().map(&mut option).collect();
     if needs.uneven_shininess.is_some() {
         // Squaring does not reach every exponent.
         options.retain(|option| !option.starts_with("power"));
