@@ -61,6 +61,7 @@
 //! `examples/` has a lerp, a filter, a reciprocal and a complex product: each proves its bound,
 //! prints its Verilog, is simulated, and compared with f64.
 pub mod block;
+pub mod bound;
 pub mod builder;
 pub mod design;
 pub mod format;

@@ -1,8 +1,8 @@
-//! Feedback: kernels whose lanes depend on the lanes before.
+//! Kernels with feedback, whose lanes depend on the lanes before, and table look-up.
 use crate::Lane;
 
-/// value = first ? start : state, then state ← `wrap` of value + step. `state` goes in and comes
-/// out.
+/// For each lane: value = first ? start : state, then state ← `wrap` of value + step. `state` is
+/// the accumulator before the first lane and, afterwards, behind the last.
 pub fn accumulate<S: Lane, T: Lane, O: Lane>(
     out: &mut [O],
     first: &[i32],
@@ -22,7 +22,8 @@ pub fn accumulate<S: Lane, T: Lane, O: Lane>(
     *state = q;
 }
 
-/// state ← enable ? value : state; the column holds the state after. `state` goes in and comes out.
+/// For each lane: state ← enable ? value : state; the column holds the new state. `state` is the
+/// register before the first lane and, afterwards, behind the last.
 pub fn hold<I: Lane, O: Lane>(out: &mut [O], enable: &[i32], value: &[I], state: &mut i64) {
     let n = out.len();
     let (enable, value) = (&enable[..n], &value[..n]);
@@ -34,7 +35,7 @@ pub fn hold<I: Lane, O: Lane>(out: &mut [O], enable: &[i32], value: &[I], state:
     *state = q;
 }
 
-/// The entries of `table` at `address`; an address behind the last gives 0.
+/// The entries of `table` at `address`; an address behind the last entry gives 0.
 pub fn look_up<O: Lane>(out: &mut [O], address: &[i32], table: &[i64]) {
     for (out, &at) in out.iter_mut().zip(address) {
         *out = O::from_i64(table.get(at as usize).copied().unwrap_or(0));

@@ -26,7 +26,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Prints a line for each method, or all that is known of each.
+/// Prints a line for each method, or everything that is known about each as JSON.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let text = if arguments.json { json::text()? } else { lines() };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use specula_experiments::climb::Search;
 use specula_experiments::stress::{
-    CATALOGUE, Cell, Extent, RAW, RAW_INPUT, Verdict as StressVerdict, sweep,
+    CATALOGUE, Cell, RAW, RAW_INPUT, RowVerdict, TrialExtent, sweep,
 };
 use specula_spec::Method;
 
@@ -39,26 +39,26 @@ Exit status: 0 if nothing is at fault and no bound is broken, 1 if not, 2 if it 
 Example: specula stress --method slerp --seed 7
 Example: specula stress --climb --scenes 100000 --seed 7";
 
-/// Scenes that a search tries.
+/// Default number of scenes that a search tries.
 const SCENES: u64 = 20_000;
 
 /// Arguments of `stress`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// Try this method alone
+    /// Try only this method
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
-    /// Of the random numbers; the same seed gives the same spans
+    /// Seed of the random numbers; the same seed gives the same spans
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// Random spans of each row
-    #[arg(long, value_name = "N", default_value_t = Extent::WHOLE.spans as u32, value_parser = clap::value_parser!(u32).range(1..=4096), conflicts_with = "climb")]
+    /// Number of random spans in each row
+    #[arg(long, value_name = "N", default_value_t = TrialExtent::WHOLE.spans as u32, value_parser = clap::value_parser!(u32).range(1..=4096), conflicts_with = "climb")]
     spans: u32,
     /// Search for broken bounds instead of trying the catalogue
     #[arg(long)]
     climb: bool,
-    /// Scenes that the search tries, shared out among the methods
+    /// Number of scenes that the search tries, divided among the methods
     #[arg(long, value_name = "N", default_value_t = SCENES, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000), requires = "climb")]
     scenes: u64,
     /// Print report.json instead of the table
@@ -69,14 +69,14 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// The catalogue, tried.
+/// The results of the catalogue.
 struct Stress {
     seed: u64,
     spans: u32,
     rows: Vec<RowResult>,
 }
 
-/// A row, tried on each method.
+/// The results of a row with each method.
 struct RowResult {
     id: &'static str,
     input: &'static str,
@@ -84,13 +84,13 @@ struct RowResult {
 }
 
 impl RowResult {
-    /// The worst that any method comes to; nothing where none has a core.
-    fn verdict(&self) -> Option<StressVerdict> {
+    /// The worst verdict of any method; `None` if no method has a core for the row.
+    fn verdict(&self) -> Option<RowVerdict> {
         self.cells.iter().filter_map(Cell::verdict).max()
     }
 
     fn has_fault(&self) -> bool {
-        self.verdict() == Some(StressVerdict::Fault)
+        self.verdict() == Some(RowVerdict::Fault)
     }
 }
 
@@ -110,7 +110,8 @@ impl Arguments {
     }
 }
 
-/// Tries the catalogue or searches, writes everything, and prints the table or the report.
+/// Tries the catalogue or searches for broken bounds, writes all files, and prints the table or the
+/// report.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -143,7 +144,7 @@ fn try_catalogue(
     let methods = arguments.methods();
     let destination =
         arguments.destination("out/stress", &files::possible_names(&methods), interrupts)?;
-    let extent = Extent { spans: arguments.spans as usize, ..Extent::WHOLE };
+    let extent = TrialExtent { spans: arguments.spans as usize, ..TrialExtent::WHOLE };
     let bar = progress::steps();
     let cells = sweep(arguments.seed, &methods, extent, &|done, all| {
         bar.set_length(all as u64);
@@ -161,7 +162,7 @@ fn try_catalogue(
     })
 }
 
-/// Cells in the rows that they belong to.
+/// Groups cells by the rows that they belong to.
 fn rows(cells: Vec<Cell>) -> Vec<RowResult> {
     let of_catalogue = CATALOGUE.iter().map(|row| (row.id, row.input));
     let row = |(id, input)| {

@@ -1,5 +1,5 @@
 //! The usual feedback: a value that grows by a step with each pixel of a span.
-use super::state::Facts;
+use super::state::SignalInfo;
 use super::{Builder, Sig};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::{GroupId, Pace, Value};
@@ -36,10 +36,12 @@ impl Sig {
             Range::new(raw(low).floor() as i64, raw(high).ceil() as i64).hull(start.range());
         let whole = Range::whole(assumed.width(), assumed.signed());
         let state = builder.feedback_register(whole, fraction_bits, round);
-        let facts = |range: Range, kind| Facts { range: range.into(), fraction_bits, error, kind };
+        let facts =
+            |range: Range, kind| SignalInfo { range: range.into(), fraction_bits, error, kind };
         let select = Op::Select(first.id(), start.id(), builder.kept_for_a_pixel(state));
         let value = builder.emit(select, Pace::Wire, facts(whole.hull(start.range()), "value"));
-        let next_range = Facts { range: value.range().plus(step.range()), ..facts(whole, "next") };
+        let next_range =
+            SignalInfo { range: value.range().plus(step.range()), ..facts(whole, "next") };
         let next = builder.emit(Op::Add(value.id(), step.id()), Pace::Wire, next_range);
         builder.close_loop(state, &next);
         let value = value.assumed(low, high, fact);
@@ -71,13 +73,14 @@ impl Sig {
         let whole = Range::whole(stated.width(), stated.signed());
         let state = builder.feedback_register(whole, fraction_bits, round);
         let select = Op::Select(first.id(), start.id(), state);
-        let facts = |range: Range, kind| Facts { range: range.into(), fraction_bits, error, kind };
+        let facts =
+            |range: Range, kind| SignalInfo { range: range.into(), fraction_bits, error, kind };
         let before = builder.emit(select, Pace::Wire, facts(whole.hull(start.range()), "before"));
         let range = before.range().plus(term.range());
         let sum = builder.emit(
             Op::Add(before.id(), term.id()),
             Pace::Wire,
-            Facts { range, ..facts(whole, "sum") },
+            SignalInfo { range, ..facts(whole, "sum") },
         );
         builder.close_loop(state, &sum);
         let sum = sum.assumed(low, high, fact);
@@ -92,7 +95,7 @@ impl Sig {
             &format!("accumulator {} bits", self.range().width()),
             "its step is always 0",
         );
-        let facts = Facts {
+        let facts = SignalInfo {
             range: self.range().into(),
             fraction_bits: self.fraction_bits(),
             error,

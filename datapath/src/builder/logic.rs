@@ -1,6 +1,7 @@
 //! Comparisons, bits and choices.
 use super::Sig;
-use crate::design::{ErrorForm, Op, Range, WideRange};
+use crate::bound::ErrorModel;
+use crate::design::{Op, Range, WideRange};
 
 const BIT: Range = Range::new(0, 1);
 
@@ -61,12 +62,12 @@ impl Sig {
         let facts = (range, fraction_bits, a.error().max(b.error()));
         let zero = |sig: &Sig| sig.range().only() == Some(0) && sig.error() == 0.0;
         let form = match (zero(&a), zero(&b)) {
-            (false, true) => yes.error_form(),
-            (true, false) => no.error_form(),
-            _ => ErrorForm::Bounded,
+            (false, true) => yes.error_model(),
+            (true, false) => no.error_model(),
+            _ => ErrorModel::Bounded,
         };
         let chosen =
             Sig::operator([self, &a, &b], |[c, a, b]| Op::Select(c, a, b), facts, "chosen");
-        chosen.of_error_form(form).with_real(a.real().or(b.real()))
+        chosen.of_error_model(form).with_real(a.real().or(b.real()))
     }
 }

@@ -1,7 +1,7 @@
 //! Tables, and registers that hold their value.
 use super::Sig;
 use super::error::BuildError;
-use super::state::Facts;
+use super::state::SignalInfo;
 use crate::design::{NodeId, Op, Range, Table, TableId};
 use crate::graph::{GroupId, Pace};
 
@@ -55,7 +55,7 @@ impl Sig {
         let kept = builder.ahead(
             op,
             together,
-            Facts { range: range.into(), fraction_bits, error, kind: "kept" },
+            SignalInfo { range: range.into(), fraction_bits, error, kind: "kept" },
         );
         builder.state.borrow_mut().graph.values[state.id().0 as usize].op =
             Op::Select(load.id(), loaded.id(), kept);
@@ -91,7 +91,7 @@ impl super::Builder {
     }
 
     /// What a register that holds its value will have in the next clock, unless it is loaded.
-    fn ahead(&self, op: Op, together: GroupId, facts: Facts) -> NodeId {
+    fn ahead(&self, op: Op, together: GroupId, facts: SignalInfo) -> NodeId {
         let mut state = self.state.borrow_mut();
         let id = state.emit(op, Pace::Ahead, facts);
         state.graph.values[id.0 as usize].together = Some(together);

@@ -18,7 +18,7 @@ mod real;
 mod recurrence;
 mod sig;
 mod state;
-mod turns;
+mod time_slots;
 mod unit;
 mod vector;
 
@@ -34,12 +34,12 @@ use crate::target::Target;
 
 pub use error::BuildError;
 pub use ports::{Bundle, Inputs};
-pub use recurrence::Known;
+pub use recurrence::LoopInvariant;
 pub use sig::Sig;
-pub use turns::Turns;
-pub use vector::{Gains, Off, Vector};
+pub use time_slots::TimeSlots;
+pub use vector::Vector;
 
-use state::{Facts, State};
+use state::{SignalInfo, State};
 
 /// Builds a [`Design`], one operator at a time.
 #[derive(Clone)]
@@ -167,7 +167,7 @@ impl Builder {
     }
 
     /// Adds an operator.
-    fn emit(&self, op: Op, pace: Pace, facts: Facts) -> Sig {
+    fn emit(&self, op: Op, pace: Pace, facts: SignalInfo) -> Sig {
         let error = facts.error;
         let id = self.state.borrow_mut().emit(op, pace, facts);
         self.sig(id, error)

@@ -3,8 +3,9 @@ use crate::format::power_of_two;
 
 use super::Sig;
 use super::real::Real;
-use super::state::Facts;
-use crate::design::{Assumption, ErrorForm, Op, Range, Share};
+use super::state::SignalInfo;
+use crate::bound::{Angular, ErrorModel, RelativeBound};
+use crate::design::{Assumption, Op, Range};
 use crate::graph::Pace;
 
 impl Sig {
@@ -44,7 +45,7 @@ impl Sig {
         if self.range().hull(range) == range {
             return self.clone();
         }
-        let facts = Facts {
+        let facts = SignalInfo {
             range: range.into(),
             fraction_bits: self.fraction_bits(),
             error: self.error(),
@@ -76,7 +77,7 @@ impl Sig {
         if let Some(value) = constant {
             return self.builder.constant(value >> dropped, fraction_bits, error);
         }
-        let facts = Facts { range: range.into(), fraction_bits, error, kind };
+        let facts = SignalInfo { range: range.into(), fraction_bits, error, kind };
         self.builder.emit(Op::ShiftRight(self.id(), dropped), Pace::Wire, facts)
     }
 
@@ -129,7 +130,7 @@ impl Sig {
     /// After a clamp: the range that the clamp leaves, which the hull of its branches does not
     /// show.
     fn known_within(self, range: Range, error: f64) -> Sig {
-        let facts = Facts {
+        let facts = SignalInfo {
             range: range.into(),
             fraction_bits: self.fraction_bits(),
             error,
@@ -165,7 +166,7 @@ impl Sig {
             node: self.id(),
             range,
         });
-        let facts = Facts {
+        let facts = SignalInfo {
             range: range.into(),
             fraction_bits: self.fraction_bits(),
             error: self.error(),
@@ -201,24 +202,25 @@ impl Sig {
         if error == 0.0 {
             return self;
         }
-        let form = match self.error_form() {
-            ErrorForm::Proportional(shares) => ErrorForm::Proportional(
-                shares.map(|share| Share { rest: share.rest.max(error), ..share }),
+        let form = match self.error_model() {
+            ErrorModel::Relative(shares) => ErrorModel::Relative(
+                shares.map(|share| RelativeBound { rest: share.rest.max(error), ..share }),
             ),
-            ErrorForm::Bounded | ErrorForm::OfCosine { .. } | ErrorForm::OneOfSeveral { .. } => {
-                ErrorForm::Bounded
+            ErrorModel::Bounded | ErrorModel::Angular(_) | ErrorModel::Exclusive { .. } => {
+                ErrorModel::Bounded
             }
         };
         let most = self.error_value().max(error);
-        self.stated_error_value(most).of_error_form(form)
+        self.stated_error_value(most).of_error_model(form)
     }
 
     /// States that it is the cosine of an angle off by `angle`, and off by `rest` beside that; see
-    /// [`ErrorForm::OfCosine`].
+    /// [`ErrorModel::Angular`].
     pub fn known_cosine(self, angle: f64, rest: f64) -> Sig {
         if !(angle + rest).is_finite() {
             return self;
         }
-        self.proven_error_value(angle + rest).of_error_form(ErrorForm::OfCosine { angle, rest })
+        self.proven_error_value(angle + rest)
+            .of_error_model(ErrorModel::Angular(Angular { angle, rest }))
     }
 }

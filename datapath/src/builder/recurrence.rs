@@ -1,12 +1,12 @@
 //! Feedback of any kind: values that each pixel makes of those of the pixel before.
 use super::error::BuildError;
-use super::state::Facts;
+use super::state::SignalInfo;
 use super::{Builder, Sig};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::{GroupId, Pace};
 
 /// What a unit knows of the values of a recurrence.
-pub struct Known<'a> {
+pub struct LoopInvariant<'a> {
     /// Where they stay while the span lasts, by a fact that the unit gives a name; behind its last
     /// pixel they may wrap.
     pub limits: (f64, f64),
@@ -38,11 +38,11 @@ impl Builder {
         first: &Sig,
         starts: [&Sig; N],
         fraction_bits: u32,
-        known: &Known,
+        invariant: &LoopInvariant,
         next: impl FnOnce(&[Sig; N]) -> [Sig; N],
     ) -> [Sig; N] {
         let together = self.group(starts.into_iter().chain([first]));
-        let round = self.round(first, starts, together, fraction_bits, known);
+        let round = self.round(first, starts, together, fraction_bits, invariant);
         let followers = self.without_registers(|| next(&round.values));
         self.close_round(&round, &followers);
         round.values.each_ref().map(|value| self.registered_after(value, &round))
@@ -58,15 +58,16 @@ impl Builder {
         first: &Sig,
         (starts, operands): ([&Sig; N], [&Sig; M]),
         fraction_bits: u32,
-        known: &Known,
+        invariant: &LoopInvariant,
         next: impl FnOnce(&[Sig; N], &[Sig; M]) -> [Sig; N],
     ) -> [Sig; N] {
         let together = self.group(starts.into_iter().chain(operands).chain([first]));
-        let round = self.round(first, starts, together, fraction_bits, known);
+        let round = self.round(first, starts, together, fraction_bits, invariant);
         let operands = operands.map(|sig| sig.taken_with(together));
         let followers = self.without_registers(|| next(&round.values, &operands));
-        let followers =
-            followers.map(|follower| follower.assumed(known.limits.0, known.limits.1, known.fact));
+        let followers = followers.map(|follower| {
+            follower.assumed(invariant.limits.0, invariant.limits.1, invariant.fact)
+        });
         self.close_round(&round, &followers);
         followers.map(|follower| self.registered_after(&follower, &round))
     }
@@ -77,28 +78,30 @@ impl Builder {
         starts: [&Sig; N],
         together: GroupId,
         fraction_bits: u32,
-        known: &Known,
+        invariant: &LoopInvariant,
     ) -> Round<N> {
         let first = first.taken_with(together);
         let starts = starts.map(|sig| sig.with_fraction_bits(fraction_bits).taken_with(together));
         let raw = |value: f64| value * crate::format::power_of_two(fraction_bits.into());
-        let stays =
-            Range::new(raw(known.limits.0).floor() as i64, raw(known.limits.1).ceil() as i64);
+        let stays = Range::new(
+            raw(invariant.limits.0).floor() as i64,
+            raw(invariant.limits.1).ceil() as i64,
+        );
         let whole = Range::whole(stays.width(), stays.signed());
-        let error = raw(known.error);
+        let error = raw(invariant.error);
 
         let states =
             starts.each_ref().map(|_| self.feedback_register(whole, fraction_bits, together));
         let values: [Sig; N] = std::array::from_fn(|k| {
             let select = Op::Select(first.id(), starts[k].id(), self.kept_for_a_pixel(states[k]));
-            let facts = Facts {
+            let facts = SignalInfo {
                 range: whole.hull(starts[k].range()).into(),
                 fraction_bits,
                 error,
                 kind: "value",
             };
             let value = self.emit(select, Pace::Wire, facts);
-            value.assumed(known.limits.0, known.limits.1, known.fact)
+            value.assumed(invariant.limits.0, invariant.limits.1, invariant.fact)
         });
         Round { states, values, fraction_bits, error }
     }
@@ -119,7 +122,7 @@ impl Builder {
     }
 
     fn registered_after<const N: usize>(&self, value: &Sig, round: &Round<N>) -> Sig {
-        let facts = Facts {
+        let facts = SignalInfo {
             range: value.range().into(),
             fraction_bits: round.fraction_bits,
             error: round.error,

@@ -4,8 +4,9 @@ use crate::format::power_of_two;
 
 use super::Builder;
 use super::real::Real;
-use super::state::Facts;
-use crate::design::{ErrorForm, NodeId, Op, Range, WideRange, format_of};
+use super::state::SignalInfo;
+use crate::bound::ErrorModel;
+use crate::design::{NodeId, Op, Range, WideRange, format_of};
 use crate::graph::{GroupId, Pace};
 
 /// A value being described: its format, its proven range and its error bound.
@@ -19,7 +20,7 @@ pub struct Sig {
     /// Bound on |fixed - real|, in units of the last place.
     error: f64,
     /// What is known of the error beside that, about values.
-    error_form: ErrorForm,
+    error_model: ErrorModel,
     /// What is known of the real value beside that it is near the fixed one.
     real: Real,
 }
@@ -28,7 +29,7 @@ impl Sig {
     /// The signal `id` with the binary point where it counts `fraction_bits`, off by `error` units
     /// of the last place at most.
     pub(super) fn new(builder: Builder, (id, fraction_bits): (NodeId, u32), error: f64) -> Sig {
-        Sig { builder, id, fraction_bits, error, error_form: ErrorForm::Bounded, real: Real::ANY }
+        Sig { builder, id, fraction_bits, error, error_model: ErrorModel::Bounded, real: Real::ANY }
     }
 
     /// The same value as another signal has it: later, or in another unit.
@@ -72,8 +73,8 @@ impl Sig {
     }
 
     /// What is known of its error beside the bound.
-    pub fn error_form(&self) -> ErrorForm {
-        self.error_form
+    pub fn error_model(&self) -> ErrorModel {
+        self.error_model
     }
 
     /// Where the real value lies, in units of the last place.
@@ -89,8 +90,8 @@ impl Sig {
     }
 
     /// States what is known of its error beside the bound. The unit gives the proof above it.
-    pub fn of_error_form(self, error_form: ErrorForm) -> Sig {
-        Sig { error_form, ..self }
+    pub fn of_error_model(self, error_model: ErrorModel) -> Sig {
+        Sig { error_model, ..self }
     }
 
     /// The same value, the real one of which lies in an interval.
@@ -103,9 +104,9 @@ impl Sig {
     pub(super) fn off_as_any_of(self, others: &[Sig]) -> Sig {
         let error = others.iter().map(Sig::error).fold(self.error, f64::max);
         let real = others.iter().fold(self.real, |real, other| real.or(other.real));
-        let alike = others.iter().all(|other| other.error_form == self.error_form);
-        let error_form = if alike { self.error_form } else { ErrorForm::Bounded };
-        Sig { error, error_form, real, ..self }
+        let alike = others.iter().all(|other| other.error_model == self.error_model);
+        let error_model = if alike { self.error_model } else { ErrorModel::Bounded };
+        Sig { error, error_model, real, ..self }
     }
 
     /// Whether it always has the other's value: it is the same signal, or the same constant.
@@ -141,7 +142,7 @@ impl Sig {
         let fraction_bits = self.fraction_bits as i32 - exponent;
         if fraction_bits >= 0 {
             // Errors and ranges count in units of the last place, but their form is about values.
-            let moved = self.clone().of_error_form(ErrorForm::Bounded);
+            let moved = self.clone().of_error_model(ErrorModel::Bounded);
             return Sig { fraction_bits: fraction_bits as u32, ..moved };
         }
         let whole = Sig { fraction_bits: 0, ..self.clone() };
@@ -159,7 +160,7 @@ impl Sig {
 
     /// Zeros put in at the right: the same value, more fraction bits.
     fn raised_by(&self, bits: u32) -> Sig {
-        let facts = Facts {
+        let facts = SignalInfo {
             range: self.range().shifted_left(bits),
             fraction_bits: self.fraction_bits + bits,
             error: self.error() * power_of_two(bits.into()),
@@ -190,6 +191,6 @@ impl Sig {
         let builder = &operands[0].builder;
         let pace = builder.state.borrow().pace;
         let op = op(operands.map(Sig::id));
-        builder.emit(op, pace, Facts { range, fraction_bits, error, kind })
+        builder.emit(op, pace, SignalInfo { range, fraction_bits, error, kind })
     }
 }

@@ -11,7 +11,7 @@ use crate::target::Target;
 
 /// What is known of a new value besides its operator.
 #[derive(Clone)]
-pub(super) struct Facts {
+pub(super) struct SignalInfo {
     pub range: WideRange,
     pub fraction_bits: u32,
     /// Bound on |fixed - real|, in units of the last place.
@@ -114,7 +114,7 @@ impl State {
     /// Adds an operator, or gives the value whose raw values are the same anyway: what it folds to,
     /// or its twin. That value may stand for another real one, so errors belong to the
     /// [`Sig`](super::Sig) that refers to it. Operands are in this unit.
-    pub fn emit(&mut self, op: Op, pace: Pace, facts: Facts) -> NodeId {
+    pub fn emit(&mut self, op: Op, pace: Pace, facts: SignalInfo) -> NodeId {
         if let Some(id) = self.folded(op, &facts) {
             return id;
         }
@@ -131,7 +131,7 @@ impl State {
     }
 
     /// The value that takes an operator's place, where one does; what that saves is noted.
-    fn folded(&mut self, op: Op, facts: &Facts) -> Option<NodeId> {
+    fn folded(&mut self, op: Op, facts: &SignalInfo) -> Option<NodeId> {
         let range = facts.range.narrow().ok();
         let (folded, saved) = folded(&self.graph, op, range, facts.fraction_bits)?;
         if let Some(saved) = saved {
@@ -146,7 +146,7 @@ impl State {
         })
     }
 
-    fn agrees(&self, id: NodeId, facts: &Facts) -> bool {
+    fn agrees(&self, id: NodeId, facts: &SignalInfo) -> bool {
         let value = self.graph.value(id);
         facts.range.narrow() == Ok(value.range) && value.fraction_bits == facts.fraction_bits
     }

@@ -2,7 +2,7 @@
 use std::collections::HashMap;
 
 use super::error::BuildError;
-use super::state::Facts;
+use super::state::SignalInfo;
 use super::{Builder, Bundle, Inputs, Sig};
 use crate::design::{NodeId, Op, ScopeId};
 use crate::graph::{GroupId, Pace, Unit, Value};
@@ -59,7 +59,7 @@ impl Builder {
         if self.state.borrow().pace == Pace::Wire {
             return sig.clone();
         }
-        let facts = Facts {
+        let facts = SignalInfo {
             range: sig.range().into(),
             fraction_bits: sig.fraction_bits(),
             error: sig.error(),

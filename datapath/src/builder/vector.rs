@@ -1,9 +1,9 @@
 //! Vectors of three components.
 use std::ops::{Add, Sub};
 
-use crate::format::power_of_two;
-
 use super::Sig;
+use crate::bound::VectorError;
+use crate::format::power_of_two;
 
 /// A vector in view space.
 #[derive(Clone)]
@@ -18,119 +18,23 @@ pub struct Vector {
     /// What has been stated of its length; infinite where nothing has.
     pub(super) longest: f64,
     /// What has been stated of its error.
-    pub(super) off: Off,
-}
-
-/// How far a vector is off as a whole: lengths, where bounds on the errors of its components count
-/// each of them at its worst.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Off {
-    /// In any direction.
-    pub length: f64,
-    /// Across the real vector: what turns it.
-    pub across: f64,
-    /// Along the real vector: what makes it longer or shorter.
-    pub along: f64,
-    /// Of both so much is one error, whatever its direction.
-    pub free: f64,
-}
-
-impl Off {
-    /// Nothing is known.
-    pub const UNKNOWN: Off = Off::within(f64::INFINITY);
-
-    /// By no more than `length`, whatever the direction.
-    pub const fn within(length: f64) -> Off {
-        Off { length, across: length, along: length, free: length }
-    }
-
-    /// By no more than these across and along.
-    pub fn parts(across: f64, along: f64) -> Off {
-        Off { length: across.hypot(along), across, along, free: 0.0 }
-    }
-
-    /// How far a linear function of the vector is off, whose gain is `across` for errors across the
-    /// vector, `along` for those along it, and `free` for any.
-    pub fn times(self, gains: Gains) -> f64 {
-        if self.length.is_infinite() {
-            return f64::INFINITY;
-        }
-        let parts = gains.across * (self.across - self.free).max(0.0)
-            + gains.along * (self.along - self.free).max(0.0);
-        let off = parts + gains.free * self.free;
-        // A part of 0 with a gain without limit: nothing is known.
-        if off.is_nan() { f64::INFINITY } else { off }
-    }
-
-    /// By how much the length of a real unit vector is off at most; infinite where nothing of it
-    /// may be left.
-    ///
-    /// |V'| ≥ 1 - along, and |V'| = √((1 + along)² + across²) ≤ 1 + along + across²/2.
-    pub fn stretch(self) -> f64 {
-        if self.along < 1.0 { self.along + self.across * self.across / 2.0 } else { f64::INFINITY }
-    }
-
-    /// And by no more than `length` besides.
-    fn and_within(self, length: f64) -> Off {
-        Off {
-            length: self.length + length,
-            across: self.across + length,
-            along: self.along + length,
-            free: self.free + length,
-        }
-    }
-
-    /// What both bounds leave. Parts of one and the other are no longer one error.
-    fn and_also(self, other: Off) -> Off {
-        let Off { length, across, along, .. } = other;
-        let is_within =
-            |a: &Off, b: &Off| a.length <= b.length && a.across <= b.across && a.along <= b.along;
-        let free = match (is_within(&self, &other), is_within(&other, &self)) {
-            (true, _) => self.free,
-            (_, true) => other.free,
-            _ => 0.0,
-        };
-        Off {
-            length: self.length.min(length),
-            across: self.across.min(across),
-            along: self.along.min(along),
-            free,
-        }
-    }
-
-    /// By the angle it turns a real unit vector at most, in radians; a half turn where it may be
-    /// longer than that.
-    pub fn angle(self) -> f64 {
-        let shortest = 1.0 - self.along;
-        if self.across < shortest { (self.across / shortest).atan() } else { std::f64::consts::PI }
-    }
-}
-
-/// How much of errors in three directions shows in what is made of a vector.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gains {
-    /// Across the vector.
-    pub across: f64,
-    /// Along it.
-    pub along: f64,
-    /// In the direction in which they show most.
-    pub free: f64,
+    pub(super) off: VectorError,
 }
 
 impl Vector {
     /// A vector from its components.
     pub fn new([x, y, z]: [Sig; 3]) -> Vector {
-        Vector { x, y, z, longest: f64::INFINITY, off: Off::UNKNOWN }
+        Vector { x, y, z, longest: f64::INFINITY, off: VectorError::UNKNOWN }
     }
 
     /// States how far the vector is off as a whole. The unit gives the proof above it.
-    pub fn proven_off(self, off: Off) -> Vector {
+    pub fn proven_off(self, off: VectorError) -> Vector {
         Vector { off, ..self }
     }
 
     /// States how far the vector is off as a whole, and so each component at most. The unit gives
     /// the proof above it.
-    pub fn known_off(self, off: Off) -> Vector {
+    pub fn known_off(self, off: VectorError) -> Vector {
         self.map(|component| component.clone().stated_error_value(off.length))
             .no_longer_than(self.longest)
             .proven_off(off)
@@ -138,18 +42,18 @@ impl Vector {
 
     /// As [`Vector::known_off`], where propagation may know more of components.
     pub fn proven_off_by(self, length: f64) -> Vector {
-        self.proven_error_value(length).proven_off(Off::within(length))
+        self.proven_error_value(length).proven_off(VectorError::ball(length))
     }
 
     /// How far it is off as a whole: what has been stated of it, or the diagonal of the components'
     /// errors.
-    pub fn off(&self) -> Off {
+    pub fn off(&self) -> VectorError {
         let diagonal = [&self.x, &self.y, &self.z]
             .map(|sig| sig.error_value().powi(2))
             .into_iter()
             .sum::<f64>()
             .sqrt();
-        self.off.and_also(Off::within(diagonal))
+        self.off.intersection(VectorError::ball(diagonal))
     }
 
     /// Applies `f` to each component.
@@ -226,11 +130,11 @@ impl Vector {
     /// `yes` where the bit is 1, else `no`; what has been stated of both is true of either.
     pub fn choose(bit: &Sig, yes: &Vector, no: &Vector) -> Vector {
         let [a, b] = [yes.off(), no.off()];
-        let off = Off {
+        let off = VectorError {
             length: a.length.max(b.length),
-            across: a.across.max(b.across),
-            along: a.along.max(b.along),
-            free: a.free.min(b.free),
+            transverse: a.transverse.max(b.transverse),
+            radial: a.radial.max(b.radial),
+            isotropic: a.isotropic.min(b.isotropic),
         };
         let component = |yes: &Sig, no: &Sig| bit.choose(yes, no);
         let chosen = Vector::new([
@@ -262,7 +166,7 @@ impl Vector {
         let rounded = self
             .map(|component| component.rounded(fraction_bits))
             .no_longer_than(self.longest + moved);
-        rounded.proven_off(self.off().and_within(moved))
+        rounded.proven_off(self.off().enlarged_by(moved))
     }
 
     /// States that the vector is no longer than `length`, so that each component lies within it.

@@ -2,14 +2,12 @@
 //!
 //! The builder makes it; engines run it, `block` turns it into rust-hdl blocks, and `verilog`
 //! prints those.
-mod error_form;
 mod op;
 mod range;
 mod size;
 
 use crate::Format;
 
-pub use error_form::{ErrorForm, SHARES, Share};
 pub use op::{Op, Table, TableId, wrapped};
 pub use range::{Range, WideRange};
 pub use size::{Size, UnitSize};
@@ -159,7 +157,7 @@ pub struct Design {
     pub outputs: Vec<NodeId>,
     /// Bound on |fixed - real| of each output, as a value.
     pub output_errors: Vec<f64>,
-    /// Facts to be checked.
+    /// SignalInfo to be checked.
     pub assumptions: Vec<Assumption>,
     /// What was left out.
     pub left_out: Vec<LeftOut>,

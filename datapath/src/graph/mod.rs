@@ -89,7 +89,7 @@ pub struct Graph {
     pub leaves: NodeId,
     /// What leaves: a name, a value, and the bound on its |fixed - real|, as a value.
     pub outputs: Vec<(String, NodeId, f64)>,
-    /// Facts to be checked.
+    /// SignalInfo to be checked.
     pub assumptions: Vec<Assumption>,
     /// What was left out.
     pub left_out: Vec<LeftOut>,

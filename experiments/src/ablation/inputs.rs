@@ -1,15 +1,15 @@
-//! Ablations: the core elaborated without knowing what values some of its inputs are given.
+//! Ablations of inputs: the core elaborated without known values or ranges of some of its inputs.
 use rayon::prelude::*;
 use specula_spec::{CoreSpec, Given, InputPort, InputRole};
 
-use super::Ablation;
+use super::core::Ablation;
 use specula_testbench::BenchError;
 
-/// The ablations of inputs, group by group.
+/// The ablations of inputs, one group at a time.
 ///
 /// # Errors
-/// [`BenchError::TooWide`] if such a core has too wide a signal.
-pub fn of_inputs(spec: &CoreSpec) -> Result<Vec<Ablation>, BenchError> {
+/// [`BenchError::TooWide`] if an ablated core has a signal that is too wide.
+pub fn input_ablations(spec: &CoreSpec) -> Result<Vec<Ablation>, BenchError> {
     let (ports, roles) = (spec.inputs(), spec.input_roles());
     let ablation = |(need, safe, group): (&'static str, &'static str, Vec<&InputPort>)| {
         let left_out = described(spec, &group)?;
@@ -21,8 +21,8 @@ pub fn of_inputs(spec: &CoreSpec) -> Result<Vec<Ablation>, BenchError> {
     groups(&ports, &roles).collect::<Vec<_>>().into_par_iter().filter_map(ablation).collect()
 }
 
-/// Inputs that a need is about. Coefficients that are the same in several channels are a need of
-/// their own.
+/// The inputs that belong to each need. Coefficients that are equal in several channels are a need
+/// of their own.
 fn groups<'a>(
     ports: &'a [InputPort],
     roles: &'a [InputRole],
@@ -42,7 +42,7 @@ fn groups<'a>(
     )])
 }
 
-/// What is known of these inputs; nothing if none is constant, the same as another, or narrower.
+/// What is known of these inputs; `None` if none is constant, equal to another, or narrower.
 fn described(spec: &CoreSpec, group: &[&InputPort]) -> Option<String> {
     let given = || group.iter().filter_map(|port| spec.specialisation.of(&port.name));
     let count = |of: fn(&Given) -> bool| given().filter(|given| of(given)).count();

@@ -1,4 +1,4 @@
-//! A method with options, and those next to it.
+//! A method with options, and its neighbours.
 use specula_scene::Needs;
 use specula_spec::{CoreSpec, Method, SpecError};
 
@@ -8,17 +8,17 @@ use crate::stress::variant::Variant;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Options {
     method: Method,
-    /// Key and value, in the order of the method's choices.
+    /// Keys and values, in the order of the method's choices.
     changed: Vec<(&'static str, &'static str)>,
 }
 
 impl Options {
-    /// The method as it is by default.
+    /// A method with its defaults.
     pub fn default_of(method: Method) -> Options {
         Options { method, changed: Vec::new() }
     }
 
-    /// All that have another value for one key.
+    /// All options that differ from these in the value of one key.
     pub fn neighbours(&self) -> Vec<Options> {
         let choices = self.method.option_domains().iter();
         choices
@@ -40,12 +40,12 @@ impl Options {
         Options { method: self.method, changed }
     }
 
-    /// The method and what differs, for people.
+    /// Text that names the method and the options that differ.
     pub fn describe(&self) -> String {
         self.variant().describe()
     }
 
-    /// The general core for a scene, in the formats that are recommended for it.
+    /// The general core for a scene, in the formats recommended for it.
     pub fn spec(&self, needs: &Needs) -> Result<CoreSpec, SpecError> {
         self.variant().core_spec(needs)
     }

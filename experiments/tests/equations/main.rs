@@ -12,7 +12,7 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 /// repository's root.
 const FOLDERS: [(&str, &str); 4] = [
     ("exact", "golden/src/exact"),
-    ("loop", "golden/src/recurrence"),
+    ("loop", "golden/src/loops"),
     ("fixed", "golden/src/fixed"),
     ("hdl", "hdl/src"),
 ];

@@ -4,12 +4,13 @@ use specula_spec::consistent::{
 };
 use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{Intensities, eye, finish, turns};
+use super::{Intensities, eye, finish, time_slots};
 use crate::error;
 use crate::error::consistent_reflection::Consistency;
 use crate::units::{self, ExactNormalisation, Interpolation, SpanAngles, SpanNormals};
+use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::{Design, ErrorForm};
+use specula_datapath::design::Design;
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection.
 /// [Reshetov, Soupikov and Mark]
@@ -19,11 +20,11 @@ pub(super) fn core(
     consistent: &ConsistentSpec,
     ports: &ConsistentInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let (f, steps) = (&consistent.formats, spec.longest_span - 1);
     let span = SpanNormals {
-        first: &turns.first_pixel,
+        first: &slots.first_pixel,
         start: &Vector::new(inputs.span.normal_start.clone()),
         delta: &Vector::new(inputs.span.normal_delta.clone()),
         weight_step: &inputs.span.weight_step,
@@ -47,7 +48,7 @@ pub(super) fn core(
     };
     let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
     let angles = SpanAngles {
-        first: &turns.first_pixel,
+        first: &slots.first_pixel,
         start: &inputs.span.angle_start,
         step: &inputs.span.angle_step,
     };
@@ -66,7 +67,7 @@ pub(super) fn core(
         r: r.as_ref(),
     };
     let exponent = &inputs.span.exponent;
-    finish(&b, &turns, &inputs, |i, light| pixel.shade(i, light, exponent))
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, exponent))
 }
 
 /// q at the largest angle that a vertex has.
@@ -145,7 +146,7 @@ impl Pixel<'_> {
                     true => base
                         .stated_error_value(cosine.error_value())
                         .known_cosine(off.angle(), rest),
-                    false => base.stated_error_value(1.0).of_error_form(ErrorForm::Bounded),
+                    false => base.stated_error_value(1.0).of_error_model(ErrorModel::Bounded),
                 }
             },
         )

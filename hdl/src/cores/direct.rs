@@ -2,10 +2,10 @@
 use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Root};
 use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{Intensities, finish, turns};
-use crate::error::angular::Angular;
+use super::{Intensities, finish, time_slots};
 use crate::error::direct::{Product, normal_by_newton, unit_normal};
 use crate::units::{self, DirectedBase, NewtonRoot, QuotientFormat};
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
 
@@ -17,12 +17,12 @@ pub(super) fn core(
     direct: &DirectSpec,
     ports: &DirectInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let formats = &direct.formats;
     let t = units::parameter(
         &b,
-        &turns.first_pixel,
+        &slots.first_pixel,
         &inputs.span.weight_step,
         formats,
         spec.longest_span - 1,
@@ -33,7 +33,7 @@ pub(super) fn core(
     let length = length(
         &b,
         Squared {
-            first: &turns.first_pixel,
+            first: &slots.first_pixel,
             t: &t,
             q: &q,
             spread: &inputs.span.spread,
@@ -52,7 +52,7 @@ pub(super) fn core(
         smallest_q,
         exponent: &inputs.span.exponent,
     };
-    finish(&b, &turns, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What a pixel's length is made of.
@@ -78,7 +78,7 @@ struct Length {
 /// What the base of the highlight is made of.
 enum Highlight {
     /// J and this K.
-    OfCosines(Sig),
+    Angulars(Sig),
     /// p_L and this p_V/q, whose product is known so well.
     OfQuotient(Sig, Option<Product>),
 }
@@ -98,7 +98,7 @@ fn length(b: &Builder, of: Squared, spec: &CoreParameters, direct: &DirectSpec) 
             let k = b.instance("n_dot_v", || {
                 units::direct_cosine(b, view, &reciprocal, formats, normal)
             });
-            Length { reciprocal, normal, highlight: Highlight::OfCosines(k) }
+            Length { reciprocal, normal, highlight: Highlight::Angulars(k) }
         }
         Root::Newton => {
             let newton = NewtonRoot { steps: direct.newton_steps, shortest };
@@ -165,7 +165,7 @@ impl Pixel<'_> {
 
     fn base<'a>(&'a self, p: &'a Sig, j: &'a Sig, light: &'a DirectLight<Sig>) -> DirectedBase<'a> {
         let (factors, known) = match &self.length.highlight {
-            Highlight::OfCosines(k) => ([j, k], units::product_of_cosines([j, k])),
+            Highlight::Angulars(k) => ([j, k], units::product_of_cosines([j, k])),
             Highlight::OfQuotient(k, known) => ([p, k], *known),
         };
         DirectedBase {

@@ -3,7 +3,7 @@ use specula_spec::duff::{DuffInputs, DuffLight, DuffSpec, Highlight};
 use specula_spec::{CoreParameters, InputPort};
 
 use super::forward::Forward;
-use super::{Intensities, finish, turns};
+use super::{Intensities, finish, time_slots};
 use crate::units::{self, Base, Length, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
@@ -16,10 +16,10 @@ pub(super) fn core(
     duff: &DuffSpec,
     ports: &DuffInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let f = &duff.formats;
-    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
     let q = forward
         .quadratic("denominator", &inputs.span.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
@@ -43,7 +43,7 @@ pub(super) fn core(
         view_cosine: view_cosine.as_ref(),
         exponent,
     };
-    finish(&b, &turns, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What the lights have in common.

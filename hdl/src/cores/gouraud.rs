@@ -2,7 +2,7 @@
 use specula_spec::gouraud::{GouraudInputs, GouraudLight, GouraudSpec, Intensity};
 use specula_spec::{CoreParameters, InputPort};
 
-use super::{Intensities, finish, turns};
+use super::{Intensities, finish, time_slots};
 use crate::units;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
@@ -15,14 +15,14 @@ pub(super) fn core(
     gouraud: &GouraudSpec,
     ports: &GouraudInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let fraction_bits = gouraud.formats.intensity.fraction_bits;
     let intensity = |intensity: &Intensity<Sig>, name: String| match &intensity.step {
         Some(step) => {
             let ends = (&intensity.start, step);
             b.instance(&name, || {
-                units::gouraud(&b, &turns.first_pixel, ends, fraction_bits, spec.longest_span - 1)
+                units::gouraud(&b, &slots.first_pixel, ends, fraction_bits, spec.longest_span - 1)
             })
         }
         None => intensity.start.clone(),
@@ -31,5 +31,5 @@ pub(super) fn core(
         diffuse: intensity(&light.diffuse_intensity, format!("light{i}_diffuse")),
         specular: intensity(&light.specular_intensity, format!("light{i}_specular")),
     };
-    finish(&b, &turns, &inputs, shade)
+    finish(&b, &slots, &inputs, shade)
 }

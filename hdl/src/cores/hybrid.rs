@@ -3,7 +3,7 @@ use specula_spec::hybrid::{HybridInputs, HybridLight, HybridSpec};
 use specula_spec::{CoreParameters, InputPort};
 
 use super::forward::Forward;
-use super::{Intensities, finish, turns};
+use super::{Intensities, finish, time_slots};
 use crate::units;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
@@ -16,9 +16,9 @@ pub(super) fn core(
     hybrid: &HybridSpec,
     ports: &HybridInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
-    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
     let q = forward
         .quadratic(
             "denominator",
@@ -28,7 +28,7 @@ pub(super) fn core(
         )
         .named("q");
     let pixel = Pixel { forward, spec, hybrid, exponent: &inputs.span.exponent };
-    finish(&b, &turns, &inputs, |i, light| pixel.shade(i, light, &q))
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, &q))
 }
 
 /// What the lights have in common.

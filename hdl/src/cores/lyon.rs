@@ -4,11 +4,12 @@ use specula_spec::lyon::{
 };
 use specula_spec::{CoreParameters, InputPort, LightInputs};
 
-use super::{Intensities, eye, finish, turns, unit_vector};
+use super::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
-use crate::units::{self, Follow, Interpolation, LengthOff, SpanNormals, WrapFormats};
+use crate::units::{self, Follow, Interpolation, LengthError, SpanNormals, WrapFormats};
+use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::{Design, ErrorForm};
+use specula_datapath::design::Design;
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
 /// 43, fig. 6 to 8]
@@ -18,10 +19,10 @@ pub(super) fn core(
     lyon: &LyonSpec,
     ports: &LyonInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
-    let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs.span, spec, lyon);
-    let apart = if turns.count() == 1 { least_distance(&inputs.lights) } else { 0.0 };
+    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs.span, spec, lyon);
+    let apart = if slots.count() == 1 { least_distance(&inputs.lights) } else { 0.0 };
     let shortest = shortest_normal(spec, lyon);
     let pixel = Pixel {
         b: &b,
@@ -32,7 +33,7 @@ pub(super) fn core(
         shininess: &inputs.span.shininess,
         apart,
     };
-    finish(&b, &turns, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// n at each pixel, and whether it has a direction.
@@ -133,17 +134,17 @@ impl Pixel<'_> {
         let (b, formats) = (self.b, &self.lyon.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
-        let (d, length_off) = b.instance(&called("difference"), || self.difference(light));
+        let (d, length_error) = b.instance(&called("difference"), || self.difference(light));
         let shape = || match self.lyon.shape {
             ShapeDatapath::FK => {
                 let f = units::shape(
                     b,
-                    (&d, length_off),
+                    (&d, length_error),
                     self.shininess,
                     self.has_direction,
                     self.lyon,
                 );
-                self.alone(f, &d, length_off)
+                self.alone(f, &d, length_error)
             }
             ShapeDatapath::Root => {
                 units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon)
@@ -164,7 +165,7 @@ impl Pixel<'_> {
     /// but one are at least half as long as lights are apart. With exponents from
     /// [`error::shape::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is
     /// off for those.
-    fn alone(&self, f: Sig, d: &Vector, length_off: LengthOff) -> Sig {
+    fn alone(&self, f: Sig, d: &Vector, length_error: LengthError) -> Sig {
         let off = d.off().length;
         let dark = error::shape::least_dark_exponent(self.apart / 2.0 - off, self.lyon);
         let largest = self.shininess.range().magnitude();
@@ -174,13 +175,13 @@ impl Pixel<'_> {
         {
             return f;
         }
-        f.of_error_form(ErrorForm::OneOfSeveral {
-            together: error::shape::bound(off, length_off, dark, self.lyon),
+        f.of_error_model(ErrorModel::Exclusive {
+            together: error::shape::bound(off, length_error, dark, self.lyon),
         })
     }
 
     /// D, and how far its length is off.
-    fn difference(&self, light: &LyonLight<Sig>) -> (Vector, LengthOff) {
+    fn difference(&self, light: &LyonLight<Sig>) -> (Vector, LengthError) {
         let (b, n, formats) = (self.b, self.n, &self.lyon.formats);
         let direction = unit_vector(&light.direction, formats.vector);
         let Some(halfway) = light.halfway.clone().map(Vector::new) else {
@@ -206,7 +207,7 @@ impl Pixel<'_> {
             Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
             _ => units::halfway_projection(b, &h, n, formats),
         };
-        let length_off = LengthOff::whole(d.off().length);
-        (d, length_off)
+        let length_error = LengthError::whole(d.off().length);
+        (d, length_error)
     }
 }

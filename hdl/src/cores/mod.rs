@@ -18,7 +18,7 @@ use specula_spec::{
 };
 
 use crate::units::{self, Light};
-use specula_datapath::builder::{BuildError, Builder, Sig, Turns, Vector};
+use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots, Vector};
 use specula_datapath::design::Design;
 use specula_datapath::target::Generic;
 
@@ -98,9 +98,9 @@ fn unit_vector(components: &[Sig; 3], format: Format) -> Vector {
     Vector::new(components.clone()).no_longer_than(1.0 + format.ulp())
 }
 
-/// Opens the control inputs; lights that share a pipeline take turns from there on.
-fn turns(b: &Builder, spec: &CoreParameters) -> Turns {
-    b.take_turns(&b.control(), spec.interval())
+/// Opens the control inputs; lights that share a pipeline have a time slot each from there on.
+fn time_slots(b: &Builder, spec: &CoreParameters) -> TimeSlots {
+    b.time_slots(&b.control(), spec.interval())
 }
 
 /// The intensities of one light at a pixel, 0 to 1.
@@ -109,13 +109,13 @@ struct Intensities {
     specular: Sig,
 }
 
-/// The inputs of each pipeline: those of each light, or of the light whose turn it is. Lights are
-/// alike: they have the same inputs.
-fn pipelines<L>(turns: &Turns, lights: &[LightInputs<L, Sig>]) -> Vec<LightInputs<L, Sig>>
+/// The inputs of each pipeline: those of each light, or of the light whose time slot it is. Lights
+/// are alike: they have the same inputs.
+fn pipelines<L>(slots: &TimeSlots, lights: &[LightInputs<L, Sig>]) -> Vec<LightInputs<L, Sig>>
 where
     L: InputGroup<Value = Sig, Mapped<Sig> = L>,
 {
-    if turns.count() == 1 {
+    if slots.count() == 1 {
         return lights.iter().map(|light| light.map_each(&mut Sig::clone)).collect();
     }
     let inputs = |light: &LightInputs<L, Sig>| {
@@ -128,7 +128,7 @@ where
         (0..).map(|k| of_lights.iter().map(|inputs| inputs[k].clone()).collect::<Vec<Sig>>());
     let selected = |first: &LightInputs<L, Sig>| {
         first.map_each(&mut |input: &Sig| {
-            columns.next().map_or_else(|| input.clone(), |column| turns.select(&column))
+            columns.next().map_or_else(|| input.clone(), |column| slots.multiplexed(&column))
         })
     };
     lights.first().map(selected).into_iter().collect()
@@ -138,14 +138,14 @@ where
 /// core's outputs.
 fn finish<S, L>(
     b: &Builder,
-    turns: &Turns,
+    slots: &TimeSlots,
     inputs: &CoreInputs<S, L, Sig>,
     shade: impl Fn(usize, &L) -> Intensities,
 ) -> Result<Design, BuildError>
 where
     L: InputGroup<Value = Sig, Mapped<Sig> = L>,
 {
-    let lights = pipelines(turns, &inputs.lights);
+    let lights = pipelines(slots, &inputs.lights);
     let shaded = |(index, inputs): (usize, &LightInputs<L, Sig>)| {
         let Intensities { diffuse, specular } = shade(index, &inputs.light);
         Light {
@@ -156,6 +156,6 @@ where
         }
     };
     let lights: Vec<Light> = lights.iter().enumerate().map(shaded).collect();
-    let [red, green, blue] = units::channels(b, turns, &inputs.ambient, &lights);
-    b.clone().finish(&turns.valid_at_last, &[("red", red), ("green", green), ("blue", blue)])
+    let [red, green, blue] = units::channels(b, slots, &inputs.ambient, &lights);
+    b.clone().finish(&slots.valid_in_last_slot, &[("red", red), ("green", green), ("blue", blue)])
 }

@@ -5,7 +5,7 @@ use specula_spec::reflection::{
 use specula_spec::{CoreParameters, InputPort, Quadratic};
 
 use super::forward::Forward;
-use super::{Intensities, finish, turns};
+use super::{Intensities, finish, time_slots};
 use crate::units::{self, Base, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
@@ -32,10 +32,10 @@ pub(super) fn core(
     reflection: &ReflectionSpec,
     ports: &ReflectionInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let f = &reflection.formats;
-    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
     let q = forward
         .quadratic("denominator", &inputs.span.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
@@ -68,7 +68,7 @@ pub(super) fn core(
             .named("normal_squared")
     };
     pixel.normal_squared = inputs.span.normal_squared.as_ref().map(normal_squared);
-    finish(&b, &turns, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What the lights have in common.

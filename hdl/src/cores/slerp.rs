@@ -4,11 +4,11 @@ use specula_spec::slerp::{
 };
 use specula_spec::{CoreParameters, InputPort};
 
-use super::{Intensities, eye, finish, turns, unit_vector};
+use super::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
-use crate::error::angular::Angular;
 use crate::error::turned_normal::Weighing;
 use crate::units::{self, Turn};
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::Design;
 
@@ -20,10 +20,10 @@ pub(super) fn core(
     slerp: &SlerpSpec,
     ports: &SlerpInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let (formats, steps) = (&slerp.formats, spec.longest_span - 1);
-    let [u, v] = weights(&b, &turns.first_pixel, &inputs.span, slerp, steps);
+    let [u, v] = weights(&b, &slots.first_pixel, &inputs.span, slerp, steps);
     let weights = [&u, &v];
     let normal = inputs.span.normal.as_ref().map(|axes| {
         let known = match slerp.frame {
@@ -56,7 +56,7 @@ pub(super) fn core(
         exponent: &inputs.span.exponent,
         base,
     };
-    finish(&b, &turns, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// The weights of what stands at the start and of what goes with it.

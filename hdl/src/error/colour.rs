@@ -1,5 +1,5 @@
 //! How far a colour is off before it is rounded.
-use specula_datapath::design::{ErrorForm, SHARES, Share};
+use specula_datapath::bound::{ErrorModel, RELATIVE_BOUNDS, RelativeBound};
 use specula_spec::FULL_SCALE;
 
 /// A value that is never negative.
@@ -19,10 +19,10 @@ pub struct Term {
     /// f.
     pub intensity: Factor,
     /// What is known of f's error beside its bound.
-    pub form: ErrorForm,
+    pub form: ErrorModel,
 }
 
-/// Bound on the error of the sum over a pixel's turns where it is below full scale.
+/// Bound on the error of the sum over a pixel's time slots where it is below full scale.
 ///
 /// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the
 /// smaller sum, and of each product k f the smaller one in it, adds up to less than 255. With
@@ -36,52 +36,53 @@ pub struct Term {
 ///
 /// with the largest k and f. Of the pairs of ρ and r that hold, those count that make the least of
 /// it. Intensities of which one alone is off by r, or else all by less, count with r once in a
-/// turn, or with the less all of them.
-pub fn below_full_scale(ambient: f64, terms: &[Term], turns: u32) -> f64 {
-    let with = |share: usize| of_turns(terms, turns, share);
-    ambient + (0..SHARES).map(with).fold(f64::INFINITY, f64::min)
+/// time slot, or with the less all of them.
+pub fn below_full_scale(ambient: f64, terms: &[Term], slots: u32) -> f64 {
+    let with = |share: usize| of_slots(terms, slots, share);
+    ambient + (0..RELATIVE_BOUNDS).map(with).fold(f64::INFINITY, f64::min)
 }
 
-/// What the terms of all turns add, of the pairs of ρ and r the one with this number.
-fn of_turns(terms: &[Term], turns: u32, share: usize) -> f64 {
+/// What the terms of all time slots add, of the pairs of ρ and r the one with this number.
+fn of_slots(terms: &[Term], slots: u32, share: usize) -> f64 {
     let (mut largest_ratio, mut of_values, mut beside) = (0.0_f64, 0.0, 0.0);
     let (mut of_one, mut of_all) = (0.0_f64, 0.0);
     for Term { coefficient, intensity, form } in terms {
         let most = coefficient.largest + coefficient.off;
         beside += (intensity.largest + intensity.off) * coefficient.off;
-        let Share { ratio, rest } = match form {
-            ErrorForm::Proportional(shares) => shares[share],
-            ErrorForm::OneOfSeveral { together } => {
+        let RelativeBound { ratio, rest } = match form {
+            ErrorModel::Relative(shares) => shares[share],
+            ErrorModel::Exclusive { together } => {
                 of_one = of_one.max(most * intensity.off);
                 of_all += most * together.min(intensity.off);
                 continue;
             }
-            _ => Share { ratio: 0.0, rest: intensity.off },
+            _ => RelativeBound { ratio: 0.0, rest: intensity.off },
         };
         largest_ratio = largest_ratio.max(ratio);
         of_values += most * intensity.largest * ratio;
         beside += most * rest.min(intensity.off);
     }
     beside += of_one.max(of_all);
-    (FULL_SCALE * largest_ratio).min(f64::from(turns) * of_values) + f64::from(turns) * beside
+    (FULL_SCALE * largest_ratio).min(f64::from(slots) * of_values) + f64::from(slots) * beside
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// A term with its real and its fixed coefficient and intensity.
-    fn draw_term(draw: &mut Draw, form: ErrorForm, off: f64) -> (Term, [f64; 2], [f64; 2]) {
+    fn draw_term(draw: &mut Draw, form: ErrorModel, off: f64) -> (Term, [f64; 2], [f64; 2]) {
         let Term { coefficient, intensity, .. } = Term {
-            coefficient: Factor { largest: draw.between(0.0, 150.0), off: 1e-3 },
+            coefficient: Factor { largest: draw.within(0.0, 150.0), off: 1e-3 },
             intensity: Factor { largest: 1.0, off },
             form,
         };
         let k = (coefficient.largest - draw.one_of(&[0.0, 0.1])).max(0.0);
-        let f = draw.between(0.0, 1.0);
+        let f = draw.within(0.0, 1.0);
         let within = match form {
-            ErrorForm::Proportional([Share { ratio, rest }, ..]) => {
+            ErrorModel::Relative([RelativeBound { ratio, rest }, ..]) => {
                 // The fixed one may be the smaller.
                 (ratio * f / (1.0 + ratio) + rest / (1.0 + ratio)).min(off)
             }
@@ -101,10 +102,11 @@ mod tests {
     /// Sums below full scale: 90 % of the bound is reached.
     #[test]
     fn sums_below_full_scale_stay_within_the_bound_and_come_near() {
-        let proportional = |ratio, rest| ErrorForm::Proportional([Share { ratio, rest }; SHARES]);
+        let proportional =
+            |ratio, rest| ErrorModel::Relative([RelativeBound { ratio, rest }; RELATIVE_BOUNDS]);
         let mut draw = Draw::new(1);
         for (form, off) in [
-            (ErrorForm::Bounded, 0.01),
+            (ErrorModel::Bounded, 0.01),
             (proportional(0.05, 1e-4), 0.06),
             (proportional(1e-3, 0.01), 0.02),
         ] {
@@ -125,12 +127,12 @@ mod tests {
     #[test]
     fn one_of_several_counts_once() {
         let (together, off) = (0.01, 0.1);
-        let form = ErrorForm::OneOfSeveral { together };
+        let form = ErrorModel::Exclusive { together };
         let mut draw = Draw::new(1);
         let mut reached = 0.0_f64;
         for _ in 0..10_000 {
             let terms = [0; 2].map(|_| Term {
-                coefficient: Factor { largest: draw.between(0.0, 100.0), off: 0.0 },
+                coefficient: Factor { largest: draw.within(0.0, 100.0), off: 0.0 },
                 intensity: Factor { largest: 1.0, off },
                 form,
             });

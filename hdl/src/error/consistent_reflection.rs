@@ -1,5 +1,5 @@
 //! How far reflections are off that never point into the surface.
-use specula_datapath::builder::Off;
+use specula_datapath::bound::VectorError;
 use specula_spec::consistent::ConsistentFormats;
 
 /// What is known of the real values, for error bounds alone.
@@ -70,9 +70,9 @@ fn of_sine_ratio(operands: f64, e_w: f64, formats: &ConsistentFormats, known: Co
 #[derive(Clone, Copy, Debug)]
 pub struct Operands {
     /// n.
-    pub normal: Off,
+    pub normal: VectorError,
     /// I.
-    pub incoming: Off,
+    pub incoming: VectorError,
     /// q.
     pub q: f64,
 }
@@ -105,13 +105,13 @@ impl Operands {
     /// moves by (2 + 2b_0) a + 3 a_I + 2 e_q at most, of which 2 b_0 (a + a_I + e_q) over |r| makes
     /// it longer or shorter. What roundings move along the one reflection is along the other but
     /// for the angle between them.
-    pub fn off(self, formats: &ConsistentFormats, known: Consistency) -> Option<Off> {
+    pub fn off(self, formats: &ConsistentFormats, known: Consistency) -> Option<VectorError> {
         let (a, a_i) = (self.normal.angle(), self.incoming.angle());
         let e_q = self.q;
         let half_units = [formats.cosine, formats.sine_ratio_squared, formats.sine_ratio]
             .map(|format| 0.5 * format.ulp());
         let least = [known.least_divisor - a - a_i, known.least_q - e_q];
-        let stretches = [self.normal, self.incoming].map(Off::stretch);
+        let stretches = [self.normal, self.incoming].map(VectorError::stretch);
         let rounded = Rounded::new(stretches, half_units, least)?;
         let Rounded { w, q: least_q, b_0, shortest, .. } = rounded;
         let clamped = 2.0 * b_0 * (a + a_i + e_q) / shortest;
@@ -119,11 +119,11 @@ impl Operands {
         let turned =
             (2.0 + 2.0 * b_0) * a + 3.0 * a_i + e_q * (least_q * w / 2.0).sqrt().recip().max(2.0);
         let along = rounded.along() + clamped + rest * turned / shortest + turned * turned / 2.0;
-        Some(Off {
+        Some(VectorError {
             length: turned + rest,
-            across: (turned + rest) / shortest,
-            along: along.min(rest + turned * turned / 2.0),
-            free: 0.0,
+            transverse: (turned + rest) / shortest,
+            radial: along.min(rest + turned * turned / 2.0),
+            isotropic: 0.0,
         })
     }
 }
@@ -132,9 +132,9 @@ impl Operands {
 ///
 /// Whatever both are, components are no further apart than the longest of both are long: the real
 /// one 1, the fixed one `longest`.
-pub fn reflection(component: f64, whole: Option<Off>, longest: f64) -> (Off, f64) {
+pub fn reflection(component: f64, whole: Option<VectorError>, longest: f64) -> (VectorError, f64) {
     let component = component.min(1.0 + longest);
-    let off = whole.unwrap_or(Off::within(3f64.sqrt() * component));
+    let off = whole.unwrap_or(VectorError::ball(3f64.sqrt() * component));
     (off, component.min(off.length))
 }
 
@@ -313,9 +313,9 @@ impl Horizon {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
     use specula_spec::Format;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// J and its reflection in the plane of both, m along the second axis, computed with every
@@ -426,7 +426,7 @@ mod tests {
             [(1.0, 0.8, 1e-3, 1e-4), (0.7, 0.3, 1e-4, 1e-3), (1.0, 0.5, 1e-5, 1e-5)]
         {
             let known = Consistency { least_q, least_divisor: w };
-            let off = Off::parts(across, along);
+            let off = VectorError::components(across, along);
             let of = Operands { normal: off, incoming: off, q: 1e-5 };
             let bound = of.off(&formats, known).unwrap();
             let (mut length, mut lengthened) = (0.0_f64, 0.0_f64);
@@ -435,9 +435,9 @@ mod tests {
                     let n = draw.direction();
                     (n, draw.across(n))
                 };
-                let b = draw.between(w - 1.0, 1.0);
+                let b = draw.within(w - 1.0, 1.0);
                 let incoming = b * n + (1.0 - b * b).sqrt() * beside;
-                let q = draw.between(least_q, 1.0);
+                let q = draw.within(least_q, 1.0);
                 let real = reflected(n, incoming, q);
                 let mut moved =
                     |v: DVec3, aside: DVec3| v + draw.error(across) * aside + draw.error(along) * v;
@@ -446,7 +446,7 @@ mod tests {
                 let q = (q + draw.error(of.q)).min(1.0);
                 let error = rounded(&mut draw, fixed_n, fixed_incoming, q, &formats) - real;
                 length = length.max(error.length() / bound.length);
-                lengthened = lengthened.max(error.dot(real.normalize()).abs() / bound.along);
+                lengthened = lengthened.max(error.dot(real.normalize()).abs() / bound.radial);
             }
             assert!(length <= 1.0 && lengthened <= 1.0, "{w}: {length}, {lengthened}");
             assert!(length > 0.4 && lengthened > 0.4, "{w}: {length}, {lengthened}");
@@ -464,8 +464,8 @@ mod tests {
             let bound = of_sine_ratio(2.0 * operand, operand, &formats, known);
             let mut reached = 0.0_f64;
             for _ in 0..60_000 {
-                let w = least_divisor + (2.0 - least_divisor) * draw.between(0.0, 1.0).powi(4);
-                let q = least_q + (1.0 - least_q) * draw.between(0.0, 1.0).powi(4);
+                let w = least_divisor + (2.0 - least_divisor) * draw.within(0.0, 1.0).powi(4);
+                let q = least_q + (1.0 - least_q) * draw.within(0.0, 1.0).powi(4);
                 let (b, dividend) = (w - 1.0, q * (2.0 + q * (w - 2.0)));
                 let squared = |p: f64, w: f64| if w > 0.0 { (p / w).clamp(0.0, 1.0) } else { 0.0 };
                 let real = squared(dividend, w).sqrt();
@@ -495,9 +495,9 @@ mod tests {
         };
         let mut reached = 0.0_f64;
         for _ in 0..40_000 {
-            let (n, q) = (draw.direction(), draw.between(0.0, 1.0).powi(8));
+            let (n, q) = (draw.direction(), draw.within(0.0, 1.0).powi(8));
             // g + b is 0 for b = (q - 1)/(q + 1).
-            let b = (q - 1.0 + draw.between(-horizon.0, horizon.0)) / (q + 1.0);
+            let b = (q - 1.0 + draw.within(-horizon.0, horizon.0)) / (q + 1.0);
             let b = b.clamp(-1.0, 1.0);
             let incoming = b * n + (1.0 - b * b).sqrt() * draw.across(n);
             let real = cosine(n, incoming, q, 0.0);

@@ -68,9 +68,9 @@ pub fn trigonometric(t_error: f64, tangent: Format, contraction: Format) -> f64 
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
     use std::f64::consts::{FRAC_PI_4, PI};
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// How far t is off, and fraction bits of T and q.
@@ -90,7 +90,7 @@ mod tests {
         let mut draw = Draw::new(1);
         let mut reached = 0.0_f64;
         for _ in 0..50_000 {
-            let t = draw.between(0.0, 1.0).powi(4);
+            let t = draw.within(0.0, 1.0).powi(4);
             let moved = (t + draw.error(0.5 * t_error) + 0.5 * t_error).min(1.0);
             reached = reached.max((fixed(moved, &mut draw) - real(t)).abs() / bound);
         }

@@ -1,8 +1,8 @@
 //! How long the differences are that highlights depend on, and how far they are off.
-use specula_datapath::builder::Off;
+use specula_datapath::bound::VectorError;
 use specula_spec::Format;
 
-use super::length_off::{LengthOff, Reflected};
+use super::length_error::{LengthError, Reflected};
 
 /// What is known of a vector that a difference is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub struct Operand {
     /// The fixed vector is no longer.
     pub longest: f64,
     /// How far it is off.
-    pub off: Off,
+    pub off: VectorError,
 }
 
 /// What is proven of a difference D before it is rounded.
@@ -58,7 +58,7 @@ pub fn cross_product([h, n]: [Operand; 2], vector: Format) -> Difference {
 /// ```
 pub fn reflection([n, v, l]: [Operand; 3], (vector, difference): (Format, Format)) -> Difference {
     let ulp = difference.ulp();
-    let Off { across, along, .. } = n.off;
+    let VectorError { transverse: across, radial: along, .. } = n.off;
     let square = 2.0 * n.longest * along + along * along + across * across;
     let of_n = 2.0 * (n.longest + along + across) * across + 2.0 * square;
     let of_vectors =
@@ -71,9 +71,13 @@ pub fn reflection([n, v, l]: [Operand; 3], (vector, difference): (Format, Format
 
 /// How far the length of the same D is off once it is rounded, of real n no shorter than
 /// `shortest`.
-pub fn reflection_length([n, v, l]: [Operand; 3], shortest: f64, difference: Format) -> LengthOff {
+pub fn reflection_length(
+    [n, v, l]: [Operand; 3],
+    shortest: f64,
+    difference: Format,
+) -> LengthError {
     let ulp = difference.ulp();
-    LengthOff::of_reflection(&Reflected {
+    LengthError::of_reflection(&Reflected {
         n: n.off,
         lengths: ((shortest - n.off.length).max(0.0), n.longest + n.off.length),
         of: v.off.length,
@@ -119,8 +123,8 @@ pub fn minus([h, n]: [Operand; 2]) -> Difference {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     const VECTOR: Format = Format::signed(1, 14);
@@ -148,8 +152,9 @@ mod tests {
         difference: impl Fn(DVec3, DVec3, f64) -> DVec3,
     ) -> f64 {
         let half_unit = 0.5 * format(rounds).ulp();
-        let h = Operand { longest: length + e_h, off: Off::within(e_h) };
-        let n = Operand { longest: 1.0 + along + across, off: Off::parts(across, along) };
+        let h = Operand { longest: length + e_h, off: VectorError::ball(e_h) };
+        let n =
+            Operand { longest: 1.0 + along + across, off: VectorError::components(across, along) };
         let proven = bound([h, n], format(rounds));
         let mut draw = Draw::new(1);
         let mut reached = 0.0_f64;
@@ -188,7 +193,7 @@ mod tests {
 
     #[test]
     fn reflections_stay_within_the_bound_and_reach_it() {
-        let light = Operand { longest: 1.0, off: Off::within(0.0) };
+        let light = Operand { longest: 1.0, off: VectorError::ball(0.0) };
         let bound =
             |[v, n]: [Operand; 2], difference| reflection([n, v, light], (VECTOR, difference));
         let l = DVec3::Z;

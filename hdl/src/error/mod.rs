@@ -1,5 +1,4 @@
 //! Proofs of error bounds, a file for each unit: numbers alone, without signals.
-pub mod angular;
 pub mod colour;
 pub mod consistent_reflection;
 pub mod contraction;
@@ -8,13 +7,11 @@ pub mod difference;
 pub mod diffuse;
 pub mod direct;
 pub mod divider;
-#[cfg(test)]
-mod draw;
 pub mod followed;
 pub mod gaussian;
 pub mod host;
 pub mod interpolate;
-pub mod length_off;
+pub mod length_error;
 pub mod linear;
 pub mod newton_root;
 pub mod normalise;

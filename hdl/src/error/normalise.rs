@@ -3,7 +3,7 @@
 //! N' is r long, z = r² and y = 1 - z. A polynomial in y is the first gain g, and Newton steps
 //! make g (3 - z g²)/2 of it; n = g N'. Both ends of a span lie in the unit ball, so r ≤ 1 up to
 //! rounding.
-use specula_datapath::builder::Off;
+use specula_datapath::bound::VectorError;
 use specula_spec::Format;
 use specula_spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
 
@@ -43,7 +43,7 @@ pub struct Normalised {
     /// n is no longer once it is rounded.
     pub longest: f64,
     /// How far n is off before it is rounded.
-    pub off: Off,
+    pub off: VectorError,
     /// Error of the bit z > 0.
     pub direction_error: f64,
 }
@@ -79,7 +79,7 @@ impl Approximation {
 
     /// How far n is off before it is rounded, where no real n is longer than `reach`.
     ///
-    /// Gains turn nothing, so with t as [`VectorBounds::turn`] has it
+    /// Sensitivity turn nothing, so with t as [`VectorBounds::turn`] has it
     ///
     /// ```text
     /// across ≤ |n'| t
@@ -94,17 +94,17 @@ impl Approximation {
     ///          ≤ max |dρ/dr| e + (longest + e) e_g
     /// |n'|     ≤ max ρ + (longest + e) e_g
     /// ```
-    fn off(&self, bounds: VectorBounds, reach: f64) -> Off {
+    fn off(&self, bounds: VectorBounds, reach: f64) -> VectorError {
         let VectorBounds { longest, error: e, .. } = bounds;
         let gain = self.gain_within(bounds);
         let of_gain = (longest + e) * gain.error;
         if bounds.surely() <= 0.0 {
-            return Off::within(2.0 * reach + of_gain);
+            return VectorError::ball(2.0 * reach + of_gain);
         }
         // `reach` leaves room for small roundings.
         let longest_fixed = reach.max(longest_real(longest) + of_gain);
         let across = longest_fixed * bounds.turn();
-        Off::parts(across, gain.steepest_length * e + of_gain + across * across / 2.0)
+        VectorError::components(across, gain.steepest_length * e + of_gain + across * across / 2.0)
     }
 
     /// 1 where rounding may decide whether z > 0.
@@ -280,8 +280,8 @@ impl Gain {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// First gain, Newton steps, and how short the shortest N' is.
@@ -315,7 +315,7 @@ mod tests {
         let mut reached = [0.0_f64; 2];
         for _ in 0..20_000 {
             let direction = draw.direction();
-            let length = bounds.shortest + (1.0 - bounds.shortest) * draw.between(0.0, 1.0).powi(4);
+            let length = bounds.shortest + (1.0 - bounds.shortest) * draw.within(0.0, 1.0).powi(4);
             let moved = [direction, draw.across(direction), draw.direction()];
             let moved = draw.one_of(&moved) * draw.error(bounds.error);
             let real = scaled(of, length * direction, |_| 0.0);
@@ -326,8 +326,8 @@ mod tests {
             let along = off.dot(direction);
             let across = (off - along * direction).length();
             assert!(off.length() <= proven.off.length, "{of:?}: {off}");
-            reached[0] = reached[0].max(across / proven.off.across);
-            reached[1] = reached[1].max(along.abs() / proven.off.along);
+            reached[0] = reached[0].max(across / proven.off.transverse);
+            reached[1] = reached[1].max(along.abs() / proven.off.radial);
         }
         reached
     }

@@ -1,5 +1,5 @@
 //! How long exactly normalised vectors are, and how far they are off.
-use specula_datapath::builder::Off;
+use specula_datapath::bound::VectorError;
 
 use super::vector::VectorBounds;
 
@@ -20,7 +20,7 @@ pub struct Normalised {
     /// n is no longer before it is rounded.
     pub longest: f64,
     /// How far n is off before it is rounded.
-    pub off: Off,
+    pub off: VectorError,
     /// Error of the bit z > 0.
     pub direction_error: f64,
 }
@@ -47,7 +47,7 @@ impl Exact {
             longest,
             off: match reached {
                 true => unit_vector(bounds, of_z / least_z, of_root),
-                false => Off::within(1.0 + longest),
+                false => VectorError::ball(1.0 + longest),
             },
             direction_error: if least_z >= self.z_ulp { 0.0 } else { 1.0 },
         }
@@ -70,15 +70,19 @@ impl Exact {
 /// across: (1 + ρ) sin φ      ≤ (1 + ρ) t
 /// along:  |(1 + ρ) cos φ - 1| ≤ ρ + (1 + ρ) t²/2
 /// ```
-pub fn unit_vector(bounds: VectorBounds, of_z: f64, of_root: f64) -> Off {
+pub fn unit_vector(bounds: VectorBounds, of_z: f64, of_root: f64) -> VectorError {
     let turn = bounds.turn();
     let stretched = of_z / (2.0 - of_z) + of_root;
-    Off::parts((1.0 + stretched) * turn, stretched + (1.0 + stretched) * turn * turn / 2.0)
+    VectorError::components(
+        (1.0 + stretched) * turn,
+        stretched + (1.0 + stretched) * turn * turn / 2.0,
+    )
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Of vectors about as short as they come, 99 % of the bound across and 80 % of that along n
@@ -94,7 +98,7 @@ mod tests {
             let mut reached = [0.0_f64; 2];
             for _ in 0..20_000 {
                 let direction = draw.direction();
-                let length = shortest + (1.0 - shortest) * draw.between(0.0, 1.0).powi(4);
+                let length = shortest + (1.0 - shortest) * draw.within(0.0, 1.0).powi(4);
                 let moved = [direction, draw.across(direction), draw.direction()];
                 let moved = draw.one_of(&moved) * draw.error(error);
                 let fixed = length * direction + moved;
@@ -105,8 +109,8 @@ mod tests {
                 let off = fixed - direction;
                 let along = off.dot(direction);
                 let across = (off - along * direction).length();
-                reached[0] = reached[0].max(across / proven.off.across);
-                reached[1] = reached[1].max(along.abs() / proven.off.along);
+                reached[0] = reached[0].max(across / proven.off.transverse);
+                reached[1] = reached[1].max(along.abs() / proven.off.radial);
             }
             println!("{shortest}: {reached:?}");
             assert!(reached.iter().all(|&share| share <= 1.0), "{shortest}: {reached:?}");

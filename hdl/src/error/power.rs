@@ -1,8 +1,8 @@
 //! How far powers of a cosine are off.
-use specula_datapath::design::{SHARES, Share};
+use specula_datapath::bound::{RELATIVE_BOUNDS, RelativeBound};
 use specula_spec::format::power_of_two;
 
-use super::angular::Angular;
+use specula_datapath::bound::Angular;
 
 /// What is known of b^n of a base b from 0 to 1 and n from 1 on.
 ///
@@ -70,7 +70,7 @@ impl PowerError {
     }
 
     /// What grows with the power and what does not, in several ways, each of which holds.
-    pub fn shares(&self) -> [Share; SHARES] {
+    pub fn shares(&self) -> [RelativeBound; RELATIVE_BOUNDS] {
         let level = Line { slope: 0.0, rest: steepest(self.exponent) };
         let lines = [0.95, 0.9, 0.8, 0.7, 0.5, 0.35, 0.2].map(|v| Line::touching(v, self.exponent));
         std::array::from_fn(|i| self.share(if i == 0 { level } else { lines[i - 1] }))
@@ -78,11 +78,11 @@ impl PowerError {
 
     /// With a line above σ: v and m^n exceed the smaller power by the bound at most, and v falls
     /// short of it by what has no part in the angle at most, which counts where the line falls.
-    fn share(&self, line: Line) -> Share {
+    fn share(&self, line: Line) -> RelativeBound {
         let (most, slope) = (self.at_worst_apart(), self.angle * line.slope);
         let of_turn =
             self.angle * line.rest + slope.max(0.0) * most + (-slope).max(0.0) * self.bound;
-        Share {
+        RelativeBound {
             ratio: (slope + self.ratio).max(0.0),
             rest: of_turn + self.rest + self.ratio * most,
         }
@@ -139,12 +139,13 @@ fn steepest(n: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// The largest error over what each share and the bound allow.
     #[derive(Clone, Copy, Debug, Default)]
-    struct Reached([f64; SHARES + 1]);
+    struct Reached([f64; RELATIVE_BOUNDS + 1]);
 
     impl Reached {
         fn take(&mut self, of: &PowerError, [real, fixed]: [f64; 2]) {
@@ -213,7 +214,7 @@ mod tests {
             let of = PowerError::of(base, n).and_squared(log2_n, half_unit);
             let mut reached = Reached::default();
             for _ in 0..40_000 {
-                let t = draw.between(0.0, 1.0).powi(2) * (20.0 / n).min(1.5);
+                let t = draw.within(0.0, 1.0).powi(2) * (20.0 / n).min(1.5);
                 let real = t.cos();
                 let fixed = (t + draw.error(base.angle)).cos() + draw.error(base.rest);
                 let squared =
@@ -221,7 +222,7 @@ mod tests {
                 let fixed = (0..log2_n).fold(fixed.clamp(0.0, 1.0), |b, _| squared(b, &mut draw));
                 reached.take(&of, [real.powf(n), fixed]);
             }
-            assert!(reached.within() && reached.0[SHARES] > 0.9, "n {n}: {reached:?}");
+            assert!(reached.within() && reached.0[RELATIVE_BOUNDS] > 0.9, "n {n}: {reached:?}");
         }
     }
 }

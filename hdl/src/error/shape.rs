@@ -1,14 +1,14 @@
 //! How far highlights are off.
 use specula_spec::lyon::LyonSpec;
 
-use super::length_off::LengthOff;
+use super::length_error::LengthError;
 
 /// Steps from the middle of a highlight to its edge in which bounds are looked for; what grows
 /// counts at a step's end, what falls at its begin.
 const STEPS: u32 = 2048;
 
 /// Bound on the error of f_k of D for exponents up to `shininess`; 1 at most. D is off by `off` as
-/// a whole, and its length by `length_off`.
+/// a whole, and its length by `length_error`.
 ///
 /// As a function of d = |D|, with K = 2^k and y = d √(n/2K)
 ///
@@ -19,19 +19,19 @@ const STEPS: u32 = 2048;
 /// |df/dd|/d  = n (1 - y²)^(K-1)
 /// ```
 ///
-/// Each counts as often as [`LengthOff`] says, or the first as often as D is off as a whole.
+/// Each counts as often as [`LengthError`] says, or the first as often as D is off as a whole.
 /// Smaller exponents have no more of any at the same y.
 ///
 /// Then f of the fixed D, with y', is rounded: see `Highlight::rounding`. y' is no further from
 /// any y on the way to it than √(n/2K) times what D is off.
-pub fn bound(off: f64, length_off: LengthOff, shininess: f64, lyon: &LyonSpec) -> f64 {
+pub fn bound(off: f64, length_error: LengthError, shininess: f64, lyon: &LyonSpec) -> f64 {
     let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());
     let highlight =
         Highlight { n, squarings: lyon.squarings as i32, ulp: lyon.formats.shape.ulp() };
-    let whole = LengthOff { level: off, growing: 0.0, falling: 0.0 };
+    let whole = LengthError { level: off, growing: 0.0, falling: 0.0 };
     let moved = (n / (2.0 * highlight.terms())).sqrt() * whole.level;
     // Of most D nothing more is known than of the whole.
-    let of_length = if length_off == whole { 1.0 } else { highlight.worst(length_off, moved) };
+    let of_length = if length_error == whole { 1.0 } else { highlight.worst(length_error, moved) };
     of_length.min(highlight.worst(whole, moved)).min(1.0)
 }
 
@@ -49,8 +49,8 @@ impl Highlight {
     }
 
     /// Largest bound on the error for any y.
-    fn worst(&self, length_off: LengthOff, moved: f64) -> f64 {
-        let at = |i| self.error(f64::from(i) / f64::from(STEPS), length_off, moved);
+    fn worst(&self, length_error: LengthError, moved: f64) -> f64 {
+        let at = |i| self.error(f64::from(i) / f64::from(STEPS), length_error, moved);
         // What is no number is no bound, and `f64::max` would pass it over.
         let known = |error: f64| if error.is_nan() { f64::INFINITY } else { error };
         (0..STEPS).map(at).map(known).fold(0.0, f64::max)
@@ -60,7 +60,7 @@ impl Highlight {
     fn error(
         &self,
         begin: f64,
-        LengthOff { level, growing, falling }: LengthOff,
+        LengthError { level, growing, falling }: LengthError,
         moved: f64,
     ) -> f64 {
         let (terms, end) = (self.terms(), begin + f64::from(STEPS).recip());
@@ -174,7 +174,8 @@ fn steepest_slope(squarings: u32, n: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// 99 % of the bound is reached.
@@ -208,7 +209,7 @@ mod tests {
             (3, 8191.0, 1.0 / 512.0, 2e-5),
         ] {
             let of = Highlight { n, squarings, ulp };
-            let level = LengthOff { level: off, growing: 0.0, falling: 0.0 };
+            let level = LengthError { level: off, growing: 0.0, falling: 0.0 };
             let moved = (n / (2.0 * of.terms())).sqrt() * off;
             let bound = of.worst(level, moved);
             let exact = |d: f64| (1.0 - n * d * d / (2.0 * of.terms())).max(0.0).powf(of.terms());
@@ -247,7 +248,7 @@ mod tests {
             let mut reached = 0.0_f64;
             for _ in 0..40_000 {
                 let direction = draw.direction().abs();
-                let d = edge * draw.between(0.0, 1.0) * direction;
+                let d = edge * draw.within(0.0, 1.0) * direction;
                 let exact = (d / edge).length_squared();
                 let real = (1.0 - exact).max(0.0).powf(terms);
                 let d = d + draw.error(off) * direction;

@@ -16,7 +16,8 @@ pub fn root(x_error: f64, smallest: f64, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// All of the bound is reached near 0, and 56 % far from it, where both roots count.
@@ -28,7 +29,7 @@ mod tests {
             let bound = root(error, smallest, ulp);
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let fixed = smallest + (1.0 - smallest) * draw.between(0.0, 1.0).powi(6);
+                let fixed = smallest + (1.0 - smallest) * draw.within(0.0, 1.0).powi(6);
                 let real = (fixed + draw.error(error)).max(0.0);
                 let off = fixed.sqrt() + draw.error(0.5 * ulp) - real.sqrt();
                 reached = reached.max(off.abs() / bound);

@@ -1,7 +1,7 @@
 //! How far normals are off that are put together along an arc and brought to unit length.
 //!
 //! N = u P + v Q, and n = N (3 - N·N)/2. [lecture, eq. 4.7; methods A8, A9, A11]
-use specula_datapath::builder::Off;
+use specula_datapath::bound::VectorError;
 use specula_spec::slerp::SlerpFormats;
 
 use super::rotation::{drift, scaled_drift};
@@ -65,15 +65,15 @@ impl Weighing {
     /// ```
     ///
     /// with the length ρ = r (3 - r²)/2, whose slope 3/2 (1 - r²) is steepest at r = l - e or 1 + e.
-    pub fn lengthened(self, off: f64, half_unit: f64) -> Off {
+    pub fn lengthened(self, off: f64, half_unit: f64) -> VectorError {
         let (e, shortest) = (off, self.shortest);
         if e >= shortest / 2.0 {
-            return Off::within(2.0 + half_unit);
+            return VectorError::ball(2.0 + half_unit);
         }
         let longer = half_unit * (1.0 + e);
         let across = (1.0 + longer) * e / (shortest * (shortest - e)).sqrt();
         let slope = 1.5 * (1.0 - (shortest - e).powi(2)).max((1.0 + e).powi(2) - 1.0);
-        Off::parts(across, slope * e + longer + across * across / 2.0)
+        VectorError::components(across, slope * e + longer + across * across / 2.0)
     }
 }
 
@@ -85,7 +85,8 @@ pub fn longest(longest: f64, half_unit: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// 99 % of the bound across N is reached, and 55 % along it.
@@ -102,7 +103,7 @@ mod tests {
             for _ in 0..20_000 {
                 let direction = draw.direction();
                 let real =
-                    direction * (shortest + (1.0 - shortest) * draw.between(0.0, 1.0).powi(4));
+                    direction * (shortest + (1.0 - shortest) * draw.within(0.0, 1.0).powi(4));
                 let moved = [direction, draw.across(direction), draw.direction()];
                 let fixed = real + draw.one_of(&moved) * draw.error(error);
                 let real = real * (3.0 - real.length_squared()) / 2.0;
@@ -110,8 +111,8 @@ mod tests {
                 assert!(fixed.length() <= most);
                 let along = (fixed - real).dot(direction);
                 let across = (fixed - real - along * direction).length();
-                reached[0] = reached[0].max(across / proven.across);
-                reached[1] = reached[1].max(along.abs() / proven.along);
+                reached[0] = reached[0].max(across / proven.transverse);
+                reached[1] = reached[1].max(along.abs() / proven.radial);
             }
             println!("{shortest}, {error}, {half_unit}: {reached:?}");
             assert!(reached.iter().all(|&share| share <= 1.0), "{shortest}: {reached:?}");
@@ -130,8 +131,8 @@ mod tests {
             for _ in 0..20_000 {
                 let p = draw.direction();
                 let q = draw.across(p);
-                let (v, u) = draw.between(0.0, 6.3).sin_cos();
-                let (v_off, u_off) = draw.between(0.0, 6.3).sin_cos();
+                let (v, u) = draw.within(0.0, 6.3).sin_cos();
+                let (v_off, u_off) = draw.within(0.0, 6.3).sin_cos();
                 let moved = draw.direction();
                 let [of_p, of_q] = [0; 2].map(|_| draw.one_of(&[1.0, -1.0]) * of_axes * moved);
                 let fixed = (u + off * u_off) * (p + of_p) + (v + off * v_off) * (q + of_q);

@@ -1,18 +1,18 @@
 //! How far cosines between unit vectors are off, and those of reflections.
-use specula_datapath::builder::Off;
+use specula_datapath::bound::VectorError;
 
-use super::angular::Angular;
+use specula_datapath::bound::Angular;
 
 /// x·y of real unit vectors that are off so far, rounded by `rounding`.
 ///
-/// Fixed x is the length 1 + δ_x times a direction, |δ_x| ≤ ε_x ([`Off::stretch`]):
+/// Fixed x is the length 1 + δ_x times a direction, |δ_x| ≤ ε_x ([`VectorError::stretch`]):
 ///
 /// ```text
 /// x'·y' = (1 + δ_x)(1 + δ_y) cos t'
 /// |t' - t|         ≤ turn of x + turn of y
 /// |x'·y' - cos t'| ≤ (1 + ε_x)(1 + ε_y) - 1
 /// ```
-pub fn cosine([x, y]: [Off; 2], rounding: f64) -> Angular {
+pub fn cosine([x, y]: [VectorError; 2], rounding: f64) -> Angular {
     Angular {
         angle: x.angle() + y.angle(),
         rest: (1.0 + x.stretch()) * (1.0 + y.stretch()) - 1.0 + rounding,
@@ -48,7 +48,8 @@ pub fn sent_light_dot_view(error: f64, [n_dot_v, n_dot_l]: [Angular; 2]) -> f64 
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Two unit vectors off across and along themselves, in one plane with them: half of what is
@@ -57,12 +58,12 @@ mod tests {
     fn cosines_stay_within_the_bound_and_reach_it() {
         let mut draw = Draw::new(1);
         for [across, along, rounding] in [[1e-3, 0.0, 0.0], [0.0, 1e-4, 0.0], [1e-3, 2e-3, 1e-3]] {
-            let bound = cosine([Off::parts(across, along); 2], rounding);
+            let bound = cosine([VectorError::components(across, along); 2], rounding);
             let (mut angle, mut rest) = (0.0_f64, 0.0_f64);
             for _ in 0..50_000 {
                 let x = draw.direction();
                 let across_x = draw.across(x);
-                let sine = draw.between(-1.0, 1.0);
+                let sine = draw.within(-1.0, 1.0);
                 let y =
                     sine * across_x + (1.0 - sine * sine).sqrt() * draw.one_of(&[1.0, -1.0]) * x;
                 let across_y = (across_x - across_x.dot(y) * y).normalize_or_zero();

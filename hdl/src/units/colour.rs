@@ -1,7 +1,7 @@
 //! From intensities to a pixel.
 use crate::error;
 use crate::error::colour::{Factor, Term};
-use specula_datapath::builder::{Builder, Sig, Turns};
+use specula_datapath::builder::{Builder, Sig, TimeSlots};
 
 /// A colour coefficient for each channel, in LSBs of the output.
 pub type Coefficients = [Sig; 3];
@@ -18,11 +18,16 @@ pub struct Light {
     pub specular_coefficients: Coefficients,
 }
 
-/// The 8-bit codes of red, green and blue of the lights in every turn of a pixel, right in the
+/// The 8-bit codes of red, green and blue of the lights in every time slot of a pixel, right in the
 /// last. [methods A3]
-pub fn channels(b: &Builder, turns: &Turns, ambient: &Coefficients, lights: &[Light]) -> [Sig; 3] {
+pub fn channels(
+    b: &Builder,
+    slots: &TimeSlots,
+    ambient: &Coefficients,
+    lights: &[Light],
+) -> [Sig; 3] {
     let code = |c: usize| {
-        b.instance(&format!("{}_channel", NAMES[c]), || channel(b, turns, &ambient[c], lights, c))
+        b.instance(&format!("{}_channel", NAMES[c]), || channel(b, slots, &ambient[c], lights, c))
     };
     let red = code(0);
     let green = if alike(ambient, lights, [0, 1]) { shared(b, &red, [0, 1]) } else { code(1) };
@@ -59,7 +64,7 @@ fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
 ///
 /// # Error
 /// [`error::colour::below_full_scale`], and half an LSB.
-fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
+fn channel(b: &Builder, slots: &TimeSlots, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| {
         [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()]
     };
@@ -70,25 +75,25 @@ fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize
         ("ambient", ambient),
         ("coefficient", &coefficients),
         ("intensity", &intensities),
-        ("begins", &turns.begins),
+        ("begins", &slots.first_slot),
     );
     let formula = "c = min(ambient + sum of coefficient x intensity, 255) [methods A3]";
     b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities, begins)| {
-        let error = error_of_sum(&ambient, &coefficients, &intensities, turns.count());
+        let error = error_of_sum(&ambient, &coefficients, &intensities, slots.count());
         let terms = coefficients
             .iter()
             .zip(&intensities)
             .map(|(coefficient, intensity)| coefficient * intensity);
-        let sum = match turns.count() {
+        let sum = match slots.count() {
             1 => terms.fold(ambient, |sum, term| sum + term),
-            count => sum_of_turns(&begins, &ambient, terms, count),
+            count => sum_of_slots(&begins, &ambient, terms, count),
         };
         sum.rounded(0).clamped_above(255).proven_error_value(error + 0.5).named("code")
     })
 }
 
-/// The ambient light and the terms of a pixel's turns up to this one; nothing is negative.
-fn sum_of_turns(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, count: u32) -> Sig {
+/// The ambient light and the terms of a pixel's time slots up to this one; nothing is negative.
+fn sum_of_slots(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, count: u32) -> Sig {
     let term = terms.reduce(|sum, term| sum + term).unwrap_or_else(|| ambient.clone());
     let largest = |sig: &Sig| sig.range().high.max(0) as f64 * sig.ulp();
     let most = largest(ambient) + f64::from(count) * largest(&term);
@@ -102,8 +107,8 @@ fn sum_of_turns(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, c
     )
 }
 
-/// Bound on the error of the sum over a pixel's turns where it is below full scale.
-fn error_of_sum(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], turns: u32) -> f64 {
+/// Bound on the error of the sum over a pixel's time slots where it is below full scale.
+fn error_of_sum(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], slots: u32) -> f64 {
     if coefficients.iter().chain(intensities).chain([ambient]).any(|sig| sig.range().low < 0) {
         return f64::INFINITY;
     }
@@ -112,8 +117,8 @@ fn error_of_sum(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], turns:
     let term = |(coefficient, intensity): (&Sig, &Sig)| Term {
         coefficient: factor(coefficient),
         intensity: factor(intensity),
-        form: intensity.error_form(),
+        form: intensity.error_model(),
     };
     let terms: Vec<Term> = coefficients.iter().zip(intensities).map(term).collect();
-    error::colour::below_full_scale(ambient.error_value(), &terms, turns)
+    error::colour::below_full_scale(ambient.error_value(), &terms, slots)
 }

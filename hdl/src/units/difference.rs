@@ -4,7 +4,7 @@ use specula_spec::lyon::LyonFormats;
 
 use crate::error;
 use crate::error::difference::{Difference, Operand};
-use crate::error::length_off::LengthOff;
+use crate::error::length_error::LengthError;
 use specula_datapath::builder::{Builder, Vector};
 
 /// D = H × N with H = L + V, as long as the part of H that is perpendicular to N. [methods B13]
@@ -28,7 +28,7 @@ pub fn reflection_minus_light(
     v: &Vector,
     l: &Vector,
     formats: &LyonFormats,
-) -> (Vector, LengthOff) {
+) -> (Vector, LengthError) {
     let formula = "D = 2(N.V)N - V - L [Lyon, TR 43, fig. 7]";
     let inputs = (("n", n), ("v", v), ("l", l));
     let d = b.unit("reflection_minus_light", formula, inputs, |_, (n, v, l)| {
@@ -46,7 +46,7 @@ pub fn light_reflection(
     l: &Vector,
     v: &Vector,
     formats: &LyonFormats,
-) -> (Vector, LengthOff) {
+) -> (Vector, LengthError) {
     let formula = "D = 2(N.L)N - L - V [Lyon, TR 43, fig. 5]";
     let inputs = (("n", n), ("l", l), ("v", v));
     let d = b.unit("light_reflection", formula, inputs, |_, (n, l, v)| {

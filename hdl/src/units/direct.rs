@@ -5,9 +5,9 @@ use specula_spec::direct::DirectFormats;
 use super::clamp::to_cosine;
 use super::divider::{QuotientFormat, quotient};
 use super::reflected::{Direction, Reflected, UnitBound, angular, reflected};
-use crate::error::angular::Angular;
 use crate::error::direct::{self, Parameter, Product, Square};
 use crate::error::interpolate::{overshoot, slack};
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{Builder, Sig};
 
 /// t = i/S of at most `steps` + 1 pixels, 0 to 1 and what rounding of the step leads past it.

@@ -28,7 +28,7 @@ mod unit_vectors;
 mod vector;
 mod wrapped;
 
-pub use crate::error::length_off::LengthOff;
+pub use crate::error::length_error::LengthError;
 pub use clamp::{clamp_nonnegative, clamp_unit};
 pub use colour::{Coefficients, Light, channels};
 pub use consistent_reflection::{consistent_cosine, consistent_reflection};

@@ -5,7 +5,7 @@ use specula_spec::format::power_of_two;
 use super::direct::at_least;
 use super::divider::{QuotientFormat, quotient};
 use crate::error;
-use specula_datapath::builder::{Builder, Known, Sig};
+use specula_datapath::builder::{Builder, LoopInvariant, Sig};
 
 /// How Newton's method goes on from pixel to pixel.
 #[derive(Clone, Copy, Debug)]
@@ -42,13 +42,14 @@ pub fn newton_root(
             let largest_q = q.format().value(q.range().high);
             let largest = error::newton_root::largest(least, largest_q, formats.length.ulp());
             let error = newton.bound(&q, formats).unwrap_or(largest);
-            let known = Known { limits: (0.0, largest), fact: "0 <= d <= (2^-m + 2^m)/2", error };
+            let invariant =
+                LoopInvariant { limits: (0.0, largest), fact: "0 <= d <= (2^-m + 2^m)/2", error };
             let to = QuotientFormat { integer_bits: reach, fraction_bits };
             let [d] = b.carried(
                 &first,
                 ([&b.integer(1)], [&q]),
                 fraction_bits,
-                &known,
+                &invariant,
                 |[before], [q]| {
                     let step = |d: Sig| {
                         (&d + &quotient(b, q, &d, to, least)).halved().rounded(fraction_bits)

@@ -1,8 +1,8 @@
 //! R·L of a view vector that is reflected about the normal.
 use super::clamp::to_unit_interval;
-use crate::error::angular::Angular;
+use specula_datapath::bound::Angular;
+use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{Builder, Sig};
-use specula_datapath::design::ErrorForm;
 use specula_spec::format::power_of_two;
 
 /// What R·L = 2(N·V)(N·L) - V·L is made of.
@@ -68,8 +68,8 @@ impl UnitBound {
 
 /// What is known of a cosine's angle.
 pub(super) fn angular(cosine: &Sig) -> Option<Angular> {
-    match cosine.error_form() {
-        ErrorForm::OfCosine { angle, rest } => Some(Angular { angle, rest }),
+    match cosine.error_model() {
+        ErrorModel::Angular(Angular { angle, rest }) => Some(Angular { angle, rest }),
         _ => None,
     }
 }

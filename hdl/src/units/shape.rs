@@ -1,7 +1,7 @@
 //! The shape of the highlight.
 use specula_spec::lyon::LyonSpec;
 
-use super::LengthOff;
+use super::LengthError;
 use super::power::square;
 use crate::error;
 use crate::error::shape::{Root, RootShape};
@@ -16,7 +16,7 @@ use specula_datapath::builder::{Builder, Sig, Vector};
 /// [`error::shape::bound`] for the largest exponent.
 pub fn shape(
     b: &Builder,
-    (d, length_off): (&Vector, LengthOff),
+    (d, length_error): (&Vector, LengthError),
     shininess: &Sig,
     has_direction: &Sig,
     lyon: &LyonSpec,
@@ -32,7 +32,7 @@ pub fn shape(
         |b, (d, n, has_direction)| {
             let fraction_bits = lyon.formats.shape.fraction_bits;
             let most = n.range().magnitude();
-            let error = error::shape::bound(d.off().length, length_off, most, lyon);
+            let error = error::shape::bound(d.off().length, length_error, most, lyon);
             let squared_length =
                 d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
             let x = (&n * squared_length)

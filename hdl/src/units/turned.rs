@@ -4,7 +4,7 @@ use specula_spec::slerp::SlerpFormats;
 
 use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;
-use crate::error::angular::Angular;
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{Builder, Sig};
 
 /// N·X = c A·X + s T·X, for L and V alike. [lecture, eq. 4.7; methods A10]

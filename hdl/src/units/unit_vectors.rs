@@ -7,7 +7,7 @@ use super::reflected::{
     Direction, Reflected, UnitBound, angular, half_unit_where_narrowed, reflected,
 };
 use crate::error;
-use crate::error::angular::Angular;
+use specula_datapath::bound::Angular;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// The cosine of the angle between unit vectors, rounded to `fraction_bits`. Error:

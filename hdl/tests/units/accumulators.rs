@@ -1,10 +1,10 @@
 //! What adds up along a span: spans of 1, 2, 3 and 8192 pixels, one straight after the other.
 use specula_datapath::builder::Vector;
 use specula_datapath::{Design, SpanPacket};
+use specula_fixtures::clocked::{Drive, run};
 use specula_hdl::units::{self, Differences, Interpolation, SpanNormals, Steps};
 use specula_spec::Format;
 
-use super::common::{Drive, run};
 use super::{Bench, lyon, rounded};
 
 const LENGTHS: [u32; 8] = [1, 1, 3, 2, 8192, 2, 1, 3];

@@ -1,7 +1,7 @@
 //! From intensities to a code.
 use specula_datapath::Design;
+use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::Sig;
-use specula_datapath::design::ErrorForm;
 use specula_hdl::units::{self, Light};
 use specula_spec::Format;
 
@@ -34,7 +34,7 @@ fn design_with(lights: usize, integer_bits: u32, stated: impl Fn(Sig) -> Sig) ->
         specular_coefficients: grey(&format!("ks_{i}")),
     };
     let lights: Vec<Light> = (0..lights).map(light).collect();
-    let [red, green, blue]: [Sig; 3] = units::channels(&bench.b, &bench.turns, &ambient, &lights);
+    let [red, green, blue]: [Sig; 3] = units::channels(&bench.b, &bench.slots, &ambient, &lights);
     bench.finish(&[("red", red), ("green", green), ("blue", blue)])
 }
 
@@ -90,17 +90,17 @@ fn all_ones_are_white() {
 /// both.
 #[test]
 fn highlights_that_are_never_off_together_count_once() {
-    let bound = |form: ErrorForm| {
-        design_with(2, 2, |f| f.stated_error_value(0.25).of_error_form(form)).error_bound()
+    let bound = |form: ErrorModel| {
+        design_with(2, 2, |f| f.stated_error_value(0.25).of_error_model(form)).error_bound()
     };
-    let one = bound(ErrorForm::OneOfSeveral { together: 0.0 });
+    let one = bound(ErrorModel::Exclusive { together: 0.0 });
     // A coefficient of U2.6 is 255/64 at most, off by 1/128.
     let most = 255.0 / 64.0 + 1.0 / 128.0;
     for (together, more) in [(0.125, 0.0), (0.2, 2.0 * 0.2 - 0.25), (0.24, 2.0 * 0.24 - 0.25)] {
-        let got = bound(ErrorForm::OneOfSeveral { together }) - one;
+        let got = bound(ErrorModel::Exclusive { together }) - one;
         assert!((got - most * more).abs() < 1e-9, "{together}: {got} more");
     }
     // Propagation through the products comes to a little less here, since it has the coefficients'
     // own errors apart.
-    assert!((bound(ErrorForm::Bounded) - one - most * 0.25).abs() < 0.01);
+    assert!((bound(ErrorModel::Bounded) - one - most * 0.25).abs() < 0.01);
 }

@@ -2,8 +2,6 @@
 mod accumulators;
 mod any_power;
 mod channel;
-#[path = "../common/mod.rs"]
-mod common;
 mod cosine;
 mod difference;
 mod diffuse;
@@ -20,25 +18,23 @@ mod rotation;
 mod rounded_inputs;
 mod shape;
 mod square_root;
-mod turns;
+mod time_slots;
 
 use std::rc::Rc;
 
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use specula_datapath::Design;
-use specula_datapath::builder::{Builder, Sig, Turns};
+use specula_datapath::builder::{Builder, Sig, TimeSlots};
 use specula_datapath::target::Generic;
+use specula_fixtures::clocked::{Drive, run};
+use specula_fixtures::specs::small_needs;
 use specula_scene::Needs;
-use specula_scene::contributions::Contributions;
-use specula_scene::needs::Ranges;
 use specula_spec::{Format, InputPort, LyonSpec};
-
-use common::{Drive, run};
 
 /// The ports, signals and outputs of a unit under test.
 struct Bench {
     b: Builder,
-    turns: Turns,
+    slots: TimeSlots,
     start: Sig,
 }
 
@@ -46,8 +42,8 @@ impl Bench {
     fn new() -> Bench {
         let b = Builder::new("bench", "", Rc::new(Generic));
         let control = b.control();
-        let turns = b.take_turns(&control, 1);
-        Bench { b, turns, start: control.start }
+        let slots = b.time_slots(&control, 1);
+        Bench { b, slots, start: control.start }
     }
 
     fn input(&self, name: &str, format: Format, (low, high): (i64, i64)) -> Sig {
@@ -55,7 +51,7 @@ impl Bench {
     }
 
     fn finish(self, outputs: &[(&str, Sig)]) -> Design {
-        self.b.finish(&self.turns.valid_at_last, outputs).expect("no unit is too wide here")
+        self.b.finish(&self.slots.valid_in_last_slot, outputs).expect("no unit is too wide here")
     }
 }
 
@@ -81,26 +77,8 @@ fn rounded(raw: i64, bits: u32) -> i64 {
 
 /// A spec of `lyon` with these fraction bits everywhere.
 fn lyon(fraction_bits: u32) -> LyonSpec {
-    let needs = Needs {
-        lights: 1,
-        local_lights: Vec::new(),
-        local_eye: false,
-        longest_span: 4,
-        largest_shininess: 1,
-        uneven_shininess: None,
-        brightest_coefficient: 1.0,
-        widest_angle: 0.0,
-        shortest_normal: 1.0,
-        shortest_way: 1.0,
-        shortest_unit_way: 1.0,
-        least_cone_cosine: 0.9,
-        least_view_cosine: 0.0,
-        smallest_shininess: 1,
-        contributions: Contributions::default(),
-        flat: false,
-        consistent_normals_differ: true,
-        ranges: Ranges::default(),
-    };
+    let needs =
+        Needs { largest_shininess: 1, widest_angle: 0.0, shortest_normal: 1.0, ..small_needs() };
     let mut lyon = LyonSpec::for_needs(&needs);
     let f = &mut lyon.formats;
     for format in [

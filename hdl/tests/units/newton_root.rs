@@ -1,10 +1,11 @@
 //! Newton's root: spans one straight after the other, each from 1 on, against the same steps in
 //! whole numbers.
+use specula_fixtures::clocked::{Drive, run};
+use specula_fixtures::formats::direct_formats;
 use specula_hdl::units::{self, NewtonRoot};
 use specula_spec::Format;
 use specula_spec::direct::DirectFormats;
 
-use super::common::{Drive, run};
 use super::{Bench, rounded};
 
 const LENGTHS: [u32; 7] = [1, 1, 3, 2, 40, 1, 9];
@@ -13,20 +14,11 @@ const SQUARE: u32 = 12;
 
 /// m and the fraction bits of d.
 fn formats(reach: u32, length: u32) -> DirectFormats {
-    let rest = Format::unsigned(1, 10);
     DirectFormats {
-        weight_accumulator: rest,
-        weight: rest,
-        product: rest,
-        spread: rest,
-        component: rest,
         length_squared: Format::unsigned(1, SQUARE),
         length: Format::unsigned(1, length),
         reciprocal: Format::unsigned(reach, 10),
-        cosine: rest,
-        diffuse: rest,
-        base: rest,
-        shape: rest,
+        ..direct_formats(Format::unsigned(1, 10))
     }
 }
 

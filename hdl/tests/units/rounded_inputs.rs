@@ -189,7 +189,7 @@ fn stated_facts_leave_errors_alone() {
     assert_eq!((assumed.error(), assumed.range().extent()), (1.0, 1.0));
 }
 
-/// Of values that take turns and are the same constant, the largest error counts.
+/// Of values that have a time slot each and are the same constant, the largest error counts.
 #[test]
 fn turns_that_are_all_the_same_have_the_largest_error() {
     let b = specula_datapath::builder::Builder::new(
@@ -197,10 +197,10 @@ fn turns_that_are_all_the_same_have_the_largest_error() {
         "",
         std::rc::Rc::new(specula_datapath::target::Generic),
     );
-    let turns = b.take_turns(&b.control(), 2);
+    let slots = b.time_slots(&b.control(), 2);
     let coarse = b.integer(0).stated_error_value(0.25);
     for values in [[coarse.clone(), b.integer(0)], [b.integer(0), coarse]] {
-        assert_eq!(turns.select(&values).error(), 0.25);
+        assert_eq!(slots.multiplexed(&values).error(), 0.25);
     }
 }
 

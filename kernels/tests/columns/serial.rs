@@ -10,8 +10,8 @@ fn low_bits(value: i64) -> i64 {
     (value << 40) >> 40
 }
 
-/// value = first ? start : state, state ← low bits of value + step; a column in two parts, as
-/// batches follow each other.
+/// value = first ? start : state, state ← low bits of value + step; the column comes in two parts,
+/// as batches follow each other.
 fn accumulated<S: Lane, T: Lane, O: Lane>(
     shape: Shape,
     cut: usize,
@@ -36,7 +36,7 @@ fn accumulated<S: Lane, T: Lane, O: Lane>(
     assert_eq!((numbers(&out), got_state), (expected, state));
 }
 
-/// state ← enable ? value : state, in two parts.
+/// state ← enable ? value : state, with the column in two parts.
 fn held<I: Lane, O: Lane>(shape: Shape, cut: usize, enable: &[i64], value: &[i64]) {
     let (mut state, mut expected) = (0, vec![]);
     for (&enable, &value) in shape.of(enable, 0).iter().zip(shape.of(value, 1)) {
@@ -66,7 +66,7 @@ fn looked_up<O: Lane>(shape: Shape, address: &[i64], table: &[i64]) {
 
 proptest! {
     #[test]
-    fn accumulators(shape in shape(), cut in 0..70usize, first in column(1), narrow in column(24), wide in column(60)) {
+    fn accumulators_add_up_pixel_by_pixel(shape in shape(), cut in 0..70usize, first in column(1), narrow in column(24), wide in column(60)) {
         accumulated::<i32, i32, i32>(shape, cut, &first, &narrow, &narrow);
         accumulated::<i32, i32, i64>(shape, cut, &first, &narrow, &narrow);
         accumulated::<i32, i64, i32>(shape, cut, &first, &narrow, &wide);
@@ -82,7 +82,7 @@ proptest! {
     }
 
     #[test]
-    fn tables(
+    fn tables_are_looked_up_lane_by_lane(
         shape in shape(),
         address in column(5),
         far in column(32),

@@ -38,7 +38,7 @@ pub(super) fn colour(
     }
 }
 
-/// A number that is finite and not absurdly large.
+/// A number that is finite and not larger than [`FARTHEST`].
 pub(super) fn number(
     source: &SourceFile,
     name: &str,
@@ -119,7 +119,7 @@ pub(super) fn integer(
     }
 }
 
-/// One of a few words, the first of which is the default.
+/// One of a few words; the first one is the default.
 pub(super) fn word<T: Copy>(
     source: &SourceFile,
     name: &str,
@@ -141,7 +141,7 @@ pub(super) fn word<T: Copy>(
     }
 }
 
-/// A kind of which only one can be made so far, though the format knows others.
+/// Checks a kind that the format could have several of, but of which only one exists so far.
 pub(super) fn only_kind(
     source: &SourceFile,
     given: Option<&Spanned<String>>,

@@ -1,4 +1,4 @@
-//! What `stress` writes.
+//! The files that `stress` writes.
 use std::fs;
 use std::io;
 
@@ -14,7 +14,7 @@ pub fn scene_name(row: &str, method: &str) -> String {
     format!("row_{}_{method}.toml", row.replace(' ', "_"))
 }
 
-/// The scene file of a cell, if it has one.
+/// The name of a cell's scene file, if it has one.
 pub fn scene_of(cell: &Cell) -> Option<String> {
     cell.reproducer.as_ref().and(cell.method).map(|method| scene_name(cell.row, method))
 }
@@ -26,7 +26,7 @@ pub fn possible_names(methods: &[Method]) -> Vec<String> {
     [MARKDOWN, REPORT].map(str::to_owned).into_iter().chain(plots::names()).chain(scenes).collect()
 }
 
-/// Writes everything; gives the JSON report.
+/// Writes all files and returns the JSON report.
 pub fn write(destination: &Destination, stress: &Stress) -> Result<String, ToolError> {
     let staging = destination.stage()?;
     let put =

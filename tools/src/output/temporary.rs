@@ -1,26 +1,26 @@
-//! Hidden folders in which results are made before they are put in their places.
+//! Hidden temporary folders in which results are made before they are put in their places.
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::interrupt::{Held, Interrupts, Undo};
 
-/// Beginning of the names of temporary folders. The next program that writes beside one looks after
+/// Beginning of the names of temporary folders. The next program that writes next to one deals with
 /// what is left of it.
 pub const PREFIX: &str = ".specula-";
-/// In a temporary folder: locked as long as its program runs.
+/// A file in a temporary folder, locked as long as its program runs.
 pub const LOCK: &str = "lock";
-/// In a temporary folder: what the folder that is replaced holds, once it is being replaced.
+/// A file in a temporary folder: the record of the folder that is being replaced.
 pub const RECORD: &str = "record.json";
-/// In a temporary folder: the folder of results, under the name that it has or will have beside the
-/// temporary one.
+/// A subfolder of a temporary folder: the folder of results has in it the name that it has or will
+/// have next to the temporary one.
 pub const FOLDER: &str = "folder";
 
-/// A temporary folder of this program. Nothing of it remains once it is dropped.
+/// A temporary folder of this program. It is removed with its contents when it is dropped.
 #[derive(Debug)]
 pub struct Temporary {
     path: PathBuf,
-    /// None where the file system has no locks: then nothing ever removes what a kill leaves.
+    /// `None` where the file system has no locks: then what a kill leaves is never removed.
     #[expect(dead_code, reason = "it is locked until it is closed")]
     lock: Option<File>,
     interrupts: Interrupts,
@@ -28,7 +28,7 @@ pub struct Temporary {
 }
 
 impl Temporary {
-    /// Makes one in a folder that is there.
+    /// Makes a temporary folder in an existing folder.
     pub fn new_in(place: &Path, interrupts: &Interrupts) -> io::Result<Temporary> {
         loop {
             let path = hidden_folder(place, interrupts)?;
@@ -52,12 +52,12 @@ impl Temporary {
         }
     }
 
-    /// Where it is.
+    /// The path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Leaves it where it is.
+    /// Leaves the folder where it is.
     pub fn keep(mut self, mut held: Held) {
         held.forget(&Undo::Temporary(self.path.clone()));
         self.kept = true;
@@ -80,7 +80,7 @@ enum Locked {
     Impossible,
 }
 
-/// Makes a folder that a signal takes away again.
+/// Makes a folder that a signal's handler removes.
 fn hidden_folder(place: &Path, interrupts: &Interrupts) -> io::Result<PathBuf> {
     let mut held = interrupts.hold();
     let path = tempfile::Builder::new().prefix(PREFIX).tempdir_in(place)?.keep();
@@ -101,8 +101,8 @@ fn locked(folder: &Path) -> io::Result<Locked> {
     })
 }
 
-/// Removes a temporary folder. What tells what it is goes last: a kill leaves what the next program
-/// understands.
+/// Removes a temporary folder. The files that identify it are removed last, so that a kill leaves
+/// what the next program understands.
 pub fn remove(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;

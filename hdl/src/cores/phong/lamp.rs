@@ -1,13 +1,13 @@
-//! Lights of all kinds in one form, so that they can take turns.
+//! Lights of all kinds in one form, so that they can share a pipeline.
 use specula_spec::phong::{PhongLight, Way};
 use specula_spec::{InputGroup, LightInputs};
 
-use specula_datapath::builder::{Builder, Sig, Turns};
+use specula_datapath::builder::{Builder, Sig, TimeSlots};
 
 /// The inputs of one light.
 type Inputs = LightInputs<PhongLight<Sig>, Sig>;
 
-/// A pipeline's light, which may be another in every turn.
+/// A pipeline's light, which may be another in every time slot.
 pub(super) struct Lamp<'a> {
     pub light: &'a PhongLight<Sig>,
     /// Whether it is at a place.
@@ -34,10 +34,15 @@ impl Kinds {
     }
 
     /// The light of pipeline `index`.
-    pub fn lamp<'a>(&self, turns: &Turns, index: usize, light: &'a PhongLight<Sig>) -> Lamp<'a> {
-        let of_pipeline = |bits: &[Sig]| match turns.count() {
+    pub fn lamp<'a>(
+        &self,
+        slots: &TimeSlots,
+        index: usize,
+        light: &'a PhongLight<Sig>,
+    ) -> Lamp<'a> {
+        let of_pipeline = |bits: &[Sig]| match slots.count() {
             1 => bits[index].clone(),
-            _ => turns.select(bits),
+            _ => slots.multiplexed(bits),
         };
         Lamp { light, local: of_pipeline(&self.local), spot: of_pipeline(&self.spot) }
     }

@@ -5,10 +5,10 @@ mod lamp;
 use specula_spec::phong::{Highlight, PhongInputs, PhongLight, PhongSpec};
 use specula_spec::{CoreInputs, CoreParameters, InputPort};
 
-use super::{Intensities, eye, finish, turns, unit_vector};
+use super::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
 use crate::units::{self, Interpolation};
-use specula_datapath::builder::{BuildError, Builder, Sig, Turns};
+use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots};
 use specula_datapath::design::Design;
 
 use direction::Direction;
@@ -22,7 +22,7 @@ pub(super) fn core(
     phong: &PhongSpec,
     ports: &PhongInputs<InputPort>,
 ) -> Result<Design, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let f = &phong.formats;
     let interpolation = Interpolation {
@@ -33,7 +33,7 @@ pub(super) fn core(
         apart: error::interpolate::chord(spec.shortest_normal.min(spec.shortest_way)),
         steps: spec.longest_span - 1,
     };
-    let weight = units::weight(&b, &turns.first_pixel, &inputs.span.weight_step, interpolation);
+    let weight = units::weight(&b, &slots.first_pixel, &inputs.span.weight_step, interpolation);
     let pixel = Pixel {
         b: &b,
         spec,
@@ -42,7 +42,7 @@ pub(super) fn core(
         weight: &weight,
         shininess: &inputs.span.shininess,
     };
-    pixel.finish(&turns, &inputs)
+    pixel.finish(&slots, &inputs)
 }
 
 /// What the vectors of a pixel have in common.
@@ -66,7 +66,7 @@ struct Arrival<'a> {
 }
 
 impl Pixel<'_> {
-    fn finish(&self, turns: &Turns, inputs: &PhongInputs<Sig>) -> Result<Design, BuildError> {
+    fn finish(&self, slots: &TimeSlots, inputs: &PhongInputs<Sig>) -> Result<Design, BuildError> {
         let b = self.b;
         let normal = self.along("normal", &inputs.span.normal, self.spec.shortest_normal);
         let view = match &inputs.span.eye {
@@ -76,7 +76,7 @@ impl Pixel<'_> {
         let n_dot_v = self.cosine("n_dot_v", &normal, &view);
         let kinds = Kinds::new(b, &inputs.lights);
         let shade = |index: usize, light: &PhongLight<Sig>| {
-            let lamp = &kinds.lamp(turns, index, light);
+            let lamp = &kinds.lamp(slots, index, light);
             let direction = self.direction(index, lamp);
             let n_dot_l = self.cosine(&format!("light{index}_n_dot_l"), &normal, &direction);
             let arrival = Arrival {
@@ -89,12 +89,12 @@ impl Pixel<'_> {
             };
             self.shade(&arrival, &normal.exists.and(&direction.exists))
         };
-        if turns.count() == 1 {
-            return finish(b, turns, inputs, shade);
+        if slots.count() == 1 {
+            return finish(b, slots, inputs, shade);
         }
         let ambient = inputs.ambient.clone();
         let inputs = CoreInputs { span: (), ambient, lights: alike(b, &inputs.lights).collect() };
-        finish(b, turns, &inputs, shade)
+        finish(b, slots, &inputs, shade)
     }
 
     fn cosine(&self, name: &str, x: &Direction, y: &Direction) -> Sig {

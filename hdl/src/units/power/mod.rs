@@ -9,10 +9,10 @@ pub(super) mod tables;
 use specula_spec::format::power_of_two;
 use specula_spec::power::{Power, PowerUnit};
 
-use crate::error::angular::Angular;
 use crate::error::power::PowerError;
+use specula_datapath::bound::Angular;
+use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{Builder, Sig};
-use specula_datapath::design::ErrorForm;
 
 pub use squaring::power;
 pub(super) use squaring::square;
@@ -54,8 +54,8 @@ pub fn any_power_up_to(b: &Builder, base: &Sig, n: &Sig, largest: i64, fraction_
 
 /// How far the exact power of a base as it comes is off, for whole exponents up to `n`.
 fn error_of_power(base: &Sig, n: f64) -> PowerError {
-    let known = match base.error_form() {
-        ErrorForm::OfCosine { angle, rest } => Angular { angle, rest },
+    let known = match base.error_model() {
+        ErrorModel::Angular(Angular { angle, rest }) => Angular { angle, rest },
         _ => Angular { angle: 0.0, rest: base.error_value() },
     };
     PowerError::of(known, n)
@@ -63,5 +63,5 @@ fn error_of_power(base: &Sig, n: f64) -> PowerError {
 
 /// A power that is known to be off so much.
 fn stated(power: Sig, error: &PowerError) -> Sig {
-    power.stated_error_value(error.most()).of_error_form(ErrorForm::Proportional(error.shares()))
+    power.stated_error_value(error.most()).of_error_model(ErrorModel::Relative(error.shares()))
 }

@@ -3,18 +3,18 @@ use std::fmt::Write;
 use std::path::Path;
 
 use serde::Serialize;
-use specula_experiments::figure9::{Balls, Row};
+use specula_experiments::figure9::{Balls, FigureRow};
 use specula_testbench::{Bench, EngineKind, ErrorFigures, Outcome};
 
 use super::{FORMULAS, NAME, SIMULATED, Shaded, module};
-use crate::header::bound;
 use crate::output::PROGRAM;
+use crate::verilog::bound;
 use crate::{table, verilog};
 
 /// A row of the report. Errors are in LSBs of the 8-bit output.
 #[derive(Serialize)]
 pub struct Line {
-    /// Number of the row, from 1 on.
+    /// Number of the row, from 1.
     pub row: usize,
     title: &'static str,
     method: &'static str,
@@ -24,7 +24,7 @@ pub struct Line {
     mismatches: u64,
     /// Error of the core's codes against the formula in f64, at most full scale.
     error: ErrorFigures,
-    /// Proven bound of the largest error; none if there is no finite one.
+    /// Proven bound of the largest error; `None` if there is no finite one.
     bound_lsb: Option<f64>,
     latency: u32,
     /// Multipliers of two variables.
@@ -34,10 +34,10 @@ pub struct Line {
     pub verilog: String,
 }
 
-/// `report.json`.
+/// The text of `report.json`.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Always `specula`: a later run recognises by it that the listed files are its own.
+    /// Always `specula`: by it a later run recognises that the listed files are its own.
     program: &'static str,
     version: &'static str,
     figure: &'static str,
@@ -52,7 +52,7 @@ struct Report<'a> {
 impl Line {
     /// The line of a row that has been simulated.
     pub fn new(
-        (row, number): (&Row, usize),
+        (row, number): (&FigureRow, usize),
         bench: &Bench,
         outcome: &Outcome,
         error: ErrorFigures,
@@ -107,7 +107,7 @@ fn lines(rows: &[Shaded]) -> Vec<[String; 9]> {
     rows.iter().map(|row| row.line.cells()).collect()
 }
 
-/// What is printed.
+/// The text that is printed.
 pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
     let table: Vec<[String; 9]> =
         [COLUMNS.map(str::to_owned)].into_iter().chain(lines(rows)).collect();
@@ -118,7 +118,8 @@ pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
     text
 }
 
-/// `report.md`, which is docs/figure9.md at the report's size. `exact` is the figure in f64.
+/// The text of `report.md`, which is docs/figure9.md at the report's size. `exact` is the figure in
+/// f64.
 pub fn markdown(rows: &[Shaded], balls: Balls, exact: &[f64]) -> String {
     let verdict = match rows.iter().all(|row| row.line.agrees) {
         true => "Every pixel of every row agrees with the bit-true model, each in its clock.",
@@ -167,7 +168,7 @@ drops too fast, k = 1 (rows 3 and 9) is crisper than k = 2 (rows 4 and 8); Blinn
 rounder glancing highlights than rows 1 to 4; row 12 never ends.
 ";
 
-/// `report.json`.
+/// The text of `report.json`.
 pub fn json(
     rows: &[Shaded],
     balls: Balls,
