@@ -1,5 +1,6 @@
 //! `specula bench`: how fast each simulator runs a core.
 mod json;
+mod measured;
 mod table;
 
 use std::io::Write;
@@ -13,6 +14,7 @@ use crate::arguments::{method_parser, parse_size, specialise_parser, specialised
 use crate::error::ToolError;
 use crate::progress;
 use crate::verdict::Verdict;
+use measured::Measured;
 
 const EXAMPLE: &str = "\
 Shades the scene's spans, over and over, in each simulator that is installed: this program's own, \
@@ -52,14 +54,6 @@ pub struct Arguments {
     /// Print JSON instead of a table
     #[arg(long)]
     json: bool,
-}
-
-/// A measurement, and the core and scene that were measured.
-struct Measured<'a> {
-    scene: &'a str,
-    bench: &'a Bench<'a>,
-    budget: Budget,
-    measurement: Measurement,
 }
 
 /// Measures all engines and prints the result.

@@ -3,6 +3,8 @@ mod climb;
 mod files;
 mod json;
 mod plots;
+mod results;
+mod scene_files;
 mod table;
 
 use std::io::Write;
@@ -10,9 +12,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use specula_experiments::climb::Search;
-use specula_experiments::stress::{
-    CATALOGUE, Cell, RAW, RAW_INPUT, RowVerdict, TrialExtent, sweep,
-};
+use specula_experiments::stress::{CATALOGUE, Cell, RAW, RAW_INPUT, TrialExtent, sweep};
 use specula_spec::Method;
 
 use crate::arguments::method_parser;
@@ -20,6 +20,7 @@ use crate::error::ToolError;
 use crate::output::{Destination, Interrupts};
 use crate::progress;
 use crate::verdict::Verdict;
+use results::{RowResult, Stress};
 
 const EXAMPLE: &str = "\
 Tries each row of the catalogue of extremes, and random spans between its ends, with exact shading, \
@@ -67,31 +68,6 @@ pub struct Arguments {
     /// Folder to write [default: out/stress, or out/climb with --climb]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-}
-
-/// The results of the catalogue.
-struct Stress {
-    seed: u64,
-    spans: u32,
-    rows: Vec<RowResult>,
-}
-
-/// The results of a row with each method.
-struct RowResult {
-    id: &'static str,
-    input: &'static str,
-    cells: Vec<Cell>,
-}
-
-impl RowResult {
-    /// The worst verdict of any method; `None` if no method has a core for the row.
-    fn verdict(&self) -> Option<RowVerdict> {
-        self.cells.iter().filter_map(Cell::verdict).max()
-    }
-
-    fn has_fault(&self) -> bool {
-        self.verdict() == Some(RowVerdict::Fault)
-    }
 }
 
 impl Arguments {

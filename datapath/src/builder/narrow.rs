@@ -136,9 +136,10 @@ impl Sig {
             error,
             kind: "clamped",
         };
-        match self.range() == range {
-            true => self.with_error(error),
-            false => self.builder.emit(Op::Wrap(self.id()), Pace::Wire, facts),
+        if self.range() == range {
+            self.with_error(error)
+        } else {
+            self.builder.emit(Op::Wrap(self.id()), Pace::Wire, facts)
         }
     }
 

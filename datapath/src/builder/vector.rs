@@ -158,10 +158,10 @@ impl Vector {
     /// place at most.
     pub fn rounded(&self, fraction_bits: u32) -> Vector {
         let moved =
-            match [&self.x, &self.y, &self.z].iter().any(|sig| sig.fraction_bits() > fraction_bits)
-            {
-                true => 0.75f64.sqrt() * power_of_two(-i64::from(fraction_bits)),
-                false => 0.0,
+            if [&self.x, &self.y, &self.z].iter().any(|sig| sig.fraction_bits() > fraction_bits) {
+                0.75f64.sqrt() * power_of_two(-i64::from(fraction_bits))
+            } else {
+                0.0
             };
         let rounded = self
             .map(|component| component.rounded(fraction_bits))

@@ -45,9 +45,10 @@ impl Exact {
         let reached = least_z >= self.least_operand && least_z > of_z;
         Normalised {
             longest,
-            off: match reached {
-                true => unit_vector(bounds, of_z / least_z, of_root),
-                false => VectorError::ball(1.0 + longest),
+            off: if reached {
+                unit_vector(bounds, of_z / least_z, of_root)
+            } else {
+                VectorError::ball(1.0 + longest)
             },
             direction_error: if least_z >= self.z_ulp { 0.0 } else { 1.0 },
         }

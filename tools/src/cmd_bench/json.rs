@@ -2,7 +2,7 @@
 use serde::Serialize;
 use specula_experiments::benchmark::{EngineResult, Skipped};
 
-use super::Measured;
+use super::measured::Measured;
 
 /// What `bench --json` prints.
 #[derive(Serialize)]

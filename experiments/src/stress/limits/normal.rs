@@ -106,13 +106,14 @@ impl Pixel<'_> {
             }
             Normals::Wrapped => {
                 let NormalWrap { wrap, follows } = lyon.wrap(self.frame, self.span);
-                match follows {
-                    true => Normal::turned(
+                if follows {
+                    Normal::turned(
                         self.accumulated()
                             + angle(wrap.ends[0].lerp(wrap.ends[1], self.t()), self.truth),
                         Reason::Chain,
-                    ),
-                    false => self.wrapped(wrap.ends, Some(wrap.axis)),
+                    )
+                } else {
+                    self.wrapped(wrap.ends, Some(wrap.axis))
                 }
             }
         }
@@ -140,9 +141,9 @@ impl Pixel<'_> {
 
     /// The normal of slerp.
     pub fn of_slerp(&self, spec: &SlerpSpec) -> Normal {
-        let (chord, course) = (self.chord(), spec.course(self.frame, self.span));
+        let (chord, rotation) = (self.chord(), spec.arc_rotation(self.frame, self.span));
         let off = angle(chord, self.truth);
-        if course.is_linear {
+        if rotation.is_linear {
             let length = chord.length();
             return Normal {
                 turn: Some(off),
