@@ -41,6 +41,11 @@ impl Bound {
         }
     }
 
+    /// What is known of its error.
+    pub fn error_bound(self) -> ErrorBound {
+        ErrorBound { error: self.error, model: self.model }
+    }
+
     /// Whether fixed and real value are the same.
     pub fn is_exact(self) -> bool {
         self.error == 0.0

@@ -1,8 +1,7 @@
 //! Pixels of several clocks: what there is of several, such as lights, takes turns in one pipeline.
-use super::state::SignalInfo;
 use super::{Builder, Control, Sig};
 use crate::design::{NodeId, Op, Range};
-use crate::graph::Pace;
+use crate::graph::Rule;
 
 /// Whose turn it is.
 pub struct Turns {
@@ -48,8 +47,8 @@ impl Builder {
         let whole = Range::whole(range.width(), false);
         let round = self.group([first]);
         let register = self.feedback_register(whole, 0, round);
-        let facts = SignalInfo { range: whole.into(), fraction_bits: 0, error: 0.0, kind: "value" };
-        let value = self.emit(Op::Select(first.id(), start.id(), register), Pace::Wire, facts);
+        let select = Op::Select(first.id(), start.id(), register);
+        let value = start.wired(select, whole, "value", Rule::Exact);
         (value.named(name), register)
     }
 }

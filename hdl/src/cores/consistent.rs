@@ -6,7 +6,6 @@ use super::{eye, finish, pipelines, turns};
 use crate::error;
 use crate::error::consistent_reflection::Consistency;
 use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
-use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::Design;
 
@@ -137,21 +136,16 @@ impl Pixel<'_> {
             "b = r.L, clamped to [0, 1]",
             inputs,
             |b, (r, l, has_direction)| {
-                let (off, off_l) = (r.off(), l.off().length);
-                // The cosine of r's angle with L, but for what r is longer or shorter and L is off.
-                let rest = off.stretch() + (1.0 + off.stretch()) * off_l + 0.5 * format.ulp();
-                let cosine =
-                    units::clamped_cosine(b, &r, &l, format).known_cosine(off.angle(), rest);
+                let cosine = units::clamped_cosine(b, &r, &l, format).tighten_error(
+                    "error::consistent_reflection::highlight",
+                    error::consistent_reflection::highlight(r.bound(), l.bound(), format),
+                );
                 let base =
                     has_direction.choose(&cosine, &b.integer(0)).clamped_above(1).named("base");
-                // Where rounding may decide whether a normal has a direction, nothing is known of
-                // its highlight.
-                match has_direction.error() == 0.0 {
-                    true => base
-                        .stated_error_value(cosine.error_value())
-                        .known_cosine(off.angle(), rest),
-                    false => base.stated_error_value(1.0).of_error_model(ErrorModel::Bounded),
-                }
+                base.override_error(
+                    "error::consistent_reflection::gated",
+                    error::vector::where_sure(has_direction.bound(), cosine.bound()),
+                )
             },
         )
     }

@@ -116,7 +116,7 @@ fn least_distance(lights: &[LyonLight<Sig>]) -> f64 {
             let (a, b, ulp) = (a.range(), b.range(), a.ulp());
             (a.low - b.high).max(b.low - a.high).max(0) as f64 * ulp
         };
-        let off = |components: &[Sig; 3]| Vector::new(components.clone()).off().length;
+        let off = |components: &[Sig; 3]| Vector::new(components.clone()).bound().error.length;
         let gaps = a.iter().zip(b).map(gap).map(|gap| gap * gap).sum::<f64>().sqrt();
         (gaps - off(a) - off(b)).max(0.0)
     };
@@ -164,7 +164,7 @@ impl Pixel<'_> {
     /// [`error::shape::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is
     /// off for those.
     fn alone(&self, f: Sig, d: &Vector, length_error: LengthError) -> Sig {
-        let off = d.off().length;
+        let off = d.bound().error.length;
         let dark = error::shape::least_dark_exponent(self.apart / 2.0 - off, self.lyon);
         let largest = self.shininess.range().magnitude();
         if self.lyon.difference != Difference::ReflectionMinusLight
@@ -173,9 +173,12 @@ impl Pixel<'_> {
         {
             return f;
         }
-        f.of_error_model(ErrorModel::Exclusive {
-            together: error::shape::bound(off, length_error, dark, self.lyon),
-        })
+        f.tighten_error(
+            "error::shape::alone",
+            ErrorModel::Exclusive {
+                together: error::shape::bound(off, length_error, dark, self.lyon),
+            },
+        )
     }
 
     /// D, and how far its length is off.
@@ -205,7 +208,7 @@ impl Pixel<'_> {
             Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
             _ => units::halfway_projection(b, &h, n, formats),
         };
-        let length_error = LengthError::whole(d.off().length);
+        let length_error = LengthError::whole(d.bound().error.length);
         (d, length_error)
     }
 }

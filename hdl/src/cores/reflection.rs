@@ -43,7 +43,7 @@ pub(super) fn core(
         .named("w");
     let unsure = if smallest - q.error_value() > 0.0 { 0.0 } else { 1.0 };
     let has_direction =
-        b.integer(0).less_than(&q).named("has_direction").stated_error_value(unsure);
+        b.integer(0).less_than(&q).named("has_direction").override_error("reflection", unsure);
     let exponent = &inputs.exponent;
     let mut pixel = Pixel {
         forward,

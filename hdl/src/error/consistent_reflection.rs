@@ -1,5 +1,6 @@
 //! How far reflections are off that never point into the surface.
-use specula_datapath::bound::VectorError;
+use specula_datapath::bound::{Angular, VectorBound, VectorError};
+use specula_scene::Format;
 use specula_scene::spec::consistent::ConsistentFormats;
 
 /// What is known of the real values, for error bounds alone.
@@ -310,10 +311,21 @@ impl Horizon {
     }
 }
 
+/// What is known of r·L, clamped to [0, 1] and rounded: the cosine of r's angle with L, but for what
+/// r is longer or shorter by, σ, and L is off, e_L.
+///
+/// ```text
+/// |r'·L' - r̂'·L| ≤ σ + (1 + σ) e_L + u/2
+/// ```
+pub fn highlight(r: VectorBound, l: VectorBound, base: Format) -> Angular {
+    let stretch = r.error.stretch();
+    let rest = stretch + (1.0 + stretch) * l.error.length + 0.5 * base.ulp();
+    Angular { angle: r.error.angle(), rest }
+}
+
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
-    use specula_scene::Format;
 
     use super::super::draw::Draw;
     use super::*;

@@ -3,11 +3,9 @@
 //! N' is r long, z = r² and y = 1 - z. A polynomial in y is the first gain g, and Newton steps
 //! make g (3 - z g²)/2 of it; n = g N'. Both ends of a span lie in the unit ball, so r ≤ 1 up to
 //! rounding.
-use specula_datapath::bound::VectorError;
+use specula_datapath::bound::{VectorBound, VectorError};
 use specula_scene::Format;
 use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
-
-use super::vector::VectorBounds;
 
 /// The polynomial that Newton steps begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +64,7 @@ impl Approximation {
     ///
     /// Roundings on the way to n add some units of the coarsest format's last place, and those of z
     /// and g² move z g² by less than the margin.
-    pub fn normalised(&self, bounds: VectorBounds) -> Normalised {
+    pub fn normalised(&self, bounds: VectorBound) -> Normalised {
         let reach = longest_scaled(bounds.longest);
         let margin = 0.01 + 16.0 * self.coarsest_ulp();
         Normalised {
@@ -79,7 +77,7 @@ impl Approximation {
 
     /// How far n is off before it is rounded, where no real n is longer than `reach`.
     ///
-    /// Sensitivity turn nothing, so with t as [`VectorBounds::turn`] has it
+    /// Gains turn nothing, so with t as [`VectorBound::turn`] has it
     ///
     /// ```text
     /// across ≤ |n'| t
@@ -94,8 +92,8 @@ impl Approximation {
     ///          ≤ max |dρ/dr| e + (longest + e) e_g
     /// |n'|     ≤ max ρ + (longest + e) e_g
     /// ```
-    fn off(&self, bounds: VectorBounds, reach: f64) -> VectorError {
-        let VectorBounds { longest, error: e, .. } = bounds;
+    fn off(&self, bounds: VectorBound, reach: f64) -> VectorError {
+        let (longest, e) = (bounds.longest, bounds.error.length);
         let gain = self.gain_within(bounds);
         let of_gain = (longest + e) * gain.error;
         if bounds.surely() <= 0.0 {
@@ -108,14 +106,14 @@ impl Approximation {
     }
 
     /// 1 where rounding may decide whether z > 0.
-    fn direction_error(&self, bounds: VectorBounds) -> f64 {
+    fn direction_error(&self, bounds: VectorBound) -> f64 {
         let surely = bounds.surely();
         let rounds_to_one = surely * surely >= 0.5 * self.length_squared.ulp();
         if surely > 0.0 && rounds_to_one { 0.0 } else { 1.0 }
     }
 
-    fn gain_within(&self, bounds: VectorBounds) -> Gain {
-        let ends = (bounds.surely(), bounds.longest + bounds.error);
+    fn gain_within(&self, bounds: VectorBound) -> Gain {
+        let ends = (bounds.surely(), bounds.longest + bounds.error.length);
         let first = Gain::first(self.first, ends, 0.5 * self.z_ulp, self.gain.ulp());
         first.after_newton_steps(self.newton_steps)
     }
@@ -159,11 +157,6 @@ pub fn shortest_normalised(lyon: &LyonSpec, shortest: f64) -> f64 {
 fn shortest_scaled(first: FirstGain, newton_steps: u32, shortest: f64) -> f64 {
     let gain = Gain::first(first, (shortest, 1.0), 0.0, 0.0).after_newton_steps(newton_steps);
     (1.0 - gain.residue).max(0.0).sqrt()
-}
-
-/// Error of the bit N' ≠ 0: 1 where all components may round to 0 though one is not.
-pub fn not_zero(bounds: VectorBounds) -> f64 {
-    if bounds.surely() > 0.0 { 0.0 } else { 1.0 }
 }
 
 impl FirstGain {
@@ -309,7 +302,7 @@ mod tests {
 
     /// How much of the bounds across and along the normal is reached. Normals are mostly about as
     /// short as they come, and off across or along themselves.
-    fn reached(of: &Approximation, bounds: VectorBounds) -> [f64; 2] {
+    fn reached(of: &Approximation, bounds: VectorBound) -> [f64; 2] {
         let proven = of.normalised(bounds);
         let mut draw = Draw::new(1);
         let mut reached = [0.0_f64; 2];
@@ -317,7 +310,7 @@ mod tests {
             let direction = draw.direction();
             let length = bounds.shortest + (1.0 - bounds.shortest) * draw.between(0.0, 1.0).powi(4);
             let moved = [direction, draw.across(direction), draw.direction()];
-            let moved = draw.one_of(&moved) * draw.error(bounds.error);
+            let moved = draw.one_of(&moved) * draw.error(bounds.error.length);
             let real = scaled(of, length * direction, |_| 0.0);
             let fixed = scaled(of, length * direction + moved, |most| draw.error(most));
             assert!(fixed.length() <= proven.longest && real.length() <= 1.0018);
@@ -348,7 +341,7 @@ mod tests {
                     gain,
                     z_ulp: length_squared.ulp(),
                 };
-                let bounds = VectorBounds { shortest, longest: 1.0 + error, error };
+                let bounds = VectorBound::ball(shortest, 1.0 + error, error);
                 let [across, along] = reached(&of, bounds);
                 println!("{first:?}, {newton_steps} steps, {error}: {across} and {along}");
                 assert!(across <= 1.0 && along <= 1.0);

@@ -1,8 +1,6 @@
 //! How far powers of a cosine are off.
-use specula_datapath::bound::{RELATIVE_BOUNDS, RelativeBound};
+use specula_datapath::bound::{Angular, ErrorBound, ErrorModel, RELATIVE_BOUNDS, RelativeBound};
 use specula_scene::format::power_of_two;
-
-use specula_datapath::bound::Angular;
 
 /// What is known of b^n of a base b from 0 to 1 and n from 1 on.
 ///
@@ -69,8 +67,13 @@ impl PowerError {
         (self.angle * steepest(self.exponent) + self.bound).min(1.0)
     }
 
-    /// What grows with the power and what does not, in several ways, each of which holds.
-    pub fn shares(&self) -> [RelativeBound; RELATIVE_BOUNDS] {
+    /// What is proven of the power.
+    pub fn bound(&self) -> ErrorBound {
+        ErrorBound { error: self.most(), model: ErrorModel::Relative(self.shares()) }
+    }
+
+    /// Pairs of what grows with the power and what does not, each of which holds.
+    fn shares(&self) -> [RelativeBound; RELATIVE_BOUNDS] {
         let level = Line { slope: 0.0, rest: steepest(self.exponent) };
         let lines = [0.95, 0.9, 0.8, 0.7, 0.5, 0.35, 0.2].map(|v| Line::touching(v, self.exponent));
         std::array::from_fn(|i| self.share(if i == 0 { level } else { lines[i - 1] }))

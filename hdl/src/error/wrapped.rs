@@ -1,5 +1,7 @@
 //! How far wrapped vectors are off.
 
+use specula_datapath::bound::{Bound, ErrorBound, ErrorModel, RelativeBound};
+
 /// Units of the last place of what a wrap rounds: H·w and H·H, and v.
 #[derive(Clone, Copy, Debug)]
 pub struct WrapUnits {
@@ -85,6 +87,19 @@ impl Edge {
     pub fn rounded_strength(self, ratio: f64) -> f64 {
         self.strength() + 2.0 * ratio
     }
+}
+
+/// What is known of an amount of light that is off by `most` where rounding decides whether the spot
+/// is seen, and as it is known to be elsewhere.
+pub fn at_edge(amount: Bound, most: f64) -> ErrorBound {
+    let beyond = |bound: RelativeBound| RelativeBound { rest: bound.rest.max(most), ..bound };
+    let model = match amount.model {
+        ErrorModel::Relative(bounds) => ErrorModel::Relative(bounds.map(beyond)),
+        ErrorModel::Bounded | ErrorModel::Angular(_) | ErrorModel::Exclusive { .. } => {
+            ErrorModel::Bounded
+        }
+    };
+    ErrorBound { error: amount.error.max(most), model }
 }
 
 #[cfg(test)]

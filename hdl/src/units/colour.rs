@@ -83,7 +83,7 @@ fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize
             1 => terms.fold(ambient, |sum, term| sum + term),
             count => sum_of_turns(&begins, &ambient, terms, count),
         };
-        sum.rounded(0).clamped_above(255).proven_error_value(error + 0.5).named("code")
+        sum.rounded(0).clamped_above(255).tighten_error("colour", error + 0.5).named("code")
     })
 }
 
@@ -112,7 +112,7 @@ fn error_of_sum(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], turns:
     let term = |(coefficient, intensity): (&Sig, &Sig)| Term {
         coefficient: factor(coefficient),
         intensity: factor(intensity),
-        form: intensity.error_model(),
+        form: intensity.bound().model,
     };
     let terms: Vec<Term> = coefficients.iter().zip(intensities).map(term).collect();
     error::colour::below_full_scale(ambient.error_value(), &terms, turns)

@@ -74,18 +74,24 @@ impl Bounds<'_> {
     ) -> Vector {
         let Bounds { n, incoming, q, cosines } = self;
         let of_components = Components {
-            vectors: [n, incoming].map(Vector::largest_error),
+            vectors: [n, incoming].map(|vector| vector.bound().component_error),
             cosines: cosines.map(Sig::error_value),
             operands: operands.map(Sig::error_value),
             longest: n.longest(),
         };
-        let of_whole = Operands { normal: n.off(), incoming: incoming.off(), q: q.error_value() };
+        let of_whole = Operands {
+            normal: n.bound().error,
+            incoming: incoming.bound().error,
+            q: q.error_value(),
+        };
         let (off, of_component) = reflection(
             of_components.error(formats, known),
             of_whole.off(formats, known),
             r.longest(),
         );
-        r.map(|component| component.clone().stated_error_value(of_component)).proven_off(off)
+        r.clone()
+            .override_error("error::consistent_reflection", off)
+            .tighten_components("error::consistent_reflection", of_component)
     }
 }
 
@@ -108,11 +114,11 @@ pub fn consistent_cosine(
         "c = |I + r|/2 [Reshetov et al.]",
         inputs,
         |b, (n, q, has_direction, incoming)| {
-            let offs = [n.off().length, incoming.off().length];
+            let offs = [n.bound().error.length, incoming.bound().error.length];
             let horizon = Horizon::new(offs, q.error_value(), formats.cosine.ulp());
             let known = horizon.above(least_q);
             let (r, above_horizon) = consistent_reflection(b, &n, &incoming, &q, formats, known);
-            let offs = [incoming.off().length, r.off().length];
+            let offs = [incoming.bound().error.length, r.bound().error.length];
             let error = horizon.cosine(offs, to.ulp(), has_direction.error() == 0.0);
             let quarter = (&incoming + &r)
                 .length_squared()
@@ -122,7 +128,7 @@ pub fn consistent_cosine(
             let root = square_root(b, &quarter, to.fraction_bits);
             let lit =
                 above_horizon.and(&has_direction).choose(&root, &b.integer(0)).clamped_above(1);
-            lit.stated_error_value(error).named("cosine")
+            lit.override_error("consistent_reflection", error).named("cosine")
         },
     )
 }

@@ -35,7 +35,7 @@ pub fn contraction(
             let limits = (0.0, proven.largest);
             let sum = Sig::accumulated(&first, &start, &step, limits, steps, "0 <= t <= 1.0625");
             let t = rounded_up(b, &sum, formats.angle.fraction_bits).clamped_above(1);
-            let t = t.stated_error_value(proven.error).named("t");
+            let t = t.override_error("contraction", proven.error).named("t");
             match curve {
                 Curve::Rational => rational(b, &t, formats),
                 Curve::Trigonometric => trigonometric(b, &t, formats),
@@ -69,7 +69,7 @@ fn rational(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
         let lowered = &above - below.times_power_of_two(-(fraction_bits as i32 + 1));
         let to = QuotientFormat { integer_bits: 0, fraction_bits };
         b.instance("curve_divider", || quotient(b, &lowered, &below, to, 1.0))
-            .stated_error_value(error)
+            .override_error("contraction", error)
             .named("q")
     })
 }
@@ -102,7 +102,7 @@ fn trigonometric(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
             let w = up((b.integer(1) - &v) * sum).named("w");
             let tangent = (&u * (b.integer(1) - w)).truncated(fraction_bits).named("tangent");
             let q = tangent.squared().truncated(formats.contraction.fraction_bits).clamped_above(1);
-            q.stated_error_value(error).named("q")
+            q.override_error("contraction", error).named("q")
         },
     )
 }

@@ -33,7 +33,7 @@ pub fn root(b: &Builder, q: &Sig, format: Format, smallest: f64) -> Length {
     Length {
         squared: q.clone(),
         root,
-        has_direction: positive.named("has_direction").stated_error_value(unsure),
+        has_direction: positive.named("has_direction").override_error("cosine", unsure),
         proven: InverseLength::new(smallest, q.error_value(), to.least_operand()),
     }
 }
@@ -46,7 +46,7 @@ pub fn cosine(b: &Builder, p: &Sig, length: &Length, fraction_bits: u32) -> Sig 
         "cosine",
         "c = p s, clamped to [-1, 1] [Hast et al., eq. 8]",
         (("p", p), ("s", &length.root)),
-        |_, (p, s)| to_cosine(&(p * s).stated_error_value(error), fraction_bits),
+        |_, (p, s)| to_cosine(&(p * s).override_error("cosine", error), fraction_bits),
     )
 }
 
@@ -67,7 +67,7 @@ pub fn cosine_by_reciprocal(
         "cosine_by_reciprocal",
         "c = P w, clamped to [-1, 1] [Hast et al., eq. 29]",
         (("p", p), ("w", w)),
-        |_, (p, w)| to_cosine(&(p * w).stated_error_value(error), fraction_bits),
+        |_, (p, w)| to_cosine(&(p * w).override_error("cosine", error), fraction_bits),
     )
 }
 

@@ -5,6 +5,7 @@ use specula_scene::spec::lyon::LyonFormats;
 use crate::error;
 use crate::error::difference::{Difference, Operand};
 use crate::error::length_error::LengthError;
+use specula_datapath::bound::VectorError;
 use specula_datapath::builder::{Builder, Vector};
 
 /// D = H × N with H = L + V, as long as the part of H that is perpendicular to N. [methods B13]
@@ -98,11 +99,11 @@ pub fn halfway_minus_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonF
 /// D to its format, of which `fact` says that it is no longer than proven.
 fn rounded(d: &Vector, proven: Difference, fact: &str, formats: &LyonFormats) -> Vector {
     d.assumed_within(proven.longest, fact)
-        .proven_off_by(proven.error)
+        .tighten_error("difference", VectorError::ball(proven.error))
         .rounded(formats.difference.fraction_bits)
         .named("d")
 }
 
 fn operand(vector: &Vector) -> Operand {
-    Operand { longest: vector.longest(), off: vector.off() }
+    Operand { longest: vector.longest(), off: vector.bound().error }
 }

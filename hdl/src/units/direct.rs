@@ -82,7 +82,7 @@ pub fn direct_scalar(
             let error = direct::scalar((t.error_value(), past), start.error_value(), apart);
             let limit = 1.0 + 2.0 * past;
             (&start + t * delta)
-                .stated_error_value(error)
+                .override_error("direct", error)
                 .assumed(-limit, limit, "|N.X| <= 1")
                 .rounded(formats.cosine.fraction_bits)
                 .named("linear") // S1.f
@@ -104,10 +104,12 @@ pub fn direct_cosine(
     b.unit("cosine", "c = p/sqrt(q) [lecture, eq. 4.3]", (("p", p), ("s", s)), |_, (p, s)| {
         let cosine = to_cosine(&(p * s), formats.cosine.fraction_bits);
         match direct::cosine(normal, formats) {
-            Some(Angular { angle, rest }) => cosine.known_cosine(angle, rest),
+            Some(Angular { angle, rest }) => {
+                cosine.tighten_error("direct", Angular { angle: angle, rest })
+            }
             // Where N may vanish, its real length does not end at 2^-m as 1/√q does, so propagation
             // through that says nothing.
-            None => cosine.stated_error_value(2.0),
+            None => cosine.override_error("direct", 2.0),
         }
     })
 }

@@ -73,7 +73,7 @@ pub fn signed_quotient(
             let positive = b.integer(0).less_than(&q);
             let shifted = QuotientFormat { integer_bits: to.integer_bits + 1, ..to };
             let ratio = quotient(b, &raised, &q, shifted, smallest_divisor) - b.integer(limit);
-            positive.choose(&ratio, &b.integer(0)).stated_error_value(error).named("ratio")
+            positive.choose(&ratio, &b.integer(0)).override_error("divider", error).named("ratio")
         },
     )
 }
@@ -106,7 +106,7 @@ fn limited_quotient(
     let quotient = quotient.times_power_of_two(-(bits as i32 + 1)).rounded(bits).named("quotient");
     let clamped = whole.choose(&one, &quotient);
     let limited = positive.choose(&clamped, &zero).clamped_above(1);
-    limited.times_power_of_two(to.integer_bits as i32).stated_error_value(error)
+    limited.times_power_of_two(to.integer_bits as i32).override_error("divider", error)
 }
 
 /// One bit of the quotient: with 0 ≤ r < q, whether 2r ≥ q, and what then remains of 2r, both after

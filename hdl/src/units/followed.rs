@@ -67,7 +67,7 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
                 },
             );
             Vector::new(next)
-                .known_off(VectorError::ball(error))
+                .override_error("followed", VectorError::ball(error))
                 .no_longer_than(longest)
                 .named("normal")
         },
@@ -76,6 +76,6 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
 
 /// What the error of n is made of.
 fn known([normal, axis]: [&Vector; 2], residue: &Sig, shortest: f64) -> Followed {
-    let (normal, axis) = (normal.off().length, axis.off().length);
+    let (normal, axis) = (normal.bound().error.length, axis.bound().error.length);
     Followed { normal, axis, residue: residue.error_value(), shortest }
 }

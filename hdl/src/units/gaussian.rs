@@ -31,7 +31,9 @@ pub fn gaussian(b: &Builder, versine: &Sig, n: &Sig, fraction_bits: u32) -> Sig 
             let t = (n * d).clamped_above(4).named("t");
             let y = (t * g).doubled().rounded(fraction_bits + 6).named("y");
             let vanishes = exp2::vanishes(b, &y, fraction_bits).named("vanishes");
-            exp2::two_to_minus(b, &y, &vanishes, fraction_bits).stated_error_value(error).named("f")
+            exp2::two_to_minus(b, &y, &vanishes, fraction_bits)
+                .override_error("gaussian", error)
+                .named("f")
         },
     )
 }

@@ -2,6 +2,7 @@
 use specula_scene::Format;
 
 use crate::error::interpolate::{Ends, overshoot, reach, slack};
+use specula_datapath::bound::VectorError;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// What the normal along a span is interpolated from.
@@ -99,16 +100,17 @@ fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &st
     let error = ends(start, delta, to).between(a.error_value(), reach);
     // Both ends are rounded, so their difference is off by a whole unit, not by half as what is
     // rounded once.
-    let delta = delta.map(|component| component.clone().stated_error_value(component.ulp()));
+    let delta =
+        delta.map(|component| component.clone().override_error("interpolate", component.ulp()));
     (start + &delta.scaled(a))
         .no_longer_than((to.longest + to.vector.ulp()) * reach)
         .components_assumed_within(to.longest * reach, fact)
-        .proven_off_by(error)
+        .tighten_error("interpolate", VectorError::ball(error))
         .rounded(to.vector.fraction_bits)
 }
 
 /// What is known of the ends.
 fn ends(start: &Vector, delta: &Vector, to: Interpolation) -> Ends {
-    let difference = (delta.longest(), delta.off().length);
-    Ends { off: start.off().length, apart: to.apart, difference }
+    let difference = (delta.longest(), delta.bound().error.length);
+    Ends { off: start.bound().error.length, apart: to.apart, difference }
 }

@@ -56,7 +56,7 @@ pub fn newton_root(
                     [(0..newton.steps).fold(before.clone(), |d, _| step(d)).named("root")]
                 },
             );
-            d.stated_error_value(error).named("length")
+            d.override_error("newton_root", error).named("length")
         },
     )
 }

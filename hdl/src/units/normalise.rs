@@ -45,11 +45,14 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
         let g = (0..lyon.newton_steps)
             .fold(first, |g, _| newton_step(b, &g, &z, f, proven.largest_product));
 
-        let n = normal.scaled(&g).known_off(proven.off).rounded(f.vector.fraction_bits); // S1.vector
+        let n = normal
+            .scaled(&g)
+            .override_error("normalise", proven.off)
+            .rounded(f.vector.fraction_bits); // S1.vector
         let has_direction = b.integer(0).less_than(&z).named("has_direction");
         (
             n.assumed_within(proven.longest, "|g N'| <= 1.002").named("n"),
-            has_direction.stated_error_value(proven.direction_error),
+            has_direction.override_error("normalise", proven.direction_error),
         )
     })
 }
@@ -73,6 +76,6 @@ fn newton_step(b: &Builder, g: &Sig, z: &Sig, f: &LyonFormats, largest_product: 
 
 /// N' as it is, and whether it has a direction.
 fn unnormalised(b: &Builder, normal: &Vector, shortest: f64) -> (Vector, Sig) {
-    let unsure = error::normalise::not_zero(bounds(normal, shortest));
-    (normal.clone(), has_direction(b, normal).stated_error_value(unsure))
+    let unsure = error::vector::has_direction(bounds(normal, shortest));
+    (normal.clone(), has_direction(b, normal).override_error("normalise", unsure))
 }

@@ -57,8 +57,10 @@ pub fn normalise_exactly(
         let n = normal.scaled(&r).assumed_within(proven.longest, "|r N| <= 1");
         let has_direction = b.integer(0).less_than(&z).named("has_direction");
         (
-            n.known_off(proven.off).rounded(to.vector_fraction_bits).named("n"),
-            has_direction.stated_error_value(proven.direction_error),
+            n.override_error("normalise_exactly", proven.off)
+                .rounded(to.vector_fraction_bits)
+                .named("n"),
+            has_direction.override_error("normalise_exactly", proven.direction_error),
         )
     })
 }

@@ -67,7 +67,7 @@ pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest
         }
         root.times_power_of_two(-(fraction_bits as i32 + 1))
             .rounded(fraction_bits)
-            .stated_error_value(error)
+            .override_error("reciprocal_square_root", error)
             .named("reciprocal")
     })
 }

@@ -43,7 +43,7 @@ pub(super) enum UnitBound {
 /// rounded by.
 pub(super) fn reflected(b: &Builder, of: Reflected, bound: impl FnOnce(f64) -> UnitBound) -> Sig {
     let [j, k] = of.factors;
-    let product = (j * k).proven_error_value(of.product_error);
+    let product = (j * k).tighten_error("reflected", of.product_error);
     let cosine = product.doubled() - of.light_dot_view;
     let rounding = half_unit_where_narrowed(&cosine, of.fraction_bits);
     let kept = to_unit_interval(&cosine, of.fraction_bits);
@@ -60,15 +60,17 @@ impl UnitBound {
     pub(super) fn stated_of(self, value: Sig) -> Sig {
         match self {
             UnitBound::Propagated => value,
-            UnitBound::Cosine(Angular { angle, rest }) => value.known_cosine(angle, rest),
-            UnitBound::Unknown => value.stated_error_value(1.0),
+            UnitBound::Cosine(Angular { angle, rest }) => {
+                value.tighten_error("reflected", Angular { angle: angle, rest })
+            }
+            UnitBound::Unknown => value.override_error("reflected", 1.0),
         }
     }
 }
 
 /// What is known of a cosine's angle.
 pub(super) fn angular(cosine: &Sig) -> Option<Angular> {
-    match cosine.error_model() {
+    match cosine.bound().model {
         ErrorModel::Angular(Angular { angle, rest }) => Some(Angular { angle, rest }),
         _ => None,
     }

@@ -32,7 +32,7 @@ pub fn shape(
         |b, (d, n, has_direction)| {
             let fraction_bits = lyon.formats.shape.fraction_bits;
             let most = n.range().magnitude();
-            let error = error::shape::bound(d.off().length, length_error, most, lyon);
+            let error = error::shape::bound(d.bound().error.length, length_error, most, lyon);
             let squared_length =
                 d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
             let x = (&n * squared_length)
@@ -47,7 +47,8 @@ pub fn shape(
             // Where rounding may decide whether a normal has a direction, nothing is known of f:
             // the choice above counts as one between values that meet.
             let sure = has_direction.error() == 0.0;
-            let f = if sure { f.proven_error_value(error) } else { f.stated_error_value(1.0) };
+            let f =
+                if sure { f.tighten_error("shape", error) } else { f.override_error("shape", 1.0) };
             f.named("f")
         },
     )
@@ -71,8 +72,11 @@ pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &
         |b, (d, m, has_direction)| {
             let fraction_bits = lyon.formats.shape.fraction_bits;
             let sure = has_direction.error() == 0.0;
-            let error =
-                if sure { RootShape::of(lyon).error(d.off().length, root(&m)) } else { 1.0 };
+            let error = if sure {
+                RootShape::of(lyon).error(d.bound().error.length, root(&m))
+            } else {
+                1.0
+            };
             let scaled = |c: &Sig| {
                 let product = c.absolute() * &m;
                 product
@@ -94,7 +98,7 @@ pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &
             for _ in 0..lyon.squarings {
                 f = square(b, &f, fraction_bits);
             }
-            f.stated_error_value(error).named("f")
+            f.override_error("shape", error).named("f")
         },
     )
 }

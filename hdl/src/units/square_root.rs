@@ -36,7 +36,7 @@ pub fn square_root(b: &Builder, x: &Sig, fraction_bits: u32) -> Sig {
         }
         root.times_power_of_two(-(fraction_bits as i32 + 1))
             .rounded(fraction_bits)
-            .stated_error_value(error)
+            .override_error("square_root", error)
             .named("root")
     })
 }

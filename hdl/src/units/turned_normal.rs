@@ -2,6 +2,7 @@
 use specula_scene::spec::slerp::SlerpFormats;
 
 use crate::error::turned_normal::{Weighing, longest};
+use specula_datapath::bound::VectorError;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// N = u P + v Q, and n = N (3 - N·N)/2: Newton's step towards unit length from 1 on. Errors:
@@ -19,11 +20,13 @@ pub fn turned_normal(
         "n = N (3 - N.N)/2, N = u P + v Q [lecture, eq. 4.7]",
         inputs,
         |b, (u, v, p, q)| {
-            let off = known
-                .put_together(p.longest().max(q.longest()), p.off().length.max(q.off().length));
+            let off = known.put_together(
+                p.longest().max(q.longest()),
+                p.bound().error.length.max(q.bound().error.length),
+            );
             let turned = (&p.scaled(&u) + &q.scaled(&v))
                 .assumed_within(1.0 + off, "|N| <= 1")
-                .proven_off_by(off)
+                .tighten_error("turned_normal", VectorError::ball(off))
                 .rounded(formats.vector.fraction_bits)
                 .named("turned");
 
@@ -37,7 +40,10 @@ pub fn turned_normal(
             turned
                 .scaled(&gain)
                 .assumed_within(longest(turned.longest(), half_unit), "|n| <= 1")
-                .known_off(known.lengthened(turned.off().length, half_unit))
+                .override_error(
+                    "turned_normal",
+                    known.lengthened(turned.bound().error.length, half_unit),
+                )
                 .rounded(formats.vector.fraction_bits)
                 .named("n")
         },

@@ -16,8 +16,12 @@ pub fn cosine_between(b: &Builder, x: &Vector, y: &Vector, fraction_bits: u32) -
     b.unit("cosine", "c = X.Y", (("x", x), ("y", y)), |_, (x, y)| {
         let product = x.dot_within(&y, (x.longest(), y.longest()), "|X.Y| <= |X||Y|");
         let rounding = half_unit_where_narrowed(&product, fraction_bits);
-        let Angular { angle, rest } = error::unit_vectors::cosine([x.off(), y.off()], rounding);
-        product.rounded(fraction_bits).known_cosine(angle, rest).named("cosine")
+        let Angular { angle, rest } =
+            error::unit_vectors::cosine([x.bound().error, y.bound().error], rounding);
+        product
+            .rounded(fraction_bits)
+            .tighten_error("unit_vectors", Angular { angle: angle, rest })
+            .named("cosine")
     })
 }
 

@@ -1,5 +1,5 @@
 //! Vectors: whether they have a direction, and what is known of their lengths.
-use crate::error::vector::VectorBounds;
+use specula_datapath::bound::VectorBound;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Whether a vector has a component that is not 0 (extremes row 1).
@@ -12,6 +12,6 @@ pub fn has_direction(b: &Builder, n: &Vector) -> Sig {
 }
 
 /// What is known of a vector no shorter than `shortest` as a real one.
-pub(super) fn bounds(vector: &Vector, shortest: f64) -> VectorBounds {
-    VectorBounds { shortest, longest: vector.longest(), error: vector.off().length }
+pub(super) fn bounds(vector: &Vector, shortest: f64) -> VectorBound {
+    VectorBound { shortest, ..vector.bound() }
 }

@@ -3,6 +3,7 @@ use specula_scene::Format;
 
 use super::{divider, has_direction};
 use crate::error::wrapped::{Edge, WrapUnits, Wrapped, longest};
+use specula_datapath::bound::VectorError;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Where a wrap rounds.
@@ -130,9 +131,10 @@ fn around(h: &Vector, w: &Vector, v: &Sig, formats: WrapFormats) -> Vector {
 
 /// n with what is proven of its error.
 fn proven(n: Vector, [h, w]: [&Vector; 2], formats: WrapFormats) -> Vector {
-    let known = Wrapped { h: h.off().length, w: w.off().length, longest_w: w.longest() };
+    let known =
+        Wrapped { h: h.bound().error.length, w: w.bound().error.length, longest_w: w.longest() };
     match known.error(formats.units()) {
-        Some(error) => n.proven_off_by(error),
+        Some(error) => n.tighten_error("wrapped", VectorError::ball(error)),
         None => n,
     }
 }

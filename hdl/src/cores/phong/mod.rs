@@ -90,7 +90,7 @@ impl Pixel<'_> {
         let diffuse = at.n_dot_l.at_least_zero();
         let specular = at.view.exists.choose(&self.highlight(at), &zero);
         let most_at_edge = at.direction.wrap.as_ref().map_or(0.0, |wrap| wrap.most_at_edge);
-        let where_lit = |amount: Sig| lit.choose(&amount, &zero).or_off_by(most_at_edge);
+        let where_lit = |amount: Sig| at_edge(lit.choose(&amount, &zero), most_at_edge);
         let [diffuse, specular] = self.spotted(at, [diffuse, specular]).map(where_lit);
         Light {
             diffuse,
@@ -190,4 +190,13 @@ impl Pixel<'_> {
             (None, None) => unreachable!("`PhongSpec::inputs` gives each spot an axis or a wrap"),
         }
     }
+}
+
+/// What a light gives where rounding decides whether a spot is seen: it may be off by `most`.
+fn at_edge(amount: Sig, most: f64) -> Sig {
+    if most == 0.0 {
+        return amount;
+    }
+    let bound = error::wrapped::at_edge(amount.bound(), most);
+    amount.override_error("error::wrapped::at_edge", bound)
 }

@@ -54,7 +54,7 @@ pub fn any_power_up_to(b: &Builder, base: &Sig, n: &Sig, largest: i64, fraction_
 
 /// How far the exact power of a base as it comes is off, for whole exponents up to `n`.
 fn error_of_power(base: &Sig, n: f64) -> PowerError {
-    let known = match base.error_model() {
+    let known = match base.bound().model {
         ErrorModel::Angular(Angular { angle, rest }) => Angular { angle, rest },
         _ => Angular { angle: 0.0, rest: base.error_value() },
     };
@@ -63,5 +63,5 @@ fn error_of_power(base: &Sig, n: f64) -> PowerError {
 
 /// A power that is known to be off so much.
 fn stated(power: Sig, error: &PowerError) -> Sig {
-    power.stated_error_value(error.most()).of_error_model(ErrorModel::Relative(error.shares()))
+    power.override_error("error::power", error.bound())
 }
