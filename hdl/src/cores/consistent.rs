@@ -7,7 +7,7 @@ use crate::error;
 use crate::error::consistent_reflection::Consistency;
 use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection.
 /// [Reshetov, Soupikov and Mark]
@@ -15,7 +15,7 @@ pub(super) fn core(
     b: Builder,
     spec: &CoreSpec,
     consistent: &ConsistentSpec,
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = consistent.inputs(spec).map(|port| b.input(port));
     let (f, steps) = (&consistent.formats, spec.longest_span - 1);

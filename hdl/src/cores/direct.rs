@@ -7,11 +7,11 @@ use crate::error::direct::{Product, normal_by_newton, unit_normal};
 use crate::units::{self, DirectedBase, Light, NewtonRoot, QuotientFormat};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]
-pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, BuildError> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = direct.inputs(spec).map(|port| b.input(port));
     let formats = &direct.formats;

@@ -6,11 +6,11 @@ use super::forward::Forward;
 use super::{finish, pipelines, turns};
 use crate::units::{self, Base, Length, Light, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Diffuse p/√q by forward differences, and a highlight of the same q and root. [Hast et al., eq. 3
 /// to 8, 17, 33 and 34]
-pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Design, BuildError> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = duff.inputs(spec).map(|port| b.input(port));
     let f = &duff.formats;

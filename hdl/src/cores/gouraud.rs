@@ -5,7 +5,7 @@ use specula_scene::spec::gouraud::{GouraudLight, GouraudSpec, Intensity};
 use super::{finish, pipelines, turns};
 use crate::units::{self, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// For each light a diffuse and a specular intensity, one accumulator each, or none where they are
 /// uniform. [lecture, eq. 2.1 and 3.2 to 3.6]
@@ -13,7 +13,7 @@ pub(super) fn core(
     b: Builder,
     spec: &CoreSpec,
     gouraud: &GouraudSpec,
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = gouraud.inputs(spec).map(|port| b.input(port));
     let fraction_bits = gouraud.formats.intensity.fraction_bits;

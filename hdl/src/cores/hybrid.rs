@@ -6,11 +6,11 @@ use super::forward::Forward;
 use super::{finish, pipelines, turns};
 use crate::units::{self, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al.,
 /// eq. 17 to 26]
-pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Design, BuildError> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = hybrid.inputs(spec).map(|port| b.input(port));
     let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };

@@ -9,11 +9,11 @@ use crate::error;
 use crate::units::{self, Follow, Interpolation, LengthError, Light, SpanNormals, WrapFormats};
 use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
 /// 43, fig. 6 to 8]
-pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, BuildError> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
     let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs, spec, lyon);

@@ -19,6 +19,8 @@ use specula_scene::{CoreSpec, Format, MethodSpec};
 use crate::units::{self, Coefficients, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig, Turns, Vector};
 use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
+use specula_datapath::pass::compile;
 use specula_datapath::target::Generic;
 
 /// The core that a spec asks for, elaborated under the module name `name`.
@@ -26,7 +28,19 @@ use specula_datapath::target::Generic;
 /// # Errors
 /// [`BuildError`] if the spec's formats ask for a signal of more than 63 bits.
 pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, BuildError> {
-    let builder = |formula| Builder::new(name, formula, Rc::new(Generic));
+    let target = Rc::new(Generic);
+    let graph = graph(spec, |formula| Builder::new(name, formula, target.clone()))?;
+    Ok(compile(&graph, &*target)?)
+}
+
+/// The core that a spec asks for, before any pass, described with the builder for its formula.
+///
+/// # Errors
+/// As [`elaborate`].
+pub fn graph(
+    spec: &CoreSpec,
+    builder: impl FnOnce(&'static str) -> Builder,
+) -> Result<Graph, BuildError> {
     match &spec.method {
         MethodSpec::Lyon(lyon) => {
             lyon::core(builder("Lyon's reformulation of Phong shading [Lyon, TR 43]"), spec, lyon)
@@ -120,7 +134,7 @@ fn finish(
     turns: &Turns,
     ambient: &Coefficients,
     lights: &[Light],
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let [red, green, blue] = units::channels(b, turns, ambient, lights);
-    b.clone().finish(&turns.valid_at_last, &[("red", red), ("green", green), ("blue", blue)])
+    b.clone().graph(&turns.valid_at_last, &[("red", red), ("green", green), ("blue", blue)])
 }

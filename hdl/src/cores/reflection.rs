@@ -6,7 +6,7 @@ use super::forward::Forward;
 use super::{finish, pipelines, turns};
 use crate::units::{self, Base, Light, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// |H|² of H = (N + n)/2 is no smaller along any span, except those where it and all numerators are 0.
 ///
@@ -28,7 +28,7 @@ pub(super) fn core(
     b: Builder,
     spec: &CoreSpec,
     reflection: &ReflectionSpec,
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = reflection.inputs(spec).map(|port| b.input(port));
     let f = &reflection.formats;

@@ -8,11 +8,11 @@ use crate::error::turned_normal::Weighing;
 use crate::units::{self, Light, Turn};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base
 /// 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to 4.12]
-pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Design, BuildError> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = slerp.inputs(spec).map(|port| b.input(port));
     let (formats, steps) = (&slerp.formats, spec.longest_span - 1);

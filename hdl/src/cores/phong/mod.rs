@@ -9,14 +9,14 @@ use super::{eye, finish, turns, unit_vector};
 use crate::error;
 use crate::units::{self, Interpolation, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig, Turns};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 use direction::Direction;
 use lamp::{Lamp, lamps};
 
 /// Interpolated vectors, true normalisation or wraps, and for each light N·L and a power or a
 /// distribution. [lecture, eq. 2.1, 4.1, 4.2; Hast et al., eq. 35 to 38]
-pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Design, BuildError> {
+pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Graph, BuildError> {
     let turns = turns(&b, spec);
     let inputs = phong.inputs(spec).map(|port| b.input(port));
     let f = &phong.formats;
