@@ -168,7 +168,8 @@ fn proofs_stand_where_bounds_say() {
         let path: Vec<&str> = proof.split("::").collect();
         let [_, module, .., function] = path.as_slice() else { panic!("{proof}") };
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("src/error/{module}.rs"));
-        let text = std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{proof}: {error}"));
+        let text =
+            std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{proof}: {error}"));
         assert!(text.contains(&format!("fn {function}")), "{proof}");
     }
     // Every statement names one.

@@ -2,10 +2,11 @@
 use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
 use specula_scene::{CoreSpec, Format};
 
-use super::{eye, finish, pipelines, turns};
+use super::{SHORTEST_NORMAL, eye, finish, pipelines, turns};
 use crate::error;
-use crate::error::consistent_reflection::Consistency;
+use crate::error::consistent_reflection::highlight;
 use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::graph::Graph;
 
@@ -42,26 +43,21 @@ pub(super) fn core(
         reciprocal: f.gain.into(),
         vector_fraction_bits: f.vector.fraction_bits,
     };
-    let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
+    let normal = normal.no_shorter_than(spec.shortest_normal, SHORTEST_NORMAL);
+    let (n, has_direction) = units::normalise_exactly(&b, &normal, to);
     let angles = SpanAngles {
         first: &turns.first_pixel,
         start: &inputs.angle_start,
         step: &inputs.angle_step,
     };
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
-    let least_q = least_contraction(spec, consistent.curve);
-    let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
-    let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, known).0;
+    let least_q = Interval::at_least(least_contraction(spec, consistent.curve));
+    let q = q.real_within(least_q, "no angle is larger than that of a vertex");
+    let least_divisor = (1.0 + spec.least_view_cosine).max(0.0);
+    let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, least_divisor).0;
     let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
-    let pixel = Pixel {
-        b: &b,
-        consistent,
-        n: &n,
-        has_direction: &has_direction,
-        q: &q,
-        least_q,
-        r: r.as_ref(),
-    };
+    let pixel =
+        Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, r: r.as_ref() };
     let exponent = &inputs.exponent;
     let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
         .iter()
@@ -87,7 +83,6 @@ struct Pixel<'a> {
     n: &'a Vector,
     has_direction: &'a Sig,
     q: &'a Sig,
-    least_q: f64,
     /// The eye's reflection, where the highlight asks for it.
     r: Option<&'a Vector>,
 }
@@ -118,13 +113,7 @@ impl Pixel<'_> {
     /// N_c·I of any I.
     fn consistent_cosine(&self, incoming: &Vector, to: Format) -> Sig {
         let mirror = (self.n, self.q, self.has_direction);
-        units::consistent_cosine(
-            self.b,
-            mirror,
-            incoming,
-            (&self.consistent.formats, to),
-            self.least_q,
-        )
+        units::consistent_cosine(self.b, mirror, incoming, (&self.consistent.formats, to))
     }
 
     /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
@@ -138,14 +127,10 @@ impl Pixel<'_> {
             |b, (r, l, has_direction)| {
                 let cosine = units::clamped_cosine(b, &r, &l, format).tighten_error(
                     "error::consistent_reflection::highlight",
-                    error::consistent_reflection::highlight(r.bound(), l.bound(), format),
+                    highlight(r.bound(), l.bound(), format),
                 );
-                let base =
-                    has_direction.choose(&cosine, &b.integer(0)).clamped_above(1).named("base");
-                base.override_error(
-                    "error::consistent_reflection::gated",
-                    error::vector::where_sure(has_direction.bound(), cosine.bound()),
-                )
+                let base = has_direction.choose(&cosine, &b.integer(0)).clamped_above(1);
+                units::gated(base, &has_direction).named("base")
             },
         )
     }

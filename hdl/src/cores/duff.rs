@@ -3,7 +3,7 @@ use specula_scene::CoreSpec;
 use specula_scene::spec::duff::{DuffLight, DuffSpec, Highlight};
 
 use super::forward::Forward;
-use super::{finish, pipelines, turns};
+use super::{finish, pipelines, squared_normal, turns};
 use crate::units::{self, Base, Length, Light, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -18,9 +18,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Graph
     let q = forward
         .quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
-    let length = b.instance("root", || {
-        units::root(&b, &q, f.root, spec.shortest_normal * spec.shortest_normal)
-    });
+    let q = squared_normal(q, spec);
+    let length = b.instance("root", || units::root(&b, &q, f.root));
     let view = inputs
         .view
         .as_ref()
@@ -115,15 +114,7 @@ impl Pixel<'_> {
                     (-1.0, 1.0),
                     f.operand.fraction_bits,
                 );
-                let divider = || {
-                    units::divider(
-                        b,
-                        &p,
-                        &self.length.squared,
-                        fraction_bits,
-                        self.length.proven.smallest(),
-                    )
-                };
+                let divider = || units::divider(b, &p, &self.length.squared, fraction_bits);
                 b.instance(&called("divider"), divider)
             }
             Highlight::Eq33 => {
@@ -131,19 +122,11 @@ impl Pixel<'_> {
                     integer_bits: f.root.integer_bits,
                     fraction_bits: f.quotient.fraction_bits,
                 };
-                let quotient = || {
-                    units::signed_quotient(
-                        b,
-                        p,
-                        &self.length.squared,
-                        to,
-                        self.length.proven.smallest(),
-                    )
-                };
+                let quotient = || units::signed_quotient(b, p, &self.length.squared, to);
                 let error = self.length.proven.quotient_error(
-                    p.error_value(),
-                    self.view.expect(given).error_value(),
-                    0.5 * f.quotient.ulp(),
+                    p.bound(),
+                    self.view.expect(given).bound(),
+                    f.quotient.ulp(),
                 );
                 reflected(&b.instance(&called("quotient"), quotient), self.view, error)
             }

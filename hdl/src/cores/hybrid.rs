@@ -3,7 +3,7 @@ use specula_scene::CoreSpec;
 use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
 
 use super::forward::Forward;
-use super::{finish, pipelines, turns};
+use super::{finish, pipelines, squared_normal, turns};
 use crate::units::{self, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -22,7 +22,8 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<G
             hybrid.formats.operand.fraction_bits,
         )
         .named("q");
-    let pixel = Pixel { forward, spec, hybrid, exponent: &inputs.exponent };
+    let q = squared_normal(q, spec);
+    let pixel = Pixel { forward, hybrid, exponent: &inputs.exponent };
     let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
         .iter()
         .enumerate()
@@ -34,7 +35,6 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<G
 /// What the lights have in common.
 struct Pixel<'a> {
     forward: Forward<'a>,
-    spec: &'a CoreSpec,
     hybrid: &'a HybridSpec,
     exponent: &'a Sig,
 }
@@ -54,9 +54,7 @@ impl Pixel<'_> {
                 formats.operand.fraction_bits,
             )
             .named(&called("p"));
-        let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
-        let base =
-            b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
+        let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits));
         let ends = (&light.intensity_start, &light.intensity_step);
         let gouraud = || units::gouraud(b, first, ends, formats.diffuse.fraction_bits, steps);
         let power = || units::raised(b, &base, self.exponent, self.hybrid.power_unit());

@@ -1,13 +1,12 @@
 //! Lyon's core.
 use specula_scene::CoreSpec;
 use specula_scene::spec::lyon::{
-    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath,
+    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, ShapeDatapath,
 };
 
-use super::{eye, finish, pipelines, turns, unit_vector};
+use super::{SHORTEST_NORMAL, eye, finish, pipelines, turns, unit_vector};
 use crate::error;
 use crate::units::{self, Follow, Interpolation, LengthError, Light, SpanNormals, WrapFormats};
-use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::graph::Graph;
 
@@ -19,12 +18,10 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Graph
     let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs, spec, lyon);
     let lights = pipelines(&turns, &inputs.lights);
     let apart = if turns.count() == 1 { least_distance(&lights) } else { 0.0 };
-    let shortest = shortest_normal(spec, lyon);
     let pixel = Pixel {
         b: &b,
         lyon,
         n: &n,
-        shortest,
         has_direction: &has_direction,
         shininess: &inputs.shininess,
         apart,
@@ -66,8 +63,9 @@ fn normal(
             },
         )
     };
+    let between_unit_ends = || along(1.0).no_shorter_than(spec.shortest_normal, SHORTEST_NORMAL);
     let Some(axis) = inputs.wrap_axis.as_ref().map(unit) else {
-        return units::normalise(b, &along(1.0), lyon, spec.shortest_normal);
+        return units::normalise(b, &between_unit_ends(), lyon);
     };
     let n = match &inputs.wrap_follows {
         None => {
@@ -79,20 +77,12 @@ fn normal(
             units::wrapped(b, &along(2.0), &axis, to)
         }
         Some(follows) => {
-            let of = Follow { first, follows, axis: &axis, normal: &along(1.0) };
-            units::followed(b, of, formats, spec.shortest_normal)
+            let of = Follow { first, follows, axis: &axis, normal: &between_unit_ends() };
+            units::followed(b, of, formats)
         }
     };
     let has_direction = units::has_direction(b, &n);
     (n, has_direction)
-}
-
-/// How short n can be in exact arithmetic, up to 1.
-fn shortest_normal(spec: &CoreSpec, lyon: &LyonSpec) -> f64 {
-    match lyon.normals {
-        Normals::Flat | Normals::Wrapped => 1.0,
-        Normals::Linear => error::normalise::shortest_normalised(lyon, spec.shortest_normal),
-    }
 }
 
 /// What the lights have in common.
@@ -100,8 +90,6 @@ struct Pixel<'a> {
     b: &'a Builder,
     lyon: &'a LyonSpec,
     n: &'a Vector,
-    /// See [`shortest_normal`].
-    shortest: f64,
     has_direction: &'a Sig,
     shininess: &'a Sig,
     /// See [`least_distance`].
@@ -157,28 +145,17 @@ impl Pixel<'_> {
 }
 
 impl Pixel<'_> {
-    /// Says of f that no two lights are near the middle of their highlights at once.
-    ///
-    /// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all
-    /// but one are at least half as long as lights are apart. With exponents from
-    /// [`error::shape::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is
-    /// off for those.
+    /// Says of f that no two lights are near the middle of their highlights at once, which is proven
+    /// of reflections.
     fn alone(&self, f: Sig, d: &Vector, length_error: LengthError) -> Sig {
-        let off = d.bound().error.length;
-        let dark = error::shape::least_dark_exponent(self.apart / 2.0 - off, self.lyon);
-        let largest = self.shininess.range().magnitude();
-        if self.lyon.difference != Difference::ReflectionMinusLight
-            || dark >= largest
-            || f.error_value() >= 1.0
-        {
+        let (d, n) = (d.bound(), self.shininess.bound());
+        if self.lyon.difference != Difference::ReflectionMinusLight {
             return f;
         }
-        f.tighten_error(
-            "error::shape::alone",
-            ErrorModel::Exclusive {
-                together: error::shape::bound(off, length_error, dark, self.lyon),
-            },
-        )
+        match error::shape::alone(f.bound(), (d, length_error), n, self.apart, self.lyon) {
+            Some(model) => f.tighten_error("error::shape::alone", model),
+            None => f,
+        }
     }
 
     /// D, and how far its length is off.
@@ -188,15 +165,9 @@ impl Pixel<'_> {
         let Some(halfway) = light.halfway.clone().map(Vector::new) else {
             return match self.lyon.difference {
                 Difference::LightReflection => {
-                    units::light_reflection(b, (n, self.shortest), &direction, &eye(b), formats)
+                    units::light_reflection(b, n, &direction, &eye(b), formats)
                 }
-                _ => units::reflection_minus_light(
-                    b,
-                    (n, self.shortest),
-                    &eye(b),
-                    &direction,
-                    formats,
-                ),
+                _ => units::reflection_minus_light(b, n, &eye(b), &direction, formats),
             };
         };
         // g2 makes h longer than 1 by 0.00176 at most (methods B9), and rounding any by √3/2 units

@@ -17,6 +17,7 @@ use specula_scene::spec::EachInput;
 use specula_scene::{CoreSpec, Format, MethodSpec};
 
 use crate::units::{self, Coefficients, Light};
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{BuildError, Builder, Sig, Turns, Vector};
 use specula_datapath::design::Design;
 use specula_datapath::graph::Graph;
@@ -95,7 +96,18 @@ fn eye(b: &Builder) -> Vector {
 
 /// A unit vector that the host rounded: longer than 1 by √3/2 units of the last place at most.
 fn unit_vector(components: &[Sig; 3], format: Format) -> Vector {
-    Vector::new(components.clone()).no_longer_than(1.0 + format.ulp())
+    Vector::new(components.clone())
+        .no_longer_than(1.0 + format.ulp())
+        .no_shorter_than(1.0, "it is a unit vector")
+}
+
+/// What a scene's needs say of the normals along spans.
+const SHORTEST_NORMAL: &str = "no normal between two ends is shorter than in any span";
+
+/// What needs say of the squared length of a normal between two ends.
+fn squared_normal(square: Sig, spec: &CoreSpec) -> Sig {
+    let least = spec.shortest_normal * spec.shortest_normal;
+    square.real_within(Interval::at_least(least), SHORTEST_NORMAL)
 }
 
 /// Opens the control inputs; lights that share a pipeline take turns from there on.

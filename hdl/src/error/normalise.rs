@@ -3,9 +3,9 @@
 //! N' is r long, z = r² and y = 1 - z. A polynomial in y is the first gain g, and Newton steps
 //! make g (3 - z g²)/2 of it; n = g N'. Both ends of a span lie in the unit ball, so r ≤ 1 up to
 //! rounding.
-use specula_datapath::bound::{VectorBound, VectorError};
+use specula_datapath::bound::{Bound, VectorBound, VectorError};
 use specula_scene::Format;
-use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
+use specula_scene::spec::lyon::{LyonFormats, LyonSpec};
 
 /// The polynomial that Newton steps begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,10 +40,18 @@ pub struct Normalised {
     pub largest_product: f64,
     /// n is no longer once it is rounded.
     pub longest: f64,
+    /// Real n is no shorter, up to 1.
+    pub shortest: f64,
     /// How far n is off before it is rounded.
-    pub off: VectorError,
+    pub error: VectorError,
     /// Error of the bit z > 0.
     pub direction_error: f64,
+}
+
+/// What is proven of n = g N' for a spec's formats and Newton steps, of N' and of its squared length
+/// z.
+pub fn normalised(first: FirstGain, lyon: &LyonSpec, normal: VectorBound, z: Bound) -> Normalised {
+    Approximation::new(first, lyon, z.ulp).normalised(normal)
 }
 
 impl Approximation {
@@ -70,7 +78,8 @@ impl Approximation {
         Normalised {
             largest_product: reach * reach + margin,
             longest: reach + 8.0 * self.coarsest_ulp(),
-            off: self.off(bounds, reach),
+            shortest: shortest_scaled(self.first, self.newton_steps, bounds.shortest),
+            error: self.off(bounds, reach),
             direction_error: self.direction_error(bounds),
         }
     }
@@ -143,17 +152,7 @@ fn longest_real(longest: f64) -> f64 {
     if longest > 1.0 { beyond.max(1.00177) } else { 1.00177 }
 }
 
-/// How short n can be in exact arithmetic, up to 1, for real N' no shorter than `shortest`.
-pub fn shortest_normalised(lyon: &LyonSpec, shortest: f64) -> f64 {
-    match lyon.normalisation {
-        Normalisation::None => shortest,
-        Normalisation::Exact => (shortest * f64::from(1u32 << LOG2_LARGEST_GAIN)).min(1.0),
-        Normalisation::G1 => shortest_scaled(FirstGain::G1, lyon.newton_steps, shortest),
-        Normalisation::G2 => shortest_scaled(FirstGain::G2, lyon.newton_steps, shortest),
-    }
-}
-
-/// √(1 - residue), for the largest residue |1 - z g²| = |1 - ρ²|.
+/// How short n can be in exact arithmetic, up to 1: √(1 - residue), for the largest residue |1 - z g²| = |1 - ρ²|.
 fn shortest_scaled(first: FirstGain, newton_steps: u32, shortest: f64) -> f64 {
     let gain = Gain::first(first, (shortest, 1.0), 0.0, 0.0).after_newton_steps(newton_steps);
     (1.0 - gain.residue).max(0.0).sqrt()
@@ -318,9 +317,9 @@ mod tests {
             let off = fixed - real;
             let along = off.dot(direction);
             let across = (off - along * direction).length();
-            assert!(off.length() <= proven.off.length, "{of:?}: {off}");
-            reached[0] = reached[0].max(across / proven.off.transverse);
-            reached[1] = reached[1].max(along.abs() / proven.off.radial);
+            assert!(off.length() <= proven.error.length, "{of:?}: {off}");
+            reached[0] = reached[0].max(across / proven.error.transverse);
+            reached[1] = reached[1].max(along.abs() / proven.error.radial);
         }
         reached
     }

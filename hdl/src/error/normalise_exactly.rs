@@ -1,5 +1,5 @@
 //! How long exactly normalised vectors are, and how far they are off.
-use specula_datapath::bound::{VectorBound, VectorError};
+use specula_datapath::bound::{Bound, VectorBound, VectorError};
 
 /// n = r N with r = 1/√max(z, l) and z = N·N, each rounded.
 #[derive(Clone, Copy, Debug)]
@@ -17,13 +17,20 @@ pub struct Exact {
 pub struct Normalised {
     /// n is no longer before it is rounded.
     pub longest: f64,
+    /// Real n is no shorter, up to 1.
+    pub shortest: f64,
     /// How far n is off before it is rounded.
-    pub off: VectorError,
+    pub error: VectorError,
     /// Error of the bit z > 0.
     pub direction_error: f64,
 }
 
 impl Exact {
+    /// Of z, with r rounded to units of `root_ulp`.
+    pub fn new(z: Bound, least_operand: f64, root_ulp: f64) -> Exact {
+        Exact { z_ulp: z.ulp, least_operand, root_ulp }
+    }
+
     /// What is proven for vectors within `bounds`.
     ///
     /// z is no more than u_z/2 below N·N, and at least l under the root:
@@ -43,7 +50,8 @@ impl Exact {
         let reached = least_z >= self.least_operand && least_z > of_z;
         Normalised {
             longest,
-            off: match reached {
+            shortest: (bounds.shortest / self.least_operand.sqrt()).min(1.0),
+            error: match reached {
                 true => unit_vector(bounds, of_z / least_z, of_root),
                 false => VectorError::ball(1.0 + longest),
             },
@@ -106,8 +114,8 @@ mod tests {
                 let off = fixed - direction;
                 let along = off.dot(direction);
                 let across = (off - along * direction).length();
-                reached[0] = reached[0].max(across / proven.off.transverse);
-                reached[1] = reached[1].max(along.abs() / proven.off.radial);
+                reached[0] = reached[0].max(across / proven.error.transverse);
+                reached[1] = reached[1].max(along.abs() / proven.error.radial);
             }
             println!("{shortest}: {reached:?}");
             assert!(reached.iter().all(|&share| share <= 1.0), "{shortest}: {reached:?}");
@@ -120,6 +128,6 @@ mod tests {
     fn vectors_that_may_vanish_may_come_out_as_anything() {
         let of = Exact { z_ulp: 1e-6, least_operand: 1.0 / 256.0, root_ulp: 1e-4 };
         let proven = of.normalised(VectorBound::ball(0.0, 1.0, 1e-3));
-        assert!(proven.off.length > 2.0 && proven.direction_error == 1.0);
+        assert!(proven.error.length > 2.0 && proven.direction_error == 1.0);
     }
 }

@@ -5,6 +5,12 @@ use crate::error::turned_normal::{Weighing, longest};
 use specula_datapath::bound::VectorError;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
+/// Where the error of N is proven.
+const SUM: &str = "error::turned_normal::Weighing::put_together";
+
+/// Where that of n is.
+const PROOF: &str = "error::turned_normal::Weighing::lengthened";
+
 /// N = u P + v Q, and n = N (3 - N·N)/2: Newton's step towards unit length from 1 on. Errors:
 /// [`error::turned_normal`](crate::error::turned_normal). [lecture, eq. 4.7; methods A8, A9, A11]
 pub fn turned_normal(
@@ -20,13 +26,10 @@ pub fn turned_normal(
         "n = N (3 - N.N)/2, N = u P + v Q [lecture, eq. 4.7]",
         inputs,
         |b, (u, v, p, q)| {
-            let off = known.put_together(
-                p.longest().max(q.longest()),
-                p.bound().error.length.max(q.bound().error.length),
-            );
+            let off = known.put_together([p.bound(), q.bound()]);
             let turned = (&p.scaled(&u) + &q.scaled(&v))
                 .assumed_within(1.0 + off, "|N| <= 1")
-                .tighten_error("turned_normal", VectorError::ball(off))
+                .tighten_error(SUM, VectorError::ball(off))
                 .rounded(formats.vector.fraction_bits)
                 .named("turned");
 
@@ -40,10 +43,7 @@ pub fn turned_normal(
             turned
                 .scaled(&gain)
                 .assumed_within(longest(turned.longest(), half_unit), "|n| <= 1")
-                .override_error(
-                    "turned_normal",
-                    known.lengthened(turned.bound().error.length, half_unit),
-                )
+                .override_error(PROOF, known.lengthened(turned.bound(), half_unit))
                 .rounded(formats.vector.fraction_bits)
                 .named("n")
         },

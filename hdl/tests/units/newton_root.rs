@@ -1,6 +1,6 @@
 //! Newton's root: spans one straight after the other, each from 1 on, against the same steps in
 //! whole numbers.
-use specula_hdl::units::{self, NewtonRoot};
+use specula_hdl::units;
 use specula_scene::Format;
 use specula_scene::spec::direct::DirectFormats;
 
@@ -45,13 +45,7 @@ fn every_pixel_follows_the_one_before() {
         let bench = Bench::new();
         let formats = formats(reach, bits);
         let q = bench.input("q", formats.length_squared, (-4, one));
-        let d = units::newton_root(
-            &bench.b,
-            &bench.start,
-            &q,
-            &formats,
-            NewtonRoot { steps, shortest: 0.1 },
-        );
+        let d = units::newton_root(&bench.b, &bench.start, &q, &formats, steps);
         assert_eq!(d.fraction_bits(), bits);
         let design = bench.finish(&[("d", d)]);
 

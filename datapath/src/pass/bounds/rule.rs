@@ -49,12 +49,15 @@ fn derived(graph: &Graph, bounds: &Bounds, rule: &Rule, (fixed, ulp): (Interval,
             let (a, factor) = (of(a), power_of_two((*exponent).into()));
             Derived::bounded(a.error * factor).with_real(a.real.scaled(factor))
         }
-        Rule::Sum(a, b) => Derived::bounded(of(a).error + of(b).error)
-            .with_real(of(a).real.plus(of(b).real)),
-        Rule::Difference(a, b) => Derived::bounded(of(a).error + of(b).error)
-            .with_real(of(a).real.minus(of(b).real)),
-        Rule::Product(a, b) => Derived::bounded(product_error(of(a), of(b)))
-            .with_real(of(a).real.times(of(b).real)),
+        Rule::Sum(a, b) => {
+            Derived::bounded(of(a).error + of(b).error).with_real(of(a).real.plus(of(b).real))
+        }
+        Rule::Difference(a, b) => {
+            Derived::bounded(of(a).error + of(b).error).with_real(of(a).real.minus(of(b).real))
+        }
+        Rule::Product(a, b) => {
+            Derived::bounded(product_error(of(a), of(b))).with_real(of(a).real.times(of(b).real))
+        }
         Rule::Square(a) => Derived::bounded((2.0 * of(a).magnitude() + of(a).error) * of(a).error)
             .with_real(of(a).real.squared()),
         Rule::Rounded(a) => Derived::bounded(of(a).error + 0.5 * ulp).with_real(of(a).real),
