@@ -9,7 +9,7 @@ mod common;
 use std::error::Error;
 use std::rc::Rc;
 
-use specula_datapath::builder::{Builder, Known, Sig};
+use specula_datapath::builder::{Builder, LoopInvariant, Sig};
 use specula_datapath::target::Generic;
 use specula_datapath::{Format, InputPort, SpanPacket};
 
@@ -18,8 +18,9 @@ const COEFFICIENTS: [i64; 5] = [1, 4, 6, 4, 1];
 
 /// The last five values of a signal, the present one first.
 fn taps(builder: &Builder, first: &Sig, x: &Sig) -> [Sig; 5] {
-    let known = Known { limits: (0.0, 1.0), fact: "taps are inputs", error: x.error_value() };
-    builder.carried(first, ([x; 5], [x]), x.fraction_bits(), &known, |before, [now]| {
+    let invariant =
+        LoopInvariant { limits: (0.0, 1.0), fact: "taps are inputs", error: x.error_value() };
+    builder.carried(first, ([x; 5], [x]), x.fraction_bits(), &invariant, |before, [now]| {
         let [a, b, c, d, _] = before;
         [now, a, b, c, d].map(Sig::clone)
     })

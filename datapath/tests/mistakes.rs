@@ -1,7 +1,7 @@
 //! Mistakes in using the builder are errors that name the unit and the signal.
 use std::rc::Rc;
 
-use specula_datapath::builder::{BuildError, Builder, Known, Sig};
+use specula_datapath::builder::{BuildError, Builder, LoopInvariant, Sig};
 use specula_datapath::target::Generic;
 use specula_datapath::{Format, InputPort};
 
@@ -77,8 +77,8 @@ fn an_address_is_not_negative() {
 #[test]
 fn a_loop_keeps_its_binary_point() {
     let (builder, valid, start, x) = opened();
-    let known = Known { limits: (-2.0, 2.0), fact: "it stays", error: 1.0 };
-    let [y] = builder.recurrence(&start, [&x], 6, &known, |[y]| [y.halved()]);
+    let invariant = LoopInvariant { limits: (-2.0, 2.0), fact: "it stays", error: 1.0 };
+    let [y] = builder.recurrence(&start, [&x], 6, &invariant, |[y]| [y.halved()]);
     says(
         builder.finish(&valid, &[("y", y)]),
         "the loop through `bench.state` begins with 6 fraction bits and goes on with 7: round what \
@@ -90,8 +90,8 @@ fn a_loop_keeps_its_binary_point() {
 fn a_loop_reads_nothing_that_comes_after_its_clock() {
     let (builder, valid, start, x) = opened();
     let late = x.squared().rounded(6).clamped_above(1);
-    let known = Known { limits: (-2.0, 2.0), fact: "it stays", error: 1.0 };
-    let [y] = builder.recurrence(&start, [&x], 6, &known, |[y]| {
+    let invariant = LoopInvariant { limits: (-2.0, 2.0), fact: "it stays", error: 1.0 };
+    let [y] = builder.recurrence(&start, [&x], 6, &invariant, |[y]| {
         [(y + &late).clamped_above(1).clamped_below(-1)]
     });
     let error = builder.finish(&valid, &[("y", y)]).err().map(|error| error.to_string());

@@ -3,10 +3,8 @@
 use glam::DVec3;
 use specula_golden::exact::distributions::Formulation;
 use specula_golden::exact::figure9::{self, BACKGROUND, DIFFUSE};
-use specula_scene::spec::{CoreOptions, FULL_SCALE, SpecError};
-use specula_scene::{
-    CoreSpec, DirectionalLight, Facet, Frame, Material, Method, Needs, Span, Triangle, VertexCone,
-};
+use specula_scene::{DirectionalLight, Facet, Frame, Material, Needs, Span, Triangle, VertexCone};
+use specula_spec::{CoreOptions, CoreSpec, FULL_SCALE, Method, SpecError};
 
 use specula_testbench::statistics::Sums;
 use specula_testbench::{ErrorFigures, Image};

@@ -3,7 +3,8 @@
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_datapath::design::{Node, NodeId, Op, Register, Scope, ScopeId};
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::{CoreSpec, Method};
 
 use specula_testbench::BenchError;
 

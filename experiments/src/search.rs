@@ -2,7 +2,8 @@
 use rayon::prelude::*;
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
-use specula_scene::{CoreSpec, Format, Frame};
+use specula_scene::Frame;
+use specula_spec::{CoreSpec, Format};
 
 use specula_testbench::BenchError;
 use specula_testbench::FrameSpans;

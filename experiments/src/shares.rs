@@ -1,8 +1,8 @@
 //! Where a core's error bound comes from: how much of it each place that rounds answers for.
 use rayon::prelude::*;
 use serde::Serialize;
-use specula_scene::spec::NarrowingPoint;
-use specula_scene::{CoreSpec, Format, Frame};
+use specula_scene::Frame;
+use specula_spec::{CoreSpec, Format, NarrowingPoint};
 
 /// Fraction bits that make a rounding count for nothing beside the others; fewer where the format
 /// may not have so many.

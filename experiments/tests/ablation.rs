@@ -1,6 +1,7 @@
 //! What cores for one scene save, need by need.
 use specula_experiments::{Baseline, Saving, Savings, ablation};
-use specula_scene::{LoadedScene, Method, Needs, load};
+use specula_scene::{LoadedScene, Needs, load};
+use specula_spec::{Method, SceneCore};
 
 fn of(scene: &LoadedScene, method: Method) -> Savings {
     let spec = scene.core_spec(Some(method)).unwrap();
@@ -162,7 +163,7 @@ fn narrowed_formats_are_no_need() {
     let spec = torus.core_spec(Some(Method::Hybrid)).unwrap();
     let points = spec.narrowing_points();
     let shape = points.iter().find(|point| point.name == "base").unwrap().format;
-    let narrow = specula_scene::Format { fraction_bits: shape.fraction_bits - 3, ..shape };
+    let narrow = specula_spec::Format { fraction_bits: shape.fraction_bits - 3, ..shape };
     let narrowed = spec.with_formats(&[("base", narrow)]).unwrap().specialised(&torus.frame);
     let of = |spec| ablation(&torus, spec, None).unwrap();
     let needs =

@@ -1,7 +1,8 @@
 //! The search for broken bounds, small: some hundred scenes by each method.
 use rayon::ThreadPoolBuilder;
 use specula_experiments::climb::{MethodReport, Peak, Search, climb};
-use specula_scene::{Method, load, parse};
+use specula_scene::{load, parse};
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind};
 
 /// Scenes that are tried by each method.

@@ -2,7 +2,7 @@
 //! promises nothing.
 use std::path::{Path, PathBuf};
 
-use specula_scene::Method;
+use specula_spec::Method;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 

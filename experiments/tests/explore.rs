@@ -1,6 +1,7 @@
 //! The search for a small core near exact shading.
 use specula_experiments::explore::{Device, Exploration, Explored, Wanted, explore};
-use specula_scene::{Method, load};
+use specula_scene::load;
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind};
 
 const METHODS: [Method; 4] = [Method::Lyon, Method::Gouraud, Method::Phong, Method::Direct];

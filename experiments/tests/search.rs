@@ -4,7 +4,8 @@
 mod each_method;
 
 use specula_experiments::search;
-use specula_scene::{CoreSpec, Method, load};
+use specula_scene::load;
+use specula_spec::{CoreSpec, Method, SceneCore};
 use specula_testbench::{Bench, EngineKind};
 
 fn multiplier_bits(spec: &CoreSpec) -> u64 {

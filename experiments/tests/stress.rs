@@ -1,6 +1,6 @@
 //! The stress catalogue, small: every row on every method.
 use specula_experiments::stress::{self, CATALOGUE, Cell, Extent, RAW, Verdict, sweep};
-use specula_scene::Method;
+use specula_spec::Method;
 
 fn complaints(cells: &[Cell]) -> Vec<String> {
     let complaint = |cell: &Cell| {

@@ -4,7 +4,8 @@ use std::time::Instant;
 
 use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_golden::fixed::Model;
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::{CoreSpec, Method};
 
 #[path = "../tests/common/mod.rs"]
 mod common;

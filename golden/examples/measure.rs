@@ -2,9 +2,9 @@
 //! `cargo run -p specula-golden --release --example measure`.
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
-use specula_scene::spec::MethodSpec;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::{CoreSpec, Material, Method};
+use specula_scene::Material;
+use specula_spec::lyon::Difference;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 #[path = "../tests/common/mod.rs"]
 mod common;

@@ -8,8 +8,8 @@ use specula_golden::exact::MethodSpan;
 use specula_golden::recurrence::{Edge, Linear, Plane};
 use specula_golden::software::{Mesh, by_name};
 use specula_scene::picture::coverage::{Coverage, Point, STEPS};
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{CoreSpec, Frame, Material, Method, Needs, Span, load};
+use specula_scene::{Frame, Material, Needs, Span, load};
+use specula_spec::{CoreSpec, FULL_SCALE, Method};
 
 mod common;
 use common::{frame, material};

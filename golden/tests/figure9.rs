@@ -6,9 +6,8 @@ use glam::DVec3;
 use specula_golden::exact::distributions::{Formulation, formulation};
 use specula_golden::exact::figure9::EXPONENTS;
 use specula_golden::exact::method;
-use specula_scene::Method;
-use specula_scene::spec::MethodSpec;
-use specula_scene::spec::lyon::{Difference, Halfway, Normalisation};
+use specula_spec::lyon::{Difference, Halfway, Normalisation};
+use specula_spec::{Method, MethodSpec};
 
 /// Each of Lyon's rows that `lyon` has is the formula of that row, whatever the normal and the
 /// light.

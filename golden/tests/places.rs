@@ -2,9 +2,9 @@
 //! numerics N2b.
 use glam::DVec3;
 use specula_golden::exact::{MethodSpan, PhongSpan, point_light, wrap};
-use specula_scene::spec::Wrap;
-use specula_scene::spec::phong::{Places, wrap_to_eye, wrap_to_light};
-use specula_scene::{CoreSpec, Frame, Method, MethodSpec, Needs, Span, load};
+use specula_scene::{Frame, Needs, Span, Wrap, load};
+use specula_spec::phong::{Places, wrap_to_eye, wrap_to_light};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 fn lamps() -> Frame {
     load("lamps", Some((160, 120))).unwrap().frame

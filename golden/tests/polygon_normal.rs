@@ -4,7 +4,8 @@ mod common;
 
 use glam::DVec3;
 use specula_golden::exact::MethodSpan;
-use specula_scene::{CoreSpec, Method, Needs};
+use specula_scene::Needs;
+use specula_spec::{CoreSpec, Method};
 
 use common::{frame, material, tilted};
 

@@ -3,10 +3,10 @@
 use proptest::prelude::*;
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
-use specula_scene::spec::duff::Highlight;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::spec::{MethodSpec, reflection};
-use specula_scene::{CoreSpec, Frame, Material, Method};
+use specula_scene::{Frame, Material};
+use specula_spec::duff::Highlight;
+use specula_spec::lyon::Difference;
+use specula_spec::{CoreSpec, Method, MethodSpec, reflection};
 
 mod common;
 use common::draw::{Draw, Drawn, Range, draw_frame};

@@ -14,9 +14,9 @@ use specula_golden::recurrence::{
 };
 use specula_golden::software::{METHODS, Mesh, by_name};
 use specula_scene::frame::EYE;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::spec::phong::Places;
-use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Needs, Spot};
+use specula_scene::{Frame, LocalLight, Needs, Spot};
+use specula_spec::phong::Places;
+use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec};
 
 mod common;
 use common::{frame, material, tilted};

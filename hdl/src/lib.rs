@@ -8,7 +8,7 @@ pub mod units;
 
 pub use cores::elaborate;
 
-use specula_scene::CoreSpec;
+use specula_spec::CoreSpec;
 
 /// A name for the module of a scene's core, as [`specula_datapath::verilog::module_name`] makes it.
 pub fn module_name(scene: &str, spec: &CoreSpec) -> String {

@@ -10,7 +10,8 @@ use specula_datapath::graph::{Graph, RealId, RealValue, RealVector, Rule, Vector
 use specula_datapath::pass::bounds::{Bounds, bounds, premises};
 use specula_datapath::target::Generic;
 use specula_hdl::cores;
-use specula_scene::{CoreSpec, Method, load};
+use specula_scene::load;
+use specula_spec::{CoreSpec, Method, SceneCore};
 
 #[path = "common/draw.rs"]
 #[allow(dead_code)]

@@ -3,13 +3,14 @@
 use specula_datapath::Design;
 use specula_datapath::block::check_all;
 use specula_datapath::design::NodeId;
+use specula_scene::Needs;
 use specula_scene::contributions::Contributions;
+use specula_scene::limits::{LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::needs::Ranges;
-use specula_scene::spec::consistent::{Curve, Diffuse};
-use specula_scene::spec::duff::Highlight;
-use specula_scene::spec::lyon::{Difference, Normalisation};
-use specula_scene::spec::{LONGEST_SPAN, LyonSpec, MOST_LIGHTS, reflection};
-use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
+use specula_spec::consistent::{Curve, Diffuse};
+use specula_spec::duff::Highlight;
+use specula_spec::lyon::{Difference, Normalisation};
+use specula_spec::{CoreSpec, LyonSpec, Method, MethodSpec, reflection};
 
 fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
     Needs {

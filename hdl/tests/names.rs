@@ -6,7 +6,7 @@ use specula_datapath::design::ScopeId;
 use specula_datapath::verilog::CONTROL;
 use specula_hdl::elaborate;
 use specula_hdl::module_name;
-use specula_scene::{CoreSpec, Method};
+use specula_spec::{CoreSpec, Method, SceneCore};
 
 /// General cores, and those of the built-in scenes.
 fn specs() -> Vec<CoreSpec> {

@@ -7,7 +7,7 @@ mod each_method;
 
 use common::draw::{self, Draw};
 use common::{Drive, run};
-use specula_scene::Method;
+use specula_spec::Method;
 
 fn stays_in_range(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);

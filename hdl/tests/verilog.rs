@@ -3,10 +3,11 @@ use std::fmt::Write;
 
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header};
+use specula_scene::Needs;
 use specula_scene::contributions::Contributions;
 use specula_scene::needs::Ranges;
-use specula_scene::spec::lyon::{Difference, Normalisation};
-use specula_scene::{CoreSpec, Method, MethodSpec, Needs};
+use specula_spec::lyon::{Difference, Normalisation};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 /// A core for one light, spans of up to 4 pixels and small exponents, in small formats.
 fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {

@@ -3,7 +3,7 @@ use crate::kernel::Binary;
 use crate::post::{
     Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled,
 };
-use crate::{Lane, Level, Post, Wrap};
+use crate::{InstructionSet, Lane, Post, Wrap};
 
 /// An arithmetic operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,38 +117,54 @@ unsafe fn avx2<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
 }
 
 /// Operands and results of 32 bits, computed in 32.
-pub fn narrow(operator: Arithmetic, post: Post, level: Level) -> Binary<i32, i32> {
-    arithmetic::<i32, i32, i32>(operator, post, level)
+pub fn narrow(
+    operator: Arithmetic,
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Binary<i32, i32> {
+    arithmetic::<i32, i32, i32>(operator, post, instruction_set)
 }
 
 /// Operands of 32 bits, computed in 64, results of 32.
-pub fn narrow_through_wide(operator: Arithmetic, post: Post, level: Level) -> Binary<i32, i32> {
-    arithmetic::<i32, i64, i32>(operator, post, level)
+pub fn narrow_through_wide(
+    operator: Arithmetic,
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Binary<i32, i32> {
+    arithmetic::<i32, i64, i32>(operator, post, instruction_set)
 }
 
 /// Operands of 32 bits, computed in 64, results of 64.
-pub fn widening(operator: Arithmetic, post: Post, level: Level) -> Binary<i32, i64> {
-    arithmetic::<i32, i64, i64>(operator, post, level)
+pub fn widening(
+    operator: Arithmetic,
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Binary<i32, i64> {
+    arithmetic::<i32, i64, i64>(operator, post, instruction_set)
 }
 
 /// Operands and results of 64 bits.
-pub fn wide(operator: Arithmetic, post: Post, level: Level) -> Binary<i64, i64> {
-    arithmetic::<i64, i64, i64>(operator, post, level)
+pub fn wide(operator: Arithmetic, post: Post, instruction_set: InstructionSet) -> Binary<i64, i64> {
+    arithmetic::<i64, i64, i64>(operator, post, instruction_set)
 }
 
 /// Operands of 64 bits, results of 32.
-pub fn narrowing(operator: Arithmetic, post: Post, level: Level) -> Binary<i64, i32> {
-    arithmetic::<i64, i64, i32>(operator, post, level)
+pub fn narrowing(
+    operator: Arithmetic,
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Binary<i64, i32> {
+    arithmetic::<i64, i64, i32>(operator, post, instruction_set)
 }
 
 /// The smaller or larger of two, of 32 bits.
-pub fn extreme(extreme: Extreme, wrap: Wrap, level: Level) -> Binary<i32, i32> {
+pub fn extreme(extreme: Extreme, wrap: Wrap, instruction_set: InstructionSet) -> Binary<i32, i32> {
     let post = Post { wrap, ..Post::default() };
     match (extreme, post.wraps()) {
-        (Extreme::Min, false) => chosen::<i32, i32, i32, Min, Plain>(post, level),
-        (Extreme::Min, true) => chosen::<i32, i32, i32, Min, Wrapped<Plain>>(post, level),
-        (Extreme::Max, false) => chosen::<i32, i32, i32, Max, Plain>(post, level),
-        (Extreme::Max, true) => chosen::<i32, i32, i32, Max, Wrapped<Plain>>(post, level),
+        (Extreme::Min, false) => chosen::<i32, i32, i32, Min, Plain>(post, instruction_set),
+        (Extreme::Min, true) => chosen::<i32, i32, i32, Min, Wrapped<Plain>>(post, instruction_set),
+        (Extreme::Max, false) => chosen::<i32, i32, i32, Max, Plain>(post, instruction_set),
+        (Extreme::Max, true) => chosen::<i32, i32, i32, Max, Wrapped<Plain>>(post, instruction_set),
     }
 }
 
@@ -160,44 +176,56 @@ pub fn extreme(extreme: Extreme, wrap: Wrap, level: Level) -> Binary<i32, i32> {
 fn arithmetic<I: Lane, C: Lane, O: Lane>(
     operator: Arithmetic,
     post: Post,
-    level: Level,
+    instruction_set: InstructionSet,
 ) -> Binary<I, O> {
     match operator {
-        Arithmetic::Copy => with_operator::<I, C, O, First>(post, level),
-        Arithmetic::Add => with_operator::<I, C, O, Add>(post, level),
-        Arithmetic::Sub => with_operator::<I, C, O, Sub>(post, level),
-        Arithmetic::Mul => with_operator::<I, C, O, Mul>(post, level),
+        Arithmetic::Copy => with_operator::<I, C, O, First>(post, instruction_set),
+        Arithmetic::Add => with_operator::<I, C, O, Add>(post, instruction_set),
+        Arithmetic::Sub => with_operator::<I, C, O, Sub>(post, instruction_set),
+        Arithmetic::Mul => with_operator::<I, C, O, Mul>(post, instruction_set),
     }
 }
 
-fn with_operator<I: Lane, C: Lane, O: Lane, F: Operator>(post: Post, level: Level) -> Binary<I, O> {
+fn with_operator<I: Lane, C: Lane, O: Lane, F: Operator>(
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Binary<I, O> {
     match post.kind::<C, O>() {
-        Kind::Plain => with_finish::<I, C, O, F, Plain>(post, level),
-        Kind::Shifted(Fill::Zero) => with_finish::<I, C, O, F, Shifted<ZeroFilled>>(post, level),
-        Kind::Shifted(Fill::Sign) => with_finish::<I, C, O, F, Shifted<SignFilled>>(post, level),
+        Kind::Plain => with_finish::<I, C, O, F, Plain>(post, instruction_set),
+        Kind::Shifted(Fill::Zero) => {
+            with_finish::<I, C, O, F, Shifted<ZeroFilled>>(post, instruction_set)
+        }
+        Kind::Shifted(Fill::Sign) => {
+            with_finish::<I, C, O, F, Shifted<SignFilled>>(post, instruction_set)
+        }
         Kind::WrappedAndShifted(Fill::Zero) => {
-            with_finish::<I, C, O, F, WrappedAndShifted<ZeroFilled>>(post, level)
+            with_finish::<I, C, O, F, WrappedAndShifted<ZeroFilled>>(post, instruction_set)
         }
         Kind::WrappedAndShifted(Fill::Sign) => {
-            with_finish::<I, C, O, F, WrappedAndShifted<SignFilled>>(post, level)
+            with_finish::<I, C, O, F, WrappedAndShifted<SignFilled>>(post, instruction_set)
         }
     }
 }
 
 fn with_finish<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
     post: Post,
-    level: Level,
+    instruction_set: InstructionSet,
 ) -> Binary<I, O> {
     if post.wraps() {
-        chosen::<I, C, O, F, Wrapped<P>>(post, level)
+        chosen::<I, C, O, F, Wrapped<P>>(post, instruction_set)
     } else {
-        chosen::<I, C, O, F, P>(post, level)
+        chosen::<I, C, O, F, P>(post, instruction_set)
     }
 }
 
 fn chosen<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
     post: Post,
-    level: Level,
+    instruction_set: InstructionSet,
 ) -> Binary<I, O> {
-    Binary::new(baseline::<I, C, O, F, P>, avx2::<I, C, O, F, P>, level, post.amounts::<C>())
+    Binary::new(
+        baseline::<I, C, O, F, P>,
+        avx2::<I, C, O, F, P>,
+        instruction_set,
+        post.amounts::<C>(),
+    )
 }

@@ -1,7 +1,7 @@
 //! Comparisons, bits, choices, and a change of lane.
 use crate::kernel::{Binary, Ternary};
 use crate::post::Amounts;
-use crate::{Lane, Level};
+use crate::{InstructionSet, Lane};
 
 /// A bitwise operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +31,8 @@ unsafe fn less_avx2<L: Lane>(out: &mut [i32], a: &[L], b: &[L], _: &Amounts) {
 }
 
 /// The kernel of a < b.
-pub fn less_than<L: Lane>(level: Level) -> Binary<L, i32> {
-    Binary::new(less_baseline::<L>, less_avx2::<L>, level, Amounts::default())
+pub fn less_than<L: Lane>(instruction_set: InstructionSet) -> Binary<L, i32> {
+    Binary::new(less_baseline::<L>, less_avx2::<L>, instruction_set, Amounts::default())
 }
 
 #[inline(always)]
@@ -73,11 +73,15 @@ bitwise!(or_baseline, or_avx2, |a, b| a | b);
 /// The kernel of a bitwise operator.
 pub fn bits<L: Lane + std::ops::BitAnd<Output = L> + std::ops::BitOr<Output = L>>(
     operator: Bits,
-    level: Level,
+    instruction_set: InstructionSet,
 ) -> Binary<L, L> {
     match operator {
-        Bits::And => Binary::new(and_baseline::<L>, and_avx2::<L>, level, Amounts::default()),
-        Bits::Or => Binary::new(or_baseline::<L>, or_avx2::<L>, level, Amounts::default()),
+        Bits::And => {
+            Binary::new(and_baseline::<L>, and_avx2::<L>, instruction_set, Amounts::default())
+        }
+        Bits::Or => {
+            Binary::new(or_baseline::<L>, or_avx2::<L>, instruction_set, Amounts::default())
+        }
     }
 }
 
@@ -101,6 +105,6 @@ unsafe fn choose_avx2<L: Lane>(out: &mut [L], condition: &[i32], yes: &[L], no: 
 }
 
 /// The kernel of a multiplexer.
-pub fn choose<L: Lane>(level: Level) -> Ternary<L> {
-    Ternary::new(choose_baseline::<L>, choose_avx2::<L>, level)
+pub fn choose<L: Lane>(instruction_set: InstructionSet) -> Ternary<L> {
+    Ternary::new(choose_baseline::<L>, choose_avx2::<L>, instruction_set)
 }

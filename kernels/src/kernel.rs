@@ -1,5 +1,5 @@
 //! A kernel that has been chosen: a loop, its numbers, and proof that the processor can run it.
-use crate::Level;
+use crate::InstructionSet;
 use crate::post::Amounts;
 
 /// A loop over an output and `N` input columns of one length.
@@ -11,7 +11,7 @@ pub(crate) type FeatureLoop<I, O> = unsafe fn(&mut [O], &[I], &[I], &Amounts);
 pub struct Binary<I, O> {
     baseline: Loop<I, O>,
     avx2: FeatureLoop<I, O>,
-    level: Level,
+    instruction_set: InstructionSet,
     amounts: Amounts,
 }
 
@@ -27,10 +27,10 @@ impl<I, O> Binary<I, O> {
     pub(crate) fn new(
         baseline: Loop<I, O>,
         avx2: FeatureLoop<I, O>,
-        level: Level,
+        instruction_set: InstructionSet,
         amounts: Amounts,
     ) -> Self {
-        Binary { baseline, avx2, level, amounts }
+        Binary { baseline, avx2, instruction_set, amounts }
     }
 
     /// Fills `out` from the operands.
@@ -39,8 +39,8 @@ impl<I, O> Binary<I, O> {
     /// If an operand is shorter than `out`.
     #[inline]
     pub fn run(&self, out: &mut [O], a: &[I], b: &[I]) {
-        if self.level.avx2 {
-            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the
+        if self.instruction_set.avx2 {
+            // SAFETY: an `InstructionSet` with `avx2` is made by `InstructionSet::best` only, which has seen that the
             // processor has AVX2.
             unsafe { (self.avx2)(out, a, b, &self.amounts) }
         } else {
@@ -57,7 +57,7 @@ pub(crate) type FeatureSumLoop<O, const N: usize> = unsafe fn(&mut [O], [[&[i32]
 pub struct Products<O, const N: usize> {
     baseline: SumLoop<O, N>,
     avx2: FeatureSumLoop<O, N>,
-    level: Level,
+    instruction_set: InstructionSet,
     amounts: Amounts,
 }
 
@@ -73,10 +73,10 @@ impl<O, const N: usize> Products<O, N> {
     pub(crate) fn new(
         baseline: SumLoop<O, N>,
         avx2: FeatureSumLoop<O, N>,
-        level: Level,
+        instruction_set: InstructionSet,
         amounts: Amounts,
     ) -> Self {
-        Products { baseline, avx2, level, amounts }
+        Products { baseline, avx2, instruction_set, amounts }
     }
 
     /// Fills `out` from the factors of each product.
@@ -85,8 +85,8 @@ impl<O, const N: usize> Products<O, N> {
     /// If a factor is shorter than `out`.
     #[inline]
     pub fn run(&self, out: &mut [O], factors: [[&[i32]; 2]; N]) {
-        if self.level.avx2 {
-            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the
+        if self.instruction_set.avx2 {
+            // SAFETY: an `InstructionSet` with `avx2` is made by `InstructionSet::best` only, which has seen that the
             // processor has AVX2.
             unsafe { (self.avx2)(out, factors, &self.amounts) }
         } else {
@@ -103,7 +103,7 @@ pub(crate) type FeatureChoiceLoop<L> = unsafe fn(&mut [L], &[i32], &[L], &[L]);
 pub struct Ternary<L> {
     baseline: ChoiceLoop<L>,
     avx2: FeatureChoiceLoop<L>,
-    level: Level,
+    instruction_set: InstructionSet,
 }
 
 impl<L> Clone for Ternary<L> {
@@ -115,8 +115,12 @@ impl<L> Clone for Ternary<L> {
 impl<L> Copy for Ternary<L> {}
 
 impl<L> Ternary<L> {
-    pub(crate) fn new(baseline: ChoiceLoop<L>, avx2: FeatureChoiceLoop<L>, level: Level) -> Self {
-        Ternary { baseline, avx2, level }
+    pub(crate) fn new(
+        baseline: ChoiceLoop<L>,
+        avx2: FeatureChoiceLoop<L>,
+        instruction_set: InstructionSet,
+    ) -> Self {
+        Ternary { baseline, avx2, instruction_set }
     }
 
     /// Fills `out` with `yes` where `condition` is not 0, else with `no`.
@@ -125,8 +129,8 @@ impl<L> Ternary<L> {
     /// If an operand is shorter than `out`.
     #[inline]
     pub fn run(&self, out: &mut [L], condition: &[i32], yes: &[L], no: &[L]) {
-        if self.level.avx2 {
-            // SAFETY: a `Level` with `avx2` is made by `Level::best` only, which has seen that the
+        if self.instruction_set.avx2 {
+            // SAFETY: an `InstructionSet` with `avx2` is made by `InstructionSet::best` only, which has seen that the
             // processor has AVX2.
             unsafe { (self.avx2)(out, condition, yes, no) }
         } else {

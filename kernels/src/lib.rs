@@ -2,13 +2,13 @@
 //!
 //! A column has lanes of 32 or 64 bits. Every kernel is one loop over slices in safe Rust, compiled
 //! for the baseline of the target and once more with AVX2; which of the two runs is decided once,
-//! by [`Level`]. The only `unsafe` is the call of the AVX2 copy ([`Binary::run`],
+//! by [`InstructionSet`]. The only `unsafe` is the call of the AVX2 copy ([`Binary::run`],
 //! [`Products::run`], [`Ternary::run`]), and tests hold it against the baseline copy.
 mod arithmetic;
 mod bits;
+mod instruction_set;
 mod kernel;
 mod lane;
-mod level;
 mod post;
 mod products;
 mod serial;
@@ -17,9 +17,9 @@ pub use arithmetic::{
     Arithmetic, Extreme, extreme, narrow, narrow_through_wide, narrowing, wide, widening,
 };
 pub use bits::{Bits, bits, choose, less_than};
+pub use instruction_set::InstructionSet;
 pub use kernel::{Binary, Products, Ternary};
 pub use lane::Lane;
-pub use level::Level;
 pub use post::{Post, Shift, Wrap};
 pub use products::{Magnitude, Second, narrow_products, products_through_wide, wide_products};
 pub use serial::{accumulate, hold, look_up};

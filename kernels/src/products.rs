@@ -4,7 +4,7 @@ use crate::kernel::Products;
 use crate::post::{
     Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled,
 };
-use crate::{Lane, Level, Post};
+use crate::{InstructionSet, Lane, Post};
 
 /// What becomes of the second of several products; all others are added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,9 +158,9 @@ unsafe fn avx2<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(
 pub fn narrow_products<const N: usize>(
     second: Second,
     post: Post,
-    level: Level,
+    instruction_set: InstructionSet,
 ) -> Products<i32, N> {
-    products::<i32, i32, i32, N>(second, post, level)
+    products::<i32, i32, i32, N>(second, post, instruction_set)
 }
 
 /// Computed in 64 bits, results of 32. There may be 1 to 3 products.
@@ -168,9 +168,9 @@ pub fn products_through_wide<const N: usize>(
     second: Second,
     magnitude: Magnitude,
     post: Post,
-    level: Level,
+    instruction_set: InstructionSet,
 ) -> Products<i32, N> {
-    of_magnitude(second, magnitude, post, level)
+    of_magnitude(second, magnitude, post, instruction_set)
 }
 
 /// Computed in 64 bits, results of 64. There may be 1 to 3 products.
@@ -178,20 +178,20 @@ pub fn wide_products<const N: usize>(
     second: Second,
     magnitude: Magnitude,
     post: Post,
-    level: Level,
+    instruction_set: InstructionSet,
 ) -> Products<i64, N> {
-    of_magnitude(second, magnitude, post, level)
+    of_magnitude(second, magnitude, post, instruction_set)
 }
 
 fn of_magnitude<O: Lane, const N: usize>(
     second: Second,
     magnitude: Magnitude,
     post: Post,
-    level: Level,
+    instruction_set: InstructionSet,
 ) -> Products<O, N> {
     match magnitude {
-        Magnitude::Any => products::<i64, i64, O, N>(second, post, level),
-        Magnitude::UpTo51Bits => products::<Exact, i64, O, N>(second, post, level),
+        Magnitude::Any => products::<i64, i64, O, N>(second, post, instruction_set),
+        Magnitude::UpTo51Bits => products::<Exact, i64, O, N>(second, post, instruction_set),
     }
 }
 
@@ -200,7 +200,11 @@ fn of_magnitude<O: Lane, const N: usize>(
 ///
 /// The result is right where the sum, with [`Post::half`] more, fits the lane that it is computed
 /// in, and the result after `post` fits `O`.
-fn products<B, C, O, const N: usize>(second: Second, post: Post, level: Level) -> Products<O, N>
+fn products<B, C, O, const N: usize>(
+    second: Second,
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Products<O, N>
 where
     B: Number<Raw = C::Raw>,
     C: Number,
@@ -208,12 +212,15 @@ where
 {
     const { assert!(1 <= N && N <= 3) };
     match second {
-        Second::Subtracted if N > 1 => with_sign::<B, C, O, Subtracted, N>(post, level),
-        _ => with_sign::<B, C, O, Added, N>(post, level),
+        Second::Subtracted if N > 1 => with_sign::<B, C, O, Subtracted, N>(post, instruction_set),
+        _ => with_sign::<B, C, O, Added, N>(post, instruction_set),
     }
 }
 
-fn with_sign<B, C, O, F, const N: usize>(post: Post, level: Level) -> Products<O, N>
+fn with_sign<B, C, O, F, const N: usize>(
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Products<O, N>
 where
     B: Number<Raw = C::Raw>,
     C: Number,
@@ -221,19 +228,26 @@ where
     F: Sign,
 {
     match post.kind::<C::Raw, O>() {
-        Kind::Plain => with_finish::<B, C, O, F, Plain, N>(post, level),
-        Kind::Shifted(Fill::Zero) => with_finish::<B, C, O, F, Shifted<ZeroFilled>, N>(post, level),
-        Kind::Shifted(Fill::Sign) => with_finish::<B, C, O, F, Shifted<SignFilled>, N>(post, level),
+        Kind::Plain => with_finish::<B, C, O, F, Plain, N>(post, instruction_set),
+        Kind::Shifted(Fill::Zero) => {
+            with_finish::<B, C, O, F, Shifted<ZeroFilled>, N>(post, instruction_set)
+        }
+        Kind::Shifted(Fill::Sign) => {
+            with_finish::<B, C, O, F, Shifted<SignFilled>, N>(post, instruction_set)
+        }
         Kind::WrappedAndShifted(Fill::Zero) => {
-            with_finish::<B, C, O, F, WrappedAndShifted<ZeroFilled>, N>(post, level)
+            with_finish::<B, C, O, F, WrappedAndShifted<ZeroFilled>, N>(post, instruction_set)
         }
         Kind::WrappedAndShifted(Fill::Sign) => {
-            with_finish::<B, C, O, F, WrappedAndShifted<SignFilled>, N>(post, level)
+            with_finish::<B, C, O, F, WrappedAndShifted<SignFilled>, N>(post, instruction_set)
         }
     }
 }
 
-fn with_finish<B, C, O, F, P, const N: usize>(post: Post, level: Level) -> Products<O, N>
+fn with_finish<B, C, O, F, P, const N: usize>(
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Products<O, N>
 where
     B: Number<Raw = C::Raw>,
     C: Number,
@@ -242,13 +256,16 @@ where
     P: Finish,
 {
     if post.wraps() {
-        chosen::<B, C, O, F, Wrapped<P>, N>(post, level)
+        chosen::<B, C, O, F, Wrapped<P>, N>(post, instruction_set)
     } else {
-        chosen::<B, C, O, F, P, N>(post, level)
+        chosen::<B, C, O, F, P, N>(post, instruction_set)
     }
 }
 
-fn chosen<B, C, O, F, P, const N: usize>(post: Post, level: Level) -> Products<O, N>
+fn chosen<B, C, O, F, P, const N: usize>(
+    post: Post,
+    instruction_set: InstructionSet,
+) -> Products<O, N>
 where
     B: Number<Raw = C::Raw>,
     C: Number,
@@ -256,5 +273,10 @@ where
     F: Sign,
     P: Finish,
 {
-    Products::new(baseline::<B, O, F, P, N>, avx2::<C, O, F, P, N>, level, post.amounts::<C::Raw>())
+    Products::new(
+        baseline::<B, O, F, P, N>,
+        avx2::<C, O, F, P, N>,
+        instruction_set,
+        post.amounts::<C::Raw>(),
+    )
 }

@@ -72,10 +72,6 @@ pub enum SceneError {
         #[help]
         help: String,
     },
-    /// No core can be built for the scene as it is asked for.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Spec(#[from] crate::spec::SpecError),
 }
 
 impl From<MeshError> for SceneError {

@@ -1,10 +1,9 @@
-//! What is to be shaded, and the hardware it is to be shaded by.
+//! What is to be shaded.
 //!
-//! A scene file or mesh becomes a [`Frame`]: visible [`Span`]s of triangles. A [`CoreSpec`] says
-//! which core shades them, and [`CoreSpec::packet`] sets up each span for it.
+//! A scene file or mesh becomes a [`Frame`]: visible [`Span`]s of triangles, and [`Needs`] says what
+//! they ask of the hardware that shades them.
 mod angle;
 mod builtin;
-mod choose_core;
 pub mod contributions;
 pub mod defaults;
 mod error;
@@ -12,6 +11,7 @@ mod file;
 
 pub mod frame;
 mod illumination;
+pub mod limits;
 mod load;
 pub mod mesh;
 pub mod needs;
@@ -19,22 +19,18 @@ mod parallel;
 pub mod picture;
 pub mod primitive;
 pub mod regular;
-pub mod spec;
-mod spec_file;
 mod surface;
+mod wrap;
 
 pub use builtin::builtin_names;
 pub use error::SceneError;
-pub use file::CoreTable;
+pub use file::{CoreTable, SourceFile};
 pub use frame::{
     Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone,
 };
 pub use illumination::Illumination;
-pub use load::{LoadedScene, load, parse};
+pub use load::{LONGEST_NAME, LoadedScene, load, module_name, parse};
 pub use needs::Needs;
 pub use parallel::ParallelSpan;
-pub use spec::{CoreSpec, Method, MethodSpec, SpanPacket};
-pub use spec_file::SpecFile;
-pub use specula_datapath::Format;
-pub use specula_datapath::format;
 pub use surface::Surface;
+pub use wrap::Wrap;

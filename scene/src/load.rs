@@ -26,7 +26,7 @@ pub struct LoadedScene {
 }
 
 /// The longest name that is made of a file's, in characters.
-pub(crate) const LONGEST_NAME: usize = 48;
+pub const LONGEST_NAME: usize = 48;
 
 /// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh
 /// (`.obj`, `.ply`, `.stl`, `.glb`). `size` in pixels goes before the scene's own.
@@ -43,13 +43,13 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
         let source = SourceFile::new(&format!("{scene}.toml"), text.to_owned());
         return finish(scene, scene, SceneFile::parse(&source, None)?, size);
     }
-    let name = name_of(path);
+    let name = module_name(path);
     if mesh::extension(path).is_some() {
         let (mesh, warnings) = Mesh::read(path)?;
         return finish(scene, &name, SceneFile::without_text(around(mesh), warnings), size);
     }
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
-        let source = read_text("scene file", path)?;
+        let source = SourceFile::read("scene file", path)?;
         return finish(scene, &name, SceneFile::parse(&source, path.parent())?, size);
     }
     let help = format!(
@@ -67,7 +67,12 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
 /// A [`SceneError`] that says what is wrong with the text, and where.
 pub fn parse(name: &str, text: String) -> Result<LoadedScene, SceneError> {
     let source = SourceFile::new(name, text);
-    finish(name, &name_of(Path::new(name)), SceneFile::parse(&source, Some(Path::new("")))?, None)
+    finish(
+        name,
+        &module_name(Path::new(name)),
+        SceneFile::parse(&source, Some(Path::new("")))?,
+        None,
+    )
 }
 
 fn finish(
@@ -104,30 +109,8 @@ fn around(mesh: Mesh) -> Scene {
     }
 }
 
-/// The text of a file that is to be of a kind.
-pub(crate) fn read_text(kind: &'static str, path: &Path) -> Result<SourceFile, SceneError> {
-    let shown = path.display().to_string();
-    let unreadable = |reason: String, help: &str| SceneError::Unreadable {
-        kind,
-        path: shown.clone(),
-        reason,
-        help: help.into(),
-    };
-    let bytes = mesh::read_file(path)
-        .map_err(|problem| unreadable(problem.to_string(), "check the path"))?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
-        unreadable(
-            format!("it is not UTF-8 text: byte {at}, in line {line}, is wrong"),
-            "scenes and specs are TOML, in UTF-8",
-        )
-    })?;
-    Ok(SourceFile::new(&shown, text))
-}
-
 /// A path's stem as [`LoadedScene::name`] has it.
-pub(crate) fn name_of(path: &Path) -> String {
+pub fn module_name(path: &Path) -> String {
     let stem =
         path.file_stem().map(|stem| stem.to_string_lossy().to_lowercase()).unwrap_or_default();
     let plain =
@@ -154,8 +137,8 @@ mod tests {
             ("", "scene"),
             ("x.tar.gz", "x_tar"),
         ] {
-            assert_eq!(name_of(Path::new(path)), name);
+            assert_eq!(module_name(Path::new(path)), name);
         }
-        assert_eq!(name_of(Path::new(&"9".repeat(300))).len(), LONGEST_NAME);
+        assert_eq!(module_name(Path::new(&"9".repeat(300))).len(), LONGEST_NAME);
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::contributions::Contributions;
 use crate::frame::{EYE, Frame, LocalLight, Span, Triangle};
 use crate::parallel::ParallelSpan;
-use crate::spec::Wrap;
+use crate::wrap::Wrap;
 
 /// What shading this frame needs.
 #[derive(Clone, Debug, PartialEq, Serialize)]

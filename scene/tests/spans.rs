@@ -55,9 +55,3 @@ fn spans_are_taken_to_the_last_bit() {
     assert_eq!(second.1.cones.map(|cone| cone.cosine), [1.0, 0.5, -1.0]);
     assert_eq!(Needs::of(&frame).longest_span, 5);
 }
-
-#[test]
-fn a_core_can_be_asked_for() {
-    let text = format!("{}\n[core]\nmethod = \"phong\"\n", SCENE);
-    assert!(parse("spans.toml", text).expect("the scene is right").core_spec(None).is_ok());
-}

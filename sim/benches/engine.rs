@@ -10,8 +10,9 @@ use std::time::Instant;
 
 use specula_datapath::design::NodeId;
 use specula_datapath::{Design, SpanPacket};
-use specula_sim::fast::{Level, Settings};
+use specula_sim::fast::{InstructionSet, Settings};
 use specula_sim::{Batch, Engine, Fast, Flow, SpanSource, Stimulus};
+use specula_spec::SceneCore;
 
 /// Frames in a run: long enough for the clock that it is timed by.
 const FRAMES: usize = 20;
@@ -41,7 +42,11 @@ fn main() {
         let settings = Settings { batch, ..Settings::default() };
         for (name, watched) in [("outputs", &design.outputs), ("every signal", &every)] {
             rows.push(Row::new(name, settings, watched));
-            rows.push(Row::new(name, Settings { level: Level::BASELINE, ..settings }, watched));
+            rows.push(Row::new(
+                name,
+                Settings { instruction_set: InstructionSet::BASELINE, ..settings },
+                watched,
+            ));
             rows.push(Row::new(name, Settings { threads: 2, ..settings }, watched));
         }
     }
@@ -82,10 +87,10 @@ struct Row<'a> {
 
 impl<'a> Row<'a> {
     fn new(name: &str, settings: Settings, watched: &'a [NodeId]) -> Row<'a> {
-        let Settings { batch, level, threads, .. } = settings;
+        let Settings { batch, instruction_set, threads, .. } = settings;
         let threads = if threads > 1 { format!(" {threads} threads") } else { String::new() };
         Row {
-            name: format!("{name}, {}{threads}, batch {batch}", level.name()),
+            name: format!("{name}, {}{threads}, batch {batch}", instruction_set.name()),
             settings,
             watched,
             times: vec![],

@@ -15,6 +15,7 @@ use std::time::Instant;
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 use specula_sim::{Batch, Engine, Fast, Flow, Keeping, Stimulus, TimedVerilator, fst, vcd};
+use specula_spec::SceneCore;
 
 fn main() {
     let mut arguments = std::env::args().skip(1).filter(|argument| argument != "--bench");

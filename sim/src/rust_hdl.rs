@@ -3,7 +3,7 @@ use specula_datapath::Design;
 use specula_datapath::block::{Module, check_all, simulate};
 use specula_datapath::design::{NodeId, Op};
 
-use crate::stimulus::Stretch;
+use crate::stimulus::InputHold;
 use crate::{Batch, Columns, Engine, Flow, SimError, Stimulus};
 
 /// Clocks handed over at a time.
@@ -68,10 +68,10 @@ impl Bench {
         self.settle(0)
     }
 
-    fn apply(&mut self, stretch: &Stretch) {
-        self.block.set(self.valid, i64::from(stretch.valid));
-        self.block.set(self.start, i64::from(stretch.starts));
-        for (pin, &value) in self.inputs.iter().zip(&stretch.inputs) {
+    fn apply(&mut self, hold: &InputHold) {
+        self.block.set(self.valid, i64::from(hold.valid));
+        self.block.set(self.start, i64::from(hold.starts));
+        for (pin, &value) in self.inputs.iter().zip(&hold.inputs) {
             if let Some(pin) = *pin {
                 self.block.set(pin, value);
             }
@@ -137,10 +137,10 @@ impl Engine for RustHdl<'_> {
         let places = places(self.design, &bench.block, watched);
         let mut columns = Columns::new(watched);
         columns.restart(stimulus.clocks().start);
-        for stretch in stimulus.stretches() {
-            for clock in stretch.clocks.clone() {
-                if clock == stretch.clocks.start {
-                    bench.apply(&stretch);
+        for hold in stimulus.holds() {
+            for clock in hold.clocks.clone() {
+                if clock == hold.clocks.start {
+                    bench.apply(&hold);
                 } else {
                     bench.block.set(bench.start, 0);
                 }

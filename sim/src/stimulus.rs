@@ -79,7 +79,7 @@ pub struct Stimulus<'a> {
 
 /// What goes in over some clocks in which nothing but `start` changes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Stretch {
+pub struct InputHold {
     /// The clocks.
     pub clocks: Range<u64>,
     /// Whether pixels enter.
@@ -178,33 +178,33 @@ impl<'a> Stimulus<'a> {
         (index < self.first_pixels.spans()).then_some((index, (offset / self.interval) as u32))
     }
 
-    /// The stretches that make up the run, in order.
-    pub fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
-        self.strides().map(|stride| {
+    /// The holds that make up the run, in order.
+    pub fn holds(&self) -> impl Iterator<Item = InputHold> + '_ {
+        self.hold_ranges().map(|range| {
             let mut inputs = vec![];
-            self.append_inputs(&stride, &mut inputs);
-            Stretch { clocks: stride.clocks, valid: stride.valid, starts: stride.starts, inputs }
+            self.append_inputs(&range, &mut inputs);
+            InputHold { clocks: range.clocks, valid: range.valid, starts: range.starts, inputs }
         })
     }
 
-    /// The stretches without their inputs.
-    pub(crate) fn strides(&self) -> Strides<'_> {
+    /// The holds without their inputs.
+    pub(crate) fn hold_ranges(&self) -> HoldRanges<'_> {
         let span = self.begun(self.clocks.start).saturating_sub(1);
-        Strides { stimulus: self, span, clock: self.clocks.start }
+        HoldRanges { stimulus: self, span, clock: self.clocks.start }
     }
 
-    /// Appends the inputs that are held during a stride. Idle clocks leave inputs where the last
+    /// Appends the inputs that are held during a range. Idle clocks leave inputs where the last
     /// span left them.
-    pub(crate) fn append_inputs(&self, stride: &Stride, inputs: &mut Vec<i64>) {
-        if let Some(span) = stride.span {
+    pub(crate) fn append_inputs(&self, range: &HoldRange, inputs: &mut Vec<i64>) {
+        if let Some(span) = range.span {
             self.spans.append_inputs(span, inputs);
         }
     }
 }
 
-/// A stretch without its inputs.
+/// A hold without its inputs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Stride {
+pub(crate) struct HoldRange {
     pub clocks: Range<u64>,
     pub valid: bool,
     pub starts: bool,
@@ -212,42 +212,42 @@ pub(crate) struct Stride {
     pub span: Option<usize>,
 }
 
-/// The strides of a run.
-pub(crate) struct Strides<'a> {
+/// The ranges of a run.
+pub(crate) struct HoldRanges<'a> {
     stimulus: &'a Stimulus<'a>,
     /// The span that `clock` lies in, or one behind the last.
     span: usize,
     clock: u64,
 }
 
-impl Iterator for Strides<'_> {
-    type Item = Stride;
+impl Iterator for HoldRanges<'_> {
+    type Item = HoldRange;
 
-    fn next(&mut self) -> Option<Stride> {
+    fn next(&mut self) -> Option<HoldRange> {
         let Stimulus { first_pixels, clocks, .. } = self.stimulus;
         let spans = first_pixels.spans();
         if self.clock >= clocks.end {
             return None;
         }
         // Spans have at least one pixel, so each begins after the one before.
-        let stride = if self.span < spans {
-            Stride {
+        let range = if self.span < spans {
+            HoldRange {
                 clocks: self.clock..self.stimulus.begin_of(self.span + 1).min(clocks.end),
                 valid: true,
                 starts: self.clock == self.stimulus.begin_of(self.span),
                 span: Some(self.span),
             }
         } else {
-            Stride {
+            HoldRange {
                 clocks: self.clock..self.clock + 1,
                 valid: false,
                 starts: true,
                 span: spans.checked_sub(1),
             }
         };
-        self.clock = stride.clocks.end;
+        self.clock = range.clocks.end;
         self.span = (self.span + 1).min(spans);
-        Some(stride)
+        Some(range)
     }
 }
 
@@ -271,7 +271,7 @@ mod tests {
     fn spans_follow_each_other_without_an_idle_clock() {
         let packets = packets();
         let clocks: Vec<_> = stimulus(&packets, 0..10)
-            .stretches()
+            .holds()
             .map(|s| (s.clocks, s.valid, s.starts, s.inputs))
             .collect();
         let span = |clocks, i| (clocks, true, true, vec![i]);

@@ -3,10 +3,10 @@ mod common;
 
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
-use specula_scene::spec::LightPipelines;
-use specula_scene::spec::phong::Places;
-use specula_scene::{CoreSpec, Frame, Method, MethodSpec};
+use specula_scene::Frame;
 use specula_sim::{Effort, Engine, Icarus, RustHdl, Stimulus, Verilator};
+use specula_spec::phong::Places;
+use specula_spec::{CoreSpec, LightPipelines, Method, MethodSpec};
 
 use common::{engines, frames, tools};
 

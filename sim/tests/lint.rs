@@ -9,8 +9,8 @@ use std::process::Command;
 
 use specula_datapath::design::ScopeId;
 use specula_datapath::verilog::{self, Header};
-use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation, Normals, ShapeDatapath};
-use specula_scene::{CoreSpec, Method};
+use specula_spec::lyon::{Difference, LyonSpec, Normalisation, Normals, ShapeDatapath};
+use specula_spec::{CoreSpec, Method};
 
 use common::{frames, tools};
 

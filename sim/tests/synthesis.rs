@@ -6,8 +6,8 @@ use std::sync::Mutex;
 
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header, LongDelays};
-use specula_scene::Method;
 use specula_sim::{Progress, Synthesised, synthesise};
+use specula_spec::Method;
 
 use common::{frames, tools};
 

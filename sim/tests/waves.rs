@@ -5,8 +5,8 @@ use std::collections::{HashMap, HashSet};
 
 use specula_datapath::Design;
 use specula_datapath::design::{NodeId, Op, Range};
-use specula_scene::Method;
 use specula_sim::{Columns, Fast, Stimulus, fst, gtkw, vcd as dump_vcd};
+use specula_spec::Method;
 use vcd::{Command, Header, IdCode, Parser, Value};
 
 use common::dump::{Format, read, written};

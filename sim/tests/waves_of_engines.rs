@@ -2,8 +2,8 @@
 mod common;
 
 use specula_datapath::design::NodeId;
-use specula_scene::Method;
 use specula_sim::{Engine, Fast, Icarus, RustHdl, Stimulus};
+use specula_spec::Method;
 
 use common::dump::{Format, read, written};
 use common::{engines, frames, tools};

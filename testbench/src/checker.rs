@@ -1,8 +1,8 @@
 //! Facts that intervals cannot see, checked on every clock.
 use specula_datapath::Design;
 use specula_datapath::design::{Assumption, NodeId, Range};
-use specula_scene::Format;
 use specula_sim::{Batch, Lanes, Stimulus};
+use specula_spec::Format;
 
 /// A fact that did not hold.
 #[derive(Clone, Debug, PartialEq)]

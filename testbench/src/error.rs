@@ -1,8 +1,8 @@
 //! What can go wrong between a scene and its pixels.
 use specula_datapath::BuildError;
 use specula_golden::fixed::PacketError;
-use specula_scene::spec::SpecError;
 use specula_sim::SimError;
+use specula_spec::SpecError;
 
 /// Why a bench cannot be run.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]

@@ -5,12 +5,13 @@ use std::time::Instant;
 
 use specula_datapath::Design;
 use specula_datapath::design::{self, NodeId};
-use specula_scene::{CoreSpec, Frame};
+use specula_scene::Frame;
 use specula_sim::fast::Settings;
 use specula_sim::{
     Batch, Effort, Engine, Fast, FirstPixels, Flow, Icarus, RustHdl, SpanSource, Stimulus,
     Verilator,
 };
+use specula_spec::CoreSpec;
 
 use crate::checker::{self, Facts, Violation};
 use crate::monitor::Monitor;

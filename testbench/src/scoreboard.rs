@@ -2,8 +2,9 @@
 use rayon::prelude::*;
 use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_golden::fixed::Model;
-use specula_scene::{CoreSpec, Frame, Span, SpanPacket};
+use specula_scene::{Frame, Span};
 use specula_sim::{FirstPixels, SpanSource};
+use specula_spec::{CoreSpec, SpanPacket};
 
 use crate::statistics::{Errors, Sums};
 use crate::{BenchError, Image, KeptSpans};

@@ -1,8 +1,8 @@
 //! A frame's spans, set up for a core.
 use rayon::prelude::*;
-use specula_scene::spec::SetUp;
-use specula_scene::{CoreSpec, Frame, SpanPacket};
+use specula_scene::Frame;
 use specula_sim::SpanSource;
+use specula_spec::{CoreSpec, SetUp, SpanPacket};
 
 /// The spans of a frame as a core takes them, each set up whenever it is asked for.
 pub struct FrameSpans<'a> {

@@ -1,8 +1,8 @@
 //! Error figures over all channels of all shaded pixels.
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
-use specula_scene::spec::FULL_SCALE;
 use specula_scene::{Frame, Span};
+use specula_spec::FULL_SCALE;
 
 /// One kind of error, in LSBs of the 8-bit output.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

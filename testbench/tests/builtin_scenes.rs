@@ -3,7 +3,8 @@
 #[path = "../../scene/tests/common/each_method.rs"]
 mod each_method;
 
-use specula_scene::{Method, load};
+use specula_scene::load;
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind};
 
 fn every_pixel_of_every_built_in_scene_agrees(method: Method) {

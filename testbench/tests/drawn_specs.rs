@@ -10,8 +10,8 @@ mod each_method;
 use draw::Draw;
 use specula_datapath::Design;
 use specula_golden::exact::MethodSpan;
-use specula_scene::spec::LightPipelines;
-use specula_scene::{CoreSpec, Frame, Method};
+use specula_scene::Frame;
+use specula_spec::{CoreSpec, LightPipelines, Method};
 use specula_testbench::{Bench, BenchError, EngineKind, Image};
 
 fn agrees(seed: u64, method: Method) {

@@ -1,6 +1,7 @@
 //! On every built-in scene the measured quantisation error stays within what the core states, and
 //! the statement says something.
-use specula_scene::{Method, load};
+use specula_scene::load;
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind};
 
 /// A bound is to exceed the measured error no more than so many times.

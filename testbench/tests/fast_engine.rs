@@ -4,9 +4,10 @@
 mod each_method;
 
 use specula_datapath::design::NodeId;
-use specula_scene::{Method, load};
-use specula_sim::fast::{Level, Settings};
+use specula_scene::load;
+use specula_sim::fast::{InstructionSet, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind, FrameSpans};
 
 fn all_columns(engine: &mut dyn Engine, stimulus: &Stimulus, nodes: &[NodeId]) -> Columns {
@@ -29,15 +30,15 @@ fn every_signal_agrees_with_rust_hdl_at_every_clock(method: Method) {
         let stimulus = Stimulus::whole(&spans, &bench.design);
         let nodes: Vec<NodeId> = bench.design.variables();
         let expected = all_columns(&mut RustHdl::new(&bench.design).unwrap(), &stimulus, &nodes);
-        let baseline = Level::BASELINE;
-        for (batch, level, threads) in [
+        let baseline = InstructionSet::BASELINE;
+        for (batch, instruction_set, threads) in [
             (1, baseline, 1),
             (7, baseline, 3),
             (512, baseline, 1),
-            (7, Level::best(), 1),
-            (512, Level::best(), 2),
+            (7, InstructionSet::best(), 1),
+            (512, InstructionSet::best(), 2),
         ] {
-            let settings = Settings { batch, level, threads, piece: 50 };
+            let settings = Settings { batch, instruction_set, threads, piece: 50 };
             let mut fast = Fast::with_settings(&bench.design, settings);
             let given = all_columns(&mut fast, &stimulus, &nodes);
             assert_eq!(given.span(), expected.span(), "{scene} {settings:?}");

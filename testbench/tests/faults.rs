@@ -5,8 +5,9 @@ mod common;
 use common::{Row, frame, frame_of, lyon, material, spec, tilted};
 use glam::DVec3;
 use specula_datapath::design::{Assumption, NodeId, Op, Range};
-use specula_scene::spec::lyon::{Difference, Normalisation};
-use specula_scene::{CoreSpec, Frame, Method};
+use specula_scene::Frame;
+use specula_spec::lyon::{Difference, Normalisation};
+use specula_spec::{CoreSpec, Method};
 use specula_testbench::{Bench, BenchError, EngineKind, Outcome};
 
 /// Wide spans and slanting lights, so that every operator has something to do.

@@ -1,8 +1,8 @@
 //! Lights with a pipeline each, and lights that take turns in one: the same pixels.
 use glam::DVec3;
-use specula_scene::spec::LightPipelines;
-use specula_scene::spec::phong::{Highlight, Places};
-use specula_scene::{CoreSpec, DirectionalLight, Frame, Method, MethodSpec, load};
+use specula_scene::{DirectionalLight, Frame, load};
+use specula_spec::phong::{Highlight, Places};
+use specula_spec::{CoreSpec, LightPipelines, Method, MethodSpec, SceneCore};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 fn shaded<'a>(frame: &'a Frame, spec: &'a CoreSpec) -> (Bench<'a>, Outcome) {

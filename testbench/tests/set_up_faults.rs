@@ -4,8 +4,8 @@ mod common;
 
 use common::{Row, frame_of, material, spec, tilted};
 use glam::DVec3;
-use specula_scene::spec::SetUp;
-use specula_scene::{CoreSpec, Frame, Method, SpanPacket};
+use specula_scene::Frame;
+use specula_spec::{CoreSpec, Method, SetUp, SpanPacket};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 /// Spans that turn, under a slanting light.

@@ -1,8 +1,9 @@
 //! How often the host works in a run.
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use specula_scene::{Method, load};
+use specula_scene::load;
 use specula_sim::SpanSource;
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind, FrameSpans};
 
 /// Counts how often each span is set up.

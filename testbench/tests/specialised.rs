@@ -4,7 +4,8 @@
 mod each_method;
 
 use specula_datapath::Design;
-use specula_scene::{Method, load};
+use specula_scene::load;
+use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind, Image};
 
 /// What a core gives, with a right answer to every question a bench asks.

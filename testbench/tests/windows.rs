@@ -4,8 +4,9 @@ mod common;
 use std::ops::Range;
 
 use common::{Row, frame_of, lyon, material, spec, tilted};
-use specula_scene::{CoreSpec, Frame, Method};
+use specula_scene::Frame;
 use specula_sim::{Batch, Columns, Flow, Stimulus};
+use specula_spec::{CoreSpec, Method};
 use specula_testbench::trace::{Choice, WORST_WINDOW, leaving_clock};
 use specula_testbench::{Bench, EngineKind, FrameSpans, Outcome, WorstPixel};
 

@@ -6,8 +6,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_experiments::search;
 use specula_hdl::module_name;
 use specula_scene::picture::limits;
-use specula_scene::spec::Specialise;
-use specula_scene::{CoreSpec, Frame, LoadedScene, Method, SpecFile};
+use specula_scene::{Frame, LoadedScene};
+use specula_spec::{CoreSpec, Method, SceneCore, SpecFile, Specialise};
 use specula_testbench::EngineKind;
 use specula_testbench::trace::Choice;
 

@@ -6,8 +6,7 @@ use std::io::Write;
 
 use clap::Args;
 use specula_experiments::benchmark::{Budget, Measurement, Step, measure};
-use specula_scene::Method;
-use specula_scene::spec::Specialise;
+use specula_spec::{Method, SceneCore, Specialise};
 use specula_testbench::Bench;
 
 use crate::arguments::{method_parser, parse_size, specialise_parser, specialised};

@@ -18,7 +18,8 @@ use specula_experiments::benchmark::Machine;
 use specula_experiments::tradeoff::{
     Configuration, Formats, Journal, Planned, interpolation_errors, plan, software, sweep,
 };
-use specula_scene::{LoadedScene, Method};
+use specula_scene::LoadedScene;
+use specula_spec::Method;
 
 use crate::arguments::{SceneArguments, asked, method_parser};
 use crate::clock::ClockArguments;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde::Serialize;
 use specula_experiments::explore::{Device, Exploration, Explored, Wanted, explore};
-use specula_scene::{Method, SpecFile};
+use specula_spec::{Method, SpecFile};
 
 use crate::arguments::{SceneArguments, asked, method_parser, parse_error};
 use crate::clock::{Clock, ClockArguments};

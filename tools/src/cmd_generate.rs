@@ -3,7 +3,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use specula_scene::SpecFile;
+use specula_spec::SpecFile;
 use specula_testbench::BenchError;
 
 use crate::arguments::{

@@ -4,7 +4,7 @@ mod json;
 use std::io::Write;
 
 use clap::Args;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::error::ToolError;
 use crate::table;

@@ -5,8 +5,9 @@ use clap::Args;
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_experiments::{Saving, Savings, SizeDelta, Synthesis, ablation};
-use specula_scene::{CoreSpec, LoadedScene, Method, Needs};
+use specula_scene::{LoadedScene, Needs};
 use specula_sim::{Progress, synthesise};
+use specula_spec::{CoreSpec, Method, SceneCore};
 
 use crate::arguments::{SceneArguments, method_parser};
 use crate::error::ToolError;

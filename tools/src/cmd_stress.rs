@@ -13,7 +13,7 @@ use specula_experiments::climb::Search;
 use specula_experiments::stress::{
     CATALOGUE, Cell, Extent, RAW, RAW_INPUT, Verdict as StressVerdict, sweep,
 };
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::arguments::method_parser;
 use crate::error::ToolError;

@@ -7,7 +7,7 @@ use specula_experiments::benchmark::MeasureError;
 use specula_experiments::search::NotFound;
 use specula_experiments::tradeoff::{JournalError, SweepError};
 use specula_scene::SceneError;
-use specula_scene::spec::SpecError;
+use specula_spec::{CoreError, SpecError};
 use specula_testbench::BenchError;
 use thiserror::Error;
 
@@ -21,6 +21,10 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Scene(Box<SceneError>),
+    /// There is no core for the scene.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Core(Box<CoreError>),
     /// The core cannot be built or run.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -117,6 +121,12 @@ pub enum ToolError {
 impl From<SceneError> for ToolError {
     fn from(error: SceneError) -> ToolError {
         ToolError::Scene(Box::new(error))
+    }
+}
+
+impl From<CoreError> for ToolError {
+    fn from(error: CoreError) -> ToolError {
+        ToolError::Core(Box::new(error))
     }
 }
 

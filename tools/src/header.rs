@@ -3,7 +3,8 @@ use std::path::Path;
 
 use specula_datapath::Design;
 use specula_datapath::verilog::Header;
-use specula_scene::{CoreSpec, SpecFile, builtin_names};
+use specula_scene::builtin_names;
+use specula_spec::{CoreSpec, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
 use crate::table;
@@ -160,13 +161,13 @@ pub fn bound(lsb: f64) -> String {
 mod tests {
     use super::*;
     use crate::arguments::PictureArguments;
+    use specula_spec::SceneCore;
 
     fn origin(scene: &str, size: Option<(u32, u32)>) -> Origin {
         let arguments =
             SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
-        let spec = specula_scene::load("icosahedron", Some((8, 6)))
-            .and_then(|scene| scene.core_spec(None))
-            .expect("it has a core");
+        let scene = specula_scene::load("icosahedron", Some((8, 6))).expect("it is built in");
+        let spec = scene.core_spec(None).expect("it has a core");
         Origin::of_scene(&arguments, &CoreArguments::default(), &spec)
     }
 

@@ -1,8 +1,8 @@
 //! A core to be made, from a scene or from a file, and the scene it is to shade.
 use std::path::Path;
 
-use specula_scene::spec::Served;
-use specula_scene::{CoreSpec, LoadedScene, SpecFile};
+use specula_scene::LoadedScene;
+use specula_spec::{CoreSpec, Served, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
 use crate::error::{Refused, ToolError};

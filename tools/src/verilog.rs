@@ -1,6 +1,6 @@
 //! The Verilog of a core.
 use specula_datapath::Design;
-use specula_scene::CoreSpec;
+use specula_spec::CoreSpec;
 
 use crate::header::{self, Origin};
 

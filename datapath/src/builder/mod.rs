@@ -18,7 +18,7 @@ mod ports;
 mod recurrence;
 mod sig;
 mod state;
-mod turns;
+mod time_slots;
 mod unit;
 mod vector;
 
@@ -35,9 +35,9 @@ use crate::target::Target;
 
 pub use error::BuildError;
 pub use ports::{Bundle, Inputs};
-pub use recurrence::Known;
+pub use recurrence::LoopInvariant;
 pub use sig::Sig;
-pub use turns::Turns;
+pub use time_slots::TimeSlots;
 pub use vector::Vector;
 
 use state::{SignalInfo, State};

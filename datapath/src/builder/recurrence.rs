@@ -5,7 +5,7 @@ use crate::design::{NodeId, Op, Range};
 use crate::graph::{GroupId, Rule};
 
 /// What a unit knows of the values of a recurrence.
-pub struct Known<'a> {
+pub struct LoopInvariant<'a> {
     /// Where they stay while the span lasts, by a fact that the unit gives a name; behind its last
     /// pixel they may wrap.
     pub limits: (f64, f64),
@@ -37,11 +37,11 @@ impl Builder {
         first: &Sig,
         starts: [&Sig; N],
         fraction_bits: u32,
-        known: &Known,
+        invariant: &LoopInvariant,
         next: impl FnOnce(&[Sig; N]) -> [Sig; N],
     ) -> [Sig; N] {
         let together = self.group(starts.into_iter().chain([first]));
-        let round = self.round(first, starts, together, fraction_bits, known);
+        let round = self.round(first, starts, together, fraction_bits, invariant);
         let followers = self.without_registers(|| next(&round.values));
         self.close_round(&round, &followers);
         round.values.each_ref().map(|value| value.registered("recurrent", round.rule.clone()))
@@ -57,15 +57,16 @@ impl Builder {
         first: &Sig,
         (starts, operands): ([&Sig; N], [&Sig; M]),
         fraction_bits: u32,
-        known: &Known,
+        invariant: &LoopInvariant,
         next: impl FnOnce(&[Sig; N], &[Sig; M]) -> [Sig; N],
     ) -> [Sig; N] {
         let together = self.group(starts.into_iter().chain(operands).chain([first]));
-        let round = self.round(first, starts, together, fraction_bits, known);
+        let round = self.round(first, starts, together, fraction_bits, invariant);
         let operands = operands.map(|sig| sig.taken_with(together));
         let followers = self.without_registers(|| next(&round.values, &operands));
-        let followers =
-            followers.map(|follower| follower.assumed(known.limits.0, known.limits.1, known.fact));
+        let followers = followers.map(|follower| {
+            follower.assumed(invariant.limits.0, invariant.limits.1, invariant.fact)
+        });
         self.close_round(&round, &followers);
         followers.map(|follower| follower.registered("recurrent", round.rule.clone()))
     }
@@ -76,15 +77,17 @@ impl Builder {
         starts: [&Sig; N],
         together: GroupId,
         fraction_bits: u32,
-        known: &Known,
+        invariant: &LoopInvariant,
     ) -> Round<N> {
         let first = first.taken_with(together);
         let starts = starts.map(|sig| sig.with_fraction_bits(fraction_bits).taken_with(together));
         let raw = |value: f64| value * crate::format::power_of_two(fraction_bits.into());
-        let stays =
-            Range::new(raw(known.limits.0).floor() as i64, raw(known.limits.1).ceil() as i64);
+        let stays = Range::new(
+            raw(invariant.limits.0).floor() as i64,
+            raw(invariant.limits.1).ceil() as i64,
+        );
         let whole = Range::whole(stays.width(), stays.signed());
-        let rule = Rule::LoopInvariant { error: known.error };
+        let rule = Rule::LoopInvariant { error: invariant.error };
 
         let states =
             starts.each_ref().map(|_| self.feedback_register(whole, fraction_bits, together));
@@ -92,7 +95,7 @@ impl Builder {
             let select = Op::Select(first.id(), starts[k].id(), self.kept_for_a_pixel(states[k]));
             let range = whole.hull(starts[k].range());
             let value = starts[k].wired(select, range, "value", rule.clone());
-            value.assumed(known.limits.0, known.limits.1, known.fact)
+            value.assumed(invariant.limits.0, invariant.limits.1, invariant.fact)
         });
         Round { states, values, fraction_bits, rule }
     }

@@ -1,7 +1,6 @@
 //! Ablations: the core elaborated without knowing what values some of its inputs are given.
 use rayon::prelude::*;
-use specula_scene::CoreSpec;
-use specula_scene::spec::{Given, InputPort, Subject};
+use specula_spec::{CoreSpec, Given, InputPort, Subject};
 
 use super::Ablation;
 use specula_testbench::BenchError;

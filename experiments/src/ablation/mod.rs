@@ -12,7 +12,8 @@ mod size_delta;
 
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_scene::{CoreSpec, LoadedScene};
+use specula_scene::LoadedScene;
+use specula_spec::CoreSpec;
 
 use general::General;
 use size_delta::Built;

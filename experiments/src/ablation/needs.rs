@@ -1,8 +1,8 @@
 //! Ablations: the core elaborated without one known premise.
 use rayon::prelude::*;
 use specula_datapath::builder::BuildError;
-use specula_scene::spec::InputPort;
-use specula_scene::{CoreSpec, LoadedScene, Needs, SceneError};
+use specula_scene::{LoadedScene, Needs};
+use specula_spec::{CoreError, CoreSpec, InputPort, SceneCore};
 
 use super::Ablation;
 use super::general::{Baseline, General};
@@ -34,7 +34,7 @@ struct Chosen<'a> {
     special: CoreSpec,
     needs: Needs,
     /// What is chosen for the needs, before any format is narrowed.
-    general: Result<CoreSpec, SceneError>,
+    general: Result<CoreSpec, CoreError>,
 }
 
 impl Chosen<'_> {

@@ -1,7 +1,7 @@
 //! What may be known of a scene before any of its inputs is.
 use specula_scene::Needs;
+use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::needs::LocalKind;
-use specula_scene::spec::{LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 
 /// A fact about a scene that may be known before any of its inputs is.
 pub(super) struct Premise {

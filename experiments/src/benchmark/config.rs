@@ -1,5 +1,5 @@
 //! Configurations that are measured: an engine in a mode.
-use specula_sim::fast::Level;
+use specula_sim::fast::InstructionSet;
 
 use specula_testbench::EngineKind;
 
@@ -56,8 +56,12 @@ impl Config {
     }
 
     /// The columnar engine.
-    pub(crate) const fn fast(mode: Mode, level: Level, threads: usize) -> Config {
-        Config { engine: EngineKind::Fast, mode, variant: Some(level.name()), threads }
+    pub(crate) const fn fast(
+        mode: Mode,
+        instruction_set: InstructionSet,
+        threads: usize,
+    ) -> Config {
+        Config { engine: EngineKind::Fast, mode, variant: Some(instruction_set.name()), threads }
     }
 
     /// The configuration as text.

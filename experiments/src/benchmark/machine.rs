@@ -3,7 +3,7 @@ use std::fs;
 use std::process::Command;
 use std::thread;
 
-use specula_sim::fast::Level;
+use specula_sim::fast::InstructionSet;
 
 /// The machine, in the words of its makers.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ impl Machine {
         Machine {
             cpu: cpu().unwrap_or_else(|| format!("unknown {}", std::env::consts::ARCH)),
             cores: thread::available_parallelism().map_or(1, usize::from),
-            instruction_set: Level::best().name(),
+            instruction_set: InstructionSet::best().name(),
             tools: tools
                 .into_iter()
                 .filter_map(|[tool, argument]| first_line(tool, &[argument]))

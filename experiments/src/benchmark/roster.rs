@@ -2,7 +2,7 @@
 use std::rc::Rc;
 use std::thread;
 
-use specula_sim::fast::{Level, Settings};
+use specula_sim::fast::{InstructionSet, Settings};
 use specula_sim::{Icarus, Keeping, SimError, Stimulus, TimedVerilator, Verilator};
 
 use super::external::{Interpreted, Verilated};
@@ -46,15 +46,15 @@ impl<'a> Roster<'a> {
     }
 
     fn add_fast(&mut self) {
-        let best = Level::best();
+        let best = InstructionSet::best();
         for mode in Mode::ALL {
             self.add_in_process(Config::fast(mode, best, 1), fast(best, 1));
         }
         for mode in [Mode::Outputs, Mode::EverySignal] {
-            if best != Level::BASELINE {
+            if best != InstructionSet::BASELINE {
                 self.add_in_process(
-                    Config::fast(mode, Level::BASELINE, 1),
-                    fast(Level::BASELINE, 1),
+                    Config::fast(mode, InstructionSet::BASELINE, 1),
+                    fast(InstructionSet::BASELINE, 1),
                 );
             }
             if thread::available_parallelism().is_ok_and(|cores| cores.get() >= THREADS) {
@@ -127,8 +127,8 @@ impl<'a> Roster<'a> {
     }
 }
 
-fn fast(level: Level, threads: usize) -> Kind {
-    Kind::Fast(Settings { level, threads, ..Settings::default() })
+fn fast(instruction_set: InstructionSet, threads: usize) -> Kind {
+    Kind::Fast(Settings { instruction_set, threads, ..Settings::default() })
 }
 
 /// Why a tool is absent and how to install it; any other error is passed on.

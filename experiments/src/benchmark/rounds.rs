@@ -154,6 +154,7 @@ fn more(spans: usize, factor: f64) -> usize {
 mod tests {
     use super::*;
     use crate::benchmark::checksum::Checksum;
+    use specula_spec::SceneCore;
     use specula_testbench::EngineKind;
 
     /// Takes a millisecond for each span, and gives the model's checksum for one span more or less.

@@ -1,5 +1,5 @@
 //! One climber: it starts anew from random scenes until it has tried as many as it may.
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::genome::Genome;
 use super::measure::{Bound, Measure, Unmeasured, measure};

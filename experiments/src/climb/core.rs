@@ -1,8 +1,10 @@
 //! The `[core]` table of a genome.
 use std::fmt::Write;
 
-use specula_scene::spec::{CoreOptions, LightPipelines, NarrowingPoint, SpecError, Specialise};
-use specula_scene::{CoreSpec, Format, Method, Needs};
+use specula_scene::Needs;
+use specula_spec::{
+    CoreOptions, CoreSpec, Format, LightPipelines, Method, NarrowingPoint, SpecError, Specialise,
+};
 
 /// How often formats that depend on one another are brought into line before a core is given up.
 const MOST_REPAIRS: usize = 60;

@@ -4,8 +4,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use specula_datapath::Design;
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::{Model, PacketError};
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{CoreSpec, Frame, parse};
+use specula_scene::{Frame, parse};
+use specula_spec::{CoreSpec, FULL_SCALE, SceneCore};
 
 use super::genome::FILE;
 use specula_testbench::FrameSpans;

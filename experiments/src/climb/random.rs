@@ -1,9 +1,8 @@
 //! Scenes and cores drawn at random.
 use glam::DVec3;
-use specula_scene::spec::{
-    LARGEST_SHININESS, LONGEST_SPAN, LightPipelines, NarrowingPoint, Specialise,
-};
-use specula_scene::{Colour, Format, Material, Method};
+use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN};
+use specula_scene::{Colour, Material};
+use specula_spec::{Format, LightPipelines, Method, NarrowingPoint, Specialise};
 
 use super::core::CoreChoice;
 use super::genome::Genome;
@@ -17,7 +16,7 @@ const LONG: f64 = 0.02;
 /// The most spans of a scene.
 pub(super) const MOST_SPANS: usize = 4;
 /// The most lights of a scene.
-pub(super) const MOST_LIGHTS: usize = specula_scene::spec::MOST_LIGHTS;
+pub(super) const MOST_LIGHTS: usize = specula_scene::limits::MOST_LIGHTS;
 
 /// How much finer than the coarsest formats coarse ones are, in bits.
 const COARSE: i64 = 4;

@@ -1,6 +1,6 @@
 //! Climbers by every method.
 use rayon::prelude::*;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::ascent::{Ascent, Found};
 use super::genome::Genome;

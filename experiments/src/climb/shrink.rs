@@ -1,6 +1,6 @@
 //! Scenes in which something is wrong, made small.
 use glam::DVec3;
-use specula_scene::spec::{LightPipelines, Specialise};
+use specula_spec::{LightPipelines, Specialise};
 
 use super::genome::Genome;
 use crate::stress::scene::{RawSpan, SpanScene};

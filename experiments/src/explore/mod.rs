@@ -14,7 +14,8 @@ use std::cell::RefCell;
 
 use rayon::prelude::*;
 use serde::Serialize;
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::{CoreSpec, Method};
 
 use crate::pareto_front;
 use crate::search::{Goal, largest_error};

@@ -1,6 +1,6 @@
 //! A method with options, and those next to it.
-use specula_scene::spec::{CoreSpec, SpecError};
-use specula_scene::{Method, Needs};
+use specula_scene::Needs;
+use specula_spec::{CoreSpec, Method, SpecError};
 
 use crate::stress::variant::Variant;
 
@@ -27,7 +27,7 @@ impl Options {
     }
 
     fn with(&self, key: &'static str, value: &'static str) -> Options {
-        let of_key = |choice: &&specula_scene::spec::Choice| {
+        let of_key = |choice: &&specula_spec::Choice| {
             let old = self
                 .changed
                 .iter()

@@ -1,6 +1,7 @@
 //! The counts that the lecture prints, against what the cores do.
 use specula_datapath::Design;
-use specula_scene::{Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::Method;
 
 use super::{Contents, general_core};
 use specula_testbench::BenchError;

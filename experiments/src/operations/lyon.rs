@@ -1,6 +1,7 @@
 //! The multipliers of figures 7 and 8, against those of the core [Lyon, TR 43].
 use specula_datapath::Design;
-use specula_scene::{Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::Method;
 
 use super::general_core;
 use specula_testbench::BenchError;

@@ -91,4 +91,4 @@ fn largest(f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Half an LSB of full scale.
-const HALF_LSB: f64 = 0.5 / specula_scene::spec::FULL_SCALE;
+const HALF_LSB: f64 = 0.5 / specula_spec::FULL_SCALE;

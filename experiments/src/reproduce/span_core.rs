@@ -1,8 +1,8 @@
 //! A core that is given single spans.
 use glam::DVec3;
 use specula_golden::fixed::{Model, Observation};
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{CoreSpec, Frame, Material, Needs, parse};
+use specula_scene::{Frame, Material, Needs, parse};
+use specula_spec::{CoreSpec, FULL_SCALE};
 
 use crate::stress::scene::{RawSpan, SpanScene};
 use crate::stress::variant::Variant;

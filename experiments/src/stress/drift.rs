@@ -2,8 +2,8 @@
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
 use specula_golden::software::by_name;
-use specula_scene::spec::{CoreOptions, NarrowingPoint};
-use specula_scene::{CoreSpec, Frame, Method, Needs, SceneError, parse};
+use specula_scene::{Frame, Needs, SceneError, parse};
+use specula_spec::{CoreOptions, CoreSpec, Method, NarrowingPoint};
 
 use super::draw::tilted;
 use super::scene::{RawSpan, SpanScene, lit};

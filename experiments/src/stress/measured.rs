@@ -1,6 +1,6 @@
 //! What is measured of a core that has shaded a scene, and what is asked of that.
 use specula_golden::exact::{MethodSpan, PhongSpan};
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 use super::asked::{Asked, QUANTISATION};
 use super::limits::{EXACT, Limits, Reason, Rounding};
@@ -259,7 +259,8 @@ fn pixel_of(bench: &Bench, clock: u64) -> Place {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::{CoreSpec, Method, Needs, parse};
+    use specula_scene::{Needs, parse};
+    use specula_spec::{CoreSpec, Method};
 
     use super::super::asked::Verdict;
     use super::super::draw::tilted;

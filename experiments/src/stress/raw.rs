@@ -2,9 +2,9 @@
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 use specula_golden::fixed::Model;
-use specula_scene::spec::{InputPort, SpecError};
-use specula_scene::{CoreSpec, Method, Needs, SpanPacket, parse};
+use specula_scene::{Needs, parse};
 use specula_sim::{Engine, Fast, Flow, Stimulus};
+use specula_spec::{CoreSpec, InputPort, Method, SpanPacket, SpecError};
 
 use super::asked::Asked;
 use super::draw::{Draw, tilted};

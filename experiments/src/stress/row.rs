@@ -1,7 +1,7 @@
 //! What a row of the catalogue is.
 use specula_golden::exact;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{CoreSpec, Frame, Span};
+use specula_scene::{Frame, Span};
+use specula_spec::{CoreSpec, FULL_SCALE};
 
 use super::draw::Draw;
 use super::scene::SpanScene;

@@ -3,8 +3,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use serde::Serialize;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{CoreSpec, Method};
+use specula_spec::{CoreSpec, FULL_SCALE, Method};
 
 use super::asked::{Asked, Verdict};
 use super::catalogue::CATALOGUE;

@@ -1,7 +1,8 @@
 //! One scene through one core.
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use specula_scene::{CoreSpec, Frame, Needs, SceneError, parse};
+use specula_scene::{Frame, Needs, SceneError, parse};
+use specula_spec::CoreSpec;
 
 use super::asked::{Asked, Verdict};
 use super::measured::Measured;
@@ -94,7 +95,7 @@ fn has_fault(measured: &Measured) -> bool {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
-    use specula_scene::Method;
+    use specula_spec::{Method, SceneCore};
 
     use super::super::row::all;
     use super::super::scene::{RawSpan, matt};

@@ -1,6 +1,6 @@
 //! Methods with their options.
-use specula_scene::spec::{CoreOptions, SpecError};
-use specula_scene::{CoreSpec, Method, Needs};
+use specula_scene::Needs;
+use specula_spec::{CoreOptions, CoreSpec, Method, SpecError};
 
 /// A method with options and formats that differ from its defaults.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ impl Variant {
 
     /// The default, and each value of each option by itself.
     pub fn all_of(method: Method) -> Vec<Variant> {
-        let values = |choice: &'static specula_scene::spec::Choice| {
+        let values = |choice: &'static specula_spec::Choice| {
             choice.values.iter().map(|value| (choice.key, *value))
         };
         let one = |(key, value)| Variant { method, table: format!("{key} = {value}\n") };

@@ -2,7 +2,8 @@
 use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
-use specula_scene::{CoreSpec, LoadedScene, Method};
+use specula_scene::LoadedScene;
+use specula_spec::{CoreSpec, Method, SceneCore};
 
 /// Fraction bits by which all formats of a core are finer than those that its method recommends for
 /// the scene; fewer where a format cannot follow so far.

@@ -1,9 +1,8 @@
 //! Which of the papers' loops does in software what a core does.
-use specula_scene::CoreSpec;
-use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::spec::lyon::{Difference, Halfway, LyonSpec, Normals};
-use specula_scene::spec::{
-    ConsistentSpec, DirectSpec, MethodSpec, consistent, direct, duff, phong, reflection,
+use specula_spec::gouraud::Interpolation;
+use specula_spec::lyon::{Difference, Halfway, LyonSpec, Normals};
+use specula_spec::{
+    ConsistentSpec, CoreSpec, DirectSpec, MethodSpec, consistent, direct, duff, phong, reflection,
 };
 
 /// The loop that does what a core does, if there is one.
@@ -91,7 +90,8 @@ fn of_direct(spec: &DirectSpec) -> &'static str {
 #[cfg(test)]
 mod tests {
     use specula_golden::software::by_name;
-    use specula_scene::{CoreSpec, Method, Needs, load};
+    use specula_scene::{Needs, load};
+    use specula_spec::{CoreSpec, Method};
 
     use super::counterpart;
     use crate::stress::variant::Variant;

@@ -9,8 +9,9 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::Diagnostic;
 use serde::{Deserialize, Serialize};
+use specula_scene::LoadedScene;
 use specula_scene::regular::read_regular;
-use specula_scene::{CoreSpec, LoadedScene};
+use specula_spec::CoreSpec;
 use thiserror::Error;
 
 use super::Measured;
@@ -246,7 +247,7 @@ fn json(value: &impl Serialize) -> io::Result<String> {
 mod tests {
     use super::super::Configuration;
     use super::*;
-    use specula_scene::Method;
+    use specula_spec::Method;
     use std::fs;
 
     fn with_results(test: impl Fn(&LoadedScene, &Path, &[CoreSpec])) {

@@ -1,7 +1,8 @@
 //! What is measured of one core.
 use serde::{Deserialize, Serialize};
 use specula_datapath::design::Size;
-use specula_scene::{CoreSpec, LoadedScene};
+use specula_scene::LoadedScene;
+use specula_spec::CoreSpec;
 
 use super::cycles::FrameCycles;
 use super::surface;
@@ -72,7 +73,8 @@ impl Measured {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::{Method, load};
+    use specula_scene::load;
+    use specula_spec::{Method, SceneCore};
 
     use super::*;
 

@@ -1,7 +1,8 @@
 //! All configurations of a sweep, in parallel.
 use miette::Diagnostic;
 use rayon::prelude::*;
-use specula_scene::{CoreSpec, LoadedScene};
+use specula_scene::LoadedScene;
+use specula_spec::CoreSpec;
 use thiserror::Error;
 
 use super::{Configuration, Journal, JournalError, Measured};

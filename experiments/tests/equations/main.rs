@@ -4,7 +4,7 @@ mod calls;
 
 use std::path::Path;
 
-use specula_scene::Method;
+use specula_spec::Method;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 

@@ -1,7 +1,7 @@
 //! What light and material have to do with each other, the same at every pixel of a span.
 use glam::DVec3;
-use specula_scene::spec::FULL_SCALE;
 use specula_scene::{Colour, Frame, Span};
+use specula_spec::FULL_SCALE;
 
 /// Products of a material's and the lights' colours, in LSBs.
 pub(super) struct Coefficients {

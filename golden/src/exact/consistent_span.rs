@@ -2,9 +2,9 @@
 //! Mark; methods D].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
-use specula_scene::spec::ConsistentSpec;
-use specula_scene::spec::consistent::{Curve, Diffuse, Highlight, LARGEST_GAIN_BITS};
 use specula_scene::{Frame, Span};
+use specula_spec::ConsistentSpec;
+use specula_spec::consistent::{Curve, Diffuse, Highlight, LARGEST_GAIN_BITS};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::consistent::{

@@ -1,9 +1,9 @@
 //! The fast Phong formulas, without rounding [lecture, eq. 4.3 to 4.6; methods A6, A7].
 use glam::DVec3;
 use specula_scene::frame::EYE;
-use specula_scene::spec::DirectSpec;
-use specula_scene::spec::direct::Root;
 use specula_scene::{Frame, Span};
+use specula_spec::DirectSpec;
+use specula_spec::direct::Root;
 
 use super::coefficients::{Amounts, Coefficients};
 use super::method::ShadeSpan;

@@ -1,9 +1,8 @@
 //! Where light comes from and where it goes along a span of `phong`: true directions, or wrapped
 //! ones [Hast, Barrera and Bengtsson, eq. 35 to 38; methods C15 to C18].
 use glam::DVec3;
-use specula_scene::spec::Wrap;
-use specula_scene::spec::phong::{Places, wrap_to_eye, wrap_to_light};
-use specula_scene::{Frame, LocalLight, Span};
+use specula_scene::{Frame, LocalLight, Span, Wrap};
+use specula_spec::phong::{Places, wrap_to_eye, wrap_to_light};
 
 use super::illumination::{self, Illumination};
 use super::point_light;

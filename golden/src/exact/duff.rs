@@ -2,9 +2,9 @@
 //! 3 to 8, 17, 33 and 34; methods C2, C8 to C11].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
-use specula_scene::spec::DuffSpec;
-use specula_scene::spec::duff::Highlight;
 use specula_scene::{Frame, Span};
+use specula_spec::DuffSpec;
+use specula_spec::duff::Highlight;
 
 use super::coefficients::{Amounts, Coefficients};
 use super::hybrid::base;

@@ -1,6 +1,6 @@
 //! Lyon's figure 9: shiny black balls [Lyon, TR 43, appendix, `specular.m`; methods B].
 use glam::DVec3;
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 use super::diffuse::lambert;
 use super::distributions::{Formulation, formulation};

@@ -1,9 +1,9 @@
 //! Intensities of the vertices or of the polygon, without rounding [lecture, eq. 2.1 and 3.2 to
 //! 3.6; methods A3, A4].
 use glam::DVec3;
-use specula_scene::spec::GouraudSpec;
-use specula_scene::spec::gouraud::Interpolation;
 use specula_scene::{Facet, Frame, Span};
+use specula_spec::GouraudSpec;
+use specula_spec::gouraud::Interpolation;
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;

@@ -1,8 +1,8 @@
 //! Lyon's method without rounding [Lyon, TR 43; methods B].
 use glam::DVec3;
-use specula_scene::spec::lyon::{Difference, Halfway, NormalWrap, Normals};
-use specula_scene::spec::{LyonSpec, Wrap};
-use specula_scene::{Frame, Span};
+use specula_scene::{Frame, Span, Wrap};
+use specula_spec::LyonSpec;
+use specula_spec::lyon::{Difference, Halfway, NormalWrap, Normals};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;

@@ -1,6 +1,6 @@
 //! The method that a spec names.
-use specula_scene::spec::{MethodSpec, Viewpoint};
-use specula_scene::{CoreSpec, Frame, ParallelSpan, Span};
+use specula_scene::{Frame, ParallelSpan, Span};
+use specula_spec::{CoreSpec, MethodSpec, Viewpoint};
 
 use super::{
     ConsistentSpan, DirectSpan, DuffSpan, GouraudSpan, HybridSpan, LyonSpan, PhongSpan,

@@ -32,7 +32,8 @@ mod slerp_span;
 pub mod specular;
 pub mod wrap;
 
-use specula_scene::{CoreSpec, Frame, Span};
+use specula_scene::{Frame, Span};
+use specula_spec::CoreSpec;
 
 pub use consistent_span::ConsistentSpan;
 pub use duff::DuffSpan;

@@ -1,7 +1,7 @@
 //! Bringing an interpolated normal to unit length: factors g with g·|N| near 1, from z = N·N.
 use glam::DVec3;
-use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::Normalisation;
+use specula_spec::LyonSpec;
+use specula_spec::lyon::Normalisation;
 
 /// z below which the exact normalisation falls short: 4^-4, normals shorter than 1/16.
 const SHORTEST_SQUARED: f64 = 1.0 / 256.0;

@@ -1,8 +1,8 @@
 //! Phong shading as it is meant.
 use glam::DVec3;
-use specula_scene::spec::PhongSpec;
-use specula_scene::spec::phong::{Highlight, Places};
 use specula_scene::{Frame, Span};
+use specula_spec::PhongSpec;
+use specula_spec::phong::{Highlight, Places};
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;

@@ -2,9 +2,9 @@
 //! methods C4 to C6 and C12 to C14].
 use glam::DVec3;
 use specula_scene::frame::{EYE, halfway};
-use specula_scene::spec::ReflectionSpec;
-use specula_scene::spec::reflection::Highlight;
 use specula_scene::{Frame, Span};
+use specula_spec::ReflectionSpec;
+use specula_spec::reflection::Highlight;
 
 use super::coefficients::{Amounts, Coefficients};
 use super::hybrid::base;

@@ -2,8 +2,8 @@
 //! to A11].
 use glam::DVec3;
 use specula_scene::frame::{Arc, EYE};
-use specula_scene::spec::SlerpSpec;
 use specula_scene::{Frame, Span};
+use specula_spec::SlerpSpec;
 
 use super::coefficients::{Amounts, Coefficients};
 use super::diffuse::lambert;

@@ -1,5 +1,5 @@
 //! From amounts of light to an 8-bit code.
-use specula_scene::{CoreSpec, Format};
+use specula_spec::{CoreSpec, Format};
 
 use super::number::{Wide, round_to};
 use super::observer::Observer;

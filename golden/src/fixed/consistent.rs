@@ -1,11 +1,10 @@
 //! `consistent`, bit for bit [Reshetov, Soupikov and Mark; methods D;
 //! `docs/arithmetic/consistent.md`].
-use specula_scene::Format;
-use specula_scene::spec::consistent::{
+use specula_spec::consistent::{
     ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse,
     Highlight, LARGEST_ANGLE,
 };
-use specula_scene::spec::{CoreSpec, InputPort, Linear};
+use specula_spec::{CoreSpec, Format, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

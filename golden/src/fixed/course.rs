@@ -2,8 +2,7 @@
 //! hardware [`docs/arithmetic.md`, Packets].
 use std::fmt;
 
-use specula_scene::Format;
-use specula_scene::spec::{Linear, Quadratic};
+use specula_spec::{Format, Linear, Quadratic};
 
 use super::error::PacketError;
 use super::number::Wide;

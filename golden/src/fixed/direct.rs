@@ -1,9 +1,6 @@
 //! `direct`, bit for bit [lecture, eq. 4.3 to 4.6; methods A6, A7; `docs/arithmetic/direct.md`].
-use specula_scene::Format;
-use specula_scene::spec::direct::{
-    DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root,
-};
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root};
+use specula_spec::{CoreSpec, Format, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

@@ -2,9 +2,8 @@
 //! to C11; `docs/arithmetic.md`].
 use std::fmt;
 
-use specula_scene::Format;
-use specula_scene::spec::duff::{DuffFormats, DuffInputs, DuffLight, DuffSpec, Highlight};
-use specula_scene::spec::{CoreSpec, InputPort, Linear};
+use specula_spec::duff::{DuffFormats, DuffInputs, DuffLight, DuffSpec, Highlight};
+use specula_spec::{CoreSpec, Format, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

@@ -1,8 +1,7 @@
 //! What goes along a span by additions: linear and quadratic values at pixel i, rounded.
 use std::fmt;
 
-use specula_scene::Format;
-use specula_scene::spec::{Linear, Quadratic};
+use specula_spec::{Format, Linear, Quadratic};
 
 use super::course::quadratic_at;
 use super::number::Wide;

@@ -2,9 +2,8 @@
 //! `docs/arithmetic/gouraud.md`].
 use std::fmt;
 
-use specula_scene::Format;
-use specula_scene::spec::gouraud::{GouraudFormats, GouraudInputs, GouraudSpec, Intensity};
-use specula_scene::spec::{CoreSpec, InputPort, Linear};
+use specula_spec::gouraud::{GouraudFormats, GouraudInputs, GouraudSpec, Intensity};
+use specula_spec::{CoreSpec, Format, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

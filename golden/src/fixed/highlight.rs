@@ -1,5 +1,5 @@
 //! Cosines and bases of highlights, and their powers.
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::number::{Wide, round_quotient, round_to};
 use super::observer::{Observer, narrow};

@@ -1,8 +1,7 @@
 //! `hybrid`, bit for bit [Hast, Barrera and Bengtsson, eq. 17 to 26; methods C3;
 //! `docs/arithmetic.md`].
-use specula_scene::Format;
-use specula_scene::spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpec};
-use specula_scene::spec::{CoreSpec, InputPort, Linear};
+use specula_spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpec};
+use specula_spec::{CoreSpec, Format, InputPort, Linear};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

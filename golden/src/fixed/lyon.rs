@@ -1,10 +1,9 @@
 //! `lyon`, bit for bit [Lyon, TR 43; methods B; `docs/arithmetic.md`].
-use specula_scene::Format;
-use specula_scene::spec::lyon::{
+use specula_spec::lyon::{
     Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation,
     ShapeDatapath,
 };
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_spec::{CoreSpec, Format, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

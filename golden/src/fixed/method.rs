@@ -1,6 +1,5 @@
 //! What methods have in common.
-use specula_scene::SpanPacket;
-use specula_scene::spec::InputPort;
+use specula_spec::{InputPort, SpanPacket};
 
 use super::course::Course;
 use super::error::PacketError;

@@ -1,6 +1,5 @@
 //! The model of a core.
-use specula_scene::spec::{InputPort, MethodSpec};
-use specula_scene::{CoreSpec, SpanPacket};
+use specula_spec::{CoreSpec, InputPort, MethodSpec, SpanPacket};
 
 use super::consistent::Consistent;
 use super::course::Course;

@@ -1,6 +1,6 @@
 //! Numbers that are exact between narrowing points, and the narrowing itself.
 use ::fixed::types::I64F64;
-use specula_scene::Format;
+use specula_spec::Format;
 
 /// Holds every value between narrowing points exactly: 64 bits left of the binary point, sign
 /// included, and 64 right of it.

@@ -1,7 +1,7 @@
 //! Watching the values of one pixel as they are worked out.
 use std::fmt;
 
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::number::{Wide, round_to, to_raw};
 use super::vector::{AXES, Vector};

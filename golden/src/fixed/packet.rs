@@ -1,8 +1,7 @@
 //! Reading packets.
 use std::fmt;
 
-use specula_scene::spec::InputPort;
-use specula_scene::{Format, SpanPacket};
+use specula_spec::{Format, InputPort, SpanPacket};
 
 use super::course::Course;
 use super::error::PacketError;

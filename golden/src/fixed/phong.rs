@@ -2,11 +2,8 @@
 //! 38; `docs/arithmetic/phong.md`].
 use std::fmt;
 
-use specula_scene::Format;
-use specula_scene::spec::phong::{
-    Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way,
-};
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
+use specula_spec::{CoreSpec, Format, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

@@ -1,6 +1,5 @@
 //! Powers of highlights' bases, as the spec has them taken.
-use specula_scene::Format;
-use specula_scene::spec::{CoreSpec, PowerUnit, power};
+use specula_spec::{CoreSpec, Format, PowerUnit, power};
 
 use super::number::Wide;
 use super::observer::{Observer, narrow};

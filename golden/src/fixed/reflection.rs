@@ -2,11 +2,10 @@
 //! C12 to C14; `docs/arithmetic.md`].
 use std::fmt;
 
-use specula_scene::Format;
-use specula_scene::spec::reflection::{
+use specula_spec::reflection::{
     Highlight, ReflectionFormats, ReflectionInputs, ReflectionLight, ReflectionSpec,
 };
-use specula_scene::spec::{CoreSpec, InputPort, Quadratic};
+use specula_spec::{CoreSpec, Format, InputPort, Quadratic};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

@@ -2,9 +2,8 @@
 //! `docs/arithmetic/slerp.md`].
 use std::iter;
 
-use specula_scene::Format;
-use specula_scene::spec::slerp::{Axes, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
-use specula_scene::spec::{CoreSpec, InputPort};
+use specula_spec::slerp::{Axes, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
+use specula_spec::{CoreSpec, Format, InputPort};
 
 use super::colour::{Colour, sum_format};
 use super::course::Course;

@@ -1,6 +1,6 @@
 //! Unit vectors without a root [Hast, Barrera and Bengtsson, eq. 27 and 36 to 38; methods C4,
 //! C16 to C18].
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::highlight::limited_quotient;
 use super::number::Wide;

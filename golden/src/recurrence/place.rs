@@ -2,9 +2,8 @@
 //! §5 and §6; methods C15 to C18].
 use glam::DVec3;
 use specula_scene::frame::EYE;
-use specula_scene::spec::Wrap;
-use specula_scene::spec::phong::{wrap_to_eye, wrap_to_light};
-use specula_scene::{Frame, LocalLight, Span};
+use specula_scene::{Frame, LocalLight, Span, Wrap};
+use specula_spec::phong::{wrap_to_eye, wrap_to_light};
 
 use super::differences::{Vector, difference, dot, scaled, vector};
 use super::{Linear, Number, Second, Walk};

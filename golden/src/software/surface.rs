@@ -1,6 +1,6 @@
 //! What materials make of lights.
-use specula_scene::spec::FULL_SCALE;
 use specula_scene::{Colour, Frame, Material};
+use specula_spec::FULL_SCALE;
 
 /// A material under a frame's lights.
 pub(super) struct Surface {

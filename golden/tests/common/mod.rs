@@ -5,11 +5,8 @@ pub mod draw;
 
 use glam::DVec3;
 use specula_golden::fixed::Observation;
-use specula_scene::spec::SpecError;
-use specula_scene::{
-    CoreSpec, DirectionalLight, Facet, Frame, Material, Method, Needs, Span, SpanPacket, Triangle,
-    VertexCone,
-};
+use specula_scene::{DirectionalLight, Facet, Frame, Material, Needs, Span, Triangle, VertexCone};
+use specula_spec::{CoreSpec, Method, SpanPacket, SpecError};
 
 pub const WHITE: [f64; 3] = [1.0; 3];
 

@@ -1,7 +1,7 @@
 //! Lights and eyes behind the surface.
 use glam::DVec3;
 use specula_golden::exact;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::common::{frame, material, mirror, spec, tilted};
 use crate::{assert_within_one_code, codes};

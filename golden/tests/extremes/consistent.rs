@@ -6,8 +6,9 @@ use specula_golden::exact::consistent_span::consistent_cosine;
 use specula_scene::mesh::Mesh;
 use specula_scene::mesh::normals::newell;
 use specula_scene::primitive::Primitive;
-use specula_scene::spec::consistent::{Curve, Diffuse, Highlight};
-use specula_scene::{CoreSpec, Frame, Method, MethodSpec, VertexCone};
+use specula_scene::{Frame, VertexCone};
+use specula_spec::consistent::{Curve, Diffuse, Highlight};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::common::draw::Draws;
 use crate::common::{frame, material, mirror, spec, tilted, value};

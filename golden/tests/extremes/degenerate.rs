@@ -1,7 +1,7 @@
 //! Normals that vanish or oppose each other.
 use glam::DVec3;
 use specula_golden::exact;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::common::{frame, material, mirror, spec, tilted, value};
 use crate::{assert_within_one_code, codes, method, trace};

@@ -1,8 +1,8 @@
 //! The ranges of `lyon`.
 use glam::DVec3;
-use specula_scene::spec::MethodSpec;
-use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation};
-use specula_scene::{CoreSpec, Frame, Method};
+use specula_scene::Frame;
+use specula_spec::lyon::{Difference, LyonSpec, Normalisation};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::common::{frame, mirror, spec, tilted, value};
 use crate::{assert_within_one_code, codes, trace};

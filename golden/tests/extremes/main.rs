@@ -11,7 +11,8 @@ mod spans;
 
 use specula_golden::exact;
 use specula_golden::fixed::{Model, Observation};
-use specula_scene::{CoreSpec, Frame};
+use specula_scene::Frame;
+use specula_spec::CoreSpec;
 
 /// Every code of a frame's span, red alone; the frames here are grey.
 fn codes(core: &CoreSpec, frame: &Frame) -> Vec<u8> {

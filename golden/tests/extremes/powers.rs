@@ -1,7 +1,7 @@
 //! Bases and exponents.
 use glam::DVec3;
 use specula_golden::exact;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::common::{frame, mirror, spec, tilted, value};
 use crate::{assert_within_one_code, codes, trace};

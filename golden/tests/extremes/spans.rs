@@ -1,7 +1,7 @@
 //! Lengths of spans, and packets that are not a core's.
 use glam::DVec3;
 use specula_golden::fixed::{Model, PacketError};
-use specula_scene::{Method, SpanPacket};
+use specula_spec::{Method, SpanPacket};
 
 use crate::common::{frame, material, mirror, packet, spec, tilted};
 use crate::{assert_within_one_code, codes};

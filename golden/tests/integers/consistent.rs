@@ -1,6 +1,6 @@
 //! `consistent` on raw values.
-use specula_scene::spec::ConsistentSpec;
-use specula_scene::spec::consistent::{Curve, Diffuse, Highlight};
+use specula_spec::ConsistentSpec;
+use specula_spec::consistent::{Curve, Diffuse, Highlight};
 
 use crate::power;
 use crate::raw::{Raw, round};

@@ -1,6 +1,6 @@
 //! `direct` on raw values.
-use specula_scene::spec::DirectSpec;
-use specula_scene::spec::direct::Root;
+use specula_spec::DirectSpec;
+use specula_spec::direct::Root;
 
 use crate::power;
 use crate::raw::{Raw, round};

@@ -1,6 +1,6 @@
 //! `duff` on raw values.
-use specula_scene::spec::DuffSpec;
-use specula_scene::spec::duff::Highlight;
+use specula_spec::DuffSpec;
+use specula_spec::duff::Highlight;
 
 use crate::hybrid::{base, quadratic};
 use crate::power;

@@ -1,6 +1,6 @@
 //! `gouraud` on raw values.
-use specula_scene::spec::GouraudSpec;
-use specula_scene::spec::gouraud::Interpolation;
+use specula_spec::GouraudSpec;
+use specula_spec::gouraud::Interpolation;
 
 use crate::raw::{Raw, round};
 

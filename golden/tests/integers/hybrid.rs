@@ -1,5 +1,5 @@
 //! `hybrid` on raw values.
-use specula_scene::spec::HybridSpec;
+use specula_spec::HybridSpec;
 
 use crate::power;
 use crate::raw::{Raw, round};

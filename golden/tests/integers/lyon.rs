@@ -1,6 +1,6 @@
 //! `lyon` on raw values.
-use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::{Difference, Normalisation, Normals, ShapeDatapath};
+use specula_spec::LyonSpec;
+use specula_spec::lyon::{Difference, Normalisation, Normals, ShapeDatapath};
 
 use crate::raw::{Raw, round};
 

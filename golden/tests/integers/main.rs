@@ -5,8 +5,8 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use specula_golden::fixed::{Model, PacketError};
-use specula_scene::spec::{CoreSpec, MethodSpec, SpanPacket};
-use specula_scene::{Frame, LocalLight, Method, Spot};
+use specula_scene::{Frame, LocalLight, Spot};
+use specula_spec::{CoreSpec, Method, MethodSpec, SpanPacket};
 
 #[path = "../../../scene/tests/common/any_spec.rs"]
 mod any_spec;
@@ -197,7 +197,7 @@ fn takes_every_input_in_range(method: Method) {
         let mut core = core_for(&frame, method, &bits);
         core.longest_span = 8192;
         for high in [0b0, 0b1, 0b01_0101, 0b10_1010, 0b11_0110] {
-            let end = |(k, port): (usize, specula_scene::spec::InputPort)| {
+            let end = |(k, port): (usize, specula_spec::InputPort)| {
                 if high >> (k % 6) & 1 == 1 { port.range.1 } else { port.range.0 }
             };
             let inputs: Vec<i64> = core.inputs().into_iter().enumerate().map(end).collect();

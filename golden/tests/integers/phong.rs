@@ -1,6 +1,6 @@
 //! `phong` on raw values, lights and eye at infinity or not.
-use specula_scene::spec::PhongSpec;
-use specula_scene::spec::phong::Highlight;
+use specula_spec::PhongSpec;
+use specula_spec::phong::Highlight;
 
 use crate::raw::{Raw, round};
 use crate::{gaussian, power};

@@ -1,7 +1,7 @@
 //! Raw values and their rounding.
 use std::collections::HashMap;
 
-use specula_scene::spec::{CoreSpec, SpanPacket};
+use specula_spec::{CoreSpec, SpanPacket};
 
 /// A packet's raw values, by the names of their ports.
 pub struct Raw {

@@ -1,6 +1,6 @@
 //! `reflection` on raw values.
-use specula_scene::spec::ReflectionSpec;
-use specula_scene::spec::reflection::Highlight;
+use specula_spec::ReflectionSpec;
+use specula_spec::reflection::Highlight;
 
 use crate::duff::{cosine, less_light};
 use crate::hybrid::{base, quadratic};

@@ -1,6 +1,6 @@
 //! `slerp` on raw values.
-use specula_scene::spec::SlerpSpec;
-use specula_scene::spec::slerp::Form;
+use specula_spec::SlerpSpec;
+use specula_spec::slerp::Form;
 
 use crate::power;
 use crate::raw::{Raw, round};

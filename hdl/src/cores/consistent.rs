@@ -1,8 +1,8 @@
 //! The core for consistent normal interpolation.
-use specula_scene::spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
-use specula_scene::{CoreSpec, Format};
+use specula_spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
+use specula_spec::{CoreSpec, Format};
 
-use super::{SHORTEST_NORMAL, eye, finish, pipelines, turns};
+use super::{SHORTEST_NORMAL, eye, finish, pipelines, time_slots};
 use crate::error;
 use crate::error::consistent_reflection::highlight;
 use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
@@ -17,11 +17,11 @@ pub(super) fn core(
     spec: &CoreSpec,
     consistent: &ConsistentSpec,
 ) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = consistent.inputs(spec).map(|port| b.input(port));
     let (f, steps) = (&consistent.formats, spec.longest_span - 1);
     let span = SpanNormals {
-        first: &turns.first_pixel,
+        first: &slots.first_pixel,
         start: &Vector::new(inputs.normal_start),
         delta: &Vector::new(inputs.normal_delta),
         weight_step: &inputs.weight_step,
@@ -46,7 +46,7 @@ pub(super) fn core(
     let normal = normal.no_shorter_than(spec.shortest_normal, SHORTEST_NORMAL);
     let (n, has_direction) = units::normalise_exactly(&b, &normal, to);
     let angles = SpanAngles {
-        first: &turns.first_pixel,
+        first: &slots.first_pixel,
         start: &inputs.angle_start,
         step: &inputs.angle_step,
     };
@@ -59,12 +59,12 @@ pub(super) fn core(
     let pixel =
         Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, r: r.as_ref() };
     let exponent = &inputs.exponent;
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light, exponent))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// q at the largest angle that a vertex has.

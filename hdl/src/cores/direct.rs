@@ -1,8 +1,8 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_scene::spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
-use specula_scene::{CoreSpec, Format};
+use specula_spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
+use specula_spec::{CoreSpec, Format};
 
-use super::{finish, pipelines, squared_normal, turns};
+use super::{finish, pipelines, squared_normal, time_slots};
 use crate::error::direct::{Parameter, Product, normal_by_newton, unit_normal};
 use crate::units::{self, DirectedBase, Light, QuotientFormat};
 use specula_datapath::bound::Angular;
@@ -12,12 +12,12 @@ use specula_datapath::graph::Graph;
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]
 pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = direct.inputs(spec).map(|port| b.input(port));
     let formats = &direct.formats;
     let t = units::parameter(
         &b,
-        &turns.first_pixel,
+        &slots.first_pixel,
         &inputs.weight_step,
         formats,
         spec.longest_span - 1,
@@ -27,16 +27,16 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<G
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
     let length = length(
         &b,
-        Squared { first: &turns.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
+        Squared { first: &slots.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
         direct,
     );
     let pixel = Pixel { b: &b, direct, t: &t, q: &q, length: &length, exponent: &inputs.exponent };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// What a pixel's length is made of.

@@ -1,9 +1,9 @@
 //! Duff's core, with Hast's highlights.
-use specula_scene::CoreSpec;
-use specula_scene::spec::duff::{DuffLight, DuffSpec, Highlight};
+use specula_spec::CoreSpec;
+use specula_spec::duff::{DuffLight, DuffSpec, Highlight};
 
 use super::forward::Forward;
-use super::{finish, pipelines, squared_normal, turns};
+use super::{finish, pipelines, squared_normal, time_slots};
 use crate::units::{self, Base, Length, Light, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -11,10 +11,10 @@ use specula_datapath::graph::Graph;
 /// Diffuse p/√q by forward differences, and a highlight of the same q and root. [Hast et al., eq. 3
 /// to 8, 17, 33 and 34]
 pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = duff.inputs(spec).map(|port| b.input(port));
     let f = &duff.formats;
-    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
     let q = forward
         .quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
@@ -36,12 +36,12 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Graph
         view_cosine: view_cosine.as_ref(),
         exponent,
     };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

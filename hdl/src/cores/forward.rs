@@ -1,5 +1,5 @@
 //! What goes along a span by additions.
-use specula_scene::spec::{Linear, Quadratic};
+use specula_spec::{Linear, Quadratic};
 
 use crate::units::{self, Differences, Steps};
 use specula_datapath::builder::{Builder, Sig};

@@ -1,8 +1,8 @@
 //! The core of linearly interpolated or uniform intensities.
-use specula_scene::CoreSpec;
-use specula_scene::spec::gouraud::{GouraudLight, GouraudSpec, Intensity};
+use specula_spec::CoreSpec;
+use specula_spec::gouraud::{GouraudLight, GouraudSpec, Intensity};
 
-use super::{finish, pipelines, turns};
+use super::{finish, pipelines, time_slots};
 use crate::units::{self, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -14,14 +14,14 @@ pub(super) fn core(
     spec: &CoreSpec,
     gouraud: &GouraudSpec,
 ) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = gouraud.inputs(spec).map(|port| b.input(port));
     let fraction_bits = gouraud.formats.intensity.fraction_bits;
     let intensity = |intensity: &Intensity<Sig>, name: String| match &intensity.step {
         Some(step) => {
             let ends = (&intensity.start, step);
             b.instance(&name, || {
-                units::gouraud(&b, &turns.first_pixel, ends, fraction_bits, spec.longest_span - 1)
+                units::gouraud(&b, &slots.first_pixel, ends, fraction_bits, spec.longest_span - 1)
             })
         }
         None => intensity.start.clone(),
@@ -33,6 +33,6 @@ pub(super) fn core(
         specular_coefficients: light.specular.clone(),
     };
     let lights: Vec<Light> =
-        pipelines(&turns, &inputs.lights).iter().enumerate().map(light).collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+        pipelines(&slots, &inputs.lights).iter().enumerate().map(light).collect();
+    finish(&b, &slots, &inputs.ambient, &lights)
 }

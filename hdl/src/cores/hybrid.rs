@@ -1,9 +1,9 @@
 //! Hast's hybrid core.
-use specula_scene::CoreSpec;
-use specula_scene::spec::hybrid::{HybridLight, HybridSpec};
+use specula_spec::CoreSpec;
+use specula_spec::hybrid::{HybridLight, HybridSpec};
 
 use super::forward::Forward;
-use super::{finish, pipelines, squared_normal, turns};
+use super::{finish, pipelines, squared_normal, time_slots};
 use crate::units::{self, Light};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -11,9 +11,9 @@ use specula_datapath::graph::Graph;
 /// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al.,
 /// eq. 17 to 26]
 pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = hybrid.inputs(spec).map(|port| b.input(port));
-    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
     let q = forward
         .quadratic(
             "denominator",
@@ -24,12 +24,12 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<G
         .named("q");
     let q = squared_normal(q, spec);
     let pixel = Pixel { forward, hybrid, exponent: &inputs.exponent };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light, &q))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.

@@ -1,10 +1,8 @@
 //! Lyon's core.
-use specula_scene::CoreSpec;
-use specula_scene::spec::lyon::{
-    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, ShapeDatapath,
-};
+use specula_spec::CoreSpec;
+use specula_spec::lyon::{Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, ShapeDatapath};
 
-use super::{SHORTEST_NORMAL, eye, finish, pipelines, turns, unit_vector};
+use super::{SHORTEST_NORMAL, eye, finish, pipelines, time_slots, unit_vector};
 use crate::error;
 use crate::units::{self, Follow, Interpolation, LengthError, Light, SpanNormals, WrapFormats};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
@@ -13,11 +11,11 @@ use specula_datapath::graph::Graph;
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
 /// 43, fig. 6 to 8]
 pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = lyon.inputs(spec).map(|port| b.input(port));
-    let (n, has_direction) = normal(&b, &turns.first_pixel, &inputs, spec, lyon);
-    let lights = pipelines(&turns, &inputs.lights);
-    let apart = if turns.count() == 1 { least_distance(&lights) } else { 0.0 };
+    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs, spec, lyon);
+    let lights = pipelines(&slots, &inputs.lights);
+    let apart = if slots.count() == 1 { least_distance(&lights) } else { 0.0 };
     let pixel = Pixel {
         b: &b,
         lyon,
@@ -28,7 +26,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Graph
     };
     let lights: Vec<Light> =
         lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// n at each pixel, and whether it has a direction.

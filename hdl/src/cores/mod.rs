@@ -13,12 +13,12 @@ mod slerp;
 
 use std::rc::Rc;
 
-use specula_scene::spec::EachInput;
-use specula_scene::{CoreSpec, Format, MethodSpec};
+use specula_spec::EachInput;
+use specula_spec::{CoreSpec, Format, MethodSpec};
 
 use crate::units::{self, Coefficients, Light};
 use specula_datapath::bound::Interval;
-use specula_datapath::builder::{BuildError, Builder, Sig, Turns, Vector};
+use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots, Vector};
 use specula_datapath::design::Design;
 use specula_datapath::graph::Graph;
 use specula_datapath::pass::compile;
@@ -110,15 +110,15 @@ fn squared_normal(square: Sig, spec: &CoreSpec) -> Sig {
     square.real_within(Interval::at_least(least), SHORTEST_NORMAL)
 }
 
-/// Opens the control inputs; lights that share a pipeline take turns from there on.
-fn turns(b: &Builder, spec: &CoreSpec) -> Turns {
-    b.take_turns(&b.control(), spec.interval())
+/// Opens the control inputs; lights that share a pipeline have a time slot each from there on.
+fn time_slots(b: &Builder, spec: &CoreSpec) -> TimeSlots {
+    b.time_slots(&b.control(), spec.interval())
 }
 
-/// The inputs of each pipeline: those of each light, or of the light whose turn it is. Lights are
+/// The inputs of each pipeline: those of each light, or of the light whose time slot it is. Lights are
 /// alike: they have the same inputs.
-fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
-    if turns.count() == 1 {
+fn pipelines<L: EachInput<Value = Sig>>(slots: &TimeSlots, lights: &[L]) -> Vec<L> {
+    if slots.count() == 1 {
         return lights.iter().map(|light| light.each(Sig::clone)).collect();
     }
     let inputs = |light: &L| {
@@ -134,7 +134,7 @@ fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
         (0..).map(|k| of_lights.iter().map(|inputs| inputs[k].clone()).collect::<Vec<Sig>>());
     let selected = |first: &L| {
         first.each(|input| {
-            columns.next().map_or_else(|| input.clone(), |column| turns.select(&column))
+            columns.next().map_or_else(|| input.clone(), |column| slots.multiplexed(&column))
         })
     };
     lights.first().map(selected).into_iter().collect()
@@ -143,10 +143,10 @@ fn pipelines<L: EachInput<Value = Sig>>(turns: &Turns, lights: &[L]) -> Vec<L> {
 /// The codes of the lights' sum are the core's outputs.
 fn finish(
     b: &Builder,
-    turns: &Turns,
+    slots: &TimeSlots,
     ambient: &Coefficients,
     lights: &[Light],
 ) -> Result<Graph, BuildError> {
-    let [red, green, blue] = units::channels(b, turns, ambient, lights);
-    b.clone().graph(&turns.valid_at_last, &[("red", red), ("green", green), ("blue", blue)])
+    let [red, green, blue] = units::channels(b, slots, ambient, lights);
+    b.clone().graph(&slots.valid_in_last_slot, &[("red", red), ("green", green), ("blue", blue)])
 }

@@ -1,9 +1,9 @@
 //! The core of Hast's reflection shading.
-use specula_scene::spec::reflection::{Bisector, Highlight, ReflectionLight, ReflectionSpec};
-use specula_scene::spec::{CoreSpec, Quadratic};
+use specula_spec::reflection::{Bisector, Highlight, ReflectionLight, ReflectionSpec};
+use specula_spec::{CoreSpec, Quadratic};
 
 use super::forward::Forward;
-use super::{finish, pipelines, squared_normal, turns};
+use super::{finish, pipelines, squared_normal, time_slots};
 use crate::error;
 use crate::units::{self, Base, Light, QuotientFormat};
 use specula_datapath::bound::Interval;
@@ -34,10 +34,10 @@ pub(super) fn core(
     spec: &CoreSpec,
     reflection: &ReflectionSpec,
 ) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = reflection.inputs(spec).map(|port| b.input(port));
     let f = &reflection.formats;
-    let forward = Forward { b: &b, first: &turns.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
     let q = forward
         .quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
@@ -72,12 +72,12 @@ pub(super) fn core(
         squared_normal(squared, spec)
     };
     pixel.normal_squared = inputs.normal_squared.as_ref().map(normal_squared);
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// What the lights have in common.
@@ -163,7 +163,7 @@ impl Pixel<'_> {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::spec::reflection::Bisector;
+    use specula_spec::reflection::Bisector;
 
     use super::smallest_square;
 

@@ -1,8 +1,8 @@
 //! The core of spherical interpolation.
-use specula_scene::CoreSpec;
-use specula_scene::spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
+use specula_spec::CoreSpec;
+use specula_spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
 
-use super::{eye, finish, pipelines, turns, unit_vector};
+use super::{eye, finish, pipelines, time_slots, unit_vector};
 use crate::error;
 use crate::error::turned_normal::Weighing;
 use crate::units::{self, Light, Turn};
@@ -13,10 +13,10 @@ use specula_datapath::graph::Graph;
 /// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base
 /// 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to 4.12]
 pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = slerp.inputs(spec).map(|port| b.input(port));
     let (formats, steps) = (&slerp.formats, spec.longest_span - 1);
-    let [u, v] = weights(&b, &turns.first_pixel, &inputs, slerp, steps);
+    let [u, v] = weights(&b, &slots.first_pixel, &inputs, slerp, steps);
     let weights = [&u, &v];
     let normal = inputs.normal.as_ref().map(|axes| {
         let known = match slerp.frame {
@@ -48,12 +48,12 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Gra
         exponent: &inputs.exponent,
         base,
     };
-    let lights: Vec<Light> = pipelines(&turns, &inputs.lights)
+    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
         .iter()
         .enumerate()
         .map(|(i, light)| pixel.shade(i, light))
         .collect();
-    finish(&b, &turns, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// The weights of what stands at the start and of what goes with it.

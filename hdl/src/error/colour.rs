@@ -1,6 +1,6 @@
 //! How far a colour is off before it is rounded.
 use specula_datapath::bound::{Bound, ErrorModel, RELATIVE_BOUNDS, RelativeBound};
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 /// A value that is not to be negative.
 #[derive(Clone, Copy, Debug)]
@@ -37,17 +37,17 @@ impl Term {
     }
 }
 
-/// Bound on the error of a code: of the sum over a pixel's turns below full scale, and half an LSB
+/// Bound on the error of a code: of the sum over a pixel's time slots below full scale, and half an LSB
 /// for rounding. Nothing is known where a value may be negative.
-pub fn code(ambient: Bound, terms: &[Term], turns: u32) -> f64 {
+pub fn code(ambient: Bound, terms: &[Term], slots: u32) -> f64 {
     let smallest = |term: &Term| term.coefficient.smallest.min(term.intensity.smallest);
     if terms.iter().map(smallest).fold(ambient.fixed.low, f64::min) < 0.0 {
         return f64::INFINITY;
     }
-    below_full_scale(ambient.error, terms, turns) + 0.5
+    below_full_scale(ambient.error, terms, slots) + 0.5
 }
 
-/// Bound on the error of the sum over a pixel's turns where it is below full scale.
+/// Bound on the error of the sum over a pixel's time slots where it is below full scale.
 ///
 /// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the
 /// smaller sum, and of each product k f the smaller one in it, adds up to less than 255. With
@@ -61,14 +61,14 @@ pub fn code(ambient: Bound, terms: &[Term], turns: u32) -> f64 {
 ///
 /// with the largest k and f. Of the pairs of ρ and r that hold, those count that make the least of
 /// it. Intensities of which one alone is off by r, or else all by less, count with r once in a
-/// turn, or with the less all of them.
-fn below_full_scale(ambient: f64, terms: &[Term], turns: u32) -> f64 {
-    let with = |share: usize| of_turns(terms, turns, share);
+/// time slot, or with the less all of them.
+fn below_full_scale(ambient: f64, terms: &[Term], slots: u32) -> f64 {
+    let with = |share: usize| of_slots(terms, slots, share);
     ambient + (0..RELATIVE_BOUNDS).map(with).fold(f64::INFINITY, f64::min)
 }
 
-/// What the terms of all turns add, of the pairs of ρ and r the one with this number.
-fn of_turns(terms: &[Term], turns: u32, share: usize) -> f64 {
+/// What the terms of all time slots add, of the pairs of ρ and r the one with this number.
+fn of_slots(terms: &[Term], slots: u32, share: usize) -> f64 {
     let (mut largest_ratio, mut of_values, mut beside) = (0.0_f64, 0.0, 0.0);
     let (mut of_one, mut of_all) = (0.0_f64, 0.0);
     for Term { coefficient, intensity, form } in terms {
@@ -88,7 +88,7 @@ fn of_turns(terms: &[Term], turns: u32, share: usize) -> f64 {
         beside += most * rest.min(intensity.off);
     }
     beside += of_one.max(of_all);
-    (FULL_SCALE * largest_ratio).min(f64::from(turns) * of_values) + f64::from(turns) * beside
+    (FULL_SCALE * largest_ratio).min(f64::from(slots) * of_values) + f64::from(slots) * beside
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! How far reflections are off that never point into the surface.
 use specula_datapath::bound::{Angular, Bound, VectorBound, VectorError};
-use specula_scene::Format;
-use specula_scene::spec::consistent::ConsistentFormats;
+use specula_spec::Format;
+use specula_spec::consistent::ConsistentFormats;
 
 /// What r = (g + ρb)n - ρI is made of, b = n·I and g = 1 + q(b - 1), as it comes.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! How far the contraction of a consistent reflection is off.
 use specula_datapath::bound::Bound;
-use specula_scene::Format;
-use specula_scene::spec::consistent::LARGEST_ANGLE;
+use specula_spec::Format;
+use specula_spec::consistent::LARGEST_ANGLE;
 
 use super::host::HOST_ERROR;
 

@@ -1,6 +1,6 @@
 //! How long the differences are that highlights depend on, and how far they are off.
 use specula_datapath::bound::{VectorBound, VectorError};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::length_error::{LengthError, Reflected};
 

@@ -1,7 +1,7 @@
 //! How far cosines to a normal between unit ends are off, which is made of t alone.
-use specula_scene::Format;
-use specula_scene::format::power_of_two;
-use specula_scene::spec::direct::DirectFormats;
+use specula_spec::Format;
+use specula_spec::direct::DirectFormats;
+use specula_spec::format::power_of_two;
 
 use super::host::HOST_ERROR;
 use super::interpolate::chord;

@@ -1,6 +1,6 @@
 //! How far wrapped normals that follow one another are off.
 use specula_datapath::bound::{Bound, VectorBound};
-use specula_scene::spec::lyon::LyonFormats;
+use specula_spec::lyon::LyonFormats;
 
 /// What n = N + u H is made of, H = N + b and u = (1 - N·N)/(H·H), with b the n of the pixel before
 /// or some w.
@@ -100,7 +100,7 @@ const SHORTER_BY: f64 = 0.0625;
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
-    use specula_scene::Format;
+    use specula_spec::Format;
 
     use super::super::draw::Draw;
     use super::*;

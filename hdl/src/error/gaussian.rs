@@ -1,6 +1,6 @@
 //! How far the Gaussian of an angle is off.
 use specula_datapath::bound::Bound;
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 /// What is left out where 1 - cos α is kept within 15/8, beyond which exp(-2 α²) is less.
 const BEYOND_VERSINES: f64 = power_of_two(-20);

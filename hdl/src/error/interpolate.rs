@@ -1,6 +1,6 @@
 //! How far vectors between two ends are off.
 use specula_datapath::bound::{Bound, VectorBound};
-use specula_scene::Format;
+use specula_spec::Format;
 
 /// How far the ends are apart of a span in the unit ball that comes no nearer to its centre than
 /// `shortest`: a chord.

@@ -17,7 +17,7 @@ pub fn bound(steps: u32, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::Format;
+    use specula_spec::Format;
 
     use super::super::draw::Draw;
 

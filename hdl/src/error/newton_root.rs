@@ -1,7 +1,7 @@
 //! How far a square root is off that follows the pixel before.
 use specula_datapath::bound::Bound;
-use specula_scene::format::power_of_two;
-use specula_scene::spec::direct::DirectFormats;
+use specula_spec::direct::DirectFormats;
+use specula_spec::format::power_of_two;
 
 use super::direct::shortest;
 
@@ -86,7 +86,7 @@ fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::Format;
+    use specula_spec::Format;
 
     use super::super::draw::Draw;
     use super::*;

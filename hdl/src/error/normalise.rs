@@ -4,8 +4,8 @@
 //! make g (3 - z g²)/2 of it; n = g N'. Both ends of a span lie in the unit ball, so r ≤ 1 up to
 //! rounding.
 use specula_datapath::bound::{Bound, VectorBound, VectorError};
-use specula_scene::Format;
-use specula_scene::spec::lyon::{LyonFormats, LyonSpec};
+use specula_spec::Format;
+use specula_spec::lyon::{LyonFormats, LyonSpec};
 
 /// The polynomial that Newton steps begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 use specula_datapath::bound::{
     Angular, Bound, ErrorBound, ErrorModel, RELATIVE_BOUNDS, RelativeBound,
 };
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 /// What is known of b^n of a base b from 0 to 1 and n from 1 on.
 ///

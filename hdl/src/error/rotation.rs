@@ -1,5 +1,5 @@
 //! How far a vector is off that turns by the same angle with each pixel.
-use specula_scene::spec::slerp::{LARGEST_WEIGHT, SlerpFormats};
+use specula_spec::slerp::{LARGEST_WEIGHT, SlerpFormats};
 
 use super::host::HOST_ERROR;
 
@@ -73,7 +73,7 @@ pub fn sum_of_components(widest: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::Format;
+    use specula_spec::Format;
 
     use super::super::draw::Draw;
     use super::*;

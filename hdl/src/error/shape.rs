@@ -1,6 +1,6 @@
 //! How far highlights are off.
 use specula_datapath::bound::{Bound, ErrorModel, VectorBound};
-use specula_scene::spec::lyon::LyonSpec;
+use specula_spec::lyon::LyonSpec;
 
 use super::length_error::LengthError;
 

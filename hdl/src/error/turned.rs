@@ -2,8 +2,8 @@
 //!
 //! N = c A + s T for orthonormal A and T, with (c, s) = (cos t, sin t) from a rotation; N' is the same
 //! of the weights as they come. [lecture, eq. 4.5, 4.7; methods A10]
-use specula_scene::Format;
-use specula_scene::spec::slerp::SlerpFormats;
+use specula_spec::Format;
+use specula_spec::slerp::SlerpFormats;
 
 use super::host::HOST_ERROR;
 use super::rotation::{drift, drift_across, sum_of_components};

@@ -2,7 +2,7 @@
 //!
 //! N = u P + v Q, and n = N (3 - N·N)/2. [lecture, eq. 4.7; methods A8, A9, A11]
 use specula_datapath::bound::{VectorBound, VectorError};
-use specula_scene::spec::slerp::SlerpFormats;
+use specula_spec::slerp::SlerpFormats;
 
 use super::rotation::{drift, scaled_drift};
 

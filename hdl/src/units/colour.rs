@@ -1,7 +1,7 @@
 //! From intensities to a pixel.
 use crate::error;
 use crate::error::colour::Term;
-use specula_datapath::builder::{Builder, Sig, Turns};
+use specula_datapath::builder::{Builder, Sig, TimeSlots};
 
 /// A colour coefficient for each channel, in LSBs of the output.
 pub type Coefficients = [Sig; 3];
@@ -18,11 +18,16 @@ pub struct Light {
     pub specular_coefficients: Coefficients,
 }
 
-/// The 8-bit codes of red, green and blue of the lights in every turn of a pixel, right in the
+/// The 8-bit codes of red, green and blue of the lights in every time slot of a pixel, right in the
 /// last. [methods A3]
-pub fn channels(b: &Builder, turns: &Turns, ambient: &Coefficients, lights: &[Light]) -> [Sig; 3] {
+pub fn channels(
+    b: &Builder,
+    slots: &TimeSlots,
+    ambient: &Coefficients,
+    lights: &[Light],
+) -> [Sig; 3] {
     let code = |c: usize| {
-        b.instance(&format!("{}_channel", NAMES[c]), || channel(b, turns, &ambient[c], lights, c))
+        b.instance(&format!("{}_channel", NAMES[c]), || channel(b, slots, &ambient[c], lights, c))
     };
     let red = code(0);
     let green = if alike(ambient, lights, [0, 1]) { shared(b, &red, [0, 1]) } else { code(1) };
@@ -59,7 +64,7 @@ fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
 ///
 /// # Error
 /// [`error::colour::code`].
-fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
+fn channel(b: &Builder, slots: &TimeSlots, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| {
         [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()]
     };
@@ -70,27 +75,27 @@ fn channel(b: &Builder, turns: &Turns, ambient: &Sig, lights: &[Light], c: usize
         ("ambient", ambient),
         ("coefficient", &coefficients),
         ("intensity", &intensities),
-        ("begins", &turns.begins),
+        ("begins", &slots.first_slot),
     );
     let formula = "c = min(ambient + sum of coefficient x intensity, 255) [methods A3]";
     b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities, begins)| {
         let known = coefficients.iter().zip(&intensities);
         let known: Vec<Term> = known.map(|(k, f)| Term::new(k.bound(), f.bound())).collect();
-        let error = error::colour::code(ambient.bound(), &known, turns.count());
+        let error = error::colour::code(ambient.bound(), &known, slots.count());
         let terms = coefficients
             .iter()
             .zip(&intensities)
             .map(|(coefficient, intensity)| coefficient * intensity);
-        let sum = match turns.count() {
+        let sum = match slots.count() {
             1 => terms.fold(ambient, |sum, term| sum + term),
-            count => sum_of_turns(&begins, &ambient, terms, count),
+            count => sum_of_slots(&begins, &ambient, terms, count),
         };
         sum.rounded(0).clamped_above(255).tighten_error("error::colour::code", error).named("code")
     })
 }
 
-/// The ambient light and the terms of a pixel's turns up to this one; nothing is negative.
-fn sum_of_turns(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, count: u32) -> Sig {
+/// The ambient light and the terms of a pixel's time slots up to this one; nothing is negative.
+fn sum_of_slots(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, count: u32) -> Sig {
     let term = terms.reduce(|sum, term| sum + term).unwrap_or_else(|| ambient.clone());
     let largest = |sig: &Sig| sig.bound().fixed.high.max(0.0);
     let most = largest(ambient) + f64::from(count) * largest(&term);

@@ -1,6 +1,6 @@
 //! Reflections that never point into the surface.
-use specula_scene::Format;
-use specula_scene::spec::consistent::ConsistentFormats;
+use specula_spec::Format;
+use specula_spec::consistent::ConsistentFormats;
 
 use super::divider::divider;
 use super::square_root::square_root;

@@ -1,5 +1,5 @@
 //! How far a consistent reflection departs from the plain one.
-use specula_scene::spec::consistent::{ConsistentFormats, Curve};
+use specula_spec::consistent::{ConsistentFormats, Curve};
 
 use super::divider::{QuotientFormat, quotient};
 use crate::error;

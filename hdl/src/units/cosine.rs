@@ -1,5 +1,5 @@
 //! Cosines to a normal of any length, and the base of the highlight from them.
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::clamp::to_cosine;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};

@@ -1,6 +1,6 @@
 //! The vector D, whose squared length the highlight depends on. Lengths and errors:
 //! [`error::difference`].
-use specula_scene::spec::lyon::LyonFormats;
+use specula_spec::lyon::LyonFormats;
 
 use crate::error::difference::{self, Difference};
 use crate::error::length_error::LengthError;

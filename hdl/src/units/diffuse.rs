@@ -1,6 +1,6 @@
 //! Diffuse intensity.
-use specula_scene::Format;
-use specula_scene::spec::lyon::LyonFormats;
+use specula_spec::Format;
+use specula_spec::lyon::LyonFormats;
 
 use super::clamp::{to_nonnegative, to_unit_interval};
 use crate::error;

@@ -1,6 +1,6 @@
 //! Squared length and scalars of a normal between unit ends, from t alone.
-use specula_scene::Format;
-use specula_scene::spec::direct::DirectFormats;
+use specula_spec::Format;
+use specula_spec::direct::DirectFormats;
 
 use super::clamp::to_cosine;
 use super::divider::{QuotientFormat, quotient};

@@ -1,5 +1,5 @@
 //! Division.
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 use crate::error::divider::Quotient;
 use specula_datapath::builder::{Builder, Sig};

@@ -1,10 +1,10 @@
 //! Normals of unit length without a root, each made of the one before.
-use specula_scene::spec::lyon::LyonFormats;
+use specula_spec::lyon::LyonFormats;
 
 use super::divider;
 use crate::error::followed::Followed;
 use specula_datapath::bound::VectorError;
-use specula_datapath::builder::{Builder, Known, Sig, Vector};
+use specula_datapath::builder::{Builder, LoopInvariant, Sig, Vector};
 
 /// What normals that follow one another begin with.
 pub struct Follow<'a> {
@@ -44,14 +44,14 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats) -> Vector {
             let error = Followed::new(n.bound(), w.bound(), y.bound()).error(formats);
             let (longest, bits) = (1.0 + error, formats.vector.fraction_bits);
             let widest = n.longest() + longest;
-            let known = Known { limits: (-longest, longest), fact: "|n| = 1", error };
+            let invariant = LoopInvariant { limits: (-longest, longest), fact: "|n| = 1", error };
             let restart = first.or(&follows.not());
             let operands = [&n.x, &n.y, &n.z, &y];
             let next = b.carried(
                 &restart,
                 ([&w.x, &w.y, &w.z], operands),
                 bits,
-                &known,
+                &invariant,
                 |[x, y, z], [n_x, n_y, n_z, residue]| {
                     let n = Vector::new([n_x, n_y, n_z].map(Sig::clone));
                     let h = &n + &Vector::new([x, y, z].map(Sig::clone));

@@ -2,7 +2,7 @@
 //! cosine's distance to 1.
 //!
 //! Widths and error are derived in docs/arithmetic/units.md.
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 use super::power::{exp2, tables};
 use crate::error;

@@ -1,5 +1,5 @@
 //! Vectors along a span.
-use specula_scene::Format;
+use specula_spec::Format;
 
 use crate::error::interpolate::{self, overshoot, reach, slack};
 use specula_datapath::bound::VectorError;

@@ -1,12 +1,12 @@
 //! A square root that follows the pixel before.
-use specula_scene::spec::direct::DirectFormats;
+use specula_spec::direct::DirectFormats;
 
 use super::direct::at_least;
 use super::divider::{QuotientFormat, quotient};
 use crate::error;
 use crate::error::newton_root::Length;
 use specula_datapath::bound::Interval;
-use specula_datapath::builder::{Builder, Known, Sig};
+use specula_datapath::builder::{Builder, LoopInvariant, Sig};
 
 /// d ← (d + q/d)/2, `steps` times at each pixel from the d of the pixel before on, and from 1 at
 /// the first; q counts as 4^-m at least. [lecture, §4.2; methods A6]
@@ -26,7 +26,8 @@ pub fn newton_root(b: &Builder, first: &Sig, q: &Sig, formats: &DirectFormats, s
             let limited = at_least(b, &q, 2 * reach);
             let Length { shortest, largest, error } =
                 error::newton_root::length(steps, q.bound(), limited.bound(), formats);
-            let known = Known { limits: (0.0, largest), fact: "0 <= d <= (2^-m + 2^m)/2", error };
+            let known =
+                LoopInvariant { limits: (0.0, largest), fact: "0 <= d <= (2^-m + 2^m)/2", error };
             let to = QuotientFormat { integer_bits: reach, fraction_bits };
             let [d] = b.carried(
                 &first,

@@ -1,5 +1,5 @@
 //! Approximate normalisation.
-use specula_scene::spec::lyon::{LyonFormats, LyonSpec, Normalisation};
+use specula_spec::lyon::{LyonFormats, LyonSpec, Normalisation};
 
 use super::has_direction;
 use super::normalise_exactly;

@@ -1,5 +1,5 @@
 //! Exact normalisation.
-use specula_scene::spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats};
+use specula_spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats};
 
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 use crate::error::normalise_exactly::Exact;

@@ -1,6 +1,6 @@
 //! Reciprocal square roots.
-use specula_scene::Format;
-use specula_scene::format::power_of_two;
+use specula_spec::Format;
+use specula_spec::format::power_of_two;
 
 use crate::error::reciprocal_square_root::{RowLimits, reciprocal_root};
 use specula_datapath::builder::{Builder, Sig};

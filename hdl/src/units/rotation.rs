@@ -1,8 +1,8 @@
 //! A vector that turns by the same angle with each pixel.
-use specula_scene::spec::slerp::{LARGEST_WEIGHT, SlerpFormats};
+use specula_spec::slerp::{LARGEST_WEIGHT, SlerpFormats};
 
 use crate::error::rotation::{drift, scaled_drift};
-use specula_datapath::builder::{Builder, Known, Sig};
+use specula_datapath::builder::{Builder, LoopInvariant, Sig};
 
 /// Cosine and sine of the angle i δ, from (1, 0) on, by a rotation in every clock; `turn` is cos δ
 /// and sin δ. [lecture, eq. 4.9 to 4.12; methods A11]
@@ -20,8 +20,11 @@ pub fn rotation(
     let formula = "c' = c cos d - s sin d, s' = s cos d + c sin d [lecture, eq. 4.9-4.12]";
     let turned = b.unit("rotation", formula, inputs, |b, (first, cosine, sine)| {
         let drift = drift(formats, steps);
-        let known =
-            Known { limits: (-1.0 - drift, 1.0 + drift), fact: "c^2 + s^2 = 1", error: drift };
+        let invariant = LoopInvariant {
+            limits: (-1.0 - drift, 1.0 + drift),
+            fact: "c^2 + s^2 = 1",
+            error: drift,
+        };
         let turn = Turn { cosine: &cosine, down: &sine, up: &sine };
         let [c, s] = turned(
             b,
@@ -29,7 +32,7 @@ pub fn rotation(
             [&b.integer(1), &b.integer(0)],
             turn,
             formats.state.fraction_bits,
-            &known,
+            &invariant,
         );
         (c.named("cosine"), s.named("sine"))
     });
@@ -75,11 +78,14 @@ pub fn scaled_rotation(
         b.unit("scaled_rotation", formula, inputs, |b, (first, c, s, cosine, down, up)| {
             let drift = scaled_drift(formats, steps);
             let limit = LARGEST_WEIGHT + drift;
-            let known =
-                Known { limits: (-limit, limit), fact: "c^2 + s^2 <= (1/sin 10)^2", error: drift };
+            let invariant = LoopInvariant {
+                limits: (-limit, limit),
+                fact: "c^2 + s^2 <= (1/sin 10)^2",
+                error: drift,
+            };
             let turn = Turn { cosine: &cosine, down: &down, up: &up };
             let [c, s] =
-                turned(b, &first, [&c, &s], turn, formats.scaled_state.fraction_bits, &known);
+                turned(b, &first, [&c, &s], turn, formats.scaled_state.fraction_bits, &invariant);
             (c.named("cosine"), s.named("sine"))
         });
     [turned.0, turned.1]
@@ -91,9 +97,9 @@ fn turned(
     starts: [&Sig; 2],
     turn: Turn,
     fraction_bits: u32,
-    known: &Known,
+    invariant: &LoopInvariant,
 ) -> [Sig; 2] {
-    b.recurrence(first, starts, fraction_bits, known, |[c, s]| {
+    b.recurrence(first, starts, fraction_bits, invariant, |[c, s]| {
         let (next_c, next_s) = (c * turn.cosine - s * turn.down, s * turn.cosine + c * turn.up);
         [next_c, next_s].map(|x| x.rounded(fraction_bits))
     })

@@ -1,5 +1,5 @@
 //! The shape of the highlight.
-use specula_scene::spec::lyon::LyonSpec;
+use specula_spec::lyon::LyonSpec;
 
 use super::LengthError;
 use super::power::square;

@@ -1,5 +1,5 @@
 //! Square roots.
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 use crate::error;
 use specula_datapath::builder::{Builder, Sig};

@@ -1,6 +1,6 @@
 //! Scalars along an arc: what the normal's rotation makes of them, and the base of the highlight.
 //! What is proven of them: [`error::turned`].
-use specula_scene::spec::slerp::SlerpFormats;
+use specula_spec::slerp::SlerpFormats;
 
 use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;

@@ -1,5 +1,5 @@
 //! Normals along an arc, or so near to it that a factor brings them to unit length.
-use specula_scene::spec::slerp::SlerpFormats;
+use specula_spec::slerp::SlerpFormats;
 
 use crate::error::turned_normal::{Weighing, longest};
 use specula_datapath::bound::VectorError;

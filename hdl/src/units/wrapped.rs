@@ -1,5 +1,5 @@
 //! Vectors of unit length without a root.
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{divider, has_direction};
 use crate::error::wrapped::{Edge, WrapUnits, Wrapped, longest};

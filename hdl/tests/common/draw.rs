@@ -1,9 +1,9 @@
 //! Specs and frames drawn at random, the same ones for the same seed.
 use glam::DVec3;
 use specula_scene::{
-    CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, Needs, Span, Spot,
-    Triangle, VertexCone,
+    DirectionalLight, Facet, Frame, LocalLight, Material, Needs, Span, Spot, Triangle, VertexCone,
 };
+use specula_spec::{CoreSpec, Method};
 
 #[path = "../../../scene/tests/common/any_spec.rs"]
 mod any_spec;

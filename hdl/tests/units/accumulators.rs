@@ -2,7 +2,7 @@
 use specula_datapath::builder::Vector;
 use specula_datapath::{Design, SpanPacket};
 use specula_hdl::units::{self, Differences, Interpolation, SpanNormals, Steps};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::common::{Drive, run};
 use super::{Bench, lyon, rounded};

@@ -1,7 +1,7 @@
 //! Powers with any exponent: small ones against exact integers, large ones against f64, whose own
 //! error is far smaller.
 use specula_hdl::units;
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs};
 

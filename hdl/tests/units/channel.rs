@@ -3,7 +3,7 @@ use specula_datapath::Design;
 use specula_datapath::bound::{ErrorBound, ErrorModel};
 use specula_datapath::builder::Sig;
 use specula_hdl::units::{self, Light};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs};
 
@@ -34,7 +34,7 @@ fn design_with(lights: usize, integer_bits: u32, stated: impl Fn(Sig) -> Sig) ->
         specular_coefficients: grey(&format!("ks_{i}")),
     };
     let lights: Vec<Light> = (0..lights).map(light).collect();
-    let [red, green, blue]: [Sig; 3] = units::channels(&bench.b, &bench.turns, &ambient, &lights);
+    let [red, green, blue]: [Sig; 3] = units::channels(&bench.b, &bench.slots, &ambient, &lights);
     bench.finish(&[("red", red), ("green", green), ("blue", blue)])
 }
 

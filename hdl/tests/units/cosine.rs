@@ -1,7 +1,7 @@
 //! Cosines and bases, over every pair of small operands.
 use specula_datapath::bound::Interval;
 use specula_hdl::units::{self, Base};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs, rounded};
 

@@ -1,7 +1,7 @@
 //! The divider, over every pair of operands.
 use specula_datapath::bound::Interval;
 use specula_hdl::units;
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs};
 

@@ -1,6 +1,6 @@
 //! The Gaussian of an angle, against f64, whose own error is far smaller.
 use specula_hdl::units;
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs};
 

@@ -1,8 +1,8 @@
 //! Bounds that must not be lost where hardware is left out, merged or shared: every operator on
 //! constants, twins and choices, against real values that the host rounded.
-use specula_datapath::builder::{Known, Sig};
-use specula_scene::Format;
-use specula_scene::format::power_of_two;
+use specula_datapath::builder::{LoopInvariant, Sig};
+use specula_spec::Format;
+use specula_spec::format::power_of_two;
 
 use super::common::draw::Draw;
 use super::{Bench, outputs};
@@ -92,11 +92,12 @@ fn entries_at_a_constant_address_are_off_as_any() {
 fn loops_of_constants_are_off_as_is_known_of_them() {
     let bench = Bench::new();
     let zero = bench.input("zero", FORMAT, (0, 0));
-    let known = || Known { limits: (-1.0, 1.0), fact: "it stays", error: 0.75 };
-    let [held] = bench.b.recurrence(&bench.start, [&zero], 3, &known(), |[x]| [x.clone()]);
-    let [carried] = bench
-        .b
-        .carried(&bench.start, ([&zero], [&zero]), 3, &known(), |[x], [y]| [(x + y).rounded(3)]);
+    let invariant = || LoopInvariant { limits: (-1.0, 1.0), fact: "it stays", error: 0.75 };
+    let [held] = bench.b.recurrence(&bench.start, [&zero], 3, &invariant(), |[x]| [x.clone()]);
+    let [carried] =
+        bench.b.carried(&bench.start, ([&zero], [&zero]), 3, &invariant(), |[x], [y]| {
+            [(x + y).rounded(3)]
+        });
     for value in [held, carried] {
         assert_eq!(value.error_value(), 0.75);
         assert_eq!(value.rounded(2).error_value(), 0.75 + 0.125);

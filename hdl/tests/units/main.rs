@@ -20,25 +20,25 @@ mod rotation;
 mod rounded_inputs;
 mod shape;
 mod square_root;
-mod turns;
+mod time_slots;
 
 use std::rc::Rc;
 
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use specula_datapath::Design;
-use specula_datapath::builder::{Builder, Sig, Turns};
+use specula_datapath::builder::{Builder, Sig, TimeSlots};
 use specula_datapath::target::Generic;
+use specula_scene::Needs;
 use specula_scene::contributions::Contributions;
 use specula_scene::needs::Ranges;
-use specula_scene::spec::{InputPort, LyonSpec};
-use specula_scene::{Format, Needs};
+use specula_spec::{Format, InputPort, LyonSpec};
 
 use common::{Drive, run};
 
 /// The ports, signals and outputs of a unit under test.
 struct Bench {
     b: Builder,
-    turns: Turns,
+    slots: TimeSlots,
     start: Sig,
 }
 
@@ -46,8 +46,8 @@ impl Bench {
     fn new() -> Bench {
         let b = Builder::new("bench", "", Rc::new(Generic));
         let control = b.control();
-        let turns = b.take_turns(&control, 1);
-        Bench { b, turns, start: control.start }
+        let slots = b.time_slots(&control, 1);
+        Bench { b, slots, start: control.start }
     }
 
     fn input(&self, name: &str, format: Format, (low, high): (i64, i64)) -> Sig {
@@ -55,7 +55,7 @@ impl Bench {
     }
 
     fn finish(self, outputs: &[(&str, Sig)]) -> Design {
-        self.b.finish(&self.turns.valid_at_last, outputs).expect("no unit is too wide here")
+        self.b.finish(&self.slots.valid_in_last_slot, outputs).expect("no unit is too wide here")
     }
 }
 

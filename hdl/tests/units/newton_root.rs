@@ -1,8 +1,8 @@
 //! Newton's root: spans one straight after the other, each from 1 on, against the same steps in
 //! whole numbers.
 use specula_hdl::units;
-use specula_scene::Format;
-use specula_scene::spec::direct::DirectFormats;
+use specula_spec::Format;
+use specula_spec::direct::DirectFormats;
 
 use super::common::{Drive, run};
 use super::{Bench, rounded};

@@ -2,8 +2,8 @@
 use specula_datapath::Design;
 use specula_datapath::builder::Vector;
 use specula_hdl::units;
-use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::Normalisation;
+use specula_spec::LyonSpec;
+use specula_spec::lyon::Normalisation;
 
 use super::{Bench, cube, dot, lyon, outputs, rounded};
 

@@ -2,7 +2,7 @@
 use proptest::prelude::*;
 use specula_datapath::builder::Vector;
 use specula_hdl::units::{self, ExactNormalisation, ReciprocalRoot};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, cube, outputs, property_tests};
 

@@ -1,6 +1,6 @@
 //! Powers by squaring, over every base and exponent.
 use specula_hdl::units;
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs, rounded};
 

@@ -2,7 +2,7 @@
 use proptest::prelude::*;
 use specula_datapath::builder::{Builder, Sig};
 use specula_hdl::units::{self, QuotientFormat};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs, property_tests};
 

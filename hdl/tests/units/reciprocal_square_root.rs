@@ -2,7 +2,7 @@
 use proptest::prelude::*;
 use specula_datapath::bound::Interval;
 use specula_hdl::units::{self, ReciprocalRoot};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs, property_tests};
 

@@ -2,8 +2,8 @@
 //! whole numbers.
 use specula_datapath::SpanPacket;
 use specula_hdl::units;
-use specula_scene::Format;
-use specula_scene::spec::slerp::SlerpFormats;
+use specula_spec::Format;
+use specula_spec::slerp::SlerpFormats;
 
 use super::common::{Drive, run};
 use super::{Bench, rounded};

@@ -3,7 +3,7 @@
 use specula_datapath::Design;
 use specula_datapath::builder::Sig;
 use specula_hdl::units::{self, Differences, Steps};
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::Bench;
 
@@ -190,7 +190,7 @@ fn stated_facts_leave_errors_alone() {
     assert_eq!((assumed.error(), assumed.range().extent()), (1.0, 1.0));
 }
 
-/// Of values that take turns and are the same constant, the largest error counts.
+/// Of values that have a time slot each and are the same constant, the largest error counts.
 #[test]
 fn turns_that_are_all_the_same_have_the_largest_error() {
     let b = specula_datapath::builder::Builder::new(
@@ -198,10 +198,10 @@ fn turns_that_are_all_the_same_have_the_largest_error() {
         "",
         std::rc::Rc::new(specula_datapath::target::Generic),
     );
-    let turns = b.take_turns(&b.control(), 2);
+    let slots = b.time_slots(&b.control(), 2);
     let coarse = b.integer(0).override_error("stated", 0.25);
     for values in [[coarse.clone(), b.integer(0)], [b.integer(0), coarse]] {
-        assert_eq!(turns.select(&values).error(), 0.25);
+        assert_eq!(slots.multiplexed(&values).error(), 0.25);
     }
 }
 

@@ -2,8 +2,7 @@
 use specula_datapath::Design;
 use specula_datapath::builder::Vector;
 use specula_hdl::units;
-use specula_scene::Format;
-use specula_scene::spec::LyonSpec;
+use specula_spec::{Format, LyonSpec};
 
 use super::{Bench, cube, dot, lyon, outputs, rounded};
 

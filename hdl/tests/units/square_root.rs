@@ -1,7 +1,7 @@
 //! Square roots, over every operand of small widths and many of large ones.
 use proptest::prelude::*;
 use specula_hdl::units;
-use specula_scene::Format;
+use specula_spec::Format;
 
 use super::{Bench, outputs, property_tests};
 

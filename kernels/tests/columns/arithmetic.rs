@@ -6,11 +6,11 @@
 //! result.
 use proptest::prelude::*;
 use specula_kernels::{
-    Arithmetic, Binary, Lane, Level, Post, Shift, Wrap, narrow, narrow_through_wide, narrowing,
-    wide, widening,
+    Arithmetic, Binary, InstructionSet, Lane, Post, Shift, Wrap, narrow, narrow_through_wide,
+    narrowing, wide, widening,
 };
 
-use crate::lanes::{Shape, column, in_lanes, levels, number, numbers, shape, unfilled};
+use crate::lanes::{Shape, column, in_lanes, instruction_sets, number, numbers, shape, unfilled};
 
 const OPERATORS: [Arithmetic; 4] =
     [Arithmetic::Copy, Arithmetic::Add, Arithmetic::Sub, Arithmetic::Mul];
@@ -118,10 +118,10 @@ fn operands(
     Operands { a, b, results }
 }
 
-type Kernel<I, O> = fn(Arithmetic, Post, Level) -> Binary<I, O>;
+type Kernel<I, O> = fn(Arithmetic, Post, InstructionSet) -> Binary<I, O>;
 
 /// Holds a kernel that computes in `computed` bits against the exact results, with every operator
-/// and at both levels.
+/// and at both instruction_sets.
 fn check<I: Lane, O: Lane>(
     kernel: Kernel<I, O>,
     computed: u32,
@@ -133,11 +133,16 @@ fn check<I: Lane, O: Lane>(
     for operator in OPERATORS {
         let operands = operands(operator, post, (computed, O::BITS), shape, a, b);
         let (a, b): (Vec<I>, Vec<I>) = (in_lanes(&operands.a), in_lanes(&operands.b));
-        for level in levels() {
+        for instruction_set in instruction_sets() {
             let mut out = unfilled::<O>(shape.lanes);
-            kernel(operator, post, level).run(&mut out, shape.of(&a, 0), shape.of(&b, 1));
+            kernel(operator, post, instruction_set).run(&mut out, shape.of(&a, 0), shape.of(&b, 1));
             let got: Vec<i128> = numbers(&out).into_iter().map(i128::from).collect();
-            assert_eq!(got, operands.results, "{operator:?} {post:?} {shape:?} {}", level.name());
+            assert_eq!(
+                got,
+                operands.results,
+                "{operator:?} {post:?} {shape:?} {}",
+                instruction_set.name()
+            );
         }
     }
 }
@@ -183,10 +188,10 @@ proptest! {
     fn overflow_keeps_the_low_bits(width in 1..=32u32, a in number(32), b in number(32)) {
         for operator in OPERATORS {
             let post = Post { wrap: Wrap::Signed(width), ..Post::default() };
-            for level in levels() {
+            for instruction_set in instruction_sets() {
                 let mut out = [0];
-                narrow(operator, post, level).run(&mut out, &[a as i32], &[b as i32]);
-                assert_eq!(i128::from(out[0]), wrapped(post.wrap, exact(operator, a, b)), "{operator:?} {}", level.name());
+                narrow(operator, post, instruction_set).run(&mut out, &[a as i32], &[b as i32]);
+                assert_eq!(i128::from(out[0]), wrapped(post.wrap, exact(operator, a, b)), "{operator:?} {}", instruction_set.name());
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Columns of values, extremes among them.
 use proptest::collection::vec;
 use proptest::prelude::*;
-use specula_kernels::{Lane, Level};
+use specula_kernels::{InstructionSet, Lane};
 
 /// Most lanes of a column: several vectors and an odd tail.
 pub const LONGEST: usize = 70;
@@ -9,8 +9,8 @@ pub const LONGEST: usize = 70;
 const FURTHEST: usize = 5;
 
 /// Both copies of a kernel; where the processor has no more than the baseline, that twice.
-pub fn levels() -> [Level; 2] {
-    [Level::BASELINE, Level::best()]
+pub fn instruction_sets() -> [InstructionSet; 2] {
+    [InstructionSet::BASELINE, InstructionSet::best()]
 }
 
 /// How many lanes a kernel fills, and where each operand begins.

@@ -2,16 +2,16 @@
 use proptest::prelude::*;
 use specula_kernels::{Bits, Extreme, Lane, Wrap, bits, choose, extreme, less_than};
 
-use crate::lanes::{Shape, column, in_lanes, levels, numbers, shape, unfilled};
+use crate::lanes::{Shape, column, in_lanes, instruction_sets, numbers, shape, unfilled};
 
 fn compared<L: Lane + PartialOrd>(shape: Shape, a: &[i64], b: &[i64]) {
     let (x, y) = (in_lanes::<L>(a), in_lanes::<L>(b));
     let expected: Vec<i64> =
         shape.of(a, 0).iter().zip(shape.of(b, 1)).map(|(a, b)| i64::from(a < b)).collect();
-    for level in levels() {
+    for instruction_set in instruction_sets() {
         let mut out = unfilled::<i32>(shape.lanes);
-        less_than::<L>(level).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
-        assert_eq!(numbers(&out), expected, "{}", level.name());
+        less_than::<L>(instruction_set).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
+        assert_eq!(numbers(&out), expected, "{}", instruction_set.name());
     }
 }
 
@@ -23,10 +23,10 @@ where
     for operator in [Bits::And, Bits::Or] {
         let meaning = |(&a, &b): (&i64, &i64)| if operator == Bits::And { a & b } else { a | b };
         let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(meaning).collect();
-        for level in levels() {
+        for instruction_set in instruction_sets() {
             let mut out = unfilled::<L>(shape.lanes);
-            bits::<L>(operator, level).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
-            assert_eq!(numbers(&out), expected, "{operator:?} {}", level.name());
+            bits::<L>(operator, instruction_set).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
+            assert_eq!(numbers(&out), expected, "{operator:?} {}", instruction_set.name());
         }
     }
 }
@@ -40,10 +40,15 @@ fn chosen<L: Lane>(shape: Shape, condition: &[i64], yes: &[i64], no: &[i64]) {
         .zip(branches)
         .map(|(&c, (&yes, &no))| if c != 0 { yes } else { no })
         .collect();
-    for level in levels() {
+    for instruction_set in instruction_sets() {
         let mut out = unfilled::<L>(shape.lanes);
-        choose::<L>(level).run(&mut out, shape.of(&c, 2), shape.of(&x, 0), shape.of(&y, 1));
-        assert_eq!(numbers(&out), expected, "{}", level.name());
+        choose::<L>(instruction_set).run(
+            &mut out,
+            shape.of(&c, 2),
+            shape.of(&x, 0),
+            shape.of(&y, 1),
+        );
+        assert_eq!(numbers(&out), expected, "{}", instruction_set.name());
     }
 }
 
@@ -54,11 +59,20 @@ fn limited(shape: Shape, a: &[i64], b: &[i64]) {
             |(&a, &b): (&i64, &i64)| if which == Extreme::Min { a.min(b) } else { a.max(b) };
         let expected: Vec<i64> = shape.of(a, 0).iter().zip(shape.of(b, 1)).map(meaning).collect();
         let low_bits: Vec<i64> = expected.iter().map(|value| value & 0x7FFF).collect();
-        for level in levels() {
+        for instruction_set in instruction_sets() {
             for (wrap, expected) in [(Wrap::None, &expected), (Wrap::Unsigned(15), &low_bits)] {
                 let mut out = unfilled::<i32>(shape.lanes);
-                extreme(which, wrap, level).run(&mut out, shape.of(&x, 0), shape.of(&y, 1));
-                assert_eq!(numbers(&out), *expected, "{which:?} {wrap:?} {}", level.name());
+                extreme(which, wrap, instruction_set).run(
+                    &mut out,
+                    shape.of(&x, 0),
+                    shape.of(&y, 1),
+                );
+                assert_eq!(
+                    numbers(&out),
+                    *expected,
+                    "{which:?} {wrap:?} {}",
+                    instruction_set.name()
+                );
             }
         }
     }

@@ -1,12 +1,12 @@
 //! Products, and sums of them, with everything that can happen to them before they are stored.
 use proptest::prelude::*;
 use specula_kernels::{
-    Lane, Level, Magnitude, Post, Products, Second, narrow_products, products_through_wide,
-    wide_products,
+    InstructionSet, Lane, Magnitude, Post, Products, Second, narrow_products,
+    products_through_wide, wide_products,
 };
 
 use crate::arithmetic::{finished, fits, posts};
-use crate::lanes::{LONGEST, column, in_lanes, levels, numbers, unfilled};
+use crate::lanes::{LONGEST, column, in_lanes, instruction_sets, numbers, unfilled};
 
 /// The factors of up to three products.
 type Columns = [[Vec<i64>; 2]; 3];
@@ -21,10 +21,10 @@ fn sum(second: Second, products: &[i128]) -> i128 {
     products.iter().enumerate().map(|(number, product)| sign(number) * product).sum()
 }
 
-/// Holds a kernel that computes in so many bits against the exact results, at both levels. Lanes
+/// Holds a kernel that computes in so many bits against the exact results, at both instruction_sets. Lanes
 /// whose sum does not fit are set to 0.
 fn check<O: Lane, const N: usize>(
-    kernel: impl Fn(Second, Post, Level) -> Products<O, N>,
+    kernel: impl Fn(Second, Post, InstructionSet) -> Products<O, N>,
     computed: u32,
     post: Post,
     lanes: usize,
@@ -46,19 +46,21 @@ fn check<O: Lane, const N: usize>(
             }));
         }
         let factors = factors.map(|pair| pair.map(|column| in_lanes::<i32>(&column)));
-        for level in levels() {
+        for instruction_set in instruction_sets() {
             let mut out = unfilled::<O>(lanes);
-            kernel(second, post, level)
+            kernel(second, post, instruction_set)
                 .run(&mut out, factors.each_ref().map(|pair| pair.each_ref().map(Vec::as_slice)));
             let got: Vec<i128> = numbers(&out).into_iter().map(i128::from).collect();
-            assert_eq!(got, expected, "{second:?} {post:?} {}", level.name());
+            assert_eq!(got, expected, "{second:?} {post:?} {}", instruction_set.name());
         }
     }
 }
 
 fn through_wide<const N: usize>(magnitude: Magnitude, post: Post, lanes: usize, columns: &Columns) {
     check(
-        |second, post, level| products_through_wide::<N>(second, magnitude, post, level),
+        |second, post, instruction_set| {
+            products_through_wide::<N>(second, magnitude, post, instruction_set)
+        },
         64,
         post,
         lanes,
@@ -68,7 +70,9 @@ fn through_wide<const N: usize>(magnitude: Magnitude, post: Post, lanes: usize, 
 
 fn wide<const N: usize>(magnitude: Magnitude, post: Post, lanes: usize, columns: &Columns) {
     check(
-        |second, post, level| wide_products::<N>(second, magnitude, post, level),
+        |second, post, instruction_set| {
+            wide_products::<N>(second, magnitude, post, instruction_set)
+        },
         64,
         post,
         lanes,

@@ -6,13 +6,11 @@ use toml::Spanned;
 
 use super::values::{Integer, Number, Triple};
 use super::{Shown, SourceFile, check, light, object, raw, span};
+use crate::limits::MOST_LIGHTS;
 use crate::mesh::Warning;
 use crate::picture::camera::Camera;
 use crate::picture::{Light, Rows, Scene, limits};
 use crate::{Colour, SceneError, defaults};
-
-/// The most lights a core takes.
-const MOST_LIGHTS: usize = 4;
 
 /// Checks every value and reads the meshes, which are looked for in `folder`; what is passed over
 /// in them goes to `warnings`.

@@ -5,8 +5,8 @@ use toml::Spanned;
 use super::values::{Integer, Vector};
 use super::{SourceFile, check, raw};
 use crate::SceneError;
+use crate::limits::LARGEST_SHININESS;
 use crate::picture::{Light, LightSource, LightSpace};
-use crate::spec::LARGEST_SHININESS;
 
 /// The exponent of a spot that names none.
 const EXPONENT: u32 = 16;

@@ -13,7 +13,7 @@ use std::ops::Range;
 use std::path::Path;
 
 pub use self::core::CoreTable;
-pub(crate) use self::source::SourceFile;
+pub use self::source::SourceFile;
 
 use crate::mesh::Warning;
 use crate::picture::project::PictureError;

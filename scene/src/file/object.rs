@@ -7,6 +7,7 @@ use toml::Spanned;
 use super::values::Number;
 use super::{SourceFile, check, raw};
 use crate::angle::cos_sin;
+use crate::limits::LARGEST_SHININESS;
 use crate::mesh::error::listed;
 use crate::mesh::{MOST_TRIANGLES, Mesh, Warning};
 use crate::picture::Object;
@@ -191,7 +192,9 @@ pub(super) fn material(source: &SourceFile, raw: &raw::Material) -> Result<Mater
             default.specular,
         )?,
         shininess: match &raw.shininess {
-            Some(shininess) => check::integer(source, "shininess", shininess, 1..=8191)?,
+            Some(shininess) => {
+                check::integer(source, "shininess", shininess, 1..=LARGEST_SHININESS)?
+            }
             None => default.shininess,
         },
     })

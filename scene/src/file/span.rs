@@ -4,8 +4,8 @@ use toml::Spanned;
 
 use super::values::Vector;
 use super::{SourceFile, check, object, raw};
+use crate::limits::LONGEST_SPAN;
 use crate::picture::{Row, limits};
-use crate::spec::LONGEST_SPAN;
 use crate::{Facet, SceneError, Span, Triangle, VertexCone};
 
 /// How far from 1 the weights of a span's end may add up.

@@ -1,6 +1,6 @@
 //! A spec with any formats and options that may be asked for.
-use specula_scene::spec::{CoreOptions, NarrowingPoint, SpecError};
-use specula_scene::{CoreSpec, Format, Method, Needs};
+use specula_scene::Needs;
+use specula_spec::{CoreOptions, CoreSpec, Format, Method, NarrowingPoint, SpecError};
 
 /// A spec that [`CoreSpec::check`] accepts; `between` draws a number from its first argument to its
 /// second.
@@ -9,7 +9,7 @@ pub fn any_spec(
     method: Method,
     mut between: impl FnMut(u32, u32) -> u32,
 ) -> CoreSpec {
-    let mut option = |choice: &specula_scene::spec::Choice| {
+    let mut option = |choice: &specula_spec::Choice| {
         let value = choice.values[between(0, choice.values.len() as u32 - 1) as usize];
         format!("{} = {value}", choice.key)
     };

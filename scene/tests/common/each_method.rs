@@ -12,7 +12,7 @@ macro_rules! each_method {
     };
     ($check:ident: $($name:ident = $method:ident,)*) => {
         mod $check {
-            use specula_scene::Method;
+            use specula_spec::Method;
 
             // Nothing is forgotten.
             const _: [Method; Method::ALL.len()] = [$(Method::$method),*];

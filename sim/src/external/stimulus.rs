@@ -1,4 +1,4 @@
-//! The stimulus as a file: a line for each stretch, all numbers hexadecimal.
+//! The stimulus as a file: a line for each hold, all numbers hexadecimal.
 //!
 //! ```text
 //! clocks valid starts input input ...
@@ -14,14 +14,14 @@ use crate::Stimulus;
 /// Writes the whole of `stimulus`.
 pub fn write_stimulus(out: impl Write, stimulus: &Stimulus, design: &Design) -> io::Result<()> {
     let mut out = BufWriter::new(out);
-    for stretch in stimulus.stretches() {
-        let clocks = stretch.clocks.end - stretch.clocks.start;
-        write!(out, "{clocks:x} {:x} {:x}", u8::from(stretch.valid), u8::from(stretch.starts))?;
+    for hold in stimulus.holds() {
+        let clocks = hold.clocks.end - hold.clocks.start;
+        write!(out, "{clocks:x} {:x} {:x}", u8::from(hold.valid), u8::from(hold.starts))?;
         for (index, node) in design.inputs.iter().enumerate() {
             let Some(node) = *node else { continue };
             // Before the first span there are no inputs yet; registers hold 0 then, and so do the
             // pins.
-            let raw = stretch.inputs.get(index).copied().unwrap_or(0);
+            let raw = hold.inputs.get(index).copied().unwrap_or(0);
             write!(out, " {:x}", wrapped(raw, design.node(node).width(), false))?;
         }
         writeln!(out)?;

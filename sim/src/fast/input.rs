@@ -9,7 +9,7 @@ use specula_kernels::Lane;
 
 use super::memory::{Column, Memory, PADDING, Place};
 use crate::Stimulus;
-use crate::stimulus::{Stride, Strides};
+use crate::stimulus::{HoldRange, HoldRanges};
 
 /// A column of an input, and the value that all its lanes hold, if it is one.
 struct InputColumn {
@@ -26,9 +26,9 @@ struct Stale {
     index: usize,
 }
 
-/// A stride that reaches into this batch.
+/// A range that reaches into this batch.
 struct Segment {
-    stride: Stride,
+    range: HoldRange,
     /// Its lanes.
     lanes: Range<usize>,
     /// Whether its first clock is one of them.
@@ -41,11 +41,11 @@ pub struct InputFeed<'a> {
     valid: Option<Place>,
     start: Option<Place>,
     columns: Vec<InputColumn>,
-    strides: Peekable<Strides<'a>>,
-    /// Strides of this batch, and their inputs, `stride` after `stride`.
+    ranges: Peekable<HoldRanges<'a>>,
+    /// Ranges of this batch, and their inputs, `range` after `range`.
     segments: Vec<Segment>,
     inputs: Vec<i64>,
-    inputs_per_stride: usize,
+    inputs_per_range: usize,
     /// For each input, bits in which its values of this batch differ.
     varying: Vec<i64>,
 }
@@ -68,10 +68,10 @@ impl<'a> InputFeed<'a> {
                     Some(InputColumn { place: place((*id)?)?, index, uniform: None })
                 })
                 .collect(),
-            strides: stimulus.strides().peekable(),
+            ranges: stimulus.hold_ranges().peekable(),
             segments: vec![],
             inputs: vec![],
-            inputs_per_stride: design.inputs.len(),
+            inputs_per_range: design.inputs.len(),
             varying: vec![0; design.inputs.len()],
         }
     }
@@ -97,41 +97,40 @@ impl<'a> InputFeed<'a> {
         for place in self.valid.into_iter().chain(self.start) {
             memory.fill(place, 0, lanes, 0);
         }
-        for Segment { stride, lanes, begins } in &self.segments {
-            if let (Some(valid), true) = (self.valid, stride.valid) {
+        for Segment { range, lanes, begins } in &self.segments {
+            if let (Some(valid), true) = (self.valid, range.valid) {
                 memory.fill(valid, lanes.start, lanes.end, 1);
             }
-            if let (Some(start), true) = (self.start, *begins && stride.starts) {
+            if let (Some(start), true) = (self.start, *begins && range.starts) {
                 memory.set_lane(start, lanes.start, 1);
             }
         }
     }
 
-    /// Takes the strides that reach into this batch.
+    /// Takes the ranges that reach into this batch.
     fn collect(&mut self, position: i64, lanes: usize) {
         let (origin, end) = (self.stimulus.clocks().start, position + lanes as i64);
         let relative = |clock: u64| (clock - origin) as i64;
         let done =
-            self.segments.iter().take_while(|s| relative(s.stride.clocks.end) <= position).count();
+            self.segments.iter().take_while(|s| relative(s.range.clocks.end) <= position).count();
         self.segments.drain(..done);
-        self.inputs.drain(..done * self.inputs_per_stride);
-        while let Some(stride) = self.strides.next_if(|stride| relative(stride.clocks.start) < end)
-        {
-            self.stimulus.append_inputs(&stride, &mut self.inputs);
+        self.inputs.drain(..done * self.inputs_per_range);
+        while let Some(range) = self.ranges.next_if(|range| relative(range.clocks.start) < end) {
+            self.stimulus.append_inputs(&range, &mut self.inputs);
             // A run without spans has no inputs to hold.
-            self.inputs.resize((self.segments.len() + 1) * self.inputs_per_stride, 0);
-            self.segments.push(Segment { stride, lanes: 0..0, begins: false });
+            self.inputs.resize((self.segments.len() + 1) * self.inputs_per_range, 0);
+            self.segments.push(Segment { range, lanes: 0..0, begins: false });
         }
-        for Segment { stride, lanes: range, begins } in &mut self.segments {
+        for Segment { range, lanes: own, begins } in &mut self.segments {
             let lane = |clock: u64| (relative(clock) - position).clamp(0, lanes as i64) as usize;
-            *range = lane(stride.clocks.start)..lane(stride.clocks.end);
-            *begins = relative(stride.clocks.start) >= position;
+            *own = lane(range.clocks.start)..lane(range.clocks.end);
+            *begins = relative(range.clocks.start) >= position;
         }
     }
 
-    /// The inputs of each stride; none if there are no inputs.
+    /// The inputs of each range; none if there are no inputs.
     fn rows(&self) -> impl Iterator<Item = &[i64]> {
-        self.inputs.chunks_exact(self.inputs_per_stride.max(1))
+        self.inputs.chunks_exact(self.inputs_per_range.max(1))
     }
 
     fn find_varying(&mut self) {

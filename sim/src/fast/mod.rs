@@ -20,7 +20,7 @@ mod step;
 
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
-pub use specula_kernels::Level;
+pub use specula_kernels::InstructionSet;
 
 use crate::{Batch, Engine, Flow, SimError, Stimulus};
 use parallel::Pieces;
@@ -33,7 +33,7 @@ pub struct Settings {
     /// Clocks in a batch, at least 1.
     pub batch: usize,
     /// The instruction set.
-    pub level: Level,
+    pub instruction_set: InstructionSet,
     /// Threads that work at once, at least 1; one does where many signals are watched.
     pub threads: usize,
     /// Clocks that a thread works on at a time, at least 1, where there are several.
@@ -42,7 +42,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Settings {
-        Settings { batch: 512, level: Level::best(), threads: 1, piece: 32_768 }
+        Settings { batch: 512, instruction_set: InstructionSet::best(), threads: 1, piece: 32_768 }
     }
 }
 
@@ -84,7 +84,7 @@ impl Engine for Fast<'_> {
         watched: &[NodeId],
         sink: &mut dyn FnMut(&Batch) -> Flow,
     ) -> Result<(), SimError> {
-        let plan = plan(self.design, watched, self.settings.batch, self.settings.level);
+        let plan = plan(self.design, watched, self.settings.batch, self.settings.instruction_set);
         if parallel::pays(self.settings, &plan) {
             Pieces { plan: &plan, design: self.design, stimulus, settings: self.settings, watched }
                 .run(sink);

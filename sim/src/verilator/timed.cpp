@@ -28,7 +28,7 @@ using Dump = VerilatedVcdC;
 
 #include "ports.h"
 
-struct Stretch {
+struct InputHold {
     uint64_t clocks;
     uint64_t valid;
     uint64_t starts;
@@ -37,11 +37,11 @@ struct Stretch {
 
 static bool read_number(std::FILE* file, uint64_t& number) { return std::fscanf(file, "%" SCNx64, &number) == 1; }
 
-static std::vector<Stretch> read_stimulus(const char* name) {
-    std::vector<Stretch> all;
+static std::vector<InputHold> read_stimulus(const char* name) {
+    std::vector<InputHold> all;
     std::FILE* file = std::fopen(name, "r");
     if (!file) return all;
-    Stretch next;
+    InputHold next;
     while (read_number(file, next.clocks) && read_number(file, next.valid) && read_number(file, next.starts)) {
         for (int i = 0; i < INPUTS && read_number(file, next.inputs[i]); ++i) continue;
         all.push_back(next);
@@ -83,7 +83,7 @@ class Run {
         set_reset(core_, 0);
     }
 
-    void shade(const Stretch& span) {
+    void shade(const InputHold& span) {
         for (int i = 0; i < INPUTS; ++i) set_input(core_, i, span.inputs[i]);
         for (uint64_t clock = 0; clock < span.clocks; ++clock) tick(span.valid, span.starts && clock == 0);
     }
@@ -130,12 +130,12 @@ static bool write_result(const char* name, double seconds, const Run& run) {
 
 int main(int count, char** arguments) {
     if (count != 5) return std::fputs("usage: run STIMULUS RESULT SPANS DUMP\n", stderr), 2;
-    const std::vector<Stretch> frame = read_stimulus(arguments[1]);
+    const std::vector<InputHold> frame = read_stimulus(arguments[1]);
     size_t spans_of_frame = 0;
     uint64_t idle = 0;
-    for (const Stretch& stretch : frame) {
-        if (stretch.valid) ++spans_of_frame;
-        else idle += stretch.clocks;
+    for (const InputHold& hold : frame) {
+        if (hold.valid) ++spans_of_frame;
+        else idle += hold.clocks;
     }
     if (spans_of_frame == 0) return std::fputs("run: there is no span\n", stderr), 1;
     const uint64_t spans = std::strtoull(arguments[3], nullptr, 10);

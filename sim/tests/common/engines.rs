@@ -1,7 +1,7 @@
 //! Every engine on one stimulus.
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
-use specula_sim::fast::{Level, Settings};
+use specula_sim::fast::{InstructionSet, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, Icarus, RustHdl, SimError, Stimulus};
 
 use super::tools::{installed, verilator};
@@ -33,9 +33,11 @@ pub fn run_all(
 ) -> (Columns, Vec<(&'static str, Columns)>) {
     let reference = run(&mut RustHdl::new(design).unwrap(), stimulus, watched).unwrap();
     let mut others = vec![];
-    for level in [Level::BASELINE, Level::best()] {
-        let mut fast =
-            Fast::with_settings(design, Settings { batch: 61, level, threads: 2, piece: 100 });
+    for instruction_set in [InstructionSet::BASELINE, InstructionSet::best()] {
+        let mut fast = Fast::with_settings(
+            design,
+            Settings { batch: 61, instruction_set, threads: 2, piece: 100 },
+        );
         others.push((fast.name(), run(&mut fast, stimulus, watched).unwrap()));
     }
     if let Some(mut verilator) = verilator(design) {

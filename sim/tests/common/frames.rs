@@ -1,11 +1,11 @@
 //! Small frames made by hand, and cores for them.
 use glam::DVec3;
 use specula_datapath::{Design, SpanPacket};
-use specula_scene::spec::lyon::LyonSpec;
 use specula_scene::{
-    CoreSpec, DirectionalLight, Facet, Frame, LocalLight, Material, Method, MethodSpec, Needs,
-    Span, Spot, Triangle, VertexCone,
+    DirectionalLight, Facet, Frame, LocalLight, Material, Needs, Span, Spot, Triangle, VertexCone,
 };
+use specula_spec::lyon::LyonSpec;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use super::random::Random;
 

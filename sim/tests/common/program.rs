@@ -6,8 +6,7 @@ use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Range;
 use specula_datapath::target::Generic;
 use specula_datapath::{Design, SpanPacket};
-use specula_scene::Format;
-use specula_scene::spec::InputPort;
+use specula_spec::{Format, InputPort};
 
 use super::number::Number;
 

@@ -6,7 +6,8 @@ mod miter;
 
 use std::process::Command;
 
-use specula_scene::{CoreSpec, Method, parse};
+use specula_scene::parse;
+use specula_spec::{CoreSpec, Method, SceneCore};
 
 use common::tools;
 use miter::Miter;

@@ -4,8 +4,7 @@ use std::fmt::Write;
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 use specula_datapath::verilog::{self, Header, LongDelays};
-use specula_scene::CoreSpec;
-use specula_scene::spec::Given;
+use specula_spec::{CoreSpec, Given};
 
 /// Both cores, and what inputs are given.
 pub struct Miter<'a> {

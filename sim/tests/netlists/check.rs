@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
 use specula_datapath::design::{NodeId, Op};
-use specula_sim::fast::{Level, Settings};
+use specula_sim::fast::{InstructionSet, Settings};
 
 use crate::case::{Case, Subject};
 use crate::common::random::Random;
@@ -92,8 +92,9 @@ pub fn views(case: &Case, random: &mut Random) -> Vec<Case> {
         |watched: &[NodeId], subject| Case { watched: watched.to_vec(), subject, ..case.clone() };
     let mut views = vec![view(&all, Subject::RustHdl)];
     for batch in BATCHES {
-        let level = if random.below(2) == 0 { Level::BASELINE } else { Level::best() };
-        let subject = Subject::Fast(Settings { batch, level, ..Settings::default() });
+        let instruction_set =
+            if random.below(2) == 0 { InstructionSet::BASELINE } else { InstructionSet::best() };
+        let subject = Subject::Fast(Settings { batch, instruction_set, ..Settings::default() });
         views.push(view(&all, subject));
         // Few signals leave much to be fused and memory to be shared.
         let few = 1 + random.below(3);

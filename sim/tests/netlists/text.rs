@@ -57,8 +57,8 @@ pub fn print(case: &Case) -> String {
 
 fn subject(subject: Subject) -> String {
     match subject {
-        Subject::Fast(Settings { batch, level, threads, piece }) => {
-            format!("fast {batch} {} {threads} {piece}", level.name())
+        Subject::Fast(Settings { batch, instruction_set, threads, piece }) => {
+            format!("fast {batch} {} {threads} {piece}", instruction_set.name())
         }
         Subject::RustHdl => "rust-hdl".to_owned(),
     }

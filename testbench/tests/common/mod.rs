@@ -2,13 +2,10 @@
 // Each test program takes what it needs.
 #![allow(dead_code)]
 use glam::DVec3;
-use specula_scene::spec::duff::Highlight;
-use specula_scene::spec::lyon::{Difference, LyonSpec};
-use specula_scene::spec::reflection;
-use specula_scene::{
-    CoreSpec, DirectionalLight, Facet, Frame, Material, Method, MethodSpec, Needs, Span, Triangle,
-    VertexCone,
-};
+use specula_scene::{DirectionalLight, Facet, Frame, Material, Needs, Span, Triangle, VertexCone};
+use specula_spec::duff::Highlight;
+use specula_spec::lyon::{Difference, LyonSpec};
+use specula_spec::{CoreSpec, Method, MethodSpec, reflection};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 /// A span to be put on a row of its own.

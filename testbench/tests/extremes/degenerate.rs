@@ -1,8 +1,9 @@
 //! Normals that vanish or oppose each other.
 use glam::DVec3;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::spec::reflection::Bisector;
-use specula_scene::{Method, Needs};
+use specula_scene::Needs;
+use specula_spec::Method;
+use specula_spec::lyon::Difference;
+use specula_spec::reflection::Bisector;
 
 use crate::common::{
     codes, cores, cross_form, duffs, frame, lyon, material, mirror, reflection_form, reflections,

@@ -1,6 +1,6 @@
 //! Short normals under the root.
 use glam::DVec3;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
 

@@ -1,5 +1,6 @@
 //! Methods that take the polygon's own normal: lecture, eq. 2.1, and Hast et al., §4.
-use specula_scene::{CoreSpec, Frame, LoadedScene, load};
+use specula_scene::{Frame, LoadedScene, load};
+use specula_spec::{CoreSpec, SceneCore};
 
 use crate::common::shade;
 

@@ -1,7 +1,8 @@
 //! Intensities that are uniform over a polygon.
 use glam::DVec3;
-use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::{CoreSpec, Facet, Frame, LocalLight, Method, MethodSpec, Spot};
+use specula_scene::{Facet, Frame, LocalLight, Spot};
+use specula_spec::gouraud::Interpolation;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::common::{codes, frame, material, shade, spec, tilted};
 

@@ -1,9 +1,9 @@
 //! The highlight: its centre, its end, its exponents.
 use glam::DVec3;
-use specula_scene::spec::SpecError;
-use specula_scene::spec::duff::Highlight;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::duff::Highlight;
+use specula_spec::lyon::Difference;
+use specula_spec::{CoreSpec, Method, SpecError};
 
 use crate::common::{
     Row, codes, cores, cross_form, duff, duffs, frame, frame_of, lyon, material, mirror,

@@ -1,9 +1,10 @@
 //! What the options of `lyon` do at their ends.
 use glam::DVec3;
-use specula_scene::spec::lyon::{
+use specula_scene::Frame;
+use specula_spec::CoreSpec;
+use specula_spec::lyon::{
     Difference, Halfway, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis,
 };
-use specula_scene::{CoreSpec, Frame};
 
 use crate::common::{codes, frame, lyon, material, mirror, tilted};
 

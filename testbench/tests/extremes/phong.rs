@@ -1,7 +1,8 @@
 //! Lights and eyes at places, and every exponent.
 use glam::DVec3;
-use specula_scene::spec::phong::{Highlight, Places};
-use specula_scene::{CoreSpec, Frame, LocalLight, Method, MethodSpec, Spot};
+use specula_scene::{Frame, LocalLight, Spot};
+use specula_spec::phong::{Highlight, Places};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
 

@@ -1,7 +1,8 @@
 //! Values at the ends of their ranges.
 use glam::DVec3;
-use specula_scene::spec::MOST_LIGHTS;
-use specula_scene::{Frame, Method};
+use specula_scene::Frame;
+use specula_scene::limits::MOST_LIGHTS;
+use specula_spec::Method;
 use specula_testbench::{Bench, EngineKind};
 
 use crate::common::{codes, cores, frame, material, mirror, shade, spec, tilted};

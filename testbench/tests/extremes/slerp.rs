@@ -1,7 +1,8 @@
 //! Angles between nothing and half a turn.
 use glam::DVec3;
-use specula_scene::spec::slerp::SlerpFormats;
-use specula_scene::{CoreSpec, Frame, Method, MethodSpec, Span};
+use specula_scene::{Frame, Span};
+use specula_spec::slerp::SlerpFormats;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
 

@@ -1,7 +1,8 @@
 //! Lengths of spans.
 use glam::DVec3;
 use rayon::prelude::*;
-use specula_scene::{Material, Method};
+use specula_scene::Material;
+use specula_spec::Method;
 
 use crate::common::{Row, codes, cores, frame, frame_of, material, mirror, row, shade, tilted};
 

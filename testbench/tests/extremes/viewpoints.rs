@@ -1,6 +1,6 @@
 //! Lights and eyes behind the surface or in its plane.
 use glam::DVec3;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::common::{codes, cores, frame, material, mirror, shade, spec, tilted};
 

@@ -5,8 +5,8 @@ mod common;
 
 use common::{Row, frame_of, material};
 use glam::DVec3;
-use specula_scene::spec::CoreOptions;
-use specula_scene::{CoreSpec, Frame, LoadedScene, Method, Needs, parse};
+use specula_scene::{Frame, LoadedScene, Needs, parse};
+use specula_spec::{CoreOptions, CoreSpec, Method, SceneCore};
 use specula_testbench::{Bench, BenchError, EngineKind, Outcome};
 
 fn outcome(frame: &Frame, spec: &CoreSpec) -> Result<Outcome, BenchError> {

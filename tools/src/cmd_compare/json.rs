@@ -2,7 +2,7 @@
 use serde::Serialize;
 use specula_experiments::tradeoff::software::Software;
 use specula_experiments::tradeoff::{Measured, WORD_BITS};
-use specula_scene::CoreSpec;
+use specula_spec::CoreSpec;
 use specula_testbench::ErrorFigures;
 
 use super::result::{Compared, Core, size};

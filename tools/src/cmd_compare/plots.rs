@@ -1,7 +1,7 @@
 //! Error against size and against run time.
 use specula_experiments::pareto_front;
 use specula_experiments::tradeoff::Formats;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::result::{Compared, Core, size};
 use crate::plot::{Axis, Label, Place, Plot, PlotSeries, Scale, Shown};

@@ -201,7 +201,7 @@ fn decibels(figures: &ErrorFigures) -> String {
 
 #[cfg(test)]
 mod tests {
-    use specula_scene::Method;
+    use specula_spec::Method;
 
     use super::*;
     use crate::table;

@@ -6,8 +6,9 @@ use serde_json::Value;
 use specula_datapath::Design;
 use specula_experiments::operations::Contents;
 use specula_experiments::stress::variant::Variant;
-use specula_scene::spec::{LARGEST_SHININESS, MOST_LIGHTS, NarrowingPoint, Viewpoint};
-use specula_scene::{Format, LoadedScene, Method, Needs};
+use specula_scene::limits::{LARGEST_SHININESS, MOST_LIGHTS};
+use specula_scene::{LoadedScene, Needs};
+use specula_spec::{Format, Method, NarrowingPoint, SceneCore, Viewpoint};
 use specula_testbench::{Bench, BenchError};
 
 use crate::error::ToolError;

@@ -9,7 +9,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use specula_experiments::figure9::{self, Balls, ROWS, Row};
-use specula_scene::{Frame, SceneError};
+use specula_scene::Frame;
+use specula_spec::CoreError;
 use specula_testbench::{Bench, EngineKind, Image};
 
 use crate::arguments::{engine_parser, parse_size};
@@ -99,7 +100,7 @@ fn shaded(
     balls: Balls,
     frame: &Frame,
 ) -> Result<Shaded, ToolError> {
-    let spec = row.core(frame).map_err(SceneError::Spec)?;
+    let spec = row.core(frame).map_err(CoreError::Spec)?;
     let module = module(number);
     let bench = Bench::new(frame, &spec, &module)?;
     let outcome = simulate(&bench, arguments.engine)?;

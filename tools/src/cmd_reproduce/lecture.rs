@@ -1,5 +1,6 @@
 //! What is reproduced of the lecture besides claims: the hardware of its programming project.
-use specula_scene::{CoreSpec, Method, Needs, load};
+use specula_scene::{Needs, load};
+use specula_spec::{CoreSpec, Method};
 use specula_testbench::BenchError;
 
 use super::section::Section;

@@ -2,7 +2,7 @@
 use std::fs;
 use std::io;
 
-use specula_scene::SpecFile;
+use specula_spec::SpecFile;
 use specula_testbench::Image;
 
 use crate::error::ToolError;

@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::Parser;
 use serde_json::Value;
 use specula_datapath::design::Range;
-use specula_scene::Format;
+use specula_spec::Format;
 use specula_testbench::{Mismatch, Violation};
 use tempfile::TempDir;
 

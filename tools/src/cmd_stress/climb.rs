@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use specula_experiments::climb::{MOST_TOLD, MethodReport, Search, climb};
-use specula_scene::Method;
+use specula_spec::Method;
 
 use crate::error::ToolError;
 use crate::output::{Destination, PROGRAM, REPORT, Staging};

@@ -3,7 +3,7 @@ use std::fs;
 use std::io;
 
 use specula_experiments::stress::{CATALOGUE, Cell, RAW};
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::{Stress, json, plots, table};
 use crate::error::ToolError;

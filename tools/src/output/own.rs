@@ -7,8 +7,8 @@ use std::path::Path;
 
 use serde::Deserialize;
 use specula_experiments::tradeoff::Journal;
-use specula_scene::SpecFile;
 use specula_scene::regular::read_regular;
+use specula_spec::SpecFile;
 
 use super::{JOURNAL, REPORT};
 

@@ -4,7 +4,7 @@ use std::time::Instant;
 use serde::{Serialize, Serializer};
 use specula_datapath::design::Size;
 use specula_experiments::{Savings, Share};
-use specula_scene::CoreSpec;
+use specula_spec::CoreSpec;
 use specula_testbench::{Errors, Violation, WorstQuantisation};
 
 use super::facts::{self, Fact};

@@ -2,7 +2,7 @@
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_datapath::design::{Assumption, Range};
-use specula_scene::Format;
+use specula_spec::Format;
 use specula_testbench::Outcome;
 
 /// A fact in units of one kind.

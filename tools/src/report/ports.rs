@@ -1,7 +1,7 @@
 //! The ports of a core, for people.
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
-use specula_scene::CoreSpec;
+use specula_spec::CoreSpec;
 
 /// Rows of name, direction, width, format and meaning: control, what a span brings, and the pixel
 /// that leaves.

@@ -1,6 +1,5 @@
 //! Changes to the core.
-use specula_scene::Format;
-use specula_scene::spec::{LightPipelines, Specialise};
+use specula_spec::{Format, LightPipelines, Specialise};
 
 use super::{Genome, Operator, any};
 use crate::climb::random;

@@ -2,7 +2,7 @@
 use glam::DVec3;
 use specula_scene::Colour;
 use specula_scene::frame::EYE;
-use specula_scene::spec::LONGEST_SPAN;
+use specula_scene::limits::LONGEST_SPAN;
 
 use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
 use super::{Genome, Operator, any};

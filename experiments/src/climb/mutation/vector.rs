@@ -1,6 +1,6 @@
 //! Changes to unit vectors.
 use glam::DVec3;
-use specula_scene::Format;
+use specula_spec::Format;
 
 use crate::stress::draw::{Draw, turned};
 

@@ -1,6 +1,7 @@
 //! Figures 2 and 3: Phong shading and reflection shading, highlights of both by eq. 34, as cores
 //! draw them.
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::{CoreSpec, Method};
 
 use specula_testbench::statistics::Sums;
 use specula_testbench::{Bench, BenchError, EngineKind, ErrorFigures, Image};

@@ -7,7 +7,7 @@ use specula_golden::exact::reflection::{halfway, reflect};
 use specula_golden::exact::shape::power;
 use specula_golden::exact::wrap;
 use specula_scene::frame::EYE;
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 use super::super::claim::{Claim, Ruling, exact};
 use super::super::{HALF_LSB, largest};

@@ -4,7 +4,7 @@ use specula_golden::exact::direct::{kappa, length_squared};
 use specula_golden::exact::newton::lengths;
 use specula_golden::exact::slerp::{slerp, weights};
 use specula_golden::exact::specular::{fast, textbook};
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 use super::claim::{Claim, Ruling, exact};
 use super::{HALF_LSB, largest};

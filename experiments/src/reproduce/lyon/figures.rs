@@ -1,7 +1,7 @@
 //! Figures 3 and 4.
 use glam::DVec3;
 use specula_golden::exact::normalisation::{g1, g2};
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::super::figure::{Curve, Figure};
 use super::super::span_core::{SpanCore, frame};

@@ -2,7 +2,7 @@
 use glam::DVec3;
 use specula_golden::exact::normalisation::g2;
 use specula_golden::exact::shape::f_k;
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 use super::super::claim::{Claim, Ground, Ruling};
 use super::{core_height, height};

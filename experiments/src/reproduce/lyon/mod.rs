@@ -8,7 +8,7 @@ mod widths;
 use glam::DVec3;
 use specula_golden::exact::reflection::{reflect, reflection_minus_light};
 use specula_golden::exact::shape::f_k;
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::claim::Claim;
 use super::span_core::{SpanCore, frame, value};

@@ -1,8 +1,7 @@
 //! The approximate normalisation g1, g2 (figure 4).
 use glam::DVec3;
 use specula_golden::exact::normalisation::{g1, g2};
-use specula_scene::Method;
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::{FULL_SCALE, Method};
 
 use super::super::claim::{Claim, Ground, Ruling};
 use super::super::largest;

@@ -4,8 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use glam::DVec3;
 use specula_golden::exact::reflection::{reflect, reflection_minus_light};
 use specula_golden::exact::shape::f_k;
-use specula_scene::spec::FULL_SCALE;
-use specula_scene::{Format, Method};
+use specula_spec::{FULL_SCALE, Format, Method};
 
 use super::super::claim::{Claim, Ground, Ruling};
 use super::super::span_core::{SpanCore, frame, value};

@@ -3,7 +3,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 use specula_golden::exact::consistent::{cosine, q, rational_q, reflection};
-use specula_scene::Method;
+use specula_spec::Method;
 
 use super::super::figure::{Curve, Figure};
 use super::super::span_core::{SpanCore, frame, value};

@@ -6,7 +6,7 @@ use specula_golden::exact::consistent::{
 use specula_scene::mesh::Mesh;
 use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
-use specula_scene::spec::FULL_SCALE;
+use specula_spec::FULL_SCALE;
 
 use super::super::claim::{Claim, Ruling, exact};
 use crate::stress::draw::{Draw, turned};

@@ -5,8 +5,8 @@ use specula_golden::exact::reflection::reflect;
 use specula_golden::fixed::Model;
 use specula_scene::frame::EYE;
 use specula_scene::mesh::normals::newell;
-use specula_scene::spec::SetUp;
-use specula_scene::{CoreSpec, Frame, Method, Needs, Span};
+use specula_scene::{Frame, Needs, Span};
+use specula_spec::{CoreSpec, Method, SetUp};
 
 use super::super::span_core::vector;
 use specula_testbench::{BenchError, Image};

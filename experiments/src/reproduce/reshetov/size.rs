@@ -1,8 +1,8 @@
 //! What consistent normals cost in hardware.
 use specula_datapath::Design;
 use specula_datapath::design::Size;
-use specula_scene::spec::CoreOptions;
-use specula_scene::{CoreSpec, Frame, Method, Needs};
+use specula_scene::{Frame, Needs};
+use specula_spec::{CoreOptions, CoreSpec, Method};
 
 use specula_testbench::BenchError;
 

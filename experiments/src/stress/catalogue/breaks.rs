@@ -1,6 +1,6 @@
 //! What breaks first [numerics N4]: the paper's own formats, where they are too short. The core is
 //! as bad as they say, and its bound says so.
-use specula_scene::{CoreSpec, Method};
+use specula_spec::{CoreSpec, Method};
 
 use super::super::draw::tilted;
 use super::super::row::{Place, Shaded};
@@ -94,8 +94,8 @@ pub const SHORT_DIFFERENCE: Row = Row {
 };
 
 fn is_reflection_form(spec: &CoreSpec) -> bool {
-    use specula_scene::spec::lyon::Difference;
-    matches!(&spec.method, specula_scene::MethodSpec::Lyon(lyon)
+    use specula_spec::lyon::Difference;
+    matches!(&spec.method, specula_spec::MethodSpec::Lyon(lyon)
         if lyon.difference == Difference::ReflectionMinusLight && lyon.newton_steps == 0)
 }
 
@@ -126,8 +126,8 @@ pub const WRAPPED_HIGHLIGHT: Row = Row {
     trial: Trial::Scenes {
         cases: |_, _| {
             let is_wrapped = |spec: &CoreSpec| {
-                use specula_scene::spec::reflection::Highlight;
-                matches!(&spec.method, specula_scene::MethodSpec::Reflection(spec) if spec.specular != Highlight::Hybrid)
+                use specula_spec::reflection::Highlight;
+                matches!(&spec.method, specula_spec::MethodSpec::Reflection(spec) if spec.specular != Highlight::Hybrid)
             };
             let spans = SpanScene::new(
                 &[tilted(-30.0)],

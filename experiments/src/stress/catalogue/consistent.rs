@@ -1,7 +1,7 @@
 //! Consistent normal interpolation.
 use glam::DVec3;
-use specula_scene::spec::consistent::{Diffuse, Highlight};
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::consistent::{Diffuse, Highlight};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;

@@ -1,7 +1,7 @@
 //! Lyon's shape function and what goes into it.
 use glam::DVec3;
-use specula_scene::spec::lyon::{Difference, LyonSpec, Normalisation, Normals};
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::{Difference, LyonSpec, Normalisation, Normals};
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;

@@ -1,6 +1,6 @@
 //! Newton's steps towards a length.
-use specula_scene::spec::lyon::Normals;
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::Normals;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::{Pixel, Place, Shaded};

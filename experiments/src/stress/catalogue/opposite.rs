@@ -1,6 +1,6 @@
 //! Normals that oppose each other along a span.
 use glam::DVec3;
-use specula_scene::{CoreSpec, Method};
+use specula_spec::{CoreSpec, Method};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;

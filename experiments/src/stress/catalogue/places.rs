@@ -1,7 +1,7 @@
 //! Lights and eyes at places.
 use glam::DVec3;
-use specula_scene::spec::phong::{Highlight, Places};
-use specula_scene::{CoreSpec, MethodSpec};
+use specula_spec::phong::{Highlight, Places};
+use specula_spec::{CoreSpec, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;

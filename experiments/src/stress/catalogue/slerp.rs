@@ -2,8 +2,7 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use specula_scene::spec::{FULL_SCALE, SlerpSpec};
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec, SlerpSpec};
 
 use super::super::draw::{AXES, tilted};
 use super::super::row::{Pixel, Place, Shaded};

@@ -2,9 +2,9 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use specula_scene::spec::lyon::{Difference, Halfway};
-use specula_scene::spec::phong::Highlight;
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::{Difference, Halfway};
+use specula_spec::phong::Highlight;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use super::super::draw::{tilted, turned};
 use super::super::row::Pixel;

@@ -1,7 +1,7 @@
 //! Normals reflected about a fixed one.
 use glam::DVec3;
-use specula_scene::spec::lyon::Normals;
-use specula_scene::{CoreSpec, Method, MethodSpec};
+use specula_spec::lyon::Normals;
+use specula_spec::{CoreSpec, Method, MethodSpec};
 
 use super::super::draw::tilted;
 use super::super::row::Pixel;

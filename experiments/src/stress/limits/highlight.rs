@@ -5,9 +5,9 @@ use specula_golden::exact::distributions::{Formulation, formulation};
 use specula_golden::exact::normalisation::{g2, unit};
 use specula_golden::exact::reflection::{halfway, halfway_cross_normal, projection, reflect};
 use specula_golden::exact::shape::{f_k, power};
-use specula_scene::spec::LyonSpec;
-use specula_scene::spec::lyon::{Difference, Halfway};
-use specula_scene::spec::phong::Highlight;
+use specula_spec::LyonSpec;
+use specula_spec::lyon::{Difference, Halfway};
+use specula_spec::phong::Highlight;
 
 /// Shorter than this L + V leaves a half-way vector that cores do not bring to unit length
 /// (extremes rows 12 and 35).

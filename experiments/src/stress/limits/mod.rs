@@ -13,13 +13,15 @@ use glam::DVec3;
 use specula_golden::exact::reflection::reflect;
 use specula_golden::exact::shape::power;
 use specula_scene::frame::EYE;
-use specula_scene::spec::consistent::{Diffuse, LARGEST_GAIN_BITS};
-use specula_scene::spec::direct::Root;
-use specula_scene::spec::gouraud::Interpolation;
-use specula_scene::spec::lyon::Difference;
-use specula_scene::spec::phong::Places;
-use specula_scene::spec::{FULL_SCALE, LyonSpec, Viewpoint, consistent, duff, phong, reflection};
-use specula_scene::{CoreSpec, Frame, MethodSpec, Span};
+use specula_scene::{Frame, Span};
+use specula_spec::consistent::{Diffuse, LARGEST_GAIN_BITS};
+use specula_spec::direct::Root;
+use specula_spec::gouraud::Interpolation;
+use specula_spec::lyon::Difference;
+use specula_spec::phong::Places;
+use specula_spec::{
+    CoreSpec, FULL_SCALE, LyonSpec, MethodSpec, Viewpoint, consistent, duff, phong, reflection,
+};
 
 use highlight::Lobe;
 use lobe::{chord, power_moved, power_turned, shape_moved, shape_off};

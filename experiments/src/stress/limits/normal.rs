@@ -3,9 +3,9 @@ use glam::DVec3;
 use specula_golden::exact::normalisation::gain;
 use specula_golden::exact::slerp;
 use specula_golden::exact::wrap;
-use specula_scene::spec::lyon::{NormalWrap, Normals};
-use specula_scene::spec::{LyonSpec, ReflectionSpec, SlerpSpec, Wrap};
-use specula_scene::{Frame, Span};
+use specula_scene::{Frame, Span, Wrap};
+use specula_spec::lyon::{NormalWrap, Normals};
+use specula_spec::{LyonSpec, ReflectionSpec, SlerpSpec};
 
 use super::reason::Reason;
 

@@ -1,9 +1,8 @@
 //! How far the directions to lights and eye that a method takes are from what a pixel sees.
 use glam::DVec3;
 use specula_golden::exact::illumination::{self, Illumination};
-use specula_scene::spec::Wrap;
-use specula_scene::spec::phong::{wrap_to_eye, wrap_to_light};
-use specula_scene::{Frame, Span};
+use specula_scene::{Frame, Span, Wrap};
+use specula_spec::phong::{wrap_to_eye, wrap_to_light};
 
 use super::lobe::power_turned;
 use super::normal::{angle, wrap_turn};

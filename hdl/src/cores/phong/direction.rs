@@ -1,5 +1,5 @@
 //! Unit vectors along the span.
-use specula_scene::spec::phong::Way;
+use specula_spec::phong::Way;
 
 use super::super::unit_vector;
 use super::Pixel;

@@ -1,10 +1,10 @@
-//! Lights of all kinds in one form, so that they can take turns.
-use specula_scene::spec::phong::{PhongLight, Way};
+//! Lights of all kinds in one form, so that they can share a pipeline.
+use specula_spec::phong::{PhongLight, Way};
 
 use super::super::pipelines;
-use specula_datapath::builder::{Builder, Sig, Turns};
+use specula_datapath::builder::{Builder, Sig, TimeSlots};
 
-/// A pipeline's light, which may be another in every turn.
+/// A pipeline's light, which may be another in every time slot.
 pub(super) struct Lamp {
     pub light: PhongLight<Sig>,
     /// Whether it is at a place.
@@ -14,18 +14,19 @@ pub(super) struct Lamp {
 }
 
 /// The lights of each pipeline.
-pub(super) fn lamps(b: &Builder, turns: &Turns, lights: &[PhongLight<Sig>]) -> Vec<Lamp> {
+pub(super) fn lamps(b: &Builder, slots: &TimeSlots, lights: &[PhongLight<Sig>]) -> Vec<Lamp> {
     let bit = |is: bool| b.integer(i64::from(is));
     let bits = |is: fn(&PhongLight<Sig>) -> bool| {
         lights.iter().map(|light| bit(is(light))).collect::<Vec<Sig>>()
     };
     let (local, spot) = (bits(|light| light.way.is_some()), bits(|light| light.exponent.is_some()));
-    if turns.count() == 1 {
+    if slots.count() == 1 {
         let lamp = |((light, local), spot)| Lamp { light, local, spot };
-        return pipelines(turns, lights).into_iter().zip(local).zip(spot).map(lamp).collect();
+        return pipelines(slots, lights).into_iter().zip(local).zip(spot).map(lamp).collect();
     }
-    let lamp = |light| Lamp { light, local: turns.select(&local), spot: turns.select(&spot) };
-    pipelines(turns, &alike(b, lights)).into_iter().map(lamp).collect()
+    let lamp =
+        |light| Lamp { light, local: slots.multiplexed(&local), spot: slots.multiplexed(&spot) };
+    pipelines(slots, &alike(b, lights)).into_iter().map(lamp).collect()
 }
 
 /// The lights with the inputs of all kinds among them; those that a light has no use for are 0.

@@ -2,13 +2,13 @@
 mod direction;
 mod lamp;
 
-use specula_scene::CoreSpec;
-use specula_scene::spec::phong::{Highlight, PhongInputs, PhongSpec};
+use specula_spec::CoreSpec;
+use specula_spec::phong::{Highlight, PhongInputs, PhongSpec};
 
-use super::{eye, finish, turns, unit_vector};
+use super::{eye, finish, time_slots, unit_vector};
 use crate::error;
 use crate::units::{self, Interpolation, Light};
-use specula_datapath::builder::{BuildError, Builder, Sig, Turns};
+use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots};
 use specula_datapath::graph::Graph;
 
 use direction::Direction;
@@ -17,7 +17,7 @@ use lamp::{Lamp, lamps};
 /// Interpolated vectors, true normalisation or wraps, and for each light N·L and a power or a
 /// distribution. [lecture, eq. 2.1, 4.1, 4.2; Hast et al., eq. 35 to 38]
 pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Graph, BuildError> {
-    let turns = turns(&b, spec);
+    let slots = time_slots(&b, spec);
     let inputs = phong.inputs(spec).map(|port| b.input(port));
     let f = &phong.formats;
     let interpolation = Interpolation {
@@ -28,11 +28,11 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Gra
         apart: error::interpolate::chord(spec.shortest_normal.min(spec.shortest_way)),
         steps: spec.longest_span - 1,
     };
-    let weight = units::weight(&b, &turns.first_pixel, &inputs.weight_step, interpolation);
+    let weight = units::weight(&b, &slots.first_pixel, &inputs.weight_step, interpolation);
     let pixel =
         Pixel { b: &b, spec, phong, interpolation, weight: &weight, shininess: &inputs.shininess };
-    let lights = pixel.lights(&turns, &inputs);
-    finish(&b, &turns, &inputs.ambient, &lights)
+    let lights = pixel.lights(&slots, &inputs);
+    finish(&b, &slots, &inputs.ambient, &lights)
 }
 
 /// What the vectors of a pixel have in common.
@@ -56,7 +56,7 @@ struct Arrival<'a> {
 }
 
 impl Pixel<'_> {
-    fn lights(&self, turns: &Turns, inputs: &PhongInputs<Sig>) -> Vec<Light> {
+    fn lights(&self, slots: &TimeSlots, inputs: &PhongInputs<Sig>) -> Vec<Light> {
         let b = self.b;
         let normal = self.along("normal", &inputs.normal, self.spec.shortest_normal);
         let view = match &inputs.eye {
@@ -77,7 +77,7 @@ impl Pixel<'_> {
             };
             self.shade(&arrival, &normal.exists.and(&direction.exists))
         };
-        lamps(b, turns, &inputs.lights).iter().enumerate().map(shade).collect()
+        lamps(b, slots, &inputs.lights).iter().enumerate().map(shade).collect()
     }
 
     fn cosine(&self, name: &str, x: &Direction, y: &Direction) -> Sig {

@@ -1,7 +1,7 @@
 //! 2^-y by a shift, a table of roots and two terms of a series.
 //!
 //! Widths and error are derived in docs/arithmetic/units.md.
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 use super::tables;
 use specula_datapath::builder::{Builder, Sig};

@@ -1,7 +1,7 @@
 //! -log₂ by a table of reciprocals and their logarithms, and three terms of a series.
 //!
 //! Widths and error are derived in docs/arithmetic/units.md.
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 use super::tables;
 use specula_datapath::builder::{Builder, Sig};

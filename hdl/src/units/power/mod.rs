@@ -6,8 +6,8 @@ mod log2;
 mod squaring;
 pub(super) mod tables;
 
-use specula_scene::format::power_of_two;
-use specula_scene::spec::power::{Power, PowerUnit};
+use specula_spec::format::power_of_two;
+use specula_spec::power::{Power, PowerUnit};
 
 use crate::error::power::PowerError;
 use specula_datapath::builder::{Builder, Sig};

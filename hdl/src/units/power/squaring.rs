@@ -1,5 +1,5 @@
 //! Powers by squaring.
-use specula_scene::format::power_of_two;
+use specula_spec::format::power_of_two;
 
 use crate::error::power::PowerError;
 use specula_datapath::builder::{Builder, Sig};

@@ -18,7 +18,11 @@ impl Planner<'_> {
             Fused::Extreme(which, [a, b]) => {
                 let skew = self.skews[&root];
                 let (a, b) = (self.read_factor(*a, skew), self.read_factor(*b, skew));
-                Work::Narrow(extreme(*which, self.fusion.post(root).wrap, self.level), a, b)
+                Work::Narrow(
+                    extreme(*which, self.fusion.post(root).wrap, self.instruction_set),
+                    a,
+                    b,
+                )
             }
             Fused::Products(factors, second) => self.products(root, factors, *second),
         }
@@ -65,9 +69,9 @@ impl Planner<'_> {
     where
         Sum<N>: Into<Work>,
     {
-        let (post, level) = (self.fusion.post(root), self.level);
+        let (post, instruction_set) = (self.fusion.post(root), self.instruction_set);
         let sum = if self.is_wide(root) {
-            Sum::Wide(wide_products(second, magnitude, post, level), factors)
+            Sum::Wide(wide_products(second, magnitude, post, instruction_set), factors)
         } else {
             Sum::Narrow(self.narrow_sum(root, second, magnitude, post), factors)
         };
@@ -84,9 +88,9 @@ impl Planner<'_> {
         // Before the first pixel, a value may be whatever its width allows.
         let range = self.node(root).range;
         if computes_narrow(Range::whole(range.width(), range.signed()), post) {
-            narrow_products(second, post, self.level)
+            narrow_products(second, post, self.instruction_set)
         } else {
-            products_through_wide(second, magnitude, post, self.level)
+            products_through_wide(second, magnitude, post, self.instruction_set)
         }
     }
 

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use specula_datapath::Design;
 use specula_datapath::design::{Node, NodeId, Op, Range, Table};
-use specula_kernels::{Arithmetic, Bits, Level};
+use specula_kernels::{Arithmetic, Bits, InstructionSet};
 
 use super::flow::{Flow, Recurrence, Source};
 use super::fuse::{Fusion, fuse};
@@ -64,7 +64,12 @@ pub fn fits_narrow(range: Range) -> bool {
 }
 
 /// Makes the plan for `watched`, with batches of `batch` clocks.
-pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> Plan {
+pub fn plan(
+    design: &Design,
+    watched: &[NodeId],
+    batch: usize,
+    instruction_set: InstructionSet,
+) -> Plan {
     let mut flow = Flow::of(design);
     let (roots, in_component) = without_hidden_feedback(design, &mut flow, watched);
     let fusion = fuse(design, &mut flow, &roots, watched, &|id| in_component.contains(&id));
@@ -76,7 +81,7 @@ pub fn plan(design: &Design, watched: &[NodeId], batch: usize, level: Level) -> 
         flow: &flow,
         fusion: &fusion,
         skews: &skews,
-        level,
+        instruction_set,
         batch,
         memory: Memory::default(),
         places: HashMap::new(),
@@ -142,7 +147,7 @@ struct Planner<'a> {
     flow: &'a Flow,
     fusion: &'a Fusion,
     skews: &'a HashMap<NodeId, u64>,
-    level: Level,
+    instruction_set: InstructionSet,
     batch: usize,
     memory: Memory,
     places: HashMap<NodeId, Place>,

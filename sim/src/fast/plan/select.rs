@@ -47,8 +47,11 @@ impl Planner<'_> {
         let history = self.memory.history(read.place);
         let twin = self.memory.add(true, history, self.batch);
         let source = Read { place: read.place, back: 0 };
-        let work =
-            Work::Widening(widening(Arithmetic::Copy, Post::default(), self.level), source, source);
+        let work = Work::Widening(
+            widening(Arithmetic::Copy, Post::default(), self.instruction_set),
+            source,
+            source,
+        );
         self.steps.push(Step { out: twin, skew: None, work });
         Read { place: twin, back: read.back }
     }
@@ -72,18 +75,20 @@ impl Planner<'_> {
         let (a, b) = (self.read(a, skew), self.read(b, skew));
         let (wide_operands, wide_result) = (a.place.wide || b.place.wide, self.places[&root].wide);
         let narrow_compute = computes_narrow(raw, post);
-        let level = self.level;
+        let instruction_set = self.instruction_set;
         match (wide_operands, narrow_compute, wide_result) {
-            (false, true, false) => Work::Narrow(narrow(operator, post, level), a, b),
-            (false, false, false) => Work::Narrow(narrow_through_wide(operator, post, level), a, b),
-            (false, _, true) => Work::Widening(widening(operator, post, level), a, b),
+            (false, true, false) => Work::Narrow(narrow(operator, post, instruction_set), a, b),
+            (false, false, false) => {
+                Work::Narrow(narrow_through_wide(operator, post, instruction_set), a, b)
+            }
+            (false, _, true) => Work::Widening(widening(operator, post, instruction_set), a, b),
             (true, _, false) => {
                 let (a, b) = (self.widened(a), self.widened(b));
-                Work::Narrowing(narrowing(operator, post, level), a, b)
+                Work::Narrowing(narrowing(operator, post, instruction_set), a, b)
             }
             (true, _, true) => {
                 let (a, b) = (self.widened(a), self.widened(b));
-                Work::Wide(wide(operator, post, level), a, b)
+                Work::Wide(wide(operator, post, instruction_set), a, b)
             }
         }
     }
@@ -96,9 +101,9 @@ impl Planner<'_> {
         }
         if a.place.wide || b.place.wide {
             let (a, b) = (self.widened(a), self.widened(b));
-            return Some(Work::Narrowing(less_than::<i64>(self.level), a, b));
+            return Some(Work::Narrowing(less_than::<i64>(self.instruction_set), a, b));
         }
-        Some(Work::Narrow(less_than::<i32>(self.level), a, b))
+        Some(Work::Narrow(less_than::<i32>(self.instruction_set), a, b))
     }
 
     /// Whether an operator that has no post-operation stays within its signal's range.
@@ -117,10 +122,10 @@ impl Planner<'_> {
         }
         if self.places[&root].wide {
             let (a, b) = (self.widened(a), self.widened(b));
-            return Some(Work::ChooseWide(choose::<i64>(self.level), c, a, b));
+            return Some(Work::ChooseWide(choose::<i64>(self.instruction_set), c, a, b));
         }
         (!a.place.wide && !b.place.wide)
-            .then(|| Work::ChooseNarrow(choose::<i32>(self.level), c, a, b))
+            .then(|| Work::ChooseNarrow(choose::<i32>(self.instruction_set), c, a, b))
     }
 
     pub(super) fn bitwise(
@@ -141,9 +146,9 @@ impl Planner<'_> {
         }
         if self.places[&root].wide {
             let (a, b) = (self.widened(a), self.widened(b));
-            return Some(Work::Wide(bits::<i64>(operator, self.level), a, b));
+            return Some(Work::Wide(bits::<i64>(operator, self.instruction_set), a, b));
         }
-        Some(Work::Narrow(bits::<i32>(operator, self.level), a, b))
+        Some(Work::Narrow(bits::<i32>(operator, self.instruction_set), a, b))
     }
 
     pub(super) fn look_up(
@@ -166,23 +171,32 @@ impl Planner<'_> {
             Op::Not(a) => {
                 let one = self.constant(1, false);
                 let a = self.read(a, skew);
-                (!a.place.wide && !self.places[&root].wide)
-                    .then(|| Work::Narrow(narrow(Arithmetic::Sub, post, self.level), one, a))
+                (!a.place.wide && !self.places[&root].wide).then(|| {
+                    Work::Narrow(narrow(Arithmetic::Sub, post, self.instruction_set), one, a)
+                })
             }
             Op::ShiftLeft(a, bits) if bits < 62 => {
                 let a = self.read(a, skew);
                 let out_wide = self.places[&root].wide;
                 let factor = self.constant(1 << bits, a.place.wide || bits > 30);
                 match (a.place.wide, factor.place.wide, out_wide) {
-                    (false, false, false) => {
-                        Some(Work::Narrow(narrow(Arithmetic::Mul, post, self.level), a, factor))
-                    }
-                    (false, false, true) => {
-                        Some(Work::Widening(widening(Arithmetic::Mul, post, self.level), a, factor))
-                    }
+                    (false, false, false) => Some(Work::Narrow(
+                        narrow(Arithmetic::Mul, post, self.instruction_set),
+                        a,
+                        factor,
+                    )),
+                    (false, false, true) => Some(Work::Widening(
+                        widening(Arithmetic::Mul, post, self.instruction_set),
+                        a,
+                        factor,
+                    )),
                     (_, _, true) => {
                         let a = self.widened(a);
-                        Some(Work::Wide(wide(Arithmetic::Mul, post, self.level), a, factor))
+                        Some(Work::Wide(
+                            wide(Arithmetic::Mul, post, self.instruction_set),
+                            a,
+                            factor,
+                        ))
                     }
                     (_, _, false) => None,
                 }

@@ -3,7 +3,7 @@ use std::str::FromStr;
 
 use specula_datapath::SpanPacket;
 use specula_datapath::design::{Node, NodeId, Op, Range, Register, ScopeId, Table, TableId};
-use specula_sim::fast::{Level, Settings};
+use specula_sim::fast::{InstructionSet, Settings};
 
 use crate::case::{Case, Subject};
 use crate::draw::{empty, node, scope};
@@ -81,12 +81,15 @@ fn subject(text: &str) -> Result<Subject, String> {
     let words: Vec<&str> = text.split_whitespace().collect();
     match words[..] {
         ["rust-hdl"] => Ok(Subject::RustHdl),
-        ["fast", batch, level, threads, piece] => {
-            let level =
-                if level == Level::BASELINE.name() { Level::BASELINE } else { Level::best() };
+        ["fast", batch, instruction_set, threads, piece] => {
+            let instruction_set = if instruction_set == InstructionSet::BASELINE.name() {
+                InstructionSet::BASELINE
+            } else {
+                InstructionSet::best()
+            };
             Ok(Subject::Fast(Settings {
                 batch: one(batch)?,
-                level,
+                instruction_set,
                 threads: one(threads)?,
                 piece: one(piece)?,
             }))

@@ -1,0 +1,100 @@
+//! Set-up of a span for `consistent`.
+use glam::DVec3;
+use specula_datapath::Format;
+use specula_scene::frame::{DirectionalLight, Frame, Span, halfway};
+
+use super::{ConsistentInputs, ConsistentLight, ConsistentSpec, Highlight};
+use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+
+/// Sets up the spans of a frame.
+pub(super) struct ConsistentSetUp<'a> {
+    consistent: &'a ConsistentSpec,
+    frame: &'a Frame,
+    lights: Vec<Vectors>,
+}
+
+/// What is the same of a light in every span.
+struct Vectors {
+    /// L.
+    direction: [i64; 3],
+    /// H, where the highlight asks for it.
+    halfway: Option<[i64; 3]>,
+    /// Whether there is what the highlight asks for: not where L = -V and Blinn's asks for H
+    /// (extremes row 12).
+    has_highlight: bool,
+}
+
+impl Vectors {
+    fn new(consistent: &ConsistentSpec, light: &DirectionalLight) -> Vectors {
+        let (vector, h) = (consistent.formats.vector, halfway(light.direction));
+        let asked = consistent.highlight == Highlight::Blinn;
+        Vectors {
+            direction: vector.quantise_vector(light.direction),
+            halfway: asked.then(|| vector.quantise_vector(h)),
+            has_highlight: !asked || h != DVec3::ZERO,
+        }
+    }
+}
+
+impl<'a> ConsistentSetUp<'a> {
+    pub fn new(consistent: &'a ConsistentSpec, frame: &'a Frame) -> ConsistentSetUp<'a> {
+        let lights = frame.lights.iter().map(|light| Vectors::new(consistent, light)).collect();
+        ConsistentSetUp { consistent, frame, lights }
+    }
+
+    /// t at the first pixel and its step, from the angles at the triangle's vertices.
+    fn angle(&self, span: &Span) -> [f64; 2] {
+        let at_vertices = self.frame.triangles[span.triangle]
+            .cones
+            .map(|cone| self.consistent.curve.quarter_turns(cone.cosine));
+        let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
+        let (start, end) = (at(span.start), at(span.end));
+        [start, (end - start) / f64::from(span.steps().max(1))]
+    }
+
+    fn light(
+        &self,
+        index: usize,
+        &Coefficients { diffuse, specular }: &Coefficients,
+    ) -> ConsistentLight<i64> {
+        let &Vectors { direction, halfway, has_highlight } = &self.lights[index];
+        ConsistentLight {
+            direction,
+            halfway,
+            diffuse,
+            specular: if has_highlight { specular } else { [0; 3] },
+        }
+    }
+}
+
+impl SetUpSpan for ConsistentSetUp<'_> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
+        let f = &self.consistent.formats;
+        let [start, end] = self.frame.end_axes(span).map(|n| f.vector.quantise_vector(n));
+        let step = span.weight_step();
+        let [angle_start, angle_step] =
+            self.angle(span).map(|t| rounded_up(f.angle_accumulator, t));
+        let inputs = ConsistentInputs {
+            normal_start: start,
+            normal_delta: std::array::from_fn(|i| end[i] - start[i]),
+            weight_step: f.weight_accumulator.quantise(step),
+            angle_start,
+            angle_step,
+            exponent: self.consistent.power_unit().input(self.frame.material(span).shininess),
+            ambient: material.ambient,
+            lights: material
+                .lights
+                .iter()
+                .enumerate()
+                .map(|(index, coefficients)| self.light(index, coefficients))
+                .collect(),
+        };
+        inputs.append_to(out);
+    }
+}
+
+/// The smallest raw value above `value`, at most one unit of the last place away: a larger angle is
+/// the safe side.
+fn rounded_up(format: Format, value: f64) -> i64 {
+    format.quantise(value + 0.5 * format.ulp())
+}

@@ -1,0 +1,70 @@
+//! Cores with finer or coarser formats.
+use specula_datapath::Format;
+
+use super::{CoreSpec, NarrowingPoint};
+
+impl CoreSpec {
+    /// The same core for any scene with all formats finer by `added` fraction bits, or coarser
+    /// where that is negative, but for those that are `kept`, and each as far as it may be. None
+    /// where nothing changes or no such core can be described.
+    pub fn finer(&self, added: i32, kept: &[&str]) -> Option<CoreSpec> {
+        let finer = |point: NarrowingPoint| {
+            let bits = point.format.fraction_bits.saturating_add_signed(added);
+            let fraction_bits = bits.clamp(
+                point.fewest_fraction_bits,
+                point.most_fraction_bits.max(point.fewest_fraction_bits),
+            );
+            (point.name, Format { fraction_bits, ..point.format })
+        };
+        let points =
+            self.narrowing_points().into_iter().filter(|point| !kept.contains(&point.name));
+        let formats: Vec<(&str, Format)> = points.map(finer).collect();
+        let changed = self.with_formats(&formats).ok()?;
+        (added == 0 || changed != *self).then_some(changed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use specula_scene::{Needs, load};
+
+    use crate::{CoreOptions, CoreSpec, Method, NarrowingPoint};
+
+    fn points(needs: &Needs, brightest_coefficient: f64, method: Method) -> Vec<NarrowingPoint> {
+        let needs = Needs { brightest_coefficient, ..needs.clone() };
+        CoreSpec::for_scene(&needs, None, Some(method)).unwrap().narrowing_points()
+    }
+
+    #[test]
+    fn formats_are_finer_where_colours_are_brighter_than_full_scale() {
+        let needs = Needs::of(&load("teapot", Some((40, 30))).unwrap().frame);
+        for method in Method::ALL {
+            let full = points(&needs, 1.0, method);
+            for (brightest, added) in [(0.3, 0), (1.01, 1), (2.0, 1), (3.9, 2), (100.0, 2)] {
+                for (full, bright) in full.iter().zip(points(&needs, brightest, method)) {
+                    let wanted = (full.format.fraction_bits + added).min(full.most_fraction_bits);
+                    assert_eq!(
+                        bright.format.fraction_bits,
+                        wanted,
+                        "{} {} {brightest}",
+                        method.name(),
+                        full.name
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn formats_that_are_asked_for_stay() {
+        let needs = Needs::of(&load("teapot", Some((40, 30))).unwrap().frame);
+        let bright = Needs { brightest_coefficient: 2.0, ..needs };
+        let asked: CoreOptions = "[lyon.formats]\nvector = \"S1.13\"".parse().unwrap();
+        let spec = CoreSpec::for_scene(&bright, Some(&asked), Some(Method::Lyon)).unwrap();
+        for (unasked, got) in points(&bright, 2.0, Method::Lyon).iter().zip(spec.narrowing_points())
+        {
+            let wanted = if got.name == "vector" { 13 } else { unasked.format.fraction_bits };
+            assert_eq!(got.format.fraction_bits, wanted, "{}", got.name);
+        }
+    }
+}

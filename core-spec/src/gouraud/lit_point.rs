@@ -1,0 +1,43 @@
+//! What a vertex sends back, which the host computes [lecture, eq. 2.1].
+use glam::DVec3;
+use smallvec::SmallVec;
+use specula_scene::limits::MOST_LIGHTS;
+use specula_scene::{Frame, Illumination};
+
+/// A point of a surface, and what reaches it.
+pub(super) struct LitPoint {
+    /// N, a unit vector; 0 where the surface has none.
+    pub normal: DVec3,
+    /// V, a unit vector towards the eye; none for an eye at the very point.
+    pub view: Option<DVec3>,
+    /// Every light, those at infinity first; none for a light at the very point (extremes row 39).
+    pub lights: SmallVec<[Option<Illumination>; MOST_LIGHTS]>,
+}
+
+impl LitPoint {
+    /// A point of a frame.
+    pub fn new(frame: &Frame, normal: DVec3, position: DVec3) -> LitPoint {
+        LitPoint {
+            normal,
+            view: frame.view_from(position),
+            lights: frame.lights_from(position).collect(),
+        }
+    }
+
+    /// Lambert's max(N·L, 0) of light number `index`, times the light's share.
+    pub fn diffuse(&self, index: usize) -> f64 {
+        self.lights[index]
+            .map_or(0.0, |light| light.share * self.normal.dot(light.direction).max(0.0))
+    }
+
+    /// max(R·L, 0)^n with R = 2(N·V)N - V [lecture, eq. 2.1] of light number `index`, times the
+    /// light's share; 0 where there is no normal to reflect about.
+    pub fn highlight(&self, index: usize, n: u32) -> f64 {
+        let (Some(light), Some(view)) = (self.lights[index], self.view) else { return 0.0 };
+        if self.normal == DVec3::ZERO {
+            return 0.0;
+        }
+        let reflection = 2.0 * self.normal.dot(view) * self.normal - view;
+        light.share * libm::pow(reflection.dot(light.direction).clamp(0.0, 1.0), f64::from(n))
+    }
+}

@@ -1,0 +1,47 @@
+//! Intensities of a polygon's vertices, or of the polygon as a whole [lecture, eq. 2.1 and 3.2 to
+//! 3.6], methods A3 and A4.
+//!
+//! The host works out Phong's formula, max(N·L, 0) and max(R·L, 0)^n with R = 2(N·V)N - V; the core
+//! sees nothing of n.
+mod choose;
+mod inputs;
+mod lit_point;
+mod set_up;
+
+use serde::{Deserialize, Serialize};
+use specula_datapath::Format;
+
+pub use inputs::{GouraudInputs, GouraudLight, Intensity};
+
+/// Where intensities are worked out, and what lies between.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Interpolation {
+    /// At the vertices, and linear between them (A4).
+    Linear,
+    /// Once for each polygon, from the polygon's own normal (A3, lecture eq. 2.1); no accumulator
+    /// is built.
+    Uniform,
+}
+
+/// Options of the method.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GouraudSpec {
+    /// Where intensities are worked out.
+    pub interpolation: Interpolation,
+    /// The narrowing points.
+    pub formats: GouraudFormats,
+}
+
+/// The narrowing points of the method, in the order of the data.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GouraudFormats {
+    /// Accumulators of the intensities: `S1.f`. The host rounds start and step into it; with linear
+    /// interpolation only.
+    pub accumulator: Format,
+    /// Diffuse and specular intensity, rounded from the accumulator, or by the host where they are
+    /// uniform: `U1.f`.
+    pub intensity: Format,
+}

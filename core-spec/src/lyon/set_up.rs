@@ -1,0 +1,143 @@
+//! Set-up of a span for `lyon`.
+use glam::DVec3;
+use specula_scene::frame::{DirectionalLight, EYE, Frame, Span};
+
+use super::{Halfway, LyonInputs, LyonLight, LyonSpec, NormalWrap, Normals, ShapeDatapath};
+use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+
+/// Sets up the spans of a frame.
+pub(super) struct LyonSetUp<'a> {
+    lyon: &'a LyonSpec,
+    frame: &'a Frame,
+    lights: Vec<LightInputs>,
+}
+
+/// Inputs that depend on the light alone.
+struct LightInputs {
+    direction: [i64; 3],
+    halfway: Option<[i64; 3]>,
+    has_highlight: bool,
+}
+
+impl<'a> LyonSetUp<'a> {
+    pub fn new(lyon: &'a LyonSpec, frame: &'a Frame) -> LyonSetUp<'a> {
+        LyonSetUp {
+            lyon,
+            frame,
+            lights: frame.lights.iter().map(|light| LightInputs::new(lyon, light)).collect(),
+        }
+    }
+}
+
+impl LightInputs {
+    fn new(lyon: &LyonSpec, light: &DirectionalLight) -> LightInputs {
+        let (f, l) = (&lyon.formats, light.direction);
+        let (takes_h, takes_unit) =
+            (lyon.difference.takes_halfway(), lyon.difference.takes_unit_halfway());
+        let sum = takes_h.then(|| f.vector_sum().quantise_vector(l + EYE));
+        let unit = takes_unit.then(|| unit_halfway(lyon.halfway, l));
+        LightInputs {
+            direction: f.vector.quantise_vector(l),
+            halfway: sum.or(unit.map(|h| f.vector.quantise_vector(h.unwrap_or(DVec3::ZERO)))),
+            has_highlight: unit != Some(None),
+        }
+    }
+
+    fn with(&self, coefficients: &Coefficients) -> LyonLight<i64> {
+        let &Coefficients { diffuse, specular } = coefficients;
+        let specular = if self.has_highlight { specular } else { [0; 3] };
+        LyonLight { direction: self.direction, halfway: self.halfway, diffuse, specular }
+    }
+}
+
+/// The half-way vector of about unit length; none where it has no direction.
+fn unit_halfway(halfway: Halfway, light: DVec3) -> Option<DVec3> {
+    let h = (light + EYE) / 2.0;
+    match halfway {
+        Halfway::Unit => h.try_normalize(),
+        Halfway::Half => Some(h),
+        Halfway::HalfG2 => {
+            let y = 1.0 - h.length_squared();
+            Some((1.0 + (y + y * y) / 2.0) * h)
+        }
+    }
+}
+
+/// Inputs that say what the normal is along a span.
+struct NormalInputs {
+    start: [i64; 3],
+    delta: Option<[i64; 3]>,
+    axis: Option<[i64; 3]>,
+    follows: Option<i64>,
+}
+
+impl LyonSetUp<'_> {
+    fn normals(&self, span: &Span) -> NormalInputs {
+        let f = &self.lyon.formats;
+        // The difference of what is sent, so that the end is met as it was quantised.
+        let between =
+            |start: [i64; 3], end: [i64; 3]| Some(std::array::from_fn(|i| end[i] - start[i]));
+        match self.lyon.normals {
+            Normals::Linear => {
+                let [start, end] =
+                    self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
+                NormalInputs { start, delta: between(start, end), axis: None, follows: None }
+            }
+            Normals::Flat => {
+                let start = f.vector.quantise_vector(self.frame.facet_normal(span));
+                NormalInputs { start, delta: None, axis: None, follows: None }
+            }
+            Normals::Wrapped => {
+                let NormalWrap { wrap, follows } = self.lyon.wrap(self.frame, span);
+                let follows = self.lyon.follows().then_some(i64::from(follows));
+                let [start, end] = match follows {
+                    Some(_) => wrap.ends.map(|n| f.vector.quantise_vector(n)),
+                    None => wrap.ends.map(|n| f.vector_sum().quantise_vector(n + wrap.axis)),
+                };
+                NormalInputs {
+                    start,
+                    delta: between(start, end),
+                    axis: Some(f.vector.quantise_vector(wrap.axis)),
+                    follows,
+                }
+            }
+        }
+    }
+
+    fn weight_step(&self, span: &Span) -> i64 {
+        let step = span.weight_step();
+        self.lyon.formats.weight_accumulator.quantise(step)
+    }
+
+    fn shininess(&self, shininess: u32) -> i64 {
+        match self.lyon.shape {
+            ShapeDatapath::FK => shininess.into(),
+            ShapeDatapath::Root => {
+                let squared = self.lyon.squared_root_shininess(shininess);
+                self.lyon.formats.root_shininess.quantise(f64::from(squared).sqrt())
+            }
+        }
+    }
+}
+
+impl SetUpSpan for LyonSetUp<'_> {
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
+        let normals = self.normals(span);
+        let inputs = LyonInputs {
+            normal_start: normals.start,
+            normal_delta: normals.delta,
+            weight_step: normals.delta.map(|_| self.weight_step(span)),
+            wrap_axis: normals.axis,
+            wrap_follows: normals.follows,
+            shininess: self.shininess(self.frame.material(span).shininess),
+            ambient: material.ambient,
+            lights: self
+                .lights
+                .iter()
+                .zip(&material.lights)
+                .map(|(light, coefficients)| light.with(coefficients))
+                .collect(),
+        };
+        inputs.append_to(out);
+    }
+}

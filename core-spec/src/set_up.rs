@@ -1,0 +1,118 @@
+//! Set-up of one span: what the host works out in f64 and quantises into the core's formats.
+use specula_scene::ParallelSpan;
+use specula_scene::frame::{Colour, Frame, Material, Span};
+
+use super::{CoreSpec, FULL_SCALE, SpanPacket, Viewpoint};
+
+/// Sets up spans of one frame for a core; what does not change from span to span is worked out
+/// once.
+pub struct SetUp<'a> {
+    core: &'a CoreSpec,
+    frame: &'a Frame,
+    /// Smallest and largest raw value of each input.
+    ranges: Vec<(i64, i64)>,
+    /// What belongs to each material of the frame.
+    materials: Vec<MaterialInputs>,
+    method: Box<dyn SetUpSpan + 'a>,
+}
+
+/// A method's part of the set-up.
+pub trait SetUpSpan: Send + Sync {
+    /// Appends raw values of the method's ports, in their order. They may lie outside the ports'
+    /// ranges by what f64 rounds.
+    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>);
+}
+
+/// Inputs that depend on the material alone.
+pub struct MaterialInputs {
+    /// Ambient light sent back.
+    pub ambient: [i64; 3],
+    /// Coefficients under each light.
+    pub lights: Vec<Coefficients>,
+}
+
+/// A light's colour times a material's reflectances.
+pub struct Coefficients {
+    /// Diffuse, red, green and blue.
+    pub diffuse: [i64; 3],
+    /// Specular, red, green and blue.
+    pub specular: [i64; 3],
+}
+
+impl<'a> SetUp<'a> {
+    /// The set-up of spans of `frame` for `core`.
+    pub fn new(core: &'a CoreSpec, frame: &'a Frame) -> SetUp<'a> {
+        SetUp {
+            core,
+            frame,
+            ranges: core.inputs().iter().map(|port| port.range).collect(),
+            materials: frame
+                .materials
+                .iter()
+                .map(|material| MaterialInputs::new(core, frame, material))
+                .collect(),
+            method: core.method.describe().set_up(frame),
+        }
+    }
+
+    /// Sets up a span: appends the raw values of the ports, in their order, each within its port's
+    /// range. Nothing is allocated besides, unless the span's middle has to be asked where lights
+    /// and eye are.
+    pub fn append(&self, span: &Span, out: &mut Vec<i64>) {
+        let start = out.len();
+        if self.core.places_seen_from() == Viewpoint::Span && !self.frame.directions_are_constant()
+        {
+            self.append_from_the_middle(span, out);
+        } else {
+            let material = &self.materials[self.frame.triangles[span.triangle].material];
+            self.method.append(span, material, out);
+        }
+        // In exact arithmetic nothing is out of range; f64 may be by some units of its own last
+        // place, as N·N of a unit vector is.
+        for (value, &(low, high)) in out[start..].iter_mut().zip(&self.ranges) {
+            *value = (*value).clamp(low, high);
+        }
+    }
+
+    /// A span by itself, set up.
+    pub fn packet(&self, span: &Span) -> SpanPacket {
+        let mut inputs = Vec::with_capacity(self.ranges.len());
+        self.append(span, &mut inputs);
+        SpanPacket { length: span.length, inputs }
+    }
+
+    /// As the span's middle sees lights and eye.
+    fn append_from_the_middle(&self, span: &Span, out: &mut Vec<i64>) {
+        let parallel = ParallelSpan::new(self.frame, span);
+        let material =
+            MaterialInputs::new(self.core, &parallel.frame, &parallel.frame.materials[0]);
+        let method = self.core.method.describe().set_up(&parallel.frame);
+        method.append(parallel.span(), &material, out);
+    }
+}
+
+impl MaterialInputs {
+    fn new(core: &CoreSpec, frame: &Frame, material: &Material) -> MaterialInputs {
+        // Light times reflectance, in LSBs.
+        let product = |reflectance: Colour, light: Colour| {
+            std::array::from_fn(|c| {
+                core.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c])
+            })
+        };
+        let under = |colour: Colour| Coefficients {
+            diffuse: product(material.diffuse, colour),
+            specular: product(material.specular, colour),
+        };
+        MaterialInputs {
+            ambient: product(material.ambient, frame.ambient),
+            lights: frame.light_colours().map(under).collect(),
+        }
+    }
+}
+
+impl CoreSpec {
+    /// Sets up a span for this core; [`SetUp`] sets up many.
+    pub fn packet(&self, frame: &Frame, span: &Span) -> SpanPacket {
+        SetUp::new(self, frame).packet(span)
+    }
+}

@@ -1,0 +1,93 @@
+//! Spherical interpolation along the scan line, of the scalars that shading needs [lecture, eq. 4.7
+//! and 4.9 to 4.12], methods A9 to A11.
+//!
+//! With A and B the unit normals at the ends of a span, f the angle between them and T the unit
+//! vector across A towards B, N(i) = cos(i f/S) A + sin(i f/S) T. So J = N·L and K = N·V are what
+//! one rotation makes of four scalars, whatever the number of lights, and the base of the highlight
+//! is 2 J K - L·V. Nothing is divided by sin f: a span of no angle is one like others.
+mod choose;
+mod course;
+mod inputs;
+mod set_up;
+
+use serde::{Deserialize, Serialize};
+use specula_datapath::Format;
+
+use crate::power::{Power, PowerUnit};
+pub use course::{Course, LARGEST_WEIGHT};
+pub use inputs::{Axes, OnArc, SlerpInputs, SlerpLight};
+
+/// What is put together from the weights of an arc.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Form {
+    /// J = N·L of each light and K = N·V, in an orthonormal frame (A10).
+    Scalar,
+    /// N itself, brought near unit length by the factor (3 - N·N)/2, and from it N·L and N·V (A8,
+    /// A9, A11).
+    Vector,
+}
+
+/// What the normal of [`Form::Vector`] is put together from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Basis {
+    /// A and the unit vector T across it: N = cos(i f/S) A + sin(i f/S) T, one rotation (A11).
+    Orthonormal,
+    /// A and B, with the sines of (1 - t) f and t f over sin f: two rotations (A8, A9). Below 10
+    /// degrees 1 - t and t stand for them, and from 170 degrees on the basis is orthonormal.
+    Ends,
+}
+
+/// Options of the method.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SlerpSpec {
+    /// What is put together from the weights of an arc.
+    pub form: Form,
+    /// What a normal is put together from; scalars have an orthonormal frame.
+    pub frame: Basis,
+    /// How the power of the highlight is taken.
+    pub power: Power,
+    /// The narrowing points.
+    pub formats: SlerpFormats,
+}
+
+/// The narrowing points of the method, in the order of the data.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SlerpFormats {
+    /// Cosine and sine of the angle from pixel to pixel: `S1.f`, rounded by the host.
+    pub turn: Format,
+    /// Cosine and sine of the angle from the first pixel, rounded at every pixel: `S1.f`.
+    pub state: Format,
+    /// Cosines and sines of both angles over sin f, between the ends themselves: `S3.f`, since
+    /// 1/sin f reaches 5.76.
+    pub scaled_state: Format,
+    /// The same, as they are multiplied with: `S1.f`, and `S3.f` between the ends themselves.
+    pub weight: Format,
+    /// Components of A, B, T and L, of N, and of N times (3 - N·N)/2: `S1.f`.
+    pub vector: Format,
+    /// A·L, T·L, A·V, T·V and L·V: `S1.f`, rounded by the host.
+    pub component: Format,
+    /// J, K, the correction of K's length, and K after it: `S1.f`.
+    pub cosine: Format,
+    /// J, clamped: `U1.f`.
+    pub diffuse: Format,
+    /// The base of the highlight, and each square of it: `U1.f`.
+    pub base: Format,
+    /// What tables make of the base (with power by tables only): `U1.f`.
+    pub shape: Format,
+}
+
+impl SlerpSpec {
+    /// The power of the highlight.
+    pub fn power_unit(&self) -> PowerUnit {
+        PowerUnit {
+            power: self.power,
+            log2_factor: 0,
+            base: self.formats.base,
+            shape: self.formats.shape,
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Cores as files, and cores for scenes that they were not made for.
+use specula_scene::{Frame, SceneError, builtin_names, load, parse};
+use specula_spec::{CoreSpec, Method, SceneCore, SpecError, SpecFile};
+
+const SIZE: Option<(u32, u32)> = Some((48, 36));
+
+fn frame(scene: &str) -> Frame {
+    load(scene, SIZE).unwrap().frame
+}
+
+fn core(scene: &str, method: Option<Method>) -> CoreSpec {
+    load(scene, SIZE).unwrap().core_spec(method).unwrap()
+}
+
+/// The message, and the text it points at.
+fn refusal(text: &str) -> (String, String) {
+    match SpecFile::parse("spec.toml", text.to_owned()) {
+        Err(SceneError::File { problem, at, .. }) => {
+            (problem, text[at.offset()..at.offset() + at.len()].to_owned())
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_core_is_read_as_it_is_written() {
+    for &name in builtin_names() {
+        let loaded = load(name, SIZE).unwrap();
+        for spec in Method::ALL.into_iter().filter_map(|method| loaded.core_spec(Some(method)).ok())
+        {
+            for spec in [spec.general(), spec] {
+                let file = SpecFile { name: name.to_owned(), spec };
+                let text = file.text();
+                let read = SpecFile::parse("spec.toml", text.clone()).unwrap();
+                assert_eq!(read, file, "{text}");
+                assert_eq!(read.text(), text);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_core_is_refused_where_it_is_wrong() {
+    let text =
+        SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(Method::Lyon)) }.text();
+    let changed = |from: &str, to: &str| {
+        assert!(text.contains(from), "{text}");
+        refusal(&text.replacen(from, to, 1))
+    };
+    assert_eq!(
+        changed("version = 1", "version = 2"),
+        ("this is version 2, and version 1 is read here".into(), "2".into())
+    );
+    assert_eq!(changed("\"teapot\"", "\"../pot\"").1, "\"../pot\"");
+    assert!(changed("lights = 1", "lights = 7").0.contains("`lights` is 7"));
+    assert!(changed("vector = \"S1.", "vector = \"S2.").0.contains("format `vector`"));
+    assert!(
+        changed("shortest_normal = 0.", "shortest_normal = 1.").0.contains("`shortest_normal`")
+    );
+    assert!(
+        changed("light0_direction_x = [", "light0_direction_x = [1, ")
+            .0
+            .contains("expected two raw values")
+    );
+    assert!(changed("light0_direction_x", "light5_direction_x").0.contains("`light5_direction_x`"));
+    assert!(
+        changed("[spec.method.lyon]", "[spec.method.lyon]\ncolour = 1")
+            .0
+            .contains("unknown key `colour`")
+    );
+    assert!(matches!(SpecFile::read("nowhere.toml".as_ref()), Err(SceneError::Unreadable { .. })));
+}
+
+#[test]
+fn a_core_serves_its_own_scene_as_it_is() {
+    for &scene in builtin_names() {
+        let frame = frame(scene);
+        for spec in Method::ALL
+            .into_iter()
+            .filter_map(|method| load(scene, SIZE).unwrap().core_spec(Some(method)).ok())
+        {
+            let served = spec.serving(&frame).unwrap();
+            assert_eq!((served.spec, served.frame), (spec, frame.clone()), "{scene}");
+        }
+    }
+}
+
+#[test]
+fn a_general_core_takes_less_than_it_has() {
+    let spec = CoreSpec { longest_span: 4, ..core("spheres", None).general() };
+    let teapot = frame("teapot");
+    let served = spec.serving(&teapot).unwrap();
+    assert_eq!(served.frame.lights.len(), spec.lights);
+    assert_eq!(
+        served.frame.lights[teapot.lights.len()..]
+            .iter()
+            .map(|light| light.colour)
+            .collect::<Vec<_>>(),
+        [[0.0; 3]]
+    );
+    let formats = |spec: &CoreSpec| (spec.method.clone(), spec.inputs());
+    assert_eq!(formats(&served.spec), formats(&spec));
+    // Bounds rest on the shorter normals of both.
+    assert!(served.spec.shortest_normal <= spec.shortest_normal);
+}
+
+#[test]
+fn what_a_core_lacks_is_named() {
+    let lacking = |spec: &CoreSpec, frame: &Frame| match spec.serving(frame) {
+        Err(error @ (SpecError::Lacks { .. } | SpecError::UnevenShininess { .. })) => {
+            error.to_string()
+        }
+        other => panic!("{other:?}"),
+    };
+    let teapot = core("teapot", None);
+    let said = [
+        lacking(&teapot.general(), &frame("spheres")),
+        lacking(&core("torus", None), &frame("teapot")),
+        lacking(&teapot, &load("teapot", Some((96, 72))).unwrap().frame),
+        lacking(&core("lamps", None), &frame("teapot")),
+        lacking(&core("teapot", Some(Method::Phong)), &frame("lamps")),
+    ];
+    insta::assert_snapshot!(said.join("\n"));
+    let uneven = "[[object]]\nprimitive = \"torus\"\n[object.material]\nshininess = 3\n".to_owned();
+    let uneven = parse("uneven.toml", uneven).unwrap().frame;
+    let hybrid = CoreSpec { longest_span: 1024, ..core("spheres", Some(Method::Hybrid)).general() };
+    assert!(lacking(&hybrid, &uneven).contains("shininess 3"));
+}
+
+/// The backquoted words of a cell of a table.
+fn quoted(cell: &str) -> Vec<&str> {
+    cell.split('`').skip(1).step_by(2).collect()
+}
+
+/// docs/spec-file.md has every key that a file can have: those of the core by their full names, and
+/// a row for each method with its options and its narrowing points, which has no others.
+#[test]
+fn the_page_has_every_key() {
+    let page = include_str!("../../docs/spec-file.md");
+    let rows: Vec<Vec<&str>> = page
+        .lines()
+        .filter(|line| line.starts_with('|'))
+        .map(|line| line.trim_matches('|').split(" | ").collect())
+        .collect();
+    let of_core: Vec<&str> =
+        rows.iter().filter(|row| row.len() == 2).flat_map(|row| quoted(row[0])).collect();
+    for method in Method::ALL {
+        let file = SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(method)) };
+        let text: toml::Table = file.text().parse().unwrap();
+        let absent: Vec<&String> =
+            text.keys().filter(|key| *key != "spec" && !of_core.contains(&key.as_str())).collect();
+        assert!(absent.is_empty(), "{absent:?}");
+        let spec = text["spec"].as_table().unwrap();
+        let is_named = |key: &str| of_core.contains(&format!("spec.{key}").as_str());
+        let absent: Vec<&String> =
+            spec.keys().filter(|key| *key != "method" && !is_named(key)).collect();
+        assert!(absent.is_empty(), "spec: {absent:?}");
+        let of_method = spec["method"][method.name()].as_table().unwrap();
+        let options: Vec<&str> =
+            of_method.keys().map(String::as_str).filter(|key| *key != "formats").collect();
+        let formats: Vec<&str> =
+            of_method["formats"].as_table().unwrap().keys().map(String::as_str).collect();
+        let row =
+            rows.iter().find(|row| row.len() == 3 && quoted(row[0]) == [method.name()]).unwrap();
+        let sorted = |mut keys: Vec<&str>| {
+            keys.sort_unstable();
+            keys.into_iter().map(str::to_owned).collect::<Vec<String>>()
+        };
+        assert_eq!(sorted(quoted(row[1])), sorted(options), "{}", method.name());
+        assert_eq!(sorted(quoted(row[2])), sorted(formats), "{}", method.name());
+    }
+}

@@ -1,0 +1,70 @@
+//! Pixels of several clocks.
+use specula_datapath::builder::Sig;
+use specula_spec::{Format, InputPort};
+
+use super::common::{Drive, Runner};
+use super::{Builder, Generic, Rc};
+
+const STEPS: [i64; 3] = [1, 10, 100];
+
+/// The accumulator of the last time slot and the sum over all of them, each for pixel i of a span whose
+/// steps are `factor` times [`STEPS`]: 100 i and 7 + 111 i times the factor.
+fn wanted(factor: i64, length: u32) -> Vec<[i64; 2]> {
+    (0..i64::from(length)).map(|i| [100 * i * factor, 7 + 111 * i * factor]).collect()
+}
+
+#[test]
+fn time_slots_have_values_of_their_own() {
+    let b = Builder::new("bench", "", Rc::new(Generic));
+    let control = b.control();
+    let slots = b.time_slots(&control, 3);
+    let input = |name: &str| {
+        b.input(&InputPort {
+            name: name.into(),
+            format: Format::unsigned(9, 0),
+            range: (0, 500),
+            same_as: None,
+        })
+    };
+    let step = slots.multiplexed(&["one", "ten", "hundred"].map(input));
+    let zero = b.integer(0);
+    let grown = b.unit(
+        "grown",
+        "",
+        (("first", &slots.first_pixel), ("step", &step)),
+        |_, (first, step)| Sig::accumulated(&first, &zero, &step, (0.0, 4000.0), 8, "few steps"),
+    );
+    let seven = b.integer(7);
+    let sum = b.unit(
+        "sum",
+        "",
+        (("begins", &slots.first_slot), ("term", &grown)),
+        |_, (begins, term)| {
+            Sig::summed(&begins, &seven, &term, (0.0, 12_007.0), 3, "three time slots")
+        },
+    );
+    let design = b.finish(&slots.valid_in_last_slot, &[("grown", grown), ("sum", sum)]).unwrap();
+    assert_eq!((design.interval, design.latency()), (3, design.depth() + 2));
+
+    let spans = [(1, 4), (2, 1), (3, 3), (1, 2)];
+    let mut runner = Runner::new(&design);
+    let mut left = vec![];
+    let mut step = |drive: &Drive| {
+        runner.apply(drive);
+        if runner.value(design.valid_out) == Some(1) {
+            left.push([0, 1].map(|output| runner.value(design.outputs[output]).unwrap()));
+        }
+        runner.edge();
+    };
+    for (factor, length) in spans {
+        let inputs: Vec<i64> = STEPS.map(|step| factor * step).to_vec();
+        (0..3 * length).for_each(|clock| {
+            step(&Drive { valid: true, start: clock == 0, inputs: inputs.clone() })
+        });
+    }
+    (0..=design.latency())
+        .for_each(|_| step(&Drive { valid: false, start: true, inputs: vec![0; 3] }));
+    let all: Vec<[i64; 2]> =
+        spans.iter().flat_map(|&(factor, length)| wanted(factor, length)).collect();
+    assert_eq!(left, all);
+}
