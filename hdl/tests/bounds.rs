@@ -107,11 +107,7 @@ fn needed(graph: &Graph, real: &RealValue) -> Vec<RealId> {
 
 fn renumbered(rule: Rule, map: impl Fn(RealId) -> RealId) -> Rule {
     match rule {
-        Rule::Exact
-        | Rule::Input { .. }
-        | Rule::Table { .. }
-        | Rule::LoopInvariant { .. }
-        | Rule::Overridden { .. } => rule,
+        Rule::Exact | Rule::Input { .. } | Rule::Table { .. } | Rule::LoopInvariant { .. } => rule,
         Rule::Same(a) => Rule::Same(map(a)),
         Rule::Scaled(a, exponent) => Rule::Scaled(map(a), exponent),
         Rule::Sum(a, b) => Rule::Sum(map(a), map(b)),
@@ -133,6 +129,7 @@ fn renumbered(rule: Rule, map: impl Fn(RealId) -> RealId) -> Rule {
             Rule::DotProduct { of: map(of), vectors, lengths }
         }
         Rule::Tightened { of, bound, proof } => Rule::Tightened { of: map(of), bound, proof },
+        Rule::Overridden { of, bound, proof } => Rule::Overridden { of: map(of), bound, proof },
         Rule::Within { of, real, fact } => Rule::Within { of: map(of), real, fact },
     }
 }

@@ -26,7 +26,6 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use crate::InputPort;
-use crate::bound::Interval;
 
 use crate::design::{Design, NodeId, Op, Range};
 use crate::graph::{Graph, Pace, Rule};
@@ -78,8 +77,10 @@ impl Builder {
     /// that.
     pub fn input(&self, port: &InputPort) -> Sig {
         let rounds = port.format.fraction_bits > 0;
-        let error = if rounds { 0.5 * port.format.ulp() } else { 0.0 };
-        let rule = Rule::Input { error, real: Interval::ANY };
+        let rule = match rounds {
+            true => Rule::Input { error: 0.5 * port.format.ulp(), real: port.real },
+            false => Rule::Exact,
+        };
         if let Some(twin) = port.same_as.as_deref().and_then(|twin| self.opened(twin)) {
             let mut state = self.state.borrow_mut();
             let name = &state.graph.value(twin).name;

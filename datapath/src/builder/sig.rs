@@ -99,7 +99,8 @@ impl Sig {
     /// put together from bits, or where a bit may come out otherwise than the real one. `proof` is
     /// where it stands.
     pub fn override_error(self, proof: &'static str, bound: impl Into<ErrorBound>) -> Sig {
-        self.by_rule(Rule::Overridden { bound: bound.into(), proof })
+        let rule = Rule::Overridden { of: self.real, bound: bound.into(), proof };
+        self.by_rule(rule)
     }
 
     /// States that the real value lies in an interval, by a fact that rules cannot see. The fixed

@@ -3,7 +3,6 @@ use std::ops::{Add, Sub};
 
 use super::Sig;
 use crate::bound::{VectorBound, VectorError};
-use crate::format::power_of_two;
 use crate::graph::{Rule, VectorId, VectorRule};
 
 /// A vector in view space.
@@ -156,14 +155,10 @@ impl Vector {
         ])
     }
 
-    /// Each component rounded to `fraction_bits`, which moves the vector by √3/2 units of the last
-    /// place at most.
+    /// Each component rounded to `fraction_bits`.
     pub fn rounded(&self, fraction_bits: u32) -> Vector {
-        let narrows = self.components().iter().any(|sig| sig.fraction_bits() > fraction_bits);
-        let ulp = power_of_two(-i64::from(fraction_bits));
-        let moved = if narrows { 0.75f64.sqrt() * ulp } else { 0.0 };
         let rounded = self.components().map(|component| component.rounded(fraction_bits));
-        Vector::by_rule(rounded, VectorRule::Rounded { of: self.real, moved })
+        Vector::by_rule(rounded, VectorRule::Rounded(self.real))
     }
 
     /// States that the vector is no longer than `length`, so that each component lies within it.

@@ -106,8 +106,11 @@ pub enum Rule {
         /// Where the proof stands.
         proof: &'static str,
     },
-    /// A real value of whose error nothing is known but what a proof says.
+    /// The other real value, of whose error rules see nothing, or not all: what a proof says of it
+    /// counts alone.
     Overridden {
+        /// The same real value.
+        of: RealId,
         /// What is proven of its error.
         bound: ErrorBound,
         /// Where the proof stands.
@@ -140,13 +143,8 @@ pub enum VectorRule {
     Components,
     /// It is the other vector: in another unit, or with components in ranges that are stated.
     Same(VectorId),
-    /// It is the other vector, rounded, which moves it by `moved` at most.
-    Rounded {
-        /// The other vector.
-        of: VectorId,
-        /// By how much rounding moves it.
-        moved: f64,
-    },
+    /// It is the other vector, rounded here.
+    Rounded(VectorId),
     /// It is one or the other vector.
     Choice(VectorId, VectorId),
     /// It is the other vector, of which a proof says how far it is off as a whole.
@@ -175,11 +173,9 @@ impl Rule {
     /// Real values that it depends on.
     pub fn operands(&self) -> Vec<RealId> {
         match self {
-            Rule::Exact
-            | Rule::Input { .. }
-            | Rule::Table { .. }
-            | Rule::LoopInvariant { .. }
-            | Rule::Overridden { .. } => vec![],
+            Rule::Exact | Rule::Input { .. } | Rule::Table { .. } | Rule::LoopInvariant { .. } => {
+                vec![]
+            }
             Rule::Same(a)
             | Rule::Scaled(a, _)
             | Rule::Square(a)
@@ -191,6 +187,7 @@ impl Rule {
             | Rule::Absolute(a)
             | Rule::DotProduct { of: a, .. }
             | Rule::Tightened { of: a, .. }
+            | Rule::Overridden { of: a, .. }
             | Rule::Within { of: a, .. } => vec![*a],
             Rule::Sum(a, b)
             | Rule::Difference(a, b)
@@ -225,7 +222,7 @@ impl VectorRule {
         match self {
             VectorRule::Components => vec![],
             VectorRule::Same(a)
-            | VectorRule::Rounded { of: a, .. }
+            | VectorRule::Rounded(a)
             | VectorRule::Proven { of: a, .. }
             | VectorRule::NoLonger(a, _)
             | VectorRule::NoShorter { of: a, .. } => vec![*a],

@@ -19,11 +19,15 @@ pub(super) fn facts(graph: &Graph, bounds: &Bounds, of: &RealVector) -> VectorFa
     match &of.rule {
         VectorRule::Components => VectorFacts::UNKNOWN,
         VectorRule::Same(a) => known(*a),
-        VectorRule::Rounded { of: a, moved } => VectorFacts {
-            shortest: known(*a).shortest,
-            longest: known(*a).longest + moved,
-            error: whole(*a).error.enlarged_by(*moved),
-        },
+        VectorRule::Rounded(a) => {
+            let before = bounds.components(&graph.vectors[a.0 as usize]);
+            let moved = moved(before, bounds.components(of));
+            VectorFacts {
+                shortest: known(*a).shortest,
+                longest: known(*a).longest + moved,
+                error: whole(*a).error.enlarged_by(moved),
+            }
+        }
         VectorRule::Choice(a, b) => either(whole(*a), whole(*b)),
         VectorRule::Proven { of: a, error, .. } => VectorFacts { error: *error, ..known(*a) },
         VectorRule::NoLonger(a, length) => {
@@ -33,6 +37,13 @@ pub(super) fn facts(graph: &Graph, bounds: &Bounds, of: &RealVector) -> VectorFa
             VectorFacts { shortest: known(*a).shortest.max(*length), ..known(*a) }
         }
     }
+}
+
+/// By how much rounding moves a vector at most: √3/2 units of the last place, where that of any
+/// component is another than `before`.
+fn moved(before: [Bound; 3], rounded: [Bound; 3]) -> f64 {
+    let narrowed = before.iter().zip(&rounded).filter(|(before, rounded)| before.ulp < rounded.ulp);
+    narrowed.map(|(_, rounded)| 0.75f64.sqrt() * rounded.ulp).fold(0.0, f64::max)
 }
 
 /// What is true of both.
