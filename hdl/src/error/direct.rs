@@ -90,7 +90,8 @@ pub fn is_positive(q: Bound) -> bool {
     q.real.low - q.error > 0.0
 }
 
-/// √q of the smallest real q: no normal is shorter.
+/// √q of the smallest real q: no normal is shorter, at pixels or between them, since what is known of
+/// q is so for every t.
 pub fn shortest(q: Bound) -> f64 {
     q.real.low.max(0.0).sqrt()
 }
