@@ -9,15 +9,10 @@ use specula_datapath::builder::Builder;
 use specula_datapath::graph::{Graph, RealId, RealValue, RealVector, Rule, VectorId};
 use specula_datapath::pass::bounds::{Bounds, bounds, premises};
 use specula_datapath::target::Generic;
+use specula_fixtures::Draw;
 use specula_hdl::cores;
 use specula_scene::load;
 use specula_spec::{CoreSpec, Method, SceneCore};
-
-#[path = "common/draw.rs"]
-#[allow(dead_code)]
-mod draw;
-
-use draw::Draw;
 
 /// Cores of all methods, for a scene with lights of all kinds and for another, each for that scene
 /// alone and for any.

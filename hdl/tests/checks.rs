@@ -1,38 +1,18 @@
-//! Both cores with every option through rust-hdl's checks, and what elaboration promises for all of
+//! All methods with every option through rust-hdl's checks, and what elaboration promises for all of
 //! them.
 use specula_datapath::Design;
 use specula_datapath::block::check_all;
 use specula_datapath::design::NodeId;
+use specula_fixtures::specs::small_needs;
 use specula_scene::Needs;
-use specula_scene::contributions::Contributions;
 use specula_scene::limits::{LONGEST_SPAN, MOST_LIGHTS};
-use specula_scene::needs::Ranges;
 use specula_spec::consistent::{Curve, Diffuse};
 use specula_spec::duff::Highlight;
 use specula_spec::lyon::{Difference, Normalisation};
 use specula_spec::{CoreSpec, LyonSpec, Method, MethodSpec, reflection};
 
 fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
-    Needs {
-        local_lights: Vec::new(),
-        local_eye: false,
-        shortest_way: 1.0,
-        shortest_unit_way: 1.0,
-        lights,
-        longest_span,
-        largest_shininess,
-        uneven_shininess: None,
-        brightest_coefficient: 1.0,
-        widest_angle: 20.0,
-        shortest_normal: 0.95,
-        least_cone_cosine: 0.9,
-        least_view_cosine: 0.0,
-        smallest_shininess: 1,
-        contributions: Contributions::default(),
-        flat: false,
-        consistent_normals_differ: true,
-        ranges: Ranges::default(),
-    }
+    Needs { lights, longest_span, largest_shininess, ..small_needs() }
 }
 
 fn spec(method: Method, lights: usize, longest_span: u32, largest_shininess: u32) -> CoreSpec {

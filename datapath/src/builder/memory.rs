@@ -27,7 +27,8 @@ impl Sig {
     }
 
     /// A register that takes this value over while `enable` is 1 and holds what it has while it
-    /// is 0. Like all registers of data it has no reset, so it must be enabled before it is read.
+    /// is 0, or no pixel is there. Like all registers of data it has no reset, so it must be enabled
+    /// before it is read.
     pub fn held(&self, enable: &Sig) -> Sig {
         let together = self.builder.group([self, enable]);
         let [value, enable] = [self, enable].map(|sig| sig.taken_with(together));
@@ -39,8 +40,8 @@ impl Sig {
     }
 
     /// A register that takes over `loaded` while `load` is 1, else this value while `enable` is 1,
-    /// and else holds what it has. It has no reset, so it must be enabled or loaded before it is
-    /// read.
+    /// and else holds what it has, as it does where no pixel is there. It has no reset, so it must
+    /// be enabled or loaded before it is read.
     pub fn held_or_loaded(&self, enable: &Sig, load: &Sig, loaded: &Sig) -> Sig {
         let fraction_bits = self.fraction_bits().max(loaded.fraction_bits());
         let (value, loaded) =
@@ -51,14 +52,16 @@ impl Sig {
         let range = value.range().hull(loaded.range()).hull(Range::single(0));
         let rule = Rule::Choice(value.real(), loaded.real());
         let builder = &self.builder;
-        // The register is placed before the multiplexer that reads it, and its operand is set when
-        // that is there.
+        // The register is placed before the multiplexers that read it, and its operand is set when
+        // they are there.
         let state = builder.own_register(range, fraction_bits, together, Op::Copy);
-        let op = Op::Select(enable.id(), value.id(), state);
-        let info = SignalInfo { range: range.into(), fraction_bits, kind: "kept" };
-        let kept = builder.ahead(op, together, info);
-        builder.state.borrow_mut().graph.values[state.0 as usize].op =
-            Op::Select(load.id(), loaded.id(), kept);
+        let ahead = |op, kind| {
+            let info = SignalInfo { range: range.into(), fraction_bits, kind };
+            builder.ahead(op, together, info)
+        };
+        let kept = ahead(Op::Select(enable.id(), value.id(), state), "kept");
+        let next = ahead(Op::Select(load.id(), loaded.id(), kept), "next");
+        builder.state.borrow_mut().graph.values[state.0 as usize].op = Op::Copy(next);
         Sig::new(builder, (state, fraction_bits), rule)
     }
 }
@@ -82,7 +85,7 @@ impl super::Builder {
         let (scope, own) = (state.scope, NodeId(state.graph.values.len() as u32));
         let name = state.unique(scope, "held");
         let shape = (range, fraction_bits);
-        let id = state.add(op(own), Pace::Register, Some(together), shape, name);
+        let id = state.add(op(own), Pace::Held, Some(together), shape, name);
         state.nameable(id);
         id
     }

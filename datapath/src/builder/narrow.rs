@@ -116,9 +116,10 @@ impl Sig {
     /// After a clamp: the range that the clamp leaves, which the hull of its branches does not
     /// show.
     fn known_within(self, range: Range, rule: Rule) -> Sig {
-        match self.range() == range {
-            true => self.standing_for(self.id(), rule),
-            false => self.wired(Op::Wrap(self.id()), range, "clamped", rule),
+        if self.range() == range {
+            self.standing_for(self.id(), rule)
+        } else {
+            self.wired(Op::Wrap(self.id()), range, "clamped", rule)
         }
     }
 

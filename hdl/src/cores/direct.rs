@@ -1,42 +1,49 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
-use specula_spec::{CoreSpec, Format};
+use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Root};
+use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{finish, pipelines, squared_normal, time_slots};
+use super::{Intensities, finish, squared_normal, time_slots};
 use crate::error::direct::{Parameter, Product, normal_by_newton, unit_normal};
-use crate::units::{self, DirectedBase, Light, QuotientFormat};
+use crate::units::{self, DirectedBase, QuotientFormat};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]
-pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Graph, BuildError> {
+pub(super) fn core(
+    b: Builder,
+    spec: &CoreParameters,
+    direct: &DirectSpec,
+    ports: &DirectInputs<InputPort>,
+) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, spec);
-    let inputs = direct.inputs(spec).map(|port| b.input(port));
+    let inputs = ports.map(|port| b.input(port));
     let formats = &direct.formats;
     let t = units::parameter(
         &b,
         &slots.first_pixel,
-        &inputs.weight_step,
+        &inputs.span.weight_step,
         formats,
         spec.longest_span - 1,
     );
-    let q = squared_normal(units::squared_length(&b, &t, &inputs.spread, formats), spec);
-    let view = [&inputs.view.start, &inputs.view.delta];
+    let q = squared_normal(units::squared_length(&b, &t, &inputs.span.spread, formats), spec);
+    let view = [&inputs.span.view.start, &inputs.span.view.delta];
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
     let length = length(
         &b,
-        Squared { first: &slots.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
+        Squared {
+            first: &slots.first_pixel,
+            t: &t,
+            q: &q,
+            spread: &inputs.span.spread,
+            view: &view,
+        },
         direct,
     );
-    let pixel = Pixel { b: &b, direct, t: &t, q: &q, length: &length, exponent: &inputs.exponent };
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    let pixel =
+        Pixel { b: &b, direct, t: &t, q: &q, length: &length, exponent: &inputs.span.exponent };
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What a pixel's length is made of.
@@ -115,7 +122,7 @@ struct Pixel<'a> {
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &DirectLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &DirectLight<Sig>) -> Intensities {
         let (b, formats, length) = (self.b, &self.direct.formats, self.length);
         let called = |unit: &str| format!("light{index}_{unit}");
         let ends = [&light.light.start, &light.light.delta];
@@ -127,13 +134,11 @@ impl Pixel<'_> {
         let base =
             b.instance(&called("base"), || units::directed_base(b, self.base(&p, &j, light), bits));
         let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), || {
                 units::clamp_unit(b, &j, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 

@@ -93,18 +93,19 @@ fn of_slots(terms: &[Term], slots: u32, share: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// A term with its real and its fixed coefficient and intensity.
     fn draw_term(draw: &mut Draw, form: ErrorModel, off: f64) -> (Term, [f64; 2], [f64; 2]) {
         let Term { coefficient, intensity, .. } = Term {
-            coefficient: Factor { smallest: 0.0, largest: draw.between(0.0, 150.0), off: 1e-3 },
+            coefficient: Factor { smallest: 0.0, largest: draw.within(0.0, 150.0), off: 1e-3 },
             intensity: Factor { smallest: 0.0, largest: 1.0, off },
             form,
         };
         let k = (coefficient.largest - draw.one_of(&[0.0, 0.1])).max(0.0);
-        let f = draw.between(0.0, 1.0);
+        let f = draw.within(0.0, 1.0);
         let within = match form {
             ErrorModel::Relative([RelativeBound { ratio, rest }, ..]) => {
                 // The fixed one may be the smaller.
@@ -156,7 +157,7 @@ mod tests {
         let mut reached = 0.0_f64;
         for _ in 0..10_000 {
             let terms = [0; 2].map(|_| Term {
-                coefficient: Factor { smallest: 0.0, largest: draw.between(0.0, 100.0), off: 0.0 },
+                coefficient: Factor { smallest: 0.0, largest: draw.within(0.0, 100.0), off: 0.0 },
                 intensity: Factor { smallest: 0.0, largest: 1.0, off },
                 form,
             });

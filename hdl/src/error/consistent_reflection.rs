@@ -360,8 +360,8 @@ pub fn highlight(r: VectorBound, l: VectorBound, base: Format) -> Angular {
 mod tests {
     use glam::DVec3;
     use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// J and its reflection in the plane of both, m along the second axis, computed with every
@@ -481,9 +481,9 @@ mod tests {
                     let n = draw.direction();
                     (n, draw.across(n))
                 };
-                let b = draw.between(w - 1.0, 1.0);
+                let b = draw.within(w - 1.0, 1.0);
                 let incoming = b * n + (1.0 - b * b).sqrt() * beside;
-                let q = draw.between(least_q, 1.0);
+                let q = draw.within(least_q, 1.0);
                 let real = reflected(n, incoming, q);
                 let mut moved =
                     |v: DVec3, aside: DVec3| v + draw.error(across) * aside + draw.error(along) * v;
@@ -510,8 +510,8 @@ mod tests {
             let bound = of_sine_ratio(2.0 * operand, operand, &formats, known);
             let mut reached = 0.0_f64;
             for _ in 0..60_000 {
-                let w = least_divisor + (2.0 - least_divisor) * draw.between(0.0, 1.0).powi(4);
-                let q = least_q + (1.0 - least_q) * draw.between(0.0, 1.0).powi(4);
+                let w = least_divisor + (2.0 - least_divisor) * draw.within(0.0, 1.0).powi(4);
+                let q = least_q + (1.0 - least_q) * draw.within(0.0, 1.0).powi(4);
                 let (b, dividend) = (w - 1.0, q * (2.0 + q * (w - 2.0)));
                 let squared = |p: f64, w: f64| if w > 0.0 { (p / w).clamp(0.0, 1.0) } else { 0.0 };
                 let real = squared(dividend, w).sqrt();
@@ -542,9 +542,9 @@ mod tests {
         };
         let mut reached = 0.0_f64;
         for _ in 0..40_000 {
-            let (n, q) = (draw.direction(), draw.between(0.0, 1.0).powi(8));
+            let (n, q) = (draw.direction(), draw.within(0.0, 1.0).powi(8));
             // g + b is 0 for b = (q - 1)/(q + 1).
-            let b = (q - 1.0 + draw.between(-horizon.0, horizon.0)) / (q + 1.0);
+            let b = (q - 1.0 + draw.within(-horizon.0, horizon.0)) / (q + 1.0);
             let b = b.clamp(-1.0, 1.0);
             let incoming = b * n + (1.0 - b * b).sqrt() * draw.across(n);
             let real = cosine(n, incoming, q, 0.0);

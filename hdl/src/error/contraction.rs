@@ -69,11 +69,11 @@ pub fn trigonometric(t: Bound, tangent: Format, contraction: Format) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
     use std::f64::consts::{FRAC_PI_4, PI};
 
     use specula_datapath::bound::Interval;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// How far t is off, and fraction bits of T and q.
@@ -93,7 +93,7 @@ mod tests {
         let mut draw = Draw::new(1);
         let mut reached = 0.0_f64;
         for _ in 0..50_000 {
-            let t = draw.between(0.0, 1.0).powi(4);
+            let t = draw.within(0.0, 1.0).powi(4);
             let moved = (t + draw.error(0.5 * t_error) + 0.5 * t_error).min(1.0);
             reached = reached.max((fixed(moved, &mut draw) - real(t)).abs() / bound);
         }

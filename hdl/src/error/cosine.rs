@@ -97,7 +97,8 @@ fn product_with_reciprocal([e_p, e_q]: [f64; 2], smallest: f64, rounding: f64) -
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// The least q, and how far v, p, q and the root or quotient are off.
@@ -117,7 +118,7 @@ mod tests {
         let mut draw = Draw::new(1);
         let mut reached = 0.0_f64;
         for _ in 0..20_000 {
-            let q = smallest + (1.0 - smallest) * draw.between(0.0, 1.0).powi(6);
+            let q = smallest + (1.0 - smallest) * draw.within(0.0, 1.0).powi(6);
             let [v, p] = [0; 2].map(|_| q.sqrt() * draw.error(1.0));
             let real = [v, p, q, 0.0];
             let fixed = std::array::from_fn(|i| real[i] + draw.error(errors[i]));

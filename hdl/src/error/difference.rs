@@ -121,8 +121,8 @@ pub fn minus([h, n]: [VectorBound; 2]) -> Difference {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     const VECTOR: Format = Format::signed(1, 14);

@@ -33,7 +33,8 @@ pub fn overshoot(steps: u32, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// 90 % of the bound is reached.

@@ -309,25 +309,18 @@ impl Product {
 mod tests {
     use glam::DVec3;
     use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
+    use specula_fixtures::formats::direct_formats;
 
-    use super::super::draw::Draw;
     use super::*;
 
     fn formats(bits: u32) -> DirectFormats {
-        let one = Format::unsigned(1, bits);
         DirectFormats {
-            weight_accumulator: one,
-            weight: one,
-            product: one,
             spread: Format::unsigned(3, bits),
             component: Format::signed(1, bits),
-            length_squared: one,
-            length: one,
             reciprocal: Format::unsigned(3, bits),
             cosine: Format::signed(1, bits),
-            diffuse: one,
-            base: one,
-            shape: one,
+            ..direct_formats(Format::unsigned(1, bits))
         }
     }
 
@@ -346,7 +339,7 @@ mod tests {
             let angle = 2.0 * shortest.acos();
             let a = draw.direction();
             let b = angle.cos() * a + angle.sin() * draw.across(a);
-            let anywhere = draw.between(0.0, 1.0);
+            let anywhere = draw.within(0.0, 1.0);
             let t = draw.one_of(&[0.5, anywhere]);
             let fixed_t = (t + draw.error(t_off)).clamp(0.0, 1.0);
             let kappa = (b - a).length_squared() + draw.error(half(formats.spread));
@@ -479,8 +472,8 @@ mod tests {
         for (off, past) in [(1e-3, 0.0), (1e-5, 0.01)] {
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let ends = [0; 2].map(|_| draw.between(-1.0, 1.0));
-                let anywhere = draw.between(0.0, 1.0);
+                let ends = [0; 2].map(|_| draw.within(-1.0, 1.0));
+                let anywhere = draw.within(0.0, 1.0);
                 let t = draw.one_of(&[anywhere, 1.0]);
                 let fixed_t = (t + draw.error(off)).clamp(0.0, 1.0 + past);
                 let [a, b] = ends.map(|end| end + draw.error(half_unit));
@@ -501,7 +494,7 @@ mod tests {
             let square = Square::new(past, &formats);
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let anywhere = draw.between(0.0, 1.0 + past);
+                let anywhere = draw.within(0.0, 1.0 + past);
                 let t = draw.one_of(&[0.5, anywhere]);
                 let product = t * (1.0 - t);
                 assert!(-square.below <= product && product <= 0.25);

@@ -55,7 +55,8 @@ impl Quotient {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Operands at the ends of their errors, and divisors from the smallest on: 99 % of the bound
@@ -74,8 +75,8 @@ mod tests {
                 let bound = if low == 0.0 { of.unsigned() } else { of.signed() };
                 let mut reached = 0.0_f64;
                 for _ in 0..20_000 {
-                    let q = smallest_divisor * (1.0 + draw.between(0.0, 1.0).powi(8));
-                    let p = 1.1 * q * draw.between(low, limit);
+                    let q = smallest_divisor * (1.0 + draw.within(0.0, 1.0).powi(8));
+                    let p = 1.1 * q * draw.within(low, limit);
                     let real = (p / q).clamp(low, limit);
                     let (p, q) = (p + draw.error(of.operands[0]), q + draw.error(of.operands[1]));
                     let fixed = (p / q).clamp(low, limit) + draw.error(0.5 * of.ulp);

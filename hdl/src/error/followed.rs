@@ -100,9 +100,9 @@ const SHORTER_BY: f64 = 0.0625;
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
     use specula_spec::Format;
 
-    use super::super::draw::Draw;
     use super::*;
 
     const OPERAND: f64 = 1.0 / 4096.0;

@@ -25,8 +25,8 @@ pub fn bound(n: Bound, versine: Bound, fraction_bits: u32) -> f64 {
 #[cfg(test)]
 mod tests {
     use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// Versines as they come, kept within what the unit takes, and results rounded to either
@@ -43,9 +43,9 @@ mod tests {
             );
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let n = draw.between(0.0, 1.0).sqrt() * f64::from(largest);
+                let n = draw.within(0.0, 1.0).sqrt() * f64::from(largest);
                 let n = n.ceil().max(1.0);
-                let d = draw.between(0.0, 2.0) * draw.between(0.0, 1.0).powi(8) / n;
+                let d = draw.within(0.0, 2.0) * draw.within(0.0, 1.0).powi(8) / n;
                 let kept = (d + draw.error(versine)).clamp(0.0, 1.875);
                 let fixed = exact(kept, n) + draw.error(power_of_two(-i64::from(fraction_bits)));
                 reached = reached.max((fixed - exact(d, n)).abs() / bound);

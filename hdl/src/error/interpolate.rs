@@ -106,8 +106,8 @@ pub fn sent_difference(of: Bound) -> f64 {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// Of spans of every length: 90 % of the bound is reached.
@@ -159,7 +159,7 @@ mod tests {
         for (off, weight, past) in [(1e-3, 1e-4, 0.0), (1e-4, 1e-3, 0.0), (1e-3, 2e-3, 0.05)] {
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let ends = [0; 2].map(|_| draw.between(0.3, 1.0) * draw.direction());
+                let ends = [0; 2].map(|_| draw.within(0.3, 1.0) * draw.direction());
                 let [x0, x1] = ends;
                 let apart = (x1 - x0).length();
                 let along = (x1 - x0) / apart;
@@ -167,7 +167,7 @@ mod tests {
                     let direction = draw.one_of(&[along, -along, DVec3::X]);
                     end + draw.error(off) * direction
                 });
-                let a = draw.between(weight, 1.0 - weight) + draw.one_of(&[0.0, past]);
+                let a = draw.within(weight, 1.0 - weight) + draw.one_of(&[0.0, past]);
                 let moved = (a + draw.error(weight)).min(1.0 + past);
                 let between = |[x0, x1]: [DVec3; 2], a: f64| x0 + a * (x1 - x0);
                 let error = (between(fixed, moved) - between(ends, a)).length();

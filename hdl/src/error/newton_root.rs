@@ -86,26 +86,17 @@ fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
+    use specula_fixtures::formats::direct_formats;
     use specula_spec::Format;
 
-    use super::super::draw::Draw;
     use super::*;
 
     fn formats(length: u32) -> DirectFormats {
-        let rest = Format::unsigned(1, 10);
         DirectFormats {
-            weight_accumulator: rest,
-            weight: rest,
-            product: rest,
-            spread: rest,
-            component: rest,
-            length_squared: rest,
             length: Format::unsigned(1, length),
             reciprocal: Format::unsigned(3, 10),
-            cosine: rest,
-            diffuse: rest,
-            base: rest,
-            shape: rest,
+            ..direct_formats(Format::unsigned(1, 10))
         }
     }
 
@@ -119,7 +110,7 @@ mod tests {
         for _ in 0..5000 {
             let (mut real, mut fixed) = (1.0_f64, 1.0_f64);
             for _ in 0..8 {
-                let between = draw.between(shortest * shortest, 1.0);
+                let between = draw.within(shortest * shortest, 1.0);
                 let q = draw.one_of(&[shortest * shortest, 1.0, between]);
                 let q_fixed = q + draw.error(e_q);
                 for _ in 0..steps {

@@ -272,8 +272,8 @@ impl Gain {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// First gain, Newton steps, and how short the shortest N' is.
@@ -307,7 +307,7 @@ mod tests {
         let mut reached = [0.0_f64; 2];
         for _ in 0..20_000 {
             let direction = draw.direction();
-            let length = bounds.shortest + (1.0 - bounds.shortest) * draw.between(0.0, 1.0).powi(4);
+            let length = bounds.shortest + (1.0 - bounds.shortest) * draw.within(0.0, 1.0).powi(4);
             let moved = [direction, draw.across(direction), draw.direction()];
             let moved = draw.one_of(&moved) * draw.error(bounds.error.length);
             let real = scaled(of, length * direction, |_| 0.0);

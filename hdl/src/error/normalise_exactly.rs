@@ -51,9 +51,10 @@ impl Exact {
         Normalised {
             longest,
             shortest: (bounds.shortest / self.least_operand.sqrt()).min(1.0),
-            error: match reached {
-                true => unit_vector(bounds, of_z / least_z, of_root),
-                false => VectorError::ball(1.0 + longest),
+            error: if reached {
+                unit_vector(bounds, of_z / least_z, of_root)
+            } else {
+                VectorError::ball(1.0 + longest)
             },
             direction_error: if least_z >= self.z_ulp { 0.0 } else { 1.0 },
         }
@@ -87,7 +88,8 @@ pub fn unit_vector(bounds: VectorBound, of_z: f64, of_root: f64) -> VectorError 
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Of vectors about as short as they come, 99 % of the bound across and 80 % of that along n
@@ -103,7 +105,7 @@ mod tests {
             let mut reached = [0.0_f64; 2];
             for _ in 0..20_000 {
                 let direction = draw.direction();
-                let length = shortest + (1.0 - shortest) * draw.between(0.0, 1.0).powi(4);
+                let length = shortest + (1.0 - shortest) * draw.within(0.0, 1.0).powi(4);
                 let moved = [direction, draw.across(direction), draw.direction()];
                 let moved = draw.one_of(&moved) * draw.error(error);
                 let fixed = length * direction + moved;

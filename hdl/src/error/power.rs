@@ -149,7 +149,8 @@ fn steepest(n: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// The largest error over what each share and the bound allow.
@@ -223,7 +224,7 @@ mod tests {
             let of = PowerError::of_angle(base, n).and_squared(log2_n, half_unit);
             let mut reached = Reached::default();
             for _ in 0..40_000 {
-                let t = draw.between(0.0, 1.0).powi(2) * (20.0 / n).min(1.5);
+                let t = draw.within(0.0, 1.0).powi(2) * (20.0 / n).min(1.5);
                 let real = t.cos();
                 let fixed = (t + draw.error(base.angle)).cos() + draw.error(base.rest);
                 let squared =

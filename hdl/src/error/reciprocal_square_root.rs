@@ -44,8 +44,8 @@ impl RowLimits {
 #[cfg(test)]
 mod tests {
     use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// All small Z: 92 % of the product is reached, and 54 % of the residue.
@@ -76,7 +76,7 @@ mod tests {
                 reciprocal_root(Bound::near(Interval::at_least(smallest), error), least, ulp);
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let z = smallest + (1.0 - smallest) * draw.between(0.0, 1.0).powi(6);
+                let z = smallest + (1.0 - smallest) * draw.within(0.0, 1.0).powi(6);
                 let root = |z: f64| 1.0 / z.max(least).sqrt();
                 let fixed = root(z + draw.error(error)) + draw.error(0.5 * ulp);
                 reached = reached.max((fixed - root(z)).abs() / bound);

@@ -188,8 +188,8 @@ fn steepest_slope(squarings: u32, n: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// 99 % of the bound is reached.
@@ -264,7 +264,7 @@ mod tests {
             let mut reached = 0.0_f64;
             for _ in 0..40_000 {
                 let direction = draw.direction().abs();
-                let d = edge * draw.between(0.0, 1.0) * direction;
+                let d = edge * draw.within(0.0, 1.0) * direction;
                 let exact = (d / edge).length_squared();
                 let real = (1.0 - exact).max(0.0).powf(terms);
                 let d = d + draw.error(off) * direction;

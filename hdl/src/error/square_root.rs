@@ -18,8 +18,8 @@ pub fn root(x: Bound, ulp: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// A fixed value that is no smaller.
@@ -37,7 +37,7 @@ mod tests {
             let bound = root(from(smallest, error), ulp);
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let fixed = smallest + (1.0 - smallest) * draw.between(0.0, 1.0).powi(6);
+                let fixed = smallest + (1.0 - smallest) * draw.within(0.0, 1.0).powi(6);
                 let real = (fixed + draw.error(error)).max(0.0);
                 let off = fixed.sqrt() + draw.error(0.5 * ulp) - real.sqrt();
                 reached = reached.max(off.abs() / bound);

@@ -86,7 +86,8 @@ pub fn longest(longest: f64, half_unit: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// 99 % of the bound across N is reached, and 55 % along it.
@@ -103,7 +104,7 @@ mod tests {
             for _ in 0..20_000 {
                 let direction = draw.direction();
                 let real =
-                    direction * (shortest + (1.0 - shortest) * draw.between(0.0, 1.0).powi(4));
+                    direction * (shortest + (1.0 - shortest) * draw.within(0.0, 1.0).powi(4));
                 let moved = [direction, draw.across(direction), draw.direction()];
                 let fixed = real + draw.one_of(&moved) * draw.error(error);
                 let real = real * (3.0 - real.length_squared()) / 2.0;
@@ -131,8 +132,8 @@ mod tests {
             for _ in 0..20_000 {
                 let p = draw.direction();
                 let q = draw.across(p);
-                let (v, u) = draw.between(0.0, 6.3).sin_cos();
-                let (v_off, u_off) = draw.between(0.0, 6.3).sin_cos();
+                let (v, u) = draw.within(0.0, 6.3).sin_cos();
+                let (v_off, u_off) = draw.within(0.0, 6.3).sin_cos();
                 let moved = draw.direction();
                 let [of_p, of_q] = [0; 2].map(|_| draw.one_of(&[1.0, -1.0]) * of_axes * moved);
                 let fixed = (u + off * u_off) * (p + of_p) + (v + off * v_off) * (q + of_q);

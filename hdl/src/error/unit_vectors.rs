@@ -67,7 +67,8 @@ fn sent_light_dot_view(error: f64, [n_dot_v, n_dot_l]: [Angular; 2]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Two unit vectors off across and along themselves, in one plane with them: half of what is
@@ -81,7 +82,7 @@ mod tests {
             for _ in 0..50_000 {
                 let x = draw.direction();
                 let across_x = draw.across(x);
-                let sine = draw.between(-1.0, 1.0);
+                let sine = draw.within(-1.0, 1.0);
                 let y =
                     sine * across_x + (1.0 - sine * sine).sqrt() * draw.one_of(&[1.0, -1.0]) * x;
                 let across_y = (across_x - across_x.dot(y) * y).normalize_or_zero();

@@ -114,7 +114,8 @@ pub fn at_edge(amount: Bound, most: f64) -> ErrorBound {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Vectors of any length from 1 to 2: 90 % of the bound is reached.
@@ -130,8 +131,8 @@ mod tests {
             let mut reached = 0.0_f64;
             for _ in 0..40_000 {
                 let w = draw.direction();
-                let slope = draw.between(0.0, 1.0);
-                let h = draw.between(1.0, 2.0) * (w + slope * draw.across(w)).normalize();
+                let slope = draw.within(0.0, 1.0);
+                let h = draw.within(1.0, 2.0) * (w + slope * draw.across(w)).normalize();
                 let real = 2.0 * (h.dot(w) / h.length_squared()).clamp(0.0, 1.0) * h - w;
                 let h = h + draw.error(e_h) * draw.across(h.normalize());
                 let w = w + draw.error(e_w) * draw.direction();
@@ -157,7 +158,7 @@ mod tests {
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
                 let along = draw.error(p);
-                let length = shortest.max(along.abs()) * draw.between(1.0, 1.1);
+                let length = shortest.max(along.abs()) * draw.within(1.0, 1.1);
                 let real = (1.0 + along, 1.0 + 2.0 * along + length * length);
                 let fixed = (real.0 + draw.error(p), real.1 + draw.error(q));
                 if (real.0 <= 1.0) == (fixed.0 <= 1.0) {

@@ -88,7 +88,7 @@ fn components_are_within_one_unit_of_the_direction() {
 proptest! {
     #![proptest_config(property_tests())]
     #[test]
-    fn wide_normals(
+    fn wide_normals_agree_with_integers(
         normals in prop::collection::vec((any::<[i32; 3]>(), 0u32..16), 20),
         v in 8u32..18,
         length_squared in 8u32..24,

@@ -61,7 +61,7 @@ fn every_quotient_is_the_nearest() {
 
 /// Ties go up on either side of 0.
 #[test]
-fn known_quotients() {
+fn known_quotients_come_out() {
     let to = QuotientFormat { integer_bits: 2, fraction_bits: 0 };
     assert_eq!(
         [(3, 2), (-3, 2), (1, 2), (-1, 2), (9, 2), (-9, 2)].map(|(p, q)| wanted(p, q, 0, to, -1)),

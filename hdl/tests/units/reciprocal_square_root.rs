@@ -57,7 +57,7 @@ fn every_reciprocal_is_the_nearest() {
 
 /// 0, what is negative and what is too small give 2^m; 1 gives 1.
 #[test]
-fn known_reciprocals() {
+fn known_reciprocals_come_out() {
     let to = ReciprocalRoot { integer_bits: 3, fraction_bits: 4 };
     assert_eq!(
         [-5, 0, 1, 4, 16, 64, 256].map(|z| wanted(z, 8, to)),

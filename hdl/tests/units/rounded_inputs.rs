@@ -102,15 +102,12 @@ fn twins_keep_their_own_errors() {
         let (a, factor) = (bench.input("a", FORMAT, WHOLE), bench.input("factor", FORMAT, WHOLE));
         let coarse = a.clone().override_error("stated", 0.25);
         let product = |sig: &Sig| sig * &factor;
-        let (of_fine, of_coarse) = match coarse_first {
-            false => {
-                let of_fine = product(&a);
-                (of_fine, product(&coarse))
-            }
-            true => {
-                let of_coarse = product(&coarse);
-                (product(&a), of_coarse)
-            }
+        let (of_fine, of_coarse) = if coarse_first {
+            let of_coarse = product(&coarse);
+            (product(&a), of_coarse)
+        } else {
+            let of_fine = product(&a);
+            (of_fine, product(&coarse))
         };
         assert_eq!(of_fine.id(), of_coarse.id(), "one multiplier does for both");
         assert_eq!(of_fine.error(), 8.0 + 8.0 + 0.25);

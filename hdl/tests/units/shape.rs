@@ -115,7 +115,7 @@ fn centre_of_the_shape() {
 /// extremes rows 24 and 31: the longest D with the largest exponent, along one axis alone and along
 /// none.
 #[test]
-fn longest_difference() {
+fn the_longest_difference_gives_no_highlight() {
     let mut lyon = lyon(6);
     lyon.formats.shape.fraction_bits = 12;
     let design = design(&lyon, 8191);
