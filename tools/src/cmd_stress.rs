@@ -12,9 +12,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use specula_experiments::climb::Search;
-use specula_experiments::stress::{
-    CATALOGUE, Cell, RAW, RAW_INPUT, RowVerdict, TrialExtent, sweep,
-};
+use specula_experiments::stress::{CATALOGUE, Cell, RAW, RAW_INPUT, TrialExtent, sweep};
 use specula_spec::Method;
 
 use crate::arguments::method_parser;

@@ -24,7 +24,8 @@ use super::raw::{Change, ChangeSink, Raw};
 use super::survey::{LATEST, Survey};
 use super::variables::{Kind, arrange};
 use super::warnings::Warnings;
-use check::{ValueBlock, wrong};
+use check::ValueBlock;
+use error::wrong;
 use hierarchy::Hierarchy;
 
 /// An opened FST file.

@@ -3,14 +3,13 @@ use std::fmt::Write;
 use std::path::Path;
 
 use serde::Serialize;
-use specula_experiments::figure9::{Balls, FigureRow};
-use specula_testbench::{Bench, EngineKind, ErrorFigures, Outcome};
+use specula_experiments::figure9::Balls;
+use specula_testbench::EngineKind;
 
-use super::names::{FORMULAS, NAME, SIMULATED, module};
+use super::names::{FORMULAS, NAME, SIMULATED};
 use super::shaded::{Line, Shaded};
 use crate::output::PROGRAM;
-use crate::verilog::bound;
-use crate::{table, verilog};
+use crate::table;
 
 /// The text of `report.json`.
 #[derive(Serialize)]
