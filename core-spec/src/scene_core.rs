@@ -1,8 +1,11 @@
 //! The core for a loaded scene.
 use specula_scene::{CoreTable, LoadedScene, Needs, SceneError};
 
+use crate::core_spec::CoreSpec;
+use crate::error::SpecError;
 use crate::lyon::Normals;
-use crate::{CoreOptions, CoreSpec, Method, MethodSpec, SpecError, Specialise};
+use crate::method::{Method, MethodSpec};
+use crate::options::{CoreOptions, Specialise};
 
 /// Why there is no core for a scene.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use specula_scene::{LONGEST_NAME, SceneError, SourceFile, module_name};
 use toml::Spanned;
 
-use crate::CoreSpec;
+use crate::core_spec::CoreSpec;
 
 /// A named core.
 #[derive(Clone, Debug, PartialEq)]

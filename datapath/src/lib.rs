@@ -43,7 +43,8 @@
 //! **Loops** go from pixel to pixel: an accumulator ([`Sig::accumulated`](builder::Sig::accumulated)),
 //! or any step that fits one clock ([`Builder::recurrence`](builder::Builder::recurrence),
 //! [`Builder::carried`](builder::Builder::carried)). The first pixel of a *span*, a run of pixels
-//! with the same inputs, loads them.
+//! with the same inputs, loads them. They step with a valid pixel only, so that a span may pause in
+//! any clock: `valid` is then low, inputs stay, and `start` means nothing.
 //!
 //! # What comes of it
 //!

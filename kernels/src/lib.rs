@@ -24,4 +24,4 @@ pub use kernel::{Binary, Products, Ternary};
 pub use lane::Lane;
 pub use post::{Post, Shift, Wrap};
 pub use products::{Magnitude, Second, narrow_products, products_through_wide, wide_products};
-pub use serial::{accumulate, hold, look_up};
+pub use serial::{accumulate, accumulate_in_turn, hold, look_up};

@@ -18,9 +18,9 @@ use measured::Measured;
 
 const EXAMPLE: &str = "\
 Shades the scene's spans, over and over, in each simulator that is installed: this program's own, \
-rust-hdl's, Verilator, and Icarus Verilog. Modes say what is kept of every clock: the outputs, every \
-signal, or a waveform of every signal, in a file (vcd, fst) or thrown away (vcd-null). Rounds are \
-interleaved, figures are medians over them, and the pixels of every run are checked.
+rust-hdl's, Verilator, and Icarus Verilog. The mode says what is recorded of every clock: the \
+outputs, every signal, or a waveform of every signal, written to a file (vcd, fst) or discarded \
+(vcd-null). Rounds are interleaved, figures are their medians, and the pixels of every run are checked.
 
 With five rounds it takes one to two minutes, half of them for Verilator's builds. Close other \
 programs first.

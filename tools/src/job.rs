@@ -2,7 +2,7 @@
 use std::path::Path;
 
 use specula_scene::LoadedScene;
-use specula_spec::{CoreSpec, Served, SpecFile};
+use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
 use crate::error::{Refused, ToolError};
@@ -41,11 +41,11 @@ impl Job {
     ) -> Result<Job, ToolError> {
         let mut file = SpecFile::read(core)?;
         let loaded = scene.load()?;
-        let served = file.spec.serving(&loaded.frame).map_err(|error| {
+        let fitted = file.spec.fit_to(&loaded.frame).map_err(|error| {
             let (core, scene) = (core.to_owned(), loaded.name.clone());
             ToolError::Refused(Refused { core, scene, error })
         });
-        let Served { frame, spec } = served?;
+        let FittedCore { frame, spec } = fitted?;
         let origin = Origin::of_file(core, &file).with_name(name);
         name.rename(&mut file)?;
         Ok(Job { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })

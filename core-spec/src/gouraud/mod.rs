@@ -3,7 +3,7 @@
 //!
 //! The host works out Phong's formula, max(N·L, 0) and max(R·L, 0)^n with R = 2(N·V)N - V; the core
 //! sees nothing of n.
-mod choose;
+mod defaults;
 mod inputs;
 mod lit_point;
 mod set_up;

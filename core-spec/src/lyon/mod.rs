@@ -1,5 +1,5 @@
 //! Lyon's reformulation of Phong shading for hardware [Lyon, Apple TR 43], methods B1 to B13.
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 mod wrap;
@@ -7,7 +7,7 @@ mod wrap;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
-pub use inputs::{LyonInputs, LyonLight};
+pub use inputs::{LyonInputs, LyonLight, LyonSpan};
 pub use wrap::NormalWrap;
 
 /// What the normal does along a span.

@@ -5,7 +5,7 @@
 //! and that of N where N is one. So N'·u = (2(H·u)(H·n) - (n·u) q)/q with q = H·H is a quotient of
 //! quadratics in the pixel number for any u. (The paper's H is twice as long, and the quotient the
 //! same.)
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 
@@ -15,7 +15,7 @@ use specula_datapath::Format;
 use specula_scene::frame::{Frame, Span};
 
 use crate::power::{Power, PowerUnit};
-pub use inputs::{ReflectionInputs, ReflectionLight};
+pub use inputs::{ReflectionInputs, ReflectionLight, ReflectionSpan};
 
 /// No longer than this, a sum of two unit vectors has no direction that is worth having (extremes
 /// row 9).

@@ -6,7 +6,7 @@ use crate::graph::{GroupId, Pace, Value};
 
 impl Sig {
     /// `start` at the first pixel of a span (where `first` is 1), and from then on `step` more with
-    /// each pixel.
+    /// each pixel; in clocks without one the value waits.
     ///
     /// The unit assumes by `fact` that the value stays from `low` to `high` while the span lasts;
     /// behind its last pixel the register may wrap, and the next span loads it anew. With errors e
@@ -48,7 +48,7 @@ impl Sig {
         builder.emit(Op::Copy(value.id()), Pace::Register, facts(value.range(), "accumulated"))
     }
 
-    /// `start` and the `term` of every clock since `first` was 1, this one included.
+    /// `start` and the `term` of every valid clock since `first` was 1, this one included.
     ///
     /// By `fact` that stays from `low` to `high` while the pixel lasts. With errors e of start and
     /// term it is off by e_start + n e_term after n terms, so by e_start + `most` · e_term at most.

@@ -25,7 +25,8 @@ impl Sig {
     }
 
     /// A register that takes this value over while `enable` is 1 and holds what it has while it
-    /// is 0. Like all registers of data it has no reset, so it must be enabled before it is read.
+    /// is 0, or no pixel is there. Like all registers of data it has no reset, so it must be enabled
+    /// before it is read.
     pub fn held(&self, enable: &Sig) -> Sig {
         let together = self.builder.group([self, enable]);
         let [value, enable] = [self, enable].map(|sig| sig.taken_with(together));
@@ -36,8 +37,8 @@ impl Sig {
     }
 
     /// A register that takes over `loaded` while `load` is 1, else this value while `enable` is 1,
-    /// and else holds what it has. It has no reset, so it must be enabled or loaded before it is
-    /// read.
+    /// and else holds what it has, as it does where no pixel is there. It has no reset, so it must
+    /// be enabled or loaded before it is read.
     pub fn held_or_loaded(&self, enable: &Sig, load: &Sig, loaded: &Sig) -> Sig {
         let fraction_bits = self.fraction_bits().max(loaded.fraction_bits());
         let (value, loaded) =
@@ -48,17 +49,16 @@ impl Sig {
         let range = value.range().hull(loaded.range()).hull(Range::single(0));
         let error = value.error().max(loaded.error());
         let builder = &self.builder;
-        // The register is placed before the multiplexer that reads it, and its operand is set when
-        // that is there.
+        // The register is placed before the multiplexers that read it, and its operand is set when
+        // they are there.
         let state = builder.own_register(range, (fraction_bits, error), together, Op::Copy);
-        let op = Op::Select(enable.id(), value.id(), state.id());
-        let kept = builder.ahead(
-            op,
-            together,
-            SignalInfo { range: range.into(), fraction_bits, error, kind: "kept" },
-        );
-        builder.state.borrow_mut().graph.values[state.id().0 as usize].op =
-            Op::Select(load.id(), loaded.id(), kept);
+        let ahead = |op, kind| {
+            let facts = SignalInfo { range: range.into(), fraction_bits, error, kind };
+            builder.ahead(op, together, facts)
+        };
+        let kept = ahead(Op::Select(enable.id(), value.id(), state.id()), "kept");
+        let next = ahead(Op::Select(load.id(), loaded.id(), kept), "next");
+        builder.state.borrow_mut().graph.values[state.id().0 as usize].op = Op::Copy(next);
         state
     }
 }
@@ -83,7 +83,7 @@ impl super::Builder {
             let (scope, own) = (state.scope, NodeId(state.graph.values.len() as u32));
             let name = state.unique(scope, "held");
             let shape = (range, fraction_bits);
-            let id = state.add(op(own), Pace::Register, Some(together), shape, name);
+            let id = state.add(op(own), Pace::Held, Some(together), shape, name);
             state.nameable(id);
             id
         };

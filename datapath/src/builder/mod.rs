@@ -48,10 +48,13 @@ pub struct Builder {
 }
 
 /// The control inputs of a core.
+///
+/// A span may pause in any clock: `valid` is then low, data inputs stay what they are until the
+/// span's last pixel has gone in, and `start` may be anything. What goes from pixel to pixel waits.
 pub struct Control {
     /// A pixel enters.
     pub valid: Sig,
-    /// It is the first of its span.
+    /// It is the first of its span; read only where `valid` is high.
     pub start: Sig,
 }
 

@@ -30,7 +30,7 @@ struct Round<const N: usize> {
 impl Builder {
     /// Values that are `starts` at the first pixel of a span (where `first` is 1), and from then on
     /// what `next` makes of those of the pixel before. All of `next` happens between two clocks: a
-    /// pixel enters with each of them.
+    /// pixel may enter with each of them. Where none does, the values wait.
     ///
     /// `next` must keep `fraction_bits`.
     pub fn recurrence<const N: usize>(

@@ -22,7 +22,8 @@ impl Builder {
     /// Gives every pixel `count` clocks, its time slots. All feedback that is described from here
     /// on goes back over a whole pixel, so that each time slot has values of its own.
     ///
-    /// The time slots are counted from `control.start`, in one clock with the inputs.
+    /// The time slots are counted from `control.start`, in one clock with the inputs, and only
+    /// where `control.valid` is 1: a pause may come between any two of them.
     pub fn time_slots(&self, control: &Control, count: u32) -> TimeSlots {
         let one = self.integer(1);
         let zero = self.integer(0);

@@ -19,8 +19,10 @@ pub enum Pace {
     /// It has one register.
     Register,
     /// It is a register of a loop: what it reads belongs to the pixel before, and what it gives to
-    /// the pixel of its group.
+    /// the pixel of its group. It takes that over with a valid pixel only.
     Feedback,
+    /// It is a register that takes its value over with a valid pixel only, and holds it else.
+    Held,
     /// It has no register, and what it gives is what a register that holds its value will have in
     /// the next clock.
     Ahead,
@@ -109,6 +111,11 @@ impl Graph {
     /// The members of a group.
     pub fn group(&self, id: GroupId) -> &[NodeId] {
         &self.groups[id.0 as usize]
+    }
+
+    /// Whether a value is one that a register keeps from pixel to pixel.
+    pub fn is_state(&self, value: &Value) -> bool {
+        matches!(value.pace, Pace::Feedback | Pace::Held)
     }
 
     /// Whether a value is the same at every clock.

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | `fold` | an operator that is about to be added | the value that has its raw values already, if one has |
 //! | [`schedule`] | a graph and a target | the clock in which each value is there |
-//! | `registers` | a graph and its schedule | a design, with its delays |
+//! | `registers` | a graph and its schedule | a design, with its delays, and loops that wait for a valid pixel |
 //! | `dead_code` | a design | the design without what nothing reads |
 //!
 //! The pass that lowers operators to what a device has (multiplier blocks, pieces of long sums) goes

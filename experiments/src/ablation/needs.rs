@@ -83,7 +83,13 @@ impl Chosen<'_> {
     /// The core with the knowledge of its inputs over the frame; or, if it has other lights than
     /// the frame, of those inputs that the scene's core also has.
     fn knowing_inputs(&self, core: CoreSpec) -> CoreSpec {
-        let places = |core: &CoreSpec| (core.lights, core.local_lights.clone(), core.local_eye);
+        let places = |core: &CoreSpec| {
+            (
+                core.parameters.lights,
+                core.parameters.local_lights.clone(),
+                core.parameters.local_eye,
+            )
+        };
         if places(&core) == places(self.spec) {
             return core.specialised_as(&self.special, &self.scene.frame);
         }
@@ -104,7 +110,7 @@ impl Chosen<'_> {
     /// The general core for these needs; `None` if it cannot be described.
     fn for_needs(&self, needs: &Needs) -> Option<CoreSpec> {
         let to = self.scene.core_for(needs, Some(self.spec.method())).ok()?;
-        self.spec.changed(self.general.as_ref().ok()?, &to).ok()
+        self.spec.rebased(self.general.as_ref().ok()?, &to).ok()
     }
 }
 

@@ -61,7 +61,7 @@ pub fn genome(draw: &mut Draw, method: Method, of: Formats) -> Option<Genome> {
     core.light_pipelines =
         if happens(draw, 0.2) { LightPipelines::Shared } else { LightPipelines::Each };
     core.specialise = if happens(draw, 0.1) { Specialise::General } else { Specialise::Scene };
-    for choice in method.choices() {
+    for choice in method.option_domains() {
         if happens(draw, 0.4) {
             core.set_option(choice.key, draw.one_of(choice.values));
         }

@@ -20,14 +20,14 @@ impl Options {
 
     /// All options that differ from these in the value of one key.
     pub fn neighbours(&self) -> Vec<Options> {
-        let choices = self.method.choices().iter();
+        let choices = self.method.option_domains().iter();
         choices
             .flat_map(|choice| choice.values.iter().map(|value| self.with(choice.key, value)))
             .collect()
     }
 
     fn with(&self, key: &'static str, value: &'static str) -> Options {
-        let of_key = |choice: &&specula_spec::Choice| {
+        let of_key = |choice: &&specula_spec::OptionDomain| {
             let old = self
                 .changed
                 .iter()
@@ -35,7 +35,8 @@ impl Options {
                 .map(|(_, value)| *value);
             (if choice.key == key { Some(value) } else { old }).map(|value| (choice.key, value))
         };
-        let changed = self.method.choices().iter().filter_map(|choice| of_key(&choice)).collect();
+        let changed =
+            self.method.option_domains().iter().filter_map(|choice| of_key(&choice)).collect();
         Options { method: self.method, changed }
     }
 
@@ -72,7 +73,7 @@ mod tests {
         assert!(second.neighbours().contains(&second));
         assert_eq!(
             start.neighbours().len(),
-            Method::Lyon.choices().iter().map(|choice| choice.values.len()).sum::<usize>()
+            Method::Lyon.option_domains().iter().map(|choice| choice.values.len()).sum::<usize>()
         );
     }
 }

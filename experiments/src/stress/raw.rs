@@ -87,7 +87,7 @@ fn try_spec(
 fn patterns(spec: &CoreSpec, draw: &mut Draw, random: usize) -> Vec<SpanPacket> {
     let ports = spec.inputs();
     let of = |draw: &mut Draw, value: &mut dyn FnMut(usize, &InputPort) -> i64| SpanPacket {
-        length: draw.length(spec.longest_span),
+        length: draw.length(spec.parameters.longest_span),
         inputs: ports
             .iter()
             .enumerate()

@@ -19,11 +19,11 @@ impl Variant {
 
     /// The default, and each value of each option by itself.
     pub fn all_of(method: Method) -> Vec<Variant> {
-        let values = |choice: &'static specula_spec::Choice| {
+        let values = |choice: &'static specula_spec::OptionDomain| {
             choice.values.iter().map(|value| (choice.key, *value))
         };
         let one = |(key, value)| Variant { method, table: format!("{key} = {value}\n") };
-        let changed = method.choices().iter().flat_map(values).map(one);
+        let changed = method.option_domains().iter().flat_map(values).map(one);
         [Variant::default_of(method)].into_iter().chain(changed).collect()
     }
 

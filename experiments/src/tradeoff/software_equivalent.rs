@@ -9,7 +9,9 @@ use specula_spec::{
 pub fn software_equivalent(spec: &CoreSpec) -> Option<&'static str> {
     match &spec.method {
         MethodSpec::Lyon(lyon) => of_lyon(lyon),
-        MethodSpec::Phong(phong) if spec.local_lights.is_empty() && !spec.local_eye => {
+        MethodSpec::Phong(phong)
+            if spec.parameters.local_lights.is_empty() && !spec.parameters.local_eye =>
+        {
             Some(match phong.highlight {
                 phong::Highlight::Reflection => "phong",
                 phong::Highlight::Blinn => "phong-blinn",

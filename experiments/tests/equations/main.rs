@@ -245,7 +245,7 @@ fn every_row_can_be_run_as_it_says() {
             quoted(&cell.text).into_iter().filter_map(|option| option.split_once(" = "))
         {
             let known = |method: &Method| {
-                method.choices().iter().any(|c| c.key == key && c.values.contains(&value))
+                method.option_domains().iter().any(|c| c.key == key && c.values.contains(&value))
             };
             let of_a_light = ["kind", "viewer"].contains(&key);
             let inherited = methods.is_empty() && Method::ALL.iter().any(known);

@@ -1,5 +1,5 @@
 //! Powers of highlights' bases, as the spec has them taken.
-use specula_spec::{CoreSpec, Format, PowerUnit, power};
+use specula_spec::{CoreParameters, Format, PowerUnit, power};
 
 use super::number::Wide;
 use super::observer::{Observer, narrow};
@@ -22,16 +22,24 @@ pub(super) enum Raised {
 }
 
 impl Raised {
-    pub fn new(core: &CoreSpec, unit: PowerUnit) -> Raised {
+    pub fn new(core: &CoreParameters, unit: PowerUnit) -> Raised {
         match unit.power {
             power::Power::Squaring => Raised::Squaring { base: unit.base },
             power::Power::Tables => {
-                let exponent_bits = unit.port(core).format.integer_bits;
+                let exponent_bits = unit.exponent_input(core).port.format.integer_bits;
                 Raised::Tables {
                     power: Power::new(exponent_bits, unit.shape.fraction_bits),
                     shape: unit.shape,
                 }
             }
+        }
+    }
+
+    /// Format of the power.
+    pub fn format(&self) -> Format {
+        match self {
+            Raised::Squaring { base } => *base,
+            Raised::Tables { shape, .. } => *shape,
         }
     }
 

@@ -1,11 +1,13 @@
 //! The core for consistent normal interpolation.
-use specula_spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
-use specula_spec::{CoreSpec, Format};
+use specula_spec::consistent::{
+    ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight,
+};
+use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{eye, finish, pipelines, time_slots};
+use super::{Intensities, eye, finish, time_slots};
 use crate::error;
 use crate::error::consistent_reflection::Consistency;
-use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
+use crate::units::{self, ExactNormalisation, Interpolation, SpanAngles, SpanNormals};
 use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::Design;
@@ -14,17 +16,18 @@ use specula_datapath::design::Design;
 /// [Reshetov, Soupikov and Mark]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreSpec,
+    spec: &CoreParameters,
     consistent: &ConsistentSpec,
+    ports: &ConsistentInputs<InputPort>,
 ) -> Result<Design, BuildError> {
     let slots = time_slots(&b, spec);
-    let inputs = consistent.inputs(spec).map(|port| b.input(port));
+    let inputs = ports.map(|port| b.input(port));
     let (f, steps) = (&consistent.formats, spec.longest_span - 1);
     let span = SpanNormals {
         first: &slots.first_pixel,
-        start: &Vector::new(inputs.normal_start),
-        delta: &Vector::new(inputs.normal_delta),
-        weight_step: &inputs.weight_step,
+        start: &Vector::new(inputs.span.normal_start.clone()),
+        delta: &Vector::new(inputs.span.normal_delta.clone()),
+        weight_step: &inputs.span.weight_step,
     };
     let normal = units::interpolate(
         &b,
@@ -46,8 +49,8 @@ pub(super) fn core(
     let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
     let angles = SpanAngles {
         first: &slots.first_pixel,
-        start: &inputs.angle_start,
-        step: &inputs.angle_step,
+        start: &inputs.span.angle_start,
+        step: &inputs.span.angle_step,
     };
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
     let least_q = least_contraction(spec, consistent.curve);
@@ -63,17 +66,12 @@ pub(super) fn core(
         least_q,
         r: r.as_ref(),
     };
-    let exponent = &inputs.exponent;
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light, exponent))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    let exponent = &inputs.span.exponent;
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, exponent))
 }
 
 /// q at the largest angle that a vertex has.
-fn least_contraction(spec: &CoreSpec, curve: Curve) -> f64 {
+fn least_contraction(spec: &CoreParameters, curve: Curve) -> f64 {
     let t = curve.quarter_turns(spec.least_cone_cosine).min(1.0);
     match curve {
         Curve::Rational => (1.0 - t).powi(2) / (1.0 + (std::f64::consts::PI - 2.0) * t),
@@ -94,7 +92,7 @@ struct Pixel<'a> {
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, exponent: &Sig) -> Light {
+    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, exponent: &Sig) -> Intensities {
         let (b, f) = (self.b, &self.consistent.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
@@ -108,11 +106,9 @@ impl Pixel<'_> {
             (None, None) => unreachable!("`ConsistentSpec::inputs` has H where there is no r"),
         });
         let power = || units::raised(b, &base, exponent, self.consistent.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), diffuse),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 

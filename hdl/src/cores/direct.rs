@@ -1,33 +1,44 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
-use specula_spec::{CoreSpec, Format};
+use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Root};
+use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{finish, pipelines, time_slots};
+use super::{Intensities, finish, time_slots};
 use crate::error::direct::{Product, normal_by_newton, unit_normal};
-use crate::units::{self, DirectedBase, Light, NewtonRoot, QuotientFormat};
+use crate::units::{self, DirectedBase, NewtonRoot, QuotientFormat};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]
-pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, BuildError> {
+pub(super) fn core(
+    b: Builder,
+    spec: &CoreParameters,
+    direct: &DirectSpec,
+    ports: &DirectInputs<InputPort>,
+) -> Result<Design, BuildError> {
     let slots = time_slots(&b, spec);
-    let inputs = direct.inputs(spec).map(|port| b.input(port));
+    let inputs = ports.map(|port| b.input(port));
     let formats = &direct.formats;
     let t = units::parameter(
         &b,
         &slots.first_pixel,
-        &inputs.weight_step,
+        &inputs.span.weight_step,
         formats,
         spec.longest_span - 1,
     );
-    let q = units::squared_length(&b, &t, &inputs.spread, formats);
-    let view = [&inputs.view.start, &inputs.view.delta];
+    let q = units::squared_length(&b, &t, &inputs.span.spread, formats);
+    let view = [&inputs.span.view.start, &inputs.span.view.delta];
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
     let length = length(
         &b,
-        Squared { first: &slots.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
+        Squared {
+            first: &slots.first_pixel,
+            t: &t,
+            q: &q,
+            spread: &inputs.span.spread,
+            view: &view,
+        },
         spec,
         direct,
     );
@@ -39,14 +50,9 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<D
         q: &q,
         length: &length,
         smallest_q,
-        exponent: &inputs.exponent,
+        exponent: &inputs.span.exponent,
     };
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What a pixel's length is made of.
@@ -79,7 +85,7 @@ enum Highlight {
 
 /// Unit ends are no closer to each other's middle than those of which the longer alone is a unit
 /// vector.
-fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Length {
+fn length(b: &Builder, of: Squared, spec: &CoreParameters, direct: &DirectSpec) -> Length {
     let Squared { first, t, q, spread, view } = of;
     let (formats, shortest) = (&direct.formats, spec.shortest_normal);
     let smallest_q = shortest * shortest;
@@ -137,7 +143,7 @@ struct Pixel<'a> {
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &DirectLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &DirectLight<Sig>) -> Intensities {
         let (b, formats, length) = (self.b, &self.direct.formats, self.length);
         let called = |unit: &str| format!("light{index}_{unit}");
         let ends = [&light.light.start, &light.light.delta];
@@ -149,13 +155,11 @@ impl Pixel<'_> {
         let base =
             b.instance(&called("base"), || units::directed_base(b, self.base(&p, &j, light), bits));
         let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), || {
                 units::clamp_unit(b, &j, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 

@@ -1,24 +1,28 @@
 //! Lyon's core.
-use specula_spec::CoreSpec;
 use specula_spec::lyon::{
-    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath,
+    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpan, LyonSpec, Normals, ShapeDatapath,
 };
+use specula_spec::{CoreParameters, InputPort, LightInputs};
 
-use super::{eye, finish, pipelines, time_slots, unit_vector};
+use super::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
-use crate::units::{self, Follow, Interpolation, LengthError, Light, SpanNormals, WrapFormats};
+use crate::units::{self, Follow, Interpolation, LengthError, SpanNormals, WrapFormats};
 use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::design::Design;
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
 /// 43, fig. 6 to 8]
-pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, BuildError> {
+pub(super) fn core(
+    b: Builder,
+    spec: &CoreParameters,
+    lyon: &LyonSpec,
+    ports: &LyonInputs<InputPort>,
+) -> Result<Design, BuildError> {
     let slots = time_slots(&b, spec);
-    let inputs = lyon.inputs(spec).map(|port| b.input(port));
-    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs, spec, lyon);
-    let lights = pipelines(&slots, &inputs.lights);
-    let apart = if slots.count() == 1 { least_distance(&lights) } else { 0.0 };
+    let inputs = ports.map(|port| b.input(port));
+    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs.span, spec, lyon);
+    let apart = if slots.count() == 1 { least_distance(&inputs.lights) } else { 0.0 };
     let shortest = shortest_normal(spec, lyon);
     let pixel = Pixel {
         b: &b,
@@ -26,20 +30,18 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Desig
         n: &n,
         shortest,
         has_direction: &has_direction,
-        shininess: &inputs.shininess,
+        shininess: &inputs.span.shininess,
         apart,
     };
-    let lights: Vec<Light> =
-        lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// n at each pixel, and whether it has a direction.
 fn normal(
     b: &Builder,
     first: &Sig,
-    inputs: &LyonInputs<Sig>,
-    spec: &CoreSpec,
+    inputs: &LyonSpan<Sig>,
+    spec: &CoreParameters,
     lyon: &LyonSpec,
 ) -> (Vector, Sig) {
     let formats = &lyon.formats;
@@ -88,7 +90,7 @@ fn normal(
 }
 
 /// How short n can be in exact arithmetic, up to 1.
-fn shortest_normal(spec: &CoreSpec, lyon: &LyonSpec) -> f64 {
+fn shortest_normal(spec: &CoreParameters, lyon: &LyonSpec) -> f64 {
     match lyon.normals {
         Normals::Flat | Normals::Wrapped => 1.0,
         Normals::Linear => error::normalise::shortest_normalised(lyon, spec.shortest_normal),
@@ -110,7 +112,7 @@ struct Pixel<'a> {
 
 /// How far the directions of two lights are apart at least, in the ranges that the core is made
 /// for.
-fn least_distance(lights: &[LyonLight<Sig>]) -> f64 {
+fn least_distance(lights: &[LightInputs<LyonLight<Sig>, Sig>]) -> f64 {
     let distance = |a: &[Sig; 3], b: &[Sig; 3]| {
         let gap = |(a, b): (&Sig, &Sig)| {
             let (a, b, ulp) = (a.range(), b.range(), a.ulp());
@@ -122,11 +124,13 @@ fn least_distance(lights: &[LyonLight<Sig>]) -> f64 {
     };
     let pairs =
         lights.iter().enumerate().flat_map(|(i, a)| lights[..i].iter().map(move |b| (a, b)));
-    pairs.map(|(a, b)| distance(&a.direction, &b.direction)).fold(f64::INFINITY, f64::min)
+    pairs
+        .map(|(a, b)| distance(&a.light.direction, &b.light.direction))
+        .fold(f64::INFINITY, f64::min)
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &LyonLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &LyonLight<Sig>) -> Intensities {
         let (b, formats) = (self.b, &self.lyon.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
@@ -146,12 +150,10 @@ impl Pixel<'_> {
                 units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon)
             }
         };
-        Light {
+        Intensities {
             diffuse: b
                 .instance(&called("diffuse"), || units::diffuse(b, self.n, &direction, formats)),
             specular: b.instance(&called("shape"), shape),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 }

@@ -1,10 +1,12 @@
 //! The core of Hast's reflection shading.
-use specula_spec::reflection::{Bisector, Highlight, ReflectionLight, ReflectionSpec};
-use specula_spec::{CoreSpec, Quadratic};
+use specula_spec::reflection::{
+    Bisector, Highlight, ReflectionInputs, ReflectionLight, ReflectionSpec,
+};
+use specula_spec::{CoreParameters, InputPort, Quadratic};
 
 use super::forward::Forward;
-use super::{finish, pipelines, time_slots};
-use crate::units::{self, Base, Light, QuotientFormat};
+use super::{Intensities, finish, time_slots};
+use crate::units::{self, Base, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Design;
 
@@ -26,15 +28,16 @@ fn smallest_square(bisector: Bisector, shortest_normal: f64) -> f64 {
 /// 34]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreSpec,
+    spec: &CoreParameters,
     reflection: &ReflectionSpec,
+    ports: &ReflectionInputs<InputPort>,
 ) -> Result<Design, BuildError> {
     let slots = time_slots(&b, spec);
-    let inputs = reflection.inputs(spec).map(|port| b.input(port));
+    let inputs = ports.map(|port| b.input(port));
     let f = &reflection.formats;
     let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
     let q = forward
-        .quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits)
+        .quadratic("denominator", &inputs.span.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
     let to = QuotientFormat { integer_bits: 2, fraction_bits: f.reciprocal.fraction_bits };
     let smallest = smallest_square(reflection.bisector, spec.shortest_normal);
@@ -44,7 +47,7 @@ pub(super) fn core(
     let unsure = if smallest - q.error_value() > 0.0 { 0.0 } else { 1.0 };
     let has_direction =
         b.integer(0).less_than(&q).named("has_direction").stated_error_value(unsure);
-    let exponent = &inputs.exponent;
+    let exponent = &inputs.span.exponent;
     let mut pixel = Pixel {
         forward,
         spec,
@@ -57,26 +60,21 @@ pub(super) fn core(
         normal_squared: None,
         exponent,
     };
-    pixel.view = inputs.view.as_ref().map(|view| pixel.cosine("view", view));
+    pixel.view = inputs.span.view.as_ref().map(|view| pixel.cosine("view", view));
     let normal_squared = |square| {
         pixel
             .forward
             .quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits)
             .named("normal_squared")
     };
-    pixel.normal_squared = inputs.normal_squared.as_ref().map(normal_squared);
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    pixel.normal_squared = inputs.span.normal_squared.as_ref().map(normal_squared);
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What the lights have in common.
 struct Pixel<'a> {
     forward: Forward<'a>,
-    spec: &'a CoreSpec,
+    spec: &'a CoreParameters,
     reflection: &'a ReflectionSpec,
     q: Sig,
     /// See [`smallest_square`].
@@ -117,19 +115,17 @@ impl Pixel<'_> {
         })
     }
 
-    fn shade(&self, index: usize, light: &ReflectionLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &ReflectionLight<Sig>) -> Intensities {
         let called = |unit: &str| format!("light{index}_{unit}");
         let (b, f) = (self.forward.b, &self.reflection.formats);
         let cosine = self.cosine(&format!("light{index}"), &light.cosine);
         let base = self.base(&called, light, &cosine);
         let power = || units::raised(b, &base, self.exponent, self.reflection.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), || {
                 units::clamp_nonnegative(b, &cosine, f.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 

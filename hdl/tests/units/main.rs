@@ -7,6 +7,7 @@ mod difference;
 mod diffuse;
 mod divider;
 mod gaussian;
+mod held;
 mod kept_errors;
 mod newton_root;
 mod normalise;

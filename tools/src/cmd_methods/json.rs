@@ -112,7 +112,7 @@ fn scene_facts(places_seen_from: Viewpoint) -> SceneFacts {
 fn variants(method: Method, scene: &LoadedScene) -> Result<Vec<VariantFacts>, ToolError> {
     let needs = Needs::of(&scene.frame);
     let values = method
-        .choices()
+        .option_domains()
         .iter()
         .flat_map(|choice| choice.values.iter().map(|value| (choice.key, *value)));
     let facts = |(option, value): (&'static str, &str)| {
@@ -139,7 +139,7 @@ fn options(method: Method) -> serde_json::Result<BTreeMap<&'static str, Vec<Valu
     let values = |values: &[&str]| {
         values.iter().map(|value| serde_json::from_str(value)).collect::<serde_json::Result<_>>()
     };
-    method.choices().iter().map(|choice| Ok((choice.key, values(choice.values)?))).collect()
+    method.option_domains().iter().map(|choice| Ok((choice.key, values(choice.values)?))).collect()
 }
 
 fn format_facts(point: &NarrowingPoint) -> FormatFacts {

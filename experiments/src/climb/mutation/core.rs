@@ -64,7 +64,7 @@ fn forget(genome: &mut Genome, draw: &mut Draw) {
 }
 
 fn choose(genome: &mut Genome, draw: &mut Draw) {
-    let choices = genome.core.method.choices();
+    let choices = genome.core.method.option_domains();
     if !choices.is_empty() {
         let choice = draw.one_of(choices);
         genome.core.set_option(choice.key, draw.one_of(choice.values));

@@ -141,9 +141,9 @@ impl Pixel<'_> {
 
     /// The normal of slerp.
     pub fn of_slerp(&self, spec: &SlerpSpec) -> Normal {
-        let (chord, course) = (self.chord(), spec.course(self.frame, self.span));
+        let (chord, rotation) = (self.chord(), spec.arc_rotation(self.frame, self.span));
         let off = angle(chord, self.truth);
-        if course.is_linear {
+        if rotation.is_linear {
             let length = chord.length();
             return Normal {
                 turn: Some(off),

@@ -24,8 +24,8 @@ impl<'a> SlerpSpan<'a> {
     /// Sets up a span of a frame.
     pub fn new(slerp: &SlerpSpec, frame: &Frame, span: &'a Span) -> Self {
         let shininess = frame.material(span).shininess;
-        let course = slerp.course(frame, span);
-        let chord = course.is_linear.then_some(course.axes);
+        let rotation = slerp.arc_rotation(frame, span);
+        let chord = rotation.is_linear.then_some(rotation.axes);
         SlerpSpan {
             span,
             arc: frame.arc(span),

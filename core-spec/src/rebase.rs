@@ -2,7 +2,8 @@
 use specula_datapath::Format;
 use toml::Value;
 
-use super::{CoreSpec, SpecError};
+use crate::core_spec::CoreSpec;
+use crate::error::SpecError;
 
 impl CoreSpec {
     /// This core for any scene, changed as `to` differs from `from`, all by one method: what is not
@@ -11,13 +12,13 @@ impl CoreSpec {
     ///
     /// # Errors
     /// [`SpecError`] if no such core can be built.
-    pub fn changed(&self, from: &CoreSpec, to: &CoreSpec) -> Result<CoreSpec, SpecError> {
+    pub fn rebased(&self, from: &CoreSpec, to: &CoreSpec) -> Result<CoreSpec, SpecError> {
         let fail = |message: String| SpecError::Core { message };
         let value = |spec: &CoreSpec| {
             Value::try_from(spec.general()).map_err(|error| fail(error.to_string()))
         };
-        let changed = changed(value(self)?, &value(from)?, &value(to)?);
-        let spec: CoreSpec = changed
+        let rebased = rebased(value(self)?, &value(from)?, &value(to)?);
+        let spec: CoreSpec = rebased
             .try_into()
             .map_err(|error: toml::de::Error| fail(error.message().to_owned()))?;
         spec.check()?;
@@ -25,13 +26,13 @@ impl CoreSpec {
     }
 }
 
-fn changed(own: Value, from: &Value, to: &Value) -> Value {
+fn rebased(own: Value, from: &Value, to: &Value) -> Value {
     match (own, from, to) {
         (own, from, to) if from == to => own,
         (Value::Table(own), Value::Table(from), Value::Table(to)) => {
             let entry = |(key, own): (String, Value)| {
                 let value = match (from.get(&key), to.get(&key)) {
-                    (Some(from), Some(to)) => changed(own, from, to),
+                    (Some(from), Some(to)) => rebased(own, from, to),
                     _ => own,
                 };
                 (key, value)
@@ -70,13 +71,13 @@ mod tests {
         let of = |needs: &Needs| scene.core_for(needs, Some(Method::Hybrid)).unwrap();
         let from = of(&needs);
         let to = of(&Needs { longest_span: LONGEST_SPAN, uneven_shininess: Some(3), ..needs });
-        assert_eq!(from.changed(&from, &to), Ok(to.clone()));
+        assert_eq!(from.rebased(&from, &to), Ok(to.clone()));
         let base = |spec: &CoreSpec| {
             spec.narrowing_points().iter().find(|point| point.name == "base").unwrap().format
         };
         let narrow = Format { fraction_bits: base(&from).fraction_bits - 2, ..base(&from) };
-        let changed = from.with_formats(&[("base", narrow)]).unwrap().changed(&from, &to).unwrap();
-        assert_eq!((base(&changed), changed.longest_span), (narrow, LONGEST_SPAN));
-        assert_eq!(changed.with_formats(&[("base", base(&to))]), Ok(to));
+        let rebased = from.with_formats(&[("base", narrow)]).unwrap().rebased(&from, &to).unwrap();
+        assert_eq!((base(&rebased), rebased.parameters.longest_span), (narrow, LONGEST_SPAN));
+        assert_eq!(rebased.with_formats(&[("base", base(&to))]), Ok(to));
     }
 }

@@ -4,16 +4,16 @@ use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
 use super::{HybridFormats, HybridSpec};
-use crate::choose::{exponent_bits, small_q_bits, span_bits};
-use crate::describe::Describe;
-use crate::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::defaults::{exponent_bits, small_q_bits, span_bits};
+use crate::error::SpecError;
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::shading_method::{OptionDomain, ShadingMethod};
 
 impl HybridSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[Power::CHOICE];
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[Power::OPTION_DOMAIN];
 
     /// numerics N3b: accumulators for half an LSB, 2 log2 S + 8 + log2 n; the base's bits alone
     /// and one more for its squares, 9 + log2 n; p and q as in direct evaluation, 12 + log2 n, and
@@ -37,11 +37,7 @@ impl HybridSpec {
     }
 }
 
-impl Describe for HybridSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for HybridSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
         let &HybridFormats { diffuse_accumulator, diffuse, accumulator, operand, base, shape: _ } =
@@ -66,8 +62,8 @@ impl Describe for HybridSpec {
         vec![self.power.option()]
     }
 
-    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        self.power.check_serves(needs, "hybrid")
+    fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
+        self.power.check_compatible(needs, "hybrid")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

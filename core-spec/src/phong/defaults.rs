@@ -4,16 +4,15 @@ use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
 use super::{Highlight, PhongFormats, PhongSpec, Places};
-use crate::choose::span_bits;
-use crate::describe::{Describe, Viewpoint};
-use crate::narrowing::{SIGNED_UNIT, UNIT};
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, InputPort, NarrowingPoint};
+use crate::defaults::span_bits;
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{NarrowingPoint, SIGNED_UNIT, UNIT};
+use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
 
 impl PhongSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[
-        Choice {
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
+        OptionDomain {
             key: "highlight",
             values: &[
                 "\"reflection\"",
@@ -22,7 +21,7 @@ impl PhongSpec {
                 "\"trowbridge-reitz\"",
             ],
         },
-        Choice { key: "places", values: &["\"exact\"", "\"wrapped\""] },
+        OptionDomain { key: "places", values: &["\"exact\"", "\"wrapped\""] },
     ];
 
     /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits
@@ -55,11 +54,7 @@ impl PhongSpec {
     }
 }
 
-impl Describe for PhongSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for PhongSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
         let &PhongFormats {

@@ -23,7 +23,7 @@ pub const LARGEST_WEIGHT: f64 = 5.758_770_483_143_634;
 ///
 /// where b is sin δ too on an arc, and 0 on a chord, which makes u = 1 - t and v = t.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Course {
+pub struct ArcRotation {
     /// P and Q.
     pub axes: [DVec3; 2],
     /// cos δ, sin δ and b.
@@ -42,15 +42,15 @@ impl SlerpSpec {
         self.form == Form::Vector && self.frame == Basis::Ends
     }
 
-    /// The course of a span.
-    pub fn course(&self, frame: &Frame, span: &Span) -> Course {
+    /// How the normal goes along a span.
+    pub fn arc_rotation(&self, frame: &Frame, span: &Span) -> ArcRotation {
         let arc = frame.arc(span);
         let step = arc.angle * span.weight_step();
         let (sine, cosine) = (libm::sin(step), libm::cos(step));
         let [start, end] = frame.unit_end_normals(span);
         if !self.between_ends() || arc.angle >= WIDE.to_radians() {
             let axes = [arc.start, arc.across];
-            return Course {
+            return ArcRotation {
                 axes,
                 turn: [cosine, sine, sine],
                 rising_cosine: 1.0,
@@ -61,10 +61,16 @@ impl SlerpSpec {
         let axes = [start, end];
         if arc.angle < NARROW.to_radians() {
             let turn = [1.0, span.weight_step(), 0.0];
-            return Course { axes, turn, rising_cosine: 1.0, falling_cosine: 1.0, is_linear: true };
+            return ArcRotation {
+                axes,
+                turn,
+                rising_cosine: 1.0,
+                falling_cosine: 1.0,
+                is_linear: true,
+            };
         }
         let sine_of_all = libm::sin(arc.angle);
-        Course {
+        ArcRotation {
             axes,
             turn: [cosine, sine, sine],
             rising_cosine: 1.0 / sine_of_all,

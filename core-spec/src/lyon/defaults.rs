@@ -6,23 +6,27 @@ use specula_scene::needs::Needs;
 use super::{
     Difference, Halfway, LyonFormats, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis,
 };
-use crate::choose::{span_bits, within};
-use crate::describe::Describe;
-use crate::narrowing::{FEWEST_FRACTION_BITS, SIGNED_UNIT, UNIT};
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, FULL_SCALE, InputPort, NarrowingPoint, SpecError};
+use crate::defaults::span_bits;
+use crate::error::{SpecError, within};
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{FEWEST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
+use crate::parameters::FULL_SCALE;
+use crate::shading_method::{OptionDomain, ShadingMethod};
 
 /// The fewest fraction bits on the way from one wrapped normal to the next.
 const FEWEST_TO_FOLLOW: u32 = 8;
 
 impl LyonSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[
-        Choice { key: "normals", values: &["\"linear\"", "\"flat\"", "\"wrapped\""] },
-        Choice { key: "axis", values: &["\"bisector\"", "\"face\"", "\"previous\""] },
-        Choice { key: "normalisation", values: &["\"none\"", "\"g1\"", "\"g2\"", "\"exact\""] },
-        Choice { key: "newton_steps", values: &["0", "1", "2", "3"] },
-        Choice {
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
+        OptionDomain { key: "normals", values: &["\"linear\"", "\"flat\"", "\"wrapped\""] },
+        OptionDomain { key: "axis", values: &["\"bisector\"", "\"face\"", "\"previous\""] },
+        OptionDomain {
+            key: "normalisation",
+            values: &["\"none\"", "\"g1\"", "\"g2\"", "\"exact\""],
+        },
+        OptionDomain { key: "newton_steps", values: &["0", "1", "2", "3"] },
+        OptionDomain {
             key: "difference",
             values: &[
                 "\"reflection-minus-light\"",
@@ -33,9 +37,9 @@ impl LyonSpec {
                 "\"unit-halfway-projection\"",
             ],
         },
-        Choice { key: "halfway", values: &["\"unit\"", "\"half\"", "\"half-g2\""] },
-        Choice { key: "shape", values: &["\"f-k\"", "\"root\""] },
-        Choice { key: "squarings", values: &["0", "1", "2", "3"] },
+        OptionDomain { key: "halfway", values: &["\"unit\"", "\"half\"", "\"half-g2\""] },
+        OptionDomain { key: "shape", values: &["\"f-k\"", "\"root\""] },
+        OptionDomain { key: "squarings", values: &["0", "1", "2", "3"] },
     ];
 
     /// numerics N5: the typical column up to 30 degrees and n = 256, else the
@@ -91,11 +95,7 @@ fn cheapest_normalisation(needs: &Needs) -> Normalisation {
     }
 }
 
-impl Describe for LyonSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for LyonSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         let f = &self.formats;
         let point = NarrowingPoint::rounded;

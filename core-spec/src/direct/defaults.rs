@@ -4,22 +4,22 @@ use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
 use super::{DirectFormats, DirectSpec, Root};
-use crate::choose::{exponent_bits, span_bits, within};
-use crate::describe::Describe;
-use crate::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::defaults::{exponent_bits, span_bits};
+use crate::error::{SpecError, within};
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::shading_method::{OptionDomain, ShadingMethod};
 
 /// The most integer bits m of 1/√q: normals shorter than 2^-m come out short.
 const LARGEST_REACH: u32 = 4;
 
 impl DirectSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[
-        Power::CHOICE,
-        Choice { key: "root", values: &["\"exact\"", "\"newton\""] },
-        Choice { key: "newton_steps", values: &["1", "2"] },
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
+        Power::OPTION_DOMAIN,
+        OptionDomain { key: "root", values: &["\"exact\"", "\"newton\""] },
+        OptionDomain { key: "newton_steps", values: &["1", "2"] },
     ];
 
     /// numerics N3b, direct evaluation: 12 + log2 n for what enters the base, whatever the length
@@ -52,11 +52,7 @@ impl DirectSpec {
     }
 }
 
-impl Describe for DirectSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for DirectSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
         let &DirectFormats {
@@ -142,8 +138,8 @@ impl Describe for DirectSpec {
         )
     }
 
-    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        self.power.check_serves(needs, "direct")
+    fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
+        self.power.check_compatible(needs, "direct")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -4,18 +4,21 @@ use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
 use super::{DuffFormats, DuffSpec, Highlight};
-use crate::choose::{exponent_bits, root_reach, small_q_bits, span_bits};
-use crate::describe::Describe;
-use crate::narrowing::{LARGEST_ROOT_REACH, MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::defaults::{exponent_bits, root_reach, small_q_bits, span_bits};
+use crate::error::SpecError;
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{LARGEST_ROOT_REACH, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::shading_method::{OptionDomain, ShadingMethod};
 
 impl DuffSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[
-        Choice { key: "specular", values: &["\"blinn\"", "\"quotient\"", "\"eq33\"", "\"eq34\""] },
-        Power::CHOICE,
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
+        OptionDomain {
+            key: "specular",
+            values: &["\"blinn\"", "\"quotient\"", "\"eq33\"", "\"eq34\""],
+        },
+        Power::OPTION_DOMAIN,
     ];
 
     /// numerics N3b, for half an LSB with the dearest highlight, Blinn's with 4n: an error e of q
@@ -47,11 +50,7 @@ impl DuffSpec {
     }
 }
 
-impl Describe for DuffSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for DuffSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
         let &DuffFormats {
@@ -112,8 +111,8 @@ impl Describe for DuffSpec {
         vec![("base of the highlight", base.to_owned()), self.power.option()]
     }
 
-    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        self.power.check_serves(needs, "duff")
+    fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
+        self.power.check_compatible(needs, "duff")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -1,12 +1,13 @@
-//! What every method's spec says of itself.
+//! What every method says of itself.
 use serde::Serialize;
 use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
-use super::set_up::SetUpSpan;
-use super::{CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::error::SpecError;
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::NarrowingPoint;
 
-/// Where directions to lights and the eye at places are worked out.
+/// Where directions to lights and the eye at places are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Viewpoint {
@@ -18,11 +19,17 @@ pub enum Viewpoint {
     Span,
 }
 
-/// A method's options and formats.
-pub trait Describe {
-    /// The ports of a core with this method, in the order in which packets hold their values.
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort>;
+/// An option of a method, and what it may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OptionDomain {
+    /// Its key in the method's table.
+    pub key: &'static str,
+    /// Its values, as TOML writes them.
+    pub values: &'static [&'static str],
+}
 
+/// A method's options and formats.
+pub trait ShadingMethod {
     /// Every place where values are rounded, in the order of the data. `span_bits` number the
     /// pixels of the longest span.
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint>;
@@ -44,7 +51,7 @@ pub trait Describe {
     ///
     /// # Errors
     /// [`SpecError`] says what it needs and does not have.
-    fn check_serves(&self, _needs: &Needs) -> Result<(), SpecError> {
+    fn check_compatible(&self, _needs: &Needs) -> Result<(), SpecError> {
         Ok(())
     }
 

@@ -12,7 +12,7 @@ const HOST_ERROR: Wide = Wide::from_bits(1 << (Wide::FRAC_NBITS - 48));
 
 /// A span that goes in, and the longest that may.
 #[derive(Clone, Copy)]
-pub(super) struct Course {
+pub(super) struct SpanExtent {
     /// Its pixels.
     pub length: u32,
     /// Pixels of the longest span.
@@ -26,7 +26,7 @@ struct Limits {
     high: Wide,
 }
 
-impl Course {
+impl SpanExtent {
     /// start + step i within `limits`, where both were rounded to nearest into `format`: half a
     /// unit of the last place for each of S + 1.
     pub fn linear(
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_quadratic_is_looked_at_where_it_turns() {
-        let course = Course { length: 9, longest: 16 };
+        let extent = SpanExtent { length: 9, longest: 16 };
         for (start, first, second) in
             (-4..=4).flat_map(|s| (-8..=8).flat_map(move |f| (-8..=8).map(move |d| (s, f, d))))
         {
@@ -148,7 +148,7 @@ mod tests {
                 [start, first, second].map(|q| Wide::from_num(q) / 4);
             let quadratic = Quadratic { start, first_difference, second_difference };
             let beyond = (0..9).any(|i| quadratic_at(&quadratic, i).abs() > 1);
-            let checked = course.quadratic(format_args!("x"), &quadratic, FORMAT, (-1, 1));
+            let checked = extent.quadratic(format_args!("x"), &quadratic, FORMAT, (-1, 1));
             assert_eq!(
                 checked.is_err(),
                 beyond,
@@ -160,12 +160,12 @@ mod tests {
     #[test]
     fn roundings_of_the_host_are_no_fault() {
         for longest in [1, 2, 3, 640, 8192] {
-            let course = Course { length: longest, longest };
+            let extent = SpanExtent { length: longest, longest };
             let step = FORMAT.quantise(f64::from(longest.max(2) - 1).recip());
-            assert_eq!(course.weight(Wide::from_num(step) >> FORMAT.fraction_bits, FORMAT), Ok(()));
+            assert_eq!(extent.weight(Wide::from_num(step) >> FORMAT.fraction_bits, FORMAT), Ok(()));
         }
-        let course = Course { length: 3, longest: 3 };
-        let error = course.weight(Wide::from_num(0.6), FORMAT);
+        let extent = SpanExtent { length: 3, longest: 3 };
+        let error = extent.weight(Wide::from_num(0.6), FORMAT);
         assert!(matches!(error, Err(PacketError::Outgrown { pixel: 2, .. })), "{error:?}");
     }
 }

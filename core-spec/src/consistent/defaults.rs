@@ -4,12 +4,12 @@ use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
 use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse, Highlight, LARGEST_GAIN_BITS};
-use crate::choose::{exponent_bits, span_bits};
-use crate::describe::Describe;
-use crate::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::defaults::{exponent_bits, span_bits};
+use crate::error::SpecError;
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::shading_method::{OptionDomain, ShadingMethod};
 
 /// The most fraction bits of ρ², twice those of ρ.
 const MOST_SQUARED_FRACTION_BITS: u32 = 48;
@@ -19,11 +19,11 @@ const SIXTY_DEGREES: f64 = 2.0 / 3.0;
 
 impl ConsistentSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[
-        Choice { key: "curve", values: &["\"rational\"", "\"trigonometric\""] },
-        Choice { key: "diffuse", values: &["\"lambert\"", "\"consistent\""] },
-        Choice { key: "highlight", values: &["\"reflection\"", "\"blinn\""] },
-        Power::CHOICE,
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
+        OptionDomain { key: "curve", values: &["\"rational\"", "\"trigonometric\""] },
+        OptionDomain { key: "diffuse", values: &["\"lambert\"", "\"consistent\""] },
+        OptionDomain { key: "highlight", values: &["\"reflection\"", "\"blinn\""] },
+        Power::OPTION_DOMAIN,
     ];
 
     /// numerics N5 and N3e: 14 bits, 2 more for wide angles, and as many more
@@ -70,11 +70,7 @@ impl ConsistentSpec {
     }
 }
 
-impl Describe for ConsistentSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for ConsistentSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
         let &ConsistentFormats {
@@ -158,8 +154,8 @@ impl Describe for ConsistentSpec {
             .collect()
     }
 
-    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        self.power.check_serves(needs, "consistent")
+    fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
+        self.power.check_compatible(needs, "consistent")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -1,4 +1,4 @@
-//! Courses of normals: the recurrences that a host starts, run in f64.
+//! How normals go along spans: the recurrences that a host starts, run in f64.
 use glam::{DQuat, DVec3};
 use specula_scene::{Frame, Needs, parse};
 use specula_spec::slerp::SlerpSpec;
@@ -15,7 +15,7 @@ fn frame(degrees: f64) -> Frame {
         end.x,
         end.z
     );
-    parse("course.toml", text).expect("the scene is right").frame
+    parse("span.toml", text).expect("the scene is right").frame
 }
 
 fn slerp(frame: &Frame, axes: &str) -> SlerpSpec {
@@ -32,12 +32,12 @@ fn slerp(frame: &Frame, axes: &str) -> SlerpSpec {
 
 /// Normals by the two rotations.
 fn walked(slerp: &SlerpSpec, frame: &Frame) -> Vec<DVec3> {
-    let course = slerp.course(frame, &frame.spans[0]);
-    let [cosine, sine, back] = course.turn;
-    let (mut falling, mut rising) = ([1.0, course.falling_cosine], [course.rising_cosine, 0.0]);
+    let rotation = slerp.arc_rotation(frame, &frame.spans[0]);
+    let [cosine, sine, back] = rotation.turn;
+    let (mut falling, mut rising) = ([1.0, rotation.falling_cosine], [rotation.rising_cosine, 0.0]);
     let turn = |[c, s]: [f64; 2], down: f64, up: f64| [c * cosine - s * down, s * cosine + c * up];
     let pixel = |_| {
-        let normal = falling[0] * course.axes[0] + rising[1] * course.axes[1];
+        let normal = falling[0] * rotation.axes[0] + rising[1] * rotation.axes[1];
         (falling, rising) = (turn(falling, sine, back), turn(rising, back, sine));
         normal
     };

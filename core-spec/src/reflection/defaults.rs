@@ -4,19 +4,21 @@ use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
 use super::{Bisector, Highlight, ReflectionFormats, ReflectionSpec};
-use crate::choose::{exponent_bits, small_q_bits, span_bits};
-use crate::describe::Describe;
-use crate::narrowing::{MOST_ACCUMULATOR_FRACTION_BITS, MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::defaults::{exponent_bits, small_q_bits, span_bits};
+use crate::error::SpecError;
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{
+    MOST_ACCUMULATOR_FRACTION_BITS, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT,
+};
 use crate::power::Power;
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::shading_method::{OptionDomain, ShadingMethod};
 
 impl ReflectionSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[
-        Choice { key: "bisector", values: &["\"span\"", "\"triangle\""] },
-        Choice { key: "specular", values: &["\"blinn\"", "\"hybrid\"", "\"eq34\""] },
-        Power::CHOICE,
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
+        OptionDomain { key: "bisector", values: &["\"span\"", "\"triangle\""] },
+        OptionDomain { key: "specular", values: &["\"blinn\"", "\"hybrid\"", "\"eq34\""] },
+        Power::OPTION_DOMAIN,
     ];
 
     /// numerics N3b, for half an LSB with the dearest highlight: as `duff`, and a bit more in
@@ -48,11 +50,7 @@ impl ReflectionSpec {
     }
 }
 
-impl Describe for ReflectionSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for ReflectionSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
         let &ReflectionFormats {
@@ -107,8 +105,8 @@ impl Describe for ReflectionSpec {
         ]
     }
 
-    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        self.power.check_serves(needs, "reflection")
+    fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
+        self.power.check_compatible(needs, "reflection")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -4,16 +4,15 @@ use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
 use super::{GouraudFormats, GouraudSpec, Interpolation};
-use crate::choose::span_bits;
-use crate::describe::{Describe, Viewpoint};
-use crate::narrowing::{SIGNED_UNIT, UNIT};
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, InputPort, NarrowingPoint};
+use crate::defaults::span_bits;
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{NarrowingPoint, SIGNED_UNIT, UNIT};
+use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
 
 impl GouraudSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] =
-        &[Choice { key: "interpolation", values: &["\"linear\"", "\"uniform\""] }];
+    pub const OPTION_DOMAINS: &'static [OptionDomain] =
+        &[OptionDomain { key: "interpolation", values: &["\"linear\"", "\"uniform\""] }];
 
     /// 12 fraction bits leave 0.03 LSB in each intensity. A step is off by half a unit in the last
     /// place, and so is S times that at the end of the span: log2 S + 1 more bits keep that within
@@ -29,11 +28,7 @@ impl GouraudSpec {
     }
 }
 
-impl Describe for GouraudSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for GouraudSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
         let &GouraudFormats { accumulator, intensity } = &self.formats;

@@ -4,12 +4,12 @@ use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
 use super::{Basis, Form, SlerpFormats, SlerpSpec};
-use crate::choose::{exponent_bits, span_bits};
-use crate::describe::Describe;
-use crate::narrowing::{MOST_FRACTION_BITS, SIGNED_UNIT, UNIT};
+use crate::defaults::{exponent_bits, span_bits};
+use crate::error::SpecError;
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::set_up::SetUpSpan;
-use crate::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::shading_method::{OptionDomain, ShadingMethod};
 
 /// The most fraction bits of the state and of what turns it: their product has two bits more on the
 /// left and must fit 63.
@@ -18,10 +18,10 @@ const MOST_TURN_BITS: u32 = 30;
 
 impl SlerpSpec {
     /// Options and their values.
-    pub const CHOICES: &'static [Choice] = &[
-        Power::CHOICE,
-        Choice { key: "form", values: &["\"scalar\"", "\"vector\""] },
-        Choice { key: "frame", values: &["\"orthonormal\"", "\"ends\""] },
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
+        Power::OPTION_DOMAIN,
+        OptionDomain { key: "form", values: &["\"scalar\"", "\"vector\""] },
+        OptionDomain { key: "frame", values: &["\"orthonormal\"", "\"ends\""] },
     ];
 
     /// An angle that is off by e moves cos^n by 1.2 √n e, and every step may add 0.9 units of the
@@ -53,11 +53,7 @@ impl SlerpSpec {
     }
 }
 
-impl Describe for SlerpSpec {
-    fn ports(&self, core: &CoreSpec) -> Vec<InputPort> {
-        self.inputs(core).to_vec()
-    }
-
+impl ShadingMethod for SlerpSpec {
     fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
         // Taken apart, so that a format that is new there cannot be forgotten here.
         let &SlerpFormats {
@@ -145,8 +141,8 @@ impl Describe for SlerpSpec {
         vec![("what turns", words.to_owned()), self.power.option()]
     }
 
-    fn check_serves(&self, needs: &Needs) -> Result<(), SpecError> {
-        self.power.check_serves(needs, "slerp")
+    fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
+        self.power.check_compatible(needs, "slerp")
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
