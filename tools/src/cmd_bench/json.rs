@@ -1,6 +1,6 @@
 //! A measurement as JSON.
 use serde::Serialize;
-use specula_experiments::benchmark::{EngineResult, Skipped};
+use specula_experiments::benchmark::{EngineResult, Mode, Skipped};
 
 use super::measured::Measured;
 
@@ -137,7 +137,7 @@ fn row_facts(measured: &Measured, row: &EngineResult) -> RowFacts {
 fn skipped(skipped: &Skipped) -> SkippedFacts<'_> {
     SkippedFacts {
         engine: skipped.engine.program(),
-        mode: skipped.mode.map(|mode| mode.name()),
+        mode: skipped.mode.map(Mode::name),
         reason: &skipped.reason,
     }
 }
