@@ -44,7 +44,7 @@ impl CoreSpec {
     fn check_inputs(&self, frame: &Frame) -> Result<(), SpecError> {
         let general = self.general();
         let ports = general.inputs();
-        let values = GivenValues::over(&general, &ports, frame);
+        let values = GivenValues::of_frame(&general, &ports, frame);
         let mut wrong = (0..ports.len())
             .filter_map(|input| Some((input, self.left_out(input, &ports, &values)?)));
         let Some((input, (has, needs))) = wrong.next() else { return Ok(()) };
@@ -73,7 +73,7 @@ impl CoreSpec {
             [low, high] => format!("{low} to {high}"),
         };
         let given = in_words(low, high);
-        match self.specialisation.of(&port.name)? {
+        match self.specialisation.given(&port.name)? {
             &Given::Between([lowest, highest]) if lowest <= low && high <= highest => None,
             &Given::Between([lowest, highest]) => {
                 let kind = if lowest == highest {

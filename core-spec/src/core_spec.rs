@@ -55,10 +55,10 @@ impl CoreSpec {
         let pipelines = table.light_pipelines.unwrap_or_default();
         let spec = CoreSpec {
             parameters: CoreParameters::for_needs(needs, pipelines),
-            method: method.spec(needs, &table.of(method))?,
+            method: method.spec(needs, &table.method_table(method))?,
             specialisation: Specialisation::default(),
         };
-        let spec = spec.for_highlights(needs, &table.of(method));
+        let spec = spec.for_highlights(needs, &table.method_table(method));
         spec.check()?;
         spec.method.shading().check_compatible(needs)?;
         Ok(spec)

@@ -30,7 +30,6 @@ pub trait InputGroup {
 
 /// The inputs of a core, in port order: those that a method has for each span, ambient light, and
 /// those of each light.
-#[derive(Clone, Debug, PartialEq)]
 pub struct CoreInputs<S, L, T> {
     /// What the lights of a span have in common.
     pub span: S,
@@ -41,7 +40,6 @@ pub struct CoreInputs<S, L, T> {
 }
 
 /// Inputs that belong to one light, in port order.
-#[derive(Clone, Debug, PartialEq)]
 pub struct LightInputs<L, T> {
     /// What a method has for each light.
     pub light: L,
@@ -138,7 +136,6 @@ impl<L: InputGroup<Value = T>, T> InputGroup for LightInputs<L, T> {
 }
 
 /// The inputs of spans whose lights have none in common.
-#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoInputs<T>(PhantomData<fn() -> T>);
 
 impl<T> Default for NoInputs<T> {

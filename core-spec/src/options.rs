@@ -25,7 +25,7 @@ pub struct CoreOptions {
 
 impl CoreOptions {
     /// The options of a method that differ from the defaults.
-    pub fn of(&self, method: Method) -> toml::Table {
+    pub fn method_table(&self, method: Method) -> toml::Table {
         self.tables
             .iter()
             .find(|(of, _)| *of == method)

@@ -80,7 +80,8 @@ fn without_interpolation(
     needs: &Needs,
     options: Option<&CoreOptions>,
 ) -> CoreSpec {
-    let told = options.is_some_and(|options| options.of(Method::Lyon).contains_key("normals"));
+    let told =
+        options.is_some_and(|options| options.method_table(Method::Lyon).contains_key("normals"));
     if let (MethodSpec::Lyon(lyon), true, false) = (&mut spec.method, needs.flat, told) {
         lyon.normals = Normals::Flat;
     }

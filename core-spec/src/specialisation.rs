@@ -51,12 +51,12 @@ impl Specialisation {
     }
 
     /// What an input is given, if that is less than it could be.
-    pub fn of(&self, name: &str) -> Option<&Given> {
+    pub fn given(&self, name: &str) -> Option<&Given> {
         self.0.get(name)
     }
 
     /// What is known of some inputs alone.
-    pub fn only(&self, keep: impl Fn(&str) -> bool) -> Specialisation {
+    pub fn restricted(&self, keep: impl Fn(&str) -> bool) -> Specialisation {
         Specialisation(
             self.0
                 .iter()
@@ -68,7 +68,7 @@ impl Specialisation {
 
     /// A port as it is over the frames that the core is for.
     pub(crate) fn narrowed(&self, port: &InputPort) -> InputPort {
-        match self.of(&port.name) {
+        match self.given(&port.name) {
             None => port.clone(),
             Some(&Given::Between([low, high])) => InputPort { range: (low, high), ..port.clone() },
             Some(Given::SameAs(name)) => InputPort { same_as: Some(name.clone()), ..port.clone() },

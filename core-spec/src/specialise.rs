@@ -12,7 +12,7 @@ impl CoreSpec {
     pub fn specialised(&self, frame: &Frame) -> CoreSpec {
         let general = self.general();
         let ports = general.inputs();
-        let values = GivenValues::over(&general, &ports, frame);
+        let values = GivenValues::of_frame(&general, &ports, frame);
         let given = ports
             .iter()
             .enumerate()
@@ -49,7 +49,7 @@ pub(crate) struct GivenValues {
 
 impl GivenValues {
     /// Sets up every span of the frame.
-    pub fn over(core: &CoreSpec, ports: &[InputPort], frame: &Frame) -> GivenValues {
+    pub fn of_frame(core: &CoreSpec, ports: &[InputPort], frame: &Frame) -> GivenValues {
         let set_up = SetUp::new(core, frame);
         let earlier = |own: usize| {
             (0..own).filter(|&other| ports[other].format == ports[own].format).collect()

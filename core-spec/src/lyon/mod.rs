@@ -106,7 +106,7 @@ pub enum Halfway {
     HalfG2,
 }
 
-/// How the shape function is worked out from D.
+/// How the shape function is computed from D.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ShapeDatapath {
@@ -133,7 +133,7 @@ pub struct LyonSpec {
     pub difference: Difference,
     /// The half-way vector of those D that take one of about unit length.
     pub halfway: Halfway,
-    /// How f_k is worked out from D.
+    /// How f_k is computed from D.
     pub shape: ShapeDatapath,
     /// k of the shape function f_k(x) = (1 - x/2^k)^(2^k), 0 to 3: how often the shape is squared.
     pub squarings: u32,

@@ -91,7 +91,7 @@ impl Bisector {
     /// n for a span: a unit vector less than 90 degrees from the normals at both ends, so that |H|
     /// ≥ 1/2 all along. `None` where the ends are opposite or have no direction (extremes rows 1
     /// and 7 to 9).
-    pub fn of(self, frame: &Frame, span: &Span) -> Option<DVec3> {
+    pub fn fixed_normal(self, frame: &Frame, span: &Span) -> Option<DVec3> {
         let ends = frame.unit_end_normals(span);
         let of_ends = || {
             Some(ends[0] + ends[1]).filter(|sum| sum.length() > SHORTEST_SUM).map(DVec3::normalize)

@@ -25,7 +25,7 @@ impl Halfway {
     fn new(reflection: &ReflectionSpec, frame: &Frame, span: &Span) -> Halfway {
         let normal = frame.normal_and_step(span);
         let [start, end] = frame.unit_end_normals(span);
-        match reflection.bisector.of(frame, span) {
+        match reflection.bisector.fixed_normal(frame, span) {
             Some(n) => Halfway {
                 normal,
                 m: (start + n) / 2.0,
@@ -37,7 +37,7 @@ impl Halfway {
     }
 
     /// q N'·u = 2(H·n)(H·u) - (n·u) q.
-    fn times(&self, span: &Span, u: DVec3) -> Quadratic<f64> {
+    fn cosine_numerator(&self, span: &Span, u: DVec3) -> Quadratic<f64> {
         Quadratic::reflected(span, [self.m, self.k], self.n, u)
     }
 }
@@ -56,7 +56,9 @@ impl MethodSetUp for ReflectionSetUp<'_> {
         let [m, k] = h.normal;
         ReflectionSpan {
             denominator: Quadratic::squared_length(span, h.m, h.k).quantised(accumulator),
-            view: spec.only_with(Highlight::Eq34, || h.times(span, EYE).quantised(accumulator)),
+            view: spec.only_with(Highlight::Eq34, || {
+                h.cosine_numerator(span, EYE).quantised(accumulator)
+            }),
             normal_squared: spec.only_with(Highlight::Hybrid, || {
                 Quadratic::squared_length(span, m, k).quantised(accumulator)
             }),
@@ -69,8 +71,9 @@ impl MethodSetUp for ReflectionSetUp<'_> {
         let l = self.frame.lights[index].direction;
         let quantised = |quadratic: Quadratic<f64>| quadratic.quantised(f.accumulator);
         ReflectionLight {
-            cosine: quantised(h.times(span, l)),
-            halfway: spec.only_with(Highlight::Blinn, || quantised(h.times(span, halfway(l)))),
+            cosine: quantised(h.cosine_numerator(span, l)),
+            halfway: spec
+                .only_with(Highlight::Blinn, || quantised(h.cosine_numerator(span, halfway(l)))),
             numerator: spec.only_with(Highlight::Hybrid, || {
                 quantised(Quadratic::reflected(span, h.normal, EYE, l))
             }),

@@ -14,7 +14,8 @@ pub fn input_ablations(spec: &CoreSpec) -> Result<Vec<Ablation>, BenchError> {
     let ablation = |(need, safe, group): (&'static str, &'static str, Vec<&InputPort>)| {
         let left_out = described(spec, &group)?;
         let known = |name: &str| !group.iter().any(|port| port.name == name);
-        let core = CoreSpec { specialisation: spec.specialisation.only(known), ..spec.clone() };
+        let core =
+            CoreSpec { specialisation: spec.specialisation.restricted(known), ..spec.clone() };
         let design = specula_hdl::elaborate(&core, "core").map_err(BenchError::from);
         Some(design.map(|design| Ablation { need, left_out, safe, design }))
     };
@@ -44,7 +45,7 @@ fn groups<'a>(
 
 /// What is known of these inputs; `None` if none is constant, equal to another, or narrower.
 fn described(spec: &CoreSpec, group: &[&InputPort]) -> Option<String> {
-    let given = || group.iter().filter_map(|port| spec.specialisation.of(&port.name));
+    let given = || group.iter().filter_map(|port| spec.specialisation.given(&port.name));
     let count = |of: fn(&Given) -> bool| given().filter(|given| of(given)).count();
     let kinds = [
         (count(|given| *given == Given::Between([0, 0])), "always 0"),

@@ -98,7 +98,7 @@ impl Chosen<'_> {
             |ports: &[InputPort], name: &str| ports.iter().find(|port| port.name == name).cloned();
         let known =
             |name: &str| port(&own, name).is_some_and(|own| Some(own) == port(&theirs, name));
-        CoreSpec { specialisation: self.spec.specialisation.only(known), ..core }
+        CoreSpec { specialisation: self.spec.specialisation.restricted(known), ..core }
     }
 
     /// The general core for scenes for which these premises are unknown; `None` if it cannot be

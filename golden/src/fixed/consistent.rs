@@ -131,7 +131,7 @@ impl Method for Consistent {
     ) -> Intensities<Wide> {
         let diffuse = self.diffuse(&pixel.mirror, light, observer);
         let base = self.base(&pixel.mirror, &pixel.reflection, light, observer);
-        Intensities { diffuse, specular: self.power.of(observer, base, pixel.exponent) }
+        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }
 

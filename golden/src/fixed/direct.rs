@@ -224,7 +224,7 @@ impl Direct {
         let base =
             if pixel.q > Wide::ZERO { rounded.clamp(Wide::ZERO, Wide::ONE) } else { Wide::ZERO };
         observer.see(format_args!("base"), base, format);
-        self.power.of(observer, base, pixel.exponent)
+        self.power.raise(observer, base, pixel.exponent)
     }
 }
 

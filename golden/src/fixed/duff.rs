@@ -93,7 +93,7 @@ impl Method for Duff {
         let c = cosine(observer, "cosine", p * pixel.s, self.formats.cosine);
         let diffuse = amount(observer, "diffuse", c, self.formats.diffuse);
         let base = self.base(pixel, light, p, c, observer);
-        Intensities { diffuse, specular: self.power.of(observer, base, pixel.exponent) }
+        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }
 

@@ -88,7 +88,7 @@ impl Method for Hybrid {
         let base = quotient(observer, p, pixel.q, self.formats.base);
         Intensities {
             diffuse: self.diffuse(light, pixel.i, observer),
-            specular: self.power.of(observer, base, pixel.exponent),
+            specular: self.power.raise(observer, base, pixel.exponent),
         }
     }
 }

@@ -242,7 +242,7 @@ impl Phong {
             Some(exponent) => {
                 let shape = self.formats.shape;
                 let cosine = self.base(to_axis(at), "spot_base", observer);
-                let share = self.spot_power.of(cosine, exponent.to_num());
+                let share = self.spot_power.raise(cosine, exponent.to_num());
                 observer.see(format_args!("spot"), share, shape);
                 let spotted = |amount| round_to(share * amount, shape.fraction_bits);
                 Intensities { diffuse: spotted(diffuse), specular: spotted(specular) }
@@ -257,7 +257,7 @@ impl Phong {
         if self.highlight == Highlight::Reflection {
             let l_dot_v =
                 at.light.light_dot_view.unwrap_or_else(|| self.l_dot_v(at, view, observer));
-            return self.power.of(
+            return self.power.raise(
                 self.base(((at.n_dot_v * at.n_dot_l) << 1) - l_dot_v, "base", observer),
                 exponent,
             );
@@ -269,10 +269,10 @@ impl Phong {
         let cosine = (at.n_dot_l + at.n_dot_v) * gain;
         match self.highlight {
             Highlight::Reflection | Highlight::Blinn => {
-                self.power.of(self.base(cosine, "base", observer), exponent)
+                self.power.raise(self.base(cosine, "base", observer), exponent)
             }
             Highlight::TorranceSparrow => {
-                self.gaussian.of(self.versine(cosine, observer), exponent)
+                self.gaussian.value(self.versine(cosine, observer), exponent)
             }
             Highlight::TrowbridgeReitz => {
                 self.trowbridge_reitz(self.base(cosine, "base", observer), at.shininess, observer)

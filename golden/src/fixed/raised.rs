@@ -44,7 +44,7 @@ impl Raised {
     }
 
     /// b^n of what the port of the exponent is given.
-    pub fn of(&self, observer: &mut impl Observer, base: Wide, exponent: Wide) -> Wide {
+    pub fn raise(&self, observer: &mut impl Observer, base: Wide, exponent: Wide) -> Wide {
         match self {
             Raised::Squaring { base: format } => {
                 let squarings = exponent.to_num::<u32>();
@@ -52,7 +52,7 @@ impl Raised {
                     .fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, *format))
             }
             Raised::Tables { power, shape } => {
-                let power = power.of(base, exponent.to_num());
+                let power = power.raise(base, exponent.to_num());
                 observer.see(format_args!("power"), power, *shape);
                 power
             }

@@ -163,6 +163,6 @@ impl Method for Reflection {
         let c = cosine(observer, "cosine", p * pixel.w, self.formats.cosine);
         let diffuse = amount(observer, "diffuse", c, self.formats.diffuse);
         let base = self.base(pixel, light, c, observer);
-        Intensities { diffuse, specular: self.power.of(observer, base, pixel.exponent) }
+        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }

@@ -128,7 +128,7 @@ impl Method for Slerp {
         let n_dot_l = narrow(observer, format_args!("n_dot_l"), n_dot_l, self.formats.cosine);
         let diffuse = self.diffuse(n_dot_l, observer);
         let base = self.base(n_dot_l, pixel.n_dot_v, light, observer);
-        Intensities { diffuse, specular: self.power.of(observer, base, pixel.exponent) }
+        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }
 

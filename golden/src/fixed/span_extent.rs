@@ -37,7 +37,7 @@ impl SpanExtent {
         limits: (i32, i32),
     ) -> Result<(), PacketError> {
         let slack = half_units(u64::from(self.longest), format) + HOST_ERROR;
-        self.check(name, Limits::around(limits, slack), self.ends(), |i| at(linear, i))
+        self.check(name, Limits::around(limits, slack), self.ends(), |i| linear_at(linear, i))
     }
 
     /// start + first i + second i(i - 1)/2 within `limits`, all three rounded to nearest into
@@ -62,7 +62,7 @@ impl SpanExtent {
         let high = Wide::ONE + half_units(2 * u64::from(self.longest - 1), format);
         let linear = Linear { start: Wide::ZERO, step };
         self.check(format_args!("weight"), Limits { low: Wide::ZERO, high }, self.ends(), |i| {
-            at(&linear, i)
+            linear_at(&linear, i)
         })
     }
 
@@ -76,7 +76,7 @@ impl SpanExtent {
         high: Wide,
     ) -> Result<(), PacketError> {
         let high = high + half_units(2 * u64::from(self.longest), format) + HOST_ERROR;
-        self.check(name, Limits { low: Wide::ZERO, high }, self.ends(), |i| at(linear, i))
+        self.check(name, Limits { low: Wide::ZERO, high }, self.ends(), |i| linear_at(linear, i))
     }
 
     fn ends(self) -> [u32; 2] {
@@ -119,7 +119,7 @@ fn half_units(count: u64, format: Format) -> Wide {
     Wide::from_num(count) >> (format.fraction_bits + 1)
 }
 
-fn at(linear: &Linear<Wide>, i: u32) -> Wide {
+fn linear_at(linear: &Linear<Wide>, i: u32) -> Wide {
     linear.start + linear.step * Wide::from_num(i)
 }
 

@@ -1,7 +1,15 @@
 //! Columns in memory.
+use specula_datapath::design::Range;
 use specula_kernels::Lane;
 
 use crate::Lanes;
+
+const NARROW: Range = Range::new(i32::MIN as i64, i32::MAX as i64);
+
+/// Whether 32-bit lanes hold every value of a range.
+pub fn fits_narrow(range: Range) -> bool {
+    NARROW.low <= range.low && range.high <= NARROW.high
+}
 
 /// Lanes behind the batch that may be written and are never read. So many are written at a time.
 pub const PADDING: usize = 8;

@@ -80,8 +80,9 @@ impl<'a> Miter<'a> {
             Given::SameAs(twin) => format!("{name} == {twin}"),
         };
         let ports = self.spec.inputs().into_iter();
-        let known = ports
-            .filter_map(|port| Some((port.name.clone(), self.spec.specialisation.of(&port.name)?)));
+        let known = ports.filter_map(|port| {
+            Some((port.name.clone(), self.spec.specialisation.given(&port.name)?))
+        });
         known.map(of).chain((!self.facts.is_empty()).then(|| self.facts.to_owned())).collect()
     }
 

@@ -123,7 +123,7 @@ impl Pixel<'_> {
     pub fn of_reflection(&self, reflection: &ReflectionSpec) -> Normal {
         self.wrapped(
             self.frame.unit_end_normals(self.span),
-            reflection.bisector.of(self.frame, self.span),
+            reflection.bisector.fixed_normal(self.frame, self.span),
         )
     }
 

@@ -32,7 +32,7 @@ impl<'a> ReflectionSpan<'a> {
             highlight: spec.specular,
             span,
             units: frame.unit_end_normals(span),
-            fixed: spec.bisector.of(frame, span),
+            fixed: spec.bisector.fixed_normal(frame, span),
             normals: frame.end_normals(span),
             shininess: frame.material(span).shininess,
             coefficients: Coefficients::new(frame, span),

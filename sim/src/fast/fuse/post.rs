@@ -2,7 +2,8 @@
 use specula_datapath::design::{Node, NodeId, Op, Range};
 use specula_kernels::{Post, Shift, Wrap};
 
-use super::{Fused, Fuser, Source, fits_narrow};
+use super::{Fused, Fuser, Source};
+use crate::fast::memory::fits_narrow;
 
 /// Most bits that a shift drops before it rounds: there is room for half of what is dropped.
 const MOST_BEFORE_ROUNDING: u32 = 61;
