@@ -1,5 +1,5 @@
 //! The core for a loaded scene.
-use specula_scene::{LoadedScene, Needs, SceneError};
+use specula_scene::{CoreTable, LoadedScene, Needs, SceneError};
 
 use crate::core_spec::CoreSpec;
 use crate::error::SpecError;
@@ -66,7 +66,7 @@ impl SceneCore for LoadedScene {
 
 /// What the scene file's `[core]` table says.
 fn core_options(scene: &LoadedScene) -> Result<Option<CoreOptions>, SceneError> {
-    scene.core.as_ref().map(|table| table.parse::<CoreOptions>()).transpose()
+    scene.core.as_ref().map(CoreTable::parse::<CoreOptions>).transpose()
 }
 
 fn specialise(scene: &LoadedScene) -> Result<Specialise, SceneError> {

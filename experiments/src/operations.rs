@@ -2,7 +2,7 @@
 //! powers and the materials' products.
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_datapath::design::{Node, NodeId, Op, Register, Scope, ScopeId};
+use specula_datapath::design::{Node, NodeId, Scope, ScopeId};
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreSpec, Method};
 
@@ -41,10 +41,8 @@ impl Contents {
             DIVIDERS.into_iter().chain(RECIPROCAL_ROOTS).chain(ROOTS).chain(LEFT_OUT).collect();
         let counts =
             |node: &&Node| design.factors(node).is_some() && !is_within(design, node.scope, &inner);
-        // An accumulator's register reads a value that is described after it.
-        let accumulates = |(id, node): &(NodeId, &Node)| {
-            node.register == Register::Data && matches!(node.op, Op::Wrap(next) if next > *id)
-        };
+        // What goes from pixel to pixel is what waits for one.
+        let accumulates = |(id, node): &(NodeId, &Node)| node.clock_enable(*id).is_some();
         Contents {
             accumulators: design.iter().filter(accumulates).count(),
             multipliers: design.nodes.iter().filter(counts).count(),

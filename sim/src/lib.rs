@@ -25,6 +25,6 @@ pub use engine::{Engine, Flow, SimError};
 pub use fast::Fast;
 pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
-pub use stimulus::{FirstPixels, SpanSource, Stimulus};
+pub use stimulus::{FirstPixels, InputHold, SpanSource, Stimulus};
 pub use synthesis::{Progress, Synthesised, synthesise};
 pub use verilator::{Effort, Keeping, Library, TimedVerilator, Timing, Verilator};

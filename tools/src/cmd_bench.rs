@@ -1,5 +1,6 @@
 //! `specula bench`: how fast each simulator runs a core.
 mod json;
+mod measured;
 mod table;
 
 use std::io::Write;
@@ -13,12 +14,13 @@ use crate::arguments::{method_parser, parse_size, specialise_parser, specialised
 use crate::error::ToolError;
 use crate::progress;
 use crate::verdict::Verdict;
+use measured::Measured;
 
 const EXAMPLE: &str = "\
 Shades the scene's spans, over and over, in each simulator that is installed: this program's own, \
-rust-hdl's, Verilator, and Icarus Verilog. Modes say what is kept of every clock: the outputs, every \
-signal, or a waveform of every signal, in a file (vcd, fst) or thrown away (vcd-null). Rounds are \
-interleaved, figures are medians over them, and the pixels of every run are checked.
+rust-hdl's, Verilator, and Icarus Verilog. The mode says what is recorded of every clock: the \
+outputs, every signal, or a waveform of every signal, written to a file (vcd, fst) or discarded \
+(vcd-null). Rounds are interleaved, figures are their medians, and the pixels of every run are checked.
 
 With five rounds it takes one to two minutes, half of them for Verilator's builds. Close other \
 programs first.
@@ -52,14 +54,6 @@ pub struct Arguments {
     /// Print JSON instead of a table
     #[arg(long)]
     json: bool,
-}
-
-/// A measurement, and the core and scene that were measured.
-struct Measured<'a> {
-    scene: &'a str,
-    bench: &'a Bench<'a>,
-    budget: Budget,
-    measurement: Measurement,
 }
 
 /// Measures all engines and prints the result.

@@ -32,8 +32,8 @@ use result::{Compared, sorted};
 const EXAMPLE: &str = "\
 Simulates the core of each method with each of the formats on every pixel, and measures the papers' \
 own loops in software. Writes DIR/report.md, report.html, report.json, cores.csv, software.csv, \
-plots of error against run time and size as SVG and PNG, and results.jsonl: a sweep that was \
-interrupted goes on where it stopped.
+plots of error against run time and size as SVG and PNG, and results.jsonl, from which an \
+interrupted sweep continues.
 
 Exit status: 0 if every pixel of every core agrees with the bit-true model and no quantisation error \
 is above its proven bound, 1 if not, 2 if the comparison could not be made.

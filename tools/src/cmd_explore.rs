@@ -19,9 +19,9 @@ const EXAMPLE: &str = "\
 Tries options and formats of each method, every core made for the scene alone. Errors are total: \
 the core's codes against exact Phong shading, over every pixel. Cells are bit products of \
 multipliers, bits of adders, of registers and of read-only memory; with --device a multiplier \
-counts as the blocks it takes. Nothing is known of a device's timing: the clock is assumed.
+counts as the blocks it takes. Nothing is known about a device's timing: the clock is assumed.
 
-DIR/spec.toml is the smallest core within the error: for `run --core` and `generate --spec`.
+DIR/spec.toml is the smallest core within the error, for `run --core` and `generate --spec`.
 
 Example: specula explore teapot --max-error 2lsb --device ecp5-25 -o out/explored";
 

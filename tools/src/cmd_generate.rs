@@ -19,8 +19,8 @@ use crate::verilog::Origin;
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, Verilog-2001 with one module per unit, and DIR/spec.toml, from which the same \
-core can be made again. Other files in DIR stay. `-o -` writes the Verilog to standard output, and \
-nothing else.
+core can be made again. Other files in DIR stay. `-o -` writes only the Verilog, to standard \
+output.
 
 Example: specula generate teapot --method hybrid --name shader -o rtl";
 

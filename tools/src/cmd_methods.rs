@@ -11,9 +11,9 @@ use crate::table;
 use crate::verdict::Verdict;
 
 const EXAMPLE: &str = "\
-With --json each method has its source, what it needs of a scene, its options, and the formats, the \
-latency in clocks, the operations per pixel (also with each value of each option) and the size of \
-its core for the built-in teapot.
+With --json each method has its source, its requirements on a scene, its options, and the formats, \
+the latency in clocks, the operations per pixel (also with each value of each option) and the size \
+of its core for the built-in teapot.
 
 Example: specula methods --json";
 

@@ -15,12 +15,12 @@ use crate::verdict::Verdict;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\
-Each line is measured: the core is elaborated with and without that one need known. Savings \
-overlap, so they do not add up to what all save together. That is said against two general cores: \
-one that knows nothing of the scene (4 lights at once, spans of 8192 pixels, n up to 8191), and one \
-as a renderer would have it (as many lights as the scene, spans as wide as the picture, n up to \
-128). A negative number is what products with constants cost in adders in place of multipliers. \
-Inputs that are left out change no pixel; options and formats are those that are exact enough.
+Each line is measured by elaborating the core with and without knowledge of that need. Savings \
+overlap, so their sum is not what all of them save together. The latter is measured against two \
+general cores: one that knows nothing about the scene (4 lights at once, spans of 8192 pixels, n up \
+to 8191), and one that a renderer would use (as many lights as the scene, spans as wide as the \
+picture, n up to 128). A negative number of adders is the cost of products with constants, which \
+replace multipliers. Leaving inputs out changes no pixel; options and formats are exact enough.
 
 Example: specula needs teapot --method phong";
 

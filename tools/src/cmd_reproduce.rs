@@ -23,12 +23,12 @@ use pictured_mesh::PicturedMesh;
 use section::Section;
 
 const EXAMPLE: &str = "\
-Computes what the papers claim with this program's own exact shading and with its cores, compares \
-it with the project's independent measurements, and says of each claim whether it holds; draws the \
+Evaluates the papers' claims with this program's own exact shading and with its cores, compares the \
+numbers with the project's independent measurements, and says whether each claim holds; draws the \
 papers' figures and pictures. Writes DIR/reproduction.md and DIR/images/. `specula reproduce figure9` \
 shades Lyon's figure 9 with a core for each of its twelve rows, in a folder of its own.
 
-Exit status: 0 if every number is as measured before, 1 if not.
+Exit status: 0 if every number is the one measured before, 1 if not.
 
 Example: specula reproduce hast --mesh venus.ply -o out/reproduce";
 

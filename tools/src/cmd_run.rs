@@ -29,9 +29,9 @@ use artifacts::{Artifact, artifacts};
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst, \
-trace.gtkw, worst.svg (the worst pixel's way through the core), spec.toml (the core itself, for \
-`--core` and `generate --spec`), report.md, report.json and report.html (one file with everything in \
-it). DIR is replaced as a whole when everything is there; files in it that Specula did not write \
+trace.gtkw, worst.svg (the worst pixel's path through the core), spec.toml (the core's definition, \
+for `--core` and `generate --spec`), report.md, report.json and report.html (one file with everything \
+in it). DIR is replaced as a whole once everything is written; files in it that Specula did not write \
 stay.
 
 Exit status: 0 if every pixel agrees and no quantisation error is above its proven bound, 1 if not,

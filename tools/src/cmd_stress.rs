@@ -3,6 +3,8 @@ mod climb;
 mod files;
 mod json;
 mod plots;
+mod results;
+mod scene_files;
 mod table;
 
 use std::io::Write;
@@ -10,9 +12,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use specula_experiments::climb::Search;
-use specula_experiments::stress::{
-    CATALOGUE, Cell, RAW, RAW_INPUT, RowVerdict, TrialExtent, sweep,
-};
+use specula_experiments::stress::{CATALOGUE, Cell, RAW, RAW_INPUT, TrialExtent, sweep};
 use specula_spec::Method;
 
 use crate::arguments::method_parser;
@@ -20,19 +20,20 @@ use crate::error::ToolError;
 use crate::output::{Destination, Interrupts};
 use crate::progress;
 use crate::verdict::Verdict;
+use results::{RowResult, Stress};
 
 const EXAMPLE: &str = "\
-Puts each row of the catalogue of extremes, and random spans between its ends, through exact \
-shading, the bit-true model and the simulated core of every method with each of its options. \
-Says of each method in each row what is asked and what came: it holds, is at a documented limit of \
-the method (with the figure), or is at fault. Writes DIR/report.md, report.json, plots of how \
-recurrences drift with the length of a span, and for each row and method the scene file of the \
-worst span, which `run` takes.
+Tries each row of the catalogue of extremes, and random spans between its ends, with exact shading, \
+the bit-true model and the simulated core of every method with each of its options. Reports for each \
+method in each row the requirements and the results: the method holds, is at a documented limit \
+(with the figure), or is at fault. Writes DIR/report.md, report.json, plots of the drift of \
+recurrences with the length of a span, and for each row and method the scene file of the worst span, \
+for `run`.
 
 With --climb it searches for broken bounds instead: scenes of spans with cores of any options and \
-formats, changed little by little towards the largest ratio of the measured quantisation error to \
-the proven bound. Writes DIR/report.json, for each method the scene file with the largest ratio, \
-and those that break a bound, made small, which `run` takes. A bound of 255 LSB or more is none.
+formats are changed in small steps towards the largest ratio of the measured quantisation error to \
+the proven bound. Writes DIR/report.json, for each method the scene file with the largest ratio, and \
+minimised ones that break a bound, all for `run`. A bound of 255 LSB or more counts as none.
 
 Exit status: 0 if nothing is at fault and no bound is broken, 1 if not, 2 if it could not be tried.
 
@@ -67,31 +68,6 @@ pub struct Arguments {
     /// Folder to write [default: out/stress, or out/climb with --climb]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-}
-
-/// The results of the catalogue.
-struct Stress {
-    seed: u64,
-    spans: u32,
-    rows: Vec<RowResult>,
-}
-
-/// The results of a row with each method.
-struct RowResult {
-    id: &'static str,
-    input: &'static str,
-    cells: Vec<Cell>,
-}
-
-impl RowResult {
-    /// The worst verdict of any method; `None` if no method has a core for the row.
-    fn verdict(&self) -> Option<RowVerdict> {
-        self.cells.iter().filter_map(Cell::verdict).max()
-    }
-
-    fn has_fault(&self) -> bool {
-        self.verdict() == Some(RowVerdict::Fault)
-    }
 }
 
 impl Arguments {

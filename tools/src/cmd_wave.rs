@@ -12,13 +12,13 @@ use crate::verdict::Verdict;
 use specula_wave::{self as wave, DumpView, Figure, Selection, WaveError, WindowRequest};
 
 const NOTES: &str = "\
-Numbers are fixed-point where the format is known: from GTKWave's save file beside FILE, of the \
-same name and ending in .gtkw, as `specula run` writes it. Others are hexadecimal. Without --signals \
+Numbers are fixed-point where the format is known from GTKWave's save file next to FILE, which has \
+the same name with the extension .gtkw, as `specula run` writes it. Others are hexadecimal. Without --signals \
 and --unit, the signals that the save file shows are drawn, or without one the outermost unit's.
 
 Any dialect of VCD is drawn: what cannot be understood is passed over with a warning on standard \
-error that names its line, and a file that is cut off is drawn up to there (docs/wave.md). FILE may \
-be a pipe, and may be compressed with gzip.
+error that names its line, and a truncated file is drawn up to its end (docs/wave.md). FILE may be a \
+pipe, and may be compressed with gzip.
 
 Time is counted in clocks if a signal named `clock` or `clk` rises at a constant pace: each clock \
 begins with a rising edge. Otherwise it is counted in the file's units of time.

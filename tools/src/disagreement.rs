@@ -97,11 +97,10 @@ impl BeyondBound {
         let BeyondBound { worst: w, clock, bound_lsb, pixels } = self;
         let several =
             if *pixels == 1 { "1 pixel has".to_owned() } else { format!("{pixels} pixels have") };
-        let meaning = match w.simulated == w.expected {
-            true => {
-                "the bit-true model has the same code from the same inputs, so the set-up of spans or the bound is wrong".to_owned()
-            }
-            false => format!("the bit-true model has {}", w.expected),
+        let meaning = if w.simulated == w.expected {
+            "the bit-true model has the same code from the same inputs, so the set-up of spans or the bound is wrong".to_owned()
+        } else {
+            format!("the bit-true model has {}", w.expected)
         };
         format!(
             "{several} a quantisation error above the proven bound of {bound_lsb:.3} LSB, the largest {:.3} LSB: {} of ({}, {}) is {} in cycle {clock}, and \

@@ -1,4 +1,5 @@
 //! Rows of text in aligned columns.
+use std::borrow::Cow;
 use std::fmt::Write;
 use std::io;
 
@@ -63,10 +64,7 @@ fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
 /// A row, split into several rows in which each cell fits the width of its column.
 fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String; N]> {
     let cells: [Vec<String>; N] = std::array::from_fn(|c| {
-        textwrap::wrap(&row[c], wrap_options(widths[c]))
-            .into_iter()
-            .map(|line| line.into_owned())
-            .collect()
+        textwrap::wrap(&row[c], wrap_options(widths[c])).into_iter().map(Cow::into_owned).collect()
     });
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
     (0..height)

@@ -128,11 +128,7 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
         "Error bound: {} of the 8-bit output, against the same method in exact arithmetic.",
         bound(design.error_bound())
     ));
-    let protocol = if design.interval == 1 {
-        PROTOCOL.to_owned()
-    } else {
-        multi_clock_protocol(design.interval)
-    };
+    let protocol = protocol(design);
     lines.extend(
         ["", &protocol, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned),
     );
@@ -141,24 +137,26 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
     Header { lines }
 }
 
-/// Explains how inputs are fed to the core.
-const PROTOCOL: &str = "\
-Feeding it: a span's data inputs are held for as many clocks as it has pixels. `valid` is high in each
-of them, `start` in the first only. The pixels of a span enter on consecutive clocks; the next span may
-follow at once, or after any number of clocks in which `valid` is low. A pixel that enters in clock c
-leaves in clock c + latency, with `valid_out` high. Inputs are taken at the rising edge of `clock`.
-`reset` is synchronous and clears validity only: data registers have no reset.";
-
-/// Explains how inputs are fed to a core that takes several clocks for a pixel.
-fn multi_clock_protocol(interval: u32) -> String {
+/// How the core is fed.
+fn protocol(design: &Design) -> String {
+    let (entering, leaving) = match design.interval {
+        1 => (
+            "`valid` is high in each clock in which a pixel enters".to_owned(),
+            format!("A pixel that enters in clock c leaves in clock c + {}", design.depth()),
+        ),
+        clocks => (
+            format!("a pixel takes {clocks} clocks, one for each light; `valid` is high in them"),
+            format!("A pixel whose last clock is c leaves in clock c + {}", design.depth()),
+        ),
+    };
     format!(
         "\
-Feeding it: a pixel takes {interval} clocks, in which the lights take turns. A span's data inputs are held for
-{interval} clocks a pixel. `valid` is high in each of them, `start` in the first of the span only. The pixels
-of a span enter one after the other; the next span may follow at once, or after any number of clocks in
-which `valid` is low. A pixel whose first clock is c leaves in clock c + latency, with `valid_out` high.
-Inputs are taken at the rising edge of `clock`. `reset` is synchronous and clears validity only: data
-registers have no reset."
+Feeding it: {entering}, and `start` in the
+first clock of a span only. A span's data inputs are held from its first clock to its last. Between any
+two of these clocks there may be any number in which `valid` is low: the core waits, and `start` means
+nothing. The next span may follow at once. {leaving}, with
+`valid_out` high. Inputs are taken at the rising edge of `clock`. `reset` is synchronous and clears
+validity only: data registers have no reset."
     )
 }
 

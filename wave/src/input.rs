@@ -90,7 +90,7 @@ fn open_pipe(path: &Path) -> io::Result<File> {
     thread::spawn(move || sender.send(File::open(path)));
     let nobody = || {
         io::Error::other(format!(
-            "it is a pipe into which nobody wrote for {} s",
+            "it is a pipe into which no program wrote for {} s",
             PATIENCE.as_secs()
         ))
     };

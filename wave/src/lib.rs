@@ -3,6 +3,7 @@
 //! A [`DumpView`] opens a dump and makes a [`Figure`] of some signals and a window; [`text`],
 //! [`svg`] and [`png`] draw figures and know nothing of dumps.
 mod catch_panic;
+mod clock;
 mod contents;
 mod dump;
 mod error;

@@ -1,8 +1,8 @@
 //! The unit in which time is counted: clocks where there is a clock, and else the file's units.
 use std::ops::RangeInclusive;
 
+use super::clock;
 use super::dump::Dump;
-use super::variables::{Scopes, Variable};
 
 /// The unit in which time is counted.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,28 +19,12 @@ pub enum TimeAxis {
     Time,
 }
 
-/// Names that a clock may have.
-const CLOCKS: [&str; 2] = ["clock", "clk"];
-
-/// Whether a one-bit signal of that name may be a clock.
-pub fn is_clock(name: &str) -> bool {
-    CLOCKS.iter().any(|clock| name.eq_ignore_ascii_case(clock))
-}
-
-/// The number of the outermost variable that may be a clock.
-pub fn clock(variables: &[Variable], scopes: &Scopes) -> Option<usize> {
-    let numbered = variables.iter().enumerate();
-    let clocks =
-        numbered.filter(|(_, variable)| variable.width == Some(1) && is_clock(&variable.name));
-    clocks.min_by_key(|(_, variable)| scopes.depth(variable.scope)).map(|(index, _)| index)
-}
-
 impl TimeAxis {
     /// The time axis of a dump: the outermost signal named `clock` or `clk` defines it, if all of
     /// its periods are equal.
     pub fn of_dump(dump: &Dump) -> TimeAxis {
-        let clock =
-            clock(dump.variables(), dump.scopes()).map(|clock| dump.variables()[clock].signal);
+        let clock = clock::outermost(dump.variables(), dump.scopes())
+            .map(|clock| dump.variables()[clock].signal);
         let pace = clock.and_then(|clock| dump.survey().clock_pace(clock));
         pace.map_or(TimeAxis::Time, |(first, period)| TimeAxis::Clocks {
             phase: first % period,

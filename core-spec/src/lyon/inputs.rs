@@ -70,11 +70,14 @@ impl MethodInputs for LyonSpec {
     fn light_inputs(&self, _core: &CoreParameters, index: usize) -> LyonLight<CoreInput> {
         let f = &self.formats;
         let name = format!("light{index}_halfway");
-        let halfway = || match self.difference.takes_unit_halfway() {
-            // g2 makes h longer than 1 by 0.2 % at most (methods B9), and that only where it is no
-            // nearer than 20 degrees to an axis.
-            true => CoreInput::vector(Light, &name, f.vector, 1.0),
-            false => CoreInput::vector(Light, &name, f.vector_sum(), 2.0),
+        let halfway = || {
+            if self.difference.takes_unit_halfway() {
+                // g2 makes h longer than 1 by 0.2 % at most (methods B9), and that only where it is
+                // no nearer than 20 degrees to an axis.
+                CoreInput::vector(Light, &name, f.vector, 1.0)
+            } else {
+                CoreInput::vector(Light, &name, f.vector_sum(), 2.0)
+            }
         };
         let direction = format!("light{index}_direction");
         LyonLight {

@@ -5,7 +5,7 @@ use specula_spec::FULL_SCALE;
 use super::limits::{EXACT, Limits, Reason, Rounding};
 use super::requirement::{QUANTISATION, Requirement};
 use super::row::{PixelPlace, RowRequirement, Shaded};
-use specula_testbench::{Bench, Outcome};
+use specula_testbench::{Bench, Outcome, Violation};
 
 /// A number of things, and the first of them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -114,7 +114,7 @@ impl Measurements {
         self.broken_facts = Counted {
             number: u64::from(broken.is_some()),
             first: broken.map(|broken| pixel_of(bench, broken.clock)),
-            detail: broken.map(|broken| broken.in_words()),
+            detail: broken.map(Violation::in_words),
         };
     }
 
@@ -194,14 +194,10 @@ impl Measurements {
 
     fn quantisation(&self) -> Requirement {
         let (came, place) = (self.quantisation.lsb, Some(self.quantisation.place));
-        match self.bound < FULL_SCALE {
-            true => Requirement::within(QUANTISATION, Some(self.bound), came, place),
-            false => Requirement::within(
-                "LSB of quantisation, of cores without a bound",
-                None,
-                came,
-                place,
-            ),
+        if self.bound < FULL_SCALE {
+            Requirement::within(QUANTISATION, Some(self.bound), came, place)
+        } else {
+            Requirement::within("LSB of quantisation, of cores without a bound", None, came, place)
         }
     }
 

@@ -3,10 +3,10 @@ use specula_spec::duff::{DuffInputs, DuffLight, DuffSpec, Highlight};
 use specula_spec::{CoreParameters, InputPort};
 
 use super::forward::Forward;
-use super::{Intensities, finish, time_slots};
+use super::{Intensities, finish, squared_normal, time_slots};
 use crate::units::{self, Base, Length, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Diffuse p/√q by forward differences, and a highlight of the same q and root. [Hast et al., eq. 3
 /// to 8, 17, 33 and 34]
@@ -15,7 +15,7 @@ pub(super) fn core(
     spec: &CoreParameters,
     duff: &DuffSpec,
     ports: &DuffInputs<InputPort>,
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let f = &duff.formats;
@@ -23,9 +23,8 @@ pub(super) fn core(
     let q = forward
         .quadratic("denominator", &inputs.span.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
-    let length = b.instance("root", || {
-        units::root(&b, &q, f.root, spec.shortest_normal * spec.shortest_normal)
-    });
+    let q = squared_normal(q, spec);
+    let length = b.instance("root", || units::root(&b, &q, f.root));
     let view = inputs
         .span
         .view
@@ -114,15 +113,7 @@ impl Pixel<'_> {
                     (-1.0, 1.0),
                     f.operand.fraction_bits,
                 );
-                let divider = || {
-                    units::divider(
-                        b,
-                        &p,
-                        &self.length.squared,
-                        fraction_bits,
-                        self.length.proven.smallest(),
-                    )
-                };
+                let divider = || units::divider(b, &p, &self.length.squared, fraction_bits);
                 b.instance(&called("divider"), divider)
             }
             Highlight::Eq33 => {
@@ -130,19 +121,11 @@ impl Pixel<'_> {
                     integer_bits: f.root.integer_bits,
                     fraction_bits: f.quotient.fraction_bits,
                 };
-                let quotient = || {
-                    units::signed_quotient(
-                        b,
-                        p,
-                        &self.length.squared,
-                        to,
-                        self.length.proven.smallest(),
-                    )
-                };
+                let quotient = || units::signed_quotient(b, p, &self.length.squared, to);
                 let error = self.length.proven.quotient_error(
-                    p.error_value(),
-                    self.view.expect(given).error_value(),
-                    0.5 * f.quotient.ulp(),
+                    p.bound(),
+                    self.view.expect(given).bound(),
+                    f.quotient.ulp(),
                 );
                 reflected(&b.instance(&called("quotient"), quotient), self.view, error)
             }

@@ -5,7 +5,7 @@ use specula_spec::{CoreParameters, InputPort};
 use super::{Intensities, finish, time_slots};
 use crate::units;
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// For each light a diffuse and a specular intensity, one accumulator each, or none where they are
 /// uniform. [lecture, eq. 2.1 and 3.2 to 3.6]
@@ -14,7 +14,7 @@ pub(super) fn core(
     spec: &CoreParameters,
     gouraud: &GouraudSpec,
     ports: &GouraudInputs<InputPort>,
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let fraction_bits = gouraud.formats.intensity.fraction_bits;

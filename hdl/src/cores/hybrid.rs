@@ -3,10 +3,10 @@ use specula_spec::hybrid::{HybridInputs, HybridLight, HybridSpec};
 use specula_spec::{CoreParameters, InputPort};
 
 use super::forward::Forward;
-use super::{Intensities, finish, time_slots};
+use super::{Intensities, finish, squared_normal, time_slots};
 use crate::units;
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al.,
 /// eq. 17 to 26]
@@ -15,7 +15,7 @@ pub(super) fn core(
     spec: &CoreParameters,
     hybrid: &HybridSpec,
     ports: &HybridInputs<InputPort>,
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
@@ -27,14 +27,14 @@ pub(super) fn core(
             hybrid.formats.operand.fraction_bits,
         )
         .named("q");
-    let pixel = Pixel { forward, spec, hybrid, exponent: &inputs.span.exponent };
+    let q = squared_normal(q, spec);
+    let pixel = Pixel { forward, hybrid, exponent: &inputs.span.exponent };
     finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, &q))
 }
 
 /// What the lights have in common.
 struct Pixel<'a> {
     forward: Forward<'a>,
-    spec: &'a CoreParameters,
     hybrid: &'a HybridSpec,
     exponent: &'a Sig,
 }
@@ -54,9 +54,7 @@ impl Pixel<'_> {
                 formats.operand.fraction_bits,
             )
             .named(&called("p"));
-        let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
-        let base =
-            b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
+        let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits));
         let ends = (&light.intensity_start, &light.intensity_step);
         let gouraud = || units::gouraud(b, first, ends, formats.diffuse.fraction_bits, steps);
         let power = || units::raised(b, &base, self.exponent, self.hybrid.power_unit());

@@ -18,8 +18,11 @@ use specula_spec::{
 };
 
 use crate::units::{self, Light};
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots, Vector};
 use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
+use specula_datapath::pass::compile;
 use specula_datapath::target::Generic;
 
 /// The core that a spec asks for, elaborated under the module name `name`.
@@ -27,7 +30,19 @@ use specula_datapath::target::Generic;
 /// # Errors
 /// [`BuildError`] if the spec's formats ask for a signal of more than 63 bits.
 pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, BuildError> {
-    let builder = |formula| Builder::new(name, formula, Rc::new(Generic));
+    let target = Rc::new(Generic);
+    let graph = graph(spec, |formula| Builder::new(name, formula, target.clone()))?;
+    Ok(compile(&graph, &*target)?)
+}
+
+/// The core that a spec asks for, before any pass, described with the builder for its formula.
+///
+/// # Errors
+/// As [`elaborate`].
+pub fn graph(
+    spec: &CoreSpec,
+    builder: impl FnOnce(&'static str) -> Builder,
+) -> Result<Graph, BuildError> {
     match &spec.method {
         MethodSpec::Lyon(lyon) => lyon::core(
             builder("Lyon's reformulation of Phong shading [Lyon, TR 43]"),
@@ -95,7 +110,18 @@ fn eye(b: &Builder) -> Vector {
 
 /// A unit vector that the host rounded: longer than 1 by √3/2 units of the last place at most.
 fn unit_vector(components: &[Sig; 3], format: Format) -> Vector {
-    Vector::new(components.clone()).no_longer_than(1.0 + format.ulp())
+    Vector::new(components.clone())
+        .no_longer_than(1.0 + format.ulp())
+        .no_shorter_than(1.0, "it is a unit vector")
+}
+
+/// What a scene's needs say of the normals along spans.
+const SHORTEST_NORMAL: &str = "no normal between two ends is shorter than in any span";
+
+/// What needs say of the squared length of a normal between two ends.
+fn squared_normal(square: Sig, spec: &CoreParameters) -> Sig {
+    let least = spec.shortest_normal * spec.shortest_normal;
+    square.real_within(Interval::at_least(least), SHORTEST_NORMAL)
 }
 
 /// Opens the control inputs; lights that share a pipeline have a time slot each from there on.
@@ -141,7 +167,7 @@ fn finish<S, L>(
     slots: &TimeSlots,
     inputs: &CoreInputs<S, L, Sig>,
     shade: impl Fn(usize, &L) -> Intensities,
-) -> Result<Design, BuildError>
+) -> Result<Graph, BuildError>
 where
     L: InputGroup<Value = Sig, Mapped<Sig> = L>,
 {
@@ -157,5 +183,5 @@ where
     };
     let lights: Vec<Light> = lights.iter().enumerate().map(shaded).collect();
     let [red, green, blue] = units::channels(b, slots, &inputs.ambient, &lights);
-    b.clone().finish(&slots.valid_in_last_slot, &[("red", red), ("green", green), ("blue", blue)])
+    b.clone().graph(&slots.valid_in_last_slot, &[("red", red), ("green", green), ("blue", blue)])
 }

@@ -10,7 +10,7 @@ use crate::error::turned_normal::Weighing;
 use crate::units::{self, Turn};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base
 /// 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to 4.12]
@@ -19,7 +19,7 @@ pub(super) fn core(
     spec: &CoreParameters,
     slerp: &SlerpSpec,
     ports: &SlerpInputs<InputPort>,
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let (formats, steps) = (&slerp.formats, spec.longest_span - 1);

@@ -1,7 +1,8 @@
 //! The rotation: spans one straight after the other, each from (1, 0) on, against the same steps in
 //! whole numbers.
 use specula_datapath::SpanPacket;
-use specula_fixtures::clocked::{Drive, run};
+use specula_fixtures::Draw;
+use specula_fixtures::clocked::{Drive, paused, run};
 use specula_fixtures::formats::slerp_formats;
 use specula_hdl::units;
 
@@ -34,7 +35,10 @@ fn every_step_is_a_rounded_rotation() {
             }
         };
         let packets: Vec<SpanPacket> = LENGTHS.iter().zip(angles).map(packet).collect();
-        let mut got = run(&design, packets.iter().flat_map(Drive::span)).into_iter();
+        let drives: Vec<Drive> = packets.iter().flat_map(Drive::span).collect();
+        let got = run(&design, drives.clone());
+        assert!(run(&design, paused(&design, &drives, &mut Draw::new(4))) == got);
+        let mut got = got.into_iter();
         for packet in &packets {
             let (mut c, mut s) = (1i64 << state, 0);
             for pixel in 0..packet.length {

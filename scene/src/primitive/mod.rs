@@ -53,7 +53,10 @@ impl Primitive {
         }
     }
 
-    /// The same shape, tessellated at `level`; the error is the range of its levels.
+    /// The same shape, tessellated at `level`.
+    ///
+    /// # Errors
+    /// The range of levels that the shape can have, if `level` is not in it.
     pub fn at_level(self, level: u32) -> Result<Primitive, std::ops::RangeInclusive<u32>> {
         let (range, shape) = match self {
             Primitive::Teapot { .. } => (1..=64, Primitive::Teapot { level }),

@@ -7,6 +7,7 @@ mod installed;
 mod netlists;
 mod number;
 mod operators;
+mod pausing;
 mod program;
 mod waves;
 mod waves_of_engines;

@@ -1,8 +1,8 @@
 //! A measurement as JSON.
 use serde::Serialize;
-use specula_experiments::benchmark::{EngineResult, Skipped};
+use specula_experiments::benchmark::{EngineResult, Mode, Skipped};
 
-use super::Measured;
+use super::measured::Measured;
 
 /// What `bench --json` prints.
 #[derive(Serialize)]
@@ -137,7 +137,7 @@ fn row_facts(measured: &Measured, row: &EngineResult) -> RowFacts {
 fn skipped(skipped: &Skipped) -> SkippedFacts<'_> {
     SkippedFacts {
         engine: skipped.engine.program(),
-        mode: skipped.mode.map(|mode| mode.name()),
+        mode: skipped.mode.map(Mode::name),
         reason: &skipped.reason,
     }
 }

@@ -1,7 +1,7 @@
 //! A measurement as a table.
 use specula_experiments::benchmark::{EngineResult, Skipped};
 
-use super::Measured;
+use super::measured::Measured;
 use crate::table;
 
 /// The text that `bench` prints.

@@ -1,7 +1,9 @@
 //! `specula reproduce figure9`: Lyon's figure 9, each row shaded by the core that has its formula
 //! [Lyon, TR 43].
+mod names;
 mod picture;
 mod report;
+mod shaded;
 
 use std::fs;
 use std::io::{self, Write};
@@ -21,7 +23,8 @@ use crate::run::{DEFAULT_ENGINE, simulate};
 use crate::verdict::Verdict;
 use crate::verilog::Origin;
 use crate::{picture as png, verilog};
-use report::Line;
+use names::{FORMULAS, NAME, SIMULATED, module};
+use shaded::{Line, Shaded};
 
 const EXAMPLE: &str = "\
 Shades Lyon's figure 9, a core for each of its twelve rows, and compares every pixel with the \
@@ -51,26 +54,14 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Name of the figure, its output folder, and its picture.
-const NAME: &str = "figure9";
 /// The size of the balls in the report.
 const BALLS: Balls = Balls { radius: 64 };
-const SIMULATED: &str = "figure9.png";
-const FORMULAS: &str = "formulas.png";
 
 /// Parses `--size`: the result is the largest balls of which a row fits.
 fn parse_balls(text: &str) -> Result<Balls, String> {
     let (width, height) = parse_size(text)?;
     Balls::within(width, height)
         .ok_or_else(|| "five balls in a row take 7x3 pixels at least".to_owned())
-}
-
-/// A row that has been simulated and compared.
-struct Shaded {
-    line: Line,
-    verilog: String,
-    simulated: Image,
-    disagreement: Option<Disagreement>,
 }
 
 /// Shades every row, writes all files, and prints the table or the report.
@@ -115,10 +106,6 @@ fn shaded(
         disagreement: Disagreement::of(&outcome, &bench),
         simulated: outcome.simulated,
     })
-}
-
-fn module(number: usize) -> String {
-    format!("{NAME}_row{number:02}")
 }
 
 /// Every file that is written.

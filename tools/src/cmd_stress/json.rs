@@ -3,8 +3,8 @@ use serde::Serialize;
 use specula_experiments::stress::limits::Reason;
 use specula_experiments::stress::{Cell, RowVerdict};
 
-use super::files::scene_of;
-use super::{RowResult, Stress};
+use super::results::{RowResult, Stress};
+use super::scene_files::scene_of;
 use crate::output::PROGRAM;
 
 #[derive(Serialize)]

@@ -5,8 +5,8 @@ use std::path::Path;
 use specula_experiments::stress::limits::Reason;
 use specula_experiments::stress::{Cell, Requirement, RowVerdict, Worst, row_requirements};
 
-use super::files::scene_of;
-use super::{RowResult, Stress};
+use super::results::{RowResult, Stress};
+use super::scene_files::scene_of;
 use crate::table;
 
 /// The text that `stress` prints.

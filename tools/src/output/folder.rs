@@ -3,22 +3,13 @@ use std::env;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use super::destination::Destination;
 use super::disk::System;
 use super::error::OutputError;
 use super::interrupt::Interrupts;
 use super::leftovers::settle;
 use super::own::Contents;
 use super::temporary::Temporary;
-
-/// A folder that can be created or replaced.
-#[derive(Clone, Debug)]
-pub struct Destination {
-    /// The path as the user wrote it.
-    pub shown: PathBuf,
-    /// The absolute path, with symbolic links resolved.
-    pub(super) place: PathBuf,
-    interrupts: Interrupts,
-}
 
 impl Destination {
     /// Checks that `folder` can be written; `files` are the names that may stand in it. What killed
@@ -40,11 +31,6 @@ impl Destination {
         }
         probe(folder, interrupts)?;
         Ok(Destination { shown: folder.to_owned(), place, interrupts: interrupts.clone() })
-    }
-
-    /// What is undone when the program is interrupted.
-    pub fn interrupts(&self) -> &Interrupts {
-        &self.interrupts
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use super::temporary;
+use super::hidden;
 
 /// The list of what is half done. Clones share the list.
 #[derive(Clone, Debug, Default)]
@@ -99,7 +99,7 @@ const PAUSE: Duration = Duration::from_millis(5);
 
 fn remove_while_written(folder: &Path) {
     for _ in 0..TRIES {
-        if temporary::remove(folder).is_ok() || folder.symlink_metadata().is_err() {
+        if hidden::remove(folder).is_ok() || folder.symlink_metadata().is_err() {
             return;
         }
         thread::sleep(PAUSE);

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use super::REPORT;
 use super::disk::Disk;
+use super::hidden::{FOLDER, LOCK, PREFIX, RECORD, remove};
 use super::publish::finish;
 use super::record::{Record, Step};
-use super::temporary::{FOLDER, LOCK, PREFIX, RECORD, remove};
 
 /// What was done about a leftover.
 #[derive(Debug)]

@@ -6,9 +6,11 @@
 mod atomic_write;
 mod core_files;
 mod created_dirs;
+mod destination;
 mod disk;
 mod error;
 mod folder;
+mod hidden;
 mod interrupt;
 mod leftovers;
 mod own;
@@ -18,8 +20,8 @@ mod temporary;
 
 pub use atomic_write::write_file;
 pub use core_files::write_core;
+pub use destination::Destination;
 pub use error::OutputError;
-pub use folder::Destination;
 pub use interrupt::Interrupts;
 pub use own::PROGRAM;
 pub use publish::Staging;

@@ -5,14 +5,16 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::REPORT;
 use super::created_dirs::CreatedDirs;
+use super::destination::Destination;
 use super::disk::{Disk, System};
 use super::error::OutputError;
+use super::hidden::FOLDER;
 use super::interrupt::Interrupts;
 use super::own::Contents;
 use super::record::{Record, Step};
-use super::temporary::{FOLDER, Temporary};
-use super::{Destination, REPORT};
+use super::temporary::Temporary;
 use crate::html::ReportFiles;
 
 /// A folder that is being written. Unless it is published, nothing of it remains.
@@ -75,11 +77,10 @@ impl Staging {
         let Staging { destination, new, temporary, created } = self;
         let interrupts: Interrupts = destination.interrupts().clone();
         let held = interrupts.hold();
-        let published = match destination.place.exists() {
-            true => replace(&destination, &new, temporary.path(), disk),
-            false => disk
-                .rename(&new, &destination.place)
-                .map_err(OutputError::system(&destination.shown)),
+        let published = if destination.place.exists() {
+            replace(&destination, &new, temporary.path(), disk)
+        } else {
+            disk.rename(&new, &destination.place).map_err(OutputError::system(&destination.shown))
         };
         match published {
             // It must not be deleted with the temporary folder.

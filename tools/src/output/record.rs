@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use specula_scene::regular::read_regular;
 
 use super::disk::Disk;
-use super::temporary::RECORD;
+use super::hidden::RECORD;
 
 /// Largest record that is read, in bytes.
 const LONGEST: u64 = 64 << 20;

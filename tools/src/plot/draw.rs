@@ -6,9 +6,9 @@ use plotters::drawing::{DrawingAreaErrorKind, IntoDrawingArea};
 use plotters::style::{Color, IntoFont, TRANSPARENT};
 
 use super::axis::{self, AxisScale};
+use super::contents::{Plot, PlotPoint, SeriesStyle};
 use super::labels::{Area, placed};
 use super::recorder::{Recorder, colour_of};
-use super::{Plot, PlotPoint, SeriesStyle};
 use specula_drawing::{CAPITAL, Ink, Mark, Point, Sheet};
 
 /// Width and height of the axes with their text.

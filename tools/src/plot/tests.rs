@@ -1,7 +1,7 @@
 //! Plots of made-up numbers.
 use super::labels::{Area, placed};
 use super::*;
-use specula_drawing::{self as drawing, CAPITAL, CHARACTER};
+use specula_drawing::{self as drawing, CAPITAL, CHARACTER, Series};
 
 fn axis(title: &str, scale: AxisScale) -> Axis {
     Axis { title: title.to_owned(), scale }

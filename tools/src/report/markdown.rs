@@ -63,10 +63,7 @@ fn result(report: &Report) -> String {
             .to_owned(),
         Some(disagreement) => {
             let lines: Vec<String> = disagreement.lines().iter().map(|line| format!("- {line}\n")).collect();
-            let verdict = match disagreement.is_bound_only() {
-                true => "The quantisation error is above its proven bound.",
-                false => "The core does not agree with its models.",
-            };
+            let verdict = if disagreement.is_bound_only() { "The quantisation error is above its proven bound." } else { "The core does not agree with its models." };
             format!("**{verdict}**\n\n{}", lines.concat())
         }
     };
@@ -175,17 +172,20 @@ fn built(report: &Report) -> String {
 fn ports_of(report: &Report) -> String {
     let design = &report.run.bench.design;
     let rows = ports::rows(report.spec, design);
-    let (held, entering) = match design.interval {
-        1 => ("as many clocks as it has pixels".to_owned(), "on consecutive clocks"),
-        clocks => (format!("{clocks} clocks a pixel"), "one after the other"),
+    let (entering, leaving) = match design.interval {
+        1 => ("`valid` is high in each clock in which a pixel enters".to_owned(), "that enters in"),
+        clocks => (
+            format!("A pixel takes {clocks} clocks, in which `valid` is high"),
+            "the last of whose clocks is",
+        ),
     };
     format!(
         "## Ports\n\n{}\n\
-         A span's data inputs are held for {held}, `valid` high in each of them and `start` in the first\n\
-         only; its pixels enter {entering}. The next span may follow at once. A pixel that enters in clock c leaves in\n\
-         clock c + {}, with `valid_out` high.\n",
+         {entering}, and `start` in the first clock of a span only. A span's data inputs are held from\n\
+         its first clock to its last; between them and between spans there may be clocks in which `valid` is low. A pixel\n\
+         {leaving} clock c leaves in clock c + {}, with `valid_out` high.\n",
         table(["port", "direction", "bits", "format", "meaning"], &rows),
-        report.latency
+        design.depth()
     )
 }
 

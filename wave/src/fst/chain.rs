@@ -5,7 +5,8 @@
 //! checked here first.
 use std::io::{self, Read, Seek, SeekFrom};
 
-use super::check::{MAX_BYTES, ValueBlock, unpacks, wrong};
+use super::check::{MAX_BYTES, ValueBlock, unpacks};
+use super::error::wrong;
 use super::integer::{signed, variable};
 
 /// Where a signal's values are.

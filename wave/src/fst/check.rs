@@ -8,6 +8,7 @@
 use std::io::{self, Read, Seek, SeekFrom};
 
 use super::super::input::BEST_COMPRESSION;
+use super::error::wrong;
 use super::integer::{number, variable};
 
 /// Largest number of bytes that anything in a file may unpack to.
@@ -204,9 +205,4 @@ fn possible(possible: bool) -> io::Result<()> {
     } else {
         Err(wrong("it states a length that no file of its size can have"))
     }
-}
-
-/// An error in the file's contents.
-pub fn wrong(what: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, what)
 }

@@ -1,7 +1,7 @@
 //! Integers as FST files encode them.
 use std::io::{self, Read};
 
-use super::check::wrong;
+use super::error::wrong;
 
 /// Reads an integer of eight bytes, the most significant first.
 ///

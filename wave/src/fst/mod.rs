@@ -2,6 +2,7 @@
 //! caught.
 mod chain;
 mod check;
+mod error;
 mod hierarchy;
 mod integer;
 mod times;
@@ -16,14 +17,15 @@ use fst_reader::{
 };
 
 use super::catch_panic::catch_panic;
+use super::clock;
 use super::contents::Contents;
 use super::input::Bytes;
 use super::raw::{Change, ChangeSink, Raw};
 use super::survey::{LATEST, Survey};
-use super::time_axis;
 use super::variables::{Kind, arrange};
 use super::warnings::Warnings;
-use check::{ValueBlock, wrong};
+use check::ValueBlock;
+use error::wrong;
 use hierarchy::Hierarchy;
 
 /// An opened FST file.
@@ -67,7 +69,7 @@ impl Fst {
         let time_unit = hierarchy::time_unit(reader.get_header().timescale_exponent);
         let mut fst = Fst { reader, bytes, blocks, is_text, first };
         fst.survey_values(
-            time_axis::clock(&variables, &scopes).map(|clock| variables[clock].signal),
+            clock::outermost(&variables, &scopes).map(|clock| variables[clock].signal),
             &mut survey,
         )?;
         Ok((fst, Contents { scopes, variables, time_unit, survey }))

@@ -3,7 +3,8 @@ use std::io::{self, BufReader, Read, Seek, SeekFrom};
 
 use flate2::read::ZlibDecoder;
 
-use super::check::{ValueBlock, wrong};
+use super::check::ValueBlock;
+use super::error::wrong;
 use super::integer::variable;
 
 /// Calls back with the times of a block, in order.

@@ -9,11 +9,11 @@ mod words;
 
 use std::io::{self, BufReader};
 
+use super::clock;
 use super::contents::Contents;
 use super::input::Bytes;
 use super::raw::{Change, ChangeSink, Raw};
 use super::survey::Survey;
-use super::time_axis;
 use super::variables::{Enumerations, ScopeId, Scopes, Variable, arrange};
 use super::warnings::Warnings;
 use declaration::Attribute;
@@ -130,7 +130,7 @@ impl Reader {
             }
             Event::Variable(declared, signal) => {
                 let (scope, width) = (self.scope(), declared.width);
-                if width == Some(1) && time_axis::is_clock(&declared.name) {
+                if width == Some(1) && clock::is_clock(&declared.name) {
                     self.survey.watch(signal);
                 }
                 let names = self.enumerations.take_next();

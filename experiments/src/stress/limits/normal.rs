@@ -106,13 +106,14 @@ impl Pixel<'_> {
             }
             Normals::Wrapped => {
                 let NormalWrap { wrap, follows } = lyon.wrap(self.frame, self.span);
-                match follows {
-                    true => Normal::turned(
+                if follows {
+                    Normal::turned(
                         self.accumulated()
                             + angle(wrap.ends[0].lerp(wrap.ends[1], self.t()), self.truth),
                         Reason::Chain,
-                    ),
-                    false => self.wrapped(wrap.ends, Some(wrap.axis)),
+                    )
+                } else {
+                    self.wrapped(wrap.ends, Some(wrap.axis))
                 }
             }
         }

@@ -38,9 +38,10 @@ impl Path {
                 let NormalWrap { wrap: Wrap { ends: [start, end], axis }, follows } =
                     spec.wrap(frame, span);
                 let normals = (0..span.length).map(|i| start.lerp(end, span.parameter(i)));
-                match follows {
-                    true => Path::Chained(chained(axis, normals).collect()),
-                    false => Path::Wrapped { start, delta: end - start, axis },
+                if follows {
+                    Path::Chained(chained(axis, normals).collect())
+                } else {
+                    Path::Wrapped { start, delta: end - start, axis }
                 }
             }
         }

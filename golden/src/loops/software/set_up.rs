@@ -82,9 +82,12 @@ impl<'a, S: Scheme<f32>, W: Serves> SetUp<'a> for Where<'a, S, W> {
     fn span(&mut self, span: &Span, lights: &mut Vec<OrPhong<S>>) {
         let line = Line::new(self.each.frame, span);
         let serves = W::serves(&line);
-        let light = |light: &DirectionalLight| match serves {
-            true => OrPhong::Scheme(S::new(&line, light.direction)),
-            false => OrPhong::Phong(Phong::new(&line, light.direction)),
+        let light = |light: &DirectionalLight| {
+            if serves {
+                OrPhong::Scheme(S::new(&line, light.direction))
+            } else {
+                OrPhong::Phong(Phong::new(&line, light.direction))
+            }
         };
         lights.extend(self.each.frame.lights.iter().map(light));
     }

@@ -9,7 +9,7 @@ use super::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
 use crate::units::{self, Interpolation};
 use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 use direction::Direction;
 use lamp::{Kinds, Lamp, alike};
@@ -21,7 +21,7 @@ pub(super) fn core(
     spec: &CoreParameters,
     phong: &PhongSpec,
     ports: &PhongInputs<InputPort>,
-) -> Result<Design, BuildError> {
+) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, spec);
     let inputs = ports.map(|port| b.input(port));
     let f = &phong.formats;
@@ -66,7 +66,7 @@ struct Arrival<'a> {
 }
 
 impl Pixel<'_> {
-    fn finish(&self, slots: &TimeSlots, inputs: &PhongInputs<Sig>) -> Result<Design, BuildError> {
+    fn finish(&self, slots: &TimeSlots, inputs: &PhongInputs<Sig>) -> Result<Graph, BuildError> {
         let b = self.b;
         let normal = self.along("normal", &inputs.span.normal, self.spec.shortest_normal);
         let view = match &inputs.span.eye {
@@ -107,7 +107,7 @@ impl Pixel<'_> {
         let diffuse = at.n_dot_l.at_least_zero();
         let specular = at.view.exists.choose(&self.highlight(at), &zero);
         let most_at_edge = at.direction.wrap.as_ref().map_or(0.0, |wrap| wrap.most_at_edge);
-        let where_lit = |amount: Sig| lit.choose(&amount, &zero).or_off_by(most_at_edge);
+        let where_lit = |amount: Sig| at_edge(lit.choose(&amount, &zero), most_at_edge);
         let [diffuse, specular] = self.spotted(at, [diffuse, specular]).map(where_lit);
         Intensities { diffuse, specular }
     }
@@ -202,4 +202,13 @@ impl Pixel<'_> {
             (None, None) => unreachable!("`PhongSpec::light_inputs` gives each spot an axis or a wrap"),
         }
     }
+}
+
+/// What a light gives where rounding decides whether a spot is seen: it may be off by `most`.
+fn at_edge(amount: Sig, most: f64) -> Sig {
+    if most == 0.0 {
+        return amount;
+    }
+    let bound = error::wrapped::at_edge(amount.bound(), most);
+    amount.override_error("error::wrapped::at_edge", bound)
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 use specula_datapath::design::NodeId;
 use specula_datapath::{Design, SpanPacket};
 use specula_sim::fast::Settings;
-use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, SimError, Stimulus};
+use specula_sim::{Columns, Engine, Fast, Flow, InputHold, RustHdl, SimError, Stimulus};
 
 use crate::netlists::interpret::{Row, Untrue, interpret};
 
@@ -20,6 +20,8 @@ pub enum Subject {
 pub struct Case {
     pub design: Design,
     pub packets: Vec<SpanPacket>,
+    /// The seed of bubbles before pixels; none where they follow each other.
+    pub bubbles: Option<u64>,
     /// The clocks that the run leads to, as `Stimulus::leading_to` takes them; the whole run if
     /// there are none.
     pub window: Option<Range<u64>>,
@@ -31,15 +33,36 @@ impl Case {
     /// The stimulus of the run.
     pub fn stimulus(&self) -> Stimulus<'_> {
         let whole = Stimulus::whole(&self.packets, &self.design);
+        let whole = match self.bubbles {
+            Some(seed) => whole.with_bubbles(seed),
+            None => whole,
+        };
         match &self.window {
             Some(window) => whole.leading_to(window, &self.design),
             None => whole,
         }
     }
 
-    /// What goes in at each clock, from the packets: span after span, then idle clocks with the
-    /// last inputs held and `start` high.
+    /// What goes in at each clock.
     fn rows(&self) -> Vec<Row> {
+        if self.bubbles.is_some() { self.rows_with_bubbles() } else { self.rows_without_bubbles() }
+    }
+
+    /// As the stimulus says.
+    fn rows_with_bubbles(&self) -> Vec<Row> {
+        let stimulus = self.stimulus();
+        let row = |hold: &InputHold, clock| Row {
+            valid: hold.valid,
+            start: hold.starts && clock == hold.clocks.start,
+            inputs: hold.inputs.clone(),
+        };
+        let rows = |hold: InputHold| hold.clocks.clone().map(move |clock| row(&hold, clock));
+        stimulus.holds().flat_map(rows).collect()
+    }
+
+    /// From the packets: span after span, then idle clocks with the last inputs held and `start`
+    /// high.
+    fn rows_without_bubbles(&self) -> Vec<Row> {
         let mut rows: Vec<Row> = vec![];
         for packet in &self.packets {
             let row = |pixel| Row { valid: true, start: pixel == 0, inputs: packet.inputs.clone() };

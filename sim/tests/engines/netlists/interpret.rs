@@ -1,7 +1,7 @@
 //! What a netlist means, from the meaning of each operator, clock by clock and as plainly as can
 //! be.
 use specula_datapath::Design;
-use specula_datapath::design::{Node, Op, Range, Register};
+use specula_datapath::design::{Node, NodeId, Op, Range, Register};
 
 /// What goes in at a clock.
 #[derive(Clone, Debug)]
@@ -50,24 +50,31 @@ fn settled(design: &Design, registers: &[i64], row: &Row) -> Result<Vec<i64>, Un
     }
     for (id, node) in design.iter() {
         if node.register == Register::None && node.op != Op::Input {
-            now[id.0 as usize] = result(design, node, &now)?;
+            now[id.0 as usize] = result(design, (id, node), &now)?;
         }
     }
     Ok(now)
 }
 
 fn after_edge(design: &Design, now: &[i64], reset: bool) -> Result<Vec<i64>, Untrue> {
-    let next = |node: &Node| match node.register {
+    let next = |(id, node): (NodeId, &Node)| match node.register {
         Register::None => Ok(0),
         Register::Validity if reset => Ok(0),
-        _ => result(design, node, now),
+        _ => result(design, (id, node), now),
     };
-    design.nodes.iter().map(next).collect()
+    design.iter().map(next).collect()
 }
 
 /// What a signal's operator gives.
-fn result(design: &Design, node: &Node, now: &[i64]) -> Result<i64, Untrue> {
-    let exact = meaning(design, node, |id| i128::from(now[id.0 as usize]));
+fn result(design: &Design, (id, node): (NodeId, &Node), now: &[i64]) -> Result<i64, Untrue> {
+    let value = |id: NodeId| i128::from(now[id.0 as usize]);
+    let exact = match node.clock_enable(id) {
+        // A register of a loop has the low bits of what it takes over.
+        Some((enable, next)) if value(enable) == 1 => {
+            low_bits(value(next), node.width(), node.range.signed())
+        }
+        _ => meaning(design, node, value),
+    };
     let Range { low, high } = node.range;
     if (i128::from(low)..=i128::from(high)).contains(&exact) {
         return Ok(exact as i64);
@@ -75,11 +82,7 @@ fn result(design: &Design, node: &Node, now: &[i64]) -> Result<i64, Untrue> {
     Err(Untrue(format!("{} = {:?} gives {exact}, not {low}..{high}", node.name, node.op)))
 }
 
-fn meaning(
-    design: &Design,
-    node: &Node,
-    value: impl Fn(specula_datapath::design::NodeId) -> i128,
-) -> i128 {
+fn meaning(design: &Design, node: &Node, value: impl Fn(NodeId) -> i128) -> i128 {
     match node.op {
         Op::Input => 0,
         Op::Constant(constant) => constant.into(),

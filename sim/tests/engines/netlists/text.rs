@@ -10,6 +10,7 @@
 //! outputs 3
 //! leaves 0 after 4            the bit that says a pixel leaves, and the latency
 //! span 3 : -7 0               pixels and inputs
+//! bubbles 7                   the seed of bubbles before pixels
 //! window 3..9                 the clocks that a late run leads to
 //! watch 3 2
 //! run fast 64 avx2 2 100      batch, instruction set, threads, clocks of a thread's piece; or: run rust-hdl
@@ -46,6 +47,9 @@ pub fn print(case: &Case) -> String {
     let _ = writeln!(out, "leaves {} after {}", design.valid_out.0, design.latency());
     for packet in &case.packets {
         let _ = writeln!(out, "span {} : {}", packet.length, joined(&packet.inputs));
+    }
+    if let Some(seed) = case.bubbles {
+        let _ = writeln!(out, "bubbles {seed}");
     }
     if let Some(window) = &case.window {
         let _ = writeln!(out, "window {}..{}", window.start, window.end);

@@ -3,36 +3,13 @@ use std::fmt::Write;
 use std::path::Path;
 
 use serde::Serialize;
-use specula_experiments::figure9::{Balls, FigureRow};
-use specula_testbench::{Bench, EngineKind, ErrorFigures, Outcome};
+use specula_experiments::figure9::Balls;
+use specula_testbench::EngineKind;
 
-use super::{FORMULAS, NAME, SIMULATED, Shaded, module};
+use super::names::{FORMULAS, NAME, SIMULATED};
+use super::shaded::{Line, Shaded};
 use crate::output::PROGRAM;
-use crate::verilog::bound;
-use crate::{table, verilog};
-
-/// A row of the report. Errors are in LSBs of the 8-bit output.
-#[derive(Serialize)]
-pub struct Line {
-    /// Number of the row, from 1.
-    pub row: usize,
-    title: &'static str,
-    method: &'static str,
-    options: &'static [&'static str],
-    pixels: u64,
-    agrees: bool,
-    mismatches: u64,
-    /// Error of the core's codes against the formula in f64, at most full scale.
-    error: ErrorFigures,
-    /// Proven bound of the largest error; `None` if there is no finite one.
-    bound_lsb: Option<f64>,
-    latency: u32,
-    /// Multipliers of two variables.
-    multipliers: usize,
-    register_bits: u64,
-    /// Name of the file that holds the core.
-    pub verilog: String,
-}
+use crate::table;
 
 /// The text of `report.json`.
 #[derive(Serialize)]
@@ -47,47 +24,6 @@ struct Report<'a> {
     agrees: bool,
     rows: Vec<&'a Line>,
     files: &'a [String],
-}
-
-impl Line {
-    /// The line of a row that has been simulated.
-    pub fn new(
-        (row, number): (&FigureRow, usize),
-        bench: &Bench,
-        outcome: &Outcome,
-        error: ErrorFigures,
-    ) -> Line {
-        let (bound, size) = (bench.design.error_bound(), bench.design.size());
-        Line {
-            row: number,
-            title: row.title,
-            method: row.method.name(),
-            options: row.options,
-            pixels: outcome.pixels,
-            agrees: outcome.agrees(),
-            mismatches: outcome.comparison.mismatches,
-            error,
-            bound_lsb: bound.is_finite().then_some(bound),
-            latency: bench.design.latency(),
-            multipliers: size.multipliers,
-            register_bits: size.register_bits,
-            verilog: verilog::file_name(&module(number)),
-        }
-    }
-
-    fn cells(&self) -> [String; 9] {
-        [
-            self.row.to_string(),
-            self.title.to_owned(),
-            self.method.to_owned(),
-            self.mismatches.to_string(),
-            format!("{:.3}", self.error.max_lsb),
-            format!("{:.3}", self.error.rms_lsb),
-            bound(self.bound_lsb.unwrap_or(f64::INFINITY)),
-            self.latency.to_string(),
-            self.multipliers.to_string(),
-        ]
-    }
 }
 
 /// Titles of the columns.
@@ -121,9 +57,10 @@ pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
 /// The text of `report.md`, which is docs/figure9.md at the report's size. `exact` is the figure in
 /// f64.
 pub fn markdown(rows: &[Shaded], balls: Balls, exact: &[f64]) -> String {
-    let verdict = match rows.iter().all(|row| row.line.agrees) {
-        true => "Every pixel of every row agrees with the bit-true model, each in its clock.",
-        false => "**Not every row agrees with its model.**",
+    let verdict = if rows.iter().all(|row| row.line.agrees) {
+        "Every pixel of every row agrees with the bit-true model, each in its clock."
+    } else {
+        "**Not every row agrees with its model.**"
     };
     let (radius, sum) = (balls.radius, exact.iter().sum::<f64>());
     let table = table::markdown(COLUMNS, &lines(rows));

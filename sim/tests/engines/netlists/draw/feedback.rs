@@ -58,7 +58,8 @@ fn closing(net: &mut Net, own: NodeId, readable: &[NodeId]) -> Op {
 
 /// A register with an enable.
 pub fn held(net: &mut Net) {
-    let (enable, value) = (enabling(net), net.pick());
+    let enable = if net.draw.below(2) == 0 { enabling(net) } else { validity(net) };
+    let value = net.pick();
     let own = NodeId(net.design.nodes.len() as u32);
     let range = net.range(value).hull(Range::single(0));
     net.place(Op::Select(enable, value, own), Register::Data, range);
@@ -69,6 +70,16 @@ pub fn held(net: &mut Net) {
 fn enabling(net: &mut Net) -> NodeId {
     let by_spans = net.profile.verilog || net.draw.below(2) == 0;
     if by_spans && net.scope == ScopeId::TOP { net.design.start } else { net.pick_bit() }
+}
+
+/// A bit that is 1 where a pixel is, now and then some clocks ago, or any bit.
+fn validity(net: &mut Net) -> NodeId {
+    if net.scope != ScopeId::TOP || net.draw.below(4) == 0 {
+        return net.pick_bit();
+    }
+    let clocks = net.draw.below(3);
+    (0..clocks)
+        .fold(net.design.valid, |at, _| net.place(Op::Copy(at), Register::Data, ranges::bit()))
 }
 
 /// A register with an enable and a load.
@@ -83,9 +94,11 @@ pub fn held_or_loaded(net: &mut Net) {
     net.design.nodes[own.0 as usize].op = Op::Select(load, loaded, kept);
 }
 
-/// value = first ? start : state; state ← value + step, as the builder makes it, or nearly so.
+/// value = first ? start : state; state ← valid ? value + step : state, as the builder makes it, or
+/// nearly so.
 pub fn accumulator(net: &mut Net) {
     let (first, start) = (enabling(net), net.pick());
+    let valid = validity(net);
     let room = net.draw.below(4) as u32;
     let signed = net.range(start).signed() || net.draw.below(2) == 0;
     let Some(both) = ranges::hull(
@@ -107,7 +120,9 @@ pub fn accumulator(net: &mut Net) {
     let step = step.unwrap_or_else(|| net.pick());
     let op = if net.draw.below(5) == 0 { Op::Sub(value, step) } else { Op::Add(value, step) };
     let next = net.add(op, Register::None).unwrap_or(value);
-    net.design.nodes[own.0 as usize].op = Op::Wrap(next);
+    let steps_always = net.draw.below(4) == 0;
+    net.design.nodes[own.0 as usize].op =
+        if steps_always { Op::Wrap(next) } else { Op::Select(valid, next, own) };
     if net.draw.below(2) == 0 {
         net.add(Op::Copy(value), Register::Data);
     }

@@ -27,7 +27,8 @@ pub fn case(draw: &mut Draw, profile: Profile) -> Case {
     add_outputs(&mut net);
     let design = net.design;
     let packets = stimulus::packets(draw, &design, profile);
-    Case { design, packets, window: None, watched: vec![], subject: Subject::RustHdl }
+    let bubbles = (draw.below(2) == 0).then(|| draw.below(1000) as u64);
+    Case { design, packets, bubbles, window: None, watched: vec![], subject: Subject::RustHdl }
 }
 
 fn add_inputs(net: &mut Net) {

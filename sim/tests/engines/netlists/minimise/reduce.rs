@@ -18,6 +18,7 @@ pub const ALL: &[Reduction] = &[
     Reduction { places: |_| 1, at: |case, _| Some(without_unused(case)) },
     Reduction { places: |_| 1, at: flat },
     Reduction { places: |_| 1, at: whole_run },
+    Reduction { places: |_| 1, at: without_bubbles },
     Reduction { places: |_| BATCHES.len(), at: with_batch },
     Reduction { places: |_| 1, at: one_thread },
     Reduction { places: NODES, at: constant },
@@ -49,6 +50,10 @@ fn flat(case: &Case, _: usize) -> Option<Case> {
 
 fn whole_run(case: &Case, _: usize) -> Option<Case> {
     Some(Case { window: None, ..case.clone() })
+}
+
+fn without_bubbles(case: &Case, _: usize) -> Option<Case> {
+    Some(Case { bubbles: None, ..case.clone() })
 }
 
 fn with_batch(case: &Case, at: usize) -> Option<Case> {

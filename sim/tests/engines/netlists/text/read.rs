@@ -12,8 +12,14 @@ use crate::netlists::draw::{empty, node, scope};
 pub fn parse(text: &str) -> Result<Case, String> {
     let mut design = empty();
     design.nodes.clear();
-    let mut case =
-        Case { design, packets: vec![], window: None, watched: vec![], subject: Subject::RustHdl };
+    let mut case = Case {
+        design,
+        packets: vec![],
+        bubbles: None,
+        window: None,
+        watched: vec![],
+        subject: Subject::RustHdl,
+    };
     for (number, line) in text.lines().enumerate() {
         let line = line.trim();
         if !line.is_empty() && !line.starts_with('#') {
@@ -42,6 +48,7 @@ fn read_line(case: &mut Case, line: &str) -> Result<(), String> {
             let (length, inputs) = rest.split_once(':').ok_or("no inputs")?;
             case.packets.push(SpanPacket { length: one(length)?, inputs: all(inputs)? });
         }
+        "bubbles" => case.bubbles = Some(one(rest)?),
         "window" => case.window = Some(bounds(rest)?),
         "watch" => case.watched = nodes(rest)?,
         "run" => case.subject = subject(rest)?,

@@ -1,22 +1,27 @@
 //! Makes a schedule real: each operator with its register, and delays, so that what belongs to the
 //! same pixel is there in the same clock. All readers of a value share one line of delays.
+//!
+//! What a register keeps from pixel to pixel it changes with a valid pixel only: it has the pixel's
+//! validity at its own stage as its clock enable (decision 0021).
+mod validity;
+
 use std::collections::{HashMap, HashSet};
 
 use crate::design::{Design, Node, NodeId, Op, Register, Scope, ScopeId};
 use crate::graph::{Graph, Pace, Value};
 use crate::names::{CONTROL, unique};
 
-use super::Schedule;
+use super::{Bounds, Schedule};
 
 /// A graph with its registers. Signals stand in the order of the graph's values, each delay before
 /// its first reader.
-pub fn placed(graph: &Graph, schedule: &Schedule) -> Design {
+pub fn placed(graph: &Graph, schedule: &Schedule, bounds: &Bounds) -> Design {
     let mut placing = Placing::new(graph, schedule);
     for (index, value) in graph.values.iter().enumerate() {
         placing.place(NodeId(index as u32), value);
     }
     placing.close_loops();
-    placing.finish()
+    placing.finish(bounds)
 }
 
 struct Placing<'a> {
@@ -30,6 +35,10 @@ struct Placing<'a> {
     names: HashSet<(ScopeId, String)>,
     /// Signals that give the value of an input of their unit as an output, by that input.
     passed_through: HashMap<NodeId, NodeId>,
+    /// The register of validity behind a bit of validity.
+    valid_later: HashMap<NodeId, NodeId>,
+    /// The port by which a unit sees whether a pixel is at a stage.
+    valid_ports: HashMap<(ScopeId, u32), NodeId>,
 }
 
 impl<'a> Placing<'a> {
@@ -48,6 +57,8 @@ impl<'a> Placing<'a> {
             delays: HashMap::new(),
             names: of_values.chain(instances).chain(control).chain([own]).collect(),
             passed_through: HashMap::new(),
+            valid_later: HashMap::new(),
+            valid_ports: HashMap::new(),
         }
     }
 
@@ -163,31 +174,28 @@ impl<'a> Placing<'a> {
         delayed
     }
 
-    /// Registers of loops read what was placed after them.
+    /// Registers that keep a value read what was placed after them.
     fn close_loops(&mut self) {
         for (index, value) in self.graph.values.iter().enumerate() {
-            let reads_later = value.op.operands().any(|operand| operand.0 as usize >= index);
-            let loops = value.pace == Pace::Feedback || reads_later;
-            let Some(own) = self.signals[index].filter(|_| loops && value.pace != Pace::Meet)
-            else {
+            let Some(own) = self.signals[index].filter(|_| self.graph.is_state(value)) else {
                 continue;
             };
             let taken = self.schedule.operands_at(self.graph, value);
             let op = value.op.map(|operand| self.aligned(self.signal(operand), taken));
-            self.nodes[own.0 as usize].op = op;
+            self.nodes[own.0 as usize].op = self.with_valid_pixel(own, op, taken);
         }
     }
 
-    fn finish(mut self) -> Design {
+    fn finish(mut self, bounds: &Bounds) -> Design {
         let graph = self.graph;
-        let stage = |(_, id, _): &(String, NodeId, f64)| self.schedule.stage(*id);
-        let variable = graph.outputs.iter().filter(|(_, id, _)| !graph.is_constant(*id));
+        let leaving: Vec<(&str, NodeId)> = graph.leaving().collect();
+        let stage = |&(_, id): &(&str, NodeId)| self.schedule.stage(id);
+        let variable = leaving.iter().filter(|(_, id)| !graph.is_constant(*id));
         // Validity has a register of its own also where every output is a constant.
-        let constant = graph.outputs.iter().any(|(_, id, _)| graph.is_constant(*id));
+        let constant = leaving.iter().any(|(_, id)| graph.is_constant(*id));
         let last = variable.map(stage).max().unwrap_or(0).max(u32::from(constant));
-        let valid_out = self.validity_after(self.signal(graph.leaves), last);
-        let outputs =
-            graph.outputs.iter().map(|(name, id, _)| self.output(*id, last, name)).collect();
+        let valid_out = self.valid_out(last);
+        let outputs = leaving.into_iter().map(|(name, id)| self.output(id, last, name)).collect();
         let scopes = graph.units.iter().enumerate().map(|(index, unit)| {
             let (entry, exit) = match index {
                 0 => (0, last),
@@ -219,25 +227,9 @@ impl<'a> Placing<'a> {
             interval: graph.interval,
             valid_out,
             outputs,
-            output_errors: graph.outputs.iter().map(|(_, _, error)| *error).collect(),
+            output_errors: graph.outputs.iter().map(|(_, id)| bounds.of(*id).error).collect(),
             left_out: graph.left_out.clone(),
         }
-    }
-
-    /// `valid`, delayed to `stage` by registers that reset clears.
-    fn validity_after(&mut self, valid: NodeId, stage: u32) -> NodeId {
-        let first = self.node(valid).stage;
-        let mut at = valid;
-        for clock in first + 1..=stage {
-            let node = self.node(at).clone();
-            let name =
-                if clock == stage { "valid_out".to_owned() } else { format!("valid_{clock}") };
-            let name = self.unique(ScopeId::TOP, &name);
-            let (op, register) = (Op::Copy(at), Register::Validity);
-            at =
-                self.push(Node { op, register, stage: clock, name, named: clock == stage, ..node });
-        }
-        at
     }
 
     /// A value that leaves the design as `name` at `stage`.
