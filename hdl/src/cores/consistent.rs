@@ -97,7 +97,9 @@ impl Pixel<'_> {
         let base = b.instance(&called("base"), || match (self.r, &light.halfway) {
             (_, Some(halfway)) => self.consistent_cosine(&Vector::new(halfway.clone()), f.base),
             (Some(r), None) => self.reflected_cosine(r, &direction),
-            (None, None) => unreachable!("`ConsistentSpec::inputs` has H where there is no r"),
+            (None, None) => {
+                unreachable!("`ConsistentSpec::light_inputs` has H where there is no r")
+            }
         });
         let power = || units::raised(b, &base, exponent, self.consistent.power_unit());
         Intensities {

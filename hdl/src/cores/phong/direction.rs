@@ -48,7 +48,7 @@ impl Pixel<'_> {
                     wrap: near.wrap,
                 }
             }
-            (None, None) => unreachable!("`PhongSpec::inputs` gives each light one of both"),
+            (None, None) => unreachable!("`PhongSpec::light_inputs` gives each light one of both"),
         }
     }
 

@@ -199,7 +199,9 @@ impl Pixel<'_> {
                     || units::spot_cosine(b, &at.direction.vector, &axis, f.base.fraction_bits);
                 b.instance(&format!("light{}_spot_cosine", at.index), cosine)
             }
-            (None, None) => unreachable!("`PhongSpec::inputs` gives each spot an axis or a wrap"),
+            (None, None) => {
+                unreachable!("`PhongSpec::light_inputs` gives each spot an axis or a wrap")
+            }
         }
     }
 }
