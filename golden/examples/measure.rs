@@ -24,7 +24,7 @@ struct Errors {
 }
 
 impl Errors {
-    /// Takes in the first, the last and the highlight's pixel.
+    /// Adds the errors of the first and the last pixel and of the highlight's pixel.
     fn add(&mut self, core: &CoreSpec, drawn: &Drawn) {
         let span = &drawn.frame.spans[0];
         let (model, packet) = (Model::new(core), packet(core, &drawn.frame));

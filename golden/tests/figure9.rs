@@ -3,8 +3,8 @@
 use glam::DVec3;
 use specula_fixtures::frames::{frame, mirror};
 use specula_fixtures::specs::spec;
-use specula_golden::exact::distributions::{Formulation, formulation};
 use specula_golden::exact::figure9::EXPONENTS;
+use specula_golden::exact::formula::distributions::{Formulation, formulation};
 use specula_golden::exact::method;
 use specula_spec::lyon::{Difference, Halfway, Normalisation};
 use specula_spec::{Method, MethodSpec};

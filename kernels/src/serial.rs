@@ -1,10 +1,11 @@
-//! Feedback: kernels whose lanes depend on the lanes before.
+//! Kernels with feedback, whose lanes depend on the lanes before.
 use std::hint::select_unpredictable;
 
 use crate::Lane;
 
-/// value = first ? start : state, then state ← enabled ? `wrap` of value + step : state. `state`
-/// goes in and comes out. `enabled` says of each lane whether it counts.
+/// For each lane: value = first ? start : state, then state ← enabled ? `wrap` of value + step :
+/// state. `state` is the accumulator before the first lane and, afterwards, behind the last.
+/// `enabled` says of each lane whether it counts.
 pub fn accumulate<S: Lane, T: Lane, O: Lane>(
     out: &mut [O],
     first: &[i32],
@@ -48,8 +49,8 @@ pub fn accumulate_in_turn<S: Lane, T: Lane, O: Lane>(
     states.rotate_left(next);
 }
 
-/// state ← enable ? `wrap` of value : state; the column holds the state after. `state` goes in and
-/// comes out.
+/// For each lane: state ← enable ? `wrap` of value : state; the column holds the new state. `state`
+/// is the register before the first lane and, afterwards, behind the last.
 pub fn hold<I: Lane, O: Lane>(
     out: &mut [O],
     enable: &[i32],
@@ -67,7 +68,7 @@ pub fn hold<I: Lane, O: Lane>(
     *state = q;
 }
 
-/// The entries of `table` at `address`; an address behind the last gives 0.
+/// The entries of `table` at `address`; an address behind the last entry gives 0.
 pub fn look_up<O: Lane>(out: &mut [O], address: &[i32], table: &[i64]) {
     for (out, &at) in out.iter_mut().zip(address) {
         *out = O::from_i64(table.get(at as usize).copied().unwrap_or(0));

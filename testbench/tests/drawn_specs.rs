@@ -13,7 +13,8 @@ fn agrees(seed: u64, method: Method) {
     let longest = draw.one_of(&[1, 2, 3, 20, 150]);
     let frame = drawn::frame(&mut draw, longest);
     let light_pipelines = draw.one_of(&LightPipelines::ALL);
-    let general = CoreSpec { light_pipelines, ..drawn::spec(&mut draw, &frame, method) };
+    let mut general = drawn::spec(&mut draw, &frame, method);
+    general.parameters.light_pipelines = light_pipelines;
     let spec = if draw.one_of(&[true, false]) { general.specialised(&frame) } else { general };
     println!("{spec:?}");
     let bench = match Bench::new(&frame, &spec, "core") {

@@ -28,8 +28,9 @@ fn picture() -> Frame {
     frame_of(&rows, &lights)
 }
 
-fn shared(spec: CoreSpec) -> CoreSpec {
-    CoreSpec { light_pipelines: LightPipelines::Shared, ..spec }
+fn shared(mut spec: CoreSpec) -> CoreSpec {
+    spec.parameters.light_pipelines = LightPipelines::Shared;
+    spec
 }
 
 fn run(bench: &Bench, engine: EngineKind) -> Outcome {

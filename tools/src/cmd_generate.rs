@@ -11,16 +11,16 @@ use crate::arguments::{
 };
 use crate::device::DeviceArguments;
 use crate::error::ToolError;
-use crate::header::Origin;
 use crate::job::Job;
 use crate::output::{Interrupts, write_core};
 use crate::verdict::Verdict;
 use crate::verilog;
+use crate::verilog::Origin;
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, Verilog-2001 with one module per unit, and DIR/spec.toml, from which the same \
-core can be made again. Other files in DIR stay. `-o -` writes the Verilog to standard output, and \
-nothing else.
+core can be made again. Other files in DIR stay. `-o -` writes only the Verilog, to standard \
+output.
 
 Example: specula generate teapot --method hybrid --name shader -o rtl";
 
@@ -36,7 +36,7 @@ pub struct Arguments {
     output: OutputArguments,
     #[command(flatten)]
     name: NameArguments,
-    /// The core in this spec.toml, in place of one for a scene
+    /// Use the core in this spec.toml instead of one for a scene
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error"])]
     spec: Option<PathBuf>,
     #[command(flatten)]
@@ -47,10 +47,10 @@ pub struct Arguments {
     device: DeviceArguments,
 }
 
-/// What stands in the place of a folder for standard output.
+/// The argument of `--output` that stands for standard output.
 const STANDARD_OUTPUT: &str = "-";
 
-/// Writes the core and says where.
+/// Writes the core and prints where it is.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -77,22 +77,22 @@ pub fn execute(
 }
 
 impl Arguments {
-    /// Whether the spec that was given is the one in `folder`; it stays as the user wrote it.
+    /// Whether the given spec is the one in `folder`, which then stays as the user wrote it.
     fn is_spec_of(&self, folder: &Path) -> bool {
         let place = |path: &Path| path.canonicalize().ok();
         self.spec.as_ref().is_some_and(|spec| place(spec) == place(&folder.join(SpecFile::NAME)))
     }
 
-    /// The core, and where it comes from.
+    /// The core and its origin.
     fn core(&self) -> Result<(SpecFile, Origin), ToolError> {
         match (&self.spec, &self.scene) {
             (Some(path), _) => {
                 let mut file = SpecFile::read(path)?;
-                let origin = Origin::of_file(path, &file).called(&self.name);
+                let origin = Origin::of_file(path, &file).with_name(&self.name);
                 self.name.rename(&mut file)?;
                 Ok((file, origin))
             }
-            // The command line asks for one of both.
+            // clap requires a scene where there is no spec.
             (None, scene) => {
                 let scene = SceneArguments {
                     scene: scene.clone().unwrap_or_default(),

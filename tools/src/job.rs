@@ -1,25 +1,25 @@
-//! A core to be made, from a scene or from a file, and the scene it is to shade.
+//! A job: a core to make, from a scene or from a file, and the scene that it shades.
 use std::path::Path;
 
 use specula_scene::LoadedScene;
-use specula_spec::{CoreSpec, Served, SpecFile};
+use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
 use crate::error::{Refused, ToolError};
-use crate::header::Origin;
+use crate::verilog::Origin;
 
 /// A core with its name, and a scene for it.
 pub struct Job {
     /// The scene.
     pub scene: LoadedScene,
-    /// The core, as it is written beside its Verilog.
+    /// The core, as it is written next to its Verilog.
     pub file: SpecFile,
-    /// Where it comes from.
+    /// The origin of the core.
     pub origin: Origin,
 }
 
 impl Job {
-    /// The core for a scene.
+    /// The job of making a core for a scene.
     pub fn of_scene(
         scene: &SceneArguments,
         core: &CoreArguments,
@@ -27,13 +27,13 @@ impl Job {
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
         let spec = core.core(&loaded)?;
-        let origin = Origin::of_scene(scene, core, &spec).called(name);
+        let origin = Origin::of_scene(scene, core, &spec).with_name(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
         Ok(Job { file, scene: loaded, origin })
     }
 
-    /// A scene and a core that was made before.
+    /// The job of shading a scene with a core that was made before.
     pub fn with_core(
         scene: &SceneArguments,
         core: &Path,
@@ -41,12 +41,12 @@ impl Job {
     ) -> Result<Job, ToolError> {
         let mut file = SpecFile::read(core)?;
         let loaded = scene.load()?;
-        let served = file.spec.serving(&loaded.frame).map_err(|error| {
+        let fitted = file.spec.fit_to(&loaded.frame).map_err(|error| {
             let (core, scene) = (core.to_owned(), loaded.name.clone());
             ToolError::Refused(Refused { core, scene, error })
         });
-        let Served { frame, spec } = served?;
-        let origin = Origin::of_file(core, &file).called(name);
+        let FittedCore { frame, spec } = fitted?;
+        let origin = Origin::of_file(core, &file).with_name(name);
         name.rename(&mut file)?;
         Ok(Job { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })
     }

@@ -1,5 +1,5 @@
-//! What the papers claim and show, computed by our own code: whether it holds, and whether
-//! docs/numerics.md's number comes out.
+//! The papers' claims and figures, computed by Specula's own code: whether each claim holds, and
+//! whether the number of docs/numerics.md comes out.
 mod claim;
 pub mod figure;
 pub mod hast;
@@ -11,7 +11,7 @@ pub mod reshetov;
 mod span_core;
 
 use claim::Claim;
-pub use claim::{Ground, Ruling, Verdict};
+pub use claim::{ClaimVerdict, Ground, Ruling};
 pub use figure::Figure;
 pub use paper::Paper;
 
@@ -25,8 +25,8 @@ impl Paper {
         }
     }
 
-    /// Computes what the paper claims.
-    pub fn verdicts(self) -> Vec<Verdict> {
+    /// Evaluates the paper's claims.
+    pub fn verdicts(self) -> Vec<ClaimVerdict> {
         self.claims().into_iter().map(|claim| claim.verdict(self)).collect()
     }
 

@@ -19,7 +19,7 @@ impl Paper {
     /// Every paper.
     pub const ALL: [Paper; 4] = [Paper::Lyon, Paper::Hast, Paper::Lecture, Paper::Reshetov];
 
-    /// The name that the command line uses.
+    /// The name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Paper::Lyon => "lyon",

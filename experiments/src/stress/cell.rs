@@ -3,38 +3,38 @@ use serde::Serialize;
 use specula_spec::FULL_SCALE;
 use specula_spec::{CoreSpec, Method};
 
-use super::asked::{Asked, Verdict};
-use super::measured::Measured;
-use super::row::{Case, Place};
+use super::measured::Measurements;
+use super::requirement::{Requirement, RowVerdict};
+use super::row::{Case, PixelPlace};
 use super::trial::{Prepared, Tried};
 use super::variant::Variant;
 
-/// How one method does in one row.
+/// The result of one method in one row.
 #[derive(Clone, Debug, Serialize)]
 pub struct Cell {
     /// The row.
     pub row: &'static str,
-    /// The method; none where no core is asked.
+    /// The method; `None` if the row needs no core.
     pub method: Option<&'static str>,
-    /// Cores that were built.
+    /// Number of cores that were built.
     pub cores: usize,
-    /// Pixels that they shaded.
+    /// Number of pixels that they shaded.
     pub pixels: u64,
-    /// Why others were not built, each reason once.
+    /// The reasons why others were not built, each once.
     pub refused: Vec<String>,
-    /// Patterns of bits that break a fact which hosts keep; each was reported by the bench.
+    /// Number of bit patterns that break a fact which hosts guarantee; each was reported by the
+    /// bench.
     pub reported: usize,
-    /// What is asked, everywhere and in this row, and what came.
-    pub asked: Vec<Asked>,
-    /// Largest total error, if any pixel was shaded that has an exact shade.
+    /// All requirements, those of every row and this row's own, with the results.
+    pub asked: Vec<Requirement>,
+    /// The largest total error, if a pixel was shaded that has an exact shade.
     pub worst: Option<Worst>,
-    /// The scene file in which the fault, or the largest error, is to be seen; none without a core
-    /// that ran.
+    /// The scene file that shows the fault, or the largest error; `None` if no core ran.
     #[serde(skip)]
     pub reproducer: Option<String>,
 }
 
-/// The pixel with the largest total error, and the core that made it.
+/// The pixel with the largest total error, and its core.
 #[derive(Clone, Debug, Serialize)]
 pub struct Worst {
     /// The method and its options.
@@ -45,12 +45,12 @@ pub struct Worst {
     pub method: f64,
     /// Largest error of quantisation, in LSBs.
     pub quantisation: f64,
-    /// Its proven bound, in LSBs; none where nothing is proven.
+    /// The proven bound of that error in LSBs; `None` if there is none.
     pub bound: Option<f64>,
 }
 
 impl Cell {
-    /// Nothing tried yet.
+    /// A cell before anything is tried.
     pub(super) fn empty(row: &'static str, method: Option<Method>) -> Cell {
         Cell {
             row,
@@ -65,19 +65,19 @@ impl Cell {
         }
     }
 
-    /// What it all comes to; nothing where no core could be built.
-    pub fn verdict(&self) -> Option<Verdict> {
-        self.asked.iter().map(Asked::verdict).max()
+    /// The verdict; `None` if no core could be built.
+    pub fn verdict(&self) -> Option<RowVerdict> {
+        self.asked.iter().map(Requirement::verdict).max()
     }
 
-    /// The first thing that did not happen.
-    pub fn fault(&self) -> Option<&Asked> {
-        self.asked.iter().find(|asked| asked.verdict() == Verdict::Fault)
+    /// The first requirement that is not met.
+    pub fn fault(&self) -> Option<&Requirement> {
+        self.asked.iter().find(|asked| asked.verdict() == RowVerdict::Fault)
     }
 
-    /// Adds what was asked of a core, and what came.
-    pub(super) fn ask(&mut self, core: &str, asked: Asked) {
-        Asked::add_to(&mut self.asked, Asked { core: core.to_owned(), ..asked });
+    /// Adds a requirement on a core, and its result.
+    pub(super) fn ask(&mut self, core: &str, asked: Requirement) {
+        Requirement::add_to(&mut self.asked, Requirement { core: core.to_owned(), ..asked });
     }
 
     pub(super) fn try_case(&mut self, case: &Case, variants: &[Variant]) {
@@ -93,17 +93,21 @@ impl Cell {
                 Tried::Ran(Ok(measured)) => self.add(&prepared, variant, &measured),
                 Tried::Ran(Err(what)) => {
                     self.breaks(&variant.describe(), what);
-                    self.reproducer = Some(prepared.reproducer(variant, Place::default(), true));
+                    self.reproducer =
+                        Some(prepared.reproducer(variant, PixelPlace::default(), true));
                 }
             }
         }
     }
 
-    /// A core that gave nothing.
+    /// Records a core that failed without a result.
     fn breaks(&mut self, core: &str, detail: String) {
         self.ask(
             core,
-            Asked { detail: Some(detail), ..Asked::none_of("runs that break off", 1, None) },
+            Requirement {
+                detail: Some(detail),
+                ..Requirement::none_of("runs that break off", 1, None)
+            },
         );
     }
 
@@ -113,7 +117,7 @@ impl Cell {
         }
     }
 
-    fn add(&mut self, prepared: &Prepared, variant: &Variant, measured: &Measured) {
+    fn add(&mut self, prepared: &Prepared, variant: &Variant, measured: &Measurements) {
         let (total, core, had_fault) =
             (measured.total.lsb, variant.describe(), self.fault().is_some());
         let is_worst = self.worst.as_ref().is_none_or(|worst| total > worst.total);

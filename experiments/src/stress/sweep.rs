@@ -1,34 +1,34 @@
-//! The whole catalogue.
+//! Trying the whole catalogue.
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 use specula_spec::Method;
 
-use super::asked::Asked;
 use super::catalogue::CATALOGUE;
 use super::cell::Cell;
 use super::draw::Draw;
 use super::raw;
-use super::row::{Extent, Row, Trial};
+use super::requirement::Requirement;
+use super::row::{CatalogueRow, Trial, TrialExtent};
 use super::variant::Variant;
 
-/// Tries the catalogue on `methods`, row by row; `progress` is told how many parts of how many are
-/// done.
+/// Tries the catalogue with `methods`, row by row; `progress` is called with the number of parts
+/// done and the number of all parts.
 pub fn sweep(
     seed: u64,
     methods: &[Method],
-    extent: Extent,
+    extent: TrialExtent,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Vec<Cell> {
-    let draws = |(number, row): (usize, &'static Row)| {
+    let draws = |(number, row): (usize, &'static CatalogueRow)| {
         let draw = Draw::new(seed, number as u64);
         parts(row, methods).into_iter().map(move |part| (draw.clone(), row, part))
     };
-    let parts: Vec<(Draw, &Row, Option<Method>)> =
+    let parts: Vec<(Draw, &CatalogueRow, Option<Method>)> =
         CATALOGUE.iter().copied().enumerate().flat_map(draws).collect();
     let (done, all) = (AtomicUsize::new(0), parts.len() + methods.len());
     let count = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, all);
-    let one = |(mut draw, row, method): (Draw, &Row, Option<Method>)| {
+    let one = |(mut draw, row, method): (Draw, &CatalogueRow, Option<Method>)| {
         let cell = tried(row, method, &mut draw, extent);
         count();
         cell
@@ -44,25 +44,25 @@ pub fn sweep(
     cells
 }
 
-/// Every method, or none for what the host does alone.
-fn parts(row: &Row, methods: &[Method]) -> Vec<Option<Method>> {
+/// The parts of a row: one for each method, or one without a method for what the host does alone.
+fn parts(row: &CatalogueRow, methods: &[Method]) -> Vec<Option<Method>> {
     match row.trial {
         Trial::Scenes { .. } => methods.iter().copied().map(Some).collect(),
         Trial::Host { .. } => vec![None],
     }
 }
 
-fn tried(row: &Row, method: Option<Method>, draw: &mut Draw, extent: Extent) -> Cell {
+fn tried(row: &CatalogueRow, method: Option<Method>, draw: &mut Draw, extent: TrialExtent) -> Cell {
     let mut cell = Cell::empty(row.id, method);
     match (&row.trial, method) {
         (Trial::Host { what, check }, _) => {
             let error = check().err();
             cell.ask(
                 "host",
-                Asked {
+                Requirement {
                     detail: error.clone(),
                     of_row: true,
-                    ..Asked::none_of(*what, u64::from(error.is_some()), None)
+                    ..Requirement::none_of(*what, u64::from(error.is_some()), None)
                 },
             );
         }
@@ -85,18 +85,18 @@ fn tried(row: &Row, method: Option<Method>, draw: &mut Draw, extent: Extent) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::asked::Verdict;
     use super::super::limits::Reason;
+    use super::super::requirement::RowVerdict;
     use super::*;
 
-    /// A light a quarter of a unit from a wall: wrapped directions are 191 LSB off, which is told
-    /// as a limit, and what the row asks is said of whom it is asked of.
+    /// A light a quarter of a unit from a wall: wrapped directions have an error of 191 LSB, which
+    /// is reported as a limit, and the row's requirement names the cores that it applies to.
     #[test]
     fn places_wrapped_are_at_a_limit_near_a_wall() {
         let row = CATALOGUE.iter().find(|row| row.id == "40").expect("it is in the catalogue");
-        let extent = Extent { every_option: true, ..Extent::SMALL };
+        let extent = TrialExtent { every_option: true, ..TrialExtent::SMALL };
         let cell = tried(row, Some(Method::Phong), &mut Draw::new(1, 0), extent);
-        assert_eq!(cell.verdict(), Some(Verdict::Limit));
+        assert_eq!(cell.verdict(), Some(RowVerdict::Limit));
         let wrapped =
             cell.asked.iter().filter(|asked| asked.reasons.contains(&Reason::WrappedPlaces));
         let worst = wrapped.map(|asked| asked.came).fold(0.0, f64::max);

@@ -6,7 +6,7 @@ use specula_fixtures::Draw;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
 use specula_fixtures::highlights::{Choices, choices};
 use specula_fixtures::specs::spec;
-use specula_golden::exact::consistent_span::consistent_cosine;
+use specula_golden::exact::method::consistent::consistent_cosine;
 use specula_scene::mesh::Mesh;
 use specula_scene::mesh::normals::newell;
 use specula_scene::primitive::Primitive;

@@ -37,15 +37,15 @@ fn codes_agree(core: &CoreSpec, packet: &SpanPacket) -> Result<(), TestCaseError
     // A few dozen pixels of a long span are enough.
     for i in (0..packet.length).step_by(1 + packet.length as usize / 50) {
         let expected = match &core.method {
-            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, core.lights, i),
-            MethodSpec::Phong(spec) => phong::code(spec, &raw, core.lights, i),
-            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, core.lights, i),
-            MethodSpec::Duff(spec) => duff::code(spec, &raw, core.lights, i),
-            MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, core.lights, i),
-            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, core.lights, i),
-            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, core.lights, i),
-            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, core.lights, i),
-            MethodSpec::Direct(spec) => direct::code(spec, &raw, core.lights, i),
+            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Phong(spec) => phong::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Duff(spec) => duff::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Direct(spec) => direct::code(spec, &raw, core.parameters.lights, i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -192,7 +192,7 @@ fn takes_every_input_in_range(method: Method) {
     let frame = draw_frame(ANY, &draw, material(1.0, 1.0, 1.0, 4096)).frame;
     for bits in [[0.0; 8], [1.0; 8]] {
         let mut core = core_for(&frame, method, &bits);
-        core.longest_span = 8192;
+        core.parameters.longest_span = 8192;
         for high in [0b0, 0b1, 0b01_0101, 0b10_1010, 0b11_0110] {
             let end = |(k, port): (usize, specula_spec::InputPort)| {
                 if high >> (k % 6) & 1 == 1 { port.range.1 } else { port.range.0 }

@@ -1,4 +1,5 @@
 //! How far vectors between two ends are off.
+use specula_datapath::bound::{Bound, VectorBound};
 use specula_spec::Format;
 
 /// How far the ends are apart of a span in the unit ball that comes no nearer to its centre than
@@ -61,7 +62,7 @@ pub fn reach(overshoot: f64) -> f64 {
 
 /// The ends of a span, as the host sends them.
 #[derive(Clone, Copy, Debug)]
-pub struct Ends {
+struct Ends {
     /// e, how far either end is off.
     pub off: f64,
     /// How far the real ends are apart at most.
@@ -83,10 +84,23 @@ impl Ends {
     ///
     /// |X1 - X0| is no more than is known of it, nor than the one that comes and what that is off
     /// by, twice as much as each of its ends.
-    pub fn between(self, weight: f64, reach: f64) -> f64 {
+    fn between(self, weight: f64, reach: f64) -> f64 {
         let (longest, off) = self.difference;
         self.off * reach + weight * self.apart.min(longest + 2.0 * off)
     }
+}
+
+/// [`Ends::between`] of ends `apart` from each other at most, of which the first and the difference
+/// are known, with a weight that is known, too.
+pub fn between([start, delta]: [VectorBound; 2], weight: Bound, apart: f64, reach: f64) -> f64 {
+    let difference = (delta.longest, delta.error.length);
+    Ends { off: start.error.length, apart, difference }.between(weight.error, reach)
+}
+
+/// Bound on the error of a component of X1 - X0 as the host sends it: both ends are rounded, so it
+/// is off by a whole unit, not by half as what is rounded once.
+pub fn sent_difference(of: Bound) -> f64 {
+    of.ulp
 }
 
 #[cfg(test)]

@@ -127,9 +127,8 @@ mod tests {
             let t = angle + f64::from(i) * step;
             let turned = [c * cosine - s * sine, s * cosine + c * sine];
             let off = [turned[0] - length * t.cos(), turned[1] - length * t.sin()];
-            let rounding = |off: f64, draw: &mut Draw| match leads {
-                true => half_state * off.signum(),
-                false => draw.error(half_state),
+            let rounding = |off: f64, draw: &mut Draw| {
+                if leads { half_state * off.signum() } else { draw.error(half_state) }
             };
             (c, s) = (turned[0] + rounding(off[0], draw), turned[1] + rounding(off[1], draw));
         }

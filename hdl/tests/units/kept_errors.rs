@@ -17,7 +17,7 @@ const WHOLE: (i64, i64) = (-24, 24);
 fn a_condition_that_is_always_the_same_may_come_out_otherwise_for_the_real_value() {
     let bench = Bench::new();
     let one = bench.b.integer(1);
-    let x = bench.input("x", FORMAT, (7, 7)).stated_error_value(0.5);
+    let x = bench.input("x", FORMAT, (7, 7)).override_error("stated", 0.5);
     let below = x.less_than(&one);
     let (near, far) = (bench.input("near", FORMAT, WHOLE), x.clone());
     for chosen in [below.choose(&near, &far), below.not().choose(&far, &near)] {
@@ -32,10 +32,10 @@ fn a_condition_that_is_always_the_same_may_come_out_otherwise_for_the_real_value
 fn what_is_stated_of_a_choice_is_not_cut_off_by_what_was_known_before() {
     let bench = Bench::new();
     let clamped = bench.input("x", FORMAT, (0, 0)).at_least_zero().clamped_above(1);
-    let unsure = bench.b.integer(0).less_than(&clamped).stated_error_value(1.0);
+    let unsure = bench.b.integer(0).less_than(&clamped).override_error("stated", 1.0);
     let chosen = unsure.choose(&clamped, &bench.b.integer(0));
     assert_eq!(chosen.error_value(), FORMAT.ulp() / 2.0);
-    assert_eq!(chosen.or_off_by(1.0).error_value(), 1.0);
+    assert_eq!(chosen.override_error("stated", 1.0).error_value(), 1.0);
 }
 
 /// The real value of a constant 0 that is off by 4 lies from -4 to 0 after a clamp, and from 0 to 4
@@ -43,7 +43,7 @@ fn what_is_stated_of_a_choice_is_not_cut_off_by_what_was_known_before() {
 #[test]
 fn a_value_without_its_sign_may_have_had_one() {
     let bench = Bench::new();
-    let below = bench.input("x", FORMAT, (0, 0)).stated_error_value(4.0).clamped_above(0);
+    let below = bench.input("x", FORMAT, (0, 0)).override_error("stated", 4.0).clamped_above(0);
     assert_eq!(below.at_least_zero().error_value(), 0.0);
     assert_eq!(below.absolute().error_value(), 4.0);
     assert_eq!(below.absolute().at_least_zero().error_value(), 4.0);
@@ -120,7 +120,7 @@ fn held_constants_keep_the_larger_error() {
     let bench = Bench::new();
     let one = bench.b.integer(1);
     let fine = bench.input("fine", FORMAT, (0, 0));
-    let coarse = fine.clone().stated_error_value(1.0);
+    let coarse = fine.clone().override_error("stated", 1.0);
     assert_eq!(coarse.held(&one).error_value(), 1.0);
     for (value, loaded) in [(&fine, &coarse), (&coarse, &fine)] {
         assert_eq!(value.held_or_loaded(&one, &bench.start, loaded).error_value(), 1.0);

@@ -48,7 +48,7 @@ impl Bench {
     }
 
     fn input(&self, name: &str, format: Format, (low, high): (i64, i64)) -> Sig {
-        self.b.input(&InputPort { name: name.into(), format, range: (low, high), same_as: None })
+        self.b.input(&InputPort { range: (low, high), ..InputPort::whole(name, format) })
     }
 
     fn finish(self, outputs: &[(&str, Sig)]) -> Design {

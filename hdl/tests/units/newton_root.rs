@@ -3,7 +3,7 @@
 use specula_fixtures::Draw;
 use specula_fixtures::clocked::{Drive, paused, run};
 use specula_fixtures::formats::direct_formats;
-use specula_hdl::units::{self, NewtonRoot};
+use specula_hdl::units;
 use specula_spec::Format;
 use specula_spec::direct::DirectFormats;
 
@@ -38,13 +38,7 @@ fn every_pixel_follows_the_one_before() {
         let bench = Bench::new();
         let formats = formats(reach, bits);
         let q = bench.input("q", formats.length_squared, (-4, one));
-        let d = units::newton_root(
-            &bench.b,
-            &bench.start,
-            &q,
-            &formats,
-            NewtonRoot { steps, shortest: 0.1 },
-        );
+        let d = units::newton_root(&bench.b, &bench.start, &q, &formats, steps);
         assert_eq!(d.fraction_bits(), bits);
         let design = bench.finish(&[("d", d)]);
 

@@ -17,7 +17,7 @@ fn design(lyon: &LyonSpec, largest: i64) -> Design {
     let d = Vector::new(d).no_longer_than(2.0);
     let f = units::shape(
         &bench.b,
-        (&d, units::LengthError::whole(d.off().length)),
+        (&d, units::LengthError::whole(d.bound().error.length)),
         &n,
         &has_direction,
         lyon,

@@ -21,12 +21,7 @@ fn time_slots_have_values_of_their_own() {
     let control = b.control();
     let slots = b.time_slots(&control, 3);
     let input = |name: &str| {
-        b.input(&InputPort {
-            name: name.into(),
-            format: Format::unsigned(9, 0),
-            range: (0, 500),
-            same_as: None,
-        })
+        b.input(&InputPort { range: (0, 500), ..InputPort::whole(name, Format::unsigned(9, 0)) })
     };
     let step = slots.multiplexed(&["one", "ten", "hundred"].map(input));
     let zero = b.integer(0);

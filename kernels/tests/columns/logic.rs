@@ -1,4 +1,4 @@
-//! Comparisons, bits and choices.
+//! Comparisons, bitwise operators and multiplexers.
 use proptest::prelude::*;
 use specula_kernels::{Bits, Extreme, Lane, Wrap, bits, choose, extreme, less_than};
 

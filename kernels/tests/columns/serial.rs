@@ -13,7 +13,7 @@ fn low_bits(value: i64) -> i64 {
 }
 
 /// value = first ? start : state, state ← valid ? low bits of value + step : state, of so many
-/// states in turn; a column in two parts, as batches follow each other.
+/// states in turn; the column comes in two parts, as batches follow each other.
 fn accumulated<S: Lane, T: Lane, O: Lane>(
     (shape, states): (Shape, usize),
     cut: usize,
@@ -52,7 +52,7 @@ fn accumulated<S: Lane, T: Lane, O: Lane>(
     assert_eq!((numbers(&out), got), (expected, Vec::from(kept)));
 }
 
-/// state ← enable ? low bits of value : state, in two parts.
+/// state ← enable ? low bits of value : state, with the column in two parts.
 fn held<I: Lane, O: Lane>(shape: Shape, cut: usize, enable: &[i64], value: &[i64]) {
     let (mut state, mut expected) = (0, vec![]);
     for (&enable, &value) in shape.of(enable, 0).iter().zip(shape.of(value, 1)) {

@@ -1,10 +1,10 @@
 //! What a scene shows.
-use crate::picture::{Rows, Scene};
+use crate::picture::{Scene, SpanRows};
 
-/// What a scene shows.
+/// The contents of a scene.
 pub enum Shown {
     /// Objects, seen by a camera.
     Objects(Scene),
-    /// Spans as they are given.
-    Rows(Rows),
+    /// Spans that the file gives directly.
+    Rows(SpanRows),
 }

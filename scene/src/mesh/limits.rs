@@ -4,11 +4,11 @@ use std::path::Path;
 /// File name extensions of meshes that can be read.
 pub const EXTENSIONS: [&str; 4] = ["obj", "ply", "stl", "glb"];
 
-/// The longest file that is read, in bytes.
+/// Largest file that is read, in bytes.
 pub const LONGEST_FILE: u64 = 1 << 30;
 
-/// The most triangles a mesh may have.
-pub const MOST_TRIANGLES: usize = 10_000_000;
+/// Largest number of triangles of a mesh.
+pub const MAX_TRIANGLES: usize = 10_000_000;
 
 /// Coordinates farther from 0 than this are refused, so that products of them stay finite.
 pub const FARTHEST: f64 = 1e30;

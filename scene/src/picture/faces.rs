@@ -1,7 +1,7 @@
 //! Faces of whole meshes.
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::project::{Name, Seen};
+use super::project::{TriangleId, ViewedObject};
 use super::scene::Object;
 use crate::mesh::Mesh;
 use crate::{VertexCone, defaults};
@@ -13,7 +13,7 @@ pub struct ConedFace {
     pub outward: DVec3,
     /// Unit normals at its vertices.
     pub normals: [DVec3; 3],
-    /// Cones about them.
+    /// Cones about the normals.
     pub cones: [VertexCone; 3],
 }
 
@@ -25,11 +25,11 @@ pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
         place: DAffine3::IDENTITY,
         material: defaults::material(),
     };
-    let seen = Seen::new(&object, DMat3::IDENTITY);
-    let all: Vec<Name> =
-        (0..mesh.triangles.len()).map(|triangle| Name { object: 0, triangle }).collect();
+    let seen = ViewedObject::new(&object, DMat3::IDENTITY);
+    let all: Vec<TriangleId> =
+        (0..mesh.triangles.len()).map(|triangle| TriangleId { object: 0, triangle }).collect();
     let fans = seen.fans(0, &all);
-    let coned = |name: &Name| {
+    let coned = |name: &TriangleId| {
         let face = seen.face(name.triangle);
         Some(ConedFace { outward: face.outward?, normals: face.normals, cones: fans.cones(&face) })
     };

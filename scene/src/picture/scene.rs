@@ -6,57 +6,58 @@ use crate::mesh::Mesh;
 use crate::primitive::Primitive;
 use crate::{Colour, Material};
 
-/// A mesh put somewhere in the world.
+/// A mesh at a place in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     /// Its shape, in its own coordinates.
     pub mesh: Mesh,
-    /// The primitive that the mesh was made from, if it was.
+    /// The primitive that the mesh was made from, if any.
     pub primitive: Option<Primitive>,
-    /// From its own coordinates to the world's.
+    /// The transformation from its own coordinates to the world's.
     pub place: DAffine3,
-    /// How it answers light.
+    /// Its material.
     pub material: Material,
 }
 
-/// The coordinates a light's direction is given in.
+/// The coordinates in which a light's direction is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightSpace {
-    /// Those of the objects: the light stays when the camera moves.
+    /// The coordinates of the objects: the light stays when the camera moves.
     World,
-    /// Those of the picture, x right, y up, z to the eye: the light moves with the camera.
+    /// The coordinates of the picture, x right, y up, z to the eye: the light moves with the
+    /// camera.
     View,
 }
 
-/// A light, as a scene gives it.
+/// A light of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// Where it shines from.
+    /// The place or direction of the light.
     pub source: LightSource,
-    /// What `source` is measured in.
+    /// The coordinates of `source`.
     pub space: LightSpace,
     /// Its colour and strength.
     pub colour: Colour,
 }
 
-/// Where a light shines from.
+/// The place or direction of a light.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LightSource {
-    /// From infinity.
+    /// The light is at infinity.
     Directional {
-        /// Towards the light; any length but 0.
+        /// The direction to the light; any length except 0.
         direction: DVec3,
     },
-    /// From a place, to all sides.
+    /// The light is at a place and shines in all directions.
     Point {
         /// The place.
         position: DVec3,
     },
-    /// From a place, most of all along one direction.
+    /// The light is at a place and shines most strongly along its axis.
     Spot {
         /// The place.
         position: DVec3,
-        /// The direction along which it shines; any length but 0.
+        /// The direction along which it shines; any length except 0.
         axis: DVec3,
         /// Warn's exponent, 1 to 8191.
         exponent: u32,
@@ -68,14 +69,14 @@ pub enum LightSource {
 pub struct Scene {
     /// Width and height of the picture in pixels.
     pub size: (u32, u32),
-    /// 8-bit colour of pixels without object.
+    /// 8-bit colour of pixels without an object.
     pub background: [u8; 3],
-    /// How the world is looked at.
+    /// The camera.
     pub camera: Camera,
     /// Colour of the ambient light.
     pub ambient: Colour,
     /// Lights.
     pub lights: Vec<Light>,
-    /// What is to be seen.
+    /// The objects.
     pub objects: Vec<Object>,
 }

@@ -13,8 +13,8 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Samples a surface, given as place and unit normal, at the corners of `rows` times `columns`
-    /// cells; the closure is given the indices of a corner.
+    /// Samples a surface, given as position and unit normal, at the corners of `rows` times
+    /// `columns` cells; the closure is called with the indices of a corner.
     pub fn sample(
         rows: u32,
         columns: u32,
@@ -25,10 +25,10 @@ impl Grid {
         Grid { columns, positions, normals }
     }
 
-    /// Appends the grid's triangles to a mesh: two a cell, those without area left out, each turned
-    /// to the side its normals point to.
+    /// Appends the grid's triangles to a mesh: two for each cell, without those that have no area,
+    /// each with the orientation of its normals.
     pub fn append_to(self, mesh: &mut Mesh) {
-        // Levels are bounded, so that indices fit.
+        // Levels are bounded, so indices fit.
         let (across, rows) =
             (self.columns + 1, self.positions.len() as u32 / (self.columns + 1) - 1);
         let first = mesh.positions.len() as u32;
@@ -48,8 +48,8 @@ impl Grid {
         mesh.positions.extend(self.positions);
     }
 
-    /// The triangle turned so that its own normal agrees with its vertex normals, if it has an
-    /// area.
+    /// The triangle, reversed if necessary so that its own normal agrees with its vertex normals;
+    /// `None` if it has no area.
     fn outward(&self, triangle: [u32; 3]) -> Option<([u32; 3], Facet)> {
         let facet = Facet::of_polygon(&triangle.map(|k| self.positions[k as usize]))?;
         let normals: DVec3 = triangle.iter().map(|&k| self.normals[k as usize]).sum();
@@ -61,7 +61,7 @@ impl Grid {
     }
 }
 
-/// A mesh without anything yet.
+/// An empty mesh.
 pub fn empty() -> Mesh {
     Mesh { positions: Vec::new(), triangles: Vec::new(), normals: Vec::new(), facets: Vec::new() }
 }

@@ -42,8 +42,8 @@ pub enum Primitive {
 pub const NAMES: [&str; 4] = ["teapot", "sphere", "torus", "icosahedron"];
 
 impl Primitive {
-    /// The shape of that name with its defaults.
-    pub fn named(name: &str) -> Option<Primitive> {
+    /// The shape with that name and its default parameters.
+    pub fn by_name(name: &str) -> Option<Primitive> {
         match name {
             "teapot" => Some(Primitive::Teapot { level: 12 }),
             "sphere" => Some(Primitive::Sphere { level: 16 }),
@@ -53,8 +53,10 @@ impl Primitive {
         }
     }
 
-    /// The same shape, tessellated at `level`; the range of levels that it can have if that is not
-    /// one.
+    /// The same shape, tessellated at `level`.
+    ///
+    /// # Errors
+    /// The range of levels that the shape can have, if `level` is not in it.
     pub fn at_level(self, level: u32) -> Result<Primitive, std::ops::RangeInclusive<u32>> {
         let (range, shape) = match self {
             Primitive::Teapot { .. } => (1..=64, Primitive::Teapot { level }),
@@ -67,7 +69,7 @@ impl Primitive {
 
     /// The shape's triangles, counter-clockwise seen from outside, and its exact normals.
     ///
-    /// Levels outside the stated ranges are brought into them.
+    /// Levels outside the stated ranges are clamped.
     pub fn mesh(self) -> Mesh {
         match self {
             Primitive::Teapot { level } => teapot::mesh(level.clamp(1, 64)),

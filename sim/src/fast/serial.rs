@@ -5,7 +5,7 @@ use specula_datapath::design::{NodeId, Op, Table, wrapped};
 use specula_kernels::{Lane, accumulate, accumulate_in_turn, hold, look_up};
 
 use super::memory::{Column, Memory, Place};
-use super::step::{Read, narrow, wide};
+use super::read::{Read, narrow, wide};
 
 /// A column with a serial kernel.
 #[derive(Clone)]

@@ -112,8 +112,9 @@ fn shared_pipelines_outputs_agree() {
     outputs_of_agree(&wrapped, &frame);
 }
 
-fn shared(spec: CoreSpec) -> CoreSpec {
-    CoreSpec { light_pipelines: LightPipelines::Shared, ..spec }
+fn shared(mut spec: CoreSpec) -> CoreSpec {
+    spec.parameters.light_pipelines = LightPipelines::Shared;
+    spec
 }
 
 #[test]

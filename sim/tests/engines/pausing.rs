@@ -14,8 +14,9 @@ use crate::installed::{if_installed, verilator};
 /// Each light has a pipeline of its own, or all share one.
 const PIPELINES: [LightPipelines; 2] = [LightPipelines::Each, LightPipelines::Shared];
 
-fn with(pipelines: LightPipelines, spec: CoreSpec) -> CoreSpec {
-    CoreSpec { light_pipelines: pipelines, ..spec }
+fn with(pipelines: LightPipelines, mut spec: CoreSpec) -> CoreSpec {
+    spec.parameters.light_pipelines = pipelines;
+    spec
 }
 
 fn every_signal_agrees_at_every_clock(method: Method) {

@@ -90,7 +90,7 @@ pub struct Described {
 pub fn port(name: String, range: Range, fraction_bits: u32) -> InputPort {
     let integer_bits = range.width().saturating_sub(fraction_bits);
     let format = Format { signed: range.signed(), integer_bits, fraction_bits };
-    InputPort { name, format, range: (range.low, range.high), same_as: None }
+    InputPort { range: (range.low, range.high), ..InputPort::whole(name, format) }
 }
 
 impl Program {

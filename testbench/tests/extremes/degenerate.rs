@@ -121,7 +121,7 @@ fn reflection_falls_back_to_the_spans_bisector() {
         frame([tilted(0.0), tilted(110.0)], 20, &[tilted(55.0)], material(0.0, 1.0, 0.0, 1));
     frame.triangles[0].facet.normal = tilted(10.0);
     let [of_span, of_triangle] = [Bisector::Span, Bisector::Triangle]
-        .map(|bisector| bisector.of(&frame, &frame.spans[0]).unwrap());
+        .map(|bisector| bisector.fixed_normal(&frame, &frame.spans[0]).unwrap());
     assert_eq!(of_triangle, of_span);
     let at_the_ends = (255.0 * 55f64.to_radians().cos()).round() as u8;
     for core in reflections(&frame) {

@@ -66,13 +66,17 @@ fn coefficients_of_all_ones_do_not_wrap_around() {
     for method in Method::ALL {
         let mut frame = bright(MOST_LIGHTS, 1.0);
         let mut core = spec(&frame, method);
-        core.coefficient.integer_bits = 16;
+        core.parameters.coefficient.integer_bits = 16;
         core.check().unwrap();
         // Far above what the format holds, so that the host's quantisation ends at all ones.
         frame.ambient = [1e6; 3];
         frame.lights.iter_mut().for_each(|light| light.colour = [1e6; 3]);
         let packet = core.packet(&frame, &frame.spans[0]);
-        let ones = packet.inputs.iter().filter(|&&raw| raw == core.coefficient.max_raw()).count();
+        let ones = packet
+            .inputs
+            .iter()
+            .filter(|&&raw| raw == core.parameters.coefficient.max_raw())
+            .count();
         assert_eq!(ones, 3 * (1 + 2 * MOST_LIGHTS));
         // The bound does not count what saturated in set-up, so `shade` would be asking too much.
         let bench = Bench::new(&frame, &core, "core").unwrap();

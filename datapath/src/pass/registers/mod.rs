@@ -11,17 +11,17 @@ use crate::design::{Design, Node, NodeId, Op, Register, Scope, ScopeId};
 use crate::graph::{Graph, Pace, Value};
 use crate::names::{CONTROL, unique};
 
-use super::Schedule;
+use super::{Bounds, Schedule};
 
 /// A graph with its registers. Signals stand in the order of the graph's values, each delay before
 /// its first reader.
-pub fn placed(graph: &Graph, schedule: &Schedule) -> Design {
+pub fn placed(graph: &Graph, schedule: &Schedule, bounds: &Bounds) -> Design {
     let mut placing = Placing::new(graph, schedule);
     for (index, value) in graph.values.iter().enumerate() {
         placing.place(NodeId(index as u32), value);
     }
     placing.close_loops();
-    placing.finish()
+    placing.finish(bounds)
 }
 
 struct Placing<'a> {
@@ -186,16 +186,16 @@ impl<'a> Placing<'a> {
         }
     }
 
-    fn finish(mut self) -> Design {
+    fn finish(mut self, bounds: &Bounds) -> Design {
         let graph = self.graph;
-        let stage = |(_, id, _): &(String, NodeId, f64)| self.schedule.stage(*id);
-        let variable = graph.outputs.iter().filter(|(_, id, _)| !graph.is_constant(*id));
+        let leaving: Vec<(&str, NodeId)> = graph.leaving().collect();
+        let stage = |&(_, id): &(&str, NodeId)| self.schedule.stage(id);
+        let variable = leaving.iter().filter(|(_, id)| !graph.is_constant(*id));
         // Validity has a register of its own also where every output is a constant.
-        let constant = graph.outputs.iter().any(|(_, id, _)| graph.is_constant(*id));
+        let constant = leaving.iter().any(|(_, id)| graph.is_constant(*id));
         let last = variable.map(stage).max().unwrap_or(0).max(u32::from(constant));
         let valid_out = self.valid_out(last);
-        let outputs =
-            graph.outputs.iter().map(|(name, id, _)| self.output(*id, last, name)).collect();
+        let outputs = leaving.into_iter().map(|(name, id)| self.output(id, last, name)).collect();
         let scopes = graph.units.iter().enumerate().map(|(index, unit)| {
             let (entry, exit) = match index {
                 0 => (0, last),
@@ -227,7 +227,7 @@ impl<'a> Placing<'a> {
             interval: graph.interval,
             valid_out,
             outputs,
-            output_errors: graph.outputs.iter().map(|(_, _, error)| *error).collect(),
+            output_errors: graph.outputs.iter().map(|(_, id)| bounds.of(*id).error).collect(),
             left_out: graph.left_out.clone(),
         }
     }

@@ -10,7 +10,7 @@ use super::claim::Claim;
 
 pub use figures::figures;
 
-/// Every claim, in the order of the report.
+/// All claims, in the order of the report.
 pub fn claims() -> Vec<&'static Claim> {
     let groups: [&'static [Claim]; 4] =
         [&shapes::CLAIMS, &lengths::CLAIMS, &normalisation::CLAIMS, &widths::CLAIMS];

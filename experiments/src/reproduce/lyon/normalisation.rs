@@ -1,6 +1,6 @@
 //! The approximate normalisation g1, g2 (figure 4).
 use glam::DVec3;
-use specula_golden::exact::normalisation::{g1, g2};
+use specula_golden::exact::formula::normalisation::{g1, g2};
 use specula_spec::{FULL_SCALE, Method};
 
 use super::super::claim::{Claim, Ground, Ruling};
@@ -11,13 +11,13 @@ use crate::stress::draw::tilted;
 use crate::stress::scene::matt;
 use crate::stress::variant::Variant;
 
-/// How many per cent a normal of length² z falls short of 1 behind a gain.
-fn short(z: f64, gain: fn(f64) -> f64) -> f64 {
+/// How many per cent a normal with length² z is too short after it is multiplied by a gain.
+fn shortfall(z: f64, gain: fn(f64) -> f64) -> f64 {
     100.0 * (1.0 - gain(z) * z.sqrt())
 }
 
-/// Lengths of normals before and behind a core's `normalisation` along a span of `degrees`, from
-/// its middle, of even steps, to its end.
+/// Lengths of normals before and after a core's `normalisation` along a span of `degrees`, from its
+/// middle to its end.
 pub fn core_lengths(normalisation: &str, degrees: f64, steps: u32) -> Option<Vec<(f64, f64)>> {
     let frame =
         frame([tilted(-degrees / 2.0), tilted(degrees / 2.0)], 2 * steps + 1, DVec3::Z, matt())?;
@@ -30,13 +30,13 @@ pub fn core_lengths(normalisation: &str, degrees: f64, steps: u32) -> Option<Vec
     (steps..=2 * steps).map(lengths).collect()
 }
 
-/// How many per cent a core's normal is short in the middle of a span of 90 degrees.
+/// How many per cent a core's normal is too short in the middle of a span of 90 degrees.
 fn core_short(normalisation: &str) -> f64 {
     core_lengths(normalisation, 90.0, 1).map_or(f64::NAN, |lengths| 100.0 * (1.0 - lengths[0].1))
 }
 
-/// Per cent of length that a core's rounding of g and n can make: 3 units of 2^-17.
-const OF_CORE: f64 = 3e-3;
+/// Per cent of length that a core's rounding of g and n can cause: 3 units of 2^-17.
+const CORE_TOLERANCE: f64 = 3e-3;
 
 const fn g1_short(on: Ground, tolerance: f64, measure: fn() -> f64) -> Claim {
     Claim {
@@ -71,22 +71,22 @@ const fn overshoot(on: Ground, tolerance: f64, measure: fn() -> f64) -> Claim {
     }
 }
 
-/// Figure 4 and what is said of it.
+/// Claims about figure 4.
 pub const CLAIMS: [Claim; 8] = [
-    g1_short(Ground::Exact, 5e-3, || short(0.5, g1)),
-    g1_short(Ground::Core, 5e-3 + OF_CORE, || core_short("g1")),
-    g2_short(Ground::Exact, 5e-3, || short(0.5, g2)),
-    g2_short(Ground::Core, 5e-3 + OF_CORE, || core_short("g2")),
+    g1_short(Ground::Exact, 5e-3, || shortfall(0.5, g1)),
+    g1_short(Ground::Core, 5e-3 + CORE_TOLERANCE, || core_short("g1")),
+    g2_short(Ground::Exact, 5e-3, || shortfall(0.5, g2)),
+    g2_short(Ground::Core, 5e-3 + CORE_TOLERANCE, || core_short("g2")),
     Claim {
         what: "g2 is less than 0.5 % off for lengths of 0.8 and more",
         quantity: "largest % off",
         on: Ground::Exact,
         expected: (0.416, 5e-4),
-        measure: || largest(|t| short((0.8 + 0.2 * t) * (0.8 + 0.2 * t), g2).abs()),
+        measure: || largest(|t| shortfall((0.8 + 0.2 * t) * (0.8 + 0.2 * t), g2).abs()),
         judge: |error| Ruling::of(error < 0.5, "it is more"),
     },
     overshoot(Ground::Exact, 5e-6, || largest(|z| g2(z) * z.sqrt())),
-    overshoot(Ground::Core, 1e-2 * OF_CORE, || {
+    overshoot(Ground::Core, 1e-2 * CORE_TOLERANCE, || {
         core_lengths("g2", 60.0, 64)
             .map_or(f64::NAN, |lengths| lengths.iter().map(|l| l.1).fold(0.0, f64::max))
     }),

@@ -1,10 +1,10 @@
 //! Exponents.
 use crate::stress::draw::tilted;
-use crate::stress::row::{Case, Row, scenes};
+use crate::stress::row::{Case, CatalogueRow, scenes};
 use crate::stress::scene::{RawSpan, SpanScene, lit};
 
 /// Row 54.
-pub const EVERY: Row = Row {
+pub const EVERY: CatalogueRow = CatalogueRow {
     id: "54",
     input: "exponents that are powers of two and others, 1 to 8191",
     trial: scenes(|draw, extent| {

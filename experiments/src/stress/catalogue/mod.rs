@@ -1,4 +1,4 @@
-//! docs/extremes.md, a file for each subject.
+//! The rows of docs/extremes.md, a file for each subject.
 mod anything;
 mod bases;
 mod breaks;
@@ -16,11 +16,11 @@ mod slerp;
 mod viewpoints;
 mod wrapped;
 
-use super::row::Row;
+use super::row::CatalogueRow;
 
-/// Every row, in docs/extremes.md's order; then what breaks first by docs/numerics.md, and
-/// anything.
-pub static CATALOGUE: [&Row; 62] = [
+/// Every row, in the order of docs/extremes.md; then what breaks first according to
+/// docs/numerics.md, and random spans.
+pub static CATALOGUE: [&CatalogueRow; 62] = [
     &opposite::LERP,
     &opposite::DUFF,
     &opposite::WIDE,

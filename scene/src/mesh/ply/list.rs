@@ -15,7 +15,7 @@ pub fn skip(property: &Property<'_>, body: &mut impl Body) -> Result<(), Located
     }
 }
 
-/// A list's length, which was read as a whole number.
+/// A list's length, which was read as an integer.
 pub fn list_length(
     length: i64,
     property: &Property<'_>,

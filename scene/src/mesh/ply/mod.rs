@@ -14,13 +14,13 @@ use super::indexed::Mesh;
 use super::text::unmarked;
 use super::warning::{Notices, quoted};
 
-/// Reads a `.ply` file: element `vertex` with `x`, `y`, `z` and perhaps `nx`, `ny`, `nz`; element
-/// `face` with the list `vertex_indices` (or `vertex_index`), and element `tristrips` with such a
-/// list, in which -1 starts a new strip. Other elements and properties are skipped.
+/// Reads a `.ply` file: the element `vertex` with `x`, `y`, `z` and possibly `nx`, `ny`, `nz`; the
+/// element `face` with the list `vertex_indices` (or `vertex_index`); and the element `tristrips`
+/// with such a list, in which -1 starts a new strip. Other elements and properties are skipped.
 ///
 /// # Errors
-/// A wrong header, counts that the file is too short for, wrong types and words, and all that
-/// `Polygons::into_mesh` finds.
+/// A wrong header, counts for which the file is too short, wrong types and words, and all errors of
+/// `Polygons::into_mesh`.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let bytes = &unmarked(bytes)[..];
     let header = Header::read(bytes)?;
@@ -32,7 +32,7 @@ pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located
     }
 }
 
-/// Checks that the file can be as long as its header says: each element takes a byte at least.
+/// Checks that the file can be as long as its header says: each element takes at least a byte.
 fn check_counts(header: &Header<'_>, length: usize) -> Result<(), Located> {
     for element in header.elements.iter().filter(|element| !element.properties.is_empty()) {
         if element.count > length {

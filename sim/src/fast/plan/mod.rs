@@ -8,12 +8,12 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use specula_datapath::Design;
-use specula_datapath::design::{Node, NodeId, Op, Range, Table};
+use specula_datapath::design::{Node, NodeId, Op, Table};
 use specula_kernels::{Arithmetic, Bits, InstructionSet};
 
 use super::flow::{Flow, Recurrence, Source};
 use super::fuse::{Fusion, fuse};
-use super::memory::{Memory, Place};
+use super::memory::{Memory, Place, fits_narrow};
 use super::schedule::{Group, groups, in_components, needed, skews};
 use super::serial::{Accumulator, Holder, Member, Serial};
 use super::step::{Step, Work};
@@ -54,13 +54,6 @@ pub struct Plan {
     /// Whether all feedback is accumulators that every span loads, and registers that hold what the
     /// last pixel had, so that a run may begin with any span.
     pub restarts_with_spans: bool,
-}
-
-const NARROW: Range = Range::new(i32::MIN as i64, i32::MAX as i64);
-
-/// Whether 32-bit lanes hold every value of a range.
-pub fn fits_narrow(range: Range) -> bool {
-    NARROW.low <= range.low && range.high <= NARROW.high
 }
 
 /// Makes the plan for `watched`, with batches of `batch` clocks.
