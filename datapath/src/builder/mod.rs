@@ -80,9 +80,10 @@ impl Builder {
     /// that.
     pub fn input(&self, port: &InputPort) -> Sig {
         let rounds = port.format.fraction_bits > 0;
-        let rule = match rounds {
-            true => Rule::Input { error: 0.5 * port.format.ulp(), real: port.real },
-            false => Rule::Exact,
+        let rule = if rounds {
+            Rule::Input { error: 0.5 * port.format.ulp(), real: port.real }
+        } else {
+            Rule::Exact
         };
         if let Some(twin) = port.same_as.as_deref().and_then(|twin| self.opened(twin)) {
             let mut state = self.state.borrow_mut();
