@@ -126,8 +126,9 @@ fn signals_belong_together() {
     for spec in every_spec() {
         let design = elaborated(&spec);
         for (id, node) in design.iter() {
-            for operand in node.op.operands() {
-                check_operand(&design, id, operand);
+            match node.clock_enable(id) {
+                Some((enable, next)) => check_kept(&design, id, enable, next),
+                None => node.op.operands().for_each(|operand| check_operand(&design, id, operand)),
             }
         }
         assert!(
@@ -143,6 +144,18 @@ fn signals_belong_together() {
             last.collect::<Vec<_>>()
         );
     }
+}
+
+/// A register that keeps its value until a valid pixel comes sees the pixel's validity together with
+/// what it takes over: in its own clock where that is of the pixel before, else a clock earlier.
+fn check_kept(design: &Design, id: NodeId, enable: NodeId, next: NodeId) {
+    let stage = |id| design.node(id).stage;
+    let name = || design.full_name(id);
+    assert!(design.node(id).registered(), "{}: an enable without a register", name());
+    if design.node(next).op.constant().is_none() {
+        assert_eq!(stage(enable), stage(next), "{} takes another pixel's value over", name());
+    }
+    assert!(stage(id) - stage(enable) <= 1, "{} waits for another pixel", name());
 }
 
 fn check_operand(design: &Design, id: NodeId, operand: NodeId) {

@@ -4,7 +4,7 @@ use specula_spec::consistent::{
 };
 use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots};
+use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots};
 use crate::error;
 use crate::error::consistent_reflection::highlight;
 use crate::units::{self, ExactNormalisation, Interpolation, SpanAngles, SpanNormals};
@@ -16,13 +16,13 @@ use specula_datapath::graph::Graph;
 /// [Reshetov, Soupikov and Mark]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     consistent: &ConsistentSpec,
     ports: &ConsistentInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
-    let (f, steps) = (&consistent.formats, spec.longest_span - 1);
+    let (f, steps) = (&consistent.formats, parameters.longest_span - 1);
     let span = SpanNormals {
         first: &slots.first_pixel,
         start: &Vector::new(inputs.span.normal_start.clone()),
@@ -37,7 +37,7 @@ pub(super) fn core(
             weight: f.weight,
             vector: f.vector,
             longest: 1.0,
-            apart: error::interpolate::chord(spec.shortest_normal),
+            apart: error::interpolate::chord(parameters.shortest_normal),
             steps,
         },
     );
@@ -46,7 +46,7 @@ pub(super) fn core(
         reciprocal: f.gain.into(),
         vector_fraction_bits: f.vector.fraction_bits,
     };
-    let normal = normal.no_shorter_than(spec.shortest_normal, SHORTEST_NORMAL);
+    let normal = normal.no_shorter_than(parameters.shortest_normal, SHORTEST_NORMAL);
     let (n, has_direction) = units::normalise_exactly(&b, &normal, to);
     let angles = SpanAngles {
         first: &slots.first_pixel,
@@ -54,9 +54,9 @@ pub(super) fn core(
         step: &inputs.span.angle_step,
     };
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
-    let least_q = Interval::at_least(least_contraction(spec, consistent.curve));
+    let least_q = Interval::at_least(least_contraction(parameters, consistent.curve));
     let q = q.real_within(least_q, "no angle is larger than that of a vertex");
-    let least_divisor = (1.0 + spec.least_view_cosine).max(0.0);
+    let least_divisor = (1.0 + parameters.least_view_cosine).max(0.0);
     let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, least_divisor).0;
     let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
     let pixel =
@@ -66,8 +66,8 @@ pub(super) fn core(
 }
 
 /// q at the largest angle that a vertex has.
-fn least_contraction(spec: &CoreParameters, curve: Curve) -> f64 {
-    let t = curve.quarter_turns(spec.least_cone_cosine).min(1.0);
+fn least_contraction(parameters: &CoreParameters, curve: Curve) -> f64 {
+    let t = curve.quarter_turns(parameters.least_cone_cosine).min(1.0);
     match curve {
         Curve::Rational => (1.0 - t).powi(2) / (1.0 + (std::f64::consts::PI - 2.0) * t),
         Curve::Trigonometric => (std::f64::consts::FRAC_PI_4 * (1.0 - t)).tan().powi(2),

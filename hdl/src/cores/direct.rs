@@ -2,7 +2,7 @@
 use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Root};
 use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{Intensities, finish, squared_normal, time_slots};
+use super::common::{Intensities, finish, squared_normal, time_slots};
 use crate::error::direct::{Parameter, Product, normal_by_newton, unit_normal};
 use crate::units::{self, DirectedBase, QuotientFormat};
 use specula_datapath::bound::Angular;
@@ -13,11 +13,11 @@ use specula_datapath::graph::Graph;
 /// 4.6]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     direct: &DirectSpec,
     ports: &DirectInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
     let formats = &direct.formats;
     let t = units::parameter(
@@ -25,9 +25,9 @@ pub(super) fn core(
         &slots.first_pixel,
         &inputs.span.weight_step,
         formats,
-        spec.longest_span - 1,
+        parameters.longest_span - 1,
     );
-    let q = squared_normal(units::squared_length(&b, &t, &inputs.span.spread, formats), spec);
+    let q = squared_normal(units::squared_length(&b, &t, &inputs.span.spread, formats), parameters);
     let view = [&inputs.span.view.start, &inputs.span.view.delta];
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
     let length = length(

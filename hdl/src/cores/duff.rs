@@ -2,8 +2,8 @@
 use specula_spec::duff::{DuffInputs, DuffLight, DuffSpec, Highlight};
 use specula_spec::{CoreParameters, InputPort};
 
+use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
-use super::{Intensities, finish, squared_normal, time_slots};
 use crate::units::{self, Base, Length, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -12,18 +12,18 @@ use specula_datapath::graph::Graph;
 /// to 8, 17, 33 and 34]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     duff: &DuffSpec,
     ports: &DuffInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
     let f = &duff.formats;
-    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let q = forward
         .quadratic("denominator", &inputs.span.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
-    let q = squared_normal(q, spec);
+    let q = squared_normal(q, parameters);
     let length = b.instance("root", || units::root(&b, &q, f.root));
     let view = inputs
         .span

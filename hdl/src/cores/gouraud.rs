@@ -2,7 +2,7 @@
 use specula_spec::gouraud::{GouraudInputs, GouraudLight, GouraudSpec, Intensity};
 use specula_spec::{CoreParameters, InputPort};
 
-use super::{Intensities, finish, time_slots};
+use super::common::{Intensities, finish, time_slots};
 use crate::units;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -11,18 +11,24 @@ use specula_datapath::graph::Graph;
 /// uniform. [lecture, eq. 2.1 and 3.2 to 3.6]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     gouraud: &GouraudSpec,
     ports: &GouraudInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
     let fraction_bits = gouraud.formats.intensity.fraction_bits;
     let intensity = |intensity: &Intensity<Sig>, name: String| match &intensity.step {
         Some(step) => {
             let ends = (&intensity.start, step);
             b.instance(&name, || {
-                units::gouraud(&b, &slots.first_pixel, ends, fraction_bits, spec.longest_span - 1)
+                units::gouraud(
+                    &b,
+                    &slots.first_pixel,
+                    ends,
+                    fraction_bits,
+                    parameters.longest_span - 1,
+                )
             })
         }
         None => intensity.start.clone(),

@@ -2,8 +2,8 @@
 use specula_spec::hybrid::{HybridInputs, HybridLight, HybridSpec};
 use specula_spec::{CoreParameters, InputPort};
 
+use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
-use super::{Intensities, finish, squared_normal, time_slots};
 use crate::units;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -12,13 +12,13 @@ use specula_datapath::graph::Graph;
 /// eq. 17 to 26]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     hybrid: &HybridSpec,
     ports: &HybridInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
-    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let q = forward
         .quadratic(
             "denominator",
@@ -27,7 +27,7 @@ pub(super) fn core(
             hybrid.formats.operand.fraction_bits,
         )
         .named("q");
-    let q = squared_normal(q, spec);
+    let q = squared_normal(q, parameters);
     let pixel = Pixel { forward, hybrid, exponent: &inputs.span.exponent };
     finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, &q))
 }

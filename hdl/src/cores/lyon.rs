@@ -4,7 +4,7 @@ use specula_spec::lyon::{
 };
 use specula_spec::{CoreParameters, InputPort, LightInputs};
 
-use super::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots, unit_vector};
+use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots, unit_vector};
 use crate::error;
 use crate::units::{self, Follow, Interpolation, LengthError, SpanNormals, WrapFormats};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
@@ -14,13 +14,13 @@ use specula_datapath::graph::Graph;
 /// 43, fig. 6 to 8]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     lyon: &LyonSpec,
     ports: &LyonInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
-    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs.span, spec, lyon);
+    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs.span, parameters, lyon);
     let apart = if slots.count() == 1 { least_distance(&inputs.lights) } else { 0.0 };
     let pixel = Pixel {
         b: &b,
@@ -38,7 +38,7 @@ fn normal(
     b: &Builder,
     first: &Sig,
     inputs: &LyonSpan<Sig>,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     lyon: &LyonSpec,
 ) -> (Vector, Sig) {
     let formats = &lyon.formats;
@@ -60,12 +60,13 @@ fn normal(
                 weight,
                 vector,
                 longest,
-                apart: error::interpolate::chord(spec.shortest_normal),
-                steps: spec.longest_span - 1,
+                apart: error::interpolate::chord(parameters.shortest_normal),
+                steps: parameters.longest_span - 1,
             },
         )
     };
-    let between_unit_ends = || along(1.0).no_shorter_than(spec.shortest_normal, SHORTEST_NORMAL);
+    let between_unit_ends =
+        || along(1.0).no_shorter_than(parameters.shortest_normal, SHORTEST_NORMAL);
     let Some(axis) = inputs.wrap_axis.as_ref().map(unit) else {
         return units::normalise(b, &between_unit_ends(), lyon);
     };

@@ -4,8 +4,8 @@ use specula_spec::reflection::{
 };
 use specula_spec::{CoreParameters, InputPort, Quadratic};
 
+use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
-use super::{Intensities, finish, squared_normal, time_slots};
 use crate::error;
 use crate::units::{self, Base, QuotientFormat};
 use specula_datapath::bound::Interval;
@@ -33,18 +33,18 @@ fn smallest_square(bisector: Bisector, shortest_normal: f64) -> f64 {
 /// 34]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     reflection: &ReflectionSpec,
     ports: &ReflectionInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
     let f = &reflection.formats;
-    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let q = forward
         .quadratic("denominator", &inputs.span.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
-    let smallest = smallest_square(reflection.bisector, spec.shortest_normal);
+    let smallest = smallest_square(reflection.bisector, parameters.shortest_normal);
     let q = q.real_within(Interval::at_least(smallest), SMALLEST_SQUARE);
     let to = QuotientFormat { integer_bits: 2, fraction_bits: f.reciprocal.fraction_bits };
     let reciprocal =
@@ -72,7 +72,7 @@ pub(super) fn core(
             .forward
             .quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits)
             .named("normal_squared");
-        squared_normal(squared, spec)
+        squared_normal(squared, parameters)
     };
     pixel.normal_squared = inputs.span.normal_squared.as_ref().map(normal_squared);
     finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))

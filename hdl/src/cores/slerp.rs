@@ -4,7 +4,7 @@ use specula_spec::slerp::{
 };
 use specula_spec::{CoreParameters, InputPort};
 
-use super::{Intensities, eye, finish, time_slots, unit_vector};
+use super::common::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
 use crate::error::turned_normal::Weighing;
 use crate::units::{self, Turn};
@@ -16,19 +16,19 @@ use specula_datapath::graph::Graph;
 /// 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to 4.12]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     slerp: &SlerpSpec,
     ports: &SlerpInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
-    let (formats, steps) = (&slerp.formats, spec.longest_span - 1);
+    let (formats, steps) = (&slerp.formats, parameters.longest_span - 1);
     let [u, v] = weights(&b, &slots.first_pixel, &inputs.span, slerp, steps);
     let weights = [&u, &v];
     let normal = inputs.span.normal.as_ref().map(|axes| {
         let known = match slerp.frame {
             Basis::Orthonormal => Weighing::orthonormal(formats, steps),
-            Basis::Ends => Weighing::between_ends(formats, steps, spec.shortest_normal),
+            Basis::Ends => Weighing::between_ends(formats, steps, parameters.shortest_normal),
         };
         let [start, other] =
             [&axes.start, &axes.other].map(|axis| unit_vector(axis, formats.vector));
@@ -45,10 +45,10 @@ pub(super) fn core(
             units::corrected(&b, &n_dot_v, weights, formats, steps)
         }
     };
-    let base = error::turned::base(formats, steps, spec.shortest_normal);
+    let base = error::turned::base(formats, steps, parameters.shortest_normal);
     let pixel = Pixel {
         b: &b,
-        spec,
+        parameters,
         slerp,
         weights,
         normal: normal.as_ref(),
@@ -100,7 +100,7 @@ fn on_arc(
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreParameters,
+    parameters: &'a CoreParameters,
     slerp: &'a SlerpSpec,
     weights: [&'a Sig; 2],
     /// The normal, if that is what turns.
@@ -135,7 +135,13 @@ impl Pixel<'_> {
                 &unit_vector(direction, formats.vector),
                 formats.cosine.fraction_bits,
             ),
-            _ => on_arc(b, self.weights, light.light.as_ref(), formats, self.spec.longest_span - 1),
+            _ => on_arc(
+                b,
+                self.weights,
+                light.light.as_ref(),
+                formats,
+                self.parameters.longest_span - 1,
+            ),
         }
     }
 

@@ -61,7 +61,7 @@ const COARSE_SPHERE: &str =
 
 fn pictures(section: &mut Section, mesh: &PicturedMesh) -> Result<(), ToolError> {
     section.paragraph(
-        "MarkedPictures from the eye, pixel by pixel; pink where the eye's ray is reflected into the surface (black or green in figure 1). Left with Phong's normals, \
+        "Seen from the eye, pixel by pixel; pink where the eye's ray is reflected into the surface (black or green in figure 1). Left with Phong's normals, \
          in f64; right the core's reflection.",
     );
     let scenes: [(&str, Frame); 3] = [

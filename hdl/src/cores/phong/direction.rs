@@ -1,7 +1,7 @@
 //! Unit vectors along the span.
 use specula_spec::phong::Way;
 
-use super::super::unit_vector;
+use super::super::common::unit_vector;
 use super::Pixel;
 use super::lamp::Lamp;
 use crate::error;
@@ -77,12 +77,12 @@ impl Pixel<'_> {
     pub(super) fn to_place(&self, name: &str, way: &Way<Sig>, spot: &Sig) -> Direction {
         match &way.axis {
             Some(axis) => self.wrapped(name, way, axis, spot),
-            None => self.along(name, way, self.spec.shortest_way),
+            None => self.along(name, way, self.parameters.shortest_way),
         }
     }
 
     fn wrapped(&self, name: &str, way: &Way<Sig>, axis: &[Sig; 3], spot: &Sig) -> Direction {
-        let (b, f, shortest) = (self.b, &self.phong.formats, self.spec.shortest_unit_way);
+        let (b, f, shortest) = (self.b, &self.phong.formats, self.parameters.shortest_unit_way);
         let interpolation = Interpolation {
             longest: 2.0,
             apart: error::interpolate::chord(shortest),

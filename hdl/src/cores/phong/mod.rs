@@ -5,7 +5,7 @@ mod lamp;
 use specula_spec::phong::{Highlight, PhongInputs, PhongLight, PhongSpec};
 use specula_spec::{CoreInputs, CoreParameters, InputPort};
 
-use super::{Intensities, eye, finish, time_slots, unit_vector};
+use super::common::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
 use crate::units::{self, Interpolation};
 use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots};
@@ -18,11 +18,11 @@ use lamp::{Kinds, Lamp, alike};
 /// distribution. [lecture, eq. 2.1, 4.1, 4.2; Hast et al., eq. 35 to 38]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreParameters,
+    parameters: &CoreParameters,
     phong: &PhongSpec,
     ports: &PhongInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
-    let slots = time_slots(&b, spec);
+    let slots = time_slots(&b, parameters);
     let inputs = ports.map(|port| b.input(port));
     let f = &phong.formats;
     let interpolation = Interpolation {
@@ -30,13 +30,13 @@ pub(super) fn core(
         weight: f.weight,
         vector: f.vector,
         longest: 1.0,
-        apart: error::interpolate::chord(spec.shortest_normal.min(spec.shortest_way)),
-        steps: spec.longest_span - 1,
+        apart: error::interpolate::chord(parameters.shortest_normal.min(parameters.shortest_way)),
+        steps: parameters.longest_span - 1,
     };
     let weight = units::weight(&b, &slots.first_pixel, &inputs.span.weight_step, interpolation);
     let pixel = Pixel {
         b: &b,
-        spec,
+        parameters,
         phong,
         interpolation,
         weight: &weight,
@@ -48,7 +48,7 @@ pub(super) fn core(
 /// What the vectors of a pixel have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreParameters,
+    parameters: &'a CoreParameters,
     phong: &'a PhongSpec,
     interpolation: Interpolation,
     weight: &'a Sig,
@@ -68,7 +68,7 @@ struct Arrival<'a> {
 impl Pixel<'_> {
     fn finish(&self, slots: &TimeSlots, inputs: &PhongInputs<Sig>) -> Result<Graph, BuildError> {
         let b = self.b;
-        let normal = self.along("normal", &inputs.span.normal, self.spec.shortest_normal);
+        let normal = self.along("normal", &inputs.span.normal, self.parameters.shortest_normal);
         let view = match &inputs.span.eye {
             Some(way) => self.to_place("eye", way, &b.integer(0)),
             None => Direction::new(eye(b), b.integer(1)),
@@ -180,8 +180,11 @@ impl Pixel<'_> {
     /// What a spot leaves of a light.
     fn spotted(&self, at: &Arrival, amounts: [Sig; 2]) -> [Sig; 2] {
         let Some(exponent) = &at.lamp.light.exponent else { return amounts };
-        let (b, shape_bits, largest) =
-            (self.b, self.phong.formats.shape.fraction_bits, self.spec.largest_spot_exponent());
+        let (b, shape_bits, largest) = (
+            self.b,
+            self.phong.formats.shape.fraction_bits,
+            self.parameters.largest_spot_exponent(),
+        );
         let cosine = self.spot_cosine(at);
         let share = || units::any_power_up_to(b, &cosine, exponent, largest.into(), shape_bits);
         let share = b.instance(&format!("light{}_spot", at.index), share);
