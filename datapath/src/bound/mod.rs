@@ -3,7 +3,7 @@
 //! These are plain numbers, as values rather than in units of the last place, so that a proof takes
 //! them without knowing of graphs: [`Sig::bound`](crate::builder::Sig::bound) and
 //! [`Vector::bound`](crate::builder::Vector::bound) give them. The
-//! [pass over the graph](crate::pass::bounds) computes them.
+//! [pass over the graph](fn@crate::pass::bounds) computes them.
 mod interval;
 mod model;
 mod vector;

@@ -7,7 +7,7 @@
 //! A [`Sig`] is a signal *and* the real value that it stands for. Signals whose raw values are the
 //! same are one signal in the hardware, whatever they stand for; so all that is known of errors
 //! belongs to the real value, and folding, merging and leaving out hardware cannot lose it. What
-//! rules mean for errors stands in one place: the pass [`bounds`](crate::pass::bounds).
+//! rules mean for errors stands in one place: the pass [`bounds`](fn@crate::pass::bounds).
 mod accumulate;
 mod arithmetic;
 mod error;

@@ -90,8 +90,8 @@ impl Ends {
     }
 }
 
-/// [`Ends::between`] of ends `apart` from each other at most, of which the first and the difference
-/// are known, with a weight that is known, too.
+/// How far X0 + a (X1 - X0) is off, of ends `apart` from each other at most, of which the first and
+/// the difference are known, with a weight that is known, too.
 pub fn between([start, delta]: [VectorBound; 2], weight: Bound, apart: f64, reach: f64) -> f64 {
     let difference = (delta.longest, delta.error.length);
     Ends { off: start.error.length, apart, difference }.between(weight.error, reach)

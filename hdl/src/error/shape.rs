@@ -149,7 +149,7 @@ impl RootShape {
 /// are near their middle at once.
 ///
 /// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all but
-/// one are at least half as long as lights are apart. With exponents from [`least_dark_exponent`]
+/// one are at least half as long as lights are apart. With exponents from `least_dark_exponent`
 /// on, f is 0 there; with others every f is off by what it is off for those. Nothing is known where
 /// no exponent is as large, or f may be anything.
 pub fn alone(

@@ -22,11 +22,11 @@ fn accumulated<S: Lane, T: Lane, O: Lane>(
     step: &[i64],
 ) {
     let (mut kept, mut expected) = (VecDeque::from(vec![0; states]), vec![]);
-    for lane in 0..shape.lanes {
+    for (lane, &valid) in valid[..shape.lanes].iter().enumerate() {
         let (start, step) = (shape.of(start, 1)[lane], shape.of(step, 2)[lane]);
         let value = if shape.of(first, 0)[lane] != 0 { start } else { kept[0] };
         expected.push(value);
-        if valid[lane] != 0 {
+        if valid != 0 {
             kept.pop_front();
             kept.push_back(low_bits((i128::from(value) + i128::from(step)) as i64));
         }
