@@ -6,6 +6,7 @@ use specula_spec::format::power_of_two;
 use super::host::HOST_ERROR;
 use super::interpolate::chord;
 use super::newton_root::followed_root;
+use super::vector::shortest;
 use specula_datapath::bound::{Angular, Bound};
 
 /// What comes of t and κ = |B - A|².
@@ -88,12 +89,6 @@ pub fn largest_scalar(t: Bound) -> f64 {
 /// Whether fixed and real q are both above 0 for sure.
 pub fn is_positive(q: Bound) -> bool {
     q.real.low - q.error > 0.0
-}
-
-/// √q of the smallest real q: no normal is shorter, at pixels or between them, since what is known of
-/// q is so for every t.
-pub fn shortest(q: Bound) -> f64 {
-    q.real.low.max(0.0).sqrt()
 }
 
 /// What rounding leaves of N between unit ends: t turns it, and q is that of another.

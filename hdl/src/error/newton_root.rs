@@ -3,7 +3,7 @@ use specula_datapath::bound::Bound;
 use specula_spec::direct::DirectFormats;
 use specula_spec::format::power_of_two;
 
-use super::direct::shortest;
+use super::vector::shortest;
 
 /// Bound on the error of d after `steps` steps d ← (d + q/d)/2 at each pixel, from the d of the
 /// pixel before on and from 1 at the first; nothing where steps may lead away from the root. Real q

@@ -1,4 +1,4 @@
-//! Whether a vector has a direction, and what depends on that.
+//! Whether a vector has a direction, what depends on that, and how short it may be.
 use specula_datapath::bound::{Bound, VectorBound};
 
 /// Error of the bit that says whether a vector is not 0: 1 where rounding may decide it.
@@ -10,4 +10,10 @@ pub fn has_direction(of: VectorBound) -> f64 {
 /// bit: nothing is known then, since a choice counts as one between values that meet.
 pub fn gated(bit: Bound) -> Option<f64> {
     (!bit.is_exact()).then_some(1.0)
+}
+
+/// √q of the smallest real q: no normal is shorter, at pixels or between them, since what is known of
+/// q is so for every t.
+pub fn shortest(q: Bound) -> f64 {
+    q.real.low.max(0.0).sqrt()
 }
