@@ -110,3 +110,12 @@ impl SpecError {
         miette::Diagnostic::help(self).map(|help| help.to_string()).unwrap_or_default()
     }
 }
+
+/// Whether a number is one that cores can be built for.
+pub(crate) fn within(name: &'static str, value: f64, low: f64, high: f64) -> Result<(), SpecError> {
+    if (low..=high).contains(&value) {
+        Ok(())
+    } else {
+        Err(SpecError::OutOfRange { name, value, low, high })
+    }
+}

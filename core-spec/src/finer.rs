@@ -1,7 +1,8 @@
 //! Cores with finer or coarser formats.
 use specula_datapath::Format;
 
-use super::{CoreSpec, NarrowingPoint};
+use crate::core_spec::CoreSpec;
+use crate::narrowing::NarrowingPoint;
 
 impl CoreSpec {
     /// The same core for any scene with all formats finer by `added` fraction bits, or coarser

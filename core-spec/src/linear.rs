@@ -2,8 +2,8 @@
 use specula_datapath::Format;
 use specula_scene::frame::Span;
 
-use super::InputPort;
-use super::inputs::inputs;
+use crate::core_input::{CoreInput, InputRole};
+use crate::inputs::{InputGroup, inputs};
 
 inputs! {
     /// Start value and step of what is linear in the pixel number.
@@ -15,23 +15,23 @@ inputs! {
     }
 }
 
-impl Linear<InputPort> {
-    /// The ports of a cosine times a length up to 1: from -1 to 1 along the span.
-    pub(super) fn ports(name: &str, format: Format) -> Linear<InputPort> {
-        let port = |part: &str, limit: f64| {
-            InputPort::between(format!("{name}_{part}"), format, -limit, limit)
+impl Linear<CoreInput> {
+    /// The inputs of a cosine times a length up to 1: from -1 to 1 along the span.
+    pub(crate) fn inputs(name: &str, format: Format) -> Linear<CoreInput> {
+        let input = |part: &str, limit: f64| {
+            CoreInput::between(InputRole::Surface, format!("{name}_{part}"), format, -limit, limit)
         };
-        Linear { start: port("start", 1.0), step: port("step", 2.0) }
+        Linear { start: input("start", 1.0), step: input("step", 2.0) }
     }
 }
 
 impl Linear<f64> {
     /// c + b i, as far as the span is long enough to use it.
-    pub(super) fn new(span: &Span, c: f64, b: f64) -> Linear<f64> {
+    pub(crate) fn new(span: &Span, c: f64, b: f64) -> Linear<f64> {
         Linear { start: c, step: if span.steps() > 0 { b } else { 0.0 } }
     }
 
-    pub(super) fn quantised(&self, format: Format) -> Linear<i64> {
-        self.map(|&x| format.quantise(x))
+    pub(crate) fn quantised(&self, format: Format) -> Linear<i64> {
+        self.map_each(&mut |&x| format.quantise(x))
     }
 }

@@ -2,20 +2,21 @@
 use serde::{Deserialize, Serialize};
 use specula_scene::needs::Needs;
 
-use super::choose::merged;
-use super::{
-    ConsistentSpec, Describe, DirectSpec, DuffSpec, GouraudSpec, HybridSpec, LyonSpec, PhongSpec,
-    ReflectionSpec, SlerpSpec, SpecError,
-};
-
-/// An option of a method, and what it may be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Choice {
-    /// Its key in the method's table.
-    pub key: &'static str,
-    /// Its values, as TOML writes them.
-    pub values: &'static [&'static str],
-}
+use crate::consistent::ConsistentSpec;
+use crate::core_input::CoreInput;
+use crate::direct::DirectSpec;
+use crate::duff::DuffSpec;
+use crate::error::SpecError;
+use crate::gouraud::GouraudSpec;
+use crate::hybrid::HybridSpec;
+use crate::inputs::MethodInputs;
+use crate::lyon::LyonSpec;
+use crate::merge::merged;
+use crate::parameters::CoreParameters;
+use crate::phong::PhongSpec;
+use crate::reflection::ReflectionSpec;
+use crate::shading_method::{OptionDomain, ShadingMethod};
+use crate::slerp::SlerpSpec;
 
 /// Defines the methods: a spec type each, the name users give it, one line on what it does, and its
 /// source: the paper and, where it numbers them, the equations.
@@ -67,16 +68,16 @@ macro_rules! methods {
                 }
             }
 
-            /// The options it takes in a scene file beside formats.
-            pub const fn choices(self) -> &'static [Choice] {
+            /// The options it takes in a scene file besides formats.
+            pub const fn option_domains(self) -> &'static [OptionDomain] {
                 match self {
-                    $(Method::$method => $spec::CHOICES,)*
+                    $(Method::$method => $spec::OPTION_DOMAINS,)*
                 }
             }
 
             /// Its options and formats for a scene with these needs, with `changes` in place of the
             /// defaults.
-            pub(super) fn spec(self, needs: &Needs, changes: &toml::Table) -> Result<MethodSpec, SpecError> {
+            pub(crate) fn spec(self, needs: &Needs, changes: &toml::Table) -> Result<MethodSpec, SpecError> {
                 match self {
                     $(Method::$method => merged(&$spec::for_needs(needs), changes).map(MethodSpec::$method),)*
                 }
@@ -92,14 +93,14 @@ macro_rules! methods {
             }
 
             /// The same with `changes` to options and formats.
-            pub(super) fn with(&self, changes: &toml::Table) -> Result<MethodSpec, SpecError> {
+            pub(crate) fn changed(&self, changes: &toml::Table) -> Result<MethodSpec, SpecError> {
                 match self {
                     $(MethodSpec::$method(spec) => merged(spec, changes).map(MethodSpec::$method),)*
                 }
             }
 
             /// The same with the formats of another of this method.
-            pub(super) fn with_formats_of(&self, other: &MethodSpec) -> Option<MethodSpec> {
+            pub(crate) fn with_formats_of(&self, other: &MethodSpec) -> Option<MethodSpec> {
                 match (self, other) {
                     $((MethodSpec::$method(own), MethodSpec::$method(other)) => {
                         let formats = other.formats.clone();
@@ -109,8 +110,15 @@ macro_rules! methods {
                 }
             }
 
+            /// All inputs of a core, in port order.
+            pub(crate) fn core_inputs(&self, core: &CoreParameters) -> Vec<CoreInput> {
+                match self {
+                    $(MethodSpec::$method(spec) => spec.core_inputs(core).to_vec(),)*
+                }
+            }
+
             /// What it says of itself.
-            pub(super) fn describe(&self) -> &dyn Describe {
+            pub(crate) fn shading(&self) -> &dyn ShadingMethod {
                 match self {
                     $(MethodSpec::$method(spec) => spec,)*
                 }
@@ -142,7 +150,7 @@ methods! {
 
 impl Method {
     /// The method for a scene that names none.
-    pub(super) fn default_for(needs: &Needs) -> Method {
+    pub(crate) fn default_for(needs: &Needs) -> Method {
         if needs.local_eye || !needs.local_lights.is_empty() { Method::Phong } else { Method::Lyon }
     }
 
@@ -159,7 +167,7 @@ impl Method {
     }
 
     /// Every method's name, for messages.
-    pub(super) fn names() -> String {
+    pub(crate) fn names() -> String {
         Method::ALL.map(Method::name).join(", ")
     }
 }

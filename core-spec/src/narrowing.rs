@@ -1,22 +1,22 @@
 //! The places where values are rounded, and which formats they may have.
 use specula_datapath::Format;
 
-use super::SpecError;
+use crate::error::SpecError;
 
 /// The most fraction bits a user may ask for at any narrowing point, accumulators apart.
-pub(super) const MOST_FRACTION_BITS: u32 = 24;
+pub(crate) const MOST_FRACTION_BITS: u32 = 24;
 /// The most integer bits of a reciprocal root: 2^12 is that of the last place of an operand with
 /// the most fraction bits.
-pub(super) const LARGEST_ROOT_REACH: u32 = MOST_FRACTION_BITS / 2;
+pub(crate) const LARGEST_ROOT_REACH: u32 = MOST_FRACTION_BITS / 2;
 /// The fewest fraction bits at any narrowing point.
-pub(super) const FEWEST_FRACTION_BITS: u32 = 4;
+pub(crate) const FEWEST_FRACTION_BITS: u32 = 4;
 /// The most fraction bits of an accumulator: with sign and three integer bits, 60 bits wide.
-pub(super) const MOST_ACCUMULATOR_FRACTION_BITS: u32 = 56;
+pub(crate) const MOST_ACCUMULATOR_FRACTION_BITS: u32 = 56;
 
 /// `U1`, of whatever fraction bits: 0 to 1 and a little more.
-pub(super) const UNIT: Format = Format::unsigned(1, 0);
+pub(crate) const UNIT: Format = Format::unsigned(1, 0);
 /// `S1`, of whatever fraction bits.
-pub(super) const SIGNED_UNIT: Format = Format::signed(1, 0);
+pub(crate) const SIGNED_UNIT: Format = Format::signed(1, 0);
 
 /// A place where values are rounded, in the core or by the host.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,7 @@ pub struct NarrowingPoint {
 
 impl NarrowingPoint {
     /// A value that the core rounds; `shape` has the sign and the integer bits it needs.
-    pub(super) fn rounded(
+    pub(crate) fn rounded(
         name: &'static str,
         format: Format,
         shape: Format,
@@ -60,7 +60,7 @@ impl NarrowingPoint {
     /// pixels of the longest span, and errors grow with it to the power of `order`: S steps, each
     /// off by half a unit of the last place, add up to S/2 units, second differences to S²/4
     /// (numerics N3b), which must stay well below 1.
-    pub(super) fn accumulated(
+    pub(crate) fn accumulated(
         name: &'static str,
         format: Format,
         shape: Format,
@@ -76,31 +76,31 @@ impl NarrowingPoint {
     }
 
     /// One that has no more fraction bits than it was `from`.
-    pub(super) fn no_finer_than(mut self, from: Format) -> NarrowingPoint {
+    pub(crate) fn no_finer_than(mut self, from: Format) -> NarrowingPoint {
         self.most_fraction_bits = self.most_fraction_bits.min(from.fraction_bits);
         self
     }
 
     /// One with more fraction bits at least, so that what is made of it can be told from 0.
-    pub(super) fn with_at_least(mut self, fraction_bits: u32) -> NarrowingPoint {
+    pub(crate) fn with_at_least(mut self, fraction_bits: u32) -> NarrowingPoint {
         self.fewest_fraction_bits = self.fewest_fraction_bits.max(fraction_bits);
         self
     }
 
     /// One with fewer fraction bits at most, so that what is made of it fits 63 bits.
-    pub(super) fn with_at_most(mut self, fraction_bits: u32) -> NarrowingPoint {
+    pub(crate) fn with_at_most(mut self, fraction_bits: u32) -> NarrowingPoint {
         self.most_fraction_bits = self.most_fraction_bits.min(fraction_bits);
         self
     }
 
     /// One that may do with fewer fraction bits than others.
-    pub(super) fn down_to(mut self, fraction_bits: u32) -> NarrowingPoint {
+    pub(crate) fn down_to(mut self, fraction_bits: u32) -> NarrowingPoint {
         self.fewest_fraction_bits = fraction_bits;
         self
     }
 
     /// One with more fraction bits at most, since it enters no product.
-    pub(super) fn up_to(mut self, fraction_bits: u32) -> NarrowingPoint {
+    pub(crate) fn up_to(mut self, fraction_bits: u32) -> NarrowingPoint {
         self.most_fraction_bits = fraction_bits;
         self
     }
@@ -109,7 +109,7 @@ impl NarrowingPoint {
     ///
     /// # Errors
     /// [`SpecError::WrongFormat`] if not.
-    pub(super) fn check(&self) -> Result<(), SpecError> {
+    pub(crate) fn check(&self) -> Result<(), SpecError> {
         let (given, shape) = (self.format, self.shape);
         let fits = given.signed == shape.signed
             && given.integer_bits == shape.integer_bits

@@ -5,7 +5,9 @@ use std::str::FromStr;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, MapAccess, Visitor};
 
-use super::{LightPipelines, Method, SpecError};
+use crate::error::SpecError;
+use crate::light_pipelines::LightPipelines;
+use crate::method::Method;
 
 /// The `[core]` table of a scene file: a method's name, and a table of options for any of the
 /// methods.
@@ -23,7 +25,7 @@ pub struct CoreOptions {
 
 impl CoreOptions {
     /// The options of a method that differ from the defaults.
-    pub fn of(&self, method: Method) -> toml::Table {
+    pub fn method_table(&self, method: Method) -> toml::Table {
         self.tables
             .iter()
             .find(|(of, _)| *of == method)

@@ -3,8 +3,11 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 use specula_scene::needs::Needs;
 
-use super::narrowing::UNIT;
-use super::{Choice, CoreSpec, InputPort, NarrowingPoint, SpecError};
+use crate::core_input::{CoreInput, InputRole};
+use crate::error::SpecError;
+use crate::narrowing::{NarrowingPoint, UNIT};
+use crate::parameters::CoreParameters;
+use crate::shading_method::OptionDomain;
 
 /// How a power is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -31,16 +34,16 @@ pub struct PowerUnit {
 
 impl Power {
     /// The option that methods with the choice have.
-    pub(super) const CHOICE: Choice =
-        Choice { key: "power", values: &["\"squaring\"", "\"tables\""] };
+    pub(crate) const OPTION_DOMAIN: OptionDomain =
+        OptionDomain { key: "power", values: &["\"squaring\"", "\"tables\""] };
 
     /// By squaring where that reaches every exponent.
-    pub(super) fn for_needs(needs: &Needs) -> Power {
+    pub(crate) fn for_needs(needs: &Needs) -> Power {
         if needs.uneven_shininess.is_none() { Power::Squaring } else { Power::Tables }
     }
 
     /// What it is, for people to read.
-    pub(super) fn option(self) -> (&'static str, String) {
+    pub(crate) fn option(self) -> (&'static str, String) {
         let power = match self {
             Power::Squaring => "b^n by squaring, n = 2^j",
             Power::Tables => "b^n = 2^(n log2 b) by tables",
@@ -52,7 +55,11 @@ impl Power {
     ///
     /// # Errors
     /// [`SpecError::UnevenShininess`] in the name of `method` if not.
-    pub(super) fn check_serves(self, needs: &Needs, method: &'static str) -> Result<(), SpecError> {
+    pub(crate) fn check_compatible(
+        self,
+        needs: &Needs,
+        method: &'static str,
+    ) -> Result<(), SpecError> {
         match (self, needs.uneven_shininess) {
             (Power::Squaring, Some(shininess)) => {
                 let above = shininess.next_power_of_two();
@@ -73,7 +80,7 @@ impl PowerUnit {
     }
 
     /// The narrowing point behind the base, if there is one.
-    pub(super) fn narrowing_point(&self) -> Option<NarrowingPoint> {
+    pub(crate) fn narrowing_point(&self) -> Option<NarrowingPoint> {
         let shape = || {
             NarrowingPoint::rounded("shape", self.shape, UNIT, "the power of the base, by tables")
                 .with_at_most(16)
@@ -81,21 +88,21 @@ impl PowerUnit {
         (self.power == Power::Tables).then(shape)
     }
 
-    /// The port of the exponent, or of its logarithm.
-    pub fn port(&self, core: &CoreSpec) -> InputPort {
+    /// The input for the exponent, or for its logarithm.
+    pub fn exponent_input(&self, core: &CoreParameters) -> CoreInput {
         let largest = core.largest_shininess << self.log2_factor;
-        let port = |name: &str, low: u32, high: u32| {
+        let input = |name: &str, low: u32, high: u32| {
             let format = Format::unsigned((u32::BITS - high.leading_zeros()).max(1), 0);
-            InputPort::between(name, format, low.into(), high.into())
+            CoreInput::between(InputRole::Exponent, name, format, low.into(), high.into())
         };
         match self.power {
-            Power::Squaring => port("log2_exponent", 0, largest.ilog2()),
-            Power::Tables => port("exponent", 1, largest),
+            Power::Squaring => input("log2_exponent", 0, largest.ilog2()),
+            Power::Tables => input("exponent", 1, largest),
         }
     }
 
-    /// What the port is given.
-    pub(super) fn input(&self, shininess: u32) -> i64 {
+    /// The raw value of that input.
+    pub(crate) fn exponent(&self, shininess: u32) -> i64 {
         let exponent = shininess << self.log2_factor;
         match self.power {
             Power::Squaring => exponent.ilog2().into(),

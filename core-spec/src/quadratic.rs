@@ -3,8 +3,8 @@ use glam::DVec3;
 use specula_datapath::Format;
 use specula_scene::frame::Span;
 
-use super::InputPort;
-use super::inputs::inputs;
+use crate::core_input::{CoreInput, InputRole};
+use crate::inputs::{InputGroup, inputs};
 
 inputs! {
     /// Start value and differences of a quadratic in the pixel number.
@@ -19,28 +19,28 @@ inputs! {
     }
 }
 
-impl Quadratic<InputPort> {
-    /// The ports of x·x with |x| ≤ 1: from 0 to 1 along the span, so differences of neighbours are
+impl Quadratic<CoreInput> {
+    /// The inputs of x·x with |x| ≤ 1: from 0 to 1 along the span, so differences of neighbours are
     /// up to 1 and 2.
-    pub(super) fn squared_length_ports(name: &str, format: Format) -> Quadratic<InputPort> {
-        Quadratic::ports(name, format, [(0.0, 1.0), (-1.0, 1.0), (0.0, 2.0)])
+    pub(crate) fn squared_length_inputs(name: &str, format: Format) -> Quadratic<CoreInput> {
+        Quadratic::inputs(name, format, [(0.0, 1.0), (-1.0, 1.0), (0.0, 2.0)])
     }
 
-    /// The ports of what [`Quadratic::reflected`] makes of |x| ≤ 1 and unit vectors: from -1 to 1
+    /// The inputs of what [`Quadratic::reflected`] makes of |x| ≤ 1 and unit vectors: from -1 to 1
     /// along the span, so differences of neighbours are up to 2 and 4.
-    pub(super) fn reflected_ports(name: &str, format: Format) -> Quadratic<InputPort> {
-        Quadratic::ports(name, format, [(-1.0, 1.0), (-2.0, 2.0), (-4.0, 4.0)])
+    pub(crate) fn reflected_inputs(name: &str, format: Format) -> Quadratic<CoreInput> {
+        Quadratic::inputs(name, format, [(-1.0, 1.0), (-2.0, 2.0), (-4.0, 4.0)])
     }
 
-    /// The ports of a quadratic; `limits` of start value, first and second difference.
-    fn ports(name: &str, format: Format, limits: [(f64, f64); 3]) -> Quadratic<InputPort> {
-        let port = |part: &str, (low, high)| {
-            InputPort::between(format!("{name}_{part}"), format, low, high)
+    /// The inputs of a quadratic; `limits` of start value, first and second difference.
+    fn inputs(name: &str, format: Format, limits: [(f64, f64); 3]) -> Quadratic<CoreInput> {
+        let input = |part: &str, (low, high)| {
+            CoreInput::between(InputRole::Surface, format!("{name}_{part}"), format, low, high)
         };
         Quadratic {
-            start: port("start", limits[0]),
-            first_difference: port("first_difference", limits[1]),
-            second_difference: port("second_difference", limits[2]),
+            start: input("start", limits[0]),
+            first_difference: input("first_difference", limits[1]),
+            second_difference: input("second_difference", limits[2]),
         }
     }
 }
@@ -48,7 +48,7 @@ impl Quadratic<InputPort> {
 impl Quadratic<f64> {
     /// Start and differences of c + b i + a i² (Hast eq. 20 to 26: p0 = C, dp0 = A + B, d2p = 2A),
     /// as far as the span is long enough to use them.
-    pub(super) fn new(span: &Span, c: f64, b: f64, a: f64) -> Quadratic<f64> {
+    pub(crate) fn new(span: &Span, c: f64, b: f64, a: f64) -> Quadratic<f64> {
         let used_from = |steps: u32, x: f64| if span.steps() >= steps { x } else { 0.0 };
         Quadratic {
             start: c,
@@ -58,13 +58,13 @@ impl Quadratic<f64> {
     }
 
     /// (m + k i)·(m + k i).
-    pub(super) fn squared_length(span: &Span, m: DVec3, k: DVec3) -> Quadratic<f64> {
+    pub(crate) fn squared_length(span: &Span, m: DVec3, k: DVec3) -> Quadratic<f64> {
         Quadratic::new(span, m.dot(m), 2.0 * k.dot(m), k.dot(k))
     }
 
     /// 2(x·n)(x·l) - (n·l)(x·x) with x = m + k i: n reflected about x, times l and x·x [Hast et
     /// al., eq. 10, 18 to 26 and 29].
-    pub(super) fn reflected(span: &Span, [m, k]: [DVec3; 2], n: DVec3, l: DVec3) -> Quadratic<f64> {
+    pub(crate) fn reflected(span: &Span, [m, k]: [DVec3; 2], n: DVec3, l: DVec3) -> Quadratic<f64> {
         let n_dot_l = n.dot(l);
         Quadratic::new(
             span,
@@ -74,7 +74,7 @@ impl Quadratic<f64> {
         )
     }
 
-    pub(super) fn quantised(&self, format: Format) -> Quadratic<i64> {
-        self.map(|&x| format.quantise(x))
+    pub(crate) fn quantised(&self, format: Format) -> Quadratic<i64> {
+        self.map_each(&mut |&x| format.quantise(x))
     }
 }

@@ -1,8 +1,11 @@
 //! The core for a loaded scene.
-use specula_scene::{LoadedScene, Needs, SceneError};
+use specula_scene::{CoreTable, LoadedScene, Needs, SceneError};
 
+use crate::core_spec::CoreSpec;
+use crate::error::SpecError;
 use crate::lyon::Normals;
-use crate::{CoreOptions, CoreSpec, Method, MethodSpec, SpecError, Specialise};
+use crate::method::{Method, MethodSpec};
+use crate::options::{CoreOptions, Specialise};
 
 /// Why there is no core for a scene.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -11,7 +14,7 @@ pub enum CoreError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Scene(#[from] SceneError),
-    /// No core can be built for the scene as it is asked for.
+    /// The core that the scene or the user asks for cannot be built.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Spec(#[from] SpecError),
@@ -19,16 +22,15 @@ pub enum CoreError {
 
 /// What a loaded scene says of the core that shades it.
 pub trait SceneCore {
-    /// The core for this scene, by `method` if one is given, else by what the scene file's `[core]`
-    /// table says, else `lyon`. It is for this frame alone, unless the table has it
-    /// `specialise = "general"`.
+    /// The core for this scene, with `method` if one is given, or else the method in the scene
+    /// file's `[core]` table, or else `lyon`. It is specialised for this frame, unless the table
+    /// has `specialise = "general"`.
     ///
     /// # Errors
     /// A [`CoreError`] that points at the `[core]` table, if there is one.
     fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, CoreError>;
 
-    /// The core that this scene would get if its needs were these: it is general, and its frame is
-    /// not looked at.
+    /// The general core that this scene would get with these needs; its frame is not looked at.
     ///
     /// # Errors
     /// As [`SceneCore::core_spec`].
@@ -64,21 +66,22 @@ impl SceneCore for LoadedScene {
 
 /// What the scene file's `[core]` table says.
 fn core_options(scene: &LoadedScene) -> Result<Option<CoreOptions>, SceneError> {
-    scene.core.as_ref().map(|table| table.parse::<CoreOptions>()).transpose()
+    scene.core.as_ref().map(CoreTable::parse::<CoreOptions>).transpose()
 }
 
 fn specialise(scene: &LoadedScene) -> Result<Specialise, SceneError> {
     Ok(core_options(scene)?.and_then(|options| options.specialise).unwrap_or(Specialise::Scene))
 }
 
-/// Where every triangle has one normal, `lyon` takes it as it is, unless it is told what to do with
-/// normals.
+/// If every triangle has only one normal, `lyon` does not interpolate it, unless the `[core]` table
+/// says how to treat normals.
 fn without_interpolation(
     mut spec: CoreSpec,
     needs: &Needs,
     options: Option<&CoreOptions>,
 ) -> CoreSpec {
-    let told = options.is_some_and(|options| options.of(Method::Lyon).contains_key("normals"));
+    let told =
+        options.is_some_and(|options| options.method_table(Method::Lyon).contains_key("normals"));
     if let (MethodSpec::Lyon(lyon), true, false) = (&mut spec.method, needs.flat, told) {
         lyon.normals = Normals::Flat;
     }

@@ -1,10 +1,14 @@
-//! Set-up of one span: what the host works out in f64 and quantises into the core's formats.
+//! Set-up of one span: what the host computes in f64 and quantises into the core's formats.
+use specula_datapath::SpanPacket;
 use specula_scene::ParallelSpan;
 use specula_scene::frame::{Colour, Frame, Material, Span};
 
-use super::{CoreSpec, FULL_SCALE, SpanPacket, Viewpoint};
+use crate::core_spec::CoreSpec;
+use crate::method_set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use crate::parameters::{CoreParameters, FULL_SCALE};
+use crate::shading_method::Viewpoint;
 
-/// Sets up spans of one frame for a core; what does not change from span to span is worked out
+/// Sets up spans of one frame for a core; what does not change from span to span is computed
 /// once.
 pub struct SetUp<'a> {
     core: &'a CoreSpec,
@@ -14,29 +18,6 @@ pub struct SetUp<'a> {
     /// What belongs to each material of the frame.
     materials: Vec<MaterialInputs>,
     method: Box<dyn SetUpSpan + 'a>,
-}
-
-/// A method's part of the set-up.
-pub trait SetUpSpan: Send + Sync {
-    /// Appends raw values of the method's ports, in their order. They may lie outside the ports'
-    /// ranges by what f64 rounds.
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>);
-}
-
-/// Inputs that depend on the material alone.
-pub struct MaterialInputs {
-    /// Ambient light sent back.
-    pub ambient: [i64; 3],
-    /// Coefficients under each light.
-    pub lights: Vec<Coefficients>,
-}
-
-/// A light's colour times a material's reflectances.
-pub struct Coefficients {
-    /// Diffuse, red, green and blue.
-    pub diffuse: [i64; 3],
-    /// Specular, red, green and blue.
-    pub specular: [i64; 3],
 }
 
 impl<'a> SetUp<'a> {
@@ -49,9 +30,9 @@ impl<'a> SetUp<'a> {
             materials: frame
                 .materials
                 .iter()
-                .map(|material| MaterialInputs::new(core, frame, material))
+                .map(|material| material_inputs(&core.parameters, frame, material))
                 .collect(),
-            method: core.method.describe().set_up(frame),
+            method: core.method.shading().set_up(frame),
         }
     }
 
@@ -85,28 +66,24 @@ impl<'a> SetUp<'a> {
     fn append_from_the_middle(&self, span: &Span, out: &mut Vec<i64>) {
         let parallel = ParallelSpan::new(self.frame, span);
         let material =
-            MaterialInputs::new(self.core, &parallel.frame, &parallel.frame.materials[0]);
-        let method = self.core.method.describe().set_up(&parallel.frame);
+            material_inputs(&self.core.parameters, &parallel.frame, &parallel.frame.materials[0]);
+        let method = self.core.method.shading().set_up(&parallel.frame);
         method.append(parallel.span(), &material, out);
     }
 }
 
-impl MaterialInputs {
-    fn new(core: &CoreSpec, frame: &Frame, material: &Material) -> MaterialInputs {
-        // Light times reflectance, in LSBs.
-        let product = |reflectance: Colour, light: Colour| {
-            std::array::from_fn(|c| {
-                core.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c])
-            })
-        };
-        let under = |colour: Colour| Coefficients {
-            diffuse: product(material.diffuse, colour),
-            specular: product(material.specular, colour),
-        };
-        MaterialInputs {
-            ambient: product(material.ambient, frame.ambient),
-            lights: frame.light_colours().map(under).collect(),
-        }
+/// Light times reflectance, in LSBs.
+fn material_inputs(core: &CoreParameters, frame: &Frame, material: &Material) -> MaterialInputs {
+    let product = |reflectance: Colour, light: Colour| {
+        std::array::from_fn(|c| core.coefficient.quantise(FULL_SCALE * reflectance[c] * light[c]))
+    };
+    let under = |colour: Colour| Coefficients {
+        diffuse: product(material.diffuse, colour),
+        specular: product(material.specular, colour),
+    };
+    MaterialInputs {
+        ambient: product(material.ambient, frame.ambient),
+        lights: frame.light_colours().map(under).collect(),
     }
 }
 

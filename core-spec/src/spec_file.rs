@@ -1,29 +1,29 @@
-//! A core as a file, `spec.toml`: everything that it is, so that the same hardware can be made
-//! again, or shade another scene.
+//! A core as a file, `spec.toml`: it contains everything that defines the core, so that the same
+//! hardware can be built again, or shade another scene.
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use specula_scene::{LONGEST_NAME, SceneError, SourceFile, module_name};
 use toml::Spanned;
 
-use crate::CoreSpec;
+use crate::core_spec::CoreSpec;
 
 /// A named core.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpecFile {
-    /// The name of the scene that it was made for, by which its module and its files are called.
+    /// The name of the scene that it was made for, from which its module and its files are named.
     pub name: String,
     /// The core.
     pub spec: CoreSpec,
 }
 
-/// What keys mean. Another version may have other keys.
+/// The version of the format. Another version may have other keys.
 const VERSION: u32 = 1;
 
 const HELP: &str =
     "docs/spec-file.md lists every key; `specula generate` and `specula run` write whole files";
 
-/// The file as it is written and read.
+/// The contents of the file.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Contents<Name, Spec> {
@@ -32,7 +32,7 @@ struct Contents<Name, Spec> {
     spec: Spec,
 }
 
-/// A file of which only the version counts.
+/// A file, as far as its version is concerned.
 #[derive(Deserialize)]
 struct OnlyVersion {
     version: Spanned<u32>,
@@ -42,16 +42,16 @@ impl SpecFile {
     /// The name of the file in a run's folder.
     pub const NAME: &str = "spec.toml";
 
-    /// The longest name of a core, in characters.
+    /// Largest length of a core's name, in characters.
     pub const LONGEST_NAME: usize = LONGEST_NAME;
 
-    /// How every such file begins that is written here.
+    /// The beginning of every spec file that Specula writes.
     pub const ABOUT: &str = "\
 # A core of Specula's. `specula generate --spec FILE` writes its Verilog, and
 # `specula run SCENE --core FILE` shades a scene with it, if it has what the scene needs.
 ";
 
-    /// The file's text; [`SpecFile::parse`] makes the same core of it.
+    /// The file's text; [`SpecFile::parse`] makes the same core from it.
     pub fn text(&self) -> String {
         let contents = Contents { version: VERSION, name: &self.name, spec: &self.spec };
         let toml = toml::to_string(&contents)

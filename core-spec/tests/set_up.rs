@@ -1,10 +1,7 @@
 //! Spans that are set up one behind the other, and cores for one frame that need none.
+use specula_fixtures::each_method;
 use specula_scene::{Frame, LoadedScene, load};
 use specula_spec::{CoreSpec, Format, Method, SceneCore, SetUp};
-
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
 
 each_method!(spans_are_appended);
 each_method!(a_place_within_the_core_needs_no_set_up);

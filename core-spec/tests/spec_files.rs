@@ -79,34 +79,35 @@ fn a_core_serves_its_own_scene_as_it_is() {
             .into_iter()
             .filter_map(|method| load(scene, SIZE).unwrap().core_spec(Some(method)).ok())
         {
-            let served = spec.serving(&frame).unwrap();
-            assert_eq!((served.spec, served.frame), (spec, frame.clone()), "{scene}");
+            let fitted = spec.fit_to(&frame).unwrap();
+            assert_eq!((fitted.spec, fitted.frame), (spec, frame.clone()), "{scene}");
         }
     }
 }
 
 #[test]
 fn a_general_core_takes_less_than_it_has() {
-    let spec = CoreSpec { longest_span: 4, ..core("spheres", None).general() };
+    let mut spec = core("spheres", None).general();
+    spec.parameters.longest_span = 4;
     let teapot = frame("teapot");
-    let served = spec.serving(&teapot).unwrap();
-    assert_eq!(served.frame.lights.len(), spec.lights);
+    let fitted = spec.fit_to(&teapot).unwrap();
+    assert_eq!(fitted.frame.lights.len(), spec.parameters.lights);
     assert_eq!(
-        served.frame.lights[teapot.lights.len()..]
+        fitted.frame.lights[teapot.lights.len()..]
             .iter()
             .map(|light| light.colour)
             .collect::<Vec<_>>(),
         [[0.0; 3]]
     );
     let formats = |spec: &CoreSpec| (spec.method.clone(), spec.inputs());
-    assert_eq!(formats(&served.spec), formats(&spec));
+    assert_eq!(formats(&fitted.spec), formats(&spec));
     // Bounds rest on the shorter normals of both.
-    assert!(served.spec.shortest_normal <= spec.shortest_normal);
+    assert!(fitted.spec.parameters.shortest_normal <= spec.parameters.shortest_normal);
 }
 
 #[test]
 fn what_a_core_lacks_is_named() {
-    let lacking = |spec: &CoreSpec, frame: &Frame| match spec.serving(frame) {
+    let lacking = |spec: &CoreSpec, frame: &Frame| match spec.fit_to(frame) {
         Err(error @ (SpecError::Lacks { .. } | SpecError::UnevenShininess { .. })) => {
             error.to_string()
         }
@@ -123,7 +124,8 @@ fn what_a_core_lacks_is_named() {
     insta::assert_snapshot!(said.join("\n"));
     let uneven = "[[object]]\nprimitive = \"torus\"\n[object.material]\nshininess = 3\n".to_owned();
     let uneven = parse("uneven.toml", uneven).unwrap().frame;
-    let hybrid = CoreSpec { longest_span: 1024, ..core("spheres", Some(Method::Hybrid)).general() };
+    let mut hybrid = core("spheres", Some(Method::Hybrid)).general();
+    hybrid.parameters.longest_span = 1024;
     assert!(lacking(&hybrid, &uneven).contains("shininess 3"));
 }
 

@@ -43,7 +43,7 @@ fn reciprocal(builder: &Builder, x: &Sig) -> Sig {
     let y = (&y0 * twice).rounded(FRACTION_BITS); // U1.16
     let (w, u) = (2f64.powi(-(ADDRESS_BITS as i32)), x.ulp());
     // (x y0).rounded is off by half a unit of 20 bits, which y0 <= 1 makes no larger.
-    y.stated_error_value((w / 2.0 + u).powi(2) + u / 32.0 + u / 2.0 + u / 2.0)
+    y.override_error("reciprocal", (w / 2.0 + u).powi(2) + u / 32.0 + u / 2.0 + u / 2.0)
 }
 
 /// Builds, prints, simulates and judges the design.

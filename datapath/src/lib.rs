@@ -33,9 +33,10 @@
 //! **Narrowing** is always explicit: [`rounded`](builder::Sig::rounded),
 //! [`truncated`](builder::Sig::truncated), [`clamped_above`](builder::Sig::clamped_above). A fact
 //! that intervals cannot see is stated with [`assumed`](builder::Sig::assumed): the bits that it
-//! makes superfluous are dropped, and a simulation checks it in every clock. A bound that
-//! propagation cannot find is stated with [`proven_error`](builder::Sig::proven_error), its proof
-//! beside it.
+//! makes superfluous are dropped, and a simulation checks it in every clock. A bound that rules
+//! cannot find is stated with [`tighten_error`](builder::Sig::tighten_error), or with
+//! [`override_error`](builder::Sig::override_error) where rules see nothing, and names its proof; a
+//! proof takes a [`Bound`](bound::Bound), which is plain numbers.
 //!
 //! **Units** are modules with ports ([`Builder::unit`](builder::Builder::unit)): a function that
 //! reads like its formula. All inputs of a unit are taken at one stage, all outputs leave at one.
@@ -43,18 +44,20 @@
 //! **Loops** go from pixel to pixel: an accumulator ([`Sig::accumulated`](builder::Sig::accumulated)),
 //! or any step that fits one clock ([`Builder::recurrence`](builder::Builder::recurrence),
 //! [`Builder::carried`](builder::Builder::carried)). The first pixel of a *span*, a run of pixels
-//! with the same inputs, loads them.
+//! with the same inputs, loads them. They step with a valid pixel only, so that a span may pause in
+//! any clock: `valid` is then low, inputs stay, and `start` means nothing.
 //!
 //! # What comes of it
 //!
 //! ```text
-//! Builder ──► Graph ──► schedule ──► registers ──► dead code ──► Design ─┬─► rust-hdl blocks ──► Verilog
-//!             no clocks                                                  └─► engines (specula-sim)
+//! Builder ──► Graph ─┬─► schedule ──► registers ──► dead code ─┬─► Design ─┬─► rust-hdl blocks ──► Verilog
+//!         no clocks  └─► bounds ────────────────────────────────┘           └─► engines (specula-sim)
 //! ```
 //!
-//! A [`Graph`](graph::Graph) has no clocks. The [passes](pass) say for a [`Target`](target::Target)
-//! in which clock each operator runs, and put the delays in that make what belongs together arrive
-//! together. A [`Design`] is a flat list of signals with proven ranges;
+//! A [`Graph`](graph::Graph) has no clocks, and knows which real value each of its values stands for:
+//! [`bounds`](pass::bounds()) says how far both are apart. The other [passes](pass) say for a
+//! [`Target`](target::Target) in which clock each operator runs, and put the delays in that make
+//! what belongs together arrive together. A [`Design`] is a flat list of signals with proven ranges;
 //! [`Design::to_block`] makes rust-hdl modules of it, and [`verilog::print`] prints those. A mistake
 //! in using the builder is a [`BuildError`] that names unit and signal.
 //!

@@ -1,4 +1,5 @@
 //! A core's inputs.
+use crate::bound::Interval;
 use crate::format::Format;
 
 /// One data input of a core, held while its span goes in.
@@ -10,6 +11,8 @@ pub struct InputPort {
     pub format: Format,
     /// Smallest and largest raw value it is given; ranges inside the core are proven from these.
     pub range: (i64, i64),
+    /// Where the real values lie that are rounded to these, as far as that is known.
+    pub real: Interval,
     /// An earlier input of the same format whose value it always has, if there is one: then it is
     /// no input of the hardware.
     pub same_as: Option<String>,
@@ -22,16 +25,18 @@ impl InputPort {
             name: name.into(),
             format,
             range: (format.min_raw(), format.max_raw()),
+            real: Interval::ANY,
             same_as: None,
         }
     }
 
-    /// A port that takes values from `low` to `high`.
+    /// A port that takes values from `low` to `high`, real ones as well as rounded ones.
     pub fn between(name: impl Into<String>, format: Format, low: f64, high: f64) -> InputPort {
         InputPort {
             name: name.into(),
             format,
             range: (format.quantise(low), format.quantise(high)),
+            real: Interval::new(low, high),
             same_as: None,
         }
     }

@@ -1,28 +1,28 @@
-//! A drawing of rectangles and words.
+//! A raster image with rectangles and text.
 use image::{Rgb, RgbImage};
 
 use super::typeface::Typeface;
 
-/// Height of a line's capitals, in dots; words stand in multiples of it.
+/// Height of a capital in dots; text sizes are multiples of it.
 pub const CHARACTER: u32 = 8;
-/// From one character to the next, in dots.
+/// Distance from one character to the next, in dots.
 const ADVANCE: u32 = 7;
 
-/// A drawing with words in it.
+/// An image on which rectangles and text are drawn.
 pub struct Canvas {
     image: RgbImage,
     typeface: Typeface,
-    /// Pixels for each dot of a character.
+    /// Pixels for each dot of a character, in both directions.
     dot: u32,
 }
 
 impl Canvas {
-    /// A drawing of one colour, with `dot` pixels for each dot of a character.
+    /// A canvas of one colour, with `dot` pixels for each dot of a character.
     pub fn new(width: u32, height: u32, colour: Rgb<u8>, dot: u32) -> Canvas {
         Canvas::over(RgbImage::from_pixel(width, height, colour), dot)
     }
 
-    /// A drawing that goes on over an image.
+    /// A canvas that draws on an existing image.
     pub fn over(image: RgbImage, dot: u32) -> Canvas {
         Canvas { image, typeface: Typeface::new(ADVANCE * dot), dot }
     }
@@ -32,7 +32,7 @@ impl Canvas {
         text.chars().count() as u32 * ADVANCE * dot
     }
 
-    /// Colours a pixel; one outside the drawing is left out.
+    /// Sets the colour of a pixel; a pixel outside the canvas is ignored.
     pub fn put(&mut self, x: u32, y: u32, colour: Rgb<u8>) {
         if let Some(pixel) = self.image.get_pixel_mut_checked(x, y) {
             *pixel = colour;
@@ -66,13 +66,13 @@ impl Canvas {
         });
     }
 
-    /// The drawing.
+    /// The finished image.
     pub fn finish(self) -> RgbImage {
         self.image
     }
 }
 
-/// Covers a share of a pixel; one outside the drawing is left out.
+/// Mixes `colour` into a pixel with weight `share`, 0 to 1; a pixel outside the image is ignored.
 fn blend(image: &mut RgbImage, (x, y): (i64, i64), colour: Rgb<u8>, share: f32) {
     let place = u32::try_from(x).ok().zip(u32::try_from(y).ok());
     let Some(pixel) = place.and_then(|(x, y)| image.get_pixel_mut_checked(x, y)) else { return };

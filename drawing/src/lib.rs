@@ -1,5 +1,5 @@
-//! Drawings of shapes and words: laid out once as a [`Sheet`], written as SVG, light and dark, or
-//! as PNG.
+//! Drawings of shapes and text: laid out once as a [`Sheet`], written as SVG, with colours for
+//! light and dark backgrounds, or as PNG.
 pub mod canvas;
 mod palette;
 mod png;
@@ -10,73 +10,73 @@ pub use palette::light;
 pub use png::png;
 pub use svg::{escaped, svg};
 
-/// Width that a character takes, at most.
+/// Width of a character in pixels, at most.
 pub const CHARACTER: f64 = 8.0;
-/// Height of capitals.
+/// Height of a capital in pixels.
 pub const CAPITAL: f64 = 9.0;
 
 /// A laid-out drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
-    /// What it shows, for those who cannot see it.
+    /// A description for readers who cannot see the drawing.
     pub title: String,
-    /// Width and height.
+    /// Width and height in pixels.
     pub size: (f64, f64),
-    /// What is on it, from the lowest to the topmost.
+    /// The marks, from the lowest to the topmost.
     pub marks: Vec<Mark>,
 }
 
-/// A point: from the left, from the top.
+/// A point: distance from the left, distance from the top.
 pub type Point = (f64, f64);
 
-/// Something on a sheet.
+/// A mark on a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mark {
     /// A filled rectangle: corner and size.
     Box(Ink, Point, (f64, f64)),
-    /// Straight lines.
+    /// Straight lines, each from a point to a point.
     Lines(Ink, Vec<(Point, Point)>),
-    /// Lines through points, open; a line each.
+    /// Open polylines, each given by its points.
     Traces(Ink, Vec<Vec<Point>>),
-    /// Filled and outlined areas.
+    /// Filled and outlined polygons.
     Areas(Ink, Vec<Vec<Point>>),
-    /// Words that begin at a point of their base line.
-    Words(Ink, Point, String),
-    /// Words that end there.
-    WordsBefore(Ink, Point, String),
-    /// Words in the middle there.
-    WordsAmid(Ink, Point, String),
-    /// Words that run upwards, in the middle there.
-    WordsUp(Ink, Point, String),
-    /// Round dots of one radius.
+    /// Text that begins at a point of its base line.
+    Text(Ink, Point, String),
+    /// Text that ends at a point of its base line.
+    TextEnding(Ink, Point, String),
+    /// Text centred at a point of its base line.
+    TextCentred(Ink, Point, String),
+    /// Text that runs upwards, centred at a point of its base line.
+    TextUpwards(Ink, Point, String),
+    /// Round dots at points, all of one radius.
     Dots(Ink, Vec<Point>, f64),
 }
 
 impl Mark {
-    /// What it is drawn with.
+    /// The ink that the mark is drawn with.
     pub fn ink(&self) -> Ink {
         match self {
             Mark::Box(ink, ..)
             | Mark::Lines(ink, _)
             | Mark::Traces(ink, _)
             | Mark::Areas(ink, _)
-            | Mark::Words(ink, ..)
-            | Mark::WordsBefore(ink, ..)
-            | Mark::WordsAmid(ink, ..)
-            | Mark::WordsUp(ink, ..)
+            | Mark::Text(ink, ..)
+            | Mark::TextEnding(ink, ..)
+            | Mark::TextCentred(ink, ..)
+            | Mark::TextUpwards(ink, ..)
             | Mark::Dots(ink, ..) => *ink,
         }
     }
 }
 
-/// What a mark stands for; the back ends know its colour.
+/// The role of a mark. The back ends map roles to colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Ink {
-    /// What everything stands on.
+    /// The background.
     Paper,
     /// The drawing's title.
     Title,
-    /// A unit's name, and the line beside it.
+    /// A unit's name, and the line next to it.
     Unit,
     /// A signal's name.
     Name,
@@ -84,13 +84,13 @@ pub enum Ink {
     Aside,
     /// Borders of columns.
     Grid,
-    /// Lines of bits.
+    /// Levels of one-bit signals.
     Level,
-    /// What lies below the line of a bit that is 1.
+    /// The area below the level of a bit that is 1.
     High,
     /// Cells of values.
     Cell,
-    /// Cells and bits that are unknown or float.
+    /// Cells and bits that are unknown or high-impedance.
     Unknown,
     /// Cells and bits whose value matters most.
     Highlight,
@@ -104,28 +104,28 @@ pub enum Ink {
     MarkerNumber,
     /// The frame of a plot.
     Axis,
-    /// The line that says where the best of a plot lie.
+    /// The line along the Pareto front of a plot.
     Front,
     /// Lines of a plot's series, by number.
     SeriesLine(Series),
-    /// Dots and words of a plot's series.
+    /// Dots and text of a plot's series.
     Series(Series),
 }
 
-/// The number of a plot's series; there are [`SERIES`] colours, and then they come again.
+/// The number of a plot's series. There are [`SERIES`] colours, which repeat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Series(u8);
 
-/// Colours of series.
+/// Number of different colours for series.
 pub const SERIES: u8 = 9;
 
 impl Series {
-    /// Number `number`.
+    /// The series with colour `number` modulo [`SERIES`].
     pub const fn new(number: usize) -> Series {
         Series((number % SERIES as usize) as u8)
     }
 
-    /// From 0 to [`SERIES`] - 1.
+    /// The number of its colour, from 0 to [`SERIES`] - 1.
     pub const fn number(self) -> usize {
         self.0 as usize
     }

@@ -1,26 +1,26 @@
-//! Colours of what is drawn, on light and on dark paper.
+//! Colours of the inks on light and on dark backgrounds.
 use super::{Ink, SERIES, Series};
 
 /// A colour: red, green and blue.
 pub type Colour = [u8; 3];
 
-/// How an ink paints: areas and words are filled, lines and borders are stroked.
+/// How an ink paints: areas and text are filled, lines and borders are stroked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paint {
-    /// Colour of an area or of words.
+    /// Colour of an area or of text.
     pub fill: Option<Colour>,
     /// Colour of lines.
     pub stroke: Option<Colour>,
 }
 
-/// Every ink, those of areas before those of words.
+/// Every ink, those of areas before those of text.
 pub fn inks() -> impl Iterator<Item = Ink> {
     let series = (0..usize::from(SERIES)).map(Series::new);
     let of_series = series.flat_map(|series| [Ink::SeriesLine(series), Ink::Series(series)]);
     INKS.into_iter().chain(of_series)
 }
 
-/// All but those of series.
+/// Every ink except those of series.
 const INKS: [Ink; 17] = [
     Ink::Paper,
     Ink::Marker,
@@ -41,8 +41,8 @@ const INKS: [Ink; 17] = [
     Ink::Front,
 ];
 
-/// Colours of series on light paper and on dark: told apart by people who see colours in other ways
-/// too, and dark or light enough for words.
+/// Colours of series on light and on dark backgrounds. They can be told apart with any kind of
+/// colour vision, and contrast with the background enough for text.
 const OF_SERIES: [[u32; 2]; SERIES as usize] = [
     [0x05_50ae, 0x79_c0ff],
     [0xbc_4c00, 0xff_a657],
@@ -55,7 +55,7 @@ const OF_SERIES: [[u32; 2]; SERIES as usize] = [
     [0x4d_555e, 0xb1_bac4],
 ];
 
-/// Thickness of an ink's lines.
+/// Thickness of an ink's lines in pixels.
 pub fn thickness(ink: Ink) -> f32 {
     match ink {
         Ink::Grid => 0.65,
@@ -64,7 +64,7 @@ pub fn thickness(ink: Ink) -> f32 {
     }
 }
 
-/// On light paper.
+/// The paint of an ink on a light background.
 pub fn light(ink: Ink) -> Paint {
     match ink {
         Ink::Paper => fill(0xff_ffff),
@@ -87,7 +87,7 @@ pub fn light(ink: Ink) -> Paint {
     }
 }
 
-/// On dark paper.
+/// The paint of an ink on a dark background.
 pub fn dark(ink: Ink) -> Paint {
     match ink {
         Ink::Paper => fill(0x0d_1117),

@@ -1,4 +1,4 @@
-//! A sheet as PNG, twice as large as it is measured, so that it is crisp on fine screens.
+//! A sheet as PNG, at twice its size, so that it is crisp on high-resolution screens.
 use image::{Rgb, RgbImage};
 use tiny_skia::{Color, FillRule, Path, PathBuilder, Pixmap, Rect, Stroke, Transform};
 
@@ -8,16 +8,16 @@ use crate::canvas::Canvas;
 
 /// Pixels for each pixel of the sheet, and for each dot of a character.
 const SCALE: u32 = 2;
-/// Width and height of a picture, at most.
-const MOST: f64 = 16_384.0;
-/// Pixels of a picture, at most.
-const MOST_PIXELS: f64 = 1e8;
+/// Largest width or height of a picture.
+const MAX_LENGTH: f64 = 16_384.0;
+/// Largest number of pixels of a picture.
+const MAX_PIXELS: f64 = 1e8;
 
-/// The sheet as a picture on light paper; none if it would be too large to be of use.
+/// The sheet as a picture on a light background; `None` if it would be too large to be of use.
 pub fn png(sheet: &Sheet) -> Option<RgbImage> {
     let Sheet { size: (width, height), marks, .. } = sheet;
     let (width, height) = (width * f64::from(SCALE), height * f64::from(SCALE));
-    if width.max(height) > MOST || width * height > MOST_PIXELS {
+    if width.max(height) > MAX_LENGTH || width * height > MAX_PIXELS {
         return None;
     }
     let mut pixels = Pixmap::new(width as u32, height as u32)?;
@@ -30,7 +30,7 @@ pub fn png(sheet: &Sheet) -> Option<RgbImage> {
         .collect();
     let image = RgbImage::from_raw(width as u32, height as u32, opaque)?;
     let mut canvas = Canvas::over(image, SCALE);
-    // No words lie below a shape.
+    // Text is written last, since no text lies below a shape.
     marks.iter().for_each(|mark| write(&mut canvas, mark));
     Some(canvas.finish())
 }
@@ -60,11 +60,11 @@ fn draw(pixels: &mut Pixmap, mark: &Mark) {
                 );
             }
         }
-        Mark::Words(..) | Mark::WordsBefore(..) | Mark::WordsAmid(..) | Mark::WordsUp(..) => {}
+        Mark::Text(..) | Mark::TextEnding(..) | Mark::TextCentred(..) | Mark::TextUpwards(..) => {}
     }
 }
 
-/// The lines through points; none if there are no points.
+/// The path through points; `None` if there are no points.
 fn path(pieces: &[Vec<Point>], end: impl Fn(&mut PathBuilder)) -> Option<Path> {
     let mut builder = PathBuilder::new();
     for points in pieces {
@@ -108,10 +108,10 @@ fn colour([red, green, blue]: Colour) -> Color {
 
 fn write(canvas: &mut Canvas, mark: &Mark) {
     let (ink, (x, y), text, share) = match mark {
-        Mark::WordsUp(ink, place, text) => return write_upwards(canvas, *ink, *place, text),
-        Mark::Words(ink, place, text) => (ink, place, text, 0.0),
-        Mark::WordsBefore(ink, place, text) => (ink, place, text, 1.0),
-        Mark::WordsAmid(ink, place, text) => (ink, place, text, 0.5),
+        Mark::TextUpwards(ink, place, text) => return write_upwards(canvas, *ink, *place, text),
+        Mark::Text(ink, place, text) => (ink, place, text, 0.0),
+        Mark::TextEnding(ink, place, text) => (ink, place, text, 1.0),
+        Mark::TextCentred(ink, place, text) => (ink, place, text, 0.5),
         Mark::Box(..) | Mark::Lines(..) | Mark::Traces(..) | Mark::Areas(..) | Mark::Dots(..) => {
             return;
         }
@@ -123,7 +123,7 @@ fn write(canvas: &mut Canvas, mark: &Mark) {
     }
 }
 
-/// Words that run upwards, in the middle at a point of their base line.
+/// Writes text that runs upwards, centred at a point of its base line.
 fn write_upwards(canvas: &mut Canvas, ink: Ink, (x, y): Point, text: &str) {
     let left = (x - CAPITAL) * f64::from(SCALE);
     let bottom = y * f64::from(SCALE) + f64::from(Canvas::text_width(text, SCALE)) / 2.0;

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::palette::{Colour, Paint, dark, inks, light};
 use super::{Ink, Mark, Point, Sheet};
 
-/// Styles of shapes and words; colours follow.
+/// Styles of shapes and text; [`colours`] adds their colours.
 const STYLE: &str = "\
 text{font:12px ui-monospace,SFMono-Regular,Menlo,Consolas,'DejaVu Sans Mono',monospace;white-space:pre}
 .title,.unit,.highlight-value,.marker-number{font-weight:600}
@@ -28,8 +28,8 @@ pub fn svg(sheet: &Sheet) -> String {
     text
 }
 
-/// Colours on light paper, then those for readers who ask for dark; programs that do not know the
-/// rule draw the light ones.
+/// The rules for colours on a light background, then those for readers who prefer dark. Programs
+/// that do not know the media rule draw the light ones.
 fn colours(sheet: &Sheet) -> String {
     let used: HashSet<Ink> = sheet.marks.iter().map(Mark::ink).chain([Ink::Paper]).collect();
     let rules = |paint: fn(Ink) -> Paint| -> String {
@@ -67,10 +67,10 @@ fn push(svg: &mut String, mark: &Mark) {
         Mark::Areas(ink, areas) => {
             path(svg, *ink, areas.iter().map(|points| through(points) + "Z"))
         }
-        Mark::Words(ink, place, words) => text(svg, *ink, "start", *place, words),
-        Mark::WordsBefore(ink, place, words) => text(svg, *ink, "end", *place, words),
-        Mark::WordsAmid(ink, place, words) => text(svg, *ink, "middle", *place, words),
-        Mark::WordsUp(ink, place, words) => upwards(svg, *ink, *place, words),
+        Mark::Text(ink, place, words) => text(svg, *ink, "start", *place, words),
+        Mark::TextEnding(ink, place, words) => text(svg, *ink, "end", *place, words),
+        Mark::TextCentred(ink, place, words) => text(svg, *ink, "middle", *place, words),
+        Mark::TextUpwards(ink, place, words) => upwards(svg, *ink, *place, words),
         Mark::Dots(ink, places, radius) => places.iter().try_for_each(|&(x, y)| {
             writeln!(
                 svg,
@@ -83,7 +83,7 @@ fn push(svg: &mut String, mark: &Mark) {
     };
 }
 
-/// One element for all pieces: a drawing has thousands.
+/// Writes one element for all pieces: a drawing has thousands of them.
 fn path(svg: &mut String, ink: Ink, pieces: impl Iterator<Item = String>) -> std::fmt::Result {
     let pieces: String = pieces.collect();
     if pieces.is_empty() {
@@ -106,7 +106,7 @@ fn text(svg: &mut String, ink: Ink, anchor: &str, (x, y): Point, words: &str) ->
     )
 }
 
-/// Turned about the place.
+/// Writes text that is turned about its place to run upwards.
 fn upwards(svg: &mut String, ink: Ink, (x, y): Point, words: &str) -> std::fmt::Result {
     let (x, y) = (number(x), number(y));
     writeln!(
@@ -128,7 +128,7 @@ fn number(length: f64) -> String {
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }
 
-/// As text of a document takes it.
+/// The text with the characters escaped that XML reserves.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

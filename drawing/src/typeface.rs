@@ -1,14 +1,14 @@
-//! The typeface of words in pictures: DejaVu Sans Mono, which is in the program, so that pictures
-//! are the same bytes everywhere.
+//! The typeface of text in pictures: DejaVu Sans Mono, which is compiled into the program, so that
+//! pictures have the same bytes on every machine.
 use ab_glyph::{Font, FontRef, GlyphId, PxScale, point};
 
 const FILE: &[u8] = include_bytes!("../fonts/dejavu-sans-mono.ttf");
 
-/// The typeface in a size.
+/// The typeface in one size.
 pub struct Typeface {
     font: FontRef<'static>,
     scale: PxScale,
-    /// From one character to the next, in pixels.
+    /// Distance from one character to the next, in pixels.
     advance: u32,
 }
 
@@ -22,9 +22,9 @@ impl Typeface {
         Typeface { font, scale: PxScale::from(per_pixel * advance as f32), advance }
     }
 
-    /// Gives the pixels of a text: how far along from its beginning, how far down from its base
-    /// line, and which share of the pixel is inked, from 0 to 1. Characters that the typeface lacks
-    /// are boxes.
+    /// Calls `put` for each pixel of a text with its distance from the text's beginning, its
+    /// distance below the base line, and the share of the pixel that is inked, from 0 to 1.
+    /// Characters that the typeface lacks are drawn as boxes.
     pub fn ink(&self, text: &str, mut put: impl FnMut(i64, i64, f32)) {
         for (number, character) in text.chars().enumerate() {
             let begin = number as i64 * i64::from(self.advance);
@@ -47,7 +47,8 @@ impl Typeface {
 mod tests {
     use super::*;
 
-    /// The text as rows of pixels: how far down its first row is, and its pixels in tenths.
+    /// The pixels of the text: distance from its beginning, distance below the base line, and ink
+    /// in tenths.
     fn drawn(text: &str) -> Vec<(i64, i64, u8)> {
         let mut pixels = vec![];
         Typeface::new(7).ink(text, |along, down, share| {

@@ -1,8 +1,8 @@
-//! Lyon's figure 9 from hardware: the balls, and a core for each of the twelve formulas [Lyon, TR
-//! 43, appendix].
+//! Lyon's figure 9 drawn by hardware: the balls, and a core for each of the twelve formulas [Lyon,
+//! TR 43, appendix].
 use glam::DVec3;
-use specula_golden::exact::distributions::Formulation;
 use specula_golden::exact::figure9::{self, BACKGROUND, DIFFUSE};
+use specula_golden::exact::formula::distributions::Formulation;
 use specula_scene::{DirectionalLight, Facet, Frame, Material, Needs, Span, Triangle, VertexCone};
 use specula_spec::{CoreOptions, CoreSpec, FULL_SCALE, Method, SpecError};
 
@@ -13,20 +13,20 @@ pub use specula_golden::exact::figure9::{Balls, EXPONENTS};
 
 /// A row of the figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Row {
-    /// What the figure calls it, number apart.
+pub struct FigureRow {
+    /// The figure's title of the row, without its number.
     pub title: &'static str,
     /// The formula.
     pub formulation: Formulation,
-    /// The method that has it.
+    /// The method whose core has the formula.
     pub method: Method,
-    /// The method's options, as its table in a scene file has them.
+    /// The method's options, as lines of its table in a scene file.
     pub options: &'static [&'static str],
 }
 
 /// The rows in the appendix's order. Normals are unit vectors and given at every pixel, as in the
 /// appendix, so that nothing is interpolated.
-pub const ROWS: [Row; 12] = [
+pub const ROWS: [FigureRow; 12] = [
     phong("Phong", Formulation::Phong, &["highlight = \"reflection\""]),
     lyon(
         "D = R - L, k = 0",
@@ -89,19 +89,19 @@ const fn lyon(
     title: &'static str,
     formulation: Formulation,
     options: &'static [&'static str],
-) -> Row {
-    Row { title, formulation, method: Method::Lyon, options }
+) -> FigureRow {
+    FigureRow { title, formulation, method: Method::Lyon, options }
 }
 
 const fn phong(
     title: &'static str,
     formulation: Formulation,
     options: &'static [&'static str],
-) -> Row {
-    Row { title, formulation, method: Method::Phong, options }
+) -> FigureRow {
+    FigureRow { title, formulation, method: Method::Phong, options }
 }
 
-impl Row {
+impl FigureRow {
     /// The core for the balls in `frame`.
     ///
     /// # Errors
@@ -114,8 +114,9 @@ impl Row {
     }
 }
 
-/// How far a row's codes are off its formula in f64, full scale at most, over all pixels of balls.
-pub fn errors(row: &Row, balls: Balls, simulated: &Image) -> ErrorFigures {
+/// Errors of a row's codes against its formula in f64, clamped to full scale, over all pixels of
+/// the balls.
+pub fn errors(row: &FigureRow, balls: Balls, simulated: &Image) -> ErrorFigures {
     let mut sums = Sums::default();
     for (x, y, normal, ball) in pixels(balls) {
         let exact = figure9::colour(row.formulation, normal, ball).min(FULL_SCALE);
@@ -125,10 +126,10 @@ pub fn errors(row: &Row, balls: Balls, simulated: &Image) -> ErrorFigures {
     sums.figures()
 }
 
-/// The figure in f64: LSBs from the top left, above full scale too, [`Balls::width`] times
-/// [`Balls::height_of_all`].
+/// The figure in f64: LSBs from the top left, not clamped, [`Balls::width`] times
+/// [`Balls::height_of_all`] values.
 pub fn exact(balls: Balls) -> Vec<f64> {
-    let row = |row: &Row| {
+    let row = |row: &FigureRow| {
         let mut values = vec![BACKGROUND; balls.width() as usize * balls.height() as usize];
         for (x, y, normal, ball) in pixels(balls) {
             let value = figure9::colour(row.formulation, normal, ball);
@@ -139,13 +140,13 @@ pub fn exact(balls: Balls) -> Vec<f64> {
     stacked(balls, BACKGROUND, &ROWS.each_ref().map(row))
 }
 
-/// The figure of the rows' simulated pictures.
+/// The figure composed from the rows' simulated pictures.
 pub fn simulated(balls: Balls, rows: &[Image]) -> Image {
     let rows: Vec<Vec<[u8; 3]>> = rows.iter().map(|row| row.pixels.clone()).collect();
     image(balls, stacked(balls, [BACKGROUND as u8; 3], &rows))
 }
 
-/// Values in LSBs, rounded to 8 bits; full scale at most.
+/// Values in LSBs, rounded to 8 bits and clamped to full scale.
 pub fn rounded(balls: Balls, values: &[f64]) -> Image {
     image(balls, values.iter().map(|value| [value.min(FULL_SCALE).round() as u8; 3]).collect())
 }
@@ -154,7 +155,7 @@ fn image(balls: Balls, pixels: Vec<[u8; 3]>) -> Image {
     Image { width: balls.width(), height: balls.height_of_all(), pixels }
 }
 
-/// The balls as a frame: every pixel is a span of its own, with the ball's normal there.
+/// The balls as a frame: every pixel is a span of its own with the ball's normal there.
 pub fn frame(balls: Balls) -> Frame {
     let (mut triangles, mut spans) = (Vec::new(), Vec::new());
     for (x, y, normal, ball) in pixels(balls) {
@@ -204,8 +205,7 @@ fn material(ball: usize) -> Material {
     }
 }
 
-/// Column and row from the top, normal and ball of each pixel, from top to bottom and left to
-/// right.
+/// Column, row from the top, normal and ball of each pixel, from top to bottom and left to right.
 fn pixels(balls: Balls) -> impl Iterator<Item = (u32, u32, DVec3, usize)> {
     let row = move |y: u32| (0..balls.width()).map(move |x| (x, y));
     let shown = move |(x, y): (u32, u32)| {
@@ -214,11 +214,11 @@ fn pixels(balls: Balls) -> impl Iterator<Item = (u32, u32, DVec3, usize)> {
     (0..balls.height()).flat_map(row).filter_map(shown)
 }
 
-/// Rows laid over each other, the first at the bottom and uppermost.
+/// Composes rows that overlap. The first one is at the bottom of the figure and covers the next.
 ///
 /// The appendix's program goes through the pixels of a ball from below and writes each into all
-/// rows, `pic(ii,jj+dj) = totals`, so that of two rows the one wins whose ball is higher there: the
-/// upper part of a row lies over the lower part of the next.
+/// rows, `pic(ii,jj+dj) = totals`. So of two rows the one wins whose ball is higher there: the
+/// upper part of a row covers the lower part of the next.
 fn stacked<T: Copy>(balls: Balls, background: T, rows: &[Vec<T>]) -> Vec<T> {
     let (width, height) = (balls.width(), balls.height_of_all());
     let mut figure = vec![background; width as usize * height as usize];
@@ -236,7 +236,7 @@ fn stacked<T: Copy>(balls: Balls, background: T, rows: &[Vec<T>]) -> Vec<T> {
 mod tests {
     use super::*;
 
-    /// The sums that the appendix's program comes to, its pictures not clamped (methods B).
+    /// The sums that the appendix's program computes, with its pictures not clamped (methods B).
     #[test]
     fn the_figure_adds_up_to_what_the_program_does() {
         for (radius, sum) in [(16, 1_853_799.137856), (64, 28_579_116.464381)] {
@@ -245,7 +245,7 @@ mod tests {
         }
     }
 
-    /// Columns, and rows from below, where two rows of balls lie over each other.
+    /// Columns, and rows from below, in which two rows of balls overlap.
     #[test]
     fn the_upper_part_of_a_row_lies_over_the_next() {
         let balls = Balls { radius: 16 };
@@ -256,7 +256,7 @@ mod tests {
         }
     }
 
-    /// What is simulated is laid as the formulas are: each row has a colour of its own.
+    /// Simulated rows are composed as the formulas are: each row has a colour of its own.
     #[test]
     fn simulated_rows_are_laid_in_the_same_order() {
         let balls = Balls { radius: 16 };

@@ -1,7 +1,8 @@
-//! What is measured with a testbench: error against run time, searches for formats, ablations,
-//! stress, reproduction of the papers' figures, and engines against each other.
+//! Measurements made with a test bench: error against run time, searches for formats, ablations,
+//! stress, reproduction of the papers' figures, and benchmarks of engines.
 mod ablation;
 pub mod benchmark;
+mod bound_shares;
 pub mod climb;
 pub mod explore;
 pub mod figure9;
@@ -9,12 +10,11 @@ pub mod operations;
 mod pareto;
 pub mod reproduce;
 pub mod search;
-mod shares;
 pub mod stress;
 pub mod tradeoff;
 
 pub use ablation::{
     AgainstGeneral, Baseline, CellDelta, Saving, Savings, SizeDelta, Synthesis, ablation,
 };
+pub use bound_shares::{BoundShare, bound_shares};
 pub use pareto::pareto_front;
-pub use shares::{Share, shares};

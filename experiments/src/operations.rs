@@ -1,8 +1,8 @@
-//! What an elaborated core does in a pixel, counted as the papers count: powers and the materials'
-//! products left out.
+//! The operations of an elaborated core for a pixel, counted as the papers count them: without
+//! powers and the materials' products.
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_datapath::design::{Node, NodeId, Op, Register, Scope, ScopeId};
+use specula_datapath::design::{Node, NodeId, Scope, ScopeId};
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreSpec, Method};
 
@@ -11,17 +11,18 @@ use specula_testbench::BenchError;
 pub mod lecture;
 pub mod lyon;
 
-/// Units that divide, that take a reciprocal root, and that take a root.
+/// Units that divide.
 const DIVIDERS: [&str; 3] = ["divider", "limited_quotient", "signed_quotient"];
 const RECIPROCAL_ROOTS: [&str; 1] = ["reciprocal_square_root"];
 const ROOTS: [&str; 1] = ["square_root"];
-/// What the papers leave out: powers, and the materials' products.
+/// Units that the papers leave out: powers, and the materials' products.
 const LEFT_OUT: [&str; 4] = ["channel", "power", "square", "any_power"];
 
-/// What a core does in a pixel.
+/// The operations of a core for a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Contents {
-    /// What goes from pixel to pixel: registers that grow by a step or turn by an angle.
+    /// Values that are carried from pixel to pixel: registers that grow by a step or turn by an
+    /// angle.
     pub accumulators: usize,
     /// Products of two variables.
     pub multipliers: usize,
@@ -34,16 +35,14 @@ pub struct Contents {
 }
 
 impl Contents {
-    /// Of a design.
+    /// Counts the operations of a design.
     pub fn of(design: &Design) -> Contents {
         let inner: Vec<&str> =
             DIVIDERS.into_iter().chain(RECIPROCAL_ROOTS).chain(ROOTS).chain(LEFT_OUT).collect();
         let counts =
             |node: &&Node| design.factors(node).is_some() && !is_within(design, node.scope, &inner);
-        // An accumulator's register reads what is described behind it.
-        let accumulates = |(id, node): &(NodeId, &Node)| {
-            node.register == Register::Data && matches!(node.op, Op::Wrap(next) if next > *id)
-        };
+        // What goes from pixel to pixel is what waits for one.
+        let accumulates = |(id, node): &(NodeId, &Node)| node.clock_enable(*id).is_some();
         Contents {
             accumulators: design.iter().filter(accumulates).count(),
             multipliers: design.nodes.iter().filter(counts).count(),
@@ -54,8 +53,8 @@ impl Contents {
     }
 }
 
-/// Widths of the operands of each product of two variables inside units of this name, the wider
-/// first, sign included.
+/// Widths of the operands of each product of two variables inside units of this name, the wider one
+/// first, including signs.
 pub fn products(design: &Design, unit: &str) -> Vec<[u32; 2]> {
     let widths = |node: &Node| {
         let [a, b] = design.factors(node)?.map(|id| design.node(id).width());
@@ -69,7 +68,7 @@ pub fn products(design: &Design, unit: &str) -> Vec<[u32; 2]> {
         .collect()
 }
 
-/// Whether a scope is one of `units`, or inside one.
+/// Whether a scope is one of `units`, or inside one of them.
 fn is_within(design: &Design, mut scope: ScopeId, units: &[&str]) -> bool {
     loop {
         let of = &design.scopes[scope.0 as usize];
@@ -81,7 +80,7 @@ fn is_within(design: &Design, mut scope: ScopeId, units: &[&str]) -> bool {
     }
 }
 
-/// How many of `units` there are, those inside others not counted.
+/// The number of `units`; those inside others are not counted.
 fn outermost(design: &Design, units: &[&str]) -> usize {
     let is_one = |scope: &&Scope| {
         units.contains(&scope.unit.as_str())
@@ -90,16 +89,16 @@ fn outermost(design: &Design, units: &[&str]) -> usize {
     design.scopes.iter().filter(is_one).count()
 }
 
-/// A row of the papers' tables, and the core that does it.
+/// A row of the papers' tables, and the core that computes the same.
 #[derive(Clone, Copy, Debug)]
 pub struct Counterpart {
-    /// The row's name in [`specula_golden::operations::TABLE`].
+    /// The row's name in [`specula_golden::loops::operations::TABLE`].
     pub row: &'static str,
     /// The method.
     pub method: Method,
     /// Its options.
     pub options: &'static str,
-    /// Products that 1/√q or 1/q makes of the row's divisions.
+    /// Number of products by 1/√q or 1/q that replace divisions of the row.
     pub further_products: usize,
 }
 
@@ -125,7 +124,7 @@ const fn of(
 }
 
 impl Counterpart {
-    /// What the general core for a frame does.
+    /// The operations of the general core for a frame.
     ///
     /// # Errors
     /// [`BenchError`] if it cannot be built for the frame.

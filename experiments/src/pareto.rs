@@ -1,7 +1,7 @@
 //! The Pareto front.
 
-/// The best of `places` where less is better on both axes: each that no other one is at most as
-/// large as on both, from left to right.
+/// The indices of the points on the front, from left to right. Less is better on both axes: a point
+/// is on the front if no other one is at most as large on both axes.
 pub fn pareto_front(places: &[(f64, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> =
         (0..places.len()).filter(|&k| places[k].0.is_finite() && places[k].1.is_finite()).collect();

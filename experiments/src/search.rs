@@ -8,10 +8,10 @@ use specula_spec::{CoreSpec, Format};
 use specula_testbench::BenchError;
 use specula_testbench::FrameSpans;
 
-/// The most fraction bits by which all formats are made finer than the default ones.
-const MOST_ADDED: i32 = 6;
+/// Largest number of fraction bits that are added to the default formats.
+const MAX_ADDED: i32 = 6;
 
-/// Why no core was found.
+/// The reason why no core was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, miette::Diagnostic)]
 #[error(
     "no formats keep `{method}` within {wanted} LSB of exact shading by that method; the best that were tried come to {best:.3} LSB"
@@ -27,52 +27,51 @@ pub struct NotFound {
     pub method: &'static str,
     /// The error asked for, in LSBs.
     pub wanted: f64,
-    /// The smallest found, in LSBs.
+    /// The smallest error found, in LSBs.
     pub best: f64,
 }
 
-/// `start` with the narrowest formats that were found to keep every pixel of `frame` within `most`
-/// LSBs of exact shading by its method, the rounding to 8 bits counted. Each trial is measured on
-/// all pixels with the bit-true model.
+/// `start` with the narrowest formats found that keep every pixel of `frame` within `most` LSBs of
+/// exact shading by its method, including the rounding to 8 bits. Each trial is measured on all
+/// pixels with the bit-true model.
 ///
-/// All formats get narrower together, from the documented defaults on (or finer, where those do not
-/// do), and then each by itself, in the order of the data, as long as the error stays and
-/// multipliers get smaller or stay. It is a descent: what it finds is within the error, and need
-/// not be the smallest core there is.
+/// All formats are narrowed together, starting at the documented defaults (or at finer ones, if
+/// those are not enough), and then each separately, in the order of the data flow, as long as the
+/// error is kept and multipliers do not grow. This is a descent: the result keeps the error but
+/// need not be the smallest core.
 ///
 /// # Errors
-/// [`NotFound`] with the smallest error of those tried; [`BenchError`] where a core cannot be
-/// built.
-pub fn within(
+/// [`NotFound`] with the smallest error of those tried; [`BenchError`] if a core cannot be built.
+pub fn narrowest_formats(
     start: &CoreSpec,
     frame: &Frame,
     most: f64,
 ) -> Result<Result<CoreSpec, NotFound>, BenchError> {
     let start = start.general();
     let goal = Goal { most, error: &|spec: &CoreSpec| largest_error(spec, frame), cost: &cost };
-    Ok(match goal.together(&start)? {
-        Ok(found) => Ok(goal.each(found)?),
+    Ok(match goal.narrow_together(&start)? {
+        Ok(found) => Ok(goal.narrow_each(found)?),
         Err(best) => Err(NotFound { method: start.method().name(), wanted: most, best }),
     })
 }
 
-/// What formats are narrowed for.
+/// The goal of narrowing formats.
 pub(crate) struct Goal<'a, Cost> {
     /// The largest error, in LSBs.
     pub most: f64,
     /// The error of a core, in LSBs.
     pub error: &'a dyn Fn(&CoreSpec) -> Result<f64, BenchError>,
-    /// What it costs.
+    /// The cost of a core.
     pub cost: &'a dyn Fn(&CoreSpec) -> Result<Cost, BenchError>,
 }
 
 impl<Cost: Ord> Goal<'_, Cost> {
-    /// `start` with all formats narrowed together as far as they can be, or made finer as far as
-    /// they must; the smallest error of those tried where that is not enough.
-    pub fn together(&self, start: &CoreSpec) -> Result<Result<CoreSpec, f64>, BenchError> {
+    /// `start` with all formats narrowed together as far as possible, or made finer as far as
+    /// necessary. The inner error is the smallest error found if that is not enough.
+    pub fn narrow_together(&self, start: &CoreSpec) -> Result<Result<CoreSpec, f64>, BenchError> {
         let mut best = f64::INFINITY;
         let mut found = None;
-        for added in 0..=MOST_ADDED {
+        for added in 0..=MAX_ADDED {
             let Some(spec) = start.finer(added, &[]) else { continue };
             let error = (self.error)(&spec)?;
             best = best.min(error);
@@ -91,8 +90,8 @@ impl<Cost: Ord> Goal<'_, Cost> {
         Ok(Ok(found))
     }
 
-    /// Each format by itself narrowed as far as it can be, as long as nothing gets larger.
-    pub fn each(&self, mut found: CoreSpec) -> Result<CoreSpec, BenchError> {
+    /// Narrows each format separately as far as possible, as long as no cost grows.
+    pub fn narrow_each(&self, mut found: CoreSpec) -> Result<CoreSpec, BenchError> {
         for name in found.narrowing_points().into_iter().map(|point| point.name) {
             while let Some(spec) = narrower(&found, name) {
                 if (self.cost)(&spec)? > (self.cost)(&found)? || (self.error)(&spec)? > self.most {
@@ -122,13 +121,13 @@ pub(crate) fn largest_error(spec: &CoreSpec, frame: &Frame) -> Result<f64, Bench
         .try_reduce(|| 0.0, |a, b| Ok(f64::max(a, b)))
 }
 
-/// Multiplier bits, and then registers.
+/// The cost: multiplier bits, and then registers.
 fn cost(spec: &CoreSpec) -> Result<(u64, u64), BenchError> {
     let size = specula_hdl::elaborate(spec, "core")?.size();
     Ok((size.multiplier_bits, size.register_bits))
 }
 
-/// One format narrower by a bit; none where it may not be.
+/// The core with one format narrower by a bit; `None` if it may not be narrower.
 fn narrower(spec: &CoreSpec, name: &str) -> Option<CoreSpec> {
     let point = spec.narrowing_points().into_iter().find(|point| point.name == name)?;
     let fraction_bits = point.format.fraction_bits.checked_sub(1)?;

@@ -70,7 +70,7 @@ fn the_readme_has_the_methods_that_there_are() {
         let method = Method::from_name(row[0].trim_matches('`')).unwrap();
         for value in row[1..4].iter().flat_map(|cell| quoted(cell)) {
             let known = method
-                .choices()
+                .option_domains()
                 .iter()
                 .any(|choice| choice.values.contains(&format!("\"{value}\"").as_str()));
             assert!(known, "{} has no option {value}", method.name());

@@ -3,7 +3,7 @@
 use specula_experiments::operations::lecture::COUNTS;
 use specula_experiments::operations::lyon::PARTS;
 use specula_experiments::operations::{HAST, products};
-use specula_golden::operations::TABLE;
+use specula_golden::loops::operations::TABLE;
 use specula_scene::{Frame, load};
 
 /// Whether docs/operations.md has this line.

@@ -1,9 +1,9 @@
 //! docs/numerics.md's numbers come out of our own code, and the verdicts on claims are those it
 //! gives.
-use specula_experiments::reproduce::{Paper, Ruling, Verdict};
+use specula_experiments::reproduce::{ClaimVerdict, Paper, Ruling};
 
 fn not_holding(paper: Paper) -> Vec<&'static str> {
-    let refuted = |verdict: &Verdict| matches!(verdict.ruling, Ruling::DoesNotHold(_));
+    let refuted = |verdict: &ClaimVerdict| matches!(verdict.ruling, Ruling::DoesNotHold(_));
     let mut claims: Vec<&str> = paper
         .verdicts()
         .iter()
@@ -16,7 +16,7 @@ fn not_holding(paper: Paper) -> Vec<&'static str> {
 
 #[test]
 fn numbers_are_those_of_numerics() {
-    let wrong: Vec<Verdict> = Paper::ALL
+    let wrong: Vec<ClaimVerdict> = Paper::ALL
         .into_iter()
         .flat_map(Paper::verdicts)
         .filter(|verdict| !verdict.as_expected)

@@ -1,5 +1,5 @@
 //! The stress catalogue, small: every row on every method.
-use specula_experiments::stress::{self, CATALOGUE, Cell, Extent, RAW, Verdict, sweep};
+use specula_experiments::stress::{self, CATALOGUE, Cell, RAW, RowVerdict, TrialExtent, sweep};
 use specula_spec::Method;
 
 fn complaints(cells: &[Cell]) -> Vec<String> {
@@ -13,7 +13,7 @@ fn complaints(cells: &[Cell]) -> Vec<String> {
 
 #[test]
 fn no_method_is_at_fault_in_any_row() {
-    let cells = sweep(1, &Method::ALL, Extent::SMALL, &|_, _| ());
+    let cells = sweep(1, &Method::ALL, TrialExtent::SMALL, &|_, _| ());
     let complaints = complaints(&cells);
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
     for method in Method::ALL {
@@ -32,7 +32,7 @@ fn no_method_is_at_fault_in_any_row() {
 fn assert_verdicts_say_what_came(cells: &[Cell]) {
     for cell in cells {
         let Some(worst) = &cell.worst else { continue };
-        let wanted = if worst.total > 1.0 { Verdict::Limit } else { Verdict::Holds };
+        let wanted = if worst.total > 1.0 { RowVerdict::Limit } else { RowVerdict::Holds };
         assert_eq!(cell.verdict(), Some(wanted), "row {} {:?}", cell.row, cell.method);
     }
     let of = |row: &str, method: &str| {
@@ -42,10 +42,10 @@ fn assert_verdicts_say_what_came(cells: &[Cell]) {
     // extremes rows 6, 10 and 53 leave no method anything to be off by; L = -V (25) is what Lyon's
     // H x N cannot see.
     for row in ["6", "10", "53"] {
-        assert_eq!(verdicts(row), [Some(Verdict::Holds); 9], "row {row}");
+        assert_eq!(verdicts(row), [Some(RowVerdict::Holds); 9], "row {row}");
     }
-    assert_eq!(of("25", "lyon").verdict(), Some(Verdict::Limit));
-    assert_eq!(of("25", "phong").verdict(), Some(Verdict::Holds));
+    assert_eq!(of("25", "lyon").verdict(), Some(RowVerdict::Limit));
+    assert_eq!(of("25", "phong").verdict(), Some(RowVerdict::Holds));
 }
 
 /// docs/extremes.md says what happens.

@@ -2,14 +2,11 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use specula_fixtures::frames::{frame, material, tilted};
 use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_golden::fixed::Model;
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreSpec, Method};
-
-#[path = "../tests/common/mod.rs"]
-mod common;
-use common::{frame, material, tilted};
 
 const LENGTH: u32 = 64;
 const ROUNDS: u32 = 5000;

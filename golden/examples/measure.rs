@@ -1,18 +1,17 @@
 //! Quantisation errors of 50 000 spans a row, for the documentation:
 //! `cargo run -p specula-golden --release --example measure`.
+use specula_fixtures::Draw;
+use specula_fixtures::frames::{material, mirror};
+use specula_fixtures::highlights::{Drawn, SpanRange, choices, draw_frame};
+use specula_fixtures::specs::{packet, spec};
 use specula_golden::exact::MethodSpan;
-use specula_golden::fixed::Model;
+use specula_golden::fixed::{Model, Observation};
 use specula_scene::Material;
 use specula_spec::lyon::Difference;
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-#[path = "../tests/common/mod.rs"]
-mod common;
-use common::draw::{Drawn, Draws, Range, draw_frame};
-use common::{material, mirror, packet, spec, value};
-
-const TYPICAL: Range = Range { widest: 30.0, tilt: 70.0, log2_length: 12.0, lights: 1 };
-const EXTREME: Range = Range { widest: 90.0, tilt: 45.0, ..TYPICAL };
+const TYPICAL: SpanRange = SpanRange { widest: 30.0, tilt: 70.0, log2_length: 12.0, lights: 1 };
+const EXTREME: SpanRange = SpanRange { widest: 90.0, tilt: 45.0, ..TYPICAL };
 
 /// Differences between `fixed` and the method in f64.
 #[derive(Default)]
@@ -25,34 +24,38 @@ struct Errors {
 }
 
 impl Errors {
-    /// Takes in the first, the last and the highlight's pixel.
+    /// Adds the errors of the first and the last pixel and of the highlight's pixel.
     fn add(&mut self, core: &CoreSpec, drawn: &Drawn) {
         let span = &drawn.frame.spans[0];
         let (model, packet) = (Model::new(core), packet(core, &drawn.frame));
         let method = MethodSpan::new(core, &drawn.frame, span);
         for i in [0, drawn.highlight, span.steps()] {
             let trace = model.trace(&packet, i).expect("the packet is this core's");
+            let value = |name| {
+                Observation::named(&trace, name).expect("every method has the value").value()
+            };
             let exact = method.pixel(i)[0];
-            let error = value(&trace, "colour_r").min(255.0) - exact;
+            let error = value("colour_r").min(255.0) - exact;
             self.pixels += 1;
             self.largest = self.largest.max(error.abs());
             self.squares += error * error;
-            self.most_codes = self.most_codes.max((value(&trace, "code_r") - exact.round()).abs());
+            self.most_codes = self.most_codes.max((value("code_r") - exact.round()).abs());
         }
     }
 }
 
 fn row(
     name: &str,
-    range: Range,
+    range: SpanRange,
     method: Method,
     material: &Material,
     change: impl Fn(&mut CoreSpec),
 ) {
     let mut errors = Errors::default();
-    for draw in Draws(1).take(50_000) {
-        let drawn = draw_frame(range, &draw, material.clone());
-        let mut core = spec(&drawn.frame, method).expect("defaults serve every frame drawn here");
+    let mut draw = Draw::new(1);
+    for _ in 0..50_000 {
+        let drawn = draw_frame(range, &choices(&mut draw), material.clone());
+        let mut core = spec(&drawn.frame, method);
         change(&mut core);
         errors.add(&core, &drawn);
     }
@@ -73,9 +76,9 @@ fn main() {
             row("90 degrees, highlight alone", EXTREME, method, &mirror(n), |_| ());
         }
         row("30 degrees, diffuse alone", TYPICAL, method, &material(0.0, 1.0, 0.0, 256), |_| ());
-        let two = Range { lights: 2, ..TYPICAL };
+        let two = SpanRange { lights: 2, ..TYPICAL };
         row("30 degrees, two lights, .1 .4 .5", two, method, &material(0.1, 0.4, 0.5, 256), |_| ());
-        let four = Range { lights: 4, ..TYPICAL };
+        let four = SpanRange { lights: 4, ..TYPICAL };
         row(
             "30 degrees, four lights, 0 .2 .5",
             four,
@@ -85,7 +88,7 @@ fn main() {
         );
         row(
             "150 degrees, highlight alone",
-            Range { widest: 150.0, ..EXTREME },
+            SpanRange { widest: 150.0, ..EXTREME },
             method,
             &mirror(256),
             |_| (),

@@ -4,15 +4,13 @@ use std::ops::Range;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
+use specula_fixtures::frames::{frame, material};
 use specula_golden::exact::MethodSpan;
-use specula_golden::recurrence::{Edge, Linear, Plane};
-use specula_golden::software::{Mesh, by_name};
+use specula_golden::loops::software::{Mesh, by_name};
+use specula_golden::loops::{Edge, Linear, Plane};
 use specula_scene::picture::coverage::{Coverage, Point, STEPS};
 use specula_scene::{Frame, Material, Needs, Span, load};
 use specula_spec::{CoreSpec, FULL_SCALE, Method};
-
-mod common;
-use common::{frame, material};
 
 /// Columns and rows of a drawn picture, and how far outside it corners are at most.
 const EXTENT: u32 = 256;

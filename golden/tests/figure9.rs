@@ -1,10 +1,10 @@
 //! Lyon's figure 9, five spheres shaded by twelve formulas. Its sum is asked of the picture that is
 //! written, in `experiments/src/figure9.rs`.
-mod common;
-
 use glam::DVec3;
-use specula_golden::exact::distributions::{Formulation, formulation};
+use specula_fixtures::frames::{frame, mirror};
+use specula_fixtures::specs::spec;
 use specula_golden::exact::figure9::EXPONENTS;
+use specula_golden::exact::formula::distributions::{Formulation, formulation};
 use specula_golden::exact::method;
 use specula_spec::lyon::{Difference, Halfway, Normalisation};
 use specula_spec::{Method, MethodSpec};
@@ -29,9 +29,9 @@ fn the_methods_options_are_the_rows() {
         for steps in 0..40 {
             let tilt = f64::from(steps) * 0.035;
             let normal = DVec3::new(0.8 * tilt.sin(), -0.6 * tilt.sin(), tilt.cos());
-            let frame = common::frame([normal; 2], 1, &[light], common::mirror(n));
+            let frame = frame([normal; 2], 1, &[light], mirror(n));
             for (row, difference, halfway, squarings) in rows {
-                let mut core = common::spec(&frame, Method::Lyon).unwrap();
+                let mut core = spec(&frame, Method::Lyon);
                 if let MethodSpec::Lyon(lyon) = &mut core.method {
                     (lyon.difference, lyon.halfway, lyon.squarings) =
                         (difference, halfway, squarings);

@@ -1,7 +1,7 @@
 //! The papers' tables of operations against what the inner loops do.
 use glam::DVec3;
-use specula_golden::operations::TABLE;
-use specula_golden::recurrence::Line;
+use specula_golden::loops::Line;
+use specula_golden::loops::operations::TABLE;
 
 #[test]
 fn inner_loops_do_what_the_papers_print() {

@@ -4,15 +4,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 use proptest::prelude::*;
-use specula_golden::exact::consistent::{Scaling, pixel_angle, vertex_angle};
-use specula_golden::exact::duff::{eq33, eq34};
-use specula_golden::exact::hybrid::base;
-use specula_golden::exact::normalisation::{g1, g2, newton, unit};
-use specula_golden::exact::reflection::{
+use specula_golden::exact::formula::consistent::{Scaling, pixel_angle, vertex_angle};
+use specula_golden::exact::formula::hast::{base, eq33, eq34};
+use specula_golden::exact::formula::normalisation::{g1, g2, newton, unit};
+use specula_golden::exact::formula::reflection::{
     halfway, halfway_cross_normal, reflect, reflection_minus_light,
 };
-use specula_golden::exact::reflection_shading::wrap;
-use specula_golden::exact::shape::{f_k, power};
+use specula_golden::exact::formula::shape::{f_k, power};
+use specula_golden::exact::method::reflection::wrap;
 use specula_scene::frame::EYE;
 
 /// f_k of two unit vectors at `angle` radians: x = (n/2)|D|² with |D| = 2 sin(a/2).

@@ -2,7 +2,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
-use specula_golden::exact::{consistent, newton, normalisation::unit, point_light, slerp, wrap};
+use specula_golden::exact::formula::{
+    consistent, newton, normalisation::unit, point_light, slerp, wrap,
+};
 
 fn tilted(degrees: f64) -> DVec3 {
     let (sin, cos) = degrees.to_radians().sin_cos();

@@ -1,7 +1,8 @@
 //! Wrapped directions to lights and eyes at places, on the built-in scene `lamps`, against
 //! numerics N2b.
 use glam::DVec3;
-use specula_golden::exact::{MethodSpan, PhongSpan, point_light, wrap};
+use specula_golden::exact::formula::{point_light, wrap};
+use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_scene::{Frame, Needs, Span, Wrap, load};
 use specula_spec::phong::{Places, wrap_to_eye, wrap_to_light};
 use specula_spec::{CoreSpec, Method, MethodSpec};

@@ -1,13 +1,11 @@
 //! Methods that wrap normals around the polygon's own [Hast, Barrera and Bengtsson, §4]: it is the
 //! one that the polygon has, wherever the normals of its vertices point.
-mod common;
 
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, tilted};
 use specula_golden::exact::MethodSpan;
 use specula_scene::Needs;
 use specula_spec::{CoreSpec, Method};
-
-use common::{frame, material, tilted};
 
 /// Options that take the polygon's normal, and those that take the one half-way between the ends.
 const OPTIONS: [(Method, &str, &str); 2] = [

@@ -1,6 +1,9 @@
 //! `fixed` stays within one code of the method in f64, at the formats that `CoreSpec::for_scene`
 //! chooses.
 use proptest::prelude::*;
+use specula_fixtures::frames::{material, mirror};
+use specula_fixtures::highlights::{Choices, Drawn, SpanRange, draw_frame};
+use specula_fixtures::specs::{packet, spec};
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
 use specula_scene::{Frame, Material};
@@ -8,12 +11,8 @@ use specula_spec::duff::Highlight;
 use specula_spec::lyon::Difference;
 use specula_spec::{CoreSpec, Method, MethodSpec, reflection};
 
-mod common;
-use common::draw::{Draw, Drawn, Range, draw_frame};
-use common::{material, mirror, packet, spec};
-
-const TYPICAL: Range = Range { widest: 30.0, tilt: 70.0, log2_length: 9.0, lights: 1 };
-const EXTREME: Range = Range { widest: 90.0, tilt: 45.0, log2_length: 9.0, lights: 1 };
+const TYPICAL: SpanRange = SpanRange { widest: 30.0, tilt: 70.0, log2_length: 9.0, lights: 1 };
+const EXTREME: SpanRange = SpanRange { widest: 90.0, tilt: 45.0, log2_length: 9.0, lights: 1 };
 
 fn within_one_code(core: &CoreSpec, frame: &Frame) -> Result<(), TestCaseError> {
     let mut codes = Vec::new();
@@ -39,23 +38,23 @@ fn within_one_code(core: &CoreSpec, frame: &Frame) -> Result<(), TestCaseError> 
 
 fn defaults_suffice(
     method: Method,
-    range: Range,
-    draw: &Draw,
+    range: SpanRange,
+    draw: &Choices,
     material: Material,
 ) -> Result<(), TestCaseError> {
     let Drawn { frame, .. } = draw_frame(range, draw, material);
-    let core = spec(&frame, method).expect("defaults serve every frame drawn here");
+    let core = spec(&frame, method);
     within_one_code(&core, &frame)
 }
 
 fn duff_suffices(
     highlight: Highlight,
-    range: Range,
-    draw: &Draw,
+    range: SpanRange,
+    draw: &Choices,
     material: Material,
 ) -> Result<(), TestCaseError> {
     let Drawn { frame, .. } = draw_frame(range, draw, material);
-    let mut core = spec(&frame, Method::Duff).expect("defaults serve every frame drawn here");
+    let mut core = spec(&frame, Method::Duff);
     if let MethodSpec::Duff(duff) = &mut core.method {
         duff.specular = highlight;
     }
@@ -64,12 +63,12 @@ fn duff_suffices(
 
 fn reflection_suffices(
     highlight: reflection::Highlight,
-    range: Range,
-    draw: &Draw,
+    range: SpanRange,
+    draw: &Choices,
     material: Material,
 ) -> Result<(), TestCaseError> {
     let Drawn { frame, .. } = draw_frame(range, draw, material);
-    let mut core = spec(&frame, Method::Reflection).expect("defaults serve every frame drawn here");
+    let mut core = spec(&frame, Method::Reflection);
     if let MethodSpec::Reflection(reflection) = &mut core.method {
         reflection.specular = highlight;
     }
@@ -90,7 +89,7 @@ fn highlights() -> impl Strategy<Value = Highlight> {
     ]
 }
 
-fn draws() -> impl Strategy<Value = Draw> {
+fn draws() -> impl Strategy<Value = Choices> {
     prop::array::uniform12(0.0..1.0_f64)
 }
 
@@ -107,7 +106,7 @@ proptest! {
 
     #[test]
     fn lyon_with_two_lights_and_everything(draw in draws(), n in 1..=256_u32) {
-        let lights = Range { lights: 2, ..TYPICAL };
+        let lights = SpanRange { lights: 2, ..TYPICAL };
         defaults_suffice(Method::Lyon, lights, &draw, material(draw[8], draw[9], draw[10], n))?;
     }
 
@@ -123,7 +122,7 @@ proptest! {
 
     #[test]
     fn hybrid_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32) {
-        let lights = Range { lights: 2, ..TYPICAL };
+        let lights = SpanRange { lights: 2, ..TYPICAL };
         defaults_suffice(Method::Hybrid, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
     }
 
@@ -139,7 +138,7 @@ proptest! {
 
     #[test]
     fn duff_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32, highlight in highlights()) {
-        let lights = Range { lights: 2, ..TYPICAL };
+        let lights = SpanRange { lights: 2, ..TYPICAL };
         duff_suffices(highlight, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
     }
 
@@ -155,7 +154,7 @@ proptest! {
 
     #[test]
     fn reflection_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32, highlight in reflection_highlights()) {
-        let lights = Range { lights: 2, ..TYPICAL };
+        let lights = SpanRange { lights: 2, ..TYPICAL };
         reflection_suffices(highlight, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
     }
 
@@ -186,7 +185,7 @@ proptest! {
 
     #[test]
     fn direct_with_two_lights_and_everything(draw in draws(), j in 0..=8_u32) {
-        let lights = Range { lights: 2, ..TYPICAL };
+        let lights = SpanRange { lights: 2, ..TYPICAL };
         defaults_suffice(Method::Direct, lights, &draw, material(draw[8], draw[9], draw[10], 1 << j))?;
     }
 
@@ -194,7 +193,7 @@ proptest! {
     #[test]
     fn reflection_minus_light_with_two_newton_steps(draw in draws(), n in 1..=256_u32) {
         let Drawn { frame, .. } = draw_frame(TYPICAL, &draw, mirror(n));
-        let mut core = spec(&frame, Method::Lyon).expect("defaults serve every frame drawn here");
+        let mut core = spec(&frame, Method::Lyon);
         if let MethodSpec::Lyon(lyon) = &mut core.method {
             lyon.difference = Difference::ReflectionMinusLight;
             lyon.newton_steps = 2;

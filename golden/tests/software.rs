@@ -4,22 +4,21 @@
 //! A scheme is given neither the number of the pixel nor anything but the operations of [`Number`],
 //! so that all of them go from pixel to pixel.
 use glam::DVec3;
-use specula_golden::exact::{MethodSpan, wrap};
-use specula_golden::recurrence::{
+use specula_fixtures::frames::{frame, material, tilted};
+use specula_golden::exact::MethodSpan;
+use specula_golden::exact::formula::wrap;
+use specula_golden::loops::software::{METHODS, Mesh, by_name};
+use specula_golden::loops::{
     Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid,
-    DuffQuotient, DuffRoot, FastPhong, Frame as SlerpFrame, Gouraud, Half, HalfG2, Hybrid, Line,
-    LyonCross, LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Pair, Phong,
-    Rational, ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum,
-    TorranceSparrow, Trigonometric, TrowbridgeReitz, Uniform, Unit,
+    DuffQuotient, DuffRoot, FastPhong, FrameSlerp, Gouraud, Half, HalfG2, Hybrid, Line, LyonCross,
+    LyonLightReflection, LyonNormal, LyonProjection, LyonReflection, Pair, Phong, Rational,
+    ReflectionBlinn, ReflectionHybrid, ReflectionRoot, Scheme, Slerp, Sum, TorranceSparrow,
+    Trigonometric, TrowbridgeReitz, Uniform, Unit,
 };
-use specula_golden::software::{METHODS, Mesh, by_name};
 use specula_scene::frame::EYE;
 use specula_scene::{Frame, LocalLight, Needs, Spot};
 use specula_spec::phong::Places;
 use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec};
-
-mod common;
-use common::{frame, material, tilted};
 
 const STEPS: u32 = 64;
 const SHININESS: u32 = 16;
@@ -134,7 +133,7 @@ rows! {
     "fast-phong", FastPhong<f64, 1>, |f| method(f, Method::Direct, "root = \"newton\"\nnewton_steps = 1"), Step;
     "fast-phong-2", FastPhong<f64, 2>, |f| method(f, Method::Direct, "root = \"newton\"\nnewton_steps = 2"), Step;
     "slerp", Slerp<f64>, |f| method(f, Method::Slerp, ""), Step;
-    "slerp-frame", SlerpFrame<f64>, |f| method(f, Method::Slerp, ""), Step;
+    "slerp-frame", FrameSlerp<f64>, |f| method(f, Method::Slerp, ""), Step;
     "chebyshev", Chebyshev<f64>, |f| method(f, Method::Slerp, ""), Difference;
     "lyon", LyonCross<f64>, |f| lyon(f, "difference = \"halfway-cross-normal\""), Step;
     "lyon-reflection", LyonReflection<f64, 2>, |f| lyon(f, "difference = \"reflection-minus-light\""), Step;

@@ -1,38 +1,18 @@
-//! Both cores with every option through rust-hdl's checks, and what elaboration promises for all of
+//! All methods with every option through rust-hdl's checks, and what elaboration promises for all of
 //! them.
 use specula_datapath::Design;
 use specula_datapath::block::check_all;
 use specula_datapath::design::NodeId;
+use specula_fixtures::specs::small_needs;
 use specula_scene::Needs;
-use specula_scene::contributions::Contributions;
 use specula_scene::limits::{LONGEST_SPAN, MOST_LIGHTS};
-use specula_scene::needs::Ranges;
 use specula_spec::consistent::{Curve, Diffuse};
 use specula_spec::duff::Highlight;
 use specula_spec::lyon::{Difference, Normalisation};
 use specula_spec::{CoreSpec, LyonSpec, Method, MethodSpec, reflection};
 
 fn needs(lights: usize, longest_span: u32, largest_shininess: u32) -> Needs {
-    Needs {
-        local_lights: Vec::new(),
-        local_eye: false,
-        shortest_way: 1.0,
-        shortest_unit_way: 1.0,
-        lights,
-        longest_span,
-        largest_shininess,
-        uneven_shininess: None,
-        brightest_coefficient: 1.0,
-        widest_angle: 20.0,
-        shortest_normal: 0.95,
-        least_cone_cosine: 0.9,
-        least_view_cosine: 0.0,
-        smallest_shininess: 1,
-        contributions: Contributions::default(),
-        flat: false,
-        consistent_normals_differ: true,
-        ranges: Ranges::default(),
-    }
+    Needs { lights, longest_span, largest_shininess, ..small_needs() }
 }
 
 fn spec(method: Method, lights: usize, longest_span: u32, largest_shininess: u32) -> CoreSpec {
@@ -146,8 +126,9 @@ fn signals_belong_together() {
     for spec in every_spec() {
         let design = elaborated(&spec);
         for (id, node) in design.iter() {
-            for operand in node.op.operands() {
-                check_operand(&design, id, operand);
+            match node.clock_enable(id) {
+                Some((enable, next)) => check_kept(&design, id, enable, next),
+                None => node.op.operands().for_each(|operand| check_operand(&design, id, operand)),
             }
         }
         assert!(
@@ -163,6 +144,18 @@ fn signals_belong_together() {
             last.collect::<Vec<_>>()
         );
     }
+}
+
+/// A register that keeps its value until a valid pixel comes sees the pixel's validity together with
+/// what it takes over: in its own clock where that is of the pixel before, else a clock earlier.
+fn check_kept(design: &Design, id: NodeId, enable: NodeId, next: NodeId) {
+    let stage = |id| design.node(id).stage;
+    let name = || design.full_name(id);
+    assert!(design.node(id).registered(), "{}: an enable without a register", name());
+    if design.node(next).op.constant().is_none() {
+        assert_eq!(stage(enable), stage(next), "{} takes another pixel's value over", name());
+    }
+    assert!(stage(id) - stage(enable) <= 1, "{} waits for another pixel", name());
 }
 
 fn check_operand(design: &Design, id: NodeId, operand: NodeId) {

@@ -1,19 +1,14 @@
 //! Every signal stays in its proven range, and every stated fact holds, whatever spec and scene
 //! are.
-mod common;
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
-use common::draw::{self, Draw};
-use common::{Drive, run};
+use specula_fixtures::clocked::{Drive, run};
+use specula_fixtures::{Draw, drawn, each_method};
 use specula_spec::Method;
 
 fn stays_in_range(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);
     let longest = draw.one_of(&[1, 2, 3, 20, 200]);
-    let frame = draw::frame(&mut draw, longest);
-    let spec = draw::spec(&mut draw, &frame, method);
+    let frame = drawn::frame(&mut draw, longest);
+    let spec = drawn::spec(&mut draw, &frame, method);
     println!("{spec:?}");
     // A spec whose formats are too fine is refused, which is an answer too; panics are none.
     let Ok(design) = specula_hdl::elaborate(&spec, "core") else { return };

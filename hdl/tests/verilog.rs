@@ -3,35 +3,13 @@ use std::fmt::Write;
 
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header};
-use specula_scene::Needs;
-use specula_scene::contributions::Contributions;
-use specula_scene::needs::Ranges;
+use specula_fixtures::specs::small_needs;
 use specula_spec::lyon::{Difference, Normalisation};
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
 /// A core for one light, spans of up to 4 pixels and small exponents, in small formats.
 fn design(method: Method, change: impl FnOnce(&mut CoreSpec)) -> Design {
-    let needs = Needs {
-        lights: 1,
-        local_lights: Vec::new(),
-        local_eye: false,
-        longest_span: 4,
-        largest_shininess: 4,
-        uneven_shininess: None,
-        brightest_coefficient: 1.0,
-        widest_angle: 20.0,
-        shortest_normal: 0.95,
-        shortest_way: 1.0,
-        shortest_unit_way: 1.0,
-        least_cone_cosine: 0.9,
-        least_view_cosine: 0.0,
-        smallest_shininess: 1,
-        contributions: Contributions::default(),
-        flat: false,
-        consistent_normals_differ: true,
-        ranges: Ranges::default(),
-    };
-    let mut spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
+    let mut spec = CoreSpec::for_scene(&small_needs(), None, Some(method)).unwrap();
     match &mut spec.method {
         MethodSpec::Lyon(lyon) => {
             let f = &mut lyon.formats;

@@ -8,7 +8,7 @@ use crate::{InstructionSet, Lane, Post, Wrap};
 /// An arithmetic operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
-    /// The first operand.
+    /// The first operand alone.
     Copy,
     /// Sum.
     Add,
@@ -18,7 +18,7 @@ pub enum Arithmetic {
     Mul,
 }
 
-/// The smaller or the larger of two.
+/// The smaller or the larger of two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extreme {
     /// The smaller.
@@ -27,7 +27,7 @@ pub enum Extreme {
     Max,
 }
 
-/// An operator as a type.
+/// An arithmetic operator as a type, so that each has a loop of its own.
 trait Operator {
     fn apply<L: Lane>(a: L, b: L) -> L;
 }
@@ -81,7 +81,7 @@ impl Operator for Max {
     }
 }
 
-/// Operands of lanes `I`, computed in lanes `C`, stored in lanes `O`.
+/// The loop: operands in lanes `I`, computed in lanes `C`, stored in lanes `O`.
 #[inline(always)]
 fn body<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
     out: &mut [O],
@@ -116,7 +116,7 @@ unsafe fn avx2<I: Lane, C: Lane, O: Lane, F: Operator, P: Finish>(
     body::<I, C, O, F, P>(out, a, b, amounts)
 }
 
-/// Operands and results of 32 bits, computed in 32.
+/// The kernel for operands and results of 32 bits, computed in 32.
 pub fn narrow(
     operator: Arithmetic,
     post: Post,
@@ -125,7 +125,7 @@ pub fn narrow(
     arithmetic::<i32, i32, i32>(operator, post, instruction_set)
 }
 
-/// Operands of 32 bits, computed in 64, results of 32.
+/// The kernel for operands of 32 bits, computed in 64, and results of 32.
 pub fn narrow_through_wide(
     operator: Arithmetic,
     post: Post,
@@ -134,7 +134,7 @@ pub fn narrow_through_wide(
     arithmetic::<i32, i64, i32>(operator, post, instruction_set)
 }
 
-/// Operands of 32 bits, computed in 64, results of 64.
+/// The kernel for operands of 32 bits, computed in 64, and results of 64.
 pub fn widening(
     operator: Arithmetic,
     post: Post,
@@ -143,12 +143,12 @@ pub fn widening(
     arithmetic::<i32, i64, i64>(operator, post, instruction_set)
 }
 
-/// Operands and results of 64 bits.
+/// The kernel for operands and results of 64 bits.
 pub fn wide(operator: Arithmetic, post: Post, instruction_set: InstructionSet) -> Binary<i64, i64> {
     arithmetic::<i64, i64, i64>(operator, post, instruction_set)
 }
 
-/// Operands of 64 bits, results of 32.
+/// The kernel for operands of 64 bits and results of 32.
 pub fn narrowing(
     operator: Arithmetic,
     post: Post,
@@ -157,7 +157,7 @@ pub fn narrowing(
     arithmetic::<i64, i64, i32>(operator, post, instruction_set)
 }
 
-/// The smaller or larger of two, of 32 bits.
+/// The kernel for the smaller or larger of two numbers of 32 bits.
 pub fn extreme(extreme: Extreme, wrap: Wrap, instruction_set: InstructionSet) -> Binary<i32, i32> {
     let post = Post { wrap, ..Post::default() };
     match (extreme, post.wraps()) {

@@ -1,4 +1,4 @@
-//! Comparisons, bits, choices, and a change of lane.
+//! Comparisons, bitwise operators, multiplexers, and conversions between lanes.
 use crate::kernel::{Binary, Ternary};
 use crate::post::Amounts;
 use crate::{InstructionSet, Lane};
@@ -6,9 +6,9 @@ use crate::{InstructionSet, Lane};
 /// A bitwise operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bits {
-    /// Both bits.
+    /// AND.
     And,
-    /// Either bit.
+    /// OR.
     Or,
 }
 

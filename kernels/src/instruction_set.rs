@@ -1,4 +1,4 @@
-//! Which copy of the kernels runs.
+//! The instruction sets that kernels are compiled for.
 
 /// An instruction set that kernels are compiled for. A value other than the baseline exists only
 /// where the processor has it, since only [`InstructionSet::best`] makes one.
@@ -8,10 +8,10 @@ pub struct InstructionSet {
 }
 
 impl InstructionSet {
-    /// What every processor of the target has.
+    /// The instructions that every processor of the compilation target has.
     pub const BASELINE: InstructionSet = InstructionSet { avx2: false };
 
-    /// The best that this processor has.
+    /// The best instruction set that this processor has.
     pub fn best() -> InstructionSet {
         #[cfg(target_arch = "x86_64")]
         let avx2 = std::arch::is_x86_feature_detected!("avx2");

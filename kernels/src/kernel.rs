@@ -1,10 +1,10 @@
-//! A kernel that has been chosen: a loop, its numbers, and proof that the processor can run it.
+//! Compiled kernels: a loop, its constants, and the proof that the processor can run it.
 use crate::InstructionSet;
 use crate::post::Amounts;
 
 /// A loop over an output and `N` input columns of one length.
 pub(crate) type Loop<I, O> = fn(&mut [O], &[I], &[I], &Amounts);
-/// The same, compiled for instructions that must be there.
+/// The same loop, compiled for instructions that the processor must have.
 pub(crate) type FeatureLoop<I, O> = unsafe fn(&mut [O], &[I], &[I], &Amounts);
 
 /// A kernel of two operands with lanes `I` and a result with lanes `O`.
@@ -95,11 +95,11 @@ impl<O, const N: usize> Products<O, N> {
     }
 }
 
-/// A loop that chooses between two columns by a third.
+/// A loop that selects between two columns by a third.
 pub(crate) type ChoiceLoop<L> = fn(&mut [L], &[i32], &[L], &[L]);
 pub(crate) type FeatureChoiceLoop<L> = unsafe fn(&mut [L], &[i32], &[L], &[L]);
 
-/// A kernel that chooses, lane by lane, between two columns.
+/// A kernel that selects, lane by lane, between two columns.
 pub struct Ternary<L> {
     baseline: ChoiceLoop<L>,
     avx2: FeatureChoiceLoop<L>,

@@ -14,13 +14,13 @@ pub trait Lane: Copy + Default + Ord + Send + Sync + 'static {
     fn minus(self, other: Self) -> Self;
     /// Product.
     fn times(self, other: Self) -> Self;
-    /// The bits that both have.
+    /// Bitwise AND.
     fn and(self, other: Self) -> Self;
-    /// The bits that one has.
+    /// Bitwise exclusive OR.
     fn xor(self, other: Self) -> Self;
-    /// Shift right, sign filled.
+    /// Arithmetic shift right: the sign is filled in.
     fn right(self, bits: u32) -> Self;
-    /// Shift right, zero filled.
+    /// Logical shift right: zeros are filled in.
     fn right_zero(self, bits: u32) -> Self;
 }
 

@@ -4,6 +4,8 @@
 //! for the baseline of the target and once more with AVX2; which of the two runs is decided once,
 //! by [`InstructionSet`]. The only `unsafe` is the call of the AVX2 copy ([`Binary::run`],
 //! [`Products::run`], [`Ternary::run`]), and tests hold it against the baseline copy.
+#![expect(unsafe_code, reason = "a copy compiled for AVX2 is called where the processor has it")]
+
 mod arithmetic;
 mod bits;
 mod instruction_set;
@@ -22,4 +24,4 @@ pub use kernel::{Binary, Products, Ternary};
 pub use lane::Lane;
 pub use post::{Post, Shift, Wrap};
 pub use products::{Magnitude, Second, narrow_products, products_through_wide, wide_products};
-pub use serial::{accumulate, hold, look_up};
+pub use serial::{accumulate, accumulate_in_turn, hold, look_up};

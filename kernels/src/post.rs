@@ -1,5 +1,5 @@
-//! What happens to a raw result before it is stored: bits dropped on the left, on the right, and on
-//! the left again.
+//! What is done to a raw result before it is stored: bits are dropped on the left, on the right,
+//! and on the left again.
 use std::marker::PhantomData;
 
 use crate::Lane;
@@ -7,7 +7,7 @@ use crate::Lane;
 /// Bits dropped on the right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shift {
-    /// None.
+    /// No bits are dropped.
     #[default]
     None,
     /// ⌊x / 2^k⌋.
@@ -20,31 +20,31 @@ pub enum Shift {
 /// Bits dropped on the left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
-    /// None.
+    /// No bits are dropped.
     #[default]
     None,
-    /// The low bits, as many as this, in two's complement.
+    /// As many low bits as this stay, read in two's complement.
     Signed(u32),
-    /// The low bits, as many as this, not negative; fewer than the lane has.
+    /// As many low bits as this stay, read as unsigned; fewer than the lane has.
     Unsigned(u32),
 }
 
-/// What happens to a raw result before it is stored.
+/// The steps between a raw result and what is stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Post {
     /// First, a constant is added.
     pub plus: i64,
-    /// Then, bits are dropped on the left.
+    /// Second, bits are dropped on the left.
     pub first: Wrap,
-    /// Then, bits on the right.
+    /// Third, bits are dropped on the right.
     pub shift: Shift,
-    /// Then, bits on the left.
+    /// Last, bits are dropped on the left.
     pub wrap: Wrap,
 }
 
 impl Shift {
-    /// The shift as ⌊(x + half) / 2^bits⌋: `half` is half a unit of the last place that stays,
-    /// where it rounds.
+    /// The shift as (half, bits) of ⌊(x + half) / 2^bits⌋: where it rounds, `half` is half a unit
+    /// of the last place that stays.
     fn parts(self) -> (i64, u32) {
         match self {
             Shift::None => (0, 0),
@@ -56,8 +56,8 @@ impl Shift {
 }
 
 impl Wrap {
-    /// The bits that stay, and the one of them that counts as negative: the wrapped value is
-    /// `((x & mask) ^ sign) - sign`.
+    /// The mask of the bits that stay, and the one of them that counts as negative: the wrapped
+    /// value is `((x & mask) ^ sign) - sign`.
     fn parts(self) -> (i64, i64) {
         let low = |width: u32| (u64::MAX >> (64 - width)) as i64;
         match self {
@@ -69,13 +69,13 @@ impl Wrap {
 }
 
 impl Post {
-    /// What rounding adds to a result before it drops bits: there must be room for it in the lane
-    /// that computes.
+    /// What rounding adds to a result before bits are dropped: the lane that computes must have
+    /// room for it.
     pub fn half(self) -> i64 {
         self.shift.parts().0
     }
 
-    /// The kind of loop that does it for lanes `C` stored in lanes `O`.
+    /// The kind of loop that takes these steps from lanes `C` to lanes `O`.
     pub(crate) fn kind<C: Lane, O: Lane>(self) -> Kind {
         let bits = self.shift.parts().1;
         if self.first == Wrap::None && self.shift == Shift::None && self.plus == 0 {
@@ -125,22 +125,22 @@ pub(crate) enum Kind {
     WrappedAndShifted(Fill),
 }
 
-/// The numbers that go with the kinds.
+/// The constants of a loop's steps.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Amounts {
     plus: i64,
     mask: i64,
     sign: i64,
-    /// What is added before the shift: the half of rounding, the constant if nothing is wrapped
-    /// before it, less the sign if something is.
+    /// What is added before the shift: half a unit where it rounds, plus the constant if nothing is
+    /// wrapped before the shift, less the sign bit if something is.
     offset: i64,
     bits: u32,
     last_mask: i64,
     last_sign: i64,
 }
 
-/// A way from a raw result in lanes `C` to what is stored in lanes `O`, as a type, so that each has
-/// a loop of its own.
+/// The steps from a raw result in lanes `C` to what is stored in lanes `O`, as a type, so that each
+/// kind has a loop of its own.
 pub(crate) trait Finish {
     fn apply<C: Lane, O: Lane>(raw: C, amounts: &Amounts) -> O;
 }
@@ -155,7 +155,7 @@ pub(crate) struct ZeroFilled;
 pub(crate) struct Plain;
 pub(crate) struct Shifted<S>(PhantomData<S>);
 pub(crate) struct WrappedAndShifted<S>(PhantomData<S>);
-/// Wraps what `F` gives.
+/// Wraps the result of `F`.
 pub(crate) struct Wrapped<F>(PhantomData<F>);
 
 impl ShiftKind for SignFilled {

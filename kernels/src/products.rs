@@ -1,12 +1,12 @@
-//! Products of 32-bit lanes, and sums of two or three of them, so that no column is made for each
-//! product.
+//! Products of 32-bit lanes, and sums of two or three of them in one pass, so that no column is
+//! stored for each product.
 use crate::kernel::Products;
 use crate::post::{
     Amounts, Fill, Finish, Kind, Plain, Shifted, SignFilled, Wrapped, WrappedAndShifted, ZeroFilled,
 };
 use crate::{InstructionSet, Lane, Post};
 
-/// What becomes of the second of several products; all others are added.
+/// Whether the second of several products is added or subtracted; all others are added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Second {
     /// It is added.
@@ -15,18 +15,18 @@ pub enum Second {
     Subtracted,
 }
 
-/// What is known of the magnitudes of products and their sums, however many of them are added up.
+/// A bound on the magnitudes of the products and of all their partial sums.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Magnitude {
-    /// They fit 64 bits.
+    /// Products and sums fit 64 bits.
     Any,
-    /// They are 2^51 at most.
+    /// Products and sums are at most 2^51.
     UpTo51Bits,
 }
 
-/// What products are computed in.
+/// The kind of number in which products are computed.
 trait Number: Copy {
-    /// What comes of it.
+    /// The lane of the result.
     type Raw: Lane;
     fn product(a: i32, b: i32) -> Self;
     fn plus(self, other: Self) -> Self;
@@ -67,8 +67,8 @@ integer!(i64);
 #[derive(Clone, Copy)]
 struct Exact(f64);
 
-/// 1.5 · 2^52. A double from 2^52 to 2^53 has a last place of 1; so the bits of this and of a whole
-/// x more, |x| up to 2^51, differ by x.
+/// 1.5 · 2^52. A double from 2^52 to 2^53 has a last place of 1. So the bits of this constant and
+/// those of this constant plus a whole x, |x| ≤ 2^51, differ by x.
 const MIDDLE: f64 = 6_755_399_441_055_744.0;
 
 impl Number for Exact {
@@ -91,7 +91,7 @@ impl Number for Exact {
     }
 }
 
-/// What becomes of the second product, as a type.
+/// The sign of the second product, as a type.
 trait Sign {
     fn apply<C: Number>(first: C, second: C) -> C;
 }
@@ -126,7 +126,7 @@ fn body<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(
     for i in 0..n {
         let product = |j: usize| C::product(factors[j][0][i], factors[j][1][i]);
         let mut sum = product(0);
-        // A loop over the products would keep the compiler from making vectors of the lanes.
+        // A loop over the products would keep the compiler from vectorising over the lanes.
         if N > 1 {
             sum = F::apply(sum, product(1));
         }
@@ -154,7 +154,7 @@ unsafe fn avx2<C: Number, O: Lane, F: Sign, P: Finish, const N: usize>(
     body::<C, O, F, P, N>(out, factors, amounts)
 }
 
-/// Computed in 32 bits, results of 32. There may be 1 to 3 products.
+/// The kernel that computes in 32 bits and has results of 32. There may be 1 to 3 products.
 pub fn narrow_products<const N: usize>(
     second: Second,
     post: Post,
@@ -163,7 +163,7 @@ pub fn narrow_products<const N: usize>(
     products::<i32, i32, i32, N>(second, post, instruction_set)
 }
 
-/// Computed in 64 bits, results of 32. There may be 1 to 3 products.
+/// The kernel that computes in 64 bits and has results of 32. There may be 1 to 3 products.
 pub fn products_through_wide<const N: usize>(
     second: Second,
     magnitude: Magnitude,
@@ -173,7 +173,7 @@ pub fn products_through_wide<const N: usize>(
     of_magnitude(second, magnitude, post, instruction_set)
 }
 
-/// Computed in 64 bits, results of 64. There may be 1 to 3 products.
+/// The kernel that computes in 64 bits and has results of 64. There may be 1 to 3 products.
 pub fn wide_products<const N: usize>(
     second: Second,
     magnitude: Magnitude,
@@ -195,8 +195,8 @@ fn of_magnitude<O: Lane, const N: usize>(
     }
 }
 
-/// The kernel computed in numbers `B`, or with AVX2 in numbers `C`, after `post` stored in lanes
-/// `O`.
+/// The kernel that computes in numbers `B`, or with AVX2 in numbers `C`, and stores the result
+/// after `post` in lanes `O`.
 ///
 /// The result is right where the sum, with [`Post::half`] more, fits the lane that it is computed
 /// in, and the result after `post` fits `O`.

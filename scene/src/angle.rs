@@ -1,11 +1,11 @@
 //! Sines and cosines that are the same on every machine.
 //!
-//! The standard library takes them from the platform, which rounds as it likes; the `libm` crate
-//! computes them itself.
+//! The standard library takes these functions from the platform, which may round differently; the
+//! `libm` crate computes them itself.
 
 /// Cosine and sine of an angle in degrees; exact at multiples of 90.
 ///
-/// Not finite in, not finite out.
+/// The results are not finite if the angle is not.
 pub(crate) fn cos_sin(degrees: f64) -> (f64, f64) {
     let turned = degrees.rem_euclid(360.0);
     let quarter = (turned / 90.0).floor();

@@ -1,6 +1,6 @@
 //! Scenes that are part of the program.
 
-/// Name and scene file of each.
+/// The name and scene file of each built-in scene.
 const SCENES: [(&str, &str); 5] = [
     ("teapot", include_str!("../../scenes/teapot.toml")),
     ("spheres", include_str!("../../scenes/spheres.toml")),

@@ -1,24 +1,24 @@
-//! What kinds of light a frame's surfaces send back.
+//! The kinds of light that a frame's surfaces reflect.
 use serde::Serialize;
 
 use crate::frame::{Colour, Frame};
 
-/// The largest product of a used material's and a light's component in each channel; 1.0 is full
-/// scale. Where it is 0, there is none.
+/// The largest product of a used material's component and a light's, in each channel; 1.0 is full
+/// scale. A 0 means that there is no such light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Contributions {
-    /// Ambient light sent back.
+    /// Reflected ambient light.
     pub ambient: Colour,
-    /// Diffuse light under any of the lights.
+    /// Diffuse reflection of any of the lights.
     pub diffuse: Colour,
-    /// Highlights under any of the lights.
+    /// Highlights of any of the lights.
     pub specular: Colour,
     /// Whether every product is the same in all three channels.
     pub grey: bool,
 }
 
 impl Contributions {
-    /// Of all spans of a frame.
+    /// The contributions over all spans of a frame.
     pub fn of(frame: &Frame) -> Contributions {
         let mut largest = Contributions { grey: true, ..Contributions::default() };
         let mut used: Vec<usize> =

@@ -1,4 +1,4 @@
-//! What a scene has where it says nothing.
+//! Default values of a scene.
 use glam::DVec3;
 
 use crate::picture::{Light, LightSource, LightSpace};
@@ -7,7 +7,7 @@ use crate::{Colour, Material};
 /// Width and height of a picture in pixels.
 pub const SIZE: (u32, u32) = (640, 480);
 
-/// Background, 8 bits a component.
+/// Background colour, 8 bits a component.
 pub const BACKGROUND: [u8; 3] = [0, 0, 0];
 
 /// Colour of the ambient light.

@@ -1,4 +1,4 @@
-//! What can be wrong with what a user gives.
+//! Errors in what a user gives.
 use std::sync::Arc;
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
@@ -7,34 +7,34 @@ use thiserror::Error;
 use crate::mesh::MeshError;
 use crate::picture::project::PictureError;
 
-/// Why a scene cannot be loaded: what is wrong, where, and what would be right.
+/// The reason why a scene cannot be loaded: what is wrong, where, and what would be right.
 #[derive(Debug, Error, Diagnostic)]
 pub enum SceneError {
-    /// Neither a built-in scene nor a file that can be read as one.
+    /// The name is neither that of a built-in scene nor that of a file that can be read as one.
     #[error("`{scene}` is neither a built-in scene nor a file of a known kind")]
     #[diagnostic(code(scene::unknown))]
     Unknown {
-        /// What was asked for.
+        /// The scene that the user asked for.
         scene: String,
         /// The built-in scenes and the known kinds of file.
         #[help]
         help: String,
     },
-    /// A file that the system does not give, or that is not text.
+    /// A file cannot be read, or is not text.
     #[error("{kind} `{path}`: {reason}")]
     #[diagnostic(code(scene::unreadable))]
     Unreadable {
-        /// What it is to be.
+        /// The kind of file that was expected.
         kind: &'static str,
         /// The file.
         path: String,
-        /// Why.
+        /// The reason.
         reason: String,
         /// What would be right.
         #[help]
         help: String,
     },
-    /// Something wrong at a place in a scene file or in a core's.
+    /// Something is wrong at a place in a scene file or in a spec file.
     #[error("{problem}")]
     #[diagnostic(code(scene::file))]
     File {
@@ -46,11 +46,11 @@ pub enum SceneError {
         /// The file.
         #[source_code]
         text: Arc<NamedSource<String>>,
-        /// The place in it.
+        /// The place in the file.
         #[label("here")]
         at: SourceSpan,
     },
-    /// Something wrong with a mesh that was given as the scene.
+    /// Something is wrong with a mesh that was given as the scene.
     #[error("{error}")]
     #[diagnostic(code(scene::mesh))]
     Mesh {
@@ -60,7 +60,7 @@ pub enum SceneError {
         #[help]
         help: String,
     },
-    /// The scene is well formed, but no picture comes of it.
+    /// The scene is well formed, but cannot be drawn.
     #[error("scene `{scene}`: {error}")]
     #[diagnostic(code(scene::picture))]
     Picture {
@@ -82,7 +82,7 @@ impl From<MeshError> for SceneError {
 }
 
 impl SceneError {
-    /// An error of making the picture of `scene`.
+    /// The error of drawing the scene `scene`.
     pub(crate) fn picture(scene: &str, error: PictureError) -> SceneError {
         let help = error.help();
         SceneError::Picture { scene: scene.to_owned(), error, help }

@@ -1,4 +1,5 @@
-//! What a picture is made of once visibility is settled: spans of visible triangles, in view space.
+//! The contents of a picture after visibility is settled: spans of visible triangles, in view
+//! space.
 //!
 //! View space is right-handed, x to the right, y up, the eye at infinity in the direction +z: V =
 //! (0, 0, 1).
@@ -9,8 +10,8 @@ use crate::mesh::normals::newell;
 /// The direction to the eye, in view space.
 pub const EYE: DVec3 = DVec3::Z;
 
-/// H = (L + V)/|L + V|, Blinn's half-way vector; 0 where the light stands opposite the eye and it
-/// has no direction (extremes row 12).
+/// H = (L + V)/|L + V|, Blinn's half-way vector; 0 if the light is opposite the eye, where H has no
+/// direction (extremes row 12).
 pub fn halfway(light: DVec3) -> DVec3 {
     (light + EYE).normalize_or_zero()
 }
@@ -18,10 +19,10 @@ pub fn halfway(light: DVec3) -> DVec3 {
 /// A colour, red, green and blue; 1.0 is full scale of the 8-bit output.
 pub type Colour = [f64; 3];
 
-/// How a surface answers light. Components are products' factors, 0 or more.
+/// The reflectances of a surface. Their components are factors of products, 0 or more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// Share of the ambient light that is sent back.
+    /// Reflectance of ambient light.
     pub ambient: Colour,
     /// Lambert's reflectance.
     pub diffuse: Colour,
@@ -40,19 +41,19 @@ pub struct DirectionalLight {
     pub colour: Colour,
 }
 
-/// A light at a place, as bright near as far.
+/// A light at a place, whose brightness does not depend on the distance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalLight {
-    /// Where it is, in view space.
+    /// Its position in view space.
     pub position: DVec3,
-    /// What narrows it to a cone, if anything does.
+    /// The spot that narrows it to a cone, if there is one.
     pub spot: Option<Spot>,
     /// Its colour and strength.
     pub colour: Colour,
 }
 
-/// Warn's spot: a light's strength is max(-L·axis, 0)^exponent of itself [Hast et al., after eq.
-/// 35].
+/// Warn's spot: the light's strength is multiplied by max(-L·axis, 0)^exponent [Hast et al., after
+/// eq. 35].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spot {
     /// Unit vector along which it shines, in view space.
@@ -61,12 +62,12 @@ pub struct Spot {
     pub exponent: u32,
 }
 
-/// The cone about a vertex normal that holds the normals of all faces around the vertex, which
-/// consistent normal interpolation asks for [Reshetov, Soupikov and Mark; methods D].
+/// The cone about a vertex normal that contains the normals of all faces around the vertex, as
+/// consistent normal interpolation needs it [Reshetov, Soupikov and Mark; methods D].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VertexCone {
-    /// The vertex normal, a unit vector; one that was 90 degrees or more from a face is turned
-    /// until it is nearer, where it can be.
+    /// The vertex normal, a unit vector. If it was 90 degrees or more from a face, it has been
+    /// turned closer, if possible.
     pub axis: DVec3,
     /// m, the smallest cosine between the axis and the normal of a face around the vertex.
     pub cosine: f64,
@@ -79,8 +80,7 @@ impl VertexCone {
     }
 }
 
-/// The polygon that a triangle is part of, or that it is, as flat shading sees it
-/// [lecture, eq. 1.1 and 2.1].
+/// The polygon that a triangle belongs to, as flat shading uses it [lecture, eq. 1.1 and 2.1].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facet {
     /// Its unit normal; 0 where it has none.
@@ -90,34 +90,34 @@ pub struct Facet {
 }
 
 impl Facet {
-    /// The facet of a polygon, by Newell's method, on the side from which its corners go
+    /// The facet of a polygon by Newell's method, on the side from which its corners go
     /// counter-clockwise; `None` for a polygon without area.
     pub fn of_polygon(corners: &[DVec3]) -> Option<Facet> {
         let normal = newell(corners)?;
         Some(Facet { normal, middle: corners.iter().sum::<DVec3>() / corners.len() as f64 })
     }
 
-    /// What stands in for the polygon of a triangle of which the vertices alone are known: the
-    /// mean direction of their normals, 0 where these add up to nothing.
+    /// A substitute for the polygon of a triangle of which only the vertices are known: its normal
+    /// is the mean direction of the vertex normals, or 0 if their sum is 0.
     pub fn of_vertices(normals: &[DVec3; 3], positions: &[DVec3; 3]) -> Facet {
         let normal = normals.iter().sum::<DVec3>().normalize_or_zero();
         Facet { normal, middle: positions.iter().sum::<DVec3>() / 3.0 }
     }
 }
 
-/// A triangle that can be seen, with what shading needs of it.
+/// A visible triangle, with what shading needs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
     /// Unit normals at the three vertices, in view space.
     pub normals: [DVec3; 3],
-    /// The polygon that it is part of, in view space, its normal on the side that is seen.
+    /// The polygon that it belongs to, in view space, with its normal on the visible side.
     pub facet: Facet,
     /// The three vertices, in view space.
     pub positions: [DVec3; 3],
-    /// The three vertices in the picture, in pixels to the right and down from its top left corner,
-    /// with an area; `None` for a triangle of which one span is given and nothing else.
+    /// The three vertices in the picture, in pixels to the right and down from its top left corner;
+    /// the triangle has an area. `None` for a triangle that is known only by a span.
     pub outline: Option<[DVec2; 3]>,
-    /// Cones about them, turned to the side that is seen as the normals are.
+    /// Cones about the normals, turned to the visible side as the normals are.
     pub cones: [VertexCone; 3],
     /// Index into [`Frame::materials`].
     pub material: usize,
@@ -147,7 +147,7 @@ impl Span {
         self.length - 1
     }
 
-    /// 1/S, what the parameter grows by with each pixel; 0 in a span of one pixel.
+    /// 1/S, the increment of the parameter with each pixel; 0 in a span of one pixel.
     pub fn weight_step(&self) -> f64 {
         if self.steps() == 0 { 0.0 } else { f64::from(self.steps()).recip() }
     }
@@ -167,10 +167,10 @@ impl Span {
 /// The great circle that the normal follows along a span, when its angle grows steadily.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arc {
-    /// A, the unit normal at the first pixel; 0 where the span has no normal at either end.
+    /// A, the unit normal at the first pixel; 0 if the span has no normal at either end.
     pub start: DVec3,
-    /// T, the unit vector across A towards the normal at the last pixel; 0 where there is no angle
-    /// between them.
+    /// T, the unit vector perpendicular to A, towards the normal at the last pixel; 0 if there is
+    /// no angle between them.
     pub across: DVec3,
     /// The angle f between the two normals, in radians, 0 to π.
     pub angle: f64,
@@ -179,9 +179,9 @@ pub struct Arc {
 /// A picture to be shaded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Pixels across.
+    /// Width in pixels.
     pub width: u32,
-    /// Pixels down.
+    /// Height in pixels.
     pub height: u32,
     /// 8-bit colour of pixels that no span covers.
     pub background: [u8; 3],
@@ -189,15 +189,15 @@ pub struct Frame {
     pub ambient: Colour,
     /// Lights at infinity.
     pub lights: Vec<DirectionalLight>,
-    /// Lights at a place, which are counted after those at infinity; there is at least one of
-    /// either.
+    /// Lights at places, which are counted after those at infinity; there is at least one light of
+    /// either kind.
     pub local_lights: Vec<LocalLight>,
-    /// Where the eye is that sees highlights, in view space; at infinity in the direction [`EYE`]
-    /// if nowhere. Visibility is settled along parallel lines either way.
+    /// The position of the eye that sees highlights, in view space; `None` for an eye at infinity
+    /// in the direction [`EYE`]. Visibility is settled along parallel lines in both cases.
     pub eye: Option<DVec3>,
-    /// Materials that triangles name.
+    /// Materials, to which triangles refer.
     pub materials: Vec<Material>,
-    /// Triangles that spans name.
+    /// Triangles, to which spans refer.
     pub triangles: Vec<Triangle>,
     /// Visible runs from top to bottom and left to right; no two share a pixel.
     pub spans: Vec<Span>,
@@ -235,8 +235,8 @@ impl Frame {
     }
 
     /// Vectors from a span's first and last pixel to a `place` in view space, scaled by one common
-    /// factor so that the longer has length 1: what methods C15 to C18 call F - P, scaled
-    /// beforehand. Two vectors of length 0 stay so.
+    /// factor so that the longer has length 1: the F - P of methods C15 to C18, scaled beforehand.
+    /// Two vectors of length 0 stay 0.
     pub fn end_vectors_to(&self, span: &Span, place: DVec3) -> [DVec3; 2] {
         scaled_to_unit(
             [span.start, span.end].map(|weights| place - self.position_at(span, weights)),
@@ -246,14 +246,14 @@ impl Frame {
     /// The normals at a span's first and last pixel, scaled by one common factor so that the longer
     /// has length 1.
     ///
-    /// The common factor leaves every direction along the span as it is and keeps each interpolated
-    /// normal within the unit ball. Two normals of length 0 stay so.
+    /// The common factor changes no direction along the span and keeps each interpolated normal
+    /// within the unit ball. Two normals of length 0 stay 0.
     pub fn end_normals(&self, span: &Span) -> [DVec3; 2] {
         scaled_to_unit([self.normal_at(span, span.start), self.normal_at(span, span.end)])
     }
 
-    /// The unit normals at a span's first and last pixel. An end where the interpolated normal
-    /// vanishes takes the other's; two such ends stay 0.
+    /// The unit normals at a span's first and last pixel. If the interpolated normal vanishes at
+    /// one end, that end gets the other's; if it vanishes at both, both are 0.
     pub fn unit_end_normals(&self, span: &Span) -> [DVec3; 2] {
         let [start, end] =
             [span.start, span.end].map(|weights| self.normal_at(span, weights).normalize_or_zero());
@@ -261,19 +261,19 @@ impl Frame {
         [or(start, end), or(end, start)]
     }
 
-    /// The unit normal of the polygon that a span shows, on the side that is seen; 0 where it has
-    /// none.
+    /// The unit normal of the polygon that a span shows, on the visible side; 0 if it has none.
     pub fn facet_normal(&self, span: &Span) -> DVec3 {
         self.triangles[span.triangle].facet.normal
     }
 
-    /// As [`Frame::end_normals`], of the axes of the vertices' cones.
+    /// The axes of the vertices' cones at a span's first and last pixel, scaled as
+    /// [`Frame::end_normals`].
     pub fn end_axes(&self, span: &Span) -> [DVec3; 2] {
         let axes = self.triangles[span.triangle].cones.map(|cone| cone.axis);
         scaled_to_unit([interpolated(&axes, span.start), interpolated(&axes, span.end)])
     }
 
-    /// N(i) = m + k i along a span, scaled as by [`Frame::end_normals`]: m and k. In a span of one
+    /// N(i) = m + k i along a span, scaled as [`Frame::end_normals`]: m and k. In a span of one
     /// pixel k is 0.
     pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
         let [start, end] = self.end_normals(span);
@@ -283,7 +283,8 @@ impl Frame {
     /// The arc from the normal at a span's first pixel to that at its last: N(t) = cos(t f) A +
     /// sin(t f) T [lecture, eq. 4.7, in a frame that needs no division by sin f; methods A11].
     ///
-    /// Opposite normals say nothing of the plane to turn in; T is then one of the vectors across A.
+    /// Opposite normals do not determine a plane of rotation; T is then one of the vectors
+    /// perpendicular to A.
     pub fn arc(&self, span: &Span) -> Arc {
         let [a, b] = self.unit_end_normals(span);
         let axis = a.cross(b);
@@ -305,7 +306,7 @@ impl Frame {
         )
     }
 
-    /// What a triangle has at its vertices, interpolated linearly: its value at the first pixel and
+    /// A quantity of a triangle's vertices, interpolated linearly: its value at the first pixel and
     /// its step [lecture, eq. 3.2 to 3.6].
     pub fn interpolated(&self, span: &Span, at_vertices: [f64; 3]) -> [f64; 2] {
         let at = |weights: [f64; 3]| (0..3).map(|v| weights[v] * at_vertices[v]).sum::<f64>();
@@ -315,7 +316,7 @@ impl Frame {
 }
 
 /// Two vectors, scaled by one common factor so that the longer has length 1; two of length 0 stay
-/// so.
+/// 0.
 fn scaled_to_unit(ends: [DVec3; 2]) -> [DVec3; 2] {
     let longest = ends[0].length().max(ends[1].length());
     if longest > 0.0 { ends.map(|vector| vector / longest) } else { ends }

@@ -1,26 +1,26 @@
-//! What a point sees of lights and of the eye, for the host's set-up [Hast et al., eq. 35, 38;
-//! methods C15, C18].
+//! Directions to lights and eye at a point, for the host's set-up [Hast et al., eq. 35, 38; methods
+//! C15, C18].
 use glam::DVec3;
 
 use crate::frame::{EYE, Frame, LocalLight};
 
-/// A light as it is seen from a point.
+/// A light as seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Illumination {
     /// L, a unit vector towards the light.
     pub direction: DVec3,
-    /// How much of it arrives, 0 to 1: all, but for a spot, which has Warn's factor max(-L·axis,
-    /// 0)^p.
+    /// The share of it that arrives, 0 to 1: 1 except for a spot, which has Warn's factor
+    /// max(-L·axis, 0)^p.
     pub share: f64,
 }
 
 impl Frame {
-    /// The unit vector from `position` to the eye; none for an eye there.
+    /// The unit vector from `position` to the eye; `None` for an eye there.
     pub fn view_from(&self, position: DVec3) -> Option<DVec3> {
         self.eye.map_or(Some(EYE), |eye| (eye - position).try_normalize())
     }
 
-    /// Every light as it is seen from `position`, those at infinity first; none for a light there.
+    /// Every light as seen from `position`, those at infinity first; `None` for a light there.
     pub fn lights_from(&self, position: DVec3) -> impl Iterator<Item = Option<Illumination>> {
         let at_infinity = self
             .lights

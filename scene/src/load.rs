@@ -1,38 +1,39 @@
-//! Finding a scene by its name: built in, a scene file, or a mesh.
+//! Loads a scene by its name: a built-in scene, a scene file, or a mesh.
 use std::path::Path;
 
 use crate::file::{CoreTable, SceneFile, SourceFile};
-use crate::mesh::error::{EXTENSIONS, listed};
-use crate::mesh::{self, Mesh, Warning};
+use crate::mesh::error::listed;
+use crate::mesh::{self, EXTENSIONS, Mesh, Warning};
 use crate::picture::camera::Camera;
 use crate::picture::{Object, Scene};
 use crate::{Frame, SceneError, Surface, builtin, defaults};
 
-/// A scene with its visible spans, and what it says about the core.
+/// A scene with its visible spans, and its table for the core.
 #[derive(Clone, Debug)]
 pub struct LoadedScene {
-    /// The file's stem or the built-in scene's name, with `a`-`z`, `0`-`9` and `_` only and no
-    /// digit first, so that it can be part of a file's or module's name; at most 48 characters.
+    /// The file's stem or the built-in scene's name, reduced to `a`-`z`, `0`-`9` and `_` without a
+    /// digit at the beginning, so that it can be part of a file's or module's name; at most 48
+    /// characters.
     pub name: String,
-    /// What is to be shaded.
+    /// The frame to be shaded.
     pub frame: Frame,
-    /// The curved surfaces that objects stand for, where known: one for each of the frame's
-    /// materials, or none at all.
+    /// The curved surfaces that objects represent, where they are known: one for each of the
+    /// frame's materials, or none at all.
     pub surfaces: Vec<Option<Surface>>,
     /// The `[core]` table of the scene file, if it has one.
     pub core: Option<CoreTable>,
-    /// What was passed over in the scene's meshes, one of each kind for each file.
+    /// What was skipped in the scene's meshes: one warning of each kind for each file.
     pub warnings: Vec<Warning>,
 }
 
-/// The longest name that is made of a file's, in characters.
+/// Largest length of a name that is made from a file's name, in characters.
 pub const LONGEST_NAME: usize = 48;
 
 /// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh
-/// (`.obj`, `.ply`, `.stl`, `.glb`). `size` in pixels goes before the scene's own.
+/// (`.obj`, `.ply`, `.stl`, `.glb`). `size` in pixels takes precedence over the scene's own.
 ///
-/// A mesh is framed whole, seen from the front a little to the right and above, with one light and
-/// a grey material.
+/// A mesh fills the picture, seen from the front, a little to the right and above, with one light
+/// and a grey material.
 ///
 /// # Errors
 /// A [`SceneError`] that says what is wrong with the name, the file or the picture, where, and what
@@ -46,7 +47,7 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
     let name = module_name(path);
     if mesh::extension(path).is_some() {
         let (mesh, warnings) = Mesh::read(path)?;
-        return finish(scene, &name, SceneFile::without_text(around(mesh), warnings), size);
+        return finish(scene, &name, SceneFile::without_text(mesh_scene(mesh), warnings), size);
     }
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         let source = SourceFile::read("scene file", path)?;
@@ -60,8 +61,8 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
     Err(SceneError::Unknown { scene: scene.to_owned(), help })
 }
 
-/// Reads a scene from the text of a scene file; `name` is the file's in errors. Relative paths of
-/// meshes start at the current folder.
+/// Reads a scene from the text of a scene file; `name` is the file's name in errors. Relative paths
+/// of meshes start at the current folder.
 ///
 /// # Errors
 /// A [`SceneError`] that says what is wrong with the text, and where.
@@ -93,7 +94,7 @@ fn finish(
 }
 
 /// The scene that shows a mesh by itself.
-fn around(mesh: Mesh) -> Scene {
+fn mesh_scene(mesh: Mesh) -> Scene {
     Scene {
         size: defaults::SIZE,
         background: defaults::BACKGROUND,
@@ -109,7 +110,7 @@ fn around(mesh: Mesh) -> Scene {
     }
 }
 
-/// A path's stem as [`LoadedScene::name`] has it.
+/// A path's stem in the form of [`LoadedScene::name`].
 pub fn module_name(path: &Path) -> String {
     let stem =
         path.file_stem().map(|stem| stem.to_string_lossy().to_lowercase()).unwrap_or_default();

@@ -1,5 +1,5 @@
-//! What a frame makes use of: it decides what is built and how wide, and whether a core that is
-//! there will do.
+//! The needs of a frame: they determine which hardware is built and how wide it is, and whether an
+//! existing core can shade the frame.
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -8,16 +8,16 @@ use crate::frame::{EYE, Frame, LocalLight, Span, Triangle};
 use crate::parallel::ParallelSpan;
 use crate::wrap::Wrap;
 
-/// What shading this frame needs.
+/// The needs of shading a frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Needs {
-    /// Number of lights, those at a place included.
+    /// Number of lights, including those at places.
     pub lights: usize,
-    /// Lights at a place, which are the last ones.
+    /// Lights at places, which come last.
     pub local_lights: Vec<LocalKind>,
     /// Whether the eye that sees highlights is at a place.
     pub local_eye: bool,
-    /// Pixels of the longest span.
+    /// Length of the longest span in pixels.
     pub longest_span: u32,
     /// Smallest exponent n of a material.
     pub smallest_shininess: u32,
@@ -28,12 +28,12 @@ pub struct Needs {
     /// Largest product of a material's and a light's (or the ambient light's) colour component; 1.0
     /// is full scale.
     pub brightest_coefficient: f64,
-    /// What kinds of light are sent back at all, and how strongly.
+    /// The kinds of light that are reflected at all, and how strongly.
     pub contributions: Contributions,
-    /// Whether every triangle has one normal all over, which is its polygon's.
+    /// Whether every triangle has only one normal, its polygon's.
     pub flat: bool,
-    /// Whether consistent normal interpolation would reflect anything otherwise: at some vertex the
-    /// normal is not that of every face around it.
+    /// Whether consistent normal interpolation would change any reflection: at some vertex, the
+    /// normal differs from that of a face around it.
     pub consistent_normals_differ: bool,
     /// Widest angle between the normals at the two ends of a span, in degrees.
     pub widest_angle: f64,
@@ -43,18 +43,18 @@ pub struct Needs {
     /// Length of the shortest vector from a pixel to a light or an eye at a place, in units of the
     /// longer one at the ends of its span; 0 to 1, and 1 if there are none.
     pub shortest_way: f64,
-    /// The same of vectors that have length 1 at both ends of their span.
+    /// The same length for vectors that have length 1 at both ends of their span.
     pub shortest_unit_way: f64,
     /// The smallest cosine between a vertex normal and a face around the vertex (extremes row
     /// 48): -1 to 1.
     pub least_cone_cosine: f64,
     /// The smallest cosine between an interpolated normal and the direction to the eye: -1 to 1.
     pub least_view_cosine: f64,
-    /// What interpolated quantities are at the ends of spans.
+    /// Intervals of interpolated quantities at the ends of spans.
     pub ranges: Ranges,
 }
 
-/// An interval, its ends included.
+/// A closed interval.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Interval {
     /// The smallest value.
@@ -63,8 +63,8 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// Intervals of what is interpolated, over both ends of all spans; [0, 0] in a frame without any.
-/// Normals are scaled as by [`Frame::end_normals`].
+/// Intervals of interpolated quantities, over both ends of all spans; [0, 0] in a frame without
+/// spans. Normals are scaled as by [`Frame::end_normals`].
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Ranges {
     /// Components of the normal.
@@ -80,7 +80,7 @@ pub struct Ranges {
 }
 
 impl Interval {
-    /// The smallest interval with all of `values`; [0, 0] if there are none.
+    /// The smallest interval that contains all `values`; [0, 0] if there are none.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Interval {
         let hull =
             |a: Interval, b: Interval| Interval { low: a.low.min(b.low), high: a.high.max(b.high) };
@@ -110,13 +110,13 @@ impl Ranges {
     }
 }
 
-/// What a light at a place is.
+/// The kind of a light at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LocalKind {
-    /// It shines to all sides alike.
+    /// It shines in all directions alike.
     Point,
-    /// It shines most of all along its axis.
+    /// It shines most strongly along its axis.
     Spot {
         /// Warn's exponent, 1 to 8191.
         exponent: u32,
@@ -133,7 +133,7 @@ impl LocalKind {
 }
 
 impl Needs {
-    /// Works out the needs of a frame from every one of its spans.
+    /// Computes the needs of a frame from all of its spans.
     pub fn of(frame: &Frame) -> Needs {
         let used = || frame.spans.iter().map(|span| frame.material(span));
         let shininess = || used().map(|m| m.shininess);
@@ -188,10 +188,11 @@ impl Needs {
     }
 }
 
-/// By how much cosines of the same unit vector may fall short of 1.
+/// By how much cosines of equal unit vectors may be below 1.
 const ROUNDING: f64 = 1e-12;
 
-/// By how much components of unit normals may differ that count as one: 255 LSB of it are .0003.
+/// By how much components of unit normals may differ that count as equal: 255 LSB times this is
+/// .00024 LSB.
 const FLAT: f64 = 1.0 / (1 << 20) as f64;
 
 /// The triangles that spans show, one after the other.
@@ -199,16 +200,17 @@ fn seen(frame: &Frame) -> impl Iterator<Item = &Triangle> {
     frame.spans.iter().map(|span| &frame.triangles[span.triangle])
 }
 
-/// Whether a triangle's vertices have one normal, and its polygon the same.
+/// Whether a triangle's vertices have one normal, which is its polygon's.
 ///
-/// Files give normals to some digits, so that the polygon's own may be off by their rounding.
+/// Files state normals with few digits, so the polygon's own may differ by their rounding.
 fn is_flat(triangle: &Triangle) -> bool {
     let [first, second, third] = triangle.normals;
     let of_polygon = (triangle.facet.normal - first).abs().max_element() <= FLAT;
     first == second && first == third && of_polygon
 }
 
-/// What methods interpolate along a span: its normals, and the axes of its cones.
+/// The vectors at the ends of a span that methods interpolate: its normals, and the axes of its
+/// cones.
 fn ends(frame: &Frame, span: &Span) -> [[DVec3; 2]; 2] {
     [frame.end_normals(span), frame.end_axes(span)]
 }
@@ -238,8 +240,8 @@ fn ways(frame: &Frame) -> impl Iterator<Item = [DVec3; 2]> {
     frame.spans.iter().flat_map(move |span| places().map(|place| frame.end_vectors_to(span, place)))
 }
 
-/// Smallest |N| over the span: where the foot of the perpendicular from the origin falls on the
-/// segment between the ends.
+/// The smallest |N| over the span, at the foot of the perpendicular from the origin to the segment
+/// between the ends.
 fn shortest([a, b]: [DVec3; 2]) -> f64 {
     let delta = b - a;
     let foot =
@@ -247,7 +249,7 @@ fn shortest([a, b]: [DVec3; 2]) -> f64 {
     (a + delta * foot.clamp(0.0, 1.0)).length()
 }
 
-/// Of a span, as its middle sees an eye at a place.
+/// The smallest cosine of a span, as its middle sees an eye at a place.
 fn least_view_cosine_of(frame: &Frame, span: &Span) -> f64 {
     if frame.eye.is_none() {
         return least_view_cosine(frame.end_axes(span));
@@ -256,9 +258,10 @@ fn least_view_cosine_of(frame: &Frame, span: &Span) -> f64 {
     least_view_cosine(parallel.frame.end_axes(parallel.span()))
 }
 
-/// Smallest cosine between the eye and the normals between two ends, -1 where one has no direction.
+/// The smallest cosine between the eye and the normals between two ends, -1 if one has no
+/// direction.
 ///
-/// With N = a + t d it lies at an end or where the derivative of N·V/|N| vanishes, (d·V)(N·N) =
+/// With N = a + t d it is at an end or where the derivative of N·V/|N| vanishes, (d·V)(N·N) =
 /// (N·V)(N·d), in which t² cancels: t = ((d·V)(a·a) - (a·V)(a·d)) / ((a·V)(d·d) - (d·V)(a·d)).
 fn least_view_cosine([a, b]: [DVec3; 2]) -> f64 {
     let d = b - a;

@@ -1,8 +1,8 @@
-//! Lights and an eye at places for methods that work from one direction to each: those that the
-//! middle of a span sees.
+//! Lights and an eye at places, for methods that use one direction to each for a whole span: the
+//! one that the middle of the span sees.
 //!
 //! "A parallel light vector, which means that we can use the same vector over the polygon" [Hast,
-//! Barrera and Bengtsson, §5], over a span here.
+//! Barrera and Bengtsson, §5]; here it is used over a span.
 use glam::{DQuat, DVec3};
 
 use crate::frame::{DirectionalLight, EYE, Facet, Frame, Span, Triangle, VertexCone};
@@ -10,14 +10,14 @@ use crate::frame::{DirectionalLight, EYE, Facet, Frame, Span, Triangle, VertexCo
 /// A span by itself, under lights and an eye at infinity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParallelSpan {
-    /// A frame with this span, its triangle and its material alone.
+    /// A frame with only this span, its triangle and its material.
     pub frame: Frame,
 }
 
 impl ParallelSpan {
-    /// A span of `frame`, lit and seen from where its middle is. The eye is at infinity in the
-    /// direction [`EYE`], so everything is turned until the middle sees it there, which leaves the
-    /// angles between vectors as they are.
+    /// A span of `frame`, lit and seen from its middle. The eye is at infinity in the direction
+    /// [`EYE`], so everything is rotated until the middle sees it there, which preserves the angles
+    /// between vectors.
     ///
     /// A light at the very middle is dark; an eye there sees no highlight (extremes row 39).
     pub fn new(frame: &Frame, span: &Span) -> ParallelSpan {
@@ -54,7 +54,7 @@ impl ParallelSpan {
 }
 
 fn turned(triangle: &Triangle, turn: DQuat) -> Triangle {
-    // The identity leaves every bit as it is.
+    // Skipping the identity preserves every bit.
     let vector = |v: DVec3| if turn == DQuat::IDENTITY { v } else { turn * v };
     Triangle {
         normals: triangle.normals.map(vector),

@@ -1,26 +1,26 @@
-//! Files of which nothing but the path is known: only regular ones are read, and no more of them
-//! than was agreed.
+//! Reading files of which only the path is known: only regular ones are read, up to an agreed
+//! length.
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
 use thiserror::Error;
 
-/// Why a file was not read.
+/// The reason why a file was not read.
 #[derive(Debug, Error)]
 pub enum NotRead {
-    /// A folder, a device, a pipe or a socket: reading it may never end.
+    /// The path is a folder, a device, a pipe or a socket: reading it might never end.
     #[error("it is not a regular file")]
     NotRegular,
-    /// It is longer than was agreed.
+    /// The file is longer than agreed.
     #[error("it has more than {limit} bytes")]
     TooLong {
-        /// The most bytes that are read.
+        /// Largest number of bytes that are read.
         limit: u64,
-        /// The bytes it has, as far as is known.
+        /// Number of bytes of the file, as far as it is known.
         bytes: u64,
     },
-    /// The system does not give it.
+    /// The operating system's error.
     #[error(transparent)]
     System(#[from] io::Error),
 }
@@ -44,16 +44,16 @@ impl From<NotRead> for io::Error {
 /// Reads a whole regular file of `limit` bytes at most; symbolic links are followed.
 ///
 /// # Errors
-/// [`NotRead`] for anything but a regular file, a longer one, and what the system refuses. Nothing
-/// is waited for: a pipe is not opened.
+/// [`NotRead`] for anything other than a regular file, for a longer one, and for errors of the
+/// operating system. The function never blocks: a pipe is not opened.
 pub fn read_regular(path: &Path, limit: u64) -> Result<Vec<u8>, NotRead> {
-    // Opening a pipe waits for somebody who writes into it.
+    // Opening a pipe would block until a writer opens it.
     check(&fs::metadata(path)?, limit)?;
     let file = File::open(path)?;
     let about = file.metadata()?;
     check(&about, limit)?;
     let mut bytes = Vec::with_capacity(usize::try_from(about.len()).unwrap_or(0));
-    // A file may grow while it is read, and some of the system's say that they are empty.
+    // A file may grow while it is read, and some of the system's files report a length of 0.
     file.take(limit.saturating_add(1)).read_to_end(&mut bytes)?;
     let read = bytes.len() as u64;
     if read > limit { Err(NotRead::TooLong { limit, bytes: read }) } else { Ok(bytes) }
@@ -97,7 +97,7 @@ mod tests {
         let pipe = folder.path().join("pipe");
         let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
         assert!(made.success() && matches!(read_regular(&pipe, 4), Err(NotRead::NotRegular)));
-        // It says that it has no bytes.
+        // The system reports a length of 0 for this file.
         assert!(matches!(
             read_regular(Path::new("/proc/self/status"), 4),
             Err(NotRead::TooLong { limit: 4, bytes: 5 })

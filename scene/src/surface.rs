@@ -1,4 +1,4 @@
-//! Curved surfaces that meshes stand for: the yardstick for normals that are interpolated.
+//! Curved surfaces that meshes represent: the reference for interpolated normals.
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::frame::EYE;
@@ -8,7 +8,7 @@ use crate::primitive::Primitive;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     shape: Shape,
-    /// From view space to the shape's own coordinates.
+    /// The transformation from view space to the shape's own coordinates.
     to_own: DAffine3,
 }
 
@@ -16,19 +16,20 @@ pub struct Surface {
 enum Shape {
     /// The unit sphere.
     Sphere,
-    /// The tube of this radius round the unit circle about the y axis.
+    /// The tube of this radius around the unit circle about the y axis.
     Torus { tube: f64 },
 }
 
-/// A function that is 0 on a surface, at some point.
+/// The value and gradient at a point of a function that is 0 on a surface.
 struct Implicit {
     value: f64,
-    /// Outward.
+    /// The gradient, which points outward.
     gradient: DVec3,
 }
 
 impl Shape {
-    /// None where it has no gradient: on the axis and the circle of the torus.
+    /// The function at a point; `None` where it has no gradient: on the axis and the circle of the
+    /// torus.
     fn implicit(self, point: DVec3) -> Option<Implicit> {
         match self {
             Shape::Sphere => {
@@ -42,37 +43,39 @@ impl Shape {
     }
 }
 
-/// Steps of Newton's method: each doubles the digits, from the mesh's distance to the surface on.
+/// Number of Newton steps; starting at the mesh's distance from the surface, each doubles the
+/// number of exact digits.
 const STEPS: u32 = 16;
-/// The surface is met: a length in its own coordinates, where it is about 1 wide.
+/// A distance below this counts as 0: it is a length in the surface's own coordinates, in which the
+/// surface is about 1 wide.
 const MET: f64 = 1e-13;
 
 impl Surface {
-    /// The surface that a primitive's vertices lie on, if its normals are known in closed form;
-    /// `to_view` leads from its own coordinates to view space.
+    /// The surface on which a primitive's vertices lie, if its normals are known in closed form;
+    /// `to_view` transforms from its own coordinates to view space.
     pub fn of(primitive: Primitive, to_view: DAffine3) -> Option<Surface> {
         let shape = match primitive {
             Primitive::Sphere { .. } | Primitive::Icosahedron { .. } => Shape::Sphere,
             Primitive::Torus { tube, .. } => Shape::Torus { tube },
-            // Bicubic patches are no zeros of a function that could be written down.
+            // Bicubic patches are not the zeros of a function that could be written down.
             Primitive::Teapot { .. } => return None,
         };
         Some(Surface { shape, to_own: to_view.inverse() })
     }
 
     /// The unit normal in view space where the line of sight through `place` meets the surface near
-    /// it, turned to the side of `towards`. None where it passes by the surface, as it may beside
-    /// an outline.
+    /// it, on the side of `towards`. The result is `None` if the line misses the surface, as it may
+    /// near an outline.
     pub fn normal(&self, place: DVec3, towards: DVec3) -> Option<DVec3> {
         let outward =
             self.met(self.to_own.transform_point3(place), self.to_own.transform_vector3(EYE))?;
-        // Normals go by the inverse transpose of the way to view space.
+        // Normals transform by the inverse transpose of the transformation to view space.
         let normal = (DMat3::transpose(&self.to_own.matrix3) * outward).try_normalize()?;
         Some(if normal.dot(towards) < 0.0 { -normal } else { normal })
     }
 
-    /// The gradient where a line meets the surface, in its own coordinates, by Newton's method
-    /// along the line.
+    /// The gradient at the point where a line meets the surface, in its own coordinates, found by
+    /// Newton's method along the line.
     fn met(&self, mut point: DVec3, along: DVec3) -> Option<DVec3> {
         for _ in 0..STEPS {
             let Implicit { value, gradient } = self.shape.implicit(point)?;
@@ -89,7 +92,7 @@ impl Surface {
 mod tests {
     use super::*;
 
-    /// Turned, squeezed, mirrored and moved.
+    /// A transformation that rotates, scales, mirrors and moves.
     fn to_view() -> DAffine3 {
         DAffine3::from_scale_rotation_translation(
             DVec3::new(-0.5, 2.0, 3.0),

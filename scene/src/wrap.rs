@@ -18,7 +18,7 @@ impl Wrap {
     /// An axis that is 90 degrees or more from an end gives way to the bisector (extremes row 8),
     /// and the bisector of opposite ends to a vector across them (row 7).
     pub fn around(preferred: Option<DVec3>, ends: [DVec3; 2]) -> Wrap {
-        Wrap::with(ends, |start, end| {
+        Wrap::of_ends(ends, |start, end| {
             let serves = |axis: &DVec3| axis.dot(start) > 0.0 && axis.dot(end) > 0.0;
             let bisector = || (start + end).try_normalize().filter(serves);
             preferred
@@ -30,10 +30,10 @@ impl Wrap {
 
     /// As [`Wrap::around`], whatever the angle between `axis` and the ends.
     pub fn fixed(axis: DVec3, ends: [DVec3; 2]) -> Wrap {
-        Wrap::with(ends, |_, _| axis)
+        Wrap::of_ends(ends, |_, _| axis)
     }
 
-    fn with(ends: [DVec3; 2], axis: impl FnOnce(DVec3, DVec3) -> DVec3) -> Wrap {
+    fn of_ends(ends: [DVec3; 2], axis: impl FnOnce(DVec3, DVec3) -> DVec3) -> Wrap {
         let [start, end] = ends.map(DVec3::try_normalize);
         match start.or(end).zip(end.or(start)) {
             Some((start, end)) => Wrap { ends: [start, end], axis: axis(start, end) },

@@ -26,6 +26,6 @@ pub use external::{Tool, temporary_directory};
 pub use fast::Fast;
 pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
-pub use stimulus::{FirstPixels, SpanSource, Stimulus};
+pub use stimulus::{FirstPixels, InputHold, SpanSource, Stimulus};
 pub use synthesis::{Progress, Synthesised, synthesise};
 pub use verilator::{Effort, Keeping, Library, TimedVerilator, Timing, Verilator};

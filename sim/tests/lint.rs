@@ -1,28 +1,21 @@
 //! The cores' Verilog passes the tools that people run on it, and none of them says a word.
-mod common;
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
 use std::path::Path;
 use std::process::Command;
 
 use specula_datapath::design::ScopeId;
 use specula_datapath::verilog::{self, Header};
+use specula_fixtures::specs::{lyon, spec, spec_with};
+use specula_fixtures::{each_method, few_spans, tools};
 use specula_spec::lyon::{Difference, LyonSpec, Normalisation, Normals, ShapeDatapath};
 use specula_spec::{CoreSpec, Method};
-
-use common::{frames, tools};
 
 /// Specs that differ in what hardware they ask for.
 fn specs() -> Vec<CoreSpec> {
     let mut specs: Vec<CoreSpec> = [1, 2, 4]
         .into_iter()
-        .flat_map(|lights| {
-            Method::ALL.map(|method| frames::spec(&frames::frame(5, lights, 6), method))
-        })
+        .flat_map(|lights| Method::ALL.map(|method| spec(&few_spans::frame(5, lights, 6), method)))
         .collect();
-    let frame = frames::frame(6, 1, 6);
+    let frame = few_spans::frame(6, 1, 6);
     let choices = [
         (Difference::ReflectionMinusLight, Normalisation::G1, 0, 0),
         (Difference::ReflectionMinusLight, Normalisation::G2, 1, 3),
@@ -31,7 +24,7 @@ fn specs() -> Vec<CoreSpec> {
         (Difference::ReflectionMinusLight, Normalisation::G2, 2, 2),
     ];
     specs.extend(choices.map(|(difference, normalisation, newton_steps, squarings)| {
-        frames::lyon(&frame, |lyon| {
+        lyon(&frame, |lyon| {
             (lyon.difference, lyon.normalisation) = (difference, normalisation);
             (lyon.newton_steps, lyon.squarings) = (newton_steps, squarings);
         })
@@ -47,7 +40,7 @@ fn specs() -> Vec<CoreSpec> {
         },
         |lyon| lyon.difference = Difference::UnitHalfwayMinusNormal,
     ];
-    specs.extend(changes.map(|change| frames::lyon(&frame, change)));
+    specs.extend(changes.map(|change| lyon(&frame, change)));
     let options = [
         (Method::Phong, "highlight = \"blinn\""),
         (Method::Phong, "highlight = \"torrance-sparrow\""),
@@ -64,24 +57,24 @@ fn specs() -> Vec<CoreSpec> {
         (Method::Slerp, "form = \"vector\""),
         (Method::Slerp, "form = \"vector\"\nframe = \"ends\""),
     ];
-    specs.extend(options.map(|(method, lines)| frames::spec_with(&frame, method, lines)));
+    specs.extend(options.map(|(method, lines)| spec_with(&frame, method, lines)));
     // For one frame alone, and for one in which every pixel is the same.
-    let flat = frames::frame(6, 1, 1);
-    specs.extend(Method::ALL.map(|method| frames::spec(&frame, method).specialised(&frame)));
-    specs.push(frames::spec(&flat, Method::Gouraud).specialised(&flat));
+    let flat = few_spans::frame(6, 1, 1);
+    specs.extend(Method::ALL.map(|method| spec(&frame, method).specialised(&frame)));
+    specs.push(spec(&flat, Method::Gouraud).specialised(&flat));
     specs
 }
 
 /// Runs a tool on the Verilog of every spec of a method; `arguments` are given the core's name, and
 /// run where its file `<name>.v` is.
 fn silent(method: Method, tool: &str, arguments: impl Fn(&str) -> Vec<String>) {
-    if !tools::program(tool) {
+    if !tools::is_installed(tool) {
         return;
     }
     let directory = tempfile::tempdir().unwrap();
     let name = method.name();
     for spec in specs().into_iter().filter(|spec| spec.method() == method) {
-        let design = frames::design(&spec);
+        let design = specula_hdl::elaborate(&spec, spec.method().name()).unwrap();
         let text = verilog::print(&design.to_block(), &Header { lines: vec!["A core.".into()] });
         std::fs::write(directory.path().join(format!("{name}.v")), text).unwrap();
         assert_silent(&mut command(tool, directory.path(), &arguments(name)), &spec);
@@ -127,11 +120,11 @@ fn yosys_is_silent(method: Method) {
 /// A scene may be called as something in its core.
 #[test]
 fn verilator_is_silent_whatever_the_scene_is_called() {
-    if !tools::program("verilator") {
+    if !tools::is_installed("verilator") {
         return;
     }
-    let spec = frames::spec(&frames::frame(5, 1, 6), Method::Hybrid);
-    let inside = frames::design(&spec);
+    let spec = spec(&few_spans::frame(5, 1, 6), Method::Hybrid);
+    let inside = specula_hdl::elaborate(&spec, spec.method().name()).unwrap();
     let in_top = inside
         .nodes
         .iter()

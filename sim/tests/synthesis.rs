@@ -1,15 +1,13 @@
 //! Cells of an ECP5, counted module by module.
-mod common;
-
 use std::process::Command;
 use std::sync::Mutex;
 
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header, LongDelays};
+use specula_fixtures::specs::spec_with;
+use specula_fixtures::{few_spans, tools};
 use specula_sim::{Progress, Synthesised, synthesise};
 use specula_spec::Method;
-
-use common::{frames, tools};
 
 /// What Yosys makes of a core as a whole, flattened, with every register mapped.
 fn flattened(design: &Design) -> Synthesised {
@@ -47,13 +45,14 @@ fn near(ours: u64, theirs: u64) -> bool {
 
 #[test]
 fn cells_are_near_those_of_the_flattened_core_and_equal_modules_are_synthesised_once() {
-    if !tools::program("yosys") {
+    if !tools::is_installed("yosys") {
         return;
     }
-    let frame = frames::frame(1993, 2, 12);
+    let frame = few_spans::frame(1993, 2, 12);
     let [general, special] = {
-        let spec = frames::spec_with(&frame, Method::Gouraud, "");
-        [spec.general(), spec.specialised(&frame)].map(|spec| frames::design(&spec))
+        let spec = spec_with(&frame, Method::Gouraud, "");
+        [spec.general(), spec.specialised(&frame)]
+            .map(|spec| specula_hdl::elaborate(&spec, "gouraud").unwrap())
     };
     let seen = Mutex::new(vec![]);
     let watch = |progress: Progress| seen.lock().unwrap().push(progress);

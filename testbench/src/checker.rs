@@ -63,16 +63,13 @@ impl<'a> Facts<'a> {
     /// Looks at the next clocks.
     pub fn take(&mut self, stimulus: &Stimulus, batch: &Batch) {
         for (assumption, seen) in self.design.assumptions.iter().zip(&mut self.seen) {
-            let Some((first, lanes)) = of_pixels(self.design, stimulus, batch, assumption.node)
-            else {
-                continue;
-            };
-            let Some((low, high)) = lanes.extremes() else { continue };
-            let now = Range::new(low, high);
-            *seen = Some(seen.map_or(now, |before| before.hull(now)));
-            if self.violation.is_none() && assumption.range.hull(now) != assumption.range {
-                self.violation =
-                    violation(self.design, assumption, (batch.first_clock() + first as u64, lanes));
+            for (clock, lanes) in of_pixels(self.design, stimulus, batch, assumption.node) {
+                let Some((low, high)) = lanes.extremes() else { continue };
+                let now = Range::new(low, high);
+                *seen = Some(seen.map_or(now, |before| before.hull(now)));
+                if self.violation.is_none() && assumption.range.hull(now) != assumption.range {
+                    self.violation = violation(self.design, assumption, (clock, lanes));
+                }
             }
         }
     }
@@ -97,21 +94,23 @@ fn violation(
     })
 }
 
-/// The first of these clocks' rows in which a signal belongs to a pixel, and the values in all such
-/// rows, which are consecutive.
+/// A signal's values wherever it belongs to a pixel, row after row of consecutive clocks, each with
+/// its first clock.
 fn of_pixels<'b>(
     design: &Design,
     stimulus: &Stimulus,
     batch: &Batch<'b>,
     node: NodeId,
-) -> Option<(usize, Lanes<'b>)> {
-    let lanes = batch.of(node)?;
+) -> impl Iterator<Item = (u64, Lanes<'b>)> {
     let stage = u64::from(design.node(node).stage);
-    let row = |clock: u64| {
-        (clock.max(batch.first_clock()) - batch.first_clock()).min(lanes.clocks() as u64) as usize
-    };
-    let rows = row(stage)..row(stimulus.fed_clocks() + stage);
-    Some((rows.start, lanes.rows(rows)))
+    let (first, end) = (batch.first_clock(), batch.first_clock() + batch.clocks() as u64);
+    let fed = stimulus.fed_rows(first.saturating_sub(stage)..end.saturating_sub(stage));
+    let lanes = batch.of(node);
+    fed.filter_map(move |entries| {
+        let (begin, end) = (entries.start + stage, entries.end + stage);
+        let rows = (begin.max(first) - first) as usize..(end - first) as usize;
+        Some((begin.max(first), lanes?.rows(rows)))
+    })
 }
 
 /// Clocks of pixels that went in for which a fact did not hold, of these clocks, in no order.

@@ -7,6 +7,7 @@
 //! facts that a core rests on, in every clock. A [`Bench`] puts them together.
 pub mod checker;
 mod error;
+mod fault;
 mod image;
 mod monitor;
 mod run;

@@ -6,7 +6,8 @@ use specula_sim::{Batch, Lanes, Stimulus};
 /// Collects the codes that leave and checks that they leave in the clocks in which they must.
 pub struct Monitor<'a> {
     stimulus: &'a Stimulus<'a>,
-    latency: u64,
+    /// Clocks from a pixel's last time slot to its exit.
+    depth: u64,
     valid_out: NodeId,
     outputs: Vec<NodeId>,
     /// The code of each pixel, in the order in which they entered.
@@ -20,7 +21,7 @@ impl<'a> Monitor<'a> {
     pub fn new(design: &Design, stimulus: &'a Stimulus<'a>) -> Monitor<'a> {
         Monitor {
             stimulus,
-            latency: u64::from(design.latency()),
+            depth: u64::from(design.depth()),
             valid_out: design.valid_out,
             outputs: design.outputs.clone(),
             codes: Vec::with_capacity(stimulus.pixels() as usize),
@@ -37,7 +38,7 @@ impl<'a> Monitor<'a> {
         for row in 0..batch.clocks() {
             let clock = batch.first_clock() + row as u64;
             let due =
-                clock.checked_sub(self.latency).is_some_and(|entry| self.stimulus.enters(entry));
+                clock.checked_sub(self.depth).is_some_and(|last| self.stimulus.completes(last));
             if due != (valid.get(row) == 1) {
                 self.wrong_clocks.push(clock);
             }

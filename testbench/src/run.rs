@@ -88,6 +88,8 @@ pub struct Bench<'a> {
     first_pixels: FirstPixels,
     /// The spans as they are set up for the first run; later runs and traces need them again.
     kept: OnceLock<KeptSpans>,
+    /// The seed of random bubbles between time slots; none where they follow each other.
+    bubbles: Option<u64>,
 }
 
 /// What came of a run.
@@ -144,13 +146,18 @@ impl<'a> Bench<'a> {
         let design = specula_hdl::elaborate(spec, name)?;
         let spans = FrameSpans::new(frame, spec);
         let first_pixels = FirstPixels::of(&spans);
-        Ok(Bench { frame, spec, design, spans, first_pixels, kept: OnceLock::new() })
+        Ok(Bench { frame, spec, design, spans, first_pixels, kept: OnceLock::new(), bubbles: None })
+    }
+
+    /// The same bench with random bubbles of 0 to 4 clocks before each time slot of a pixel. The same
+    /// seed gives the same bubbles.
+    pub fn with_bubbles(self, seed: u64) -> Bench<'a> {
+        Bench { bubbles: Some(seed), ..self }
     }
 
     /// Clocks from the first pixel's entry to the last one's exit, both counted.
     pub fn clocks(&self) -> u64 {
-        self.frame.shaded_pixels() * u64::from(self.design.interval)
-            + u64::from(self.design.depth())
+        clocks_of(&self.stimulus(&self.spans, &self.first_pixels), &self.design)
     }
 
     /// Simulates every clock of the frame and compares every pixel.
@@ -182,7 +189,7 @@ impl<'a> Bench<'a> {
         engine: EngineKind,
         progress: Progress,
     ) -> Result<Outcome, BenchError> {
-        let stimulus = Stimulus::in_order(spans, first_pixels, &self.design);
+        let stimulus = self.stimulus(spans, first_pixels);
         let mut monitor = Monitor::new(&self.design, &stimulus);
         let mut facts = Facts::of(&self.design);
         let mut engine = engine.engine(&self.design)?;
@@ -198,14 +205,13 @@ impl<'a> Bench<'a> {
         let bound_lsb = self.design.error_bound();
         let given = scoreboard::Given { spans, first_pixels, codes: &codes };
         let comparison = scoreboard::compare((self.spec, self.frame), &given, bound_lsb)?;
-        let latency = self.design.latency();
         let worst_cycle = comparison
             .worst_pixel
             .as_ref()
-            .map(|worst| trace::leaving_clock(&stimulus, latency, worst.span, worst.pixel));
+            .map(|worst| trace::leaving_clock(&stimulus, &self.design, worst.span, worst.pixel));
         Ok(Outcome {
             pixels: stimulus.pixels(),
-            cycles: self.clocks(),
+            cycles: clocks_of(&stimulus, &self.design),
             simulated: self.picture(&codes),
             comparison,
             wrong_clocks,
@@ -230,7 +236,8 @@ impl<'a> Bench<'a> {
         sink: &mut dyn FnMut(&Batch) -> Flow,
     ) -> Result<Option<Range<u64>>, BenchError> {
         let Some(window) = self.window(choice, outcome) else { return Ok(None) };
-        let lead = self.stimulus(self.kept()).leading_to(&window, &self.design);
+        let whole = self.stimulus(self.kept(), &self.first_pixels);
+        let lead = whole.leading_to(&window, &self.design);
         let nodes: Vec<NodeId> = self.design.variables();
         engine
             .engine(&self.design)?
@@ -241,17 +248,22 @@ impl<'a> Bench<'a> {
     /// The clocks that [`Bench::trace`] gives for `choice`; none if it asks for none.
     pub fn window(&self, choice: &Choice, outcome: &Outcome) -> Option<Range<u64>> {
         let worst = outcome.comparison.worst_pixel.as_ref();
-        choice.window(&self.stimulus(&self.spans), self.design.latency(), worst)
+        choice.window(&self.stimulus(&self.spans, &self.first_pixels), &self.design, worst)
     }
 
     /// The clock in which pixel number `pixel` of span number `span` leaves the core.
     pub fn leaving_clock(&self, span: usize, pixel: u32) -> u64 {
-        trace::leaving_clock(&self.stimulus(&self.spans), self.design.latency(), span, pixel)
+        let stimulus = self.stimulus(&self.spans, &self.first_pixels);
+        trace::leaving_clock(&stimulus, &self.design, span, pixel)
     }
 
-    /// The whole run, of the frame's spans as a source has them.
-    fn stimulus<'s>(&self, spans: &'s dyn SpanSource) -> Stimulus<'s> {
-        Stimulus::in_order(spans, &self.first_pixels, &self.design)
+    /// The whole run of a source's spans.
+    fn stimulus<'s>(&self, spans: &'s dyn SpanSource, first_pixels: &FirstPixels) -> Stimulus<'s> {
+        let stimulus = Stimulus::in_order(spans, first_pixels, &self.design);
+        match self.bubbles {
+            Some(seed) => stimulus.with_bubbles(seed),
+            None => stimulus,
+        }
     }
 
     fn kept(&self) -> &KeptSpans {
@@ -278,4 +290,9 @@ impl<'a> Bench<'a> {
         }
         image
     }
+}
+
+/// Clocks from the first pixel's entry to the last one's exit, both counted.
+fn clocks_of(stimulus: &Stimulus, design: &Design) -> u64 {
+    stimulus.begin_of(usize::MAX) - stimulus.begin_of(0) + u64::from(design.depth())
 }

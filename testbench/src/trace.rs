@@ -1,6 +1,7 @@
 //! Which clocks of a run are traced.
 use std::ops::Range;
 
+use specula_datapath::Design;
 use specula_sim::Stimulus;
 
 use crate::WorstPixel;
@@ -24,11 +25,11 @@ pub enum Choice {
 pub const WORST_WINDOW: u64 = 200;
 
 impl Choice {
-    /// The clocks to be traced of a run with this stimulus and latency; `None` for none.
+    /// The clocks to be traced of a run of a design with this stimulus; `None` for none.
     pub fn window(
         &self,
         stimulus: &Stimulus,
-        latency: u32,
+        design: &Design,
         worst: Option<&WorstPixel>,
     ) -> Option<Range<u64>> {
         let all = stimulus.clocks();
@@ -38,11 +39,11 @@ impl Choice {
             Choice::Cycles(clocks) => clocks.clone(),
             Choice::Span(index) => {
                 stimulus.begin_of(*index)
-                    ..stimulus.begin_of(index.saturating_add(1)) + u64::from(latency) + 1
+                    ..stimulus.begin_of(index.saturating_add(1)) + u64::from(design.latency()) + 1
             }
             Choice::Worst => {
                 let worst = worst?;
-                let leaves = leaving_clock(stimulus, latency, worst.span, worst.pixel);
+                let leaves = leaving_clock(stimulus, design, worst.span, worst.pixel);
                 // Round the pixel's way through the core: its exit stands three quarters into the
                 // window.
                 let first = (leaves + WORST_WINDOW / 4).saturating_sub(WORST_WINDOW);
@@ -55,6 +56,6 @@ impl Choice {
 }
 
 /// The clock in which pixel number `pixel` of span number `span` leaves the core.
-pub fn leaving_clock(stimulus: &Stimulus, latency: u32, span: usize, pixel: u32) -> u64 {
-    stimulus.entry_of(span, pixel) + u64::from(latency)
+pub fn leaving_clock(stimulus: &Stimulus, design: &Design, span: usize, pixel: u32) -> u64 {
+    stimulus.completion_of(span, pixel) + u64::from(design.depth())
 }

@@ -1,14 +1,8 @@
 //! Any spec that `CoreSpec::check` accepts, with any scene: hardware and model agree bit for bit,
 //! no stated fact is untrue, and the error of each output stays within its stated bound. A spec may
 //! be refused as too wide, and nothing else.
-#[path = "../../hdl/tests/common/draw.rs"]
-mod draw;
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
-use draw::Draw;
 use specula_datapath::Design;
+use specula_fixtures::{Draw, drawn, each_method};
 use specula_golden::exact::MethodSpan;
 use specula_scene::Frame;
 use specula_spec::{CoreSpec, LightPipelines, Method};
@@ -17,9 +11,10 @@ use specula_testbench::{Bench, BenchError, EngineKind, Image};
 fn agrees(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);
     let longest = draw.one_of(&[1, 2, 3, 20, 150]);
-    let frame = draw::frame(&mut draw, longest);
+    let frame = drawn::frame(&mut draw, longest);
     let light_pipelines = draw.one_of(&LightPipelines::ALL);
-    let general = CoreSpec { light_pipelines, ..draw::spec(&mut draw, &frame, method) };
+    let mut general = drawn::spec(&mut draw, &frame, method);
+    general.parameters.light_pipelines = light_pipelines;
     let spec = if draw.one_of(&[true, false]) { general.specialised(&frame) } else { general };
     println!("{spec:?}");
     let bench = match Bench::new(&frame, &spec, "core") {
@@ -28,8 +23,7 @@ fn agrees(seed: u64, method: Method) {
         Err(error) => panic!("{error}"),
     };
     let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();
-    assert_eq!(outcome.comparison.first_mismatch, None);
-    assert_eq!((outcome.violation, outcome.wrong_clocks), (None, vec![]));
+    assert_eq!(outcome.fault(), None);
     errors_stay_within_bounds(&bench.design, &spec, &frame, &outcome.simulated);
 }
 

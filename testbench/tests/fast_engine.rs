@@ -1,9 +1,6 @@
 //! The fast engine against rust-hdl, on every signal and clock of both cores.
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
 use specula_datapath::design::NodeId;
+use specula_fixtures::each_method;
 use specula_scene::load;
 use specula_sim::fast::{InstructionSet, Settings};
 use specula_sim::{Columns, Engine, Fast, Flow, RustHdl, Stimulus};
@@ -78,12 +75,7 @@ fn whole_frames_agree(method: Method) {
             outcome.simulation_seconds,
             outcome.simulation_seconds * 1e9 / outcome.cycles as f64
         );
-        assert!(
-            outcome.agrees(),
-            "{:?} {:?}",
-            outcome.comparison.first_mismatch,
-            outcome.violation
-        );
+        assert_eq!(outcome.fault(), None);
     }
 }
 

@@ -1,9 +1,8 @@
 //! Faults of the set-up, which core and bit-true model share: they agree, and the error that goes
 //! beyond its bound tells.
-mod common;
-
-use common::{Row, frame_of, material, spec, tilted};
 use glam::DVec3;
+use specula_fixtures::frames::{Row, frame_of, material, tilted};
+use specula_fixtures::specs::spec;
 use specula_scene::Frame;
 use specula_spec::{CoreSpec, Method, SetUp, SpanPacket};
 use specula_testbench::{Bench, EngineKind, Outcome};

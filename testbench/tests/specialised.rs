@@ -1,9 +1,6 @@
 //! A core for one scene gives the codes of the general core, and is never larger.
-#[macro_use]
-#[path = "../../scene/tests/common/each_method.rs"]
-mod each_method;
-
 use specula_datapath::Design;
+use specula_fixtures::each_method;
 use specula_scene::load;
 use specula_spec::{Method, SceneCore};
 use specula_testbench::{Bench, EngineKind, Image};
@@ -11,13 +8,7 @@ use specula_testbench::{Bench, EngineKind, Image};
 /// What a core gives, with a right answer to every question a bench asks.
 fn shaded(bench: &Bench) -> Image {
     let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
-    assert_eq!(
-        (&outcome.comparison.first_mismatch, &outcome.violation, &outcome.wrong_clocks),
-        (&None, &None, &vec![])
-    );
-    let (error, bound) =
-        (outcome.comparison.errors.quantisation.max_lsb, bench.design.error_bound());
-    assert!(error <= bound, "off by {error} LSB, bound {bound}");
+    assert_eq!(outcome.fault(), None);
     outcome.simulated
 }
 

@@ -1,9 +1,8 @@
 //! Traced windows: which clocks they are, and that what they show is what the whole run shows.
-mod common;
-
 use std::ops::Range;
 
-use common::{Row, frame_of, lyon, material, spec, tilted};
+use specula_fixtures::frames::{Row, frame_of, material, tilted};
+use specula_fixtures::specs::{lyon, spec};
 use specula_scene::Frame;
 use specula_sim::{Batch, Columns, Flow, Stimulus};
 use specula_spec::{CoreSpec, Method};
@@ -31,7 +30,7 @@ fn pixels() -> u64 {
 
 fn run(bench: &Bench) -> Outcome {
     let outcome = bench.run(EngineKind::RustHdl, &mut |_, _| ()).unwrap();
-    assert!(outcome.agrees());
+    assert_eq!(outcome.fault(), None);
     outcome
 }
 
@@ -97,7 +96,7 @@ fn window(choice: Choice, worst: Option<(usize, u32)>) -> Option<Range<u64>> {
     let spans = FrameSpans::new(&frame, &core);
     let stimulus = Stimulus::whole(&spans, &design);
     let worst = worst.map(|(span, pixel)| WorstPixel { x: 0, y: 0, span, pixel, error_lsb: 1.0 });
-    choice.window(&stimulus, design.latency(), worst.as_ref())
+    choice.window(&stimulus, &design, worst.as_ref())
 }
 
 fn latency() -> u64 {
@@ -156,10 +155,7 @@ fn the_worst_cycle_is_where_the_worst_pixel_leaves() {
         let clock = outcome.worst_cycle.unwrap();
         let spans = FrameSpans::new(&frame, &core);
         let stimulus = Stimulus::whole(&spans, &bench.design);
-        assert_eq!(
-            clock,
-            leaving_clock(&stimulus, bench.design.latency(), worst.span, worst.pixel)
-        );
+        assert_eq!(clock, leaving_clock(&stimulus, &bench.design, worst.span, worst.pixel));
         let (_, columns) = trace(&bench, &Choice::Cycles(clock..clock + 1), &outcome);
         let at = |node| columns.of(node).unwrap()[0];
         let code: Vec<i64> = bench.design.outputs.iter().map(|&output| at(output)).collect();

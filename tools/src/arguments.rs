@@ -1,4 +1,4 @@
-//! Arguments that several subcommands share, and what they mean.
+//! Arguments that several subcommands share, and their meaning.
 use std::path::PathBuf;
 
 use clap::Args;
@@ -22,7 +22,7 @@ pub struct OutputArguments {
 }
 
 impl OutputArguments {
-    /// The folder for what is called `name`.
+    /// The folder to write for something called `name`.
     pub fn folder(&self, name: &str) -> PathBuf {
         self.output.clone().unwrap_or_else(|| PathBuf::from("out").join(name))
     }
@@ -37,10 +37,10 @@ pub struct NameArguments {
 }
 
 impl NameArguments {
-    /// Gives the core the name that was asked for, if one was.
+    /// Gives the core the name that the user asked for, if any.
     ///
     /// # Errors
-    /// [`ToolError::Name`] if its module cannot be called so.
+    /// [`ToolError::Name`] if a Verilog module cannot have that name.
     pub fn rename(&self, file: &mut SpecFile) -> Result<(), ToolError> {
         let Some(name) = &self.name else { return Ok(()) };
         let possible: String =
@@ -53,7 +53,7 @@ impl NameArguments {
     }
 }
 
-/// The scene and its picture.
+/// The scene and the size of its picture.
 #[derive(Clone, Debug, Args)]
 pub struct SceneArguments {
     /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
@@ -64,13 +64,13 @@ pub struct SceneArguments {
 }
 
 impl SceneArguments {
-    /// Reads it.
+    /// Loads the scene in that size.
     pub fn load(&self) -> Result<LoadedScene, ToolError> {
         Ok(crate::scene::load(&self.scene, self.picture.size)?)
     }
 }
 
-/// The picture of a scene.
+/// The size of a scene's picture.
 #[derive(Clone, Debug, Default, Args)]
 pub struct PictureArguments {
     /// Width and height of the picture in pixels, such as 640x480 [default: what the scene says]
@@ -78,7 +78,7 @@ pub struct PictureArguments {
     pub size: Option<(u32, u32)>,
 }
 
-/// The core that is asked for.
+/// The core that the user asks for.
 #[derive(Clone, Debug, Default, Args)]
 pub struct CoreArguments {
     /// Shading method [default: what the scene says, else lyon]
@@ -88,8 +88,8 @@ pub struct CoreArguments {
     /// [default: what the scene says, else scene]
     #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
     pub specialise: Option<Specialise>,
-    /// Narrow all formats as far as every pixel stays within this of exact shading by the method,
-    /// such as 1lsb [default: the formats that the scene says, else recommended ones]
+    /// Narrow all formats as far as every pixel stays within this error of exact shading by the
+    /// method, such as 1lsb [default: the formats that the scene says, else recommended ones]
     #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
     pub max_error: Option<f64>,
 }
@@ -101,16 +101,16 @@ impl CoreArguments {
         let general = spec.specialisation.is_general();
         let spec = match self.max_error {
             None => spec,
-            Some(most) => search::within(&spec, &scene.frame, most)??,
+            Some(most) => search::narrowest_formats(&spec, &scene.frame, most)??,
         };
-        // What narrows formats gives the general core.
+        // The search for narrow formats starts from the general core.
         let wish =
             self.specialise.or((!general && self.max_error.is_some()).then_some(Specialise::Scene));
         Ok(specialised(spec, wish, &scene.frame))
     }
 }
 
-/// The core for a frame that `--specialise` asks for; the core as it is without the option.
+/// The core for a frame, specialised as `--specialise` says; unchanged without the option.
 pub fn specialised(spec: CoreSpec, wish: Option<Specialise>, frame: &Frame) -> CoreSpec {
     match wish {
         None => spec,
@@ -119,7 +119,7 @@ pub fn specialised(spec: CoreSpec, wish: Option<Specialise>, frame: &Frame) -> C
     }
 }
 
-/// `--max-error`: LSBs of the 8-bit output.
+/// Parses `--max-error`, in LSBs of the 8-bit output.
 pub fn parse_error(text: &str) -> Result<f64, String> {
     let number = text
         .strip_suffix("lsb")
@@ -132,7 +132,7 @@ pub fn parse_error(text: &str) -> Result<f64, String> {
     })
 }
 
-/// `--size`.
+/// Parses `--size`.
 pub fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let number = |digits: &str| {
         digits.parse::<u32>().ok().filter(|_| digits.bytes().all(|b| b.is_ascii_digit()))
@@ -143,7 +143,7 @@ pub fn parse_size(text: &str) -> Result<(u32, u32), String> {
     if limits::is_allowed(size) { Ok(size) } else { Err(limits::described()) }
 }
 
-/// `--trace`.
+/// Parses `--trace`.
 pub fn parse_choice(text: &str) -> Result<Choice, String> {
     match (text, text.split_once('=')) {
         ("worst", _) => Ok(Choice::Worst),
@@ -169,26 +169,26 @@ fn parse_cycles(text: &str) -> Result<std::ops::Range<u64>, String> {
     }
 }
 
-/// `--method`.
+/// Parses `--method`.
 pub fn method_parser() -> impl TypedValueParser<Value = Method> {
     PossibleValuesParser::new(Method::ALL.map(Method::name))
         .try_map(|name| Method::from_name(&name))
 }
 
-/// The methods that `--methods` names, each once and in their order; all of them where it names
+/// The methods that `--methods` names, each once and in their usual order; all methods if it names
 /// none.
-pub fn asked(named: &[Method]) -> Vec<Method> {
+pub fn selected_methods(named: &[Method]) -> Vec<Method> {
     Method::ALL.into_iter().filter(|method| named.is_empty() || named.contains(method)).collect()
 }
 
-/// `--specialise`.
+/// Parses `--specialise`.
 pub fn specialise_parser() -> impl TypedValueParser<Value = Specialise> {
     PossibleValuesParser::new(Specialise::ALL.map(Specialise::name)).try_map(|name| {
         Specialise::ALL.into_iter().find(|wish| wish.name() == name).ok_or("there is no such wish")
     })
 }
 
-/// `--engine`.
+/// Parses `--engine`.
 pub fn engine_parser() -> impl TypedValueParser<Value = EngineKind> {
     let names = EngineKind::ALL.iter().map(|engine| engine.name());
     PossibleValuesParser::new(names).try_map(|name| {

@@ -22,7 +22,7 @@ Examples:
 #[derive(Debug, Parser)]
 #[command(version, max_term_width = 100, after_help = EXAMPLES)]
 pub struct Cli {
-    /// What to do.
+    /// The subcommand.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -43,13 +43,13 @@ pub enum Command {
     Bench(cmd_bench::Arguments),
     /// Compare methods and formats: error against run time and size
     Compare(cmd_compare::Arguments),
-    /// Say what a scene needs, and what hardware its core leaves out for that
+    /// Show what a scene needs, and which hardware its core therefore leaves out
     Needs(cmd_needs::Arguments),
     /// Search options and formats for the smallest core within an error of exact shading
     Explore(cmd_explore::Arguments),
     /// Try every method on the catalogue of extremes
     Stress(cmd_stress::Arguments),
-    /// Compute what the papers claim, and say what holds
+    /// Compute the claims of the papers, and say which of them hold
     Reproduce(cmd_reproduce::Arguments),
     /// List the built-in scenes
     #[command(after_help = "Example: specula scenes")]
@@ -59,8 +59,8 @@ pub enum Command {
 }
 
 impl Command {
-    /// Does what was asked for; what it has to say goes to `stdout`. What it writes elsewhere is
-    /// undone by `interrupts` while it is half done.
+    /// Runs the subcommand, which prints its result on `stdout`. What it writes elsewhere is undone
+    /// by `interrupts` if it is interrupted half way.
     pub fn execute(
         &self,
         stdout: &mut dyn Write,

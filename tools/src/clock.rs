@@ -1,34 +1,35 @@
-//! The clock of cores. No tool has placed and routed them, so it is not known which one they reach.
+//! The clock at which cores are assumed to run. No tool has placed and routed them, so nothing is
+//! known about the clock that they reach.
 use clap::Args;
 use specula_experiments::tradeoff::FrameCycles;
 
-/// `--clock`, for every command that says how fast a core is.
+/// `--clock`, for every command that states how fast a core is.
 #[derive(Clone, Debug, Default, Args)]
 pub struct ClockArguments {
-    /// Clock in MHz at which times and frames per second are said: assumed, not proven [default:
-    /// 100]
+    /// Clock in MHz for which times and frames per second are computed: assumed, not proven
+    /// [default: 100]
     #[arg(long = "clock", value_name = "MHZ", allow_hyphen_values = true, value_parser = parse_clock)]
     mhz: Option<f64>,
 }
 
 impl ClockArguments {
-    /// The clock that was asked for, or the assumed one.
+    /// The clock that the user gives, or the assumed one.
     pub fn clock(&self) -> Clock {
         self.mhz.map_or(Clock::ASSUMED, |mhz| Clock { mhz, assumed: false })
     }
 }
 
-/// A clock at which times are said, without proof that a core reaches it.
+/// A clock for which times are computed, without proof that a core reaches it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock {
-    /// In MHz.
+    /// The frequency in MHz.
     pub mhz: f64,
-    /// Whether it is assumed, and not given by the user.
+    /// Whether it is assumed rather than given by the user.
     pub assumed: bool,
 }
 
 impl Clock {
-    /// The clock that is assumed unless one is given.
+    /// The clock that is assumed if none is given.
     pub const ASSUMED: Clock = Clock { mhz: 100.0, assumed: true };
 
     /// The clock as text.
@@ -36,12 +37,12 @@ impl Clock {
         format!("{} {} MHz", if self.assumed { "an assumed" } else { "a given" }, self.mhz)
     }
 
-    /// Nanoseconds that so many clocks take.
+    /// The duration of that many clocks, in nanoseconds.
     pub fn nanoseconds(self, clocks: f64) -> f64 {
         1000.0 * clocks / self.mhz
     }
 
-    /// Frames in a second, set-up counted.
+    /// Frames per second, including set-up.
     pub fn frames_per_second(self, cycles: &FrameCycles) -> f64 {
         1e9 / self.nanoseconds(cycles.with_set_up as f64)
     }

@@ -1,5 +1,6 @@
 //! `specula bench`: how fast each simulator runs a core.
 mod json;
+mod measured;
 mod table;
 
 use std::io::Write;
@@ -13,12 +14,13 @@ use crate::arguments::{method_parser, parse_size, specialise_parser, specialised
 use crate::error::ToolError;
 use crate::progress;
 use crate::verdict::Verdict;
+use measured::Measured;
 
 const EXAMPLE: &str = "\
 Shades the scene's spans, over and over, in each simulator that is installed: this program's own, \
-rust-hdl's, Verilator, and Icarus Verilog. Modes say what is kept of every clock: the outputs, every \
-signal, or a waveform of every signal, in a file (vcd, fst) or thrown away (vcd-null). Rounds are \
-interleaved, figures are medians over them, and the pixels of every run are checked.
+rust-hdl's, Verilator, and Icarus Verilog. The mode says what is recorded of every clock: the \
+outputs, every signal, or a waveform of every signal, written to a file (vcd, fst) or discarded \
+(vcd-null). Rounds are interleaved, figures are their medians, and the pixels of every run are checked.
 
 With five rounds it takes one to two minutes, half of them for Verilator's builds. Close other \
 programs first.
@@ -39,14 +41,14 @@ pub struct Arguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
-    /// The core for this scene alone, as `run` makes it, or the general one, which takes every
+    /// Make the core for this scene alone, as `run` does, or the general one, which takes every
     /// input
     #[arg(long, value_name = "FOR", default_value = "general", value_parser = specialise_parser())]
     specialise: Specialise,
-    /// Rounds to take the medians of
+    /// Number of rounds whose median is reported
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
-    /// Seconds that each run is to take, from 0.001 to 100
+    /// Duration of each run in seconds, from 0.001 to 100
     #[arg(long, value_name = "S", allow_hyphen_values = true, default_value = "0.25", value_parser = parse_seconds)]
     seconds: f64,
     /// Print JSON instead of a table
@@ -54,15 +56,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// A measurement and what was measured.
-struct Measured<'a> {
-    scene: &'a str,
-    bench: &'a Bench<'a>,
-    budget: Budget,
-    measurement: Measurement,
-}
-
-/// Measures and prints.
+/// Measures all engines and prints the result.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = crate::scene::load(&arguments.scene, Some(arguments.size))?;
     let spec =
@@ -103,7 +97,7 @@ fn described(step: &Step) -> String {
     }
 }
 
-/// `--seconds`.
+/// Parses `--seconds`.
 fn parse_seconds(text: &str) -> Result<f64, String> {
     let seconds = text.parse::<f64>().ok().filter(|seconds| (0.001..=100.0).contains(seconds));
     seconds.ok_or_else(|| "write a number from 0.001 to 100, as in 0.25".to_owned())

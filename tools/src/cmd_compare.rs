@@ -21,7 +21,7 @@ use specula_experiments::tradeoff::{
 use specula_scene::LoadedScene;
 use specula_spec::Method;
 
-use crate::arguments::{SceneArguments, asked, method_parser};
+use crate::arguments::{SceneArguments, method_parser, selected_methods};
 use crate::clock::ClockArguments;
 use crate::error::ToolError;
 use crate::output::{Destination, Interrupts, JOURNAL, OutputError};
@@ -32,8 +32,8 @@ use result::{Compared, sorted};
 const EXAMPLE: &str = "\
 Simulates the core of each method with each of the formats on every pixel, and measures the papers' \
 own loops in software. Writes DIR/report.md, report.html, report.json, cores.csv, software.csv, \
-plots of error against run time and size as SVG and PNG, and results.jsonl: a sweep that was \
-interrupted goes on where it stopped.
+plots of error against run time and size as SVG and PNG, and results.jsonl, from which an \
+interrupted sweep continues.
 
 Exit status: 0 if every pixel of every core agrees with the bit-true model and no quantisation error \
 is above its proven bound, 1 if not, 2 if the comparison could not be made.
@@ -61,7 +61,8 @@ pub struct Arguments {
     formats: Vec<Formats>,
     #[command(flatten)]
     clock: ClockArguments,
-    /// Measure everything again, also what results.jsonl has of an earlier or interrupted sweep
+    /// Measure everything again, including what results.jsonl has from an earlier or interrupted
+    /// sweep
     #[arg(long)]
     fresh: bool,
     /// Print report.json instead of the tables
@@ -72,10 +73,10 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// From what an 8-bit picture shows clearly to what it does not show any more.
+/// These range from clearly visible errors to errors that an 8-bit picture no longer shows.
 const DEFAULT_FORMATS: &str = "-8,-6,-4,-2,default,+2";
 
-/// Compares, writes everything, and prints the tables or the report.
+/// Compares, writes all files, and prints the tables or the report.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -95,7 +96,7 @@ pub fn execute(
     Ok(if compared.agrees() { Verdict::Done } else { Verdict::Disagrees })
 }
 
-/// Results that are known already; says which lines are damaged.
+/// Opens the journal with the results that are known already, and warns about damaged lines.
 fn open_journal(
     arguments: &Arguments,
     destination: &Destination,
@@ -121,7 +122,7 @@ fn open_journal(
     Ok(journal)
 }
 
-/// Where no method serves the scene there is nothing to compare, and nothing is written.
+/// Refuses a scene that no method can shade: there is nothing to compare, and nothing is written.
 fn refuse_nothing(planned: &[Planned]) -> Result<(), ToolError> {
     let refusal = |planned: &Planned| {
         Some(format!("{}: {}", planned.configuration, planned.spec.as_ref().err()?))
@@ -140,7 +141,7 @@ fn compare(
     planned: Vec<Planned>,
     journal: &Journal,
 ) -> Result<Compared, ToolError> {
-    let extent = software::Extent::default();
+    let extent = software::TimingExtent::default();
     let bar = progress::steps();
     bar.set_length((planned.len() + extent.rounds + 1) as u64);
     let rows =
@@ -166,11 +167,12 @@ fn step(bar: &ProgressBar, what: &str) {
     bar.inc(1);
 }
 
-/// Each once, methods in their order, formats from narrow to wide.
+/// The configurations to measure, each once: methods in their usual order, formats from narrow to
+/// wide.
 fn configurations(arguments: &Arguments) -> Vec<Configuration> {
     let mut formats = arguments.formats.clone();
     formats.sort_unstable();
     formats.dedup();
     let of_method = |method| formats.iter().map(move |&formats| Configuration { method, formats });
-    asked(&arguments.methods).into_iter().flat_map(of_method).collect()
+    selected_methods(&arguments.methods).into_iter().flat_map(of_method).collect()
 }

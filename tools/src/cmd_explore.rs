@@ -7,7 +7,7 @@ use serde::Serialize;
 use specula_experiments::explore::{Device, Exploration, Explored, Wanted, explore};
 use specula_spec::{Method, SpecFile};
 
-use crate::arguments::{SceneArguments, asked, method_parser, parse_error};
+use crate::arguments::{SceneArguments, method_parser, parse_error, selected_methods};
 use crate::clock::{Clock, ClockArguments};
 use crate::device::DeviceArguments;
 use crate::error::{NothingExplored, ToolError};
@@ -19,9 +19,9 @@ const EXAMPLE: &str = "\
 Tries options and formats of each method, every core made for the scene alone. Errors are total: \
 the core's codes against exact Phong shading, over every pixel. Cells are bit products of \
 multipliers, bits of adders, of registers and of read-only memory; with --device a multiplier \
-counts as the blocks it takes. Nothing is known of a device's timing: the clock is assumed.
+counts as the blocks it takes. Nothing is known about a device's timing: the clock is assumed.
 
-DIR/spec.toml is the smallest core within the error: for `run --core` and `generate --spec`.
+DIR/spec.toml is the smallest core within the error, for `run --core` and `generate --spec`.
 
 Example: specula explore teapot --max-error 2lsb --device ecp5-25 -o out/explored";
 
@@ -37,7 +37,7 @@ pub struct Arguments {
     /// Largest total error that the best core may have, such as 2lsb
     #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
     max_error: f64,
-    /// Methods to try, with commas between them [default: all]
+    /// Methods to try, separated by commas [default: all]
     #[arg(long, value_name = "METHODS", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
     #[command(flatten)]
@@ -49,7 +49,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What `explore --json` prints.
+/// The JSON object that `explore --json` prints.
 #[derive(Serialize)]
 struct Report<'a> {
     scene: &'a str,
@@ -66,7 +66,7 @@ pub fn execute(
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
-    let methods = asked(&arguments.methods);
+    let methods = selected_methods(&arguments.methods);
     let wanted =
         Wanted { most: arguments.max_error, methods: &methods, device: arguments.device.device };
     let bar = progress::count("cores tried");
@@ -78,7 +78,7 @@ pub fn execute(
         .map(|index| &exploration.front[index])
         .ok_or_else(|| nothing(&wanted, &exploration))?;
     let file = SpecFile { name: scene.name.clone(), spec: best.spec.clone() };
-    // Not `run`'s folder, in which no other core's spec may be put.
+    // This is not `run`'s folder, into which no other core's spec may be put.
     let folder = arguments
         .output
         .clone()
@@ -97,7 +97,7 @@ pub fn execute(
     Ok(verdict(&exploration))
 }
 
-/// The verdict; cores with an error above their bound are written to standard error.
+/// The verdict; cores with an error above their bound are reported on standard error.
 fn verdict(exploration: &Exploration) -> Verdict {
     let mut verdict = Verdict::Done;
     let mut stderr = io::stderr().lock();
@@ -106,7 +106,7 @@ fn verdict(exploration: &Exploration) -> Verdict {
     {
         verdict = Verdict::Disagrees;
         let name = &core.core;
-        // The exit status tells the same.
+        // The exit status says the same, so a closed standard error is no reason to stop.
         let _ = writeln!(
             stderr,
             "disagreement: {name}: a quantisation error of {error:.3} LSB, above the proven bound of {bound:.3}: the set-up or the bound is wrong"
@@ -115,7 +115,7 @@ fn verdict(exploration: &Exploration) -> Verdict {
     verdict
 }
 
-/// Why there is no best core.
+/// The error that says why there is no best core.
 fn nothing(wanted: &Wanted, exploration: &Exploration) -> ToolError {
     let nearest = exploration.front.last().map(|core| (core.error, core.core.clone()));
     ToolError::NothingExplored(NothingExplored {
@@ -142,7 +142,7 @@ const TITLES: [&str; 9] = [
     "core",
 ];
 
-/// The front as a table, and what was tried.
+/// The front as a table, and a summary of what was tried.
 fn described(exploration: &Exploration, clock: Clock) -> String {
     let row = |(index, core): (usize, &Explored)| {
         let Explored { core: name, error, cost, cycles, .. } = core;

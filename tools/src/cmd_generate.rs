@@ -13,11 +13,12 @@ use crate::job::SceneOrSpec;
 use crate::output::{Interrupts, write_core};
 use crate::verdict::Verdict;
 use crate::verilog;
+use crate::verilog::Origin;
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, Verilog-2001 with one module per unit, and DIR/spec.toml, from which the same \
-core can be made again. Other files in DIR stay. `-o -` writes the Verilog to standard output, and \
-nothing else.
+core can be made again. Other files in DIR stay. `-o -` writes only the Verilog, to standard \
+output.
 
 Example: specula generate teapot --method hybrid --name shader -o rtl";
 
@@ -35,10 +36,10 @@ pub struct Arguments {
     device: DeviceArguments,
 }
 
-/// What stands in the place of a folder for standard output.
+/// The argument of `--output` that stands for standard output.
 const STANDARD_OUTPUT: &str = "-";
 
-/// Writes the core and says where.
+/// Writes the core and prints where it is.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -65,7 +66,7 @@ pub fn execute(
 }
 
 impl Arguments {
-    /// Whether the spec that was given is the one in `folder`; it stays as the user wrote it.
+    /// Whether the given spec is the one in `folder`, which then stays as the user wrote it.
     fn is_spec_of(&self, folder: &Path) -> bool {
         let place = |path: &Path| path.canonicalize().ok();
         self.core

@@ -11,9 +11,9 @@ use crate::table;
 use crate::verdict::Verdict;
 
 const EXAMPLE: &str = "\
-With --json each method has its source, what it needs of a scene, its options, and the formats, the \
-latency in clocks, the operations per pixel (also with each value of each option) and the size of \
-its core for the built-in teapot.
+With --json each method has its source, its requirements on a scene, its options, and the formats, \
+the latency in clocks, the operations per pixel (also with each value of each option) and the size \
+of its core for the built-in teapot.
 
 Example: specula methods --json";
 
@@ -26,7 +26,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Prints a line for each method, or all that is known of each.
+/// Prints a line for each method, or everything that is known about each as JSON.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let text = if arguments.json { json::text()? } else { lines() };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;

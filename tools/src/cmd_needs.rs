@@ -15,12 +15,12 @@ use crate::verdict::Verdict;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\
-Each line is measured: the core is elaborated with and without that one need known. Savings \
-overlap, so they do not add up to what all save together. That is said against two general cores: \
-one that knows nothing of the scene (4 lights at once, spans of 8192 pixels, n up to 8191), and one \
-as a renderer would have it (as many lights as the scene, spans as wide as the picture, n up to \
-128). A negative number is what products with constants cost in adders in place of multipliers. \
-Inputs that are left out change no pixel; options and formats are those that are exact enough.
+Each line is measured by elaborating the core with and without knowledge of that need. Savings \
+overlap, so their sum is not what all of them save together. The latter is measured against two \
+general cores: one that knows nothing about the scene (4 lights at once, spans of 8192 pixels, n up \
+to 8191), and one that a renderer would use (as many lights as the scene, spans as wide as the \
+picture, n up to 128). A negative number of adders is the cost of products with constants, which \
+replace multipliers. Leaving inputs out changes no pixel; options and formats are exact enough.
 
 Example: specula needs teapot --method phong";
 
@@ -33,7 +33,8 @@ pub struct Arguments {
     /// Shading method [default: what the scene says, else lyon]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
-    /// Also synthesise the core without each need, by Yosys for an ECP5: half a minute and more
+    /// Also synthesise the core without each need, with Yosys for an ECP5: takes half a minute or
+    /// more
     #[arg(long)]
     synthesis: bool,
     /// Print JSON, with the ranges of every quantity, instead of tables
@@ -41,7 +42,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What `needs --json` prints.
+/// The JSON object that `needs --json` prints.
 #[derive(Serialize)]
 struct Report<'a> {
     scene: &'a str,
@@ -50,11 +51,11 @@ struct Report<'a> {
     savings: &'a Savings,
 }
 
-/// Prints the needs and the savings.
+/// Prints the needs and what they save.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
     let spec = scene.core_spec(arguments.method)?;
-    // What a scene leaves out is asked for whether its file wants it left out or not.
+    // The user asks what the scene leaves out, even if its file asks for a general core.
     let spec = if spec.specialisation.is_general() { spec.specialised(&scene.frame) } else { spec };
     let (needs, savings) = (Needs::of(&scene.frame), measured(&scene, &spec, arguments.synthesis)?);
     let report = Report {
@@ -78,7 +79,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     Ok(Verdict::Done)
 }
 
-/// What the core saves, with cells of an ECP5 if they are asked for.
+/// What the needs save, in cells of an ECP5 too if the user asks for them.
 fn measured(scene: &LoadedScene, spec: &CoreSpec, synthesis: bool) -> Result<Savings, ToolError> {
     let bar = progress::steps();
     bar.set_message("modules");
@@ -163,7 +164,7 @@ pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
     rows
 }
 
-/// A table of what is saved in cells, where they were counted.
+/// A table of saved cells; empty if they were not counted.
 fn cells(savings: &Savings) -> Vec<[String; 4]> {
     let titles = ["need", "LUTs", "MULT18X18D", "flip-flops"].map(str::to_owned);
     let row = |(need, saves): (&str, &SizeDelta)| {

@@ -1,13 +1,12 @@
-//! `specula reproduce`: what the papers claim and show, computed.
+//! `specula reproduce`: the claims and figures of the papers, computed.
 mod document;
 mod figure9;
 mod figures;
 mod hast;
 mod lecture;
-mod lyon;
+mod pictured_mesh;
 mod reshetov;
 mod section;
-mod subject;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -20,16 +19,16 @@ use specula_scene::regular::read_regular;
 use crate::error::ToolError;
 use crate::output::{Interrupts, OutputError, write_file};
 use crate::verdict::Verdict;
+use pictured_mesh::PicturedMesh;
 use section::Section;
-use subject::Subject;
 
 const EXAMPLE: &str = "\
-Computes what the papers claim with this program's own exact shading and with its cores, compares \
-it with the project's independent measurements, and says of each claim whether it holds; draws the \
+Evaluates the papers' claims with this program's own exact shading and with its cores, compares the \
+numbers with the project's independent measurements, and says whether each claim holds; draws the \
 papers' figures and pictures. Writes DIR/reproduction.md and DIR/images/. `specula reproduce figure9` \
 shades Lyon's figure 9 with a core for each of its twelve rows, in a folder of its own.
 
-Exit status: 0 if every number is as measured before, 1 if not.
+Exit status: 0 if every number is the one measured before, 1 if not.
 
 Example: specula reproduce hast --mesh venus.ply -o out/reproduce";
 
@@ -46,16 +45,16 @@ pub struct Arguments {
     /// The paper [default: all of them]
     #[arg(value_parser = paper_parser())]
     paper: Option<Paper>,
-    /// The mesh of Hast's pictures, and one more of Reshetov's (.obj, .ply, .stl, .glb) [default:
-    /// the teapot]
+    /// Mesh for Hast's pictures, and an additional one for Reshetov's (.obj, .ply, .stl, .glb)
+    /// [default: the teapot]
     #[arg(long, value_name = "FILE")]
     mesh: Option<PathBuf>,
-    /// Folder to write into, besides printing the text
+    /// Folder to write into, in addition to printing the text
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
 
-/// Figures that cores shade, each with options of its own.
+/// Figures that cores shade, each with its own options.
 #[derive(Clone, Debug, Subcommand)]
 enum Figure {
     /// Shade Lyon's figure 9 with twelve cores, one for each of its rows
@@ -68,7 +67,7 @@ fn paper_parser() -> impl TypedValueParser<Value = Paper> {
     })
 }
 
-/// Computes, writes and prints what papers claim, or shades a figure.
+/// Computes, writes and prints the papers' claims, or shades a figure.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -85,10 +84,10 @@ fn claims(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let subject = Subject::load(arguments.mesh.as_deref())?;
+    let mesh = PicturedMesh::load(arguments.mesh.as_deref())?;
     let papers: Vec<Paper> = arguments.paper.map_or(Paper::ALL.into(), |paper| vec![paper]);
     let sections: Vec<Section> =
-        papers.into_iter().map(|paper| section(paper, &subject)).collect::<Result<_, _>>()?;
+        papers.into_iter().map(|paper| section(paper, &mesh)).collect::<Result<_, _>>()?;
     let text = document::text(&sections);
     if let Some(folder) = &arguments.output {
         write_files(folder, &sections, &text, interrupts)?;
@@ -101,9 +100,9 @@ fn claims(
     })
 }
 
-/// The text's file.
+/// Name of the file with the text.
 const TEXT: &str = "reproduction.md";
-/// The longest text that is taken for one of ours, in bytes.
+/// Largest file, in bytes, that may be a text of this command's.
 const LONGEST_TEXT: u64 = 16 << 20;
 
 fn write_files(
@@ -115,7 +114,7 @@ fn write_files(
     let pictures = || sections.iter().flat_map(|section| &section.files);
     let place = |file: &section::File| Path::new(section::IMAGES).join(&file.name);
     refuse_foreign(folder, pictures().map(place).chain([PathBuf::from(TEXT)]))?;
-    // The text last: it shows no picture that is not there.
+    // The text is written last, so that it shows no picture that is missing.
     for file in pictures() {
         write_file(&folder.join(place(file)), interrupts, |path| file.write(path))?;
     }
@@ -140,13 +139,16 @@ fn refuse_foreign(
     }
 }
 
-fn section(paper: Paper, subject: &Subject) -> Result<Section, ToolError> {
+/// What the section about Lyon's report says besides claims and plots.
+const LYON: &str = "`specula reproduce figure9` shades figure 9, the twelve formulations on five spheres, with a core for each row: [figure9.md](figure9.md).";
+
+fn section(paper: Paper, mesh: &PicturedMesh) -> Result<Section, ToolError> {
     let mut section = Section::of(paper)?;
     match paper {
-        Paper::Lyon => lyon::add(&mut section),
-        Paper::Hast => hast::add(&mut section, subject)?,
+        Paper::Lyon => section.paragraph(LYON),
+        Paper::Hast => hast::add(&mut section, mesh)?,
         Paper::Lecture => lecture::add(&mut section)?,
-        Paper::Reshetov => reshetov::add(&mut section, subject)?,
+        Paper::Reshetov => reshetov::add(&mut section, mesh)?,
     }
     Ok(section)
 }

@@ -1,4 +1,4 @@
-//! `specula run`: the whole path from a scene to checked hardware.
+//! `specula run`: everything from a scene to checked hardware.
 mod artifacts;
 
 use std::fs;
@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use specula_experiments::{ablation, shares};
+use specula_experiments::{ablation, bound_shares};
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
@@ -29,9 +29,9 @@ use artifacts::{Artifact, artifacts};
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd or trace.fst, \
-trace.gtkw, worst.svg (the worst pixel's way through the core), spec.toml (the core itself, for \
-`--core` and `generate --spec`), report.md, report.json and report.html (one file with everything in \
-it). DIR is replaced as a whole when everything is there; files in it that Specula did not write \
+trace.gtkw, worst.svg (the worst pixel's path through the core), spec.toml (the core's definition, \
+for `--core` and `generate --spec`), report.md, report.json and report.html (one file with everything \
+in it). DIR is replaced as a whole once everything is written; files in it that Specula did not write \
 stay.
 
 Exit status: 0 if every pixel agrees and no quantisation error is above its proven bound, 1 if not,
@@ -50,7 +50,7 @@ pub struct Arguments {
     #[command(flatten)]
     name: NameArguments,
     /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if
-    /// it lacks what the scene needs
+    /// it lacks something that the scene needs
     #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error"])]
     core: Option<PathBuf>,
     #[command(flatten)]
@@ -59,7 +59,7 @@ pub struct Arguments {
     device: DeviceArguments,
     #[command(flatten)]
     clock: ClockArguments,
-    /// What simulates the core
+    /// Engine that simulates the core
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
     /// Clocks in the waveform: worst (200 around the largest error), none, span=N, cycles=A..B or
@@ -67,7 +67,7 @@ pub struct Arguments {
     /// give 200 around that
     #[arg(long, value_name = "CLOCKS", default_value = "worst", value_parser = parse_choice)]
     trace: Choice,
-    /// The waveform's file
+    /// Format of the waveform's file
     #[arg(long, value_name = "FORMAT", default_value = "vcd")]
     trace_format: TraceFormat,
     /// Print report.json instead of the summary
@@ -75,7 +75,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Runs the scene, writes everything, and prints the summary or the report.
+/// Runs the scene, writes all files, and prints the summary or the report.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -97,7 +97,7 @@ pub fn execute(
 }
 
 impl Arguments {
-    /// The scene, and the core that shades it.
+    /// The scene and the core that shades it.
     fn job(&self) -> Result<Job, ToolError> {
         match &self.core {
             None => Job::of_scene(&self.scene, &self.wanted, &self.name),
@@ -106,7 +106,7 @@ impl Arguments {
     }
 }
 
-/// What came of a run, with what disagrees in it.
+/// The results of a run, including what disagrees.
 fn run_of<'a>(
     arguments: &Arguments,
     job: &'a Job,
@@ -126,7 +126,7 @@ fn run_of<'a>(
         disagreement,
         clock: arguments.clock.clock(),
         fitted,
-        bound_shares: shares(bench.spec, bench.frame, bench.design.error_bound()),
+        bound_shares: bound_shares(bench.spec, bench.frame, bench.design.error_bound()),
         savings: if is_general { None } else { ablation(&job.scene, bench.spec, None).ok() },
         outcome,
         window: bench.window(&trace, outcome),
@@ -134,7 +134,7 @@ fn run_of<'a>(
     }
 }
 
-/// Writes everything, and gives what is to be printed.
+/// Writes all files and returns what is to be printed.
 fn write(
     arguments: &Arguments,
     begin: Instant,
@@ -155,12 +155,13 @@ fn write(
     Ok(if arguments.json { json } else { report::summary(&report, &destination.shown) })
 }
 
-/// The verdict; what disagrees is written to standard error.
+/// The verdict; disagreements are reported on standard error.
 fn verdict(disagreement: Option<&Disagreement>) -> Verdict {
     let Some(disagreement) = disagreement else { return Verdict::Done };
     let mut stderr = io::stderr().lock();
     for line in disagreement.lines() {
-        // The report says the same, and the exit status tells.
+        // The report and the exit status say the same, so a closed standard error is no reason to
+        // stop.
         let _ = writeln!(stderr, "disagreement: {line}");
     }
     Verdict::Disagrees

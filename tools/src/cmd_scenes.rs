@@ -7,14 +7,14 @@ use crate::verdict::Verdict;
 
 /// Prints a line for each built-in scene.
 pub fn execute(stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let row = |name: &&str| [(*name).to_owned(), about(name).to_owned()];
+    let row = |name: &&str| [(*name).to_owned(), description(name).to_owned()];
     let rows: Vec<[String; 2]> = specula_scene::builtin_names().iter().map(row).collect();
     write!(stdout, "{}", table::shown(&rows)).map_err(ToolError::Print)?;
     Ok(Verdict::Done)
 }
 
-/// What there is to be seen in a built-in scene.
-fn about(name: &str) -> &'static str {
+/// A description of a built-in scene.
+fn description(name: &str) -> &'static str {
     match name {
         "teapot" => "Newell's teapot, one light",
         "spheres" => "the balls of Lyon's figure 9, with exponents 1 to 256, two lights",
@@ -32,7 +32,7 @@ mod tests {
     #[test]
     fn every_built_in_scene_is_described() {
         for name in specula_scene::builtin_names() {
-            assert!(!super::about(name).is_empty(), "{name}");
+            assert!(!super::description(name).is_empty(), "{name}");
         }
     }
 }

@@ -3,6 +3,8 @@ mod climb;
 mod files;
 mod json;
 mod plots;
+mod results;
+mod scene_files;
 mod table;
 
 use std::io::Write;
@@ -10,9 +12,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use specula_experiments::climb::Search;
-use specula_experiments::stress::{
-    CATALOGUE, Cell, Extent, RAW, RAW_INPUT, Verdict as StressVerdict, sweep,
-};
+use specula_experiments::stress::{CATALOGUE, Cell, RAW, RAW_INPUT, TrialExtent, sweep};
 use specula_spec::Method;
 
 use crate::arguments::method_parser;
@@ -20,45 +20,46 @@ use crate::error::ToolError;
 use crate::output::{Destination, Interrupts};
 use crate::progress;
 use crate::verdict::Verdict;
+use results::{RowResult, Stress};
 
 const EXAMPLE: &str = "\
-Puts each row of the catalogue of extremes, and random spans between its ends, through exact \
-shading, the bit-true model and the simulated core of every method with each of its options. \
-Says of each method in each row what is asked and what came: it holds, is at a documented limit of \
-the method (with the figure), or is at fault. Writes DIR/report.md, report.json, plots of how \
-recurrences drift with the length of a span, and for each row and method the scene file of the \
-worst span, which `run` takes.
+Tries each row of the catalogue of extremes, and random spans between its ends, with exact shading, \
+the bit-true model and the simulated core of every method with each of its options. Reports for each \
+method in each row the requirements and the results: the method holds, is at a documented limit \
+(with the figure), or is at fault. Writes DIR/report.md, report.json, plots of the drift of \
+recurrences with the length of a span, and for each row and method the scene file of the worst span, \
+for `run`.
 
 With --climb it searches for broken bounds instead: scenes of spans with cores of any options and \
-formats, changed little by little towards the largest ratio of the measured quantisation error to \
-the proven bound. Writes DIR/report.json, for each method the scene file with the largest ratio, \
-and those that break a bound, made small, which `run` takes. A bound of 255 LSB or more is none.
+formats are changed in small steps towards the largest ratio of the measured quantisation error to \
+the proven bound. Writes DIR/report.json, for each method the scene file with the largest ratio, and \
+minimised ones that break a bound, all for `run`. A bound of 255 LSB or more counts as none.
 
 Exit status: 0 if nothing is at fault and no bound is broken, 1 if not, 2 if it could not be tried.
 
 Example: specula stress --method slerp --seed 7
 Example: specula stress --climb --scenes 100000 --seed 7";
 
-/// Scenes that a search tries.
+/// Default number of scenes that a search tries.
 const SCENES: u64 = 20_000;
 
 /// Arguments of `stress`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE)]
 pub struct Arguments {
-    /// Try this method alone
+    /// Try only this method
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
-    /// Of the random numbers; the same seed gives the same spans
+    /// Seed of the random numbers; the same seed gives the same spans
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// Random spans of each row
-    #[arg(long, value_name = "N", default_value_t = Extent::WHOLE.spans as u32, value_parser = clap::value_parser!(u32).range(1..=4096), conflicts_with = "climb")]
+    /// Number of random spans in each row
+    #[arg(long, value_name = "N", default_value_t = TrialExtent::WHOLE.spans as u32, value_parser = clap::value_parser!(u32).range(1..=4096), conflicts_with = "climb")]
     spans: u32,
     /// Search for broken bounds instead of trying the catalogue
     #[arg(long)]
     climb: bool,
-    /// Scenes that the search tries, shared out among the methods
+    /// Number of scenes that the search tries, divided among the methods
     #[arg(long, value_name = "N", default_value_t = SCENES, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000), requires = "climb")]
     scenes: u64,
     /// Print report.json instead of the table
@@ -67,31 +68,6 @@ pub struct Arguments {
     /// Folder to write [default: out/stress, or out/climb with --climb]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-}
-
-/// The catalogue, tried.
-struct Stress {
-    seed: u64,
-    spans: u32,
-    rows: Vec<RowResult>,
-}
-
-/// A row, tried on each method.
-struct RowResult {
-    id: &'static str,
-    input: &'static str,
-    cells: Vec<Cell>,
-}
-
-impl RowResult {
-    /// The worst that any method comes to; nothing where none has a core.
-    fn verdict(&self) -> Option<StressVerdict> {
-        self.cells.iter().filter_map(Cell::verdict).max()
-    }
-
-    fn has_fault(&self) -> bool {
-        self.verdict() == Some(StressVerdict::Fault)
-    }
 }
 
 impl Arguments {
@@ -110,7 +86,8 @@ impl Arguments {
     }
 }
 
-/// Tries the catalogue or searches, writes everything, and prints the table or the report.
+/// Tries the catalogue or searches for broken bounds, writes all files, and prints the table or the
+/// report.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -143,7 +120,7 @@ fn try_catalogue(
     let methods = arguments.methods();
     let destination =
         arguments.destination("out/stress", &files::possible_names(&methods), interrupts)?;
-    let extent = Extent { spans: arguments.spans as usize, ..Extent::WHOLE };
+    let extent = TrialExtent { spans: arguments.spans as usize, ..TrialExtent::WHOLE };
     let bar = progress::steps();
     let cells = sweep(arguments.seed, &methods, extent, &|done, all| {
         bar.set_length(all as u64);
@@ -161,7 +138,7 @@ fn try_catalogue(
     })
 }
 
-/// Cells in the rows that they belong to.
+/// Groups cells by the rows that they belong to.
 fn rows(cells: Vec<Cell>) -> Vec<RowResult> {
     let of_catalogue = CATALOGUE.iter().map(|row| (row.id, row.input));
     let row = |(id, input)| {

@@ -9,16 +9,16 @@ use crate::error::ToolError;
 use crate::output::{Interrupts, write_file};
 use crate::picture;
 use crate::verdict::Verdict;
-use specula_wave::{self as wave, Asked, Figure, Selection, View, WaveError};
+use specula_wave::{self as wave, DumpView, Figure, Selection, WaveError, WindowRequest};
 
 const NOTES: &str = "\
-Numbers are fixed-point where the format is known: from GTKWave's save file beside FILE, of the \
-same name and ending in .gtkw, as `specula run` writes it. Others are hexadecimal. Without --signals \
+Numbers are fixed-point where the format is known from GTKWave's save file next to FILE, which has \
+the same name with the extension .gtkw, as `specula run` writes it. Others are hexadecimal. Without --signals \
 and --unit, the signals that the save file shows are drawn, or without one the outermost unit's.
 
 Any dialect of VCD is drawn: what cannot be understood is passed over with a warning on standard \
-error that names its line, and a file that is cut off is drawn up to there (docs/wave.md). FILE may \
-be a pipe, and may be compressed with gzip.
+error that names its line, and a truncated file is drawn up to its end (docs/wave.md). FILE may be a \
+pipe, and may be compressed with gzip.
 
 Time is counted in clocks if a signal named `clock` or `clk` rises at a constant pace: each clock \
 begins with a rising edge. Otherwise it is counted in the file's units of time.
@@ -39,11 +39,11 @@ pub struct Arguments {
     /// Draw signals of the unit with this name
     #[arg(long, value_name = "NAME")]
     unit: Option<String>,
-    /// First clock to be drawn, or first time [default: around the save file's marker, or the
-    /// file's begin]
+    /// First clock, or first time, to draw [default: around the save file's marker, or the
+    /// beginning]
     #[arg(long, value_name = "A")]
     from: Option<u64>,
-    /// Last clock to be drawn, or last time
+    /// Last clock, or last time, to draw
     #[arg(long, value_name = "B")]
     to: Option<u64>,
     /// Width: characters in a line of text [default: the terminal's, or 120], or pixels of a
@@ -55,17 +55,17 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// Clocks in a picture unless the user says how many.
+/// Clocks in a picture unless the user gives a window.
 const USUAL: u64 = 24;
-/// Characters in a line if standard output is no terminal.
+/// Characters in a line if standard output is not a terminal.
 const WIDTH: usize = 120;
-/// Characters in a line, at least and at most, whatever the terminal says.
+/// Least and most characters in a line that a terminal's width may ask for.
 const WIDTHS: std::ops::RangeInclusive<usize> = 60..=400;
 
-/// The same where the user says.
+/// Least and most that `--width` may ask for.
 const WIDTH_ASKED: std::ops::RangeInclusive<i64> = 20..=8000;
 
-/// What is made of the figure.
+/// The form in which the figure is written.
 enum Target<'a> {
     Text { width: usize },
     Svg(&'a Path),
@@ -92,7 +92,7 @@ impl Arguments {
     }
 }
 
-/// Draws the waveform; of a picture says where it is.
+/// Draws the waveform; for a picture, prints where it is.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -106,12 +106,12 @@ pub fn execute(
             write_file(path, interrupts, |path| {
                 fs::write(path, wave::svg(&figure, arguments.width))
             })?;
-            said(path, &figure)
+            picture_message(path, &figure)
         }
         Target::Png(path) => {
             let drawing = wave::png(&figure, arguments.width)?;
             write_file(path, interrupts, |path| picture::write_line_drawing(path, &drawing))?;
-            said(path, &figure)
+            picture_message(path, &figure)
         }
     };
     write!(stdout, "{said}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
@@ -119,18 +119,22 @@ pub fn execute(
 }
 
 fn figure(arguments: &Arguments, target: &Target) -> Result<Figure, WaveError> {
-    let mut view = View::open(&arguments.file)?;
+    let mut view = DumpView::open(&arguments.file)?;
     for warning in view.warnings() {
         // A closed standard error is no reason to stop.
         let _ = writeln!(io::stderr(), "warning: {warning}");
     }
     let choice = view
         .choose(&Selection { patterns: arguments.signals.clone(), unit: arguments.unit.clone() })?;
-    let mut figure =
-        |usual| view.figure(&choice, &Asked { from: arguments.from, to: arguments.to, usual });
+    let mut figure = |default_columns| {
+        view.figure(
+            &choice,
+            &WindowRequest { from: arguments.from, to: arguments.to, default_columns },
+        )
+    };
     match *target {
         Target::Svg(_) | Target::Png(_) => figure(USUAL),
-        // How many clocks fit shows once their values are known.
+        // How many clocks fit depends on their values.
         Target::Text { width } => {
             let widest = figure(wave::most_columns(width))?;
             figure(wave::columns_beside(&widest, width))
@@ -138,12 +142,12 @@ fn figure(arguments: &Arguments, target: &Target) -> Result<Figure, WaveError> {
     }
 }
 
-/// What is said of a picture.
-fn said(path: &Path, figure: &Figure) -> String {
+/// The message about a picture that was written.
+fn picture_message(path: &Path, figure: &Figure) -> String {
     format!("{}: {}, {} signals\n", path.display(), figure.title, figure.rows().count())
 }
 
-/// The terminal's width; a pipe has none.
+/// The width of a line of text: the terminal's, or a default if standard output is not one.
 fn width() -> usize {
     let terminal = terminal_size::terminal_size_of(io::stdout());
     terminal.map_or(WIDTH, |(width, _)| usize::from(width.0)).clamp(*WIDTHS.start(), *WIDTHS.end())

@@ -1,4 +1,4 @@
-//! The FPGA that a core is for.
+//! The FPGA for which a core is made.
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
@@ -22,10 +22,10 @@ fn device_parser() -> impl TypedValueParser<Value = Device> {
 }
 
 impl DeviceArguments {
-    /// What the core takes of the device, if one was named.
+    /// The share of the device that the core takes, if the user named a device.
     ///
     /// # Errors
-    /// [`DoesNotFit`] if that is more than it has.
+    /// [`DoesNotFit`] if the core takes more than the device has.
     pub fn fitted(&self, design: &Design) -> Result<Option<Fitted>, DoesNotFit> {
         let Some(device) = self.device else { return Ok(None) };
         let fitted = Fitted { device, cost: Cost::of(design, Some(&device)) };
@@ -33,7 +33,7 @@ impl DeviceArguments {
     }
 }
 
-/// A device, and what a core takes of it.
+/// A device and the share of it that a core takes.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Fitted {
     device: Device,
@@ -52,7 +52,7 @@ impl Fitted {
     }
 }
 
-/// The error that names the first known device which has enough for the core.
+/// The error, which names the first known device that has enough for the core.
 fn does_not_fit(fitted: Fitted, design: &Design) -> DoesNotFit {
     let fits = |device: &&Device| Cost::of(design, Some(device)).fits(device);
     let larger = match Device::ALL.iter().find(fits) {

@@ -1,7 +1,7 @@
-//! Disagreements of a run: whatever is not as it must be.
+//! Disagreements of a run: everything that differs from what is expected.
 use specula_testbench::{Bench, Mismatch, Outcome, Violation, WorstQuantisation};
 
-/// Everything that disagrees, first occurrences in full.
+/// All disagreements of a run, with the first of each kind in full.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Disagreement {
     /// Pixels whose code is not the model's.
@@ -32,7 +32,7 @@ pub struct BeyondBound {
 }
 
 impl Disagreement {
-    /// What disagrees in the `outcome` of a bench, if anything does.
+    /// The disagreements in the `outcome` of a bench; `None` if there are none.
     pub fn of(outcome: &Outcome, bench: &Bench) -> Option<Disagreement> {
         let with_clock = |mismatch: &Mismatch| {
             (mismatch.clone(), bench.leaving_clock(mismatch.span, mismatch.pixel))
@@ -53,13 +53,13 @@ impl Disagreement {
         (!outcome.agrees()).then_some(disagreement)
     }
 
-    /// The clock in which it can be seen first.
+    /// The first clock in which a disagreement is visible.
     pub fn first_clock(&self) -> u64 {
         let mismatch = self.first_mismatch.as_ref().map(|(_, clock)| *clock);
         let violation = self.violation.as_ref().map(|violation| violation.clock);
         let beyond = self.beyond_bound.map(|beyond| beyond.clock);
-        // What is above its bound comes out of a core that does as it is told: it is to be seen
-        // there only if there is nothing else.
+        // A core with an error above its bound still agrees with its model, so that clock counts
+        // only if nothing else disagrees.
         let first = [mismatch, self.first_wrong_clock, violation].into_iter().flatten().min();
         first.or(beyond).unwrap_or(0)
     }
@@ -84,24 +84,23 @@ impl Disagreement {
         [pixel, clocks, fact, beyond].into_iter().flatten().collect()
     }
 
-    /// Whether core and bit-true model agree, each pixel in its clock and with every fact, and an
-    /// error is above its bound all the same.
-    pub fn is_of_bound_alone(&self) -> bool {
+    /// Whether an error above its bound is the only disagreement: every pixel is the model's and
+    /// leaves in its clock, and every fact holds.
+    pub fn is_bound_only(&self) -> bool {
         self.mismatches == 0 && self.wrong_clocks == 0 && self.violation.is_none()
     }
 }
 
 impl BeyondBound {
-    /// The broken bound as text, with what it means.
+    /// The broken bound as text, with an explanation.
     fn in_words(&self) -> String {
         let BeyondBound { worst: w, clock, bound_lsb, pixels } = self;
         let several =
             if *pixels == 1 { "1 pixel has".to_owned() } else { format!("{pixels} pixels have") };
-        let meaning = match w.simulated == w.expected {
-            true => {
-                "the bit-true model has the same code from the same inputs, so the set-up of spans or the bound is wrong".to_owned()
-            }
-            false => format!("the bit-true model has {}", w.expected),
+        let meaning = if w.simulated == w.expected {
+            "the bit-true model has the same code from the same inputs, so the set-up of spans or the bound is wrong".to_owned()
+        } else {
+            format!("the bit-true model has {}", w.expected)
         };
         format!(
             "{several} a quantisation error above the proven bound of {bound_lsb:.3} LSB, the largest {:.3} LSB: {} of ({}, {}) is {} in cycle {clock}, and \
@@ -111,7 +110,7 @@ impl BeyondBound {
     }
 }
 
-/// What channels are called.
+/// Names of the channels.
 pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 fn codes([r, g, b]: [u8; 3]) -> String {

@@ -1,4 +1,4 @@
-//! Why a command was not done.
+//! The reasons why a command fails.
 use std::io;
 use std::path::PathBuf;
 
@@ -15,7 +15,7 @@ use thiserror::Error;
 use crate::output::OutputError;
 use specula_wave::WaveError;
 
-/// Why a command was not done; nothing has been written then.
+/// The reason why a command failed. Nothing has been written then.
 #[derive(Debug, Error, Diagnostic)]
 pub enum ToolError {
     /// The scene cannot be used.
@@ -38,7 +38,7 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Synth(#[from] SynthError),
-    /// No core is as good as was asked for.
+    /// No core is as exact as the user asked for.
     #[error(transparent)]
     #[diagnostic(transparent)]
     NotFound(#[from] NotFound),
@@ -57,10 +57,10 @@ pub enum ToolError {
         help("choose other methods, or formats nearer to the default")
     )]
     NothingToCompare {
-        /// Each configuration with its reason.
+        /// The configurations, each with its reason.
         reasons: String,
     },
-    /// No core that was tried is as good as was asked for.
+    /// No core that was tried is as exact as the user asked for.
     #[error(transparent)]
     #[diagnostic(transparent)]
     NothingExplored(#[from] NothingExplored),
@@ -94,7 +94,7 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Wave(#[from] WaveError),
-    /// `--name` asks for what cannot be a module's name.
+    /// `--name` asks for a name that a module cannot have.
     #[error("the core cannot be called `{}`", name.escape_debug())]
     #[diagnostic(
         code(specula::name),
@@ -103,18 +103,18 @@ pub enum ToolError {
         )
     )]
     Name {
-        /// What was asked for.
+        /// The name asked for.
         name: String,
-        /// A name that is like it and possible.
+        /// A similar name that is possible.
         possible: String,
     },
-    /// `--trace` asks for what the run does not have.
+    /// `--trace` asks for clocks or a span that the run does not have.
     #[error("there is no {asked} to trace: the run has {there}")]
     #[diagnostic(code(specula::trace), help("choose among those, or `--trace worst`"))]
     Trace {
-        /// What was asked for.
+        /// What the user asked for.
         asked: String,
-        /// What there is.
+        /// What the run has.
         there: String,
     },
     /// Standard output cannot be written.
@@ -141,7 +141,7 @@ impl From<MeasureError> for ToolError {
     }
 }
 
-/// None of the cores that were tried is near enough to exact shading.
+/// None of the cores that were tried is close enough to exact shading.
 #[derive(Debug, Error, Diagnostic)]
 #[error("none of the cores that were tried is within {wanted} LSB of exact shading; {nearest}")]
 #[diagnostic(
@@ -153,7 +153,7 @@ impl From<MeasureError> for ToolError {
 pub struct NothingExplored {
     /// The largest total error asked for, in LSBs.
     pub wanted: f64,
-    /// How near the nearest core comes, or why there is none.
+    /// How close the closest core comes, or why there is none.
     pub nearest: String,
 }
 
@@ -169,18 +169,18 @@ pub struct NothingExplored {
 pub struct DoesNotFit {
     /// Name of the device.
     pub device: &'static str,
-    /// The device, with what the core takes of it and what it has.
+    /// The device, with the resources that the core takes and those that it has.
     pub taken: String,
-    /// Which device has enough, if one is known.
+    /// The name of a larger device that has enough, if one is known.
     pub larger: String,
 }
 
-/// A core lacks what the scene needs that it was to shade.
+/// A core lacks something that the scene it is to shade needs.
 #[derive(Debug, Error, Diagnostic)]
 #[error("the core `{}` cannot shade `{scene}`: {error}", core.display())]
 #[diagnostic(forward(error))]
 pub struct Refused {
-    /// Where the core is.
+    /// Path of the core.
     pub core: PathBuf,
     /// The scene.
     pub scene: String,

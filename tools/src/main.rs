@@ -17,7 +17,6 @@ mod cmd_wave;
 mod device;
 mod disagreement;
 mod error;
-mod header;
 mod html;
 mod job;
 mod messages;
@@ -45,15 +44,15 @@ use error::ToolError;
 use output::Interrupts;
 use verdict::Verdict;
 
-/// Exit status of a run in which a pixel, a clock or a fact was not as it must be.
+/// Exit status of a run in which a pixel, a clock or a fact was wrong.
 const DISAGREES: u8 = 1;
-/// Exit status of everything that could not be done; clap gives the same for a wrong command line.
+/// Exit status of every failure; clap returns the same for a wrong command line.
 const REFUSED: u8 = 2;
 
 fn main() -> ExitCode {
     messages::install();
     let cli = Cli::parse();
-    // Without handlers the next run removes what a signal leaves.
+    // Without handlers, the next run removes what a signal leaves.
     let interrupts = Interrupts::watch().unwrap_or_default();
     let ended = cli.command.execute(&mut io::stdout().lock(), &interrupts);
     // Files that a signal's handler removes cause no error message: the program ends with the
@@ -67,7 +66,7 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Err(error) => {
-            // The exit status tells even if standard error is closed.
+            // The exit status says the same even if standard error is closed.
             let _ = writeln!(io::stderr(), "{:?}", miette::Report::new(error));
             ExitCode::from(REFUSED)
         }

@@ -1,18 +1,18 @@
-//! How errors are shown: broken at blanks on a terminal, and not at all elsewhere, so that paths
-//! can be copied and searched for.
+//! The layout of error messages: wrapped at blanks on a terminal, and not at all elsewhere, so that
+//! paths can be copied and searched for.
 use std::io::{self, IsTerminal};
 
 use miette::MietteHandlerOpts;
 use textwrap::{WordSeparator, WordSplitter};
 
-/// Columns of a message on a terminal, at most.
+/// Largest number of columns of a message on a terminal.
 const WIDEST: usize = 120;
-/// Columns on a terminal that does not say how many it has.
+/// Number of columns of a terminal whose size is unknown.
 const USUAL: usize = 80;
 
-/// Has every error shown so. Once, before the first of them.
+/// Installs this layout for all errors. It has to be called once, before the first error.
 pub fn install() {
-    // A hook that is there already shows errors too.
+    // If a hook is installed already, it also shows errors.
     let _ = miette::set_hook(Box::new(|_| Box::new(options().build())));
 }
 

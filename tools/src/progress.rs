@@ -1,9 +1,9 @@
-//! Progress bars: on a terminal, and nowhere else.
+//! Progress bars, which are shown on a terminal only.
 use std::io::{self, IsTerminal};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// How many of `clocks` clocks are done.
+/// A bar that shows how many of `clocks` clocks are done.
 pub fn bar(doing: &'static str, clocks: u64) -> ProgressBar {
     if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
@@ -13,12 +13,12 @@ pub fn bar(doing: &'static str, clocks: u64) -> ProgressBar {
     let bar = ProgressBar::new(clocks).with_message(doing);
     match style {
         Ok(style) => bar.with_style(style),
-        // The template is a constant; if it were wrong, the default style shows as much.
+        // The template is a constant; if it were wrong, the default style would show as much.
         Err(_) => bar,
     }
 }
 
-/// Which step is being done, and how many of how many are.
+/// A bar that shows the current step, its number and the number of steps.
 pub fn steps() -> ProgressBar {
     if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
@@ -26,12 +26,12 @@ pub fn steps() -> ProgressBar {
     let bar = ProgressBar::new(0);
     match ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}") {
         Ok(style) => bar.with_style(style),
-        // As above.
+        // The template is a constant, as in `bar`.
         Err(_) => bar,
     }
 }
 
-/// A count of what has been done, where the total is unknown.
+/// A counter of what has been done, where the total is unknown.
 pub fn count(what: &'static str) -> ProgressBar {
     if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
@@ -39,7 +39,7 @@ pub fn count(what: &'static str) -> ProgressBar {
     let bar = ProgressBar::new_spinner().with_message(what);
     match ProgressStyle::with_template("{spinner} {pos} {msg} {elapsed}") {
         Ok(style) => bar.with_style(style),
-        // As above.
+        // The template is a constant, as in `bar`.
         Err(_) => bar,
     }
 }

@@ -1,8 +1,8 @@
-//! A run, as waveform, pictures and reports see it.
+//! A run: what waveform, pictures and reports are made from.
 use std::ops::Range;
 
 use specula_experiments::tradeoff::FrameCycles;
-use specula_experiments::{Savings, Share};
+use specula_experiments::{BoundShare, Savings};
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
@@ -31,7 +31,7 @@ pub fn simulate(bench: &Bench, engine: EngineKind) -> Result<Outcome, ToolError>
 
 /// A run that has been simulated and compared.
 pub struct Run<'a> {
-    /// The scene, and where the core comes from.
+    /// The scene, and the origin of the core.
     pub job: &'a Job,
     /// The name of the core's module.
     pub module: String,
@@ -43,20 +43,20 @@ pub struct Run<'a> {
     pub trace_format: TraceFormat,
     /// What is traced.
     pub trace: Choice,
-    /// The clocks in the waveform; none without one.
+    /// The clocks in the waveform; `None` without a waveform.
     pub window: Option<Range<u64>>,
-    /// The clock at which times are said.
+    /// The clock for which times are computed.
     pub clock: Clock,
-    /// What the core takes of the device, if one was named.
+    /// The share of the device that the core takes, if the user named a device.
     pub fitted: Option<Fitted>,
     /// The outcome of the simulation.
     pub outcome: &'a Outcome,
     /// What disagrees, if anything does.
     pub disagreement: Option<Disagreement>,
-    /// What each place that rounds contributes to the bound.
-    pub bound_shares: Vec<Share>,
-    /// What the scene's needs save; none of a general core, or where the core without a need cannot
-    /// be built.
+    /// The contribution of each narrowing point to the bound.
+    pub bound_shares: Vec<BoundShare>,
+    /// What the scene's needs save; `None` for a general core, or if a core without one of the
+    /// needs cannot be built.
     pub savings: Option<Savings>,
 }
 
@@ -67,20 +67,20 @@ impl Run<'_> {
     }
 
     /// The clock that a reader wants to see: that of the first disagreement, of an error above its
-    /// bound, or that in which the worst pixel leaves.
+    /// bound, or the one in which the worst pixel leaves.
     pub fn clock_to_look_at(&self) -> Option<u64> {
         self.disagreement.as_ref().map(Disagreement::first_clock).or(self.outcome.worst_cycle)
     }
 
-    /// How many times the largest measured quantisation error its bound is; none if there is no
-    /// finite one, or no error.
+    /// The bound divided by the largest measured quantisation error; `None` if the bound is not
+    /// finite or there is no error.
     pub fn bound_ratio(&self) -> Option<f64> {
         let ratio =
             self.bench.design.error_bound() / self.outcome.comparison.errors.quantisation.max_lsb;
         ratio.is_finite().then_some(ratio)
     }
 
-    /// Frames per second at the clock, set-up counted.
+    /// Frames per second at the clock, including set-up.
     pub fn frames_per_second(&self) -> f64 {
         self.clock.frames_per_second(&FrameCycles::new(&self.bench.design, self.bench.frame))
     }
@@ -94,7 +94,7 @@ impl Run<'_> {
         )
     }
 
-    /// Clocks for each pixel, the way through the core included.
+    /// Clocks for each pixel, including the latency of the core.
     pub fn cycles_per_pixel(&self) -> f64 {
         self.outcome.cycles as f64 / self.outcome.pixels.max(1) as f64
     }

@@ -10,7 +10,8 @@ const MOVED: [(&str, &str); 1] =
 /// Loads a scene as [`specula_scene::load`] does, and writes its warnings to standard error.
 ///
 /// # Errors
-/// Those of [`specula_scene::load`]; for a name that has moved the help says where to.
+/// Errors of [`specula_scene::load`]; for a name that has been replaced, the help names its
+/// replacement.
 pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
     let loaded = specula_scene::load(scene, size).map_err(with_new_place)?;
     let mut out = io::stderr().lock();

@@ -1,4 +1,5 @@
-//! Rows of text in columns.
+//! Rows of text in aligned columns.
+use std::borrow::Cow;
 use std::fmt::Write;
 use std::io;
 
@@ -6,11 +7,11 @@ use textwrap::{Options, WordSeparator, WordSplitter};
 
 /// Blanks between columns.
 const GAP: &str = "  ";
-/// The same where the longest words leave no room for more.
+/// The gap if the longest words leave no room for more.
 const NARROW_GAP: &str = " ";
 
-/// Rows as standard output shows them: on a terminal as wide as that, cells folded at blanks if
-/// need be; elsewhere a line each.
+/// Rows as text for standard output: on a terminal of its width, with cells wrapped at blanks if
+/// necessary; elsewhere one line each.
 pub fn shown<const N: usize>(rows: &[[String; N]]) -> String {
     match terminal_size::terminal_size_of(io::stdout()) {
         Some((columns, _)) => folded(rows, columns.0.into()),
@@ -18,8 +19,7 @@ pub fn shown<const N: usize>(rows: &[[String; N]]) -> String {
     }
 }
 
-/// Text as standard output shows it: on a terminal as wide as that, its lines broken at blanks if
-/// need be.
+/// Text for standard output: on a terminal of its width, with lines wrapped at blanks if necessary.
 pub fn paragraphs(text: &str) -> String {
     match terminal_size::terminal_size_of(io::stdout()) {
         Some((columns, _)) => filled(text, columns.0.into()),
@@ -28,11 +28,11 @@ pub fn paragraphs(text: &str) -> String {
 }
 
 fn filled(text: &str, room: usize) -> String {
-    let line = |line: &str| textwrap::fill(line, at_blanks(room));
+    let line = |line: &str| textwrap::fill(line, wrap_options(room));
     text.split('\n').map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Rows that take `room` columns, or as few more as their longest words need.
+/// Rows as text of `room` columns, or as few more as the longest words need.
 pub fn folded<const N: usize>(rows: &[[String; N]], room: usize) -> String {
     let beside = |gap: &str| room.saturating_sub(gap.len() * N.saturating_sub(1));
     let least: usize = longest_words(rows).iter().sum();
@@ -48,8 +48,8 @@ fn longest_words<const N: usize>(rows: &[[String; N]]) -> [usize; N] {
     std::array::from_fn(longest)
 }
 
-/// Widths of columns that take `room` together, the widest ones made narrower, but none narrower
-/// than its longest word.
+/// Widths of columns that take `room` together: the widest columns are narrowed, but not below
+/// their longest word.
 fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
     let least = longest_words(rows);
     let mut widths = widths(rows);
@@ -61,13 +61,10 @@ fn narrowed<const N: usize>(rows: &[[String; N]], room: usize) -> [usize; N] {
     widths
 }
 
-/// A row as several, in which each cell has the width of its column.
+/// A row, split into several rows in which each cell fits the width of its column.
 fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String; N]> {
     let cells: [Vec<String>; N] = std::array::from_fn(|c| {
-        textwrap::wrap(&row[c], at_blanks(widths[c]))
-            .into_iter()
-            .map(|line| line.into_owned())
-            .collect()
+        textwrap::wrap(&row[c], wrap_options(widths[c])).into_iter().map(Cow::into_owned).collect()
     });
     let height = cells.iter().map(Vec::len).max().unwrap_or(0);
     (0..height)
@@ -75,8 +72,8 @@ fn pieces<const N: usize>(row: &[String; N], widths: [usize; N]) -> Vec<[String;
         .collect()
 }
 
-/// Breaks lines at blanks alone: a broken path can be neither copied nor searched for.
-fn at_blanks(width: usize) -> Options<'static> {
+/// Options that wrap lines only at blanks: a broken path can be neither copied nor searched for.
+fn wrap_options(width: usize) -> Options<'static> {
     let options = Options::new(width).break_words(false).word_separator(WordSeparator::AsciiSpace);
     options.word_splitter(WordSplitter::NoHyphenation)
 }
@@ -89,7 +86,7 @@ fn width(text: &str) -> usize {
     text.chars().count()
 }
 
-/// Rows with their columns lined up by blanks, a line each.
+/// Rows as text, a line each, with columns aligned by blanks.
 pub fn lines<const N: usize>(rows: &[[String; N]]) -> String {
     lines_apart(rows, GAP)
 }
@@ -104,7 +101,7 @@ fn lines_apart<const N: usize>(rows: &[[String; N]], gap: &str) -> String {
     rows.iter().map(line).collect()
 }
 
-/// A table as Markdown has it.
+/// The table as Markdown.
 pub fn markdown<const N: usize>(titles: [&str; N], rows: &[[String; N]]) -> String {
     let line = |cells: &[String; N]| {
         format!("| {} |\n", cells.each_ref().map(|cell| cell.replace('|', "\\|")).join(" | "))
@@ -116,7 +113,7 @@ pub fn markdown<const N: usize>(titles: [&str; N], rows: &[[String; N]]) -> Stri
     table
 }
 
-/// Columns of numbers end at the right.
+/// The alignment of each column: columns of numbers are aligned at the right.
 fn alignments<const N: usize>(rows: &[[String; N]]) -> [&'static str; N] {
     let is_number = |cell: &String| cell.parse::<f64>().is_ok();
     std::array::from_fn(|c| {

@@ -1,4 +1,4 @@
-//! The file of a waveform while it is written.
+//! The file of a waveform, written batch by batch.
 use std::fs::File;
 use std::io;
 
@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use specula_datapath::Design;
 use specula_sim::{Batch, fst, vcd};
 
-/// The kind of file that a waveform goes into.
+/// The format of a waveform's file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum TraceFormat {
     /// Value change dump: text that every viewer reads
@@ -30,13 +30,13 @@ pub struct TraceFile<'a> {
     design: &'a Design,
     about: &'a str,
     format: TraceFormat,
-    /// What is to be written into, until there is a batch: the header needs its signals.
+    /// The file until there is a batch: the header needs the batch's signals.
     file: Option<File>,
     waves: Option<Waves>,
 }
 
 impl<'a> TraceFile<'a> {
-    /// A file for a waveform of `design`; `about` says what it is of.
+    /// A file for a waveform of `design`; `about` is the description in its header.
     pub fn new(
         file: File,
         format: TraceFormat,
@@ -75,7 +75,7 @@ impl<'a> TraceFile<'a> {
         })
     }
 
-    /// Ends the file.
+    /// Finishes the file.
     pub fn end(self) -> io::Result<()> {
         match self.waves {
             None => Ok(()),
@@ -85,7 +85,7 @@ impl<'a> TraceFile<'a> {
     }
 }
 
-/// A waveform under way.
+/// A waveform writer that has written its header.
 enum Waves {
     Vcd(Box<vcd::Waves<File>>),
     Fst(Box<fst::Waves<File>>),

@@ -1,10 +1,10 @@
-//! How a command ended.
+//! The verdict with which a command ends.
 
-/// How a command that could be done ended; the program's exit status says it.
+/// The verdict of a command that could be carried out; it becomes the program's exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Everything is as it must be.
+    /// Everything is as expected.
     Done,
-    /// The core and its models disagree, or a number is not as measured before.
+    /// The core and its models disagree, or a number differs from the one measured before.
     Disagrees,
 }

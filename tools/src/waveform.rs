@@ -18,7 +18,7 @@ use crate::trace_file::TraceFile;
 /// GTKWave's save file.
 pub const SAVE_FILE: &str = "trace.gtkw";
 
-/// What is traced: what the user chose, but the surroundings of the first disagreement where the
+/// The clocks to trace: what the user chose, or the surroundings of the first disagreement if the
 /// user named no clocks.
 pub fn choice(asked: &Choice, disagreement: Option<&Disagreement>) -> Choice {
     match (asked, disagreement) {
@@ -30,7 +30,7 @@ pub fn choice(asked: &Choice, disagreement: Option<&Disagreement>) -> Choice {
     }
 }
 
-/// Checks before a run that there will be what `choice` asks for.
+/// Checks before a run that it will have the clocks that `choice` asks for.
 pub fn check(choice: &Choice, bench: &Bench) -> Result<(), ToolError> {
     let clocks = bench.clocks() + 1;
     let missing = |asked: String, there: String| Err(ToolError::Trace { asked, there });
@@ -61,8 +61,8 @@ pub fn write_save_file(run: &Run, staging: &Staging, name: &str) -> Result<(), T
     Ok(File::create(staging.file(name)).and_then(write).map_err(staging.failed(name))?)
 }
 
-/// Writes a dump of the clocks of `choice`: one error if they cannot be simulated, the other if the
-/// file cannot be written.
+/// Writes a dump of the clocks of `choice`. The outer error is that they cannot be simulated, the
+/// inner one that the file cannot be written.
 ///
 /// The clocks go from the engine to the file a batch at a time, so that a long run does not have to
 /// fit into memory.

@@ -1,25 +1,25 @@
 //! Calls into a reader that panics on damaged input.
 //!
-//! fst-reader 0.17 reports wrong headers as errors, but panics where values contradict what was
-//! said of them: the tests have dumps that make it.
+//! fst-reader 0.17 reports wrong headers as errors, but panics where values contradict their
+//! declarations: the tests have dumps that make it panic.
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::{Mutex, PoisonError};
 
-/// Held while the hook is changed, which is the whole process's.
+/// Locked while the panic hook, of which a process has one, is changed.
 static HOOK: Mutex<()> = Mutex::new(());
 
-/// Does `work`, and gives an error if it panics. The panic's message is discarded: only the
-/// reader's authors could use it.
+/// Calls `work` and gives an error if it panics. The panic's message is discarded: it would mean
+/// nothing to a user.
 ///
 /// # Errors
 /// `()` if `work` panics.
 pub fn catch_panic<T>(work: impl FnOnce() -> T) -> Result<T, ()> {
-    // Nothing is kept in the mutex that a panic could spoil.
+    // The mutex guards no data that a panic could leave half changed.
     let _held = HOOK.lock().unwrap_or_else(PoisonError::into_inner);
-    // The hook is silent for as long as the work takes, since the caller reports the error.
+    // The hook is silent during the work, since the caller reports the error.
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
-    // Whatever the work leaves half done is dropped by the caller, who gets no value.
+    // What the work leaves half done is dropped by the caller, who gets no value.
     let done = panic::catch_unwind(AssertUnwindSafe(work));
     panic::set_hook(hook);
     done.map_err(drop)

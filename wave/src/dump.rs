@@ -22,18 +22,20 @@ pub struct Dump {
     contents: Contents,
 }
 
-/// What reads its values.
+/// The reader of a dump's values.
 enum Reader {
     Vcd(Box<Vcd>),
     Fst(Box<Fst>),
 }
 
-/// Values in a figure, and bytes that they take, at most: more of them are of no use to anybody.
-pub const MOST_VALUES: usize = 200_000;
-const MOST_BYTES: usize = 256 << 20;
+/// Limits for one figure: the number of values, and the bytes that they take. A figure with more of
+/// them would be of no use.
+pub const MAX_VALUES: usize = 200_000;
+const MAX_BYTES: usize = 256 << 20;
 
 impl Dump {
-    /// Opens the file, or standard input for `-`; `marker` is a time to be looked at.
+    /// Opens the file, or standard input for `-`; `marker` is a marked time, whose surroundings are
+    /// surveyed.
     ///
     /// # Errors
     /// [`WaveError`] if it is not there, not a dump, damaged, or without signals or times.
@@ -63,7 +65,7 @@ impl Dump {
         }
     }
 
-    /// The file's name.
+    /// The file's name, without its folder.
     pub fn file_name(&self) -> String {
         file_name(&self.path)
     }
@@ -73,26 +75,26 @@ impl Dump {
         &self.contents.variables
     }
 
-    /// The scopes around them.
+    /// The scopes that the variables are in.
     pub fn scopes(&self) -> &Scopes {
         &self.contents.scopes
     }
 
-    /// A variable's full name: scopes and all, joined by dots.
+    /// A variable's full name: the names of its scopes and its own, joined by dots.
     pub fn full_name(&self, variable: usize) -> String {
         let variable = &self.variables()[variable];
         let path = self.scopes().path(variable.scope);
         if path.is_empty() { variable.name.clone() } else { format!("{path}.{}", variable.name) }
     }
 
-    /// When something happens.
+    /// The times at which something happens.
     pub fn survey(&self) -> &Survey {
         &self.contents.survey
     }
 
-    /// From the first time to the last, which belongs to it.
-    pub fn extent(&self) -> RangeInclusive<u64> {
-        self.survey().extent()
+    /// The range from the first time to the last, both included.
+    pub fn time_range(&self) -> RangeInclusive<u64> {
+        self.survey().time_range()
     }
 
     /// The unit of time, such as `ns` or `10 ps`.
@@ -100,8 +102,8 @@ impl Dump {
         self.contents.time_unit.clone().unwrap_or_else(|| "unknown units".to_owned())
     }
 
-    /// The values of some variables in `window`, in order; a time before the first value has none,
-    /// and the last one holds until `end`.
+    /// The values of some variables in `window`, in order. There is none for a time before the
+    /// first value; the last one holds until `end`.
     ///
     /// # Errors
     /// [`WaveError`] if they cannot be read, or are far too many.
@@ -126,7 +128,7 @@ impl Dump {
                 bytes += collector.take(&change);
                 values += collector.count() - before;
             }
-            let enough = values > MOST_VALUES || bytes > MOST_BYTES;
+            let enough = values > MAX_VALUES || bytes > MAX_BYTES;
             if enough { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         match &mut self.reader {
@@ -136,7 +138,7 @@ impl Dump {
             }
         }
         .map_err(|reason| unreadable(&self.path, reason))?;
-        if values > MOST_VALUES || bytes > MOST_BYTES {
+        if values > MAX_VALUES || bytes > MAX_BYTES {
             return Err(WaveError::Large {
                 signals: variables.len(),
                 amount: format!("more than {values} values"),
@@ -146,7 +148,7 @@ impl Dump {
     }
 }
 
-/// The name of a file as it is told.
+/// The name of a file as messages give it.
 pub fn file_name(path: &Path) -> String {
     if path == Path::new(STANDARD_INPUT) {
         return "standard input".to_owned();
@@ -162,7 +164,7 @@ fn refused(path: &Path, error: InputError) -> WaveError {
     }
 }
 
-/// The error for what the system says, or for what one of our readers says of the file.
+/// Turns what the system or one of our readers says of the file into an error.
 fn unreadable(path: &Path, reason: io::Error) -> WaveError {
     let path = path.to_owned();
     match reason.kind() {

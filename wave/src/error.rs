@@ -8,7 +8,7 @@ use thiserror::Error;
 /// Why a waveform cannot be drawn.
 #[derive(Debug, Error, Diagnostic)]
 pub enum WaveError {
-    /// The system does not give the file.
+    /// The operating system cannot read the file.
     #[error("`{}` cannot be read: {reason}", path.display())]
     #[diagnostic(
         code(specula::wave::unreadable),
@@ -17,7 +17,7 @@ pub enum WaveError {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The operating system's error.
         reason: io::Error,
     },
     /// The file is of another kind.
@@ -32,7 +32,7 @@ pub enum WaveError {
         /// The file.
         path: PathBuf,
     },
-    /// The file begins well, and then something is wrong.
+    /// The file begins well, but later something is wrong.
     #[error("`{}` is damaged or incomplete: {reason}", path.display())]
     #[diagnostic(
         code(specula::wave::damaged),
@@ -46,7 +46,7 @@ pub enum WaveError {
         /// What is wrong.
         reason: String,
     },
-    /// There is nothing in the file that could be drawn.
+    /// The file contains nothing that could be drawn.
     #[error("`{}` holds no {missing}{passed_over}", path.display())]
     #[diagnostic(
         code(specula::wave::empty),
@@ -71,9 +71,9 @@ pub enum WaveError {
     Signals {
         /// What was asked for.
         pattern: String,
-        /// The name that was meant, perhaps, as a sentence.
+        /// The name that was probably meant, as a sentence.
         near: String,
-        /// Some names that there are.
+        /// Some names that exist.
         there: String,
     },
     /// No unit has the name.
@@ -85,9 +85,9 @@ pub enum WaveError {
     Unit {
         /// What was asked for.
         unit: String,
-        /// The name that was meant, perhaps, as a sentence.
+        /// The name that was probably meant, as a sentence.
         near: String,
-        /// Units that there are.
+        /// Units that exist.
         there: String,
     },
     /// The window is empty or outside of the file.
@@ -99,19 +99,19 @@ pub enum WaveError {
     Window {
         /// What was asked for.
         asked: String,
-        /// What there is.
+        /// What the file has.
         there: String,
     },
-    /// A picture of that would be of no use.
+    /// The drawing would be too large to be of use.
     #[error("a drawing of {amount} in {signals} rows is too large")]
     #[diagnostic(
         code(specula::wave::large),
         help("choose fewer signals with `--signals` or a shorter time with `--from` and `--to`")
     )]
     Large {
-        /// Rows.
+        /// Number of rows.
         signals: usize,
-        /// How much there is of what is too much.
+        /// The quantity that is too large, with its unit.
         amount: String,
     },
     /// The picture's file name does not say what to write.

@@ -1,40 +1,40 @@
-//! What is drawn: rows of values over time. Text and pictures are made of this, and of nothing
-//! else.
+//! The data of a drawing: rows of values over time. Text and pictures are made from it alone.
 use std::ops::Range;
 
 use super::segments::Segment;
 use super::value::{Notation, Value};
 
-/// A piece of a waveform, ready to be drawn.
+/// A part of a waveform, ready to be drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
     /// What it shows: file and window.
     pub title: String,
-    /// What a reader should know besides, such as what was left out.
+    /// What a reader should also know, such as what was left out.
     pub notes: Vec<String>,
-    /// Its time.
+    /// The time axis.
     pub axis: Axis,
-    /// Its signals, those of a unit together.
+    /// The signals, grouped by unit.
     pub groups: Vec<Group>,
 }
 
-/// Stands for a value that does not fit, and for what is left out of a text.
+/// Marks a value that does not fit, and what is left out of a text.
 pub const CUT: char = '\u{2026}';
-/// Characters in which it is worth while to show the begin of a text.
+/// Fewest characters in which the beginning of a text is worth showing.
 const SHORTEST_CUT: usize = 4;
 
-/// Time, in columns of equal length: clocks, or round numbers of the file's units.
+/// The time axis, divided into columns of equal length: clocks, or round numbers of the file's
+/// units.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Axis {
     /// What the columns' numbers count.
     pub unit: String,
-    /// When the first column begins, in the file's units.
+    /// Time at which the first column begins, in the file's units.
     pub begin: u64,
-    /// How long a column takes.
+    /// Duration of a column, in the file's units.
     pub step: u64,
     /// Each column's number.
     pub numbers: Vec<u64>,
-    /// The time to look at.
+    /// The marked time.
     pub marker: Option<Range<u64>>,
 }
 
@@ -44,58 +44,59 @@ pub struct Group {
     /// The unit's full name.
     pub unit: String,
     /// Its signals.
-    pub rows: Vec<Row>,
+    pub rows: Vec<SignalRow>,
 }
 
-/// A signal.
+/// A signal's row.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct SignalRow {
     /// Its name in its unit.
     pub name: String,
     /// Whether it is drawn as levels or as values in cells.
     pub shape: Shape,
-    /// Its values in order, no two equal ones side by side.
+    /// The values in order; no two neighbours are equal.
     pub segments: Vec<Segment>,
     /// The time whose value matters most.
     pub highlight: Option<Range<u64>>,
 }
 
-/// How a signal is drawn.
+/// The way in which a signal is drawn.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A bit: low or high.
     Levels,
-    /// Marks at the times at which something happens.
+    /// Marks at the times of events.
     Events,
-    /// Values.
+    /// Cells with values in them.
     Cells {
-        /// How they are written.
+        /// The notation of the values.
         notation: Notation,
-        /// The format, to stand beside the name.
+        /// The format, as it is written next to the name.
         format: String,
     },
 }
 
 impl Axis {
-    /// From the begin of the first column to the end of the last.
+    /// The time from the beginning of the first column to the end of the last.
     pub fn window(&self) -> Range<u64> {
         self.begin..self.time(self.numbers.len() as u64)
     }
 
-    /// Where a time stands, in columns.
+    /// The position of a time on the axis, in columns.
     pub fn place(&self, time: u64) -> f64 {
-        // The difference first: a time in femtoseconds may need more digits than a number has.
+        // The difference is taken in integers: a time in femtoseconds may need more digits than an
+        // f64 has.
         let distance =
             time.saturating_sub(self.begin) as f64 - self.begin.saturating_sub(time) as f64;
         distance / self.step as f64
     }
 
-    /// When the column ends in which a time lies; it has to lie behind the begin.
+    /// The end of the column in which a time lies; the time must not lie before the first column.
     pub fn column_end(&self, time: u64) -> u64 {
         self.time(time.saturating_sub(self.begin) / self.step + 1)
     }
 
-    /// When a column begins.
+    /// The time at which a column begins.
     fn time(&self, column: u64) -> u64 {
         self.begin.saturating_add(column.saturating_mul(self.step))
     }
@@ -103,23 +104,23 @@ impl Axis {
 
 impl Figure {
     /// Every row.
-    pub fn rows(&self) -> impl Iterator<Item = &Row> {
+    pub fn rows(&self) -> impl Iterator<Item = &SignalRow> {
         self.groups.iter().flat_map(|group| &group.rows)
     }
 
-    /// The number of characters that a column needs for the longest value if none may have more
-    /// than `most`, and none that can be rounded more than `rounded`. A value that lasts several
-    /// columns has the room of all.
+    /// The number of characters that a column needs for the longest value, at most `most`; values
+    /// that can be rounded get at most `rounded`. A value that lasts several columns may use the
+    /// room of all of them.
     pub fn longest_value(&self, rounded: usize, most: usize) -> usize {
         let columns = |segment: &Segment| {
             self.axis.place(segment.time.end) - self.axis.place(segment.time.start)
         };
         let share =
             |length: usize, columns: f64| ((length as f64 + 1.0) / columns).ceil() as usize - 1;
-        let wish = |row: &Row, segment: &Segment| {
+        let wish = |row: &SignalRow, segment: &Segment| {
             let columns = columns(segment).max(1.0);
             let room = ((most as f64 + 1.0) * columns) as usize - 1;
-            share(row.wish(&segment.value, rounded, room), columns)
+            share(row.preferred_width(&segment.value, rounded, room), columns)
         };
         self.rows()
             .flat_map(|row| row.segments.iter().map(move |segment| wish(row, segment)))
@@ -128,8 +129,8 @@ impl Figure {
     }
 }
 
-impl Row {
-    /// A value in `room` characters; none for bits and events, or if it does not fit.
+impl SignalRow {
+    /// The value in `room` characters; `None` for bits and events, and if it does not fit.
     pub fn written(&self, value: &Value, room: usize) -> Option<String> {
         match &self.shape {
             Shape::Levels | Shape::Events => None,
@@ -137,7 +138,7 @@ impl Row {
         }
     }
 
-    /// The same, and of a text that does not fit the begin.
+    /// The value as [`SignalRow::written`] gives it, or the beginning of a text that does not fit.
     pub fn written_or_begun(&self, value: &Value, room: usize) -> Option<String> {
         self.written(value, room).or_else(|| match (&self.shape, value) {
             (Shape::Cells { .. }, Value::Text(text)) if room >= SHORTEST_CUT => {
@@ -147,14 +148,14 @@ impl Row {
         })
     }
 
-    fn wish(&self, value: &Value, rounded: usize, most: usize) -> usize {
+    fn preferred_width(&self, value: &Value, rounded: usize, most: usize) -> usize {
         match &self.shape {
             Shape::Levels | Shape::Events => 0,
-            Shape::Cells { notation, .. } => notation.wish(value, rounded, most),
+            Shape::Cells { notation, .. } => notation.preferred_width(value, rounded, most),
         }
     }
 
-    /// The format of its values; empty for a bit.
+    /// The format of the values; empty for a bit.
     pub fn format(&self) -> &str {
         match &self.shape {
             Shape::Levels | Shape::Events => "",

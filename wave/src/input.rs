@@ -1,5 +1,5 @@
-//! Where a dump's bytes come from: a file, or a pipe whose bytes are kept in a temporary file,
-//! since a dump is read more than once. What is compressed as a whole is unpacked.
+//! The source of a dump's bytes: a file, or a pipe whose bytes are kept in a temporary file, since
+//! a dump is read more than once. A file that is compressed as a whole is unpacked.
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -12,14 +12,14 @@ use tempfile::SpooledTempFile;
 
 use super::warnings::Warnings;
 
-/// What is read of standard input.
+/// The file name that stands for standard input.
 pub const STANDARD_INPUT: &str = "-";
 
-/// Bytes of a pipe or of an unpacked file that are kept, at most.
-const MOST: u64 = 1 << 30;
-/// Bytes of them that are kept in memory.
+/// Largest number of bytes that are kept of a pipe or an unpacked file.
+const MAX_BYTES: u64 = 1 << 30;
+/// The number of these bytes that may be kept in memory.
 const IN_MEMORY: usize = 16 << 20;
-/// Bytes at the begin of a file that tell its kind.
+/// Bytes at the beginning of a file from which its kind is found.
 const HEAD: u64 = 1 << 16;
 /// How long a named pipe is waited for.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -42,18 +42,18 @@ impl<T: Read + Seek> Bytes for T {}
 pub struct Input {
     /// Its bytes, unpacked.
     pub bytes: Box<dyn Bytes>,
-    /// What they are.
+    /// Their format.
     pub format: Format,
 }
 
-/// Why there is nothing to be read.
+/// The reason why there is nothing to read.
 #[derive(Debug)]
 pub enum InputError {
-    /// The system does not give it.
+    /// The operating system's error.
     Unreadable(io::Error),
-    /// It is no dump.
+    /// The file is not a dump.
     Kind,
-    /// It begins as a dump, and then something is wrong.
+    /// The file begins as a dump, but later something is wrong.
     Damaged(String),
 }
 
@@ -70,39 +70,39 @@ impl Input {
     /// [`InputError`] if it cannot be read, or is neither a VCD nor an FST file.
     pub fn open(path: &Path, warnings: &mut Warnings) -> Result<Input, InputError> {
         let bytes = if path == Path::new(STANDARD_INPUT) {
-            kept(io::stdin(), warnings)?
+            buffered(io::stdin(), warnings)?
         } else if fs::metadata(path)?.is_file() {
             Box::new(File::open(path)?)
         } else if fs::metadata(path)?.is_dir() {
             return Err(io::Error::other("it is a folder").into());
         } else {
-            kept(open_pipe(path)?, warnings)?
+            buffered(open_pipe(path)?, warnings)?
         };
         unpacked(bytes, warnings)
     }
 }
 
-/// Opens what may be a pipe, for which the system waits until somebody writes.
+/// Opens what may be a named pipe, for which the operating system waits until a writer opens it.
 fn open_pipe(path: &Path) -> io::Result<File> {
     let (sender, receiver) = mpsc::channel();
     let path: PathBuf = path.to_owned();
-    // If nobody comes, the thread waits until the program ends.
+    // If no writer opens it, the thread waits until the program ends.
     thread::spawn(move || sender.send(File::open(path)));
     let nobody = || {
         io::Error::other(format!(
-            "it is a pipe into which nobody wrote for {} s",
+            "it is a pipe into which no program wrote for {} s",
             PATIENCE.as_secs()
         ))
     };
     receiver.recv_timeout(PATIENCE).map_err(|_| nobody())?
 }
 
-/// Keeps what a pipe gives, if that can be a dump.
-fn kept(mut pipe: impl Read, warnings: &mut Warnings) -> Result<Box<dyn Bytes>, InputError> {
+/// Keeps the bytes of a pipe if they can be a dump.
+fn buffered(mut pipe: impl Read, warnings: &mut Warnings) -> Result<Box<dyn Bytes>, InputError> {
     let mut head = vec![];
     (&mut pipe).take(HEAD).read_to_end(&mut head)?;
     wrapping(&head)?;
-    keep(head.chain(pipe), MOST, warnings)
+    keep(head.chain(pipe), MAX_BYTES, warnings)
 }
 
 impl dyn Bytes {
@@ -115,25 +115,25 @@ impl dyn Bytes {
     }
 }
 
-/// How a file stands as it is.
+/// The compression of a file as a whole.
 enum Wrapping {
     None(Format),
-    /// As gzip does it.
+    /// Plain gzip.
     Gzip,
-    /// An FST file as GHDL and nvc leave it: a block with two lengths, and gzip.
+    /// The wrapper in which GHDL and nvc leave an FST file: a block with two lengths, then gzip.
     FstBlock,
 }
 
-/// Bytes of an FST wrapper before what is compressed: kind, length of the block, length unpacked.
+/// Bytes before the compressed data of an FST wrapper: kind, length of the block, unpacked length.
 const FST_WRAPPER: u64 = 1 + 8 + 8;
-/// No compression in an FST file gives more than that many bytes for one.
+/// No compression in an FST file unpacks one byte to more bytes than this.
 pub const BEST_COMPRESSION: u64 = 1100;
 
 fn wrapping(head: &[u8]) -> Result<Wrapping, InputError> {
     const FST_HEADER: [u8; 9] = [0, 0, 0, 0, 0, 0, 0, 1, 73];
     const GZIP: [u8; 2] = [0x1f, 0x8b];
     match head {
-        // The length is set when all has been compressed.
+        // The writer sets the length after it has compressed everything.
         [254, rest @ ..] if rest.len() >= 16 && rest[..8] == [0; 8] => {
             damaged("it is still being compressed")
         }
@@ -162,8 +162,8 @@ fn unpacked(mut bytes: Box<dyn Bytes>, warnings: &mut Warnings) -> Result<Input,
     let head = bytes.head()?;
     let bytes = match wrapping(&head)? {
         Wrapping::None(format) => return Ok(Input { bytes, format }),
-        Wrapping::Gzip => keep_unpacked(bytes, MOST, warnings)?,
-        Wrapping::FstBlock => unwrapped(bytes, &head, warnings)?,
+        Wrapping::Gzip => keep_unpacked(bytes, MAX_BYTES, warnings)?,
+        Wrapping::FstBlock => unpack_whole(bytes, &head, warnings)?,
     };
     let mut bytes = bytes;
     match wrapping(&bytes.head()?)? {
@@ -172,8 +172,8 @@ fn unpacked(mut bytes: Box<dyn Bytes>, warnings: &mut Warnings) -> Result<Input,
     }
 }
 
-/// Unpacks an FST file that is compressed as a whole, after a look at the lengths that it states.
-fn unwrapped(
+/// Unpacks an FST file that is compressed as a whole, after checking the lengths that it states.
+fn unpack_whole(
     mut bytes: Box<dyn Bytes>,
     head: &[u8],
     warnings: &mut Warnings,
@@ -185,7 +185,7 @@ fn unwrapped(
     if block.checked_add(1).is_none_or(|end| end < FST_WRAPPER || end > there) {
         return damaged("it is compressed as a whole, and its end is missing");
     }
-    if length > there.saturating_mul(BEST_COMPRESSION).min(MOST) {
+    if length > there.saturating_mul(BEST_COMPRESSION).min(MAX_BYTES) {
         return damaged("it states a length that no file of its size can have");
     }
     bytes.seek(SeekFrom::Start(FST_WRAPPER))?;
@@ -198,7 +198,7 @@ fn unwrapped(
     }
 }
 
-/// Keeps at most `most` bytes of what is compressed, up to where it is damaged.
+/// Keeps at most `most` unpacked bytes, up to the place where the compressed data are damaged.
 fn keep_unpacked(
     packed: impl Read,
     most: u64,
@@ -224,7 +224,7 @@ fn keep(from: impl Read, most: u64, warnings: &mut Warnings) -> Result<Box<dyn B
                 length += count as u64;
             }
             Err(reason) if reason.kind() == io::ErrorKind::Interrupted => {}
-            // What is compressed is shown up to where it is damaged, as other files are.
+            // Compressed data are shown up to the place where they are damaged, as other files are.
             Err(_) => {
                 warnings.of_file("packed", || {
                     "it cannot be read to its end, and is drawn up to there".to_owned()
@@ -233,8 +233,8 @@ fn keep(from: impl Read, most: u64, warnings: &mut Warnings) -> Result<Box<dyn B
             }
         }
     }
-    if length == MOST {
-        warnings.of_file("too long", || format!("only its first {} MiB are read", MOST >> 20));
+    if length == MAX_BYTES {
+        warnings.of_file("too long", || format!("only its first {} MiB are read", MAX_BYTES >> 20));
     }
     kept.rewind()?;
     Ok(Box::new(kept))

@@ -1,47 +1,47 @@
-//! Where things stand on a sheet, in pixels.
+//! Positions on a sheet, in pixels.
 use std::ops::RangeInclusive;
 
-use super::figure::{Figure, Row};
+use super::figure::{Figure, SignalRow};
 use specula_drawing::{CAPITAL, CHARACTER};
 
-/// Around everything.
+/// Width of the margin around the drawing.
 pub const MARGIN: f64 = 16.0;
-/// From a row to the next.
+/// Distance from one row to the next.
 pub const ROW: f64 = 22.0;
-/// Horizontal run of an edge and of a cell's end.
+/// Horizontal extent of an edge, and of a cell's pointed end.
 pub const SLANT: f64 = 3.0;
-/// A column's width: room for five to eight characters.
+/// Smallest and largest width of a column: room for five to eight characters.
 const COLUMN: RangeInclusive<f64> = 48.0..=72.0;
-/// Width that all columns together should not exceed, if their least width lets them.
+/// Width that all columns together should not exceed, unless each has its smallest width.
 const COLUMNS: f64 = 1320.0;
-/// Characters of a value for which columns are made that wide; in a short window, wider for longer
-/// ones.
+/// Characters of a value for which columns are widened up to their largest width. In a short window
+/// they become wider for longer values.
 const LONGEST_VALUE: usize = 8;
 
-/// Where things stand.
+/// The positions of a figure's parts.
 pub struct Layout {
-    /// Where columns begin.
+    /// Left end of the columns.
     pub left: f64,
-    /// A column's width.
+    /// Width of a column.
     pub column: f64,
     /// The number of columns.
     pub columns: usize,
-    /// Where rows begin.
+    /// Top of the rows.
     pub top: f64,
-    /// Where rows end.
+    /// Bottom of the rows.
     pub bottom: f64,
-    /// Of the whole sheet.
+    /// Width of the whole sheet.
     pub width: f64,
-    /// Of the whole sheet.
+    /// Height of the whole sheet.
     pub height: f64,
 }
 
 impl Layout {
-    /// The layout of a figure, in a width in pixels if that is given and no column becomes too
-    /// narrow.
+    /// The layout of a figure. If `width` is given, the sheet is that many pixels wide, unless a
+    /// column would become too narrow.
     pub fn new(figure: &Figure, width: Option<u32>) -> Layout {
         let columns = figure.axis.numbers.len();
-        let label = |row: &Row| row.name.chars().count() + row.format().chars().count() + 2;
+        let label = |row: &SignalRow| row.name.chars().count() + row.format().chars().count() + 2;
         let names =
             figure.rows().map(label).max().unwrap_or(0).max(figure.axis.unit.chars().count() + 1);
         let left = (MARGIN + CHARACTER * names as f64 + 2.0 * SLANT).round();
@@ -73,18 +73,18 @@ impl Layout {
         }
     }
 
-    /// Where a place in columns is.
+    /// The horizontal position of a place that is given in columns.
     pub fn x(&self, place: f64) -> f64 {
         self.left + self.column * place
     }
 
-    /// Where columns end.
+    /// Right end of the columns.
     pub fn right(&self) -> f64 {
         self.x(self.columns as f64)
     }
 }
 
-/// A column's width that lets its values be read.
+/// A column's width at which its values can be read.
 fn column(figure: &Figure, columns: usize) -> f64 {
     let room = COLUMNS / columns.max(1) as f64;
     let beside = ((room - 4.0 * SLANT) / CHARACTER).max(LONGEST_VALUE as f64) as usize;

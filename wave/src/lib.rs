@@ -1,8 +1,9 @@
-//! Waveforms as pictures and text: a window of a VCD or FST file, ours or another tool's.
+//! Waveforms as pictures and text: windows of VCD and FST files, Specula's or another tool's.
 //!
-//! A [`View`] opens a dump and makes a [`Figure`] of some signals and a window; [`text`], [`svg`]
-//! and [`png`] draw figures and know nothing of dumps.
+//! A [`DumpView`] opens a dump and makes a [`Figure`] of some signals and a window; [`text`],
+//! [`svg`] and [`png`] draw figures and know nothing of dumps.
 mod catch_panic;
+mod clock;
 mod contents;
 mod dump;
 mod error;
@@ -28,17 +29,17 @@ pub use error::WaveError;
 pub use figure::Figure;
 pub use selection::Selection;
 pub use text::{columns_beside, most_columns, text};
-pub use view::{Asked, View};
+pub use view::{DumpView, WindowRequest};
 
 use image::RgbImage;
 
-/// The figure as an SVG file, in a width in pixels if that is given.
+/// The figure as an SVG file, `width` pixels wide if that is given.
 pub fn svg(figure: &Figure, width: Option<u32>) -> String {
     specula_drawing::svg(&render::render(figure, width))
 }
 
-/// The figure as a picture on light paper, in a width in pixels if that is given; it has twice as
-/// many.
+/// The figure as a picture on a light background. If `width` is given, it counts pixels of the
+/// sheet; the picture has two for each.
 ///
 /// # Errors
 /// [`WaveError::Large`] if it would be too large to be of use.

@@ -1,20 +1,21 @@
-//! Changes of signals as a reader finds them, before it is known how they are drawn.
+//! Changes of signals as a reader finds them, before they are converted for drawing.
 use std::ops::ControlFlow;
 
 /// A change of a signal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change<'a> {
-    /// When, in the file's units.
+    /// Time of the change in the file's units.
     pub time: u64,
     /// The signal's number.
     pub signal: u32,
     /// Its new value.
     pub value: Raw<'a>,
-    /// Whether the file states the value of every signal there, changed or not.
+    /// Whether the change stands in a section that states the value of every signal, changed or
+    /// not.
     pub checkpoint: bool,
 }
 
-/// A value as a file has it.
+/// A value as it stands in a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Raw<'a> {
     /// Bits from the highest to the lowest, as digits and letters of any case.
@@ -25,8 +26,8 @@ pub enum Raw<'a> {
     Real(f64),
 }
 
-/// Who takes changes, and may have enough of them.
-pub type Taker<'a> = dyn FnMut(Change) -> ControlFlow<()> + 'a;
+/// A receiver of changes, which may ask the reader to stop.
+pub type ChangeSink<'a> = dyn FnMut(Change) -> ControlFlow<()> + 'a;
 
-/// The states of a bit: those of Verilog and of VHDL.
+/// The states of a bit in Verilog and VHDL.
 pub const STATES: [u8; 9] = *b"01xzuwlh-";

@@ -1,14 +1,14 @@
-//! A figure laid out: shapes and words with their places in pixels.
-use super::figure::{Axis, Figure, Row, Shape};
+//! Renders a figure as a sheet: shapes and text with their positions in pixels.
+use super::figure::{Axis, Figure, Shape, SignalRow};
 use super::layout::{Layout, MARGIN, ROW, SLANT};
 use super::segments::Segment;
 use super::value::Value;
 use specula_drawing::{CAPITAL, CHARACTER, Ink, Mark, Point, Sheet};
 
-/// From low to high.
+/// Distance between the low and the high level of a row.
 const WAVE: f64 = 15.0;
 
-/// Lays a figure out, in a width in pixels if that is given.
+/// Renders a figure, `width` pixels wide if that is given.
 pub fn render(figure: &Figure, width: Option<u32>) -> Sheet {
     let layout = Layout::new(figure, width);
     let mut pen = Pen { layout: &layout, marks: vec![] };
@@ -31,17 +31,17 @@ pub fn render(figure: &Figure, width: Option<u32>) -> Sheet {
     Sheet { title: figure.title.clone(), size: (layout.width, layout.height), marks: pen.marks }
 }
 
-/// Where a value stands in its row.
-struct Extent {
+/// The rectangle that a value takes in its row.
+struct ValueBox {
     from: f64,
     to: f64,
-    /// Top and bottom of the row's wave.
+    /// Top and bottom of the rectangle.
     high: f64,
     low: f64,
 }
 
-/// A value and its place.
-type Piece<'a> = (Extent, &'a Segment);
+/// A value and its rectangle.
+type Piece<'a> = (ValueBox, &'a Segment);
 
 struct Pen<'a> {
     layout: &'a Layout,
@@ -50,10 +50,10 @@ struct Pen<'a> {
 
 impl Pen<'_> {
     fn words(&mut self, ink: Ink, place: Point, text: &str) {
-        self.marks.push(Mark::Words(ink, place, text.to_owned()));
+        self.marks.push(Mark::Text(ink, place, text.to_owned()));
     }
 
-    /// Borders of columns, their numbers, and the marker.
+    /// Draws the borders of columns, their numbers, and the marker.
     fn columns(&mut self, axis: &Axis) {
         let layout = self.layout;
         let base = layout.top - ROW / 2.0;
@@ -102,12 +102,12 @@ impl Pen<'_> {
         self.words(Ink::Unit, (MARGIN, base), name);
     }
 
-    fn row(&mut self, top: f64, row: &Row, figure: &Figure) {
+    fn row(&mut self, top: f64, row: &SignalRow, figure: &Figure) {
         let layout = self.layout;
         let base = top + (ROW + CAPITAL) / 2.0;
         self.words(Ink::Name, (MARGIN + CHARACTER, base), &row.name);
         if !row.format().is_empty() {
-            self.marks.push(Mark::WordsBefore(
+            self.marks.push(Mark::TextEnding(
                 Ink::Aside,
                 (layout.left - 2.0 * SLANT, base),
                 row.format().to_owned(),
@@ -115,7 +115,7 @@ impl Pen<'_> {
         }
         let (high, low) = (top + (ROW - WAVE) / 2.0, top + (ROW + WAVE) / 2.0);
         let clamp = |time| layout.x(figure.axis.place(time)).clamp(layout.left, layout.right());
-        let extent = |segment: &Segment| Extent {
+        let extent = |segment: &Segment| ValueBox {
             from: clamp(segment.time.start),
             to: clamp(segment.time.end),
             high,
@@ -123,7 +123,7 @@ impl Pen<'_> {
         };
         let pieces: Vec<Piece> =
             row.segments.iter().map(|segment| (extent(segment), segment)).collect();
-        let highlight = row.highlight.as_ref().map(|time| Extent {
+        let highlight = row.highlight.as_ref().map(|time| ValueBox {
             from: clamp(time.start),
             to: clamp(time.end),
             high,
@@ -137,13 +137,13 @@ impl Pen<'_> {
         }
     }
 
-    /// A bit: a line that steps, broken where the bit is unknown.
-    fn levels(&mut self, pieces: &[Piece], highlight: Option<&Extent>) {
+    /// Draws a bit: a line with steps, broken where the bit is unknown.
+    fn levels(&mut self, pieces: &[Piece], highlight: Option<&ValueBox>) {
         let mut traces: Vec<Vec<Point>> = vec![];
         let mut unknown = vec![];
         let mut connected = false;
         for (place, segment) in pieces {
-            let Some(y) = level(place, &segment.value) else {
+            let Some(y) = level_height(place, &segment.value) else {
                 unknown.push(hexagon(place));
                 connected = false;
                 continue;
@@ -159,22 +159,26 @@ impl Pen<'_> {
         }
         let high = pieces
             .iter()
-            .filter(|(place, segment)| level(place, &segment.value) == Some(place.high));
-        self.marks.push(Mark::Areas(Ink::High, high.map(|(place, _)| below(place)).collect()));
+            .filter(|(place, segment)| level_height(place, &segment.value) == Some(place.high));
+        self.marks.push(Mark::Areas(Ink::High, high.map(|(place, _)| area_below(place)).collect()));
         self.marks.push(Mark::Areas(Ink::Highlight, highlight.into_iter().map(hexagon).collect()));
         self.marks.push(Mark::Areas(Ink::Unknown, unknown));
         self.marks.push(Mark::Traces(Ink::Level, traces));
-        // An x is told by its colour; VHDL has more states.
+        // The colour shows an x; VHDL has more states, which are shown as letters.
         for (place, segment) in
             pieces.iter().filter(|(place, _)| place.to - place.from >= CHARACTER + 2.0 * SLANT)
         {
             if let Some(letter) = letter(&segment.value) {
-                self.marks.push(Mark::WordsAmid(Ink::Value, middle(place), letter.to_owned()));
+                self.marks.push(Mark::TextCentred(
+                    Ink::Value,
+                    text_position(place),
+                    letter.to_owned(),
+                ));
             }
         }
     }
 
-    /// Events: an arrow for each.
+    /// Draws an arrow for each event.
     fn events(&mut self, pieces: &[Piece]) {
         let arrow = |(place, _): &Piece| {
             let (x, neck) = (place.from, place.high + 2.0 * SLANT);
@@ -186,8 +190,8 @@ impl Pen<'_> {
         self.marks.push(Mark::Traces(Ink::Level, pieces.iter().flat_map(arrow).collect()));
     }
 
-    /// Values, each in a cell with pointed ends, as far as they fit.
-    fn cells(&mut self, row: &Row, pieces: &[Piece], highlight: Option<&Extent>) {
+    /// Draws values in cells with pointed ends; a value is written if it fits.
+    fn cells(&mut self, row: &SignalRow, pieces: &[Piece], highlight: Option<&ValueBox>) {
         for ink in [Ink::Cell, Ink::Unknown] {
             let these = pieces.iter().filter(|(_, segment)| cell_ink(&segment.value) == ink);
             self.marks.push(Mark::Areas(ink, these.map(|(place, _)| hexagon(place)).collect()));
@@ -203,17 +207,17 @@ impl Pen<'_> {
         }
     }
 
-    /// A value in the middle of its cell, if it fits; of a text at least the begin.
-    fn value(&mut self, ink: Ink, place: &Extent, row: &Row, segment: &Segment) {
+    /// Writes a value in the middle of its cell if it fits, and at least the beginning of a text.
+    fn value(&mut self, ink: Ink, place: &ValueBox, row: &SignalRow, segment: &Segment) {
         let room = ((place.to - place.from - 2.0 * SLANT) / CHARACTER).max(0.0) as usize;
         if let Some(text) = row.written_or_begun(&segment.value, room) {
-            self.marks.push(Mark::WordsAmid(ink, middle(place), text));
+            self.marks.push(Mark::TextCentred(ink, text_position(place), text));
         }
     }
 }
 
-/// Where the base line of words in the middle of a value is.
-fn middle(place: &Extent) -> Point {
+/// The point of the base line at which text in the middle of a cell is centred.
+fn text_position(place: &ValueBox) -> Point {
     ((place.from + place.to) / 2.0, (place.high + place.low + CAPITAL) / 2.0)
 }
 
@@ -225,10 +229,10 @@ fn letter(value: &Value) -> Option<&str> {
     }
 }
 
-/// The height of a bit's line; none if it is unknown.
-fn level(place: &Extent, value: &Value) -> Option<f64> {
+/// The height of a bit's line; `None` if the bit is unknown.
+fn level_height(place: &ValueBox, value: &Value) -> Option<f64> {
     match value {
-        // Weak states of VHDL are as low and as high as others.
+        // Weak states of VHDL are drawn as low and as high as strong ones.
         Value::Bits(bits) if bits == "0" || bits == "l" => Some(place.low),
         Value::Bits(bits) if bits == "1" || bits == "h" => Some(place.high),
         Value::Bits(bits) if bits == "z" => Some((place.high + place.low) / 2.0),
@@ -243,15 +247,15 @@ fn cell_ink(value: &Value) -> Ink {
     }
 }
 
-/// What lies below a bit's line.
-fn below(place: &Extent) -> Vec<Point> {
-    let Extent { from, to, high, low } = *place;
+/// The outline of the area below a bit's line.
+fn area_below(place: &ValueBox) -> Vec<Point> {
+    let ValueBox { from, to, high, low } = *place;
     vec![(from, low), (from + SLANT.min(to - from), high), (to, high), (to, low)]
 }
 
-/// A cell with pointed ends.
-fn hexagon(place: &Extent) -> Vec<Point> {
-    let Extent { from, to, high, low } = *place;
+/// The outline of a cell with pointed ends.
+fn hexagon(place: &ValueBox) -> Vec<Point> {
+    let ValueBox { from, to, high, low } = *place;
     let (slant, middle) = (SLANT.min((to - from) / 2.0), (high + low) / 2.0);
     vec![
         (from, middle),

@@ -1,7 +1,7 @@
-//! GTKWave's save file beside a dump: which signals to show, in which formats, and the marker.
+//! GTKWave's save file that belongs to a dump: the signals to show, their formats, and the marker.
 //!
-//! What is read is what Specula writes (see `gtkw.rs` in `sim/`), which GTKWave keeps when it
-//! saves. Other lines are passed over.
+//! This reads the lines that Specula writes (see `gtkw.rs` in `sim/`) and that GTKWave keeps when
+//! it saves. Other lines are skipped.
 use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
@@ -9,8 +9,8 @@ use std::path::Path;
 use super::value::Notation;
 use super::warnings::{Warnings, decoded};
 
-/// Bytes of a save file that are read, at most.
-const MOST: u64 = 64 << 20;
+/// Largest number of bytes that are read of a save file.
+const MAX_BYTES: u64 = 64 << 20;
 
 /// Bits of GTKWave's flags (`TraceEntFlagBits` of its `analyzer.h`).
 mod flag {
@@ -26,9 +26,9 @@ mod flag {
 /// A save file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SaveFile {
-    /// Its signals, in its order.
+    /// Its signals, in the file's order.
     pub signals: Vec<SavedSignal>,
-    /// The time that is marked.
+    /// The marked time.
     pub marker: Option<u64>,
 }
 
@@ -37,16 +37,16 @@ pub struct SaveFile {
 pub struct SavedSignal {
     /// Its full name, without the range of its bits.
     pub name: String,
-    /// How its values are written.
+    /// The notation of its values.
     pub notation: Notation,
-    /// Whether it can be seen: not in a group that is closed.
+    /// Whether it is shown, that is, not in a closed group.
     pub visible: bool,
 }
 
 impl SaveFile {
-    /// The save file beside a dump: of the same name, with the ending `.gtkw`. None if there is
-    /// none, or none that can be read, which is a warning.
-    pub fn beside(dump: &Path, warnings: &mut Warnings) -> Option<SaveFile> {
+    /// Reads the save file that belongs to a dump: it has the same name with the extension `.gtkw`.
+    /// The result is `None` if there is none, or if it cannot be read, which is a warning.
+    pub fn of_dump(dump: &Path, warnings: &mut Warnings) -> Option<SaveFile> {
         let path = dump.with_extension("gtkw");
         match read(&path) {
             Ok(text) => Some(SaveFile::parse(&text)),
@@ -68,24 +68,25 @@ impl SaveFile {
     }
 }
 
-/// The text of a regular file: a pipe would be waited for, and a device never ends.
+/// Reads the text of a regular file: reading a pipe could block, and reading a device might never
+/// end.
 fn read(path: &Path) -> io::Result<String> {
     if !fs::metadata(path)?.is_file() {
         return Err(io::Error::other("it is not a regular file"));
     }
     let mut bytes = vec![];
-    File::open(path)?.take(MOST + 1).read_to_end(&mut bytes)?;
-    let long = || io::Error::other(format!("it is longer than {} MiB", MOST >> 20));
-    if bytes.len() as u64 <= MOST { Ok(decoded(&bytes)) } else { Err(long()) }
+    File::open(path)?.take(MAX_BYTES + 1).read_to_end(&mut bytes)?;
+    let long = || io::Error::other(format!("it is longer than {} MiB", MAX_BYTES >> 20));
+    if bytes.len() as u64 <= MAX_BYTES { Ok(decoded(&bytes)) } else { Err(long()) }
 }
 
-/// A save file while it is read.
+/// The state while a save file is read.
 #[derive(Default)]
 struct Reader {
     file: SaveFile,
     flags: u64,
     fraction_bits: u32,
-    /// Groups around the line, whether closed, the outermost first.
+    /// For each group around the line, whether it is closed; the outermost comes first.
     closed: Vec<bool>,
 }
 
@@ -96,13 +97,14 @@ impl Reader {
             Some(b'[') => self.fraction_bits = fraction_bits(line).unwrap_or(self.fraction_bits),
             Some(b'*') => self.file.marker = marker(line),
             Some(b'-') => self.group(),
-            // Groups of bits (#), aliases (+) and translations (^) are of GTKWave's own making.
+            // Groups of bits (#), aliases (+) and translations (^) are GTKWave's own; a dump has no
+            // such signals.
             None | Some(b'#' | b'+' | b'^') => {}
             Some(_) => self.signal(line),
         }
     }
 
-    /// What holds for the lines that follow.
+    /// Sets the flags that hold for the lines that follow.
     fn begin(&mut self, flags: u64) {
         (self.flags, self.fraction_bits) = (flags, 0);
     }
@@ -141,12 +143,12 @@ fn fraction_bits(line: &str) -> Option<u32> {
     line.strip_prefix("[fpshift_count] ")?.parse().ok().filter(|&bits| bits <= 1024)
 }
 
-/// The first marker, behind the zoom; -1 stands for none.
+/// The first marker, which stands behind the zoom; -1 stands for none.
 fn marker(line: &str) -> Option<u64> {
     line.split_whitespace().nth(1)?.parse().ok()
 }
 
-/// The name without `[7:0]` at its end.
+/// The name without a range such as `[7:0]` at its end.
 fn without_range(name: &str) -> &str {
     let Some((base, range)) = name.strip_suffix(']').and_then(|name| name.rsplit_once('[')) else {
         return name;

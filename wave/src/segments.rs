@@ -1,4 +1,4 @@
-//! Values of a variable within a window, made of a signal's changes.
+//! The values of a variable within a window, made from its signal's changes.
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -7,16 +7,16 @@ use super::value::Value;
 use super::variables::{Kind, ValueNames, Variable};
 use super::warnings::{clean, decoded};
 
-/// A value, from when to when.
+/// A value and the time during which it holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segment {
-    /// In the file's units of time. An event has no length.
+    /// The time, in the file's units. An event has no length.
     pub time: Range<u64>,
     /// The value.
     pub value: Value,
 }
 
-/// Takes the changes of a variable's signal, in the order of the file.
+/// Collects the changes of a variable's signal, in the order of the file.
 pub struct Collector {
     kind: Kind,
     width: Option<u32>,
@@ -32,7 +32,7 @@ impl Collector {
         Collector { kind, width, names, window: window.clone(), segments: vec![] }
     }
 
-    /// Takes a change; gives how many bytes more are kept.
+    /// Takes a change and returns by how many bytes the kept values have grown.
     pub fn take(&mut self, change: &Change) -> usize {
         if change.time >= self.window.end {
             return 0;
@@ -56,12 +56,13 @@ impl Collector {
         let begin = change.time.max(self.window.start);
         let length = value.length();
         match self.segments.last_mut() {
-            // Changes within one instant; a damaged file's times may go back.
+            // Later changes within one instant replace earlier ones. Times of a damaged file may go
+            // back.
             Some(last) if last.time.start >= begin => {
                 let before = std::mem::replace(&mut last.value, value);
                 return length.saturating_sub(before.length());
             }
-            // Dumps that repeat a value.
+            // Some dumps repeat a value that has not changed.
             Some(last) if last.value == value => return 0,
             Some(last) => {
                 last.time.end = begin;
@@ -72,12 +73,12 @@ impl Collector {
         length
     }
 
-    /// The values; the last one holds until `end`, if that is within the window.
+    /// The collected values; the last one holds until `end`, if that is within the window.
     pub fn finish(mut self, end: u64) -> Vec<Segment> {
         if let Some(last) = self.segments.last_mut().filter(|_| self.kind != Kind::Event) {
             last.time.end = end.min(self.window.end).max(last.time.start);
         }
-        // Within one instant a value may have gone and come back.
+        // Within one instant a value may have changed and changed back.
         self.segments.dedup_by(|next, before| {
             let same = self.kind != Kind::Event && next.value == before.value;
             if same {
@@ -88,7 +89,7 @@ impl Collector {
         self.segments
     }
 
-    /// How many values are kept.
+    /// The number of values that are kept.
     pub fn count(&self) -> usize {
         self.segments.len()
     }
@@ -107,8 +108,9 @@ impl Collector {
         }
     }
 
-    /// Bits of the variable's width: the lowest of more, and fewer extended as IEEE 1364 (18.2.2)
-    /// says, by zeros or by the unknown state that stands highest.
+    /// The bits, fitted to the variable's width: the lowest ones if there are more, and if there
+    /// are fewer, extended as IEEE 1364 (18.2.2) says, by zeros or by the unknown state of the
+    /// highest bit.
     fn fitted(&self, bits: &[u8]) -> String {
         let width = self.width.map_or(bits.len(), |width| width as usize);
         let bits = &bits[bits.len().saturating_sub(width)..];

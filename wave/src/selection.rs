@@ -1,4 +1,4 @@
-//! Which signals of a dump are drawn.
+//! Selection of the signals of a dump that are drawn.
 use std::collections::{HashMap, HashSet};
 
 use wildmatch::WildMatch;
@@ -9,10 +9,10 @@ use super::save_file::SaveFile;
 use super::value::Notation;
 use super::variables::{ScopeId, Variable};
 
-/// What somebody wants to see.
+/// The signals that a user asks for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Selection {
-    /// Patterns of full names; every signal that matches one.
+    /// Patterns of full names; every signal that matches one of them is selected.
     pub patterns: Vec<String>,
     /// The name of a unit.
     pub unit: Option<String>,
@@ -25,33 +25,37 @@ pub struct Chosen {
     pub variable: usize,
     /// How its values are written.
     pub notation: Notation,
-    /// The clock, or time, whose value matters most, if one does.
+    /// The clock, or time, whose value matters most, if there is one.
     pub highlight: Option<u64>,
 }
 
 /// The signals to be drawn, in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Choice {
-    /// Those.
+pub struct ChosenSignals {
+    /// The signals.
     pub signals: Vec<Chosen>,
-    /// How many more there were where nobody named them, and they were too many.
+    /// The number of signals left out, if the user named none and there are too many.
     pub left_out: usize,
 }
 
-/// Signals that are drawn where nobody chose them by name.
-const MOST: usize = 40;
-/// Names that an error message gives as examples.
+/// Largest number of signals that are drawn unless the user selects them by name.
+const MAX_SIGNALS: usize = 40;
+/// Number of names that an error message gives as examples.
 const EXAMPLES: usize = 6;
 
 impl Selection {
-    /// The signals of `dump` that are meant; without patterns and a unit those of the save file,
-    /// and without one the outermost.
+    /// Selects signals of `dump`: those that match, or without patterns and a unit those of the
+    /// save file, or without one those of the outermost scope.
     ///
     /// # Errors
     /// [`WaveError`] if a pattern or the unit does not match anything.
-    pub fn choose(&self, dump: &Dump, save_file: Option<&SaveFile>) -> Result<Choice, WaveError> {
+    pub fn choose(
+        &self,
+        dump: &Dump,
+        save_file: Option<&SaveFile>,
+    ) -> Result<ChosenSignals, WaveError> {
         let saved = Saved::of(dump, save_file);
-        let within = self.unit.as_ref().map(|unit| inside(dump, unit)).transpose()?;
+        let within = self.unit.as_ref().map(|unit| signals_of_units(dump, unit)).transpose()?;
         let (variables, left_out) = match (&self.patterns[..], within) {
             ([], None) => or_first_few(saved.visible(), || outermost(dump)),
             ([], Some(unit)) => or_first_few(saved.among(&unit.all), || unit.direct),
@@ -65,13 +69,17 @@ impl Selection {
             notation: saved.notation(dump, variable),
             highlight: None,
         };
-        Ok(Choice { signals: variables.into_iter().map(signal).collect(), left_out })
+        Ok(ChosenSignals { signals: variables.into_iter().map(signal).collect(), left_out })
     }
 }
 
-/// Signals by their full names, each with the clock, or time, whose value matters most; those that
-/// the dump does not hold are left out.
-pub fn named(dump: &Dump, save_file: Option<&SaveFile>, names: &[(String, u64)]) -> Choice {
+/// Finds signals by their full names, each with the clock, or time, whose value matters most. Names
+/// that the dump does not have are left out.
+pub fn by_name(
+    dump: &Dump,
+    save_file: Option<&SaveFile>,
+    names: &[(String, u64)],
+) -> ChosenSignals {
     let (saved, numbers) = (Saved::of(dump, save_file), numbers(dump));
     let there =
         names.iter().filter_map(|(name, highlight)| Some((*numbers.get(name)?, *highlight)));
@@ -80,26 +88,28 @@ pub fn named(dump: &Dump, save_file: Option<&SaveFile>, names: &[(String, u64)])
         notation: saved.notation(dump, variable),
         highlight: Some(highlight),
     };
-    Choice { signals: there.map(signal).collect(), left_out: 0 }
+    ChosenSignals { signals: there.map(signal).collect(), left_out: 0 }
 }
 
-/// The number of each full name.
+/// The variables' numbers, by full name.
 fn numbers(dump: &Dump) -> HashMap<String, usize> {
     (0..dump.variables().len()).map(|index| (dump.full_name(index), index)).collect()
 }
 
-/// `chosen`, or if that is nothing, the first of `others`, and how many more of them there are.
+/// `chosen`, or if that is empty, the first [`MAX_SIGNALS`] of `others`, and the number of those left
+/// out.
 fn or_first_few(chosen: Vec<usize>, others: impl FnOnce() -> Vec<usize>) -> (Vec<usize>, usize) {
     if !chosen.is_empty() {
         return (chosen, 0);
     }
     let mut others = others();
-    let left_out = others.len().saturating_sub(MOST);
-    others.truncate(MOST);
+    let left_out = others.len().saturating_sub(MAX_SIGNALS);
+    others.truncate(MAX_SIGNALS);
     (others, left_out)
 }
 
-/// The signals of the outermost scope that has any; of its ports alone if the file says which are.
+/// The signals of the outermost scope that has any; only its ports, if the file says which those
+/// are.
 fn outermost(dump: &Dump) -> Vec<usize> {
     let depth = |variable: &Variable| dump.scopes().depth(variable.scope);
     let Some(first) = dump.variables().iter().min_by_key(|variable| depth(variable)) else {
@@ -112,7 +122,7 @@ fn outermost(dump: &Dump) -> Vec<usize> {
     if ports.is_empty() { here(&|_| true) } else { ports }
 }
 
-/// The numbers of the variables that are wanted.
+/// The numbers of the variables for which `wanted` holds.
 fn numbers_of(dump: &Dump, wanted: &dyn Fn(&Variable) -> bool) -> Vec<usize> {
     dump.variables()
         .iter()
@@ -122,32 +132,32 @@ fn numbers_of(dump: &Dump, wanted: &dyn Fn(&Variable) -> bool) -> Vec<usize> {
         .collect()
 }
 
-/// The signals of units with a name.
-struct Inside {
-    /// Those of the units themselves.
+/// The signals in the units of one name.
+struct UnitSignals {
+    /// The signals that belong to the units themselves.
     direct: Vec<usize>,
-    /// Those, and those of units inside them.
+    /// These signals and those of units inside of them.
     all: Vec<usize>,
 }
 
-/// The units of that name, or the one of that full name.
-fn inside(dump: &Dump, unit: &str) -> Result<Inside, WaveError> {
+/// The signals of the units with that name, or of the one with that full name.
+fn signals_of_units(dump: &Dump, unit: &str) -> Result<UnitSignals, WaveError> {
     let scopes = dump.scopes();
     let meant = |scope: ScopeId| {
         scopes.name(scope) == unit || (unit.contains('.') && scopes.path(scope) == unit)
     };
-    let all = numbers_of(dump, &|variable| scopes.outwards(variable.scope).any(meant));
+    let all = numbers_of(dump, &|variable| scopes.ancestors(variable.scope).any(meant));
     if all.is_empty() {
         let names = distinct(scopes.names().map(str::to_owned));
-        let (near, there) = (near(unit, &names), examples(&names));
+        let (near, there) = (suggestion(unit, &names), examples(&names));
         return Err(WaveError::Unit { unit: unit.to_owned(), near, there });
     }
     let direct =
-        numbers_of(dump, &|variable| scopes.outwards(variable.scope).next().is_some_and(meant));
-    Ok(Inside { direct, all })
+        numbers_of(dump, &|variable| scopes.ancestors(variable.scope).next().is_some_and(meant));
+    Ok(UnitSignals { direct, all })
 }
 
-/// Those of `among` that match a pattern, in the file's order.
+/// The variables of `among` that match a pattern, in the file's order.
 fn matching(dump: &Dump, patterns: &[String], among: &[usize]) -> Result<Vec<usize>, WaveError> {
     let names: Vec<String> = among.iter().map(|&index| dump.full_name(index)).collect();
     let mut wanted = vec![false; names.len()];
@@ -158,7 +168,7 @@ fn matching(dump: &Dump, patterns: &[String], among: &[usize]) -> Result<Vec<usi
         };
         let matches: Vec<bool> = among.iter().zip(&names).map(spelt).collect();
         if !matches.contains(&true) {
-            let (near, there) = (near(pattern, &names), examples(&names));
+            let (near, there) = (suggestion(pattern, &names), examples(&names));
             return Err(WaveError::Signals { pattern: pattern.clone(), near, there });
         }
         wanted.iter_mut().zip(matches).for_each(|(wanted, matches)| *wanted |= matches);
@@ -166,8 +176,8 @@ fn matching(dump: &Dump, patterns: &[String], among: &[usize]) -> Result<Vec<usi
     Ok(among.iter().zip(wanted).filter(|(_, wanted)| *wanted).map(|(&index, _)| index).collect())
 }
 
-/// How a signal may be called: with its range, as files and GTKWave write it, and without the
-/// backslash of an escaped name.
+/// The spellings by which a signal may be selected: with its range, as files and GTKWave write it,
+/// and without the backslash of an escaped name.
 fn spellings(variable: &Variable, name: &str) -> Vec<String> {
     let mut spellings = vec![name.to_owned()];
     if let Some(range) = variable.range.as_ref().filter(|range| !name.ends_with(range.as_str())) {
@@ -180,7 +190,7 @@ fn spellings(variable: &Variable, name: &str) -> Vec<String> {
     spellings
 }
 
-/// The first names of many, in words.
+/// The first few of many names, as text.
 fn examples(names: &[String]) -> String {
     let mut shown: Vec<String> =
         names.iter().take(EXAMPLES).map(|name| format!("`{name}`")).collect();
@@ -190,26 +200,27 @@ fn examples(names: &[String]) -> String {
     shown.join(", ")
 }
 
-/// The name that is most like what was asked for, as a question; empty if none is like it.
-fn near(asked: &str, names: &[String]) -> String {
+/// The name that is most similar to `asked`, as a question; empty if none is similar.
+fn suggestion(asked: &str, names: &[String]) -> String {
     let likeness = |name: &String| {
         let last = name.rsplit('.').next().unwrap_or(name);
         let whole =
             strsim::normalized_damerau_levenshtein(&asked.to_lowercase(), &name.to_lowercase());
-        // Who leaves out the scopes means the signal all the same.
+        // A user who leaves out the scopes still means the signal.
         whole.max(if last.eq_ignore_ascii_case(asked) { 1.0 } else { 0.0 })
     };
-    let short = names.iter().filter(|name| name.len() <= LONGEST_COMPARED).take(MOST_COMPARED);
+    let short = names.iter().filter(|name| name.len() <= LONGEST_COMPARED).take(MAX_COMPARED);
     let likely =
         short.map(|name| (likeness(name), name)).filter(|(likeness, _)| *likeness >= LIKELY);
     let best = likely.min_by(|(one, _), (other, _)| other.total_cmp(one));
     best.map_or(String::new(), |(_, name)| format!("did you mean `{name}`? "))
 }
 
-/// How like a name is to what was asked for if it may be meant, from 0 to 1.
+/// How similar, from 0 to 1, a name must be to be suggested.
 const LIKELY: f64 = 0.7;
-/// Names that are compared, and characters of each, at most: comparing takes their product.
-const MOST_COMPARED: usize = 100_000;
+/// Largest number of names that are compared, and of characters of each: the time grows with their
+/// product.
+const MAX_COMPARED: usize = 100_000;
 const LONGEST_COMPARED: usize = 200;
 
 fn distinct(names: impl Iterator<Item = String>) -> Vec<String> {
@@ -227,12 +238,12 @@ struct Saved {
 impl Saved {
     fn of(dump: &Dump, save_file: Option<&SaveFile>) -> Saved {
         let signals = save_file.map_or(&[][..], |save_file| &save_file.signals);
-        // Names of all variables are worth making only where there is something to be found.
+        // The map of all names is built only if there is something to look up.
         let numbers = if signals.is_empty() { HashMap::new() } else { numbers(dump) };
         let mut saved = Saved { order: vec![], notations: HashMap::new() };
         for signal in signals {
             let Some(&index) = numbers.get(&signal.name) else { continue };
-            // A signal may be shown twice, and is drawn once.
+            // A save file may show a signal twice; it is drawn once.
             if !saved.notations.contains_key(&index) {
                 saved.order.push((index, signal.visible));
                 saved.notations.insert(index, signal.notation);

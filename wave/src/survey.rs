@@ -1,15 +1,15 @@
-//! What is known of a dump after it has been read once: when something happens, and the clock's
-//! pace.
+//! The result of a first pass over a dump: the times at which something happens, and the clock's
+//! period.
 use std::collections::{BTreeMap, VecDeque};
 use std::ops::RangeInclusive;
 
-/// The latest time: what lasts one unit ends behind it.
+/// The latest time that is used: what lasts one unit from there still ends within a u64.
 pub const LATEST: u64 = u64::MAX - 1;
 
-/// Instants that are kept, at the begin and on either side of the marker.
+/// Number of instants that are kept at the beginning, and on either side of the marker.
 const KEPT: usize = 4096;
 
-/// What is known after a dump has been read once.
+/// The times at which something happens in a dump, as far as they are kept.
 #[derive(Clone, Debug, Default)]
 pub struct Survey {
     marker: Option<u64>,
@@ -24,7 +24,7 @@ pub struct Survey {
 }
 
 impl Survey {
-    /// Begins a survey that looks at what is around a marked time.
+    /// Begins a survey that keeps the instants around a marked time.
     pub fn new(marker: Option<u64>) -> Survey {
         Survey { marker, ..Survey::default() }
     }
@@ -34,12 +34,12 @@ impl Survey {
         self.clocks.entry(signal).or_default();
     }
 
-    /// An instant; they come in order, and one may come more than once.
+    /// Records an instant. Instants come in order; the same one may come more than once.
     pub fn instant(&mut self, time: u64) {
         if self.first.is_some() && time <= self.last {
             return;
         }
-        // What came before the first instant happened at it.
+        // Changes that came before the first instant happen at it.
         self.changes_at_last &= self.first.is_none();
         self.first.get_or_insert(time);
         self.last = time;
@@ -58,57 +58,58 @@ impl Survey {
         }
     }
 
-    /// A signal changes at the last instant that came.
+    /// Records that a signal changes at the last instant that came.
     pub fn change(&mut self) {
         (self.changes, self.changes_at_last) = (true, true);
     }
 
-    /// A watched signal changes; others are passed over. Times of a signal come in order.
+    /// Records the level of a watched signal; other signals are ignored. Times of a signal come in
+    /// order.
     pub fn level(&mut self, signal: u32, time: u64, high: bool) {
         if let Some(pace) = self.clocks.get_mut(&signal) {
             pace.level(time, high);
         }
     }
 
-    /// Whether there is any instant or value.
+    /// Whether there is no instant and no value.
     pub fn is_empty(&self) -> bool {
         self.first.is_none() && !self.changes
     }
 
-    /// From the first instant to the last.
-    pub fn extent(&self) -> RangeInclusive<u64> {
+    /// The range from the first instant to the last.
+    pub fn time_range(&self) -> RangeInclusive<u64> {
         self.first.unwrap_or(0)..=self.last
     }
 
-    /// Whether something changes at the last instant, or there is but one.
+    /// Whether something changes at the last instant, or there is only one instant.
     pub fn changes_at_last(&self) -> bool {
         self.changes_at_last || self.first.is_none_or(|first| first == self.last)
     }
 
-    /// The marked time, if the dump reaches to it.
+    /// The marked time, if the dump covers it.
     pub fn marker(&self) -> Option<u64> {
-        self.marker.filter(|marker| self.extent().contains(marker))
+        self.marker.filter(|marker| self.time_range().contains(marker))
     }
 
-    /// `count` instants around the marker or at the begin, from the first to the last of them.
-    pub fn usual(&self, count: u64) -> RangeInclusive<u64> {
+    /// The range of `count` instants around the marker, or at the beginning.
+    pub fn default_range(&self, count: u64) -> RangeInclusive<u64> {
         let around: Vec<u64> = match self.marker() {
             Some(_) => self.before_marker.iter().chain(&self.behind_marker).copied().collect(),
             None => self.begin.clone(),
         };
-        let Some(last) = around.len().checked_sub(1) else { return self.extent() };
+        let Some(last) = around.len().checked_sub(1) else { return self.time_range() };
         let middle = self.marker().map(|_| self.before_marker.len() as u64);
         let shown = around_middle(&(0..=last as u64), middle, count);
         around[*shown.start() as usize]..=around[*shown.end() as usize]
     }
 
-    /// The first rising edge and the period of a watched signal, if it rises at a constant pace.
-    pub fn pace(&self, signal: u32) -> Option<(u64, u64)> {
+    /// The first rising edge and the period of a watched signal, if all of its periods are equal.
+    pub fn clock_pace(&self, signal: u32) -> Option<(u64, u64)> {
         self.clocks.get(&signal)?.clone().finished()
     }
 }
 
-/// `length` numbers around `middle`, or from the begin, that are within `extent`.
+/// A range of `length` numbers within `extent`, around `middle` or else from the beginning.
 pub fn around_middle(
     extent: &RangeInclusive<u64>,
     middle: Option<u64>,
@@ -121,10 +122,10 @@ pub fn around_middle(
     begin..=begin.saturating_add(length.max(1) - 1).min(last)
 }
 
-/// When a signal rises.
+/// The rising edges of a signal.
 #[derive(Clone, Debug, Default)]
 struct Pace {
-    /// The level at the latest instant: it counts when the instant is over.
+    /// The level at the latest instant; it counts once that instant is over.
     latest: Option<(u64, bool)>,
     high: bool,
     first: Option<u64>,
@@ -176,7 +177,7 @@ mod tests {
             survey.instant(time);
             survey.level(7, time, high);
         }
-        survey.pace(7)
+        survey.clock_pace(7)
     }
 
     #[test]
@@ -212,7 +213,7 @@ mod tests {
         let surveyed = |marker| {
             let mut survey = Survey::new(marker);
             (0..100_000).for_each(|number| survey.instant(10 * number));
-            survey.usual(10)
+            survey.default_range(10)
         };
         assert_eq!(surveyed(None), 0..=90);
         assert_eq!(surveyed(Some(500_000)), 499_950..=500_040);

@@ -1,5 +1,4 @@
-//! Damaged dumps, thousands of them: each is drawn or refused, none makes the program panic or
-//! wait.
+//! Thousands of damaged dumps: each is drawn or refused; none makes the program panic or hang.
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -10,12 +9,12 @@ use super::*;
 
 const VCD: &[u8] = include_bytes!("../tests/data/wave/counter.vcd");
 const FST: &[u8] = include_bytes!("../tests/data/wave/counter.fst");
-/// GHDL wrote it: compressed as a whole, with text, an enumeration and VHDL's states.
+/// A file that GHDL wrote: compressed as a whole, with text, an enumeration and VHDL's states.
 const PACKED: &[u8] = include_bytes!("../tests/data/wave/states.fst");
-/// Dialects: what simulators write that IEEE 1364 does not know.
+/// A file with what simulators write although IEEE 1364 does not have it.
 const DIALECTS: &[u8] = include_bytes!("../tests/data/wave/dialects.vcd");
 
-/// A file that is written again and again.
+/// A temporary file that is rewritten for each dump.
 struct Scratch {
     _folder: TempDir,
     path: PathBuf,
@@ -27,7 +26,7 @@ impl Scratch {
         Scratch { path: folder.path().join("dump"), _folder: folder }
     }
 
-    /// Draws `bytes` in every way; a refusal is as good as a drawing.
+    /// Draws `bytes` in every way; a refusal counts as much as a drawing.
     fn draw(&self, bytes: &[u8]) -> Result<String, WaveError> {
         self.draw_to(bytes, None)
     }
@@ -41,9 +40,9 @@ impl Scratch {
 }
 
 fn figure(path: &Path, to: Option<u64>) -> Result<Figure, WaveError> {
-    let mut view = View::open(path)?;
+    let mut view = DumpView::open(path)?;
     let choice = view.choose(&Selection { patterns: vec!["*".to_owned()], unit: None })?;
-    view.figure(&choice, &Asked { from: None, to, usual: 20 })
+    view.figure(&choice, &WindowRequest { from: None, to, default_columns: 20 })
 }
 
 #[test]
@@ -72,7 +71,7 @@ fn vcd_files_are_drawn_up_to_where_they_are_cut_off() {
     }
 }
 
-/// What is inside of the packed file.
+/// The unpacked contents of the packed file.
 fn unpacked() -> Vec<u8> {
     let mut bytes = vec![];
     flate2::read::GzDecoder::new(&PACKED[17..]).read_to_end(&mut bytes).expect("it is whole");
@@ -87,14 +86,14 @@ fn any_byte_may_be_wrong() {
             for wrong in [whole[place] ^ 1, whole[place] ^ 0x80, b'2'] {
                 let mut bytes = whole.to_vec();
                 bytes[place] = wrong;
-                // Drawn or refused: what counts is that it ends.
+                // The dump may be drawn or refused; the test is that this ends.
                 let _ = scratch.draw(&bytes);
             }
         }
     }
 }
 
-/// A sequence of numbers that look random (Marsaglia's xorshift).
+/// Pseudo-random numbers (Marsaglia's xorshift).
 struct Random(u64);
 
 impl Random {
@@ -106,7 +105,7 @@ impl Random {
     }
 }
 
-/// Pieces of a dump are taken away, said twice, exchanged, and put where pieces of another stood.
+/// Pieces of a dump are removed, repeated, exchanged, and replaced by pieces of another.
 #[test]
 fn pieces_may_stand_anywhere() {
     const SEED: u64 = 0x5eed_0012;
@@ -128,12 +127,12 @@ fn pieces_may_stand_anywhere() {
     }
 }
 
-/// Where an FST file states a length, it may be anything.
+/// A length that an FST file states may have any value.
 #[test]
 fn lengths_may_be_anything() {
     let scratch = Scratch::new();
     let numbers = [0, 7, 9, 24, 1 << 31, 1 << 40, i64::MAX as u64, u64::MAX - 8, u64::MAX];
-    // Behind its two lengths all is compressed.
+    // Everything behind the two lengths is compressed.
     for (whole, places) in [(FST, FST.len() - 8), (PACKED, 10)] {
         for place in 0..places {
             for number in numbers {
@@ -157,7 +156,7 @@ fn blocks_that_point_backwards_end_it() {
 fn names_do_not_reach_the_terminal_with_control_characters() {
     let text = String::from_utf8_lossy(VCD).replace("enable", "\u{1b}[2J<&>\u{7}");
     let scratch = Scratch::new();
-    // An escape is a blank where VCD wants one, so that it parts words.
+    // VCD treats the escape character as a blank, so it separates words.
     let text = text.replace("\u{1b}[2J<&>\u{7}", "\u{9b}2J<&>");
     assert!(!scratch.draw(text.as_bytes()).expect("it is well formed").contains('\u{9b}'));
     let drawn = svg(&figure(&scratch.path, None).expect("it is well formed"), None);
@@ -180,7 +179,7 @@ fn huge_times_are_no_trouble() {
     }
 }
 
-/// What a small file says must not become large in memory.
+/// A small file that states large sizes must not take much memory.
 #[test]
 fn small_files_that_say_much_are_refused_or_drawn_soon() {
     let scratch = Scratch::new();

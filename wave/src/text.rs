@@ -1,42 +1,42 @@
-//! A figure as text: a row for each signal, values behind bars, bits as lines.
+//! Draws a figure as text: a row for each signal, values behind bars, bits as lines.
 use std::fmt::Write;
 use std::iter;
 use std::ops::Range;
 
-use super::figure::{Axis, CUT, Figure, Row, Shape};
+use super::figure::{Axis, CUT, Figure, Shape, SignalRow};
 use super::segments::Segment;
 use super::value::Value;
 
-/// Characters of a value that columns are made wide for where more of them would have to stand
-/// below each other: 64 bits in hexadecimal.
+/// Longest value for which columns are widened, if wider ones would need several panels: 64 bits in
+/// hexadecimal.
 const LONGEST_VALUE: usize = 16;
-/// The same for numbers that can be rounded.
+/// Longest such value among numbers that can be rounded.
 const LONGEST_ROUNDED: usize = 9;
-/// Characters of a column, at least: a bar and room for a short number.
+/// Least number of characters of a column: a bar and room for a short number.
 const NARROWEST: usize = 5;
-/// Characters of a name that are shown however short the line is.
+/// Number of characters of a name that are shown however short the line is.
 const SHORTEST_NAME: usize = 6;
-/// Blanks before a signal's name: it stands below its unit's.
+/// Blanks before a signal's name, which stands below its unit's.
 const INDENT: usize = 2;
 
 /// The bar between two values.
 const BAR: char = '\u{2502}';
-/// Where a value changes more often than characters can show.
+/// Marks a place where a value changes more often than characters can show.
 const CROWDED: char = '\u{2573}';
 const LOW: char = '_';
 const HIGH: char = '\u{2594}';
 const FLOATING: char = '\u{2500}';
-/// Stands for an event.
+/// Marks an event.
 const EVENT: char = '\u{2191}';
 const MARKER: char = '\u{25bc}';
 
-/// Where things stand in a line.
+/// The division of a line.
 struct Page {
-    /// Characters of names and formats.
+    /// Number of characters for names and formats.
     names: usize,
-    /// Characters of a column.
+    /// Number of characters of a column.
     column: usize,
-    /// Columns that stand side by side.
+    /// Number of columns that stand next to each other.
     columns: usize,
 }
 
@@ -52,7 +52,8 @@ impl Page {
             figure.longest_value(rounded.max(beside), most.max(beside))
         };
         let wanted = (longest(LONGEST_ROUNDED, LONGEST_VALUE).max(number) + 1).max(NARROWEST);
-        // Values shorter by a few decimals are better than a second panel, but not too short.
+        // Values that are shorter by a few decimals are better than a second panel, if they do not
+        // become too short.
         let least =
             (figure.longest_value(NARROWEST + 1, LONGEST_VALUE) + 1).max(NARROWEST + 2).min(wanted);
         let column = (room / all).clamp(least, wanted).min(room);
@@ -60,20 +61,21 @@ impl Page {
     }
 }
 
-/// Characters of names and formats: half of the line at most, unless names would be cut too short.
+/// Number of characters for names and formats: at most half of the line, unless names would be cut
+/// too short.
 fn names(figure: &Figure, width: usize) -> usize {
     let widest = |longest: usize| {
-        let label = |row: &Row| {
+        let label = |row: &SignalRow| {
             INDENT + row.name.chars().count().min(longest) + 1 + row.format().chars().count() + 1
         };
         figure.rows().map(label).max().unwrap_or(0)
     };
     let names = widest(usize::MAX).min(widest(SHORTEST_NAME).max(width / 2));
-    // What time is counted in stands above.
+    // The unit of time stands above the names.
     names.max(figure.axis.unit.chars().count())
 }
 
-/// The figure as lines of `width` characters, in as many panels below each other as it takes.
+/// The figure as lines of `width` characters, in as many panels below each other as are needed.
 pub fn text(figure: &Figure, width: usize) -> String {
     let page = Page::new(figure, width);
     let mut text = format!("{}\n", figure.title);
@@ -88,12 +90,13 @@ pub fn text(figure: &Figure, width: usize) -> String {
     text
 }
 
-/// How many columns of the figure stand side by side in `width` characters.
+/// The number of the figure's columns that fit next to each other in `width` characters.
 pub fn columns_beside(figure: &Figure, width: usize) -> u64 {
     Page::new(figure, width).columns as u64
 }
 
-/// How many columns could stand side by side in `width` characters, whatever their values.
+/// The number of columns that fit next to each other in `width` characters if all are as narrow as
+/// possible.
 pub fn most_columns(width: usize) -> u64 {
     (width / NARROWEST) as u64
 }
@@ -107,13 +110,13 @@ fn panel(text: &mut String, figure: &Figure, page: &Page, columns: &Range<usize>
     );
     push_line(text, &heading);
     for group in &figure.groups {
-        // Not every dump has scopes.
+        // A dump may have no scopes.
         if !group.unit.is_empty() {
             push_line(text, &group.unit);
         }
         for row in &group.rows {
             let space = page.names - INDENT - 1 - row.format().chars().count();
-            // A blank stands before the format.
+            // A blank precedes the format.
             let name = end_of(&row.name, space - usize::from(!row.format().is_empty()));
             let name = format!("{:INDENT$}{name:space$}{} ", "", row.format());
             push_line(text, &(name + &wave(row, figure, page, columns)));
@@ -126,7 +129,8 @@ fn push_line(text: &mut String, line: &str) {
     let _ = writeln!(text, "{}", line.trim_end());
 }
 
-/// The columns' numbers, as many as there is room for; the marker stands before its own.
+/// Writes as many of the columns' numbers as there is room for; the marker stands before its own
+/// number.
 fn numbers(axis: &Axis, page: &Page, columns: &Range<usize>) -> String {
     let widest = axis.numbers.last().map_or(1, |number| number.to_string().len() + 2);
     let room = (columns.len() * page.column + 1).max(widest);
@@ -135,7 +139,7 @@ fn numbers(axis: &Axis, page: &Page, columns: &Range<usize>) -> String {
     for column in columns.clone().filter(|column| column % every == 0) {
         let (at, number) =
             ((column - columns.start) * page.column + 1, axis.numbers[column].to_string());
-        // A piece of a number would be another number.
+        // A part of a number would read as another number.
         if at + number.len() <= room {
             line.write(at, &number);
         }
@@ -148,13 +152,13 @@ fn numbers(axis: &Axis, page: &Page, columns: &Range<usize>) -> String {
     line.finish()
 }
 
-/// Where a time stands in the line of a panel; outside of it before 0 or behind the end.
+/// The position of a time in the line of a panel: below 0 or beyond the end where it lies outside.
 fn character(axis: &Axis, page: &Page, columns: &Range<usize>, time: u64) -> i64 {
     ((axis.place(time) - columns.start as f64) * page.column as f64).round() as i64
 }
 
-/// A row's values in a panel.
-fn wave(row: &Row, figure: &Figure, page: &Page, columns: &Range<usize>) -> String {
+/// Writes a row's values in a panel.
+fn wave(row: &SignalRow, figure: &Figure, page: &Page, columns: &Range<usize>) -> String {
     let end = (columns.len() * page.column) as i64;
     let place = |time| character(&figure.axis, page, columns, time);
     let mut line = Line::new(columns.len() * page.column + 1);
@@ -190,7 +194,7 @@ fn level(line: &mut Line, place: Range<i64>, segment: &Segment) {
     place.for_each(|at| line.put(at, character));
 }
 
-fn cell(line: &mut Line, place: Range<i64>, row: &Row, segment: &Segment) {
+fn cell(line: &mut Line, place: Range<i64>, row: &SignalRow, segment: &Segment) {
     line.put(place.start, BAR);
     let room = usize::try_from(place.end - place.start - 1).unwrap_or(0);
     match row.written_or_begun(&segment.value, room) {
@@ -201,7 +205,7 @@ fn cell(line: &mut Line, place: Range<i64>, row: &Row, segment: &Segment) {
     line.put(place.end, BAR);
 }
 
-/// The end of a name that does not fit: what tells it from others stands there.
+/// The end of a name that does not fit: the end distinguishes it from other names.
 fn end_of(name: &str, room: usize) -> String {
     let length = name.chars().count();
     if length <= room {
@@ -210,7 +214,7 @@ fn end_of(name: &str, room: usize) -> String {
     iter::once(CUT).chain(name.chars().skip(length + 1 - room)).collect()
 }
 
-/// A line while it is written.
+/// A line under construction.
 struct Line {
     characters: Vec<char>,
 }
@@ -220,7 +224,7 @@ impl Line {
         Line { characters: vec![' '; length] }
     }
 
-    /// Puts a character in its place; outside of the line it is left out.
+    /// Sets the character at a position; positions outside of the line are ignored.
     fn put(&mut self, at: i64, character: char) {
         if let Some(place) = usize::try_from(at).ok().and_then(|at| self.characters.get_mut(at)) {
             *place = character;

@@ -1,24 +1,24 @@
-//! Values, and how they are written.
+//! Values of signals and their notations.
 
 /// A value in a dump.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value {
-    /// Bits from the highest to the lowest: `0`, `1`, `x`, `z` and VHDL's others.
+    /// Bits from the highest to the lowest: `0`, `1`, `x`, `z` and VHDL's other states.
     Bits(String),
     /// A real number, in decimal.
     Real(String),
-    /// Anything else, as the file has it.
+    /// Text as it stands in the file.
     Text(String),
 }
 
 impl Value {
-    /// A real number with as few digits as tell it from all others.
+    /// A real number with as few digits as distinguish it from all others.
     pub fn real(number: f64) -> Value {
         let usual = number == 0.0 || (1e-5..1e16).contains(&number.abs()) || !number.is_finite();
         Value::Real(if usual { number.to_string() } else { format!("{number:e}") })
     }
 
-    /// Its length in bytes.
+    /// Length in bytes.
     pub fn length(&self) -> usize {
         match self {
             Value::Bits(text) | Value::Real(text) | Value::Text(text) => text.len(),
@@ -31,10 +31,10 @@ impl Value {
     }
 }
 
-/// How a signal's values are written.
+/// The notation of a signal's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Notation {
-    /// A hexadecimal number: of the format nothing is known.
+    /// A hexadecimal number, for signals whose format is unknown.
     Hexadecimal,
     /// Bits.
     Binary,
@@ -47,11 +47,11 @@ pub enum Notation {
     },
 }
 
-/// A number's widest width that is written in decimal.
+/// Largest width of a number that is written in decimal.
 const WIDEST: usize = 64;
 
 impl Notation {
-    /// What stands beside a signal's name: its format.
+    /// The format as it is written next to a signal's name.
     pub fn label(self, width: u32) -> String {
         match self {
             Notation::Hexadecimal => "hex".to_owned(),
@@ -65,9 +65,9 @@ impl Notation {
         }
     }
 
-    /// The characters that `value` takes, if none may have more than `most`, and such as can be
-    /// rounded not more than `rounded`. Of a text the begin is worth showing.
-    pub fn wish(self, value: &Value, rounded: usize, most: usize) -> usize {
+    /// The number of characters that `value` should have: at most `most`, and at most `rounded` if
+    /// it can be rounded. The beginning of a text is worth showing.
+    pub fn preferred_width(self, value: &Value, rounded: usize, most: usize) -> usize {
         let most = if can_be_rounded(value, self) { rounded.min(most) } else { most };
         match value {
             Value::Text(text) => text.chars().count().min(most),
@@ -75,7 +75,7 @@ impl Notation {
         }
     }
 
-    /// `value` with as many decimals as it has and `room` characters hold; none if it cannot be
+    /// `value` with as many of its decimals as `room` characters hold; `None` if it cannot be
     /// written in so few.
     pub fn written(self, value: &Value, room: usize) -> Option<String> {
         let text = match (value, self) {
@@ -96,7 +96,7 @@ impl Notation {
     }
 }
 
-/// Whether a value takes less room with fewer digits.
+/// Whether a value needs less room if it is written with fewer digits.
 fn can_be_rounded(value: &Value, notation: Notation) -> bool {
     match (value, notation) {
         (Value::Real(_), _) => true,
@@ -107,7 +107,7 @@ fn can_be_rounded(value: &Value, notation: Notation) -> bool {
     }
 }
 
-/// A real number with as many of its digits as fit; two at least, so that it is not taken for an
+/// A real number with as many of its digits as fit, at least two, so that it does not look like an
 /// integer.
 fn rounded(digits: &str, room: usize) -> Option<String> {
     if digits.len() <= room {
@@ -123,28 +123,28 @@ fn rounded(digits: &str, room: usize) -> Option<String> {
     })
 }
 
-/// The number that the bits stand for.
+/// The integer that the bits represent.
 fn raw(bits: &str, signed: bool) -> i128 {
     let unsigned = bits.bytes().fold(0, |number, bit| number << 1 | i128::from(bit == b'1'));
     if signed && bits.starts_with('1') { unsigned - (1 << bits.len()) } else { unsigned }
 }
 
-/// The number `raw` 2^-f, rounded to what fits. At least one decimal stays, so that a fraction is
-/// not taken for an integer.
+/// The number raw · 2^−fraction_bits, rounded to what fits. At least one decimal stays, so that a
+/// fraction does not look like an integer.
 fn fixed_point(raw: i128, fraction_bits: u32, room: usize) -> Option<String> {
     if fraction_bits == 0 {
         return Some(raw.to_string()).filter(|text| text.len() <= room);
     }
     let number = raw as f64 * (-f64::from(fraction_bits)).exp2();
-    // With that many decimals neighbours differ.
+    // With this many decimals, neighbouring values differ.
     let most = (f64::from(fraction_bits) * 2f64.log10()).ceil() as usize;
     let fits = |decimals: &usize| format!("{number:.decimals$}").len() <= room;
     let decimals = (most.min(1)..=most).rev().find(fits)?;
     Some(without_idle_zeros(format!("{number:.decimals$}"), number))
 }
 
-/// Takes zeros from the end of a number that is exact without them; the zeros of a rounded one say
-/// how far it is rounded.
+/// Removes zeros from the end of a number that is exact without them; the zeros of a rounded number
+/// show how far it is rounded.
 fn without_idle_zeros(text: String, number: f64) -> String {
     if text.parse() != Ok(number) {
         return text;
@@ -157,14 +157,14 @@ fn hexadecimal(bits: &str) -> String {
     nibbles(bits).iter().map(|nibble| digit(nibble)).collect()
 }
 
-/// Bits by fours, from the right.
+/// Groups of four bits, counted from the right.
 fn nibbles(bits: &str) -> Vec<&[u8]> {
     let bits = bits.as_bytes();
     let (first, others) = bits.split_at(bits.len() % 4);
     std::iter::once(first).filter(|first| !first.is_empty()).chain(others.chunks(4)).collect()
 }
 
-/// A digit; `X` where only some of its bits are unknown.
+/// The hexadecimal digit of a group; `X` if only some of its bits are unknown.
 fn digit(nibble: &[u8]) -> char {
     let known = nibble.iter().all(|bit| matches!(bit, b'0' | b'1'));
     let number = nibble.iter().fold(0, |number, &bit| number << 1 | u32::from(bit == b'1'));
@@ -175,7 +175,7 @@ fn digit(nibble: &[u8]) -> char {
     }
 }
 
-/// A value with bits that are neither 0 nor 1: the letter alone where all are the same.
+/// A value with bits that are neither 0 nor 1: one letter where all bits are the same.
 fn unknown(bits: &str, notation: Notation) -> String {
     let first = bits.chars().next().unwrap_or('x');
     match notation {
@@ -199,7 +199,7 @@ mod tests {
     #[test]
     fn numbers_take_the_room_there_is() {
         let number = |room| written(S1_6, "11011001", room);
-        // -39/64; two decimals tell it from its neighbours.
+        // -39/64: two decimals distinguish it from its neighbours.
         assert_eq!(number(20).as_deref(), Some("-0.61"));
         assert_eq!(number(5).as_deref(), Some("-0.61"));
         assert_eq!(number(4).as_deref(), Some("-0.6"));
@@ -252,9 +252,9 @@ mod tests {
     #[test]
     fn wide_values_wish_for_room_and_numbers_that_can_be_rounded_for_little() {
         let bits = Value::Bits("1".repeat(64));
-        assert_eq!(Notation::Hexadecimal.wish(&bits, 9, 40), 16);
-        assert_eq!(Notation::Hexadecimal.wish(&bits, 9, 15), 0);
-        assert_eq!(Notation::Hexadecimal.wish(&Value::real(1.0 / 3.0), 9, 40), 9);
+        assert_eq!(Notation::Hexadecimal.preferred_width(&bits, 9, 40), 16);
+        assert_eq!(Notation::Hexadecimal.preferred_width(&bits, 9, 15), 0);
+        assert_eq!(Notation::Hexadecimal.preferred_width(&Value::real(1.0 / 3.0), 9, 40), 9);
     }
 
     #[test]

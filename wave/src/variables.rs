@@ -9,39 +9,40 @@ use super::warnings::clean;
 pub struct Variable {
     /// The scope it is in.
     pub scope: ScopeId,
-    /// Its name in its scope, as the file has it, without the range of its bits.
+    /// Its name in its scope, as it stands in the file, without the range of its bits.
     pub name: String,
     /// The range of its bits, such as `[7:0]`, if the file states one.
     pub range: Option<String>,
-    /// What its values are.
+    /// The kind of its values.
     pub kind: Kind,
-    /// Width in bits; none for text, real numbers and events, and where the file does not say.
+    /// Width in bits; `None` for text, real numbers and events, and where the file does not state
+    /// it.
     pub width: Option<u32>,
     /// Whether the file says that it is a port.
     pub port: bool,
-    /// The number of its values' source: variables with the same number have the same values.
+    /// The number of the source of its values: variables with the same number have the same values.
     pub signal: u32,
-    /// Names of its values.
+    /// Names of its values, for an enumeration.
     pub names: Option<Rc<ValueNames>>,
 }
 
-/// What the values of a variable are.
+/// The kind of a variable's values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// Bits.
     Bits,
     /// Text or real numbers.
     Other,
-    /// Nothing but the times at which something happens.
+    /// Only the times at which something happens.
     Event,
 }
 
-/// Names of an enumeration's values, by their bits without leading zeros.
+/// Names of an enumeration's values. The keys are bits without leading zeros.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ValueNames(BTreeMap<String, String>);
 
 impl ValueNames {
-    /// Pairs of bits and name.
+    /// Makes the names from pairs of bits and name.
     pub fn new(pairs: impl IntoIterator<Item = (String, String)>) -> ValueNames {
         let pair = |(bits, name): (String, String)| (significant(&bits).to_owned(), clean(&name));
         ValueNames(pairs.into_iter().map(pair).collect())
@@ -57,7 +58,7 @@ fn significant(bits: &str) -> &str {
     bits.trim_start_matches('0')
 }
 
-/// The enumerations of a file, and the one that the variable which follows has.
+/// The enumerations of a file, and the one that the next variable has.
 #[derive(Clone, Debug, Default)]
 pub struct Enumerations {
     tables: HashMap<u64, Rc<ValueNames>>,
@@ -65,17 +66,17 @@ pub struct Enumerations {
 }
 
 impl Enumerations {
-    /// An enumeration with its number in the file.
+    /// Adds an enumeration with its number in the file.
     pub fn declare(&mut self, number: u64, names: ValueNames) {
         self.tables.insert(number, Rc::new(names));
     }
 
-    /// The next variable has that enumeration.
+    /// Says that the next variable has the enumeration with that number.
     pub fn announce(&mut self, number: u64) {
         self.next = self.tables.get(&number).cloned();
     }
 
-    /// The enumeration of the variable that has come.
+    /// The enumeration that was announced for the current variable.
     pub fn take_next(&mut self) -> Option<Rc<ValueNames>> {
         self.next.take()
     }
@@ -97,38 +98,38 @@ struct Scope {
     name: String,
     parent: ScopeId,
     depth: u32,
-    /// Bytes of its full name.
+    /// Bytes of the scope's full name.
     length: usize,
 }
 
-/// Variables of a dump, at most.
-pub const MOST_VARIABLES: usize = 1 << 22;
-/// Scopes of a dump, at most.
-const MOST_SCOPES: usize = 1 << 20;
-/// Scopes around a variable, and bytes of their full name, at most: a file says how deep scopes
-/// nest.
+/// Largest number of variables of a dump.
+pub const MAX_VARIABLES: usize = 1 << 22;
+/// Largest number of scopes of a dump.
+const MAX_SCOPES: usize = 1 << 20;
+/// Largest number of scopes around a variable, and largest length of their full name in bytes:
+/// files state how deep scopes nest.
 const DEEPEST: u32 = 256;
 const LONGEST: usize = 4096;
 
 impl Scopes {
-    /// What is in no scope.
+    /// The root, which holds what is in no scope.
     pub const NONE: ScopeId = ScopeId(0);
 
-    /// No scopes yet.
+    /// A tree with the root only.
     pub fn new() -> Scopes {
         let none = Scope { name: String::new(), parent: Scopes::NONE, depth: 0, length: 0 };
         Scopes { scopes: vec![none], numbers: HashMap::new() }
     }
 
-    /// The scope of that name in `parent`, which may be there already. None if scopes nest too
-    /// deep.
-    pub fn inside(&mut self, parent: ScopeId, name: &str) -> Option<ScopeId> {
+    /// The scope with that name in `parent`, which is added unless it exists. The result is `None`
+    /// if scopes nest too deep.
+    pub fn child(&mut self, parent: ScopeId, name: &str) -> Option<ScopeId> {
         let key = (parent, clean(name));
         if let Some(&scope) = self.numbers.get(&key) {
             return Some(scope);
         }
         let (depth, length) = (self.depth(parent) + 1, self.scope(parent).length + key.1.len() + 1);
-        if self.scopes.len() >= MOST_SCOPES || depth > DEEPEST || length > LONGEST {
+        if self.scopes.len() >= MAX_SCOPES || depth > DEEPEST || length > LONGEST {
             return None;
         }
         let new = ScopeId(self.scopes.len() as u32);
@@ -137,7 +138,7 @@ impl Scopes {
         Some(new)
     }
 
-    /// How many scopes there are around what is in this one.
+    /// The number of scopes around the contents of this one.
     pub fn depth(&self, scope: ScopeId) -> u32 {
         self.scope(scope).depth
     }
@@ -149,13 +150,13 @@ impl Scopes {
 
     /// The names of a scope and of those around it, joined by dots.
     pub fn path(&self, scope: ScopeId) -> String {
-        let mut names: Vec<&str> = self.outwards(scope).map(|scope| self.name(scope)).collect();
+        let mut names: Vec<&str> = self.ancestors(scope).map(|scope| self.name(scope)).collect();
         names.reverse();
         names.join(".")
     }
 
-    /// The scope, the one around it, and so on.
-    pub fn outwards(&self, scope: ScopeId) -> impl Iterator<Item = ScopeId> {
+    /// The scope, its parent, and so on.
+    pub fn ancestors(&self, scope: ScopeId) -> impl Iterator<Item = ScopeId> {
         let known = |scope: ScopeId| Some(scope).filter(|&scope| scope != Scopes::NONE);
         std::iter::successors(known(scope), move |&inner| known(self.scope(inner).parent))
     }
@@ -165,11 +166,11 @@ impl Scopes {
         self.scopes.iter().skip(1).map(|scope| scope.name.as_str())
     }
 
-    /// The scopes' ranks if each stands before the scopes inside it.
+    /// The rank of each scope in an order where each stands before the scopes inside it.
     fn ranks(&self) -> Vec<usize> {
         let mut inner: Vec<Vec<u32>> = vec![vec![]; self.scopes.len()];
         for (number, scope) in self.scopes.iter().enumerate().skip(1) {
-            // `inside` made the number from a u32.
+            // `child` made the number from a u32.
             inner[scope.parent.0 as usize].push(number as u32);
         }
         let (mut ranks, mut open, mut next) = (vec![0; self.scopes.len()], vec![0], 0);
@@ -186,8 +187,8 @@ impl Scopes {
     }
 }
 
-/// Puts variables scope by scope, those of a scope before the scopes inside it. Where parts of one
-/// vector stand in a scope under one name, their ranges become part of their names.
+/// Sorts variables by scope, those of a scope before those of the scopes inside it. Where parts of
+/// one vector stand in a scope under one name, their ranges become part of their names.
 pub fn arrange(variables: &mut [Variable], scopes: &Scopes) {
     let ranks = scopes.ranks();
     variables.sort_by_key(|variable| ranks[variable.scope.0 as usize]);
@@ -207,8 +208,8 @@ pub fn arrange(variables: &mut [Variable], scopes: &Scopes) {
     }
 }
 
-/// A name as files state it, and the range of its bits if it ends in one: `m[0] [3:0]` is `m[0]`
-/// and `[3:0]`. A single index belongs to the name, with no blank before it.
+/// A name as files state it is split into the name and the range of its bits: `m[0] [3:0]` is
+/// `m[0]` and `[3:0]`. A single index belongs to the name; the blank before it is removed.
 pub fn split_name(stated: &str) -> (String, Option<String>) {
     let stated = stated.trim();
     let range = stated.strip_suffix(']').and_then(|name| name.rsplit_once('['));
@@ -222,7 +223,7 @@ pub fn split_name(stated: &str) -> (String, Option<String>) {
     }
 }
 
-/// A name without blanks before its indices.
+/// The name without blanks before its indices.
 fn joined(name: &str) -> String {
     let mut joined = clean(&name.split_whitespace().collect::<Vec<_>>().join(" "));
     if joined.ends_with(']') {
@@ -259,11 +260,11 @@ mod tests {
     #[test]
     fn scopes_of_one_name_are_one_and_nest_only_so_deep() {
         let mut scopes = Scopes::new();
-        let top = scopes.inside(Scopes::NONE, "top").expect("it is the first");
-        let inner = scopes.inside(top, "inner").expect("it is the second");
-        assert_eq!(scopes.inside(Scopes::NONE, "top"), Some(top));
+        let top = scopes.child(Scopes::NONE, "top").expect("it is the first");
+        let inner = scopes.child(top, "inner").expect("it is the second");
+        assert_eq!(scopes.child(Scopes::NONE, "top"), Some(top));
         assert_eq!((scopes.path(inner), scopes.depth(inner)), ("top.inner".to_owned(), 2));
-        let deepest = (0..1000).try_fold(top, |scope, _| scopes.inside(scope, "s").ok_or(scope));
+        let deepest = (0..1000).try_fold(top, |scope, _| scopes.child(scope, "s").ok_or(scope));
         assert_eq!(deepest.map_err(|scope| scopes.depth(scope)), Err(DEEPEST));
     }
 

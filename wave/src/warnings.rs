@@ -1,12 +1,13 @@
-//! What a file holds that is passed over: one warning for each kind of thing, of the first place.
+//! Warnings about skipped contents of a file: one for each kind, with the place where it first
+//! occurs.
 
-/// Warnings while a file is read.
+/// The warnings about a file, collected while it is read.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Warnings {
     found: Vec<Found>,
 }
 
-/// The first thing of a kind, and how many more there are.
+/// The first warning of a kind, and the number of further ones.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Found {
     kind: &'static str,
@@ -15,16 +16,16 @@ struct Found {
     more: u64,
 }
 
-/// Characters that are quoted of a file, at most.
+/// Largest number of characters that are quoted from a file.
 const LONGEST: usize = 40;
 
 impl Warnings {
-    /// Notes something of a kind in a line; words are made for the first alone.
+    /// Adds a warning of a kind about a line; its text is made only for the first of the kind.
     pub fn in_line(&mut self, line: u64, kind: &'static str, words: impl FnOnce() -> String) {
         self.note(Some(line), kind, words);
     }
 
-    /// Notes something that concerns the whole file.
+    /// Adds a warning that concerns the whole file.
     pub fn of_file(&mut self, kind: &'static str, words: impl FnOnce() -> String) {
         self.note(None, kind, words);
     }
@@ -36,7 +37,7 @@ impl Warnings {
         }
     }
 
-    /// Each warning in a line of its own, of the file with that name.
+    /// The warnings about the file `name`, a line each.
     pub fn lines(&self, name: &str) -> Vec<String> {
         let place = |line: Option<u64>| line.map_or(String::new(), |line| format!("line {line}: "));
         let more =
@@ -48,7 +49,7 @@ impl Warnings {
     }
 }
 
-/// A piece of a file as it can be printed: without control characters, and short.
+/// A piece of a file in printable form: short and without control characters.
 pub fn quoted(bytes: &[u8]) -> String {
     let text = clean(&decoded(&bytes[..bytes.len().min(4 * LONGEST)]));
     let cut = text.chars().count() > LONGEST;
@@ -56,13 +57,13 @@ pub fn quoted(bytes: &[u8]) -> String {
     if cut { format!("`{shown}...`") } else { format!("`{shown}`") }
 }
 
-/// Text as UTF-8, or if it is none, as Latin-1, in which every byte is a character.
+/// The text read as UTF-8, or if it is not valid, as Latin-1, in which every byte is a character.
 pub fn decoded(bytes: &[u8]) -> String {
     let latin = |_| bytes.iter().map(|&byte| char::from(byte)).collect();
     std::str::from_utf8(bytes).map_or_else(latin, str::to_owned)
 }
 
-/// Without control characters, which a terminal would obey and XML does not allow.
+/// The text without control characters, which a terminal would obey and XML does not allow.
 pub fn clean(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

@@ -4,7 +4,7 @@
 //! never points into the surface. How far it departs from 2(N·I)N - I depends on α, the angle
 //! between N and the faces around: g = N·r = 1 + q(N·I - 1), with q = 1 (the plain reflection) for
 //! α = 0 and q = 0 (r = N) for a quarter turn.
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
 use crate::power::{Power, PowerUnit};
-pub use inputs::{ConsistentInputs, ConsistentLight, LARGEST_ANGLE};
+pub use inputs::{ConsistentInputs, ConsistentLight, ConsistentSpan, LARGEST_ANGLE};
 
 /// How q depends on α, with t = 2α/π.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,8 +3,8 @@ use glam::DVec3;
 use specula_datapath::Format;
 use specula_scene::frame::{DirectionalLight, Frame, Span, halfway};
 
-use super::{ConsistentInputs, ConsistentLight, ConsistentSpec, Highlight};
-use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use super::{ConsistentLight, ConsistentSpan, ConsistentSpec, Highlight};
+use crate::method_set_up::MethodSetUp;
 
 /// Sets up the spans of a frame.
 pub(super) struct ConsistentSetUp<'a> {
@@ -51,45 +51,37 @@ impl<'a> ConsistentSetUp<'a> {
         let (start, end) = (at(span.start), at(span.end));
         [start, (end - start) / f64::from(span.steps().max(1))]
     }
-
-    fn light(
-        &self,
-        index: usize,
-        &Coefficients { diffuse, specular }: &Coefficients,
-    ) -> ConsistentLight<i64> {
-        let &Vectors { direction, halfway, has_highlight } = &self.lights[index];
-        ConsistentLight {
-            direction,
-            halfway,
-            diffuse,
-            specular: if has_highlight { specular } else { [0; 3] },
-        }
-    }
 }
 
-impl SetUpSpan for ConsistentSetUp<'_> {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
+impl MethodSetUp for ConsistentSetUp<'_> {
+    type SpanGroup = ConsistentSpan<i64>;
+    type LightGroup = ConsistentLight<i64>;
+    type Geometry = ();
+
+    fn geometry(&self, _span: &Span) {}
+
+    fn span_inputs(&self, span: &Span, (): &()) -> ConsistentSpan<i64> {
         let f = &self.consistent.formats;
         let [start, end] = self.frame.end_axes(span).map(|n| f.vector.quantise_vector(n));
-        let step = span.weight_step();
         let [angle_start, angle_step] =
             self.angle(span).map(|t| rounded_up(f.angle_accumulator, t));
-        let inputs = ConsistentInputs {
+        ConsistentSpan {
             normal_start: start,
             normal_delta: std::array::from_fn(|i| end[i] - start[i]),
-            weight_step: f.weight_accumulator.quantise(step),
+            weight_step: f.weight_accumulator.quantise(span.weight_step()),
             angle_start,
             angle_step,
-            exponent: self.consistent.power_unit().input(self.frame.material(span).shininess),
-            ambient: material.ambient,
-            lights: material
-                .lights
-                .iter()
-                .enumerate()
-                .map(|(index, coefficients)| self.light(index, coefficients))
-                .collect(),
-        };
-        inputs.append_to(out);
+            exponent: self.consistent.power_unit().exponent(self.frame.material(span).shininess),
+        }
+    }
+
+    fn light_inputs(&self, _span: &Span, (): &(), index: usize) -> ConsistentLight<i64> {
+        let &Vectors { direction, halfway, .. } = &self.lights[index];
+        ConsistentLight { direction, halfway }
+    }
+
+    fn has_highlight(&self, index: usize) -> bool {
+        self.lights[index].has_highlight
     }
 }
 

@@ -1,11 +1,13 @@
 //! The inputs of a `direct` core.
 use super::DirectSpec;
-use crate::inputs::inputs;
-use crate::{CoreSpec, InputPort};
+use crate::core_input::CoreInput;
+use crate::core_input::InputRole::{Light, Surface};
+use crate::inputs::{CoreInputs, MethodInputs, inputs};
+use crate::parameters::CoreParameters;
 
 inputs! {
-    /// The core's inputs, or whatever belongs to each of them.
-    DirectInputs {
+    /// Inputs that the lights of a span have in common.
+    DirectSpan {
         /// 1/S, what t grows by with each pixel; 0 in a span of one pixel.
         weight_step: one,
         /// κ = |B - A|².
@@ -14,24 +16,16 @@ inputs! {
         view: group(Ends),
         /// n, or its logarithm.
         exponent: one,
-        /// Ambient light sent back, in LSBs.
-        ambient: vector,
-        /// What belongs to each light.
-        lights: many(DirectLight),
     }
 }
 
 inputs! {
-    /// Inputs that belong to one light.
+    /// Inputs of one light.
     DirectLight {
         /// N·L.
         light: group(Ends),
         /// L·V; 1 where the span has no normal, which leaves no highlight.
         light_dot_view: one,
-        /// Diffuse coefficient, in LSBs.
-        diffuse: vector,
-        /// Specular coefficient, in LSBs.
-        specular: vector,
     }
 }
 
@@ -45,44 +39,39 @@ inputs! {
     }
 }
 
-impl DirectSpec {
-    /// The ports of a core with this method.
-    pub fn inputs(&self, core: &CoreSpec) -> DirectInputs<InputPort> {
-        let f = &self.formats;
-        let whole = DirectInputs {
-            weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
-            spread: InputPort::between("spread", f.spread, 0.0, 4.0),
-            view: self.ends("view"),
-            exponent: self.power_unit().port(core),
-            ambient: core.colour_ports("ambient"),
-            lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        };
-        whole.map(|port| core.over_frames(port))
-    }
+/// The inputs of a core, or whatever belongs to each of them.
+pub type DirectInputs<T> = CoreInputs<DirectSpan<T>, DirectLight<T>, T>;
 
-    fn light_inputs(&self, core: &CoreSpec, index: usize) -> DirectLight<InputPort> {
-        DirectLight {
-            light: self.ends(&format!("light{index}")),
-            light_dot_view: InputPort::between(
-                format!("light{index}_dot_view"),
-                self.formats.component,
-                -1.0,
-                1.0,
-            ),
-            diffuse: core.colour_ports(&format!("light{index}_diffuse")),
-            specular: core.colour_ports(&format!("light{index}_specular")),
+impl MethodInputs for DirectSpec {
+    type SpanGroup = DirectSpan<CoreInput>;
+    type LightGroup = DirectLight<CoreInput>;
+
+    fn span_inputs(&self, core: &CoreParameters) -> DirectSpan<CoreInput> {
+        let f = &self.formats;
+        let weight = f.weight_accumulator;
+        DirectSpan {
+            weight_step: CoreInput::between(Surface, "weight_step", weight, 0.0, 1.0),
+            spread: CoreInput::between(Surface, "spread", f.spread, 0.0, 4.0),
+            view: self.ends("view"),
+            exponent: self.power_unit().exponent_input(core),
         }
     }
 
-    fn ends(&self, name: &str) -> Ends<InputPort> {
+    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> DirectLight<CoreInput> {
+        let (dot_view, component) = (format!("light{index}_dot_view"), self.formats.component);
+        DirectLight {
+            light: self.ends(&format!("light{index}")),
+            light_dot_view: CoreInput::between(Light, dot_view, component, -1.0, 1.0),
+        }
+    }
+}
+
+impl DirectSpec {
+    fn ends(&self, name: &str) -> Ends<CoreInput> {
+        let (component, sum) = (self.formats.component, self.formats.component_sum());
         Ends {
-            start: InputPort::between(format!("{name}_start"), self.formats.component, -1.0, 1.0),
-            delta: InputPort::between(
-                format!("{name}_delta"),
-                self.formats.component_sum(),
-                -2.0,
-                2.0,
-            ),
+            start: CoreInput::between(Surface, format!("{name}_start"), component, -1.0, 1.0),
+            delta: CoreInput::between(Surface, format!("{name}_delta"), sum, -2.0, 2.0),
         }
     }
 }

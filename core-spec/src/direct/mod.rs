@@ -4,7 +4,7 @@
 //! With A and B the unit normals at the ends of a span, N = A + t (B - A) has the squared length
 //! q = 1 - κ t (1 - t), κ = |B - A|². So J = N·L and K = N·V are linear in t, and q needs no
 //! forward differences, whose errors grow with the square of the span's length.
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
 use crate::power::{Power, PowerUnit};
-pub use inputs::{DirectInputs, DirectLight, Ends};
+pub use inputs::{DirectInputs, DirectLight, DirectSpan, Ends};
 
 /// How √q is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,9 +1,9 @@
 //! Set-up of a span for `direct`.
 use glam::DVec3;
-use specula_scene::frame::{DirectionalLight, EYE, Frame, Span};
+use specula_scene::frame::{EYE, Frame, Span};
 
-use super::{DirectInputs, DirectLight, DirectSpec, Ends};
-use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use super::{DirectLight, DirectSpan, DirectSpec, Ends};
+use crate::method_set_up::MethodSetUp;
 
 /// Sets up the spans of a frame.
 pub(super) struct DirectSetUp<'a> {
@@ -11,44 +11,39 @@ pub(super) struct DirectSetUp<'a> {
     pub frame: &'a Frame,
 }
 
-impl SetUpSpan for DirectSetUp<'_> {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
+impl MethodSetUp for DirectSetUp<'_> {
+    type SpanGroup = DirectSpan<i64>;
+    type LightGroup = DirectLight<i64>;
+    /// A and B.
+    type Geometry = [DVec3; 2];
+
+    fn geometry(&self, span: &Span) -> [DVec3; 2] {
+        self.frame.unit_end_normals(span)
+    }
+
+    fn span_inputs(&self, span: &Span, normals: &[DVec3; 2]) -> DirectSpan<i64> {
         let f = &self.direct.formats;
-        let normals = self.frame.unit_end_normals(span);
-        let step = span.weight_step();
-        let lights = self.frame.lights.iter().zip(&material.lights);
-        let inputs = DirectInputs {
-            weight_step: f.weight_accumulator.quantise(step),
+        DirectSpan {
+            weight_step: f.weight_accumulator.quantise(span.weight_step()),
             spread: f.spread.quantise((normals[1] - normals[0]).length_squared()),
             view: self.ends(normals, EYE),
-            exponent: self.direct.power_unit().input(self.frame.material(span).shininess),
-            ambient: material.ambient,
-            lights: lights
-                .map(|(light, coefficients)| self.light(normals, light, coefficients))
-                .collect(),
-        };
-        inputs.append_to(out);
+            exponent: self.direct.power_unit().exponent(self.frame.material(span).shininess),
+        }
+    }
+
+    fn light_inputs(&self, _span: &Span, normals: &[DVec3; 2], index: usize) -> DirectLight<i64> {
+        let l = self.frame.lights[index].direction;
+        let l_dot_v = if normals[0] == DVec3::ZERO { 1.0 } else { l.dot(EYE) };
+        DirectLight {
+            light: self.ends(normals, l),
+            light_dot_view: self.direct.formats.component.quantise(l_dot_v),
+        }
     }
 }
 
 impl DirectSetUp<'_> {
-    fn light(
-        &self,
-        normals: [DVec3; 2],
-        light: &DirectionalLight,
-        &Coefficients { diffuse, specular }: &Coefficients,
-    ) -> DirectLight<i64> {
-        let l_dot_v = if normals[0] == DVec3::ZERO { 1.0 } else { light.direction.dot(EYE) };
-        DirectLight {
-            light: self.ends(normals, light.direction),
-            light_dot_view: self.direct.formats.component.quantise(l_dot_v),
-            diffuse,
-            specular,
-        }
-    }
-
     /// N·`x` at both ends, each rounded, so that what lies between never leaves what they are.
-    fn ends(&self, normals: [DVec3; 2], x: DVec3) -> Ends<i64> {
+    fn ends(&self, normals: &[DVec3; 2], x: DVec3) -> Ends<i64> {
         let component = self.direct.formats.component;
         let [start, end] = normals.map(|n| component.quantise(n.dot(x).clamp(-1.0, 1.0)));
         Ends { start, delta: end - start }

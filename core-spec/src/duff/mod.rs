@@ -3,7 +3,7 @@
 //!
 //! Along a span N(i) = m + k i, so that p = N·L is linear and q = N·N quadratic in the pixel number
 //! i, and N·L of the unit normal is p/√q.
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
 use crate::power::{Power, PowerUnit};
-pub use inputs::{DuffInputs, DuffLight};
+pub use inputs::{DuffInputs, DuffLight, DuffSpan};
 
 /// Where the base of the highlight comes from. N is the interpolated normal, s = 1/√(N·N).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

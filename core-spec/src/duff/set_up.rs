@@ -1,10 +1,11 @@
 //! Set-up of a span for `duff`.
 use glam::DVec3;
-use specula_scene::frame::{DirectionalLight, EYE, Frame, Span, halfway};
+use specula_scene::frame::{EYE, Frame, Span, halfway};
 
-use super::{DuffInputs, DuffLight, DuffSpec, Highlight};
-use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
-use crate::{Linear, Quadratic};
+use super::{DuffLight, DuffSpan, DuffSpec, Highlight};
+use crate::linear::Linear;
+use crate::method_set_up::MethodSetUp;
+use crate::quadratic::Quadratic;
 
 /// Sets up the spans of a frame.
 pub(super) struct DuffSetUp<'a> {
@@ -12,49 +13,43 @@ pub(super) struct DuffSetUp<'a> {
     pub frame: &'a Frame,
 }
 
-impl SetUpSpan for DuffSetUp<'_> {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
-        let highlight = self.duff.specular;
-        let normal = self.frame.normal_and_step(span);
-        let [m, k] = normal;
-        let lights = self.frame.lights.iter().zip(&material.lights);
-        let inputs = DuffInputs {
+impl MethodSetUp for DuffSetUp<'_> {
+    type SpanGroup = DuffSpan<i64>;
+    type LightGroup = DuffLight<i64>;
+    /// m and k of N = m + k i.
+    type Geometry = [DVec3; 2];
+
+    fn geometry(&self, span: &Span) -> [DVec3; 2] {
+        self.frame.normal_and_step(span)
+    }
+
+    fn span_inputs(&self, span: &Span, normal: &[DVec3; 2]) -> DuffSpan<i64> {
+        let [m, k] = *normal;
+        let looks_at_the_eye = self.duff.specular.looks_at_the_eye();
+        DuffSpan {
             denominator: Quadratic::squared_length(span, m, k)
                 .quantised(self.duff.formats.accumulator),
-            view: highlight.looks_at_the_eye().then(|| self.linear(span, normal, EYE)),
-            exponent: self.duff.power_unit().input(self.frame.material(span).shininess),
-            ambient: material.ambient,
-            lights: lights
-                .map(|(light, coefficients)| self.light(span, normal, light, coefficients))
-                .collect(),
-        };
-        inputs.append_to(out);
-    }
-}
-
-impl DuffSetUp<'_> {
-    /// (m + k i)·u.
-    fn linear(&self, span: &Span, [m, k]: [DVec3; 2], u: DVec3) -> Linear<i64> {
-        Linear::new(span, m.dot(u), k.dot(u)).quantised(self.duff.formats.linear_accumulator)
+            view: looks_at_the_eye.then(|| self.linear(span, normal, EYE)),
+            exponent: self.duff.power_unit().exponent(self.frame.material(span).shininess),
+        }
     }
 
-    fn light(
-        &self,
-        span: &Span,
-        normal: [DVec3; 2],
-        light: &DirectionalLight,
-        &Coefficients { diffuse, specular }: &Coefficients,
-    ) -> DuffLight<i64> {
-        let (f, l) = (&self.duff.formats, light.direction);
+    fn light_inputs(&self, span: &Span, normal: &[DVec3; 2], index: usize) -> DuffLight<i64> {
+        let (f, l) = (&self.duff.formats, self.frame.lights[index].direction);
         let highlight = self.duff.specular;
-        let numerator = || Quadratic::reflected(span, normal, EYE, l).quantised(f.accumulator);
+        let numerator = || Quadratic::reflected(span, *normal, EYE, l).quantised(f.accumulator);
         DuffLight {
             cosine: self.linear(span, normal, l),
             halfway: (highlight == Highlight::Blinn).then(|| self.linear(span, normal, halfway(l))),
             numerator: (highlight == Highlight::Quotient).then(numerator),
             dot_view: highlight.looks_at_the_eye().then(|| f.cosine.quantise(l.dot(EYE))),
-            diffuse,
-            specular,
         }
+    }
+}
+
+impl DuffSetUp<'_> {
+    /// (m + k i)·u.
+    fn linear(&self, span: &Span, [m, k]: &[DVec3; 2], u: DVec3) -> Linear<i64> {
+        Linear::new(span, m.dot(u), k.dot(u)).quantised(self.duff.formats.linear_accumulator)
     }
 }

@@ -1,29 +1,19 @@
 //! The inputs of a `gouraud` core.
+use specula_datapath::Format;
+
 use super::{GouraudSpec, Interpolation};
-use crate::inputs::inputs;
-use crate::{CoreSpec, InputPort};
+use crate::core_input::CoreInput;
+use crate::core_input::InputRole::Surface;
+use crate::inputs::{CoreInputs, MethodInputs, NoInputs, inputs};
+use crate::parameters::CoreParameters;
 
 inputs! {
-    /// The core's inputs, or whatever belongs to each of them.
-    GouraudInputs {
-        /// Ambient light sent back, in LSBs.
-        ambient: vector,
-        /// What belongs to each light.
-        lights: many(GouraudLight),
-    }
-}
-
-inputs! {
-    /// Inputs that belong to one light.
+    /// Inputs of one light.
     GouraudLight {
         /// max(N·L, 0).
         diffuse_intensity: group(Intensity),
         /// max(R·L, 0)^n.
         specular_intensity: group(Intensity),
-        /// Diffuse coefficient, in LSBs.
-        diffuse: vector,
-        /// Specular coefficient, in LSBs.
-        specular: vector,
     }
 }
 
@@ -38,36 +28,39 @@ inputs! {
     }
 }
 
-impl GouraudSpec {
-    /// The ports of a core with this method.
-    pub fn inputs(&self, core: &CoreSpec) -> GouraudInputs<InputPort> {
-        let whole = GouraudInputs {
-            ambient: core.colour_ports("ambient"),
-            lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        };
-        whole.map(|port| core.over_frames(port))
+/// The inputs of a core, or whatever belongs to each of them.
+pub type GouraudInputs<T> = CoreInputs<NoInputs<T>, GouraudLight<T>, T>;
+
+impl MethodInputs for GouraudSpec {
+    type SpanGroup = NoInputs<CoreInput>;
+    type LightGroup = GouraudLight<CoreInput>;
+
+    fn span_inputs(&self, _core: &CoreParameters) -> NoInputs<CoreInput> {
+        NoInputs::default()
     }
 
-    fn light_inputs(&self, core: &CoreSpec, index: usize) -> GouraudLight<InputPort> {
+    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> GouraudLight<CoreInput> {
         GouraudLight {
-            diffuse_intensity: self.intensity_ports(&format!("light{index}_diffuse_intensity")),
-            specular_intensity: self.intensity_ports(&format!("light{index}_specular_intensity")),
-            diffuse: core.colour_ports(&format!("light{index}_diffuse")),
-            specular: core.colour_ports(&format!("light{index}_specular")),
+            diffuse_intensity: self.intensity(&format!("light{index}_diffuse_intensity")),
+            specular_intensity: self.intensity(&format!("light{index}_specular_intensity")),
         }
     }
+}
 
-    fn intensity_ports(&self, name: &str) -> Intensity<InputPort> {
+impl GouraudSpec {
+    fn intensity(&self, name: &str) -> Intensity<CoreInput> {
+        let input = |name: &str, format: Format, low: f64| {
+            CoreInput::between(Surface, name, format, low, 1.0)
+        };
         let accumulator = self.formats.accumulator;
         match self.interpolation {
             Interpolation::Linear => Intensity {
-                start: InputPort::between(format!("{name}_start"), accumulator, 0.0, 1.0),
-                step: Some(InputPort::between(format!("{name}_step"), accumulator, -1.0, 1.0)),
+                start: input(&format!("{name}_start"), accumulator, 0.0),
+                step: Some(input(&format!("{name}_step"), accumulator, -1.0)),
             },
-            Interpolation::Uniform => Intensity {
-                start: InputPort::between(name, self.formats.intensity, 0.0, 1.0),
-                step: None,
-            },
+            Interpolation::Uniform => {
+                Intensity { start: input(name, self.formats.intensity, 0.0), step: None }
+            }
         }
     }
 }

@@ -4,13 +4,14 @@ use smallvec::SmallVec;
 use specula_scene::limits::MOST_LIGHTS;
 use specula_scene::{Frame, Illumination};
 
-/// A point of a surface, and what reaches it.
+/// A point of a surface, and the light that reaches it.
 pub(super) struct LitPoint {
     /// N, a unit vector; 0 where the surface has none.
     pub normal: DVec3,
-    /// V, a unit vector towards the eye; none for an eye at the very point.
+    /// V, a unit vector towards the eye; `None` for an eye at that very point.
     pub view: Option<DVec3>,
-    /// Every light, those at infinity first; none for a light at the very point (extremes row 39).
+    /// Every light, those at infinity first; `None` for a light at that very point (extremes row
+    /// 39).
     pub lights: SmallVec<[Option<Illumination>; MOST_LIGHTS]>,
 }
 

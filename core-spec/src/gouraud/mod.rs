@@ -3,7 +3,7 @@
 //!
 //! The host works out Phong's formula, max(N·L, 0) and max(R·L, 0)^n with R = 2(N·V)N - V; the core
 //! sees nothing of n.
-mod choose;
+mod defaults;
 mod inputs;
 mod lit_point;
 mod set_up;
@@ -13,7 +13,7 @@ use specula_datapath::Format;
 
 pub use inputs::{GouraudInputs, GouraudLight, Intensity};
 
-/// Where intensities are worked out, and what lies between.
+/// Where intensities are computed, and what lies between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Interpolation {
@@ -28,7 +28,7 @@ pub enum Interpolation {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GouraudSpec {
-    /// Where intensities are worked out.
+    /// Where intensities are computed.
     pub interpolation: Interpolation,
     /// The narrowing points.
     pub formats: GouraudFormats,

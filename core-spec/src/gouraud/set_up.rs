@@ -2,8 +2,9 @@
 use specula_scene::frame::{Facet, Frame, Span};
 
 use super::lit_point::LitPoint;
-use super::{GouraudInputs, GouraudLight, GouraudSpec, Intensity, Interpolation};
-use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use super::{GouraudLight, GouraudSpec, Intensity, Interpolation};
+use crate::inputs::NoInputs;
+use crate::method_set_up::MethodSetUp;
 
 /// Sets up the spans of a frame.
 pub(super) struct GouraudSetUp<'a> {
@@ -11,33 +12,36 @@ pub(super) struct GouraudSetUp<'a> {
     pub frame: &'a Frame,
 }
 
-/// Where intensities are worked out.
+/// Where intensities are computed.
 #[expect(
     clippy::large_enum_variant,
     reason = "it is made for each span, where a box would allocate"
 )]
-enum Points {
+pub(super) enum Points {
     Vertices([LitPoint; 3]),
     /// The middle of the polygon.
     Middle(LitPoint),
 }
 
-impl SetUpSpan for GouraudSetUp<'_> {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
-        let (points, n) = (self.points(span), self.frame.material(span).shininess);
-        let light =
-            |(index, &Coefficients { diffuse, specular }): (usize, &Coefficients)| GouraudLight {
-                diffuse_intensity: self.intensity(span, &points, |point| point.diffuse(index)),
-                specular_intensity: self
-                    .intensity(span, &points, |point| point.highlight(index, n)),
-                diffuse,
-                specular,
-            };
-        let inputs = GouraudInputs {
-            ambient: material.ambient,
-            lights: material.lights.iter().enumerate().map(light).collect(),
-        };
-        inputs.append_to(out);
+impl MethodSetUp for GouraudSetUp<'_> {
+    type SpanGroup = NoInputs<i64>;
+    type LightGroup = GouraudLight<i64>;
+    type Geometry = Points;
+
+    fn geometry(&self, span: &Span) -> Points {
+        self.points(span)
+    }
+
+    fn span_inputs(&self, _span: &Span, _points: &Points) -> NoInputs<i64> {
+        NoInputs::default()
+    }
+
+    fn light_inputs(&self, span: &Span, points: &Points, index: usize) -> GouraudLight<i64> {
+        let n = self.frame.material(span).shininess;
+        GouraudLight {
+            diffuse_intensity: self.intensity(span, points, |point| point.diffuse(index)),
+            specular_intensity: self.intensity(span, points, |point| point.highlight(index, n)),
+        }
     }
 }
 

@@ -1,25 +1,23 @@
 //! The inputs of a `hybrid` core.
 use super::HybridSpec;
-use crate::inputs::inputs;
+use crate::core_input::CoreInput;
+use crate::core_input::InputRole::Surface;
+use crate::inputs::{CoreInputs, MethodInputs, inputs};
+use crate::parameters::CoreParameters;
 use crate::quadratic::Quadratic;
-use crate::{CoreSpec, InputPort};
 
 inputs! {
-    /// The core's inputs, or whatever belongs to each of them.
-    HybridInputs {
+    /// Inputs that the lights of a span have in common.
+    HybridSpan {
         /// q = N·N.
         denominator: group(Quadratic),
         /// n, or its logarithm.
         exponent: one,
-        /// Ambient light sent back, in LSBs.
-        ambient: vector,
-        /// What belongs to each light.
-        lights: many(HybridLight),
     }
 }
 
 inputs! {
-    /// Inputs that belong to one light.
+    /// Inputs of one light.
     HybridLight {
         /// p = 2(N·V)(N·L) - (L·V)(N·N).
         numerator: group(Quadratic),
@@ -27,46 +25,34 @@ inputs! {
         intensity_start: one,
         /// What it grows by with each pixel; 0 in a span of one pixel.
         intensity_step: one,
-        /// Diffuse coefficient, in LSBs.
-        diffuse: vector,
-        /// Specular coefficient, in LSBs.
-        specular: vector,
     }
 }
 
-impl HybridSpec {
-    /// The ports of a core with this method. With |N| ≤ 1 along the span, |p| ≤ q ≤ 1.
-    pub fn inputs(&self, core: &CoreSpec) -> HybridInputs<InputPort> {
-        let whole = HybridInputs {
-            denominator: Quadratic::squared_length_ports("denominator", self.formats.accumulator),
-            exponent: self.power_unit().port(core),
-            ambient: core.colour_ports("ambient"),
-            lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        };
-        whole.map(|port| core.over_frames(port))
+/// The inputs of a core, or whatever belongs to each of them.
+pub type HybridInputs<T> = CoreInputs<HybridSpan<T>, HybridLight<T>, T>;
+
+/// With |N| ≤ 1 along the span, |p| ≤ q ≤ 1.
+impl MethodInputs for HybridSpec {
+    type SpanGroup = HybridSpan<CoreInput>;
+    type LightGroup = HybridLight<CoreInput>;
+
+    fn span_inputs(&self, core: &CoreParameters) -> HybridSpan<CoreInput> {
+        HybridSpan {
+            denominator: Quadratic::squared_length_inputs("denominator", self.formats.accumulator),
+            exponent: self.power_unit().exponent_input(core),
+        }
     }
 
-    fn light_inputs(&self, core: &CoreSpec, index: usize) -> HybridLight<InputPort> {
-        let accumulator = self.formats.diffuse_accumulator;
+    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> HybridLight<CoreInput> {
+        let f = &self.formats;
+        let name = |part: &str| format!("light{index}_{part}");
+        let intensity = |part: &str, low: f64| {
+            CoreInput::between(Surface, name(part), f.diffuse_accumulator, low, 1.0)
+        };
         HybridLight {
-            numerator: Quadratic::reflected_ports(
-                &format!("light{index}_numerator"),
-                self.formats.accumulator,
-            ),
-            intensity_start: InputPort::between(
-                format!("light{index}_intensity_start"),
-                accumulator,
-                0.0,
-                1.0,
-            ),
-            intensity_step: InputPort::between(
-                format!("light{index}_intensity_step"),
-                accumulator,
-                -1.0,
-                1.0,
-            ),
-            diffuse: core.colour_ports(&format!("light{index}_diffuse")),
-            specular: core.colour_ports(&format!("light{index}_specular")),
+            numerator: Quadratic::reflected_inputs(&name("numerator"), f.accumulator),
+            intensity_start: intensity("intensity_start", 0.0),
+            intensity_step: intensity("intensity_step", -1.0),
         }
     }
 }

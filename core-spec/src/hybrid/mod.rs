@@ -3,7 +3,7 @@
 //!
 //! Along a span N(i) = m + k i, so that both p = 2(N·V)(N·L) - (L·V)(N·N) and q = N·N are quadratic
 //! in the pixel number i, and the base of the highlight is R·L = p/q for a normal of any length.
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
 use crate::power::{Power, PowerUnit};
-pub use inputs::{HybridInputs, HybridLight};
+pub use inputs::{HybridInputs, HybridLight, HybridSpan};
 
 /// Options of the method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

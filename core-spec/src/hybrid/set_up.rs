@@ -1,9 +1,10 @@
 //! Set-up of a span for `hybrid`.
-use specula_scene::frame::{DirectionalLight, EYE, Frame, Span};
+use glam::DVec3;
+use specula_scene::frame::{EYE, Frame, Span};
 
-use super::{HybridInputs, HybridLight, HybridSpec};
-use crate::Quadratic;
-use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use super::{HybridLight, HybridSpan, HybridSpec};
+use crate::method_set_up::MethodSetUp;
+use crate::quadratic::Quadratic;
 
 /// Sets up the spans of a frame.
 pub(super) struct HybridSetUp<'a> {
@@ -11,44 +12,31 @@ pub(super) struct HybridSetUp<'a> {
     pub frame: &'a Frame,
 }
 
-impl SetUpSpan for HybridSetUp<'_> {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
-        let lights = self.frame.lights.iter().zip(&material.lights);
-        let [m, k] = self.frame.normal_and_step(span);
-        let inputs = HybridInputs {
+impl MethodSetUp for HybridSetUp<'_> {
+    type SpanGroup = HybridSpan<i64>;
+    type LightGroup = HybridLight<i64>;
+    /// m and k of N = m + k i.
+    type Geometry = [DVec3; 2];
+
+    fn geometry(&self, span: &Span) -> [DVec3; 2] {
+        self.frame.normal_and_step(span)
+    }
+
+    fn span_inputs(&self, span: &Span, &[m, k]: &[DVec3; 2]) -> HybridSpan<i64> {
+        HybridSpan {
             denominator: Quadratic::squared_length(span, m, k)
                 .quantised(self.hybrid.formats.accumulator),
-            exponent: self.hybrid.power_unit().input(self.frame.material(span).shininess),
-            ambient: material.ambient,
-            lights: lights
-                .map(|(light, coefficients)| self.light(span, light, coefficients))
-                .collect(),
-        };
-        inputs.append_to(out);
+            exponent: self.hybrid.power_unit().exponent(self.frame.material(span).shininess),
+        }
     }
-}
 
-impl HybridSetUp<'_> {
-    fn light(
-        &self,
-        span: &Span,
-        light: &DirectionalLight,
-        &Coefficients { diffuse, specular }: &Coefficients,
-    ) -> HybridLight<i64> {
-        let f = &self.hybrid.formats;
-        let [intensity_start, intensity_step] = self.frame.gouraud(span, light.direction);
+    fn light_inputs(&self, span: &Span, normal: &[DVec3; 2], index: usize) -> HybridLight<i64> {
+        let (f, l) = (&self.hybrid.formats, self.frame.lights[index].direction);
+        let [start, step] = self.frame.gouraud(span, l).map(|x| f.diffuse_accumulator.quantise(x));
         HybridLight {
-            numerator: Quadratic::reflected(
-                span,
-                self.frame.normal_and_step(span),
-                EYE,
-                light.direction,
-            )
-            .quantised(f.accumulator),
-            intensity_start: f.diffuse_accumulator.quantise(intensity_start),
-            intensity_step: f.diffuse_accumulator.quantise(intensity_step),
-            diffuse,
-            specular,
+            numerator: Quadratic::reflected(span, *normal, EYE, l).quantised(f.accumulator),
+            intensity_start: start,
+            intensity_step: step,
         }
     }
 }

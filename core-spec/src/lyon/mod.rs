@@ -1,5 +1,5 @@
 //! Lyon's reformulation of Phong shading for hardware [Lyon, Apple TR 43], methods B1 to B13.
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 mod wrap;
@@ -7,7 +7,7 @@ mod wrap;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
-pub use inputs::{LyonInputs, LyonLight};
+pub use inputs::{LyonInputs, LyonLight, LyonSpan};
 pub use wrap::NormalWrap;
 
 /// What the normal does along a span.
@@ -106,7 +106,7 @@ pub enum Halfway {
     HalfG2,
 }
 
-/// How the shape function is worked out from D.
+/// How the shape function is computed from D.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ShapeDatapath {
@@ -133,7 +133,7 @@ pub struct LyonSpec {
     pub difference: Difference,
     /// The half-way vector of those D that take one of about unit length.
     pub halfway: Halfway,
-    /// How f_k is worked out from D.
+    /// How f_k is computed from D.
     pub shape: ShapeDatapath,
     /// k of the shape function f_k(x) = (1 - x/2^k)^(2^k), 0 to 3: how often the shape is squared.
     pub squarings: u32,

@@ -2,18 +2,18 @@
 use glam::DVec3;
 use specula_scene::frame::{DirectionalLight, EYE, Frame, Span};
 
-use super::{Halfway, LyonInputs, LyonLight, LyonSpec, NormalWrap, Normals, ShapeDatapath};
-use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use super::{Halfway, LyonLight, LyonSpan, LyonSpec, NormalWrap, Normals, ShapeDatapath};
+use crate::method_set_up::MethodSetUp;
 
 /// Sets up the spans of a frame.
 pub(super) struct LyonSetUp<'a> {
     lyon: &'a LyonSpec,
     frame: &'a Frame,
-    lights: Vec<LightInputs>,
+    lights: Vec<Vectors>,
 }
 
-/// Inputs that depend on the light alone.
-struct LightInputs {
+/// What is the same of a light in every span.
+struct Vectors {
     direction: [i64; 3],
     halfway: Option<[i64; 3]>,
     has_highlight: bool,
@@ -24,29 +24,23 @@ impl<'a> LyonSetUp<'a> {
         LyonSetUp {
             lyon,
             frame,
-            lights: frame.lights.iter().map(|light| LightInputs::new(lyon, light)).collect(),
+            lights: frame.lights.iter().map(|light| Vectors::new(lyon, light)).collect(),
         }
     }
 }
 
-impl LightInputs {
-    fn new(lyon: &LyonSpec, light: &DirectionalLight) -> LightInputs {
+impl Vectors {
+    fn new(lyon: &LyonSpec, light: &DirectionalLight) -> Vectors {
         let (f, l) = (&lyon.formats, light.direction);
         let (takes_h, takes_unit) =
             (lyon.difference.takes_halfway(), lyon.difference.takes_unit_halfway());
         let sum = takes_h.then(|| f.vector_sum().quantise_vector(l + EYE));
         let unit = takes_unit.then(|| unit_halfway(lyon.halfway, l));
-        LightInputs {
+        Vectors {
             direction: f.vector.quantise_vector(l),
             halfway: sum.or(unit.map(|h| f.vector.quantise_vector(h.unwrap_or(DVec3::ZERO)))),
             has_highlight: unit != Some(None),
         }
-    }
-
-    fn with(&self, coefficients: &Coefficients) -> LyonLight<i64> {
-        let &Coefficients { diffuse, specular } = coefficients;
-        let specular = if self.has_highlight { specular } else { [0; 3] };
-        LyonLight { direction: self.direction, halfway: self.halfway, diffuse, specular }
     }
 }
 
@@ -120,24 +114,31 @@ impl LyonSetUp<'_> {
     }
 }
 
-impl SetUpSpan for LyonSetUp<'_> {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
+impl MethodSetUp for LyonSetUp<'_> {
+    type SpanGroup = LyonSpan<i64>;
+    type LightGroup = LyonLight<i64>;
+    type Geometry = ();
+
+    fn geometry(&self, _span: &Span) {}
+
+    fn span_inputs(&self, span: &Span, (): &()) -> LyonSpan<i64> {
         let normals = self.normals(span);
-        let inputs = LyonInputs {
+        LyonSpan {
             normal_start: normals.start,
             normal_delta: normals.delta,
             weight_step: normals.delta.map(|_| self.weight_step(span)),
             wrap_axis: normals.axis,
             wrap_follows: normals.follows,
             shininess: self.shininess(self.frame.material(span).shininess),
-            ambient: material.ambient,
-            lights: self
-                .lights
-                .iter()
-                .zip(&material.lights)
-                .map(|(light, coefficients)| light.with(coefficients))
-                .collect(),
-        };
-        inputs.append_to(out);
+        }
+    }
+
+    fn light_inputs(&self, _span: &Span, (): &(), index: usize) -> LyonLight<i64> {
+        let &Vectors { direction, halfway, .. } = &self.lights[index];
+        LyonLight { direction, halfway }
+    }
+
+    fn has_highlight(&self, index: usize) -> bool {
+        self.lights[index].has_highlight
     }
 }

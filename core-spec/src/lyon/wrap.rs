@@ -36,11 +36,11 @@ impl LyonSpec {
         let [start, end] = wrap.ends;
         // Not a number where there is no normal, so that nothing follows.
         let degrees = start.angle_between(end).to_degrees();
-        match self.follows()
-            && (degrees <= NARROW || (degrees <= WIDE && span.steps() >= MANY_STEPS))
+        if self.follows() && (degrees <= NARROW || (degrees <= WIDE && span.steps() >= MANY_STEPS))
         {
-            true => NormalWrap { wrap: Wrap { axis: start, ..wrap }, follows: true },
-            false => NormalWrap { wrap, follows: false },
+            NormalWrap { wrap: Wrap { axis: start, ..wrap }, follows: true }
+        } else {
+            NormalWrap { wrap, follows: false }
         }
     }
 }

@@ -3,8 +3,10 @@ use specula_datapath::Format;
 use specula_scene::needs::LocalKind;
 
 use super::{Highlight, PhongSpec, Places};
-use crate::inputs::inputs;
-use crate::{CoreSpec, InputPort};
+use crate::core_input::CoreInput;
+use crate::core_input::InputRole::{self, Exponent, Light, Surface};
+use crate::inputs::{CoreInputs, MethodInputs, inputs};
+use crate::parameters::CoreParameters;
 
 inputs! {
     /// A vector that is interpolated along the span.
@@ -19,8 +21,8 @@ inputs! {
 }
 
 inputs! {
-    /// The core's inputs, or whatever belongs to each of them.
-    PhongInputs {
+    /// Inputs that the lights of a span have in common.
+    PhongSpan {
         /// N0 and N1 - N0.
         normal: group(Way),
         /// 1/S, what the weight grows by with each pixel; 0 in a span of one pixel.
@@ -29,15 +31,11 @@ inputs! {
         shininess: one,
         /// To the eye; there if that is at a place.
         eye: group_if_any(Way),
-        /// Ambient light sent back, in LSBs.
-        ambient: vector,
-        /// What belongs to each light, those at infinity first.
-        lights: many(PhongLight),
     }
 }
 
 inputs! {
-    /// Inputs that belong to one light.
+    /// Inputs of one light.
     PhongLight {
         /// L; there for a light at infinity.
         direction: vector_if_any,
@@ -52,101 +50,76 @@ inputs! {
         /// 1/|L + V|; there where light and eye are at infinity and the highlight is in the angle
         /// to H*.
         halfway_gain: one_if_any,
-        /// Diffuse coefficient, in LSBs.
-        diffuse: vector,
-        /// Specular coefficient, in LSBs.
-        specular: vector,
+    }
+}
+
+/// The inputs of a core, or whatever belongs to each of them.
+pub type PhongInputs<T> = CoreInputs<PhongSpan<T>, PhongLight<T>, T>;
+
+impl MethodInputs for PhongSpec {
+    type SpanGroup = PhongSpan<CoreInput>;
+    type LightGroup = PhongLight<CoreInput>;
+
+    fn span_inputs(&self, core: &CoreParameters) -> PhongSpan<CoreInput> {
+        let largest = self.highlight.exponent_factor() * core.largest_shininess;
+        let weight = self.formats.weight_accumulator;
+        PhongSpan {
+            normal: self.straight("normal"),
+            weight_step: CoreInput::between(Surface, "weight_step", weight, 0.0, 1.0),
+            shininess: whole_number(Exponent, "shininess", largest),
+            eye: core.local_eye.then(|| self.way(Surface, "eye")),
+        }
+    }
+
+    fn light_inputs(&self, core: &CoreParameters, index: usize) -> PhongLight<CoreInput> {
+        let f = &self.formats;
+        let kind =
+            index.checked_sub(core.lights_at_infinity()).map(|local| core.local_lights[local]);
+        let name = |part: &str| format!("light{index}_{part}");
+        let vector = |part: &str| CoreInput::vector(Light, &name(part), f.vector, 1.0);
+        let is_spot = matches!(kind, Some(LocalKind::Spot { .. }));
+        let exponent = || whole_number(Light, &name("exponent"), core.largest_spot_exponent());
+        let constant = kind.is_none() && !core.local_eye;
+        PhongLight {
+            direction: kind.is_none().then(|| vector("direction")),
+            way: kind.is_some().then(|| self.way(Light, &name("way"))),
+            axis: (is_spot && self.places == Places::Exact).then(|| vector("axis")),
+            exponent: is_spot.then(exponent),
+            light_dot_view: (constant && self.highlight == Highlight::Reflection)
+                .then(|| CoreInput::between(Light, name("light_dot_view"), f.cosine, -1.0, 1.0)),
+            halfway_gain: (constant && self.highlight != Highlight::Reflection)
+                .then(|| CoreInput::whole(Light, name("halfway_gain"), f.gain)),
+        }
     }
 }
 
 impl PhongSpec {
-    /// The ports of a core with this method.
-    pub fn inputs(&self, core: &CoreSpec) -> PhongInputs<InputPort> {
-        let largest = self.highlight.exponent_factor() * core.largest_shininess;
-        let (integer, f) = (Format::unsigned(bits(largest), 0), &self.formats);
-        let at_infinity = core.lights - core.local_lights.len();
-        let kinds = (0..core.lights)
-            .map(|i| i.checked_sub(at_infinity).map(|local| core.local_lights[local]));
-        let whole = PhongInputs {
-            normal: self.straight("normal"),
-            weight_step: InputPort::between("weight_step", f.weight_accumulator, 0.0, 1.0),
-            shininess: InputPort::between("shininess", integer, 1.0, f64::from(largest)),
-            eye: core.local_eye.then(|| self.way("eye")),
-            ambient: core.colour_ports("ambient"),
-            lights: kinds.enumerate().map(|(i, kind)| self.light_inputs(core, i, kind)).collect(),
-        };
-        whole.map(|port| core.over_frames(port))
-    }
-
     /// A vector that is brought to unit length.
-    fn straight(&self, name: &str) -> Way<InputPort> {
+    fn straight(&self, name: &str) -> Way<CoreInput> {
+        let (vector, sum) = (self.formats.vector, self.formats.vector_sum());
         Way {
-            start: InputPort::vector(&format!("{name}_start"), self.formats.vector, 1.0),
-            delta: InputPort::vector(&format!("{name}_delta"), self.formats.vector_sum(), 2.0),
+            start: CoreInput::vector(Surface, &format!("{name}_start"), vector, 1.0),
+            delta: CoreInput::vector(Surface, &format!("{name}_delta"), sum, 2.0),
             axis: None,
         }
     }
 
-    /// A vector to a place.
-    fn way(&self, name: &str) -> Way<InputPort> {
+    /// A vector to a place; what it is wrapped around tells of `axis`.
+    fn way(&self, axis: InputRole, name: &str) -> Way<CoreInput> {
+        let (vector, sum) = (self.formats.vector, self.formats.vector_sum());
         match self.places {
             Places::Exact => self.straight(name),
             Places::Wrapped => Way {
-                start: InputPort::vector(
-                    &format!("{name}_wrap_start"),
-                    self.formats.vector_sum(),
-                    2.0,
-                ),
-                delta: InputPort::vector(
-                    &format!("{name}_wrap_delta"),
-                    self.formats.vector_sum(),
-                    2.0,
-                ),
-                axis: Some(InputPort::vector(
-                    &format!("{name}_wrap_axis"),
-                    self.formats.vector,
-                    1.0,
-                )),
+                start: CoreInput::vector(Surface, &format!("{name}_wrap_start"), sum, 2.0),
+                delta: CoreInput::vector(Surface, &format!("{name}_wrap_delta"), sum, 2.0),
+                axis: Some(CoreInput::vector(axis, &format!("{name}_wrap_axis"), vector, 1.0)),
             },
-        }
-    }
-
-    fn light_inputs(
-        &self,
-        core: &CoreSpec,
-        index: usize,
-        kind: Option<LocalKind>,
-    ) -> PhongLight<InputPort> {
-        let f = &self.formats;
-        let name = |part: &str| format!("light{index}_{part}");
-        let vector = |part: &str| InputPort::vector(&name(part), f.vector, 1.0);
-        let is_spot = matches!(kind, Some(LocalKind::Spot { .. }));
-        let largest = core.largest_spot_exponent();
-        let exponent = || {
-            InputPort::between(
-                name("exponent"),
-                Format::unsigned(bits(largest), 0),
-                1.0,
-                f64::from(largest),
-            )
-        };
-        let constant = kind.is_none() && !core.local_eye;
-        PhongLight {
-            direction: kind.is_none().then(|| vector("direction")),
-            way: kind.is_some().then(|| self.way(&name("way"))),
-            axis: (is_spot && self.places == Places::Exact).then(|| vector("axis")),
-            exponent: is_spot.then(exponent),
-            light_dot_view: (constant && self.highlight == Highlight::Reflection)
-                .then(|| InputPort::between(name("light_dot_view"), f.cosine, -1.0, 1.0)),
-            halfway_gain: (constant && self.highlight != Highlight::Reflection)
-                .then(|| InputPort::whole(name("halfway_gain"), f.gain)),
-            diffuse: core.colour_ports(&name("diffuse")),
-            specular: core.colour_ports(&name("specular")),
         }
     }
 }
 
-/// Bits of a whole number.
-fn bits(largest: u32) -> u32 {
-    u32::BITS - largest.leading_zeros()
+/// A number from 1 to `largest`.
+fn whole_number(role: InputRole, name: &str, largest: u32) -> CoreInput {
+    let format = Format::unsigned(u32::BITS - largest.leading_zeros(), 0);
+    CoreInput::between(role, name, format, 1.0, f64::from(largest))
 }

@@ -1,7 +1,7 @@
 //! Phong shading with the normal brought to unit length at each pixel [lecture, eq. 2.1, 4.1, 4.2],
 //! methods A3, A5, and Blinn's distributions [Lyon, TR 43, appendix], with lights and eye at
 //! infinity or at places [Hast et al., eq. 35 to 38], methods C15 to C18.
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 mod wrap;
@@ -9,7 +9,7 @@ mod wrap;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
-pub use inputs::{PhongInputs, PhongLight, Way};
+pub use inputs::{PhongInputs, PhongLight, PhongSpan, Way};
 pub use wrap::{wrap_to_eye, wrap_to_light};
 
 /// How strong the highlight is.

@@ -4,10 +4,10 @@ use specula_scene::Wrap;
 use specula_scene::frame::{DirectionalLight, EYE, Frame, LocalLight, Span};
 
 use super::{
-    Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Places, Way, wrap_to_eye,
+    Highlight, PhongFormats, PhongLight, PhongSpan, PhongSpec, Places, Way, wrap_to_eye,
     wrap_to_light,
 };
-use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use crate::method_set_up::MethodSetUp;
 
 /// Sets up the spans of a frame.
 pub(super) struct PhongSetUp<'a> {
@@ -15,35 +15,34 @@ pub(super) struct PhongSetUp<'a> {
     pub frame: &'a Frame,
 }
 
-impl SetUpSpan for PhongSetUp<'_> {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
+impl MethodSetUp for PhongSetUp<'_> {
+    type SpanGroup = PhongSpan<i64>;
+    type LightGroup = PhongLight<i64>;
+    type Geometry = ();
+
+    fn geometry(&self, _span: &Span) {}
+
+    fn span_inputs(&self, span: &Span, (): &()) -> PhongSpan<i64> {
         let (f, frame) = (&self.phong.formats, self.frame);
-        let step = span.weight_step();
-        let (at_infinity, local) = material.lights.split_at(frame.lights.len());
-        let at_infinity =
-            frame.lights.iter().zip(at_infinity).map(|(light, c)| self.at_infinity(light, c));
-        let local =
-            frame.local_lights.iter().zip(local).map(|(light, c)| self.at_a_place(span, light, c));
-        let inputs = PhongInputs {
+        let shininess = frame.material(span).shininess;
+        PhongSpan {
             normal: straight(f, frame.end_normals(span)),
-            weight_step: f.weight_accumulator.quantise(step),
-            shininess: i64::from(
-                frame.material(span).shininess * self.phong.highlight.exponent_factor(),
-            ),
+            weight_step: f.weight_accumulator.quantise(span.weight_step()),
+            shininess: i64::from(shininess * self.phong.highlight.exponent_factor()),
             eye: frame.eye.map(|eye| self.to_eye(span, eye)),
-            ambient: material.ambient,
-            lights: at_infinity.chain(local).collect(),
-        };
-        inputs.append_to(out);
+        }
+    }
+
+    fn light_inputs(&self, span: &Span, (): &(), index: usize) -> PhongLight<i64> {
+        match index.checked_sub(self.frame.lights.len()) {
+            None => self.at_infinity(&self.frame.lights[index]),
+            Some(local) => self.at_a_place(span, &self.frame.local_lights[local]),
+        }
     }
 }
 
 impl PhongSetUp<'_> {
-    fn at_infinity(
-        &self,
-        light: &DirectionalLight,
-        &Coefficients { diffuse, specular }: &Coefficients,
-    ) -> PhongLight<i64> {
+    fn at_infinity(&self, light: &DirectionalLight) -> PhongLight<i64> {
         let (f, l) = (&self.phong.formats, light.direction);
         let constant = self.frame.eye.is_none();
         let in_reflection = self.phong.highlight == Highlight::Reflection;
@@ -56,8 +55,6 @@ impl PhongSetUp<'_> {
             // Where L = -V the gain saturates, and H = 0 makes nothing of it (extremes row 12).
             halfway_gain: (constant && !in_reflection)
                 .then(|| f.gain.quantise((l + EYE).length().recip())),
-            diffuse,
-            specular,
         }
     }
 
@@ -69,12 +66,7 @@ impl PhongSetUp<'_> {
         }
     }
 
-    fn at_a_place(
-        &self,
-        span: &Span,
-        light: &LocalLight,
-        &Coefficients { diffuse, specular }: &Coefficients,
-    ) -> PhongLight<i64> {
+    fn at_a_place(&self, span: &Span, light: &LocalLight) -> PhongLight<i64> {
         let (f, frame) = (&self.phong.formats, self.frame);
         let exact = self.phong.places == Places::Exact;
         PhongLight {
@@ -91,8 +83,6 @@ impl PhongSetUp<'_> {
             exponent: light.spot.as_ref().map(|spot| i64::from(spot.exponent)),
             light_dot_view: None,
             halfway_gain: None,
-            diffuse,
-            specular,
         }
     }
 }

@@ -5,7 +5,7 @@
 //! and that of N where N is one. So N'·u = (2(H·u)(H·n) - (n·u) q)/q with q = H·H is a quotient of
 //! quadratics in the pixel number for any u. (The paper's H is twice as long, and the quotient the
 //! same.)
-mod choose;
+mod defaults;
 mod inputs;
 mod set_up;
 
@@ -15,7 +15,7 @@ use specula_datapath::Format;
 use specula_scene::frame::{Frame, Span};
 
 use crate::power::{Power, PowerUnit};
-pub use inputs::{ReflectionInputs, ReflectionLight};
+pub use inputs::{ReflectionInputs, ReflectionLight, ReflectionSpan};
 
 /// No longer than this, a sum of two unit vectors has no direction that is worth having (extremes
 /// row 9).
@@ -91,7 +91,7 @@ impl Bisector {
     /// n for a span: a unit vector less than 90 degrees from the normals at both ends, so that |H|
     /// ≥ 1/2 all along. `None` where the ends are opposite or have no direction (extremes rows 1
     /// and 7 to 9).
-    pub fn of(self, frame: &Frame, span: &Span) -> Option<DVec3> {
+    pub fn fixed_normal(self, frame: &Frame, span: &Span) -> Option<DVec3> {
         let ends = frame.unit_end_normals(span);
         let of_ends = || {
             Some(ends[0] + ends[1]).filter(|sum| sum.length() > SHORTEST_SUM).map(DVec3::normalize)

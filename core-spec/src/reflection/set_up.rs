@@ -1,10 +1,10 @@
 //! Set-up of a span for `reflection`.
 use glam::DVec3;
-use specula_scene::frame::{DirectionalLight, EYE, Frame, Span, halfway};
+use specula_scene::frame::{EYE, Frame, Span, halfway};
 
-use super::{Highlight, ReflectionInputs, ReflectionLight, ReflectionSpec};
-use crate::Quadratic;
-use crate::set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use super::{Highlight, ReflectionLight, ReflectionSpan, ReflectionSpec};
+use crate::method_set_up::MethodSetUp;
+use crate::quadratic::Quadratic;
 
 /// Sets up the spans of a frame.
 pub(super) struct ReflectionSetUp<'a> {
@@ -12,75 +12,72 @@ pub(super) struct ReflectionSetUp<'a> {
     pub frame: &'a Frame,
 }
 
-/// One span's H(i) = m + k i, and n; all of them 0 where there is no n.
-struct Halfway<'a> {
-    span: &'a Span,
+/// One span's N, H(i) = m + k i, and n; H and n are 0 where there is no n.
+pub(super) struct Halfway {
+    /// m and k of N.
+    normal: [DVec3; 2],
     m: DVec3,
     k: DVec3,
     n: DVec3,
 }
 
-impl<'a> Halfway<'a> {
-    fn new(reflection: &ReflectionSpec, frame: &Frame, span: &'a Span) -> Halfway<'a> {
+impl Halfway {
+    fn new(reflection: &ReflectionSpec, frame: &Frame, span: &Span) -> Halfway {
+        let normal = frame.normal_and_step(span);
         let [start, end] = frame.unit_end_normals(span);
-        match reflection.bisector.of(frame, span) {
+        match reflection.bisector.fixed_normal(frame, span) {
             Some(n) => Halfway {
-                span,
+                normal,
                 m: (start + n) / 2.0,
                 k: (end - start) / (2.0 * f64::from(span.steps().max(1))),
                 n,
             },
-            None => Halfway { span, m: DVec3::ZERO, k: DVec3::ZERO, n: DVec3::ZERO },
+            None => Halfway { normal, m: DVec3::ZERO, k: DVec3::ZERO, n: DVec3::ZERO },
         }
     }
 
     /// q N'·u = 2(H·n)(H·u) - (n·u) q.
-    fn times(&self, u: DVec3) -> Quadratic<f64> {
-        Quadratic::reflected(self.span, [self.m, self.k], self.n, u)
+    fn cosine_numerator(&self, span: &Span, u: DVec3) -> Quadratic<f64> {
+        Quadratic::reflected(span, [self.m, self.k], self.n, u)
     }
 }
 
-impl SetUpSpan for ReflectionSetUp<'_> {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
+impl MethodSetUp for ReflectionSetUp<'_> {
+    type SpanGroup = ReflectionSpan<i64>;
+    type LightGroup = ReflectionLight<i64>;
+    type Geometry = Halfway;
+
+    fn geometry(&self, span: &Span) -> Halfway {
+        Halfway::new(self.reflection, self.frame, span)
+    }
+
+    fn span_inputs(&self, span: &Span, h: &Halfway) -> ReflectionSpan<i64> {
         let (spec, accumulator) = (self.reflection, self.reflection.formats.accumulator);
-        let h = Halfway::new(spec, self.frame, span);
-        let [m, k] = self.frame.normal_and_step(span);
-        let lights = self.frame.lights.iter().zip(&material.lights);
-        let inputs = ReflectionInputs {
+        let [m, k] = h.normal;
+        ReflectionSpan {
             denominator: Quadratic::squared_length(span, h.m, h.k).quantised(accumulator),
-            view: spec.only_with(Highlight::Eq34, || h.times(EYE).quantised(accumulator)),
+            view: spec.only_with(Highlight::Eq34, || {
+                h.cosine_numerator(span, EYE).quantised(accumulator)
+            }),
             normal_squared: spec.only_with(Highlight::Hybrid, || {
                 Quadratic::squared_length(span, m, k).quantised(accumulator)
             }),
-            exponent: spec.power_unit().input(self.frame.material(span).shininess),
-            ambient: material.ambient,
-            lights: lights
-                .map(|(light, coefficients)| self.light(&h, [m, k], light, coefficients))
-                .collect(),
-        };
-        inputs.append_to(out);
+            exponent: spec.power_unit().exponent(self.frame.material(span).shininess),
+        }
     }
-}
 
-impl ReflectionSetUp<'_> {
-    fn light(
-        &self,
-        h: &Halfway,
-        normal: [DVec3; 2],
-        light: &DirectionalLight,
-        &Coefficients { diffuse, specular }: &Coefficients,
-    ) -> ReflectionLight<i64> {
-        let (spec, f, l) = (self.reflection, &self.reflection.formats, light.direction);
+    fn light_inputs(&self, span: &Span, h: &Halfway, index: usize) -> ReflectionLight<i64> {
+        let (spec, f) = (self.reflection, &self.reflection.formats);
+        let l = self.frame.lights[index].direction;
         let quantised = |quadratic: Quadratic<f64>| quadratic.quantised(f.accumulator);
         ReflectionLight {
-            cosine: quantised(h.times(l)),
-            halfway: spec.only_with(Highlight::Blinn, || quantised(h.times(halfway(l)))),
+            cosine: quantised(h.cosine_numerator(span, l)),
+            halfway: spec
+                .only_with(Highlight::Blinn, || quantised(h.cosine_numerator(span, halfway(l)))),
             numerator: spec.only_with(Highlight::Hybrid, || {
-                quantised(Quadratic::reflected(h.span, normal, EYE, l))
+                quantised(Quadratic::reflected(span, h.normal, EYE, l))
             }),
             dot_view: spec.only_with(Highlight::Eq34, || f.cosine.quantise(l.dot(EYE))),
-            diffuse,
-            specular,
         }
     }
 }

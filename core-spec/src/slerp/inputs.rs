@@ -1,11 +1,15 @@
 //! The inputs of a `slerp` core.
+use specula_datapath::Format;
+
 use super::{Form, LARGEST_WEIGHT, SlerpSpec};
-use crate::inputs::inputs;
-use crate::{CoreSpec, InputPort};
+use crate::core_input::CoreInput;
+use crate::core_input::InputRole::{self, Light, Surface};
+use crate::inputs::{CoreInputs, MethodInputs, inputs};
+use crate::parameters::CoreParameters;
 
 inputs! {
-    /// The core's inputs, or whatever belongs to each of them.
-    SlerpInputs {
+    /// Inputs that the lights of a span have in common.
+    SlerpSpan {
         /// cos(f/S); 1 in a span of one pixel, and where normals are interpolated linearly.
         turn_cosine: one,
         /// sin(f/S); 0 in a span of one pixel, and 1/S where normals are interpolated linearly.
@@ -25,15 +29,11 @@ inputs! {
         normal: group_if_any(Axes),
         /// n, or its logarithm.
         exponent: one,
-        /// Ambient light sent back, in LSBs.
-        ambient: vector,
-        /// What belongs to each light.
-        lights: many(SlerpLight),
     }
 }
 
 inputs! {
-    /// Inputs that belong to one light.
+    /// Inputs of one light.
     SlerpLight {
         /// N·L, of scalars.
         light: group_if_any(OnArc),
@@ -41,10 +41,6 @@ inputs! {
         direction: vector_if_any,
         /// L·V; 1 where the span has no normal, which leaves no highlight.
         light_dot_view: one,
-        /// Diffuse coefficient, in LSBs.
-        diffuse: vector,
-        /// Specular coefficient, in LSBs.
-        specular: vector,
     }
 }
 
@@ -68,52 +64,56 @@ inputs! {
     }
 }
 
-impl SlerpSpec {
-    /// The ports of a core with this method. Angles are 0 to 180 degrees, so no sine is negative.
-    pub fn inputs(&self, core: &CoreSpec) -> SlerpInputs<InputPort> {
+/// The inputs of a core, or whatever belongs to each of them.
+pub type SlerpInputs<T> = CoreInputs<SlerpSpan<T>, SlerpLight<T>, T>;
+
+/// Angles are 0 to 180 degrees, so no sine is negative.
+impl MethodInputs for SlerpSpec {
+    type SpanGroup = SlerpSpan<CoreInput>;
+    type LightGroup = SlerpLight<CoreInput>;
+
+    fn span_inputs(&self, core: &CoreParameters) -> SlerpSpan<CoreInput> {
         let (turn, state, ends) =
             (self.formats.turn, self.formats.scaled_state, self.between_ends());
-        let vector = |name: &str| InputPort::vector(name, self.formats.vector, 1.0);
-        let whole = SlerpInputs {
-            turn_cosine: InputPort::between("turn_cosine", turn, -1.0, 1.0),
-            turn_sine: InputPort::between("turn_sine", turn, 0.0, 1.0),
-            turn_back: ends.then(|| InputPort::between("turn_back", turn, 0.0, 1.0)),
-            rising_cosine: ends
-                .then(|| InputPort::between("rising_cosine", state, 0.0, LARGEST_WEIGHT)),
-            falling_cosine: ends.then(|| {
-                InputPort::between("falling_cosine", state, -LARGEST_WEIGHT, LARGEST_WEIGHT)
-            }),
+        let number = |name: &str, format: Format, low: f64, high: f64| {
+            CoreInput::between(Surface, name, format, low, high)
+        };
+        let vector = |name: &str| CoreInput::vector(Surface, name, self.formats.vector, 1.0);
+        SlerpSpan {
+            turn_cosine: number("turn_cosine", turn, -1.0, 1.0),
+            turn_sine: number("turn_sine", turn, 0.0, 1.0),
+            turn_back: ends.then(|| number("turn_back", turn, 0.0, 1.0)),
+            rising_cosine: ends.then(|| number("rising_cosine", state, 0.0, LARGEST_WEIGHT)),
+            falling_cosine: ends
+                .then(|| number("falling_cosine", state, -LARGEST_WEIGHT, LARGEST_WEIGHT)),
             view: self.on_arc("view"),
             normal: (self.form == Form::Vector).then(|| Axes {
                 start: vector("normal_start"),
                 other: vector(if ends { "normal_end" } else { "normal_across" }),
             }),
-            exponent: self.power_unit().port(core),
-            ambient: core.colour_ports("ambient"),
-            lights: (0..core.lights).map(|i| self.light_inputs(core, i)).collect(),
-        };
-        whole.map(|port| core.over_frames(port))
-    }
-
-    fn light_inputs(&self, core: &CoreSpec, index: usize) -> SlerpLight<InputPort> {
-        SlerpLight {
-            light: self.on_arc(&format!("light{index}")),
-            direction: (self.form == Form::Vector).then(|| {
-                InputPort::vector(&format!("light{index}_direction"), self.formats.vector, 1.0)
-            }),
-            light_dot_view: self.component(&format!("light{index}_dot_view")),
-            diffuse: core.colour_ports(&format!("light{index}_diffuse")),
-            specular: core.colour_ports(&format!("light{index}_specular")),
+            exponent: self.power_unit().exponent_input(core),
         }
     }
 
-    fn on_arc(&self, name: &str) -> Option<OnArc<InputPort>> {
-        let component = |end: &str| self.component(&format!("{name}_{end}"));
+    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> SlerpLight<CoreInput> {
+        let name = |part: &str| format!("light{index}_{part}");
+        SlerpLight {
+            light: self.on_arc(&format!("light{index}")),
+            direction: (self.form == Form::Vector)
+                .then(|| CoreInput::vector(Light, &name("direction"), self.formats.vector, 1.0)),
+            light_dot_view: self.component(Light, &name("dot_view")),
+        }
+    }
+}
+
+impl SlerpSpec {
+    fn on_arc(&self, name: &str) -> Option<OnArc<CoreInput>> {
+        let component = |end: &str| self.component(Surface, &format!("{name}_{end}"));
         (self.form == Form::Scalar)
             .then(|| OnArc { start: component("start"), across: component("across") })
     }
 
-    fn component(&self, name: &str) -> InputPort {
-        InputPort::between(name, self.formats.component, -1.0, 1.0)
+    fn component(&self, role: InputRole, name: &str) -> CoreInput {
+        CoreInput::between(role, name, self.formats.component, -1.0, 1.0)
     }
 }

@@ -5,8 +5,8 @@
 //! vector across A towards B, N(i) = cos(i f/S) A + sin(i f/S) T. So J = N·L and K = N·V are what
 //! one rotation makes of four scalars, whatever the number of lights, and the base of the highlight
 //! is 2 J K - L·V. Nothing is divided by sin f: a span of no angle is one like others.
-mod choose;
-mod course;
+mod arc_rotation;
+mod defaults;
 mod inputs;
 mod set_up;
 
@@ -14,8 +14,8 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
 use crate::power::{Power, PowerUnit};
-pub use course::{Course, LARGEST_WEIGHT};
-pub use inputs::{Axes, OnArc, SlerpInputs, SlerpLight};
+pub use arc_rotation::{ArcRotation, LARGEST_WEIGHT};
+pub use inputs::{Axes, OnArc, SlerpInputs, SlerpLight, SlerpSpan};
 
 /// What is put together from the weights of an arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -42,8 +42,9 @@ pub fn judged(
     let pairs = outputs.iter().flatten().zip(real.iter().flatten());
     let largest = pairs.map(|(fixed, real)| (fixed - real).abs()).fold(0.0, f64::max);
     println!("// {} values simulated, largest error {largest:.6}", outputs.len());
-    match largest <= design.error_bound() {
-        true => Ok(()),
-        false => Err(format!("an error of {largest} is beyond the bound").into()),
+    if largest <= design.error_bound() {
+        Ok(())
+    } else {
+        Err(format!("an error of {largest} is beyond the bound").into())
     }
 }

@@ -1,4 +1,5 @@
 //! A design as rust-hdl blocks: what rust-hdl checks and simulates, and what `verilog` prints.
+mod logic;
 mod lower;
 mod module;
 mod wire;

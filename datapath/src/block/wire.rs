@@ -21,6 +21,8 @@ pub struct WireType {
     pub format: String,
     /// The stated fact that its width rests on, if it does.
     pub fact: Option<String>,
+    /// Clocks after a pixel's entry at which its value belongs to that pixel.
+    pub stage: u32,
     id: usize,
 }
 
@@ -44,6 +46,7 @@ impl Wire {
             signed: node.range.signed(),
             format: node.format().to_string(),
             fact,
+            stage: node.stage,
             id: get_signal_id(),
         };
         Wire { value: 0, next: 0, changed: false, driven: false, wire_type: Box::new(wire_type) }

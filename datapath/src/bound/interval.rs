@@ -43,6 +43,37 @@ impl Interval {
         Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
+    /// Values of a sum.
+    pub fn plus(self, other: Interval) -> Interval {
+        Interval { low: self.low + other.low, high: self.high + other.high }
+    }
+
+    /// Values of a difference.
+    pub fn minus(self, other: Interval) -> Interval {
+        Interval { low: self.low - other.high, high: self.high - other.low }
+    }
+
+    /// Values of a product; any value where an end is infinite.
+    pub fn times(self, other: Interval) -> Interval {
+        let corners = [
+            self.low * other.low,
+            self.low * other.high,
+            self.high * other.low,
+            self.high * other.high,
+        ];
+        if corners.iter().any(|corner| corner.is_nan()) {
+            return Interval::ANY;
+        }
+        let end = |f: fn(f64, f64) -> f64| corners.into_iter().reduce(f).unwrap_or(f64::NAN);
+        Interval { low: end(f64::min), high: end(f64::max) }
+    }
+
+    /// Values of a square.
+    pub fn squared(self) -> Interval {
+        let (low, high) = (self.absolute().low, self.magnitude());
+        Interval { low: low * low, high: high * high }
+    }
+
     /// The value, or `limit` where it is smaller.
     pub fn clamped_below(self, limit: f64) -> Interval {
         Interval { low: self.low.max(limit), high: self.high.max(limit) }

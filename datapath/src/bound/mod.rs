@@ -3,7 +3,7 @@
 //! These are plain numbers, as values rather than in units of the last place, so that a proof takes
 //! them without knowing of graphs: [`Sig::bound`](crate::builder::Sig::bound) and
 //! [`Vector::bound`](crate::builder::Vector::bound) give them. The
-//! [pass over the graph](crate::pass::bounds) computes them.
+//! [pass over the graph](fn@crate::pass::bounds) computes them.
 mod interval;
 mod model;
 mod vector;
@@ -28,6 +28,12 @@ pub struct Bound {
 }
 
 impl Bound {
+    /// A value that is no further than `error` from a real one in `real`, rounded nowhere else.
+    pub fn near(real: Interval, error: f64) -> Bound {
+        let fixed = real.enlarged_by(error);
+        Bound { error, model: ErrorModel::Bounded, fixed, real, ulp: 0.0 }
+    }
+
     /// The largest |fixed|.
     pub fn magnitude(self) -> f64 {
         self.fixed.magnitude()
@@ -39,6 +45,11 @@ impl Bound {
             ErrorModel::Angular(angular) => Some(angular),
             _ => None,
         }
+    }
+
+    /// What is known of its error.
+    pub fn error_bound(self) -> ErrorBound {
+        ErrorBound { error: self.error, model: self.model }
     }
 
     /// Whether fixed and real value are the same.

@@ -74,6 +74,13 @@ impl From<f64> for ErrorBound {
     }
 }
 
+impl From<ErrorModel> for ErrorBound {
+    /// Something is known of the error besides the bound that there is.
+    fn from(model: ErrorModel) -> ErrorBound {
+        ErrorBound { error: f64::INFINITY, model }
+    }
+}
+
 impl From<Angular> for ErrorBound {
     /// A cosine is off by no more than its angle, and what it is off by besides.
     fn from(angular: Angular) -> ErrorBound {

@@ -14,6 +14,12 @@ pub struct VectorBound {
 }
 
 impl VectorBound {
+    /// A vector off by no more than `error`, whatever the direction.
+    pub fn ball(shortest: f64, longest: f64, error: f64) -> VectorBound {
+        let component_error = error;
+        VectorBound { shortest, longest, error: VectorError::ball(error), component_error }
+    }
+
     /// s - e: fixed and real vector are both no shorter, where it is above 0.
     pub fn surely(self) -> f64 {
         self.shortest - self.error.length

@@ -1,12 +1,11 @@
 //! The usual feedback: a value that grows by a step with each pixel of a span.
-use super::state::SignalInfo;
 use super::{Builder, Sig};
 use crate::design::{NodeId, Op, Range};
-use crate::graph::{GroupId, Pace, Value};
+use crate::graph::{GroupId, Pace, Rule, Value};
 
 impl Sig {
     /// `start` at the first pixel of a span (where `first` is 1), and from then on `step` more with
-    /// each pixel.
+    /// each pixel; in clocks without one the value waits.
     ///
     /// The unit assumes by `fact` that the value stays from `low` to `high` while the span lasts;
     /// behind its last pixel the register may wrap, and the next span loads it anew. With errors e
@@ -23,9 +22,9 @@ impl Sig {
         let fraction_bits = start.fraction_bits().max(step.fraction_bits());
         let (start, step) =
             (start.with_fraction_bits(fraction_bits), step.with_fraction_bits(fraction_bits));
-        let error = start.error() + f64::from(steps) * step.error();
+        let rule = Rule::Accumulated { start: start.real(), step: step.real(), steps };
         if step.range() == Range::single(0) {
-            return start.never_growing(error);
+            return start.never_growing(rule);
         }
         let builder = first.builder.clone();
         let round = builder.group([first, &start, &step]);
@@ -36,19 +35,17 @@ impl Sig {
             Range::new(raw(low).floor() as i64, raw(high).ceil() as i64).hull(start.range());
         let whole = Range::whole(assumed.width(), assumed.signed());
         let state = builder.feedback_register(whole, fraction_bits, round);
-        let facts =
-            |range: Range, kind| SignalInfo { range: range.into(), fraction_bits, error, kind };
         let select = Op::Select(first.id(), start.id(), builder.kept_for_a_pixel(state));
-        let value = builder.emit(select, Pace::Wire, facts(whole.hull(start.range()), "value"));
-        let next_range =
-            SignalInfo { range: value.range().plus(step.range()), ..facts(whole, "next") };
-        let next = builder.emit(Op::Add(value.id(), step.id()), Pace::Wire, next_range);
+        let value = start.wired(select, whole.hull(start.range()), "value", rule);
+        let grown = Rule::Sum(value.real(), step.real());
+        let sum = value.range().plus(step.range());
+        let next = value.wired(Op::Add(value.id(), step.id()), sum, "next", grown);
         builder.close_loop(state, &next);
         let value = value.assumed(low, high, fact);
-        builder.emit(Op::Copy(value.id()), Pace::Register, facts(value.range(), "accumulated"))
+        value.registered("accumulated", Rule::Same(value.real()))
     }
 
-    /// `start` and the `term` of every clock since `first` was 1, this one included.
+    /// `start` and the `term` of every valid clock since `first` was 1, this one included.
     ///
     /// By `fact` that stays from `low` to `high` while the pixel lasts. With errors e of start and
     /// term it is off by e_start + n e_term after n terms, so by e_start + `most` · e_term at most.
@@ -66,42 +63,31 @@ impl Sig {
         let builder = first.builder.clone();
         let round = builder.group([first, &start, &term]);
         let [first, start, term] = [first, &start, &term].map(|sig| sig.taken_with(round));
-        let error = start.error() + f64::from(most) * term.error();
+        let rule = Rule::Accumulated { start: start.real(), step: term.real(), steps: most };
 
         let raw = |value: f64| value / start.ulp();
         let stated = Range::new(raw(low).floor() as i64, raw(high).ceil() as i64);
         let whole = Range::whole(stated.width(), stated.signed());
         let state = builder.feedback_register(whole, fraction_bits, round);
         let select = Op::Select(first.id(), start.id(), state);
-        let facts =
-            |range: Range, kind| SignalInfo { range: range.into(), fraction_bits, error, kind };
-        let before = builder.emit(select, Pace::Wire, facts(whole.hull(start.range()), "before"));
+        let before = start.wired(select, whole.hull(start.range()), "before", rule);
+        let grown = Rule::Same(before.real());
         let range = before.range().plus(term.range());
-        let sum = builder.emit(
-            Op::Add(before.id(), term.id()),
-            Pace::Wire,
-            SignalInfo { range, ..facts(whole, "sum") },
-        );
+        let sum = before.wired(Op::Add(before.id(), term.id()), range, "sum", grown);
         builder.close_loop(state, &sum);
         let sum = sum.assumed(low, high, fact);
-        builder.emit(Op::Copy(sum.id()), Pace::Register, facts(sum.range(), "summed"))
+        sum.registered("summed", Rule::Same(sum.real()))
     }
 
     /// What starts here and never changes: inputs are held while their span goes in, so no register
-    /// need keep it. A step of 0 may be one that the host rounded to 0, so `error` is that of any
-    /// accumulated value.
-    fn never_growing(&self, error: f64) -> Sig {
+    /// need keep it. A step of 0 may be one that the host rounded to 0, so it is off as any
+    /// accumulated value is.
+    fn never_growing(&self, rule: Rule) -> Sig {
         self.builder.leave_out(
             &format!("accumulator {} bits", self.range().width()),
             "its step is always 0",
         );
-        let facts = SignalInfo {
-            range: self.range().into(),
-            fraction_bits: self.fraction_bits(),
-            error,
-            kind: "accumulated",
-        };
-        self.builder.emit(Op::Copy(self.id()), Pace::Register, facts)
+        self.registered("accumulated", rule)
     }
 }
 

@@ -3,6 +3,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use super::Sig;
 use crate::design::Op;
+use crate::graph::Rule;
 
 impl Sig {
     /// The two values with the binary point in the same place.
@@ -13,33 +14,30 @@ impl Sig {
 
     fn plus(&self, other: &Sig) -> Sig {
         let (a, b) = self.same_point(other);
-        let facts = (a.range().plus(b.range()), a.fraction_bits(), a.error() + b.error());
-        Sig::operator([&a, &b], |[a, b]| Op::Add(a, b), facts, "sum")
+        let shape = (a.range().plus(b.range()), a.fraction_bits());
+        let rule = Rule::Sum(self.real(), other.real());
+        Sig::operator([&a, &b], |[a, b]| Op::Add(a, b), shape, ("sum", rule))
     }
 
     fn minus(&self, other: &Sig) -> Sig {
         let (a, b) = self.same_point(other);
-        let facts = (a.range().minus(b.range()), a.fraction_bits(), a.error() + b.error());
-        Sig::operator([&a, &b], |[a, b]| Op::Sub(a, b), facts, "difference")
+        let shape = (a.range().minus(b.range()), a.fraction_bits());
+        let rule = Rule::Difference(self.real(), other.real());
+        Sig::operator([&a, &b], |[a, b]| Op::Sub(a, b), shape, ("difference", rule))
     }
 
-    /// |ab - a'b'| ≤ |a| e_b + |b| e_a + e_a e_b.
     fn times(&self, other: &Sig) -> Sig {
-        let (ea, eb) = (self.error(), other.error());
-        let error = self.range().magnitude() * eb + other.range().magnitude() * ea + ea * eb;
-        let facts = (
-            self.range().times(other.range()),
-            self.fraction_bits() + other.fraction_bits(),
-            error,
-        );
-        Sig::operator([self, other], |[a, b]| Op::Mul(a, b), facts, "product")
+        let shape =
+            (self.range().times(other.range()), self.fraction_bits() + other.fraction_bits());
+        let rule = Rule::Product(self.real(), other.real());
+        Sig::operator([self, other], |[a, b]| Op::Mul(a, b), shape, ("product", rule))
     }
 
     /// The value times itself, which is never negative.
     pub fn squared(&self) -> Sig {
-        let error = (2.0 * self.range().magnitude() + self.error()) * self.error();
-        let facts = (self.range().squared(), 2 * self.fraction_bits(), error);
-        Sig::operator([self], |[a]| Op::Mul(a, a), facts, "product")
+        let shape = (self.range().squared(), 2 * self.fraction_bits());
+        let rule = Rule::Square(self.real());
+        Sig::operator([self], |[a]| Op::Mul(a, a), shape, ("product", rule))
     }
 }
 

@@ -1,12 +1,12 @@
 //! Comparisons, bits and choices.
 use super::Sig;
-use crate::bound::ErrorModel;
 use crate::design::{Op, Range, WideRange};
+use crate::graph::Rule;
 
 const BIT: Range = Range::new(0, 1);
 
-fn bit() -> (WideRange, u32, f64) {
-    (BIT.into(), 0, 0.0)
+fn bit() -> (WideRange, u32) {
+    (BIT.into(), 0)
 }
 
 impl Sig {
@@ -18,7 +18,7 @@ impl Sig {
         match (a.range(), b.range()) {
             (x, y) if x.high < y.low => self.builder.integer(1),
             (x, y) if y.high <= x.low => self.builder.integer(0),
-            _ => Sig::operator([&a, &b], |[a, b]| Op::LessThan(a, b), bit(), "less"),
+            _ => Sig::operator([&a, &b], |[a, b]| Op::LessThan(a, b), bit(), ("less", Rule::Exact)),
         }
     }
 
@@ -29,17 +29,17 @@ impl Sig {
 
     /// The opposite of a bit.
     pub fn not(&self) -> Sig {
-        Sig::operator([self], |[a]| Op::Not(a), bit(), "not")
+        Sig::operator([self], |[a]| Op::Not(a), bit(), ("not", Rule::Exact))
     }
 
     /// Both bits.
     pub fn and(&self, other: &Sig) -> Sig {
-        Sig::operator([self, other], |[a, b]| Op::And(a, b), bit(), "both")
+        Sig::operator([self, other], |[a, b]| Op::And(a, b), bit(), ("both", Rule::Exact))
     }
 
     /// Either bit.
     pub fn or(&self, other: &Sig) -> Sig {
-        Sig::operator([self, other], |[a, b]| Op::Or(a, b), bit(), "either")
+        Sig::operator([self, other], |[a, b]| Op::Or(a, b), bit(), ("either", Rule::Exact))
     }
 
     /// This number of bits with `bit` put behind it on the right: twice the number and the bit,
@@ -47,27 +47,19 @@ impl Sig {
     pub fn with_bit(&self, bit: &Sig) -> Sig {
         let doubled = self.times_power_of_two(1);
         let range = doubled.range().plus(BIT);
-        Sig::operator([&doubled, bit], |[a, b]| Op::Or(a, b), (range, 0, 0.0), "appended")
+        Sig::operator([&doubled, bit], |[a, b]| Op::Or(a, b), (range, 0), ("appended", Rule::Exact))
     }
 
     /// `yes` where this bit is 1, else `no`.
     ///
     /// The bound is the larger of the two, also where this bit is always the same: it holds where
-    /// the real value takes the same branch, or the branches meet. What is known of an error beside
-    /// that is still true where the other branch is 0 exactly.
+    /// the real value takes the same branch, or the branches meet.
     pub fn choose(&self, yes: &Sig, no: &Sig) -> Sig {
         let fraction_bits = yes.fraction_bits().max(no.fraction_bits());
         let (a, b) = (yes.with_fraction_bits(fraction_bits), no.with_fraction_bits(fraction_bits));
         let range = a.range().hull(b.range()).into();
-        let facts = (range, fraction_bits, a.error().max(b.error()));
-        let zero = |sig: &Sig| sig.range().only() == Some(0) && sig.error() == 0.0;
-        let form = match (zero(&a), zero(&b)) {
-            (false, true) => yes.error_model(),
-            (true, false) => no.error_model(),
-            _ => ErrorModel::Bounded,
-        };
-        let chosen =
-            Sig::operator([self, &a, &b], |[c, a, b]| Op::Select(c, a, b), facts, "chosen");
-        chosen.of_error_model(form).with_real(a.real().or(b.real()))
+        let rule = Rule::Choice(yes.real(), no.real());
+        let select = |[c, a, b]: [_; 3]| Op::Select(c, a, b);
+        Sig::operator([self, &a, &b], select, (range, fraction_bits), ("chosen", rule))
     }
 }

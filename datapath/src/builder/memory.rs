@@ -3,7 +3,8 @@ use super::Sig;
 use super::error::BuildError;
 use super::state::SignalInfo;
 use crate::design::{NodeId, Op, Range, Table, TableId};
-use crate::graph::{GroupId, Pace};
+use crate::format::power_of_two;
+use crate::graph::{GroupId, Pace, Rule};
 
 impl Sig {
     /// The entry of a table at this address, an unsigned integer; `entries` are raw values with
@@ -20,24 +21,27 @@ impl Sig {
         let single = |value: i64| Range::single(value);
         let range = values.map(single).reduce(Range::hull).unwrap_or(single(0));
         let table = self.builder.add_table(entries);
-        let facts = (range.plus(single(0)), fraction_bits, error);
-        Sig::operator([self], |[address]| Op::LookUp(address, table), facts, "entry")
+        let shape = (range.plus(single(0)), fraction_bits);
+        let rule = Rule::Table { error: error * power_of_two(-i64::from(fraction_bits)) };
+        Sig::operator([self], |[address]| Op::LookUp(address, table), shape, ("entry", rule))
     }
 
     /// A register that takes this value over while `enable` is 1 and holds what it has while it
-    /// is 0. Like all registers of data it has no reset, so it must be enabled before it is read.
+    /// is 0, or no pixel is there. Like all registers of data it has no reset, so it must be enabled
+    /// before it is read.
     pub fn held(&self, enable: &Sig) -> Sig {
         let together = self.builder.group([self, enable]);
         let [value, enable] = [self, enable].map(|sig| sig.taken_with(together));
         let range = value.range().hull(Range::single(0));
-        self.builder.own_register(range, (self.fraction_bits(), self.error()), together, |own| {
+        let id = self.builder.own_register(range, self.fraction_bits(), together, |own| {
             Op::Select(enable.id(), value.id(), own)
-        })
+        });
+        self.at(id)
     }
 
     /// A register that takes over `loaded` while `load` is 1, else this value while `enable` is 1,
-    /// and else holds what it has. It has no reset, so it must be enabled or loaded before it is
-    /// read.
+    /// and else holds what it has, as it does where no pixel is there. It has no reset, so it must
+    /// be enabled or loaded before it is read.
     pub fn held_or_loaded(&self, enable: &Sig, load: &Sig, loaded: &Sig) -> Sig {
         let fraction_bits = self.fraction_bits().max(loaded.fraction_bits());
         let (value, loaded) =
@@ -46,20 +50,19 @@ impl Sig {
         let [value, loaded, enable, load] =
             [&value, &loaded, enable, load].map(|sig| sig.taken_with(together));
         let range = value.range().hull(loaded.range()).hull(Range::single(0));
-        let error = value.error().max(loaded.error());
+        let rule = Rule::Choice(value.real(), loaded.real());
         let builder = &self.builder;
-        // The register is placed before the multiplexer that reads it, and its operand is set when
-        // that is there.
-        let state = builder.own_register(range, (fraction_bits, error), together, Op::Copy);
-        let op = Op::Select(enable.id(), value.id(), state.id());
-        let kept = builder.ahead(
-            op,
-            together,
-            SignalInfo { range: range.into(), fraction_bits, error, kind: "kept" },
-        );
-        builder.state.borrow_mut().graph.values[state.id().0 as usize].op =
-            Op::Select(load.id(), loaded.id(), kept);
-        state
+        // The register is placed before the multiplexers that read it, and its operand is set when
+        // they are there.
+        let state = builder.own_register(range, fraction_bits, together, Op::Copy);
+        let ahead = |op, kind| {
+            let info = SignalInfo { range: range.into(), fraction_bits, kind };
+            builder.ahead(op, together, info)
+        };
+        let kept = ahead(Op::Select(enable.id(), value.id(), state), "kept");
+        let next = ahead(Op::Select(load.id(), loaded.id(), kept), "next");
+        builder.state.borrow_mut().graph.values[state.0 as usize].op = Op::Copy(next);
+        Sig::new(builder, (state, fraction_bits), rule)
     }
 }
 
@@ -74,26 +77,23 @@ impl super::Builder {
     fn own_register(
         &self,
         range: Range,
-        (fraction_bits, error): (u32, f64),
+        fraction_bits: u32,
         together: GroupId,
         op: impl Fn(NodeId) -> Op,
-    ) -> Sig {
-        let id = {
-            let mut state = self.state.borrow_mut();
-            let (scope, own) = (state.scope, NodeId(state.graph.values.len() as u32));
-            let name = state.unique(scope, "held");
-            let shape = (range, fraction_bits);
-            let id = state.add(op(own), Pace::Register, Some(together), shape, name);
-            state.nameable(id);
-            id
-        };
-        self.sig(id, error)
+    ) -> NodeId {
+        let mut state = self.state.borrow_mut();
+        let (scope, own) = (state.scope, NodeId(state.graph.values.len() as u32));
+        let name = state.unique(scope, "held");
+        let shape = (range, fraction_bits);
+        let id = state.add(op(own), Pace::Held, Some(together), shape, name);
+        state.nameable(id);
+        id
     }
 
     /// What a register that holds its value will have in the next clock, unless it is loaded.
-    fn ahead(&self, op: Op, together: GroupId, facts: SignalInfo) -> NodeId {
+    fn ahead(&self, op: Op, together: GroupId, info: SignalInfo) -> NodeId {
         let mut state = self.state.borrow_mut();
-        let id = state.emit(op, Pace::Ahead, facts);
+        let id = state.emit(op, Pace::Ahead, info);
         state.graph.values[id.0 as usize].together = Some(together);
         id
     }

@@ -6,7 +6,8 @@
 //!
 //! A [`Sig`] is a signal *and* the real value that it stands for. Signals whose raw values are the
 //! same are one signal in the hardware, whatever they stand for; so all that is known of errors
-//! belongs to the [`Sig`], and folding, merging and leaving out hardware cannot lose it.
+//! belongs to the real value, and folding, merging and leaving out hardware cannot lose it. What
+//! rules mean for errors stands in one place: the pass [`bounds`](fn@crate::pass::bounds).
 mod accumulate;
 mod arithmetic;
 mod error;
@@ -14,7 +15,6 @@ mod logic;
 mod memory;
 mod narrow;
 mod ports;
-mod real;
 mod recurrence;
 mod sig;
 mod state;
@@ -28,8 +28,8 @@ use std::rc::Rc;
 use crate::InputPort;
 
 use crate::design::{Design, NodeId, Op, Range};
-use crate::graph::{Graph, Pace};
-use crate::pass::compile;
+use crate::graph::{Graph, Pace, Rule};
+use crate::pass::{Bounds, compile};
 use crate::target::Target;
 
 pub use error::BuildError;
@@ -48,10 +48,13 @@ pub struct Builder {
 }
 
 /// The control inputs of a core.
+///
+/// A span may pause in any clock: `valid` is then low, data inputs stay what they are until the
+/// span's last pixel has gone in, and `start` may be anything. What goes from pixel to pixel waits.
 pub struct Control {
     /// A pixel enters.
     pub valid: Sig,
-    /// It is the first of its span.
+    /// It is the first of its span; read only where `valid` is high.
     pub start: Sig,
 }
 
@@ -68,7 +71,7 @@ impl Builder {
             ["valid", "start"].map(|name| state.open_input(name, Range::new(0, 1), 0));
         (state.graph.valid, state.graph.start) = (valid, start);
         drop(state);
-        Control { valid: self.sig(valid, 0.0), start: self.sig(start, 0.0) }
+        Control { valid: self.sig(valid, Rule::Exact), start: self.sig(start, Rule::Exact) }
     }
 
     /// Opens a data input. Its host rounded it to nearest, so it is off by half a unit in the last
@@ -76,7 +79,11 @@ impl Builder {
     /// which is off like any other input, and one that is given what an earlier one is becomes
     /// that.
     pub fn input(&self, port: &InputPort) -> Sig {
-        let error = if port.format.fraction_bits == 0 { 0.0 } else { 0.5 };
+        let rule = if port.format.fraction_bits > 0 {
+            Rule::Input { error: 0.5 * port.format.ulp(), real: port.real }
+        } else {
+            Rule::Exact
+        };
         if let Some(twin) = port.same_as.as_deref().and_then(|twin| self.opened(twin)) {
             let mut state = self.state.borrow_mut();
             let name = &state.graph.value(twin).name;
@@ -84,7 +91,7 @@ impl Builder {
             state.leave_out(&format!("input `{}`", port.name), &why);
             state.graph.inputs.push(None);
             drop(state);
-            return self.sig(twin, error);
+            return self.sig(twin, rule);
         }
         let range = Range::new(port.range.0, port.range.1);
         let id = match range.only() {
@@ -105,7 +112,7 @@ impl Builder {
                 id
             }
         };
-        self.sig(id, error)
+        self.sig(id, rule)
     }
 
     /// The data input of that name.
@@ -122,7 +129,7 @@ impl Builder {
 
     /// The integer `value`, exactly.
     pub fn integer(&self, value: i64) -> Sig {
-        self.constant(value, 0, 0.0)
+        self.constant(value, 0, Rule::Exact)
     }
 
     /// Closes the design: `outputs` leave it together, and with them a bit that says whether a
@@ -135,6 +142,11 @@ impl Builder {
         Ok(compile(&self.graph(valid, outputs)?, &*target)?)
     }
 
+    /// What is known so far of everything that has been described.
+    pub fn bounds(&self) -> Bounds {
+        self.state.borrow().bounds.clone()
+    }
+
     /// As [`Builder::finish`], but before any pass: a graph without clocks and registers.
     ///
     /// # Errors
@@ -143,7 +155,7 @@ impl Builder {
         let mut state = self.state.borrow_mut();
         state.graph.leaves = valid.id();
         for (name, sig) in outputs {
-            state.graph.outputs.push(((*name).to_owned(), sig.id(), sig.error_value()));
+            state.graph.outputs.push(((*name).to_owned(), sig.real()));
         }
         state.close()
     }
@@ -153,23 +165,21 @@ impl Builder {
         self.state.borrow_mut().leave_out(what, why);
     }
 
-    /// A value that is the signal `id`, off by `error` units of the last place at most.
-    fn sig(&self, id: NodeId, error: f64) -> Sig {
+    /// The value `id`, which stands for a real value by this rule.
+    fn sig(&self, id: NodeId, rule: Rule) -> Sig {
         let fraction_bits = self.state.borrow().graph.value(id).fraction_bits;
-        Sig::new(self.clone(), (id, fraction_bits), error)
+        Sig::new(self, (id, fraction_bits), rule)
     }
 
-    /// The same raw value at every clock, for a real one that is `error` units of the last place
-    /// from it at most.
-    fn constant(&self, value: i64, fraction_bits: u32, error: f64) -> Sig {
+    /// The same raw value at every clock.
+    fn constant(&self, value: i64, fraction_bits: u32, rule: Rule) -> Sig {
         let id = self.state.borrow_mut().constant(value, fraction_bits);
-        self.sig(id, error)
+        self.sig(id, rule)
     }
 
     /// Adds an operator.
-    fn emit(&self, op: Op, pace: Pace, facts: SignalInfo) -> Sig {
-        let error = facts.error;
-        let id = self.state.borrow_mut().emit(op, pace, facts);
-        self.sig(id, error)
+    fn emit(&self, op: Op, pace: Pace, info: SignalInfo, rule: Rule) -> Sig {
+        let id = self.state.borrow_mut().emit(op, pace, info);
+        self.sig(id, rule)
     }
 }

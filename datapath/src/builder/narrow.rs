@@ -1,12 +1,8 @@
 //! Narrowing: always explicit, always named in the spec.
-use crate::format::power_of_two;
-
 use super::Sig;
-use super::real::Real;
 use super::state::SignalInfo;
-use crate::bound::{Angular, ErrorModel, RelativeBound};
 use crate::design::{Assumption, Op, Range};
-use crate::graph::Pace;
+use crate::graph::{Pace, Rule};
 
 impl Sig {
     /// Nearest value with `fraction_bits` bits right of the point, ties up; off by half a unit of
@@ -16,15 +12,12 @@ impl Sig {
             0 => self.clone(),
             // floor((x + 2^(d-1)) / 2^d) = floor((floor(x / 2^(d-1)) + 1) / 2): the adder need not
             // see the bits that go.
-            dropped => {
-                let error = self.error() * power_of_two(-i64::from(dropped)) + 0.5;
+            _ => {
                 let rounded = self
                     .shortened(fraction_bits + 1, "kept")
                     .plus_one_ulp()
                     .shortened(fraction_bits, "rounded");
-                rounded
-                    .with_error(error)
-                    .with_real(self.real().scaled(power_of_two(-i64::from(dropped))))
+                rounded.standing_for(rounded.id(), Rule::Rounded(self.real()))
             }
         }
     }
@@ -39,19 +32,13 @@ impl Sig {
     /// of the last place.
     pub fn low_bits(&self, bits: u32) -> Sig {
         if bits == 0 {
-            return self.builder.constant(0, self.fraction_bits(), self.error());
+            return self.builder.constant(0, self.fraction_bits(), Rule::Remainder(self.real()));
         }
         let range = Range::whole(bits, false);
         if self.range().hull(range) == range {
             return self.clone();
         }
-        let facts = SignalInfo {
-            range: range.into(),
-            fraction_bits: self.fraction_bits(),
-            error: self.error(),
-            kind: "low",
-        };
-        self.builder.emit(Op::Wrap(self.id()), Pace::Wire, facts)
+        self.wired(Op::Wrap(self.id()), range, "low", Rule::Remainder(self.real()))
     }
 
     /// The raw value as an integer: the binary point moves behind the last place.
@@ -62,8 +49,9 @@ impl Sig {
     /// One unit in the last place more.
     fn plus_one_ulp(&self) -> Sig {
         let one = self.builder.integer(1).times_power_of_two(-(self.fraction_bits() as i32));
-        let facts = (self.range().plus(one.range()), self.fraction_bits(), self.error());
-        Sig::operator([self, &one], |[a, b]| Op::Add(a, b), facts, "rounding")
+        let shape = (self.range().plus(one.range()), self.fraction_bits());
+        let rule = Rule::Sum(self.real(), one.real());
+        Sig::operator([self, &one], |[a, b]| Op::Add(a, b), shape, ("rounding", rule))
     }
 
     fn shortened(&self, fraction_bits: u32, kind: &'static str) -> Sig {
@@ -73,12 +61,12 @@ impl Sig {
         }
         let constant = self.builder.state.borrow().is_constant(self.id());
         let range = self.range().shifted_right(dropped);
-        let error = self.error() * power_of_two(-i64::from(dropped)) + 1.0;
+        let rule = Rule::Truncated(self.real());
         if let Some(value) = constant {
-            return self.builder.constant(value >> dropped, fraction_bits, error);
+            return self.builder.constant(value >> dropped, fraction_bits, rule);
         }
-        let facts = SignalInfo { range: range.into(), fraction_bits, error, kind };
-        self.builder.emit(Op::ShiftRight(self.id(), dropped), Pace::Wire, facts)
+        let info = SignalInfo { range: range.into(), fraction_bits, kind };
+        self.builder.emit(Op::ShiftRight(self.id(), dropped), Pace::Wire, info, rule)
     }
 
     /// The value, or 0 where it is negative.
@@ -89,38 +77,36 @@ impl Sig {
     /// The value, or the integer `low` where it is smaller. Clamping brings fixed and real no
     /// further apart.
     pub fn clamped_below(&self, low: i64) -> Sig {
-        let limit = self.limit(low);
-        let real = self.real().clamped_below(limit as f64);
+        let (limit, rule) = (self.limit(low), Rule::ClampedBelow(self.real(), low as f64));
         if limit <= self.range().low {
-            return self.clone().known_real(real);
+            return self.standing_for(self.id(), rule);
         }
         let low = self.builder.integer(low);
         let range = Range::new(limit, self.range().high.max(limit));
-        self.less_than(&low).choose(&low, self).known_within(range, self.error()).known_real(real)
+        self.less_than(&low).choose(&low, self).known_within(range, rule)
     }
 
     /// The value, or the integer `high` where it is larger. Clamping brings fixed and real no
     /// further apart.
     pub fn clamped_above(&self, high: i64) -> Sig {
-        let limit = self.limit(high);
-        let real = self.real().clamped_above(limit as f64);
+        let (limit, rule) = (self.limit(high), Rule::ClampedAbove(self.real(), high as f64));
         if self.range().high <= limit {
-            return self.clone().known_real(real);
+            return self.standing_for(self.id(), rule);
         }
         let high = self.builder.integer(high);
         let range = Range::new(self.range().low.min(limit), limit);
-        high.less_than(self).choose(&high, self).known_within(range, self.error()).known_real(real)
+        high.less_than(self).choose(&high, self).known_within(range, rule)
     }
 
     /// The value without its sign. Fixed and real come no further apart.
     pub fn absolute(&self) -> Sig {
-        let (range, real) = (self.range(), self.real().absolute());
+        let (range, rule) = (self.range(), Rule::Absolute(self.real()));
         if range.low >= 0 {
-            return self.clone().with_real(real);
+            return self.standing_for(self.id(), rule);
         }
         let negative = self.less_than(&self.builder.integer(0));
         let largest = range.high.max(-range.low);
-        negative.choose(&-self, self).known_within(Range::new(0, largest), self.error())
+        negative.choose(&-self, self).known_within(Range::new(0, largest), rule)
     }
 
     fn limit(&self, integer: i64) -> i64 {
@@ -129,24 +115,12 @@ impl Sig {
 
     /// After a clamp: the range that the clamp leaves, which the hull of its branches does not
     /// show.
-    fn known_within(self, range: Range, error: f64) -> Sig {
-        let facts = SignalInfo {
-            range: range.into(),
-            fraction_bits: self.fraction_bits(),
-            error,
-            kind: "clamped",
-        };
-        match self.range() == range {
-            true => self.with_error(error),
-            false => self.builder.emit(Op::Wrap(self.id()), Pace::Wire, facts),
+    fn known_within(self, range: Range, rule: Rule) -> Sig {
+        if self.range() == range {
+            self.standing_for(self.id(), rule)
+        } else {
+            self.wired(Op::Wrap(self.id()), range, "clamped", rule)
         }
-    }
-
-    /// After a clamp of fixed and real value alike: where the real one lies, and so how far both
-    /// are apart at most.
-    fn known_real(self, real: Real) -> Sig {
-        let error = self.error().min(real.furthest_from(self.range()));
-        self.with_error(error).with_real(real)
     }
 
     /// States a fact that intervals cannot see: the value lies from `low` to `high`. The testbench
@@ -166,61 +140,6 @@ impl Sig {
             node: self.id(),
             range,
         });
-        let facts = SignalInfo {
-            range: range.into(),
-            fraction_bits: self.fraction_bits(),
-            error: self.error(),
-            kind: "assumed",
-        };
-        self.builder.emit(Op::Wrap(self.id()), Pace::Wire, facts).with_real(self.real())
-    }
-
-    /// States a bound on |fixed - real| that propagation cannot see, in units of the last place.
-    /// The unit gives the proof above it.
-    pub fn proven_error(self, error: f64) -> Sig {
-        let error = error.min(self.error());
-        self.with_error(error)
-    }
-
-    /// As [`Sig::proven_error`], the bound given as a value.
-    pub fn proven_error_value(self, error: f64) -> Sig {
-        let in_ulps = error / self.ulp();
-        self.proven_error(in_ulps)
-    }
-
-    /// States the bound on |fixed - real| of what propagation sees nothing of, such as a number put
-    /// together from bits, or a bit that may come out otherwise than the real one. The unit gives
-    /// the proof above it.
-    pub fn stated_error_value(self, error: f64) -> Sig {
-        let in_ulps = error / self.ulp();
-        self.with_error(in_ulps).with_real(Real::ANY)
-    }
-
-    /// States that in cases which everything known so far leaves out, such as a choice that comes
-    /// out otherwise than the real one, it is off by `error` at most. The unit gives the proof.
-    pub fn or_off_by(self, error: f64) -> Sig {
-        if error == 0.0 {
-            return self;
-        }
-        let form = match self.error_model() {
-            ErrorModel::Relative(shares) => ErrorModel::Relative(
-                shares.map(|share| RelativeBound { rest: share.rest.max(error), ..share }),
-            ),
-            ErrorModel::Bounded | ErrorModel::Angular(_) | ErrorModel::Exclusive { .. } => {
-                ErrorModel::Bounded
-            }
-        };
-        let most = self.error_value().max(error);
-        self.stated_error_value(most).of_error_model(form)
-    }
-
-    /// States that it is the cosine of an angle off by `angle`, and off by `rest` beside that; see
-    /// [`ErrorModel::Angular`].
-    pub fn known_cosine(self, angle: f64, rest: f64) -> Sig {
-        if !(angle + rest).is_finite() {
-            return self;
-        }
-        self.proven_error_value(angle + rest)
-            .of_error_model(ErrorModel::Angular(Angular { angle, rest }))
+        self.wired(Op::Wrap(self.id()), range, "assumed", Rule::Same(self.real()))
     }
 }

@@ -16,7 +16,7 @@ impl Bundle for Sig {
 impl Bundle for Vector {
     fn map(&self, f: &mut dyn FnMut(&Sig, &str) -> Sig) -> Vector {
         // The components stay the same at heart, so what has been stated of the length stays true.
-        Vector { x: f(&self.x, "_x"), y: f(&self.y, "_y"), z: f(&self.z, "_z"), ..self.clone() }
+        self.at([(&self.x, "_x"), (&self.y, "_y"), (&self.z, "_z")].map(|(sig, axis)| f(sig, axis)))
     }
 }
 

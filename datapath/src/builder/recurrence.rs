@@ -1,9 +1,8 @@
 //! Feedback of any kind: values that each pixel makes of those of the pixel before.
 use super::error::BuildError;
-use super::state::SignalInfo;
 use super::{Builder, Sig};
 use crate::design::{NodeId, Op, Range};
-use crate::graph::{GroupId, Pace};
+use crate::graph::{GroupId, Rule};
 
 /// What a unit knows of the values of a recurrence.
 pub struct LoopInvariant<'a> {
@@ -23,14 +22,14 @@ struct Round<const N: usize> {
     /// Their values, or the starts at the first pixel of a span.
     values: [Sig; N],
     fraction_bits: u32,
-    /// Bound on the values' errors, in units of the last place.
-    error: f64,
+    /// What is known of the values.
+    rule: Rule,
 }
 
 impl Builder {
     /// Values that are `starts` at the first pixel of a span (where `first` is 1), and from then on
     /// what `next` makes of those of the pixel before. All of `next` happens between two clocks: a
-    /// pixel enters with each of them.
+    /// pixel may enter with each of them. Where none does, the values wait.
     ///
     /// `next` must keep `fraction_bits`.
     pub fn recurrence<const N: usize>(
@@ -45,7 +44,7 @@ impl Builder {
         let round = self.round(first, starts, together, fraction_bits, invariant);
         let followers = self.without_registers(|| next(&round.values));
         self.close_round(&round, &followers);
-        round.values.each_ref().map(|value| self.registered_after(value, &round))
+        round.values.each_ref().map(|value| value.registered("recurrent", round.rule.clone()))
     }
 
     /// Values that `next` makes, at every pixel, of its `operands` and of what it made at the pixel
@@ -69,7 +68,7 @@ impl Builder {
             follower.assumed(invariant.limits.0, invariant.limits.1, invariant.fact)
         });
         self.close_round(&round, &followers);
-        followers.map(|follower| self.registered_after(&follower, &round))
+        followers.map(|follower| follower.registered("recurrent", round.rule.clone()))
     }
 
     fn round<const N: usize>(
@@ -88,22 +87,17 @@ impl Builder {
             raw(invariant.limits.1).ceil() as i64,
         );
         let whole = Range::whole(stays.width(), stays.signed());
-        let error = raw(invariant.error);
+        let rule = Rule::LoopInvariant { error: invariant.error };
 
         let states =
             starts.each_ref().map(|_| self.feedback_register(whole, fraction_bits, together));
         let values: [Sig; N] = std::array::from_fn(|k| {
             let select = Op::Select(first.id(), starts[k].id(), self.kept_for_a_pixel(states[k]));
-            let facts = SignalInfo {
-                range: whole.hull(starts[k].range()).into(),
-                fraction_bits,
-                error,
-                kind: "value",
-            };
-            let value = self.emit(select, Pace::Wire, facts);
+            let range = whole.hull(starts[k].range());
+            let value = starts[k].wired(select, range, "value", rule.clone());
             value.assumed(invariant.limits.0, invariant.limits.1, invariant.fact)
         });
-        Round { states, values, fraction_bits, error }
+        Round { states, values, fraction_bits, rule }
     }
 
     fn close_round<const N: usize>(&self, round: &Round<N>, followers: &[Sig; N]) {
@@ -119,15 +113,5 @@ impl Builder {
             }
             self.close_loop(state, follower);
         }
-    }
-
-    fn registered_after<const N: usize>(&self, value: &Sig, round: &Round<N>) -> Sig {
-        let facts = SignalInfo {
-            range: value.range().into(),
-            fraction_bits: round.fraction_bits,
-            error: round.error,
-            kind: "recurrent",
-        };
-        self.emit(Op::Copy(value.id()), Pace::Register, facts)
     }
 }

@@ -1,15 +1,15 @@
 //! A value being described.
 use crate::Format;
+use crate::bound::{Bound, ErrorBound, Interval};
 use crate::format::power_of_two;
 
 use super::Builder;
-use super::real::Real;
 use super::state::SignalInfo;
-use crate::bound::ErrorModel;
 use crate::design::{NodeId, Op, Range, WideRange, format_of};
-use crate::graph::{GroupId, Pace};
+use crate::graph::{GroupId, Pace, RealId, Rule};
 
-/// A value being described: its format, its proven range and its error bound.
+/// A value being described: its format, its proven range, and what is known of the real value that
+/// it stands for.
 #[derive(Clone)]
 #[must_use = "a value that nothing reads is left out of the design"]
 pub struct Sig {
@@ -17,29 +17,40 @@ pub struct Sig {
     id: NodeId,
     /// Where this reader sees the binary point; doubling and halving move it and cost nothing.
     fraction_bits: u32,
-    /// Bound on |fixed - real|, in units of the last place.
-    error: f64,
-    /// What is known of the error beside that, about values.
-    error_model: ErrorModel,
-    /// What is known of the real value beside that it is near the fixed one.
-    real: Real,
+    real: RealId,
 }
 
 impl Sig {
-    /// The signal `id` with the binary point where it counts `fraction_bits`, off by `error` units
-    /// of the last place at most.
-    pub(super) fn new(builder: Builder, (id, fraction_bits): (NodeId, u32), error: f64) -> Sig {
-        Sig { builder, id, fraction_bits, error, error_model: ErrorModel::Bounded, real: Real::ANY }
+    /// The value `id` with the binary point where it counts `fraction_bits`, which stands for a
+    /// real value by this rule.
+    pub(super) fn new(builder: &Builder, (id, fraction_bits): (NodeId, u32), rule: Rule) -> Sig {
+        let real = builder.state.borrow_mut().real(id, fraction_bits, rule);
+        Sig { builder: builder.clone(), id, fraction_bits, real }
     }
 
-    /// The same value as another signal has it: later, or in another unit.
+    /// The same real value, for which another value stands: later, or in another unit.
     pub(super) fn at(&self, id: NodeId) -> Sig {
-        Sig { id, ..self.clone() }
+        self.standing_for(id, Rule::Same(self.real))
+    }
+
+    /// A value with this one's binary point.
+    pub(super) fn standing_for(&self, id: NodeId, rule: Rule) -> Sig {
+        Sig::new(&self.builder, (id, self.fraction_bits), rule)
+    }
+
+    /// This value, which stands for a real value by another rule.
+    fn by_rule(self, rule: Rule) -> Sig {
+        self.standing_for(self.id, rule)
     }
 
     /// The value in the graph.
     pub fn id(&self) -> NodeId {
         self.id
+    }
+
+    /// What it stands for.
+    pub fn real(&self) -> RealId {
+        self.real
     }
 
     /// Proven range of its raw values.
@@ -62,51 +73,48 @@ impl Sig {
         power_of_two(-i64::from(self.fraction_bits))
     }
 
+    /// What is known of it and of the real value: what a proof is about.
+    pub fn bound(&self) -> Bound {
+        self.builder.state.borrow().bounds.of(self.real)
+    }
+
     /// Bound on |fixed - real|, in units of the last place.
     pub fn error(&self) -> f64 {
-        self.error
+        self.error_value() / self.ulp()
     }
 
     /// Bound on |fixed - real|, as a value.
     pub fn error_value(&self) -> f64 {
-        self.error() * self.ulp()
+        self.bound().error
     }
 
-    /// What is known of its error beside the bound.
-    pub fn error_model(&self) -> ErrorModel {
-        self.error_model
+    /// States a bound on |fixed - real| that is smaller than what rules say; the smaller one counts.
+    /// `proof` is where it stands.
+    pub fn tighten_error(self, proof: &'static str, bound: impl Into<ErrorBound>) -> Sig {
+        let rule = Rule::Tightened { of: self.real, bound: bound.into(), proof };
+        self.by_rule(rule)
     }
 
-    /// Where the real value lies, in units of the last place.
-    pub(super) fn real(&self) -> Real {
-        self.real.and(Real::near(self.range(), self.error))
+    /// States the bound on |fixed - real| where rules see nothing of it, such as in a number that is
+    /// put together from bits, or where a bit may come out otherwise than the real one. `proof` is
+    /// where it stands.
+    pub fn override_error(self, proof: &'static str, bound: impl Into<ErrorBound>) -> Sig {
+        let rule = Rule::Overridden { of: self.real, bound: bound.into(), proof };
+        self.by_rule(rule)
     }
 
-    /// The same value, off by `error` units of the last place at most; what else is known stays.
-    /// No number is no bound.
-    pub(super) fn with_error(self, error: f64) -> Sig {
-        let error = if error.is_nan() { f64::INFINITY } else { error };
-        Sig { error, ..self }
+    /// States that the real value lies in an interval, by a fact that rules cannot see. The fixed
+    /// one may leave it by what it is off.
+    pub fn real_within(self, real: Interval, fact: &str) -> Sig {
+        let rule = Rule::Within { of: self.real, real, fact: fact.to_owned() };
+        self.by_rule(rule)
     }
 
-    /// States what is known of its error beside the bound. The unit gives the proof above it.
-    pub fn of_error_model(self, error_model: ErrorModel) -> Sig {
-        Sig { error_model, ..self }
-    }
-
-    /// The same value, the real one of which lies in an interval.
-    pub(super) fn with_real(self, real: Real) -> Sig {
-        Sig { real, ..self }
-    }
-
-    /// The same signal where it stands for the real value of any of `others` as well, which have
-    /// its raw values.
+    /// The same value where it stands for the real value of any of `others` as well, which have its
+    /// raw values.
     pub(super) fn off_as_any_of(self, others: &[Sig]) -> Sig {
-        let error = others.iter().map(Sig::error).fold(self.error, f64::max);
-        let real = others.iter().fold(self.real, |real, other| real.or(other.real));
-        let alike = others.iter().all(|other| other.error_model == self.error_model);
-        let error_model = if alike { self.error_model } else { ErrorModel::Bounded };
-        Sig { error, error_model, real, ..self }
+        let all = [self.real].into_iter().chain(others.iter().map(Sig::real)).collect();
+        self.by_rule(Rule::AnyOf(all))
     }
 
     /// Whether it always has the other's value: it is the same signal, or the same constant.
@@ -140,39 +148,34 @@ impl Sig {
             return self.clone();
         }
         let fraction_bits = self.fraction_bits as i32 - exponent;
-        if fraction_bits >= 0 {
-            // Errors and ranges count in units of the last place, but their form is about values.
-            let moved = self.clone().of_error_model(ErrorModel::Bounded);
-            return Sig { fraction_bits: fraction_bits as u32, ..moved };
-        }
-        let whole = Sig { fraction_bits: 0, ..self.clone() };
-        let raised = whole.raised_by(fraction_bits.unsigned_abs());
-        Sig { fraction_bits: 0, ..raised }
+        let id = match u32::try_from(-fraction_bits) {
+            Ok(beyond) if beyond > 0 => self.shifted_left(beyond, beyond),
+            _ => self.id,
+        };
+        let point = (id, fraction_bits.max(0) as u32);
+        Sig::new(&self.builder, point, Rule::Scaled(self.real, exponent))
     }
 
     /// The same value with `fraction_bits` or more bits right of the point.
     pub(super) fn with_fraction_bits(&self, fraction_bits: u32) -> Sig {
         match fraction_bits.saturating_sub(self.fraction_bits) {
             0 => self.clone(),
-            more => self.raised_by(more),
+            more => {
+                let id = self.shifted_left(more, fraction_bits);
+                Sig::new(&self.builder, (id, fraction_bits), Rule::Same(self.real))
+            }
         }
     }
 
-    /// Zeros put in at the right: the same value, more fraction bits.
-    fn raised_by(&self, bits: u32) -> Sig {
-        let facts = SignalInfo {
-            range: self.range().shifted_left(bits),
-            fraction_bits: self.fraction_bits + bits,
-            error: self.error() * power_of_two(bits.into()),
-            kind: "shifted",
-        };
-        let op = Op::ShiftLeft(self.id, bits);
-        let constant = self.builder.state.borrow().is_constant(self.id);
-        let raised = match constant {
-            Some(value) => self.builder.constant(value << bits, facts.fraction_bits, facts.error),
-            None => self.builder.emit(op, Pace::Wire, facts),
-        };
-        raised.with_real(self.real.scaled(power_of_two(bits.into())))
+    /// Zeros put in at the right, with the binary point where that counts `fraction_bits`.
+    fn shifted_left(&self, bits: u32, fraction_bits: u32) -> NodeId {
+        let mut state = self.builder.state.borrow_mut();
+        if let Some(value) = state.is_constant(self.id) {
+            return state.constant(value << bits, fraction_bits);
+        }
+        let range = state.graph.value(self.id).range.shifted_left(bits);
+        let info = SignalInfo { range, fraction_bits, kind: "shifted" };
+        state.emit(Op::ShiftLeft(self.id, bits), Pace::Wire, info)
     }
 
     /// The value as it is where all of a group are there.
@@ -185,12 +188,31 @@ impl Sig {
     pub(super) fn operator<const N: usize>(
         operands: [&Sig; N],
         op: impl Fn([NodeId; N]) -> Op,
-        (range, fraction_bits, error): (WideRange, u32, f64),
-        kind: &'static str,
+        (range, fraction_bits): (WideRange, u32),
+        (kind, rule): (&'static str, Rule),
     ) -> Sig {
         let builder = &operands[0].builder;
         let pace = builder.state.borrow().pace;
         let op = op(operands.map(Sig::id));
-        builder.emit(op, pace, SignalInfo { range, fraction_bits, error, kind })
+        builder.emit(op, pace, SignalInfo { range, fraction_bits, kind }, rule)
+    }
+
+    /// An operator without a register, the result of which has this value's binary point.
+    pub(super) fn wired(
+        &self,
+        op: Op,
+        range: impl Into<WideRange>,
+        kind: &'static str,
+        rule: Rule,
+    ) -> Sig {
+        let info = SignalInfo { range: range.into(), fraction_bits: self.fraction_bits, kind };
+        self.builder.emit(op, Pace::Wire, info, rule)
+    }
+
+    /// This value behind a register.
+    pub(super) fn registered(&self, kind: &'static str, rule: Rule) -> Sig {
+        let info =
+            SignalInfo { range: self.range().into(), fraction_bits: self.fraction_bits, kind };
+        self.builder.emit(Op::Copy(self.id), Pace::Register, info, rule)
     }
 }

@@ -4,24 +4,27 @@ use std::rc::Rc;
 
 use super::error::BuildError;
 use crate::design::{LeftOut, NodeId, Op, Range, ScopeId, WideRange};
-use crate::graph::{Graph, GroupId, Pace, Unit, Value};
+use crate::graph::{
+    Graph, GroupId, Pace, RealId, RealValue, RealVector, Rule, Unit, Value, VectorId, VectorRule,
+};
 use crate::names::{CONTROL, unique};
+use crate::pass::Bounds;
 use crate::pass::fold::{Folded, folded};
 use crate::target::Target;
 
 /// What is known of a new value besides its operator.
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 pub(super) struct SignalInfo {
     pub range: WideRange,
     pub fraction_bits: u32,
-    /// Bound on |fixed - real|, in units of the last place.
-    pub error: f64,
     /// What to call it until it gets a name.
     pub kind: &'static str,
 }
 
 pub(super) struct State {
     pub graph: Graph,
+    /// What is known of its real values.
+    pub bounds: Bounds,
     pub target: Rc<dyn Target>,
     /// The unit that operators are added to.
     pub scope: ScopeId,
@@ -53,6 +56,8 @@ impl State {
         };
         let graph = Graph {
             values: vec![],
+            reals: vec![],
+            vectors: vec![],
             groups: vec![vec![]],
             tables: vec![],
             units: vec![top],
@@ -69,6 +74,7 @@ impl State {
         let taken = CONTROL.into_iter().chain([name]);
         State {
             graph,
+            bounds: Bounds::default(),
             target,
             scope: ScopeId::TOP,
             pace: Pace::Target,
@@ -113,42 +119,58 @@ impl State {
 
     /// Adds an operator, or gives the value whose raw values are the same anyway: what it folds to,
     /// or its twin. That value may stand for another real one, so errors belong to the
-    /// [`Sig`](super::Sig) that refers to it. Operands are in this unit.
-    pub fn emit(&mut self, op: Op, pace: Pace, facts: SignalInfo) -> NodeId {
-        if let Some(id) = self.folded(op, &facts) {
+    /// [`RealValue`] that it stands for. Operands are in this unit.
+    pub fn emit(&mut self, op: Op, pace: Pace, info: SignalInfo) -> NodeId {
+        if let Some(id) = self.folded(op, &info) {
             return id;
         }
         let key = (self.scope, op, pace);
-        if let Some(&same) = self.computed.get(&key).filter(|&&same| self.agrees(same, &facts)) {
+        if let Some(&same) = self.computed.get(&key).filter(|&&same| self.agrees(same, &info)) {
             return same;
         }
-        let name = self.numbered(facts.kind);
-        let range = self.fitted(facts.range, &name);
-        let id = self.add(op, pace, None, (range, facts.fraction_bits), name);
+        let name = self.numbered(info.kind);
+        let range = self.fitted(info.range, &name);
+        let id = self.add(op, pace, None, (range, info.fraction_bits), name);
         self.unnamed.insert(id);
         self.computed.insert(key, id);
         id
     }
 
     /// The value that takes an operator's place, where one does; what that saves is noted.
-    fn folded(&mut self, op: Op, facts: &SignalInfo) -> Option<NodeId> {
-        let range = facts.range.narrow().ok();
-        let (folded, saved) = folded(&self.graph, op, range, facts.fraction_bits)?;
+    fn folded(&mut self, op: Op, info: &SignalInfo) -> Option<NodeId> {
+        let range = info.range.narrow().ok();
+        let (folded, saved) = folded(&self.graph, op, range, info.fraction_bits)?;
         if let Some(saved) = saved {
             self.leave_out(&saved.what, &saved.why);
         }
         Some(match folded {
-            Folded::Constant(value) => self.constant(value, facts.fraction_bits),
+            Folded::Constant(value) => self.constant(value, info.fraction_bits),
             Folded::ShiftLeft(factor, bits) => {
-                self.emit(Op::ShiftLeft(factor, bits), Pace::Wire, facts.clone())
+                self.emit(Op::ShiftLeft(factor, bits), Pace::Wire, *info)
             }
             Folded::Same(id) => id,
         })
     }
 
-    fn agrees(&self, id: NodeId, facts: &SignalInfo) -> bool {
+    fn agrees(&self, id: NodeId, info: &SignalInfo) -> bool {
         let value = self.graph.value(id);
-        facts.range.narrow() == Ok(value.range) && value.fraction_bits == facts.fraction_bits
+        info.range.narrow() == Ok(value.range) && value.fraction_bits == info.fraction_bits
+    }
+
+    /// Notes what a value stands for.
+    pub fn real(&mut self, value: NodeId, fraction_bits: u32, rule: Rule) -> RealId {
+        let real = RealValue { value, fraction_bits, rule };
+        self.bounds.add(&self.graph, &real);
+        self.graph.reals.push(real);
+        RealId(self.graph.reals.len() as u32 - 1)
+    }
+
+    /// Notes what is known of a vector as a whole.
+    pub fn vector(&mut self, components: [RealId; 3], rule: VectorRule) -> VectorId {
+        let vector = RealVector { components, rule };
+        self.bounds.add_vector(&self.graph, &vector);
+        self.graph.vectors.push(vector);
+        VectorId(self.graph.vectors.len() as u32 - 1)
     }
 
     /// A group of values that are taken together.

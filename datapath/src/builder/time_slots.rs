@@ -1,9 +1,8 @@
 //! Pixels of several clocks: what there is of several, such as lights, shares one pipeline, in a
 //! time slot each.
-use super::state::SignalInfo;
 use super::{Builder, Control, Sig};
 use crate::design::{NodeId, Op, Range};
-use crate::graph::Pace;
+use crate::graph::Rule;
 
 /// The clocks of a pixel, and which of them this one is.
 pub struct TimeSlots {
@@ -22,7 +21,8 @@ impl Builder {
     /// Gives every pixel `count` clocks, its time slots. All feedback that is described from here
     /// on goes back over a whole pixel, so that each time slot has values of its own.
     ///
-    /// The time slots are counted from `control.start`, in one clock with the inputs.
+    /// The time slots are counted from `control.start`, in one clock with the inputs, and only
+    /// where `control.valid` is 1: a pause may come between any two of them.
     pub fn time_slots(&self, control: &Control, count: u32) -> TimeSlots {
         let one = self.integer(1);
         let zero = self.integer(0);
@@ -56,8 +56,8 @@ impl Builder {
         let whole = Range::whole(range.width(), false);
         let round = self.group([first]);
         let register = self.feedback_register(whole, 0, round);
-        let facts = SignalInfo { range: whole.into(), fraction_bits: 0, error: 0.0, kind: "value" };
-        let value = self.emit(Op::Select(first.id(), start.id(), register), Pace::Wire, facts);
+        let select = Op::Select(first.id(), start.id(), register);
+        let value = start.wired(select, whole, "value", Rule::Exact);
         (value.named(name), register)
     }
 }

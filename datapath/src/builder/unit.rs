@@ -2,10 +2,9 @@
 use std::collections::HashMap;
 
 use super::error::BuildError;
-use super::state::SignalInfo;
 use super::{Builder, Bundle, Inputs, Sig};
 use crate::design::{NodeId, Op, ScopeId};
-use crate::graph::{GroupId, Pace, Unit, Value};
+use crate::graph::{GroupId, Pace, Rule, Unit, Value};
 use crate::names::CONTROL;
 
 impl Builder {
@@ -59,13 +58,7 @@ impl Builder {
         if self.state.borrow().pace == Pace::Wire {
             return sig.clone();
         }
-        let facts = SignalInfo {
-            range: sig.range().into(),
-            fraction_bits: sig.fraction_bits(),
-            error: sig.error(),
-            kind: "registered",
-        };
-        self.emit(Op::Copy(sig.id()), Pace::Register, facts)
+        sig.registered("registered", Rule::Same(sig.real()))
     }
 
     /// The values of a bundle, taken together.

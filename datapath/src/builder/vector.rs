@@ -2,8 +2,8 @@
 use std::ops::{Add, Sub};
 
 use super::Sig;
-use crate::bound::VectorError;
-use crate::format::power_of_two;
+use crate::bound::{VectorBound, VectorError};
+use crate::graph::{Rule, VectorId, VectorRule};
 
 /// A vector in view space.
 #[derive(Clone)]
@@ -15,67 +15,83 @@ pub struct Vector {
     pub y: Sig,
     /// Towards the eye.
     pub z: Sig,
-    /// What has been stated of its length; infinite where nothing has.
-    pub(super) longest: f64,
-    /// What has been stated of its error.
-    pub(super) off: VectorError,
+    /// What is known of it as a whole.
+    real: VectorId,
 }
 
 impl Vector {
     /// A vector from its components.
-    pub fn new([x, y, z]: [Sig; 3]) -> Vector {
-        Vector { x, y, z, longest: f64::INFINITY, off: VectorError::UNKNOWN }
+    pub fn new(components: [Sig; 3]) -> Vector {
+        Vector::by_rule(components, VectorRule::Components)
     }
 
-    /// States how far the vector is off as a whole. The unit gives the proof above it.
-    pub fn proven_off(self, off: VectorError) -> Vector {
-        Vector { off, ..self }
+    fn by_rule([x, y, z]: [Sig; 3], rule: VectorRule) -> Vector {
+        let components = [&x, &y, &z].map(Sig::real);
+        let real = x.builder.state.borrow_mut().vector(components, rule);
+        Vector { x, y, z, real }
     }
 
-    /// States how far the vector is off as a whole, and so each component at most. The unit gives
-    /// the proof above it.
-    pub fn known_off(self, off: VectorError) -> Vector {
-        self.map(|component| component.clone().stated_error_value(off.length))
-            .no_longer_than(self.longest)
-            .proven_off(off)
+    /// The same vector with what a rule says besides.
+    fn known_by(self, rule: impl FnOnce(VectorId) -> VectorRule) -> Vector {
+        let Vector { x, y, z, real } = self;
+        Vector::by_rule([x, y, z], rule(real))
     }
 
-    /// As [`Vector::known_off`], where propagation may know more of components.
-    pub fn proven_off_by(self, length: f64) -> Vector {
-        self.proven_error_value(length).proven_off(VectorError::ball(length))
+    /// The same vector, for whose components others stand.
+    pub(super) fn at(&self, components: [Sig; 3]) -> Vector {
+        Vector::by_rule(components, VectorRule::Same(self.real))
     }
 
-    /// How far it is off as a whole: what has been stated of it, or the diagonal of the components'
-    /// errors.
-    pub fn off(&self) -> VectorError {
-        let diagonal = [&self.x, &self.y, &self.z]
-            .map(|sig| sig.error_value().powi(2))
-            .into_iter()
-            .sum::<f64>()
-            .sqrt();
-        self.off.intersection(VectorError::ball(diagonal))
+    fn components(&self) -> [&Sig; 3] {
+        [&self.x, &self.y, &self.z]
+    }
+
+    /// What is known of it as a whole: what a proof is about.
+    pub fn bound(&self) -> VectorBound {
+        let state = self.x.builder.state.borrow();
+        state.bounds.of_vector(&state.graph, self.real)
+    }
+
+    /// States a bound on the error of the vector as a whole, and so of each component, where that
+    /// is smaller than what rules say. `proof` is where it stands.
+    pub fn tighten_error(self, proof: &'static str, error: VectorError) -> Vector {
+        let tightened = |component: &Sig| component.clone().tighten_error(proof, error.length);
+        let of = self.real;
+        Vector::by_rule(self.components().map(tightened), VectorRule::Proven { of, error, proof })
+    }
+
+    /// States the bound on the error of the vector as a whole, and so of each component, where rules
+    /// see nothing of it. `proof` is where it stands.
+    pub fn override_error(self, proof: &'static str, error: VectorError) -> Vector {
+        let overridden = |component: &Sig| component.clone().override_error(proof, error.length);
+        let of = self.real;
+        Vector::by_rule(self.components().map(overridden), VectorRule::Proven { of, error, proof })
+    }
+
+    /// States a bound on the error of each component, as [`Sig::tighten_error`] does.
+    pub fn tighten_components(self, proof: &'static str, error: f64) -> Vector {
+        self.at(self.components().map(|component| component.clone().tighten_error(proof, error)))
+    }
+
+    /// States that the fixed vector is no longer than `length`. Components keep their ranges.
+    pub fn no_longer_than(self, length: f64) -> Vector {
+        self.known_by(|real| VectorRule::NoLonger(real, length))
+    }
+
+    /// States that the real vector is no shorter than `length`, by a fact that rules cannot see.
+    pub fn no_shorter_than(self, length: f64, fact: &str) -> Vector {
+        self.known_by(|of| VectorRule::NoShorter { of, length, fact: fact.to_owned() })
+    }
+
+    /// The length that the fixed vector does not exceed: what has been stated of it, or the diagonal
+    /// of the components' ranges.
+    pub fn longest(&self) -> f64 {
+        self.bound().longest
     }
 
     /// Applies `f` to each component.
     pub fn map(&self, f: impl Fn(&Sig) -> Sig) -> Vector {
-        Vector::new([&self.x, &self.y, &self.z].map(f))
-    }
-
-    /// States that the vector is no longer than `length`. Components keep their ranges.
-    pub fn no_longer_than(self, length: f64) -> Vector {
-        Vector { longest: self.longest.min(length), ..self }
-    }
-
-    /// The length that it does not exceed: what has been stated of it, or the diagonal of the
-    /// components' ranges.
-    pub fn longest(&self) -> f64 {
-        let reach = |sig: &Sig| sig.range().magnitude() * sig.ulp();
-        let diagonal = [&self.x, &self.y, &self.z]
-            .map(|sig| reach(sig).powi(2))
-            .into_iter()
-            .sum::<f64>()
-            .sqrt();
-        self.longest.min(diagonal)
+        Vector::new(self.components().map(f))
     }
 
     /// Gives the components names, unless they have some.
@@ -104,22 +120,18 @@ impl Vector {
     /// With vectors off by e_a and e_b it is off by |a| e_b + |b| e_a + e_a e_b (Cauchy and
     /// Schwarz).
     pub fn dot_within(&self, other: &Vector, lengths: (f64, f64), fact: &str) -> Sig {
-        let limit = lengths.0 * lengths.1;
-        let error = product_error(lengths, (self.off().length, other.off().length));
-        self.dot(other).assumed(-limit, limit, fact).proven_error_value(error)
+        let (limit, lengths) = (lengths.0 * lengths.1, [lengths.0, lengths.1]);
+        let of = self.dot(other).assumed(-limit, limit, fact);
+        let vectors = [self.real, other.real];
+        of.standing_for(of.id(), Rule::DotProduct { of: of.real(), vectors, lengths })
     }
 
     /// The squared length of a vector that by `fact` is no longer than `length`; its error as that
     /// of a dot product.
     pub fn length_squared_within(&self, length: f64, fact: &str) -> Sig {
-        let off = self.off().length;
-        let error = product_error((length, length), (off, off));
-        self.length_squared().assumed(0.0, length * length, fact).proven_error_value(error)
-    }
-
-    /// The largest bound on the error of a component, as a value.
-    pub fn largest_error(&self) -> f64 {
-        [&self.x, &self.y, &self.z].map(Sig::error_value).into_iter().fold(0.0, f64::max)
+        let of = self.length_squared().assumed(0.0, length * length, fact);
+        let (vectors, lengths) = ([self.real; 2], [length; 2]);
+        of.standing_for(of.id(), Rule::DotProduct { of: of.real(), vectors, lengths })
     }
 
     /// Each component times `factor`.
@@ -129,20 +141,9 @@ impl Vector {
 
     /// `yes` where the bit is 1, else `no`; what has been stated of both is true of either.
     pub fn choose(bit: &Sig, yes: &Vector, no: &Vector) -> Vector {
-        let [a, b] = [yes.off(), no.off()];
-        let off = VectorError {
-            length: a.length.max(b.length),
-            transverse: a.transverse.max(b.transverse),
-            radial: a.radial.max(b.radial),
-            isotropic: a.isotropic.min(b.isotropic),
-        };
-        let component = |yes: &Sig, no: &Sig| bit.choose(yes, no);
-        let chosen = Vector::new([
-            component(&yes.x, &no.x),
-            component(&yes.y, &no.y),
-            component(&yes.z, &no.z),
-        ]);
-        chosen.no_longer_than(yes.longest().max(no.longest())).proven_off(off)
+        let chosen = [(&yes.x, &no.x), (&yes.y, &no.y), (&yes.z, &no.z)]
+            .map(|(yes, no)| bit.choose(yes, no));
+        Vector::by_rule(chosen, VectorRule::Choice(yes.real, no.real))
     }
 
     /// The cross product.
@@ -154,19 +155,10 @@ impl Vector {
         ])
     }
 
-    /// Each component rounded to `fraction_bits`, which moves the vector by √3/2 units of the last
-    /// place at most.
+    /// Each component rounded to `fraction_bits`.
     pub fn rounded(&self, fraction_bits: u32) -> Vector {
-        let moved =
-            match [&self.x, &self.y, &self.z].iter().any(|sig| sig.fraction_bits() > fraction_bits)
-            {
-                true => 0.75f64.sqrt() * power_of_two(-i64::from(fraction_bits)),
-                false => 0.0,
-            };
-        let rounded = self
-            .map(|component| component.rounded(fraction_bits))
-            .no_longer_than(self.longest + moved);
-        rounded.proven_off(self.off().enlarged_by(moved))
+        let rounded = self.components().map(|component| component.rounded(fraction_bits));
+        Vector::by_rule(rounded, VectorRule::Rounded(self.real))
     }
 
     /// States that the vector is no longer than `length`, so that each component lies within it.
@@ -176,21 +168,8 @@ impl Vector {
 
     /// States that each component lies from -`limit` to `limit`.
     pub fn components_assumed_within(&self, limit: f64, fact: &str) -> Vector {
-        self.map(|component| component.assumed(-limit, limit, fact))
-            .no_longer_than(self.longest)
-            .proven_off(self.off)
+        self.at(self.components().map(|component| component.assumed(-limit, limit, fact)))
     }
-
-    /// States a bound on the error of each component, as [`Sig::proven_error_value`] does.
-    pub fn proven_error_value(self, error: f64) -> Vector {
-        self.map(|component| component.clone().proven_error_value(error))
-            .no_longer_than(self.longest)
-            .proven_off(self.off)
-    }
-}
-
-fn product_error((a, b): (f64, f64), (error_a, error_b): (f64, f64)) -> f64 {
-    a * error_b + b * error_a + error_a * error_b
 }
 
 impl Add for &Vector {

@@ -79,6 +79,17 @@ impl Node {
     pub fn registered(&self) -> bool {
         self.register != Register::None
     }
+
+    /// Of a register that holds its value, as the signal `own`, where it does not take over another:
+    /// the bit with which it does, its clock enable, and what it takes over.
+    pub fn clock_enable(&self, own: NodeId) -> Option<(NodeId, NodeId)> {
+        match self.op {
+            Op::Select(enable, next, held) if held == own && self.registered() => {
+                Some((enable, next))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The format of a range of raw values: its width laid round the binary point.
@@ -184,7 +195,8 @@ impl Design {
         self.iter().filter(|(_, node)| node.op.constant().is_none()).map(|(id, _)| id).collect()
     }
 
-    /// Clocks from a pixel's entry to its exit; from the first of its clocks, if it has several.
+    /// Clocks from a pixel's entry to its exit; from the first of its clocks, if it has several that
+    /// follow each other. From its last clock it is the depth, whatever was between.
     pub fn latency(&self) -> u32 {
         self.depth() + self.interval - 1
     }

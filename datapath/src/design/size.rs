@@ -34,7 +34,7 @@ pub struct UnitSize {
 }
 
 impl Size {
-    fn count(&mut self, design: &Design, node: &Node) {
+    fn count(&mut self, design: &Design, (id, node): (NodeId, &Node)) {
         let width = |id| u64::from(design.node(id).width());
         match node.op {
             Op::Mul(a, b) if design.factors(node).is_some() => {
@@ -47,6 +47,8 @@ impl Size {
                 self.adders += 1;
                 self.adder_bits += u64::from(node.width());
             }
+            // A flip-flop has a clock enable of its own.
+            Op::Select(..) if node.clock_enable(id).is_some() => {}
             Op::Select(..) => self.multiplexers += 1,
             Op::LookUp(_, table) => {
                 self.table_bits +=
@@ -74,7 +76,7 @@ impl Design {
     /// Size of the whole design.
     pub fn size(&self) -> Size {
         let mut size = Size::default();
-        self.nodes.iter().for_each(|node| size.count(self, node));
+        self.iter().for_each(|node| size.count(self, node));
         size
     }
 
@@ -83,7 +85,9 @@ impl Design {
         let unit = |index: usize| {
             let id = ScopeId(index as u32);
             let mut size = Size::default();
-            self.nodes.iter().filter(|n| n.scope == id).for_each(|n| size.count(self, n));
+            self.iter()
+                .filter(|(_, node)| node.scope == id)
+                .for_each(|node| size.count(self, node));
             UnitSize { path: self.path(id).join("."), latency: self.scope(id).latency(), size }
         };
         (0..self.scopes.len()).map(unit).collect()

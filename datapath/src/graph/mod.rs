@@ -3,7 +3,11 @@
 //! The [`Builder`](crate::Builder) makes it; the passes make a [`Design`](crate::Design) of it. A
 //! value knows its operator, its range and its [`Pace`], and no stage: in which clock an operator
 //! runs is for the schedule to say.
+mod real;
+
 use crate::design::{Assumption, LeftOut, NodeId, Op, Range, ScopeId, Table};
+
+pub use real::{RealId, RealValue, RealVector, Rule, VectorId, VectorRule};
 
 /// Values of which the readers take the same pixel's: their stage is that of the latest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -19,8 +23,10 @@ pub enum Pace {
     /// It has one register.
     Register,
     /// It is a register of a loop: what it reads belongs to the pixel before, and what it gives to
-    /// the pixel of its group.
+    /// the pixel of its group. It takes that over with a valid pixel only.
     Feedback,
+    /// It is a register that takes its value over with a valid pixel only, and holds it else.
+    Held,
     /// It has no register, and what it gives is what a register that holds its value will have in
     /// the next clock.
     Ahead,
@@ -71,6 +77,10 @@ pub struct Unit {
 pub struct Graph {
     /// Every value.
     pub values: Vec<Value>,
+    /// Every real value that one of them stands for.
+    pub reals: Vec<RealValue>,
+    /// Every vector of which something is known as a whole.
+    pub vectors: Vec<RealVector>,
     /// Every group of values.
     pub groups: Vec<Vec<NodeId>>,
     /// Every read-only memory.
@@ -87,8 +97,8 @@ pub struct Graph {
     pub interval: u32,
     /// The bit that says, as the inputs do, that what enters leaves as a pixel.
     pub leaves: NodeId,
-    /// What leaves: a name, a value, and the bound on its |fixed - real|, as a value.
-    pub outputs: Vec<(String, NodeId, f64)>,
+    /// What leaves: a name, and what stands for which real value.
+    pub outputs: Vec<(String, RealId)>,
     /// SignalInfo to be checked.
     pub assumptions: Vec<Assumption>,
     /// What was left out.
@@ -101,6 +111,16 @@ impl Graph {
         &self.values[id.0 as usize]
     }
 
+    /// The real value `id`.
+    pub fn real(&self, id: RealId) -> &RealValue {
+        &self.reals[id.0 as usize]
+    }
+
+    /// The values that leave.
+    pub fn leaving(&self) -> impl Iterator<Item = (&str, NodeId)> {
+        self.outputs.iter().map(|(name, id)| (name.as_str(), self.real(*id).value))
+    }
+
     /// The unit `id`.
     pub fn unit(&self, id: ScopeId) -> &Unit {
         &self.units[id.0 as usize]
@@ -109,6 +129,11 @@ impl Graph {
     /// The members of a group.
     pub fn group(&self, id: GroupId) -> &[NodeId] {
         &self.groups[id.0 as usize]
+    }
+
+    /// Whether a value is one that a register keeps from pixel to pixel.
+    pub fn is_state(&self, value: &Value) -> bool {
+        matches!(value.pace, Pace::Feedback | Pace::Held)
     }
 
     /// Whether a value is the same at every clock.

@@ -41,26 +41,26 @@ impl Design {
 
     /// A line for each unit that loses operators or registers.
     fn note_pruned(&mut self, kept: &[bool]) {
-        let gone = |node: &Node| {
-            !matches!(
+        let gone = |id: NodeId, node: &Node| {
+            let wires = matches!(
                 node.op,
                 Op::Constant(_)
                     | Op::Copy(_)
                     | Op::Wrap(_)
                     | Op::ShiftLeft(..)
                     | Op::ShiftRight(..)
-            )
+            );
+            !wires && node.clock_enable(id).is_none()
         };
         for scope in (0..self.scopes.len() as u32).map(ScopeId) {
             let pruned = self
-                .nodes
                 .iter()
                 .zip(kept)
-                .filter(|(node, kept)| !**kept && node.scope == scope)
+                .filter(|((_, node), kept)| !**kept && node.scope == scope)
                 .map(|(node, _)| node);
-            let (operators, bits) = pruned.fold((0, 0), |(operators, bits), node| {
+            let (operators, bits) = pruned.fold((0, 0), |(operators, bits), (id, node)| {
                 (
-                    operators + u32::from(gone(node)),
+                    operators + u32::from(gone(id, node)),
                     bits + if node.registered() { node.width() } else { 0 },
                 )
             });

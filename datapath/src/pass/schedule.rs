@@ -74,7 +74,7 @@ pub fn schedule(graph: &Graph, target: &dyn Target) -> Result<Schedule, LoopTooL
                 (registers, registers)
             }
             Pace::Wire | Pace::Meet => (0, 0),
-            Pace::Register => (1, 1),
+            Pace::Register | Pace::Held => (1, 1),
             Pace::Feedback => (0, 1),
             Pace::Ahead => (1, 0),
         };

@@ -153,7 +153,9 @@ impl<'a> Writer<'a> {
         }
         for (number, about) in module.wires().iter().map(Wire::wire_type).enumerate() {
             let (direction, stage) = match about.kind {
-                AtomKind::InputParameter => ("input wire".to_owned(), 0),
+                AtomKind::InputParameter => {
+                    ("input wire".to_owned(), about.stage.saturating_sub(module.stages.0))
+                }
                 AtomKind::OutputParameter => {
                     let variable = self.variable_of(number as u32).is_some();
                     let net = if variable { "reg" } else { "wire" };
@@ -171,6 +173,8 @@ impl<'a> Writer<'a> {
             // Reset belongs beside the clock.
             if about.name == "reset" { rows.insert(1, row) } else { rows.push(row) }
         }
+        // The validity of a unit's loops is asked for last.
+        rows.sort_by_key(|[kind, ..]| kind.starts_with("output"));
         aligned_rows(&rows)
     }
 

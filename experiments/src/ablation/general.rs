@@ -1,29 +1,29 @@
-//! General cores that a scene's is measured against.
+//! General cores, with which a scene's core is compared.
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_scene::{Frame, Needs};
 
 use super::premise::{EYE_AT_INFINITY, LIGHTS, LIGHTS_AT_INFINITY, Premise};
 
-/// What a general core is built for.
+/// The purpose of a general core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Baseline {
-    /// Anything: four lights, the longest spans and the largest exponent that there are.
+    /// Any scene: four lights, the longest spans and the largest exponent that exist.
     Nothing,
-    /// What a renderer would ask for: as many lights and of the same kinds as the scene's, spans as
-    /// wide as the picture, exponents up to 128.
+    /// The scenes of a renderer: as many lights of the same kinds as the scene has, spans as wide
+    /// as the picture, exponents up to 128.
     Renderer,
 }
 
-/// The largest exponent of a renderer's materials, as OpenGL's fixed function had it.
+/// The largest exponent of a renderer's materials; OpenGL's fixed-function pipeline had the same.
 const USUAL_SHININESS: u32 = 128;
 
 impl Baseline {
-    /// Both.
+    /// Both baselines.
     pub const ALL: [Baseline; 2] = [Baseline::Nothing, Baseline::Renderer];
 
-    /// Its name in tables.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Baseline::Nothing => "all together",
@@ -31,13 +31,13 @@ impl Baseline {
         }
     }
 
-    /// Whether a core of this kind is built knowing a premise.
+    /// Whether a core of this kind is built with knowledge of a premise.
     pub(super) fn knows(self, need: &str) -> bool {
         self == Baseline::Renderer && [LIGHTS, LIGHTS_AT_INFINITY, EYE_AT_INFINITY].contains(&need)
     }
 
-    /// The needs of scenes of which `premises` are not known, except for what a core of this kind
-    /// is built for.
+    /// The needs of scenes for which `premises` are unknown, except those that a core of this kind
+    /// is built with.
     pub(super) fn relax(self, needs: &Needs, frame: &Frame, premises: &[&Premise]) -> Needs {
         let mut unknown = needs.clone();
         premises.iter().for_each(|premise| (premise.relax)(&mut unknown));
@@ -53,15 +53,15 @@ impl Baseline {
 /// A general core.
 pub(super) struct General {
     pub baseline: Baseline,
-    /// What it was asked to be built for.
+    /// The needs for which it was to be built.
     pub needs: Needs,
     pub design: Design,
-    /// What it knows of the scene all the same.
+    /// The premises that it needs to know all the same.
     pub known: Vec<&'static str>,
 }
 
 impl General {
-    /// In the words of a table.
+    /// A table's text about what the core is built for.
     pub fn built_for(&self) -> String {
         let Needs { lights, longest_span, largest_shininess, .. } = &self.needs;
         let plural = if *lights == 1 { "" } else { "s" };

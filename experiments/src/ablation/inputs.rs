@@ -1,49 +1,51 @@
-//! Ablations: the core elaborated without knowing what values some of its inputs are given.
+//! Ablations of inputs: the core elaborated without known values or ranges of some of its inputs.
 use rayon::prelude::*;
-use specula_spec::{CoreSpec, Given, InputPort, Subject};
+use specula_spec::{CoreSpec, Given, InputPort, InputRole};
 
-use super::Ablation;
+use super::core::Ablation;
 use specula_testbench::BenchError;
 
-/// The ablations of inputs, group by group.
+/// The ablations of inputs, one group at a time.
 ///
 /// # Errors
-/// [`BenchError::TooWide`] if such a core has too wide a signal.
-pub fn of_inputs(spec: &CoreSpec) -> Result<Vec<Ablation>, BenchError> {
-    let ports = spec.inputs();
+/// [`BenchError::TooWide`] if an ablated core has a signal that is too wide.
+pub fn input_ablations(spec: &CoreSpec) -> Result<Vec<Ablation>, BenchError> {
+    let (ports, roles) = (spec.inputs(), spec.input_roles());
     let ablation = |(need, safe, group): (&'static str, &'static str, Vec<&InputPort>)| {
         let left_out = described(spec, &group)?;
         let known = |name: &str| !group.iter().any(|port| port.name == name);
-        let core = CoreSpec { specialisation: spec.specialisation.only(known), ..spec.clone() };
+        let core =
+            CoreSpec { specialisation: spec.specialisation.restricted(known), ..spec.clone() };
         let design = specula_hdl::elaborate(&core, "core").map_err(BenchError::from);
         Some(design.map(|design| Ablation { need, left_out, safe, design }))
     };
-    groups(&ports).collect::<Vec<_>>().into_par_iter().filter_map(ablation).collect()
+    groups(&ports, &roles).collect::<Vec<_>>().into_par_iter().filter_map(ablation).collect()
 }
 
-/// Inputs that a need is about. Coefficients that are the same in several channels are a need of
-/// their own.
-fn groups(
-    ports: &[InputPort],
-) -> impl Iterator<Item = (&'static str, &'static str, Vec<&InputPort>)> {
-    let own = |port: &&InputPort| port.same_as.is_none();
-    let of = move |subject: Subject| {
-        ports.iter().filter(own).filter(|port| Subject::of(&port.name) == subject).collect()
+/// The inputs that belong to each need. Coefficients that are equal in several channels are a need
+/// of their own.
+fn groups<'a>(
+    ports: &'a [InputPort],
+    roles: &'a [InputRole],
+) -> impl Iterator<Item = (&'static str, &'static str, Vec<&'a InputPort>)> {
+    let of_role = move |role: InputRole| {
+        let own = |(port, of): &(&InputPort, &InputRole)| port.same_as.is_none() && **of == role;
+        ports.iter().zip(roles).filter(own).map(|(port, _)| port).collect()
     };
     let within = "the host gives these inputs no other values in this frame";
-    let subjects =
-        Subject::ALL.into_iter().map(move |subject| (subject.in_words(), within, of(subject)));
+    let roles =
+        InputRole::ALL.into_iter().map(move |role| (role.in_words(), within, of_role(role)));
     let same = ports.iter().filter(|port| port.same_as.is_some()).collect();
-    subjects.chain([(
+    roles.chain([(
         "inputs that are alike",
         "both are given the same value with every span of this frame",
         same,
     )])
 }
 
-/// What is known of these inputs; nothing if none is constant, the same as another, or narrower.
+/// What is known of these inputs; `None` if none is constant, equal to another, or narrower.
 fn described(spec: &CoreSpec, group: &[&InputPort]) -> Option<String> {
-    let given = || group.iter().filter_map(|port| spec.specialisation.of(&port.name));
+    let given = || group.iter().filter_map(|port| spec.specialisation.given(&port.name));
     let count = |of: fn(&Given) -> bool| given().filter(|given| of(given)).count();
     let kinds = [
         (count(|given| *given == Given::Between([0, 0])), "always 0"),

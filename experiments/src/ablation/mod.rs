@@ -1,9 +1,10 @@
-//! What a core for one scene saves, need by need: each saving is measured by an ablation, which
-//! elaborates the core without knowing the need.
+//! The savings of a core for one scene, need by need. Each is measured by an ablation, that is, by
+//! elaborating the core without knowing the need.
 //!
-//! What is known of a scene comes in two kinds: premises from which options and formats are chosen
-//! before any input is looked at ([`needs`]), and what inputs are given over the frame
+//! There are two kinds of knowledge about a scene: premises, from which options and formats are
+//! chosen before any input is looked at ([`needs`]), and the values of inputs over the frame
 //! ([`inputs`]).
+mod core;
 mod general;
 mod inputs;
 mod needs;
@@ -14,10 +15,11 @@ use serde::Serialize;
 use specula_datapath::Design;
 use specula_scene::LoadedScene;
 use specula_spec::CoreSpec;
+use specula_testbench::BenchError;
 
+use core::Ablation;
 use general::General;
 use size_delta::Built;
-use specula_testbench::BenchError;
 
 pub use general::Baseline;
 pub use size_delta::{CellDelta, SizeDelta, Synthesis};
@@ -25,11 +27,11 @@ pub use size_delta::{CellDelta, SizeDelta, Synthesis};
 /// A need of a scene, and what knowing it saves.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Saving {
-    /// What is known of the scene.
+    /// The knowledge about the scene.
     pub need: &'static str,
     /// What was left out or narrowed.
     pub left_out: String,
-    /// What the core would have more without knowing.
+    /// The additional hardware of a core that does not know the need.
     pub saves: SizeDelta,
     /// Why nothing is lost.
     pub safe: &'static str,
@@ -38,10 +40,10 @@ pub struct Saving {
 /// A core for one scene against the general one.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Savings {
-    /// The savings need by need. They overlap, so they do not add up to the whole.
+    /// The savings need by need. They overlap, so their sum is not the whole.
     pub needs: Vec<Saving>,
-    /// The savings of all needs together, against general cores: first the one that knows nothing
-    /// of the scene, then the one that a renderer would be built with.
+    /// The savings of all needs together, compared with two general cores: first the one for any
+    /// scene, then the one for a renderer.
     pub together: Vec<AgainstGeneral>,
 }
 
@@ -50,36 +52,36 @@ pub struct Savings {
 pub struct AgainstGeneral {
     /// The general core that it is compared with.
     pub baseline: Baseline,
-    /// What such a core is built for, as a table's text.
+    /// A table's text about what that core is built for.
     pub built_for: String,
-    /// Lights that it has pipelines for.
+    /// Number of lights that it has pipelines for.
     pub lights: usize,
-    /// Pixels of its longest span.
+    /// Length of its longest span in pixels.
     pub longest_span: u32,
     /// Its largest exponent.
     pub largest_shininess: u32,
-    /// What it knows of the scene all the same, since none could be built without.
+    /// The premises that it needs to know all the same, since no core could be built without them.
     pub known: Vec<&'static str>,
-    /// What is saved.
+    /// The difference in size.
     pub saves: SizeDelta,
 }
 
-/// What the core of `spec`, which is to shade a scene, saves by its needs; in cells too if
-/// `synthesis` makes them. A need that saves nothing is left out.
+/// The savings of the core of `spec`, which is to shade a scene; also in cells if `synthesis` is
+/// given. Needs that save nothing are left out.
 ///
 /// # Errors
-/// [`BenchError::TooWide`] if the core has too wide a signal, [`BenchError::Simulation`] if it
-/// cannot be synthesised.
+/// [`BenchError::TooWide`] if the core has a signal that is too wide, [`BenchError::Simulation`] if
+/// it cannot be synthesised.
 pub fn ablation(
     scene: &LoadedScene,
     spec: &CoreSpec,
     synthesis: Option<Synthesis>,
 ) -> Result<Savings, BenchError> {
     let special = specula_hdl::elaborate(spec, "core")?;
-    let (of_premises, of_inputs) =
-        rayon::join(|| needs::of_premises(scene, spec), || inputs::of_inputs(spec));
-    let (of_premises, generals) = of_premises?;
-    let needs: Vec<Ablation> = of_premises.into_iter().chain(of_inputs?).collect();
+    let (premise_ablations, input_ablations) =
+        rayon::join(|| needs::premise_ablations(scene, spec), || inputs::input_ablations(spec));
+    let (premise_ablations, generals) = premise_ablations?;
+    let needs: Vec<Ablation> = premise_ablations.into_iter().chain(input_ablations?).collect();
     let of_generals = generals.iter().map(|general| &general.design);
     let designs: Vec<&Design> = [&special]
         .into_iter()
@@ -110,12 +112,4 @@ pub fn ablation(
         saves: SizeDelta::between(built, special),
     };
     Ok(Savings { needs, together: generals.iter().zip(of_generals).map(against).collect() })
-}
-
-/// The core elaborated without knowing one need.
-struct Ablation {
-    need: &'static str,
-    left_out: String,
-    safe: &'static str,
-    design: Design,
 }

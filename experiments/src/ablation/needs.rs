@@ -1,19 +1,19 @@
-//! Ablations: the core elaborated without one known premise.
+//! Ablations of premises: the core elaborated without one known premise.
 use rayon::prelude::*;
 use specula_datapath::builder::BuildError;
 use specula_scene::{LoadedScene, Needs};
 use specula_spec::{CoreError, CoreSpec, InputPort, SceneCore};
 
-use super::Ablation;
+use super::core::Ablation;
 use super::general::{Baseline, General};
 use super::premise::{PREMISES, Premise};
 
-/// The ablations of premises, where the core is another one without the premise and can be built;
-/// and the general cores.
+/// The ablations of those premises without which the core differs and can be built, and the general
+/// cores.
 ///
 /// # Errors
-/// [`BuildError`] if not even the scene's own general core can be built.
-pub fn of_premises(
+/// [`BuildError`] if the scene's own general core cannot be built.
+pub fn premise_ablations(
     scene: &LoadedScene,
     spec: &CoreSpec,
 ) -> Result<(Vec<Ablation>, Vec<General>), BuildError> {
@@ -33,7 +33,7 @@ struct Chosen<'a> {
     /// The core for the scene alone.
     special: CoreSpec,
     needs: Needs,
-    /// What is chosen for the needs, before any format is narrowed.
+    /// The choice for the needs, before any format is narrowed.
     general: Result<CoreSpec, CoreError>,
 }
 
@@ -53,7 +53,7 @@ impl Chosen<'_> {
     }
 
     /// The general core in which every premise is relaxed as the baseline says, or as many premises
-    /// as a core can be built without.
+    /// as possible if no core can be built without all of them.
     fn general(&self, baseline: Baseline) -> Result<General, BuildError> {
         let (mut core, mut relaxed, mut known) = (self.spec.general(), vec![], vec![]);
         let mut design = specula_hdl::elaborate(&core, "core")?;
@@ -80,10 +80,16 @@ impl Chosen<'_> {
         Ok(General { baseline, needs, design, known })
     }
 
-    /// The core with what is known of its inputs: over the frame, or, if it has other lights than
-    /// the frame, of those inputs that the scene's core has too.
+    /// The core with the knowledge of its inputs over the frame; or, if it has other lights than
+    /// the frame, of those inputs that the scene's core also has.
     fn knowing_inputs(&self, core: CoreSpec) -> CoreSpec {
-        let places = |core: &CoreSpec| (core.lights, core.local_lights.clone(), core.local_eye);
+        let places = |core: &CoreSpec| {
+            (
+                core.parameters.lights,
+                core.parameters.local_lights.clone(),
+                core.parameters.local_eye,
+            )
+        };
         if places(&core) == places(self.spec) {
             return core.specialised_as(&self.special, &self.scene.frame);
         }
@@ -92,24 +98,24 @@ impl Chosen<'_> {
             |ports: &[InputPort], name: &str| ports.iter().find(|port| port.name == name).cloned();
         let known =
             |name: &str| port(&own, name).is_some_and(|own| Some(own) == port(&theirs, name));
-        CoreSpec { specialisation: self.spec.specialisation.only(known), ..core }
+        CoreSpec { specialisation: self.spec.specialisation.restricted(known), ..core }
     }
 
-    /// The general core for scenes of which these premises are not known; none if it cannot be
+    /// The general core for scenes for which these premises are unknown; `None` if it cannot be
     /// described.
     fn without(&self, premises: &[&Premise]) -> Option<CoreSpec> {
         self.for_needs(&Baseline::Nothing.relax(&self.needs, &self.scene.frame, premises))
     }
 
-    /// The general core for such needs; none where it cannot be described.
+    /// The general core for these needs; `None` if it cannot be described.
     fn for_needs(&self, needs: &Needs) -> Option<CoreSpec> {
         let to = self.scene.core_for(needs, Some(self.spec.method())).ok()?;
-        self.spec.changed(self.general.as_ref().ok()?, &to).ok()
+        self.spec.rebased(self.general.as_ref().ok()?, &to).ok()
     }
 }
 
-/// What else the core for the scene has less, for the end of a line: options that are others, and
-/// formats that are narrower.
+/// The end of a line about further differences of the core for the scene: other options and
+/// narrower formats.
 fn differences(spec: &CoreSpec, core: &CoreSpec) -> String {
     let theirs = core.method_options();
     let option = |(name, own): (&str, String)| {

@@ -1,4 +1,4 @@
-//! What may be known of a scene before any of its inputs is.
+//! Premises: what may be known of a scene before any of its inputs is.
 use specula_scene::Needs;
 use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::needs::LocalKind;
@@ -7,9 +7,9 @@ use specula_scene::needs::LocalKind;
 pub(super) struct Premise {
     pub need: &'static str,
     pub safe: &'static str,
-    /// Widens needs to those of scenes of which the premise is not known.
+    /// Widens needs to those of scenes for which the premise is unknown.
     pub relax: fn(&mut Needs),
-    /// What is known, as a table's text.
+    /// The knowledge as a table's text.
     pub known: fn(&Needs) -> String,
 }
 
@@ -23,7 +23,7 @@ pub(super) const PREMISES: [Premise; 10] = [
     Premise {
         need: LIGHTS,
         safe: "the scene has no more lights",
-        // Lights at places are the last ones, so more lights at infinity would have their names.
+        // Lights at places come last, so more lights at infinity would take their names.
         relax: |needs| {
             needs.lights = if needs.local_lights.is_empty() { MOST_LIGHTS } else { needs.lights }
         },
@@ -109,5 +109,5 @@ pub(super) const PREMISES: [Premise; 10] = [
     },
 ];
 
-/// An exponent that squaring does not reach.
+/// An exponent that repeated squaring does not reach.
 const UNEVEN: u32 = 3;

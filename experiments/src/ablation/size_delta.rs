@@ -8,23 +8,23 @@ use specula_testbench::BenchError;
 /// A function that synthesises designs into cells, such as [`specula_sim::synthesise`].
 pub type Synthesis<'a> = &'a dyn Fn(&[&Design]) -> Result<Vec<Synthesised>, SimError>;
 
-/// Difference in size between two cores; negative where the shifts and sums of a product with a
-/// constant are more hardware than what they replace.
+/// Difference in size between two cores. It is negative where the shifts and sums of a product with
+/// a constant are more hardware than what they replace.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct SizeDelta {
     /// Multipliers of two variables.
     pub multipliers: i64,
     /// Sum over multipliers of the product of their operands' widths.
     pub multiplier_bits: i64,
-    /// Adders and subtractors, products with constants among them.
+    /// Adders and subtractors, including those of products with constants.
     pub adders: i64,
-    /// Sum of their widths.
+    /// Sum of the adders' widths.
     pub adder_bits: i64,
     /// Register bits.
     pub register_bits: i64,
     /// Clocks of latency.
     pub latency: i64,
-    /// Cells of an FPGA, if they were asked for.
+    /// Cells of an FPGA, if the caller asks for them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cells: Option<CellDelta>,
 }
@@ -36,7 +36,7 @@ pub struct CellDelta {
     pub luts: i64,
     /// Multipliers of 18 x 18 bits.
     pub multipliers: i64,
-    /// Flip-flops.
+    /// Number of flip-flops.
     pub flip_flops: i64,
 }
 
@@ -47,7 +47,7 @@ pub(super) struct Built<'a> {
 }
 
 impl Built<'_> {
-    /// These cores, and with `synthesis` their cells.
+    /// Builds these cores and, with `synthesis`, counts their cells.
     pub fn all<'a>(
         designs: &[&'a Design],
         synthesis: Option<Synthesis>,
@@ -61,14 +61,14 @@ impl Built<'_> {
 }
 
 impl SizeDelta {
-    /// Whether neither the hardware nor its cells are any less, or any more.
+    /// Whether neither the hardware nor its cells differ.
     pub(super) fn is_nothing(&self) -> bool {
         let nothing =
             SizeDelta { cells: self.cells.map(|_| CellDelta::default()), ..SizeDelta::default() };
         *self == nothing
     }
 
-    /// What `less` has less than `more`.
+    /// The size of `more` minus the size of `less`.
     pub(super) fn between(more: &Built, less: &Built) -> SizeDelta {
         let (m, l) = (more.design.size(), less.design.size());
         let difference = |a: u64, b: u64| a as i64 - b as i64;

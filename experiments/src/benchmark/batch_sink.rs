@@ -1,4 +1,4 @@
-//! Sinks of the batches that an engine of this workspace hands over.
+//! Sinks for the batches that an engine of this workspace delivers.
 use std::fs::File;
 use std::hint::black_box;
 use std::io::{self, Sink, Write};
@@ -19,7 +19,7 @@ pub(crate) trait BatchSink {
     fn end(self: Box<Self>) -> io::Result<()>;
 }
 
-/// The sink that `mode` asks for, for these signals; files go to `file`.
+/// The sink that `mode` asks for, for these signals; waveforms are written to `file`.
 pub(crate) fn batch_sink(
     mode: Mode,
     design: &Design,
@@ -36,7 +36,7 @@ pub(crate) fn batch_sink(
     })
 }
 
-/// Discards every batch: the outputs are added up anyway.
+/// Discards every batch: the outputs are summed elsewhere.
 struct Nothing;
 
 impl BatchSink for Nothing {
@@ -49,10 +49,10 @@ impl BatchSink for Nothing {
     }
 }
 
-/// Looks at one value of one signal after the other, batch by batch, so that the compiler cannot
-/// know which of them are read. Verilator's signals are not read either, though they could be.
+/// Reads one value of one signal after the other, batch by batch, so that the compiler cannot know
+/// which of them are read. Verilator's signals are not read either, although they could be.
 struct Glance {
-    /// Number of the signal that is next.
+    /// Number of the next signal.
     column: usize,
 }
 

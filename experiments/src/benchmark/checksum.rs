@@ -1,11 +1,11 @@
-//! Checksums of codes, by which engines are checked while they are measured.
+//! Checksums of codes, with which engines are checked while they are measured.
 use std::ops::Range;
 
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 use specula_sim::{Batch, Lanes, Stimulus};
 
-/// The sum of each output over all pixels, modulo 2^32: as narrow as lanes are, so that adding up
+/// The sum of each output over all pixels, modulo 2^32: as narrow as lanes are, so that summing
 /// costs next to nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Checksum(pub [u32; 3]);
@@ -18,29 +18,29 @@ impl Checksum {
         }
     }
 
-    /// The checksum of the pixels of both.
+    /// The checksum of the pixels of both sets.
     pub fn plus(self, other: Checksum) -> Checksum {
         Checksum(std::array::from_fn(|c| self.0[c].wrapping_add(other.0[c])))
     }
 
-    /// The checksum of so many repetitions.
+    /// The checksum of `count` repetitions.
     pub fn times(self, count: usize) -> Checksum {
-        // Modulo 2^32 on both sides.
+        // The truncation is harmless, since both sides are taken modulo 2^32.
         Checksum(self.0.map(|sum| sum.wrapping_mul(count as u32)))
     }
 }
 
-/// Adds up the outputs while an engine runs, over the clocks in which pixels must leave.
+/// Sums the outputs while an engine runs, over the clocks in which pixels must leave.
 pub(crate) struct Accumulator {
-    /// The outputs' places among the watched signals.
+    /// The outputs' positions among the watched signals.
     places: Vec<usize>,
     leaving: Range<u64>,
     checksum: Checksum,
 }
 
 impl Accumulator {
-    /// An accumulator for a run of this stimulus that watches these signals, the outputs among
-    /// them.
+    /// An accumulator for a run of this stimulus that watches these signals, which include the
+    /// outputs.
     pub fn new(design: &Design, watched: &[NodeId], stimulus: &Stimulus) -> Accumulator {
         let latency = u64::from(design.latency());
         let place = |node: &NodeId| watched.iter().position(|watched| watched == node);

@@ -1,4 +1,4 @@
-//! Running an engine and timing it.
+//! Timed runs of an engine.
 use std::time::Instant;
 
 use specula_datapath::Design;
@@ -10,7 +10,8 @@ use super::checksum::Accumulator;
 use super::runner::Timed;
 use super::{Config, MeasureError};
 
-/// Times `engine` on all of `stimulus`; `sink` is given every batch, and its end counts.
+/// Times `engine` on all of `stimulus`; `sink` receives every batch, and finishing it is part of
+/// the time.
 ///
 /// # Errors
 /// [`MeasureError`] if the engine or the sink fails.

@@ -1,20 +1,21 @@
-//! Configurations that are measured: an engine in a mode.
+//! Configurations that are measured: an engine and a mode.
 use specula_sim::fast::InstructionSet;
 
 use specula_testbench::EngineKind;
 
-/// What an engine keeps of every clock.
+/// What an engine records in every clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// The outputs.
+    /// Only the outputs.
     Outputs,
-    /// Every signal, in memory.
+    /// Every signal, kept in memory.
     EverySignal,
-    /// Every signal, in a value change dump.
+    /// Every signal, written to a value change dump.
     Vcd,
-    /// The same with the bytes discarded: the cost of making them.
+    /// Every signal, written to a value change dump whose bytes are discarded: the cost of
+    /// formatting it.
     VcdNull,
-    /// Every signal, in a fast signal trace.
+    /// Every signal, written to a fast signal trace.
     Fst,
 }
 
@@ -23,7 +24,7 @@ impl Mode {
     pub const ALL: [Mode; 5] =
         [Mode::Outputs, Mode::EverySignal, Mode::Vcd, Mode::VcdNull, Mode::Fst];
 
-    /// Its name in tables.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Mode::Outputs => "outputs",
@@ -40,22 +41,22 @@ impl Mode {
 pub struct Config {
     /// The engine.
     pub engine: EngineKind,
-    /// What it keeps.
+    /// The mode, that is, what it records.
     pub mode: Mode,
-    /// Where there are several of an engine, which of them: the instruction set that it uses, or
-    /// the compiler's option.
+    /// The variant, if there are several of an engine: the instruction set that it uses, or the
+    /// compiler's option.
     pub variant: Option<&'static str>,
-    /// Threads that it works with.
+    /// Number of threads that it uses.
     pub threads: usize,
 }
 
 impl Config {
-    /// An engine of which there is only one.
+    /// The configuration of an engine without variants.
     pub(crate) const fn only(engine: EngineKind, mode: Mode) -> Config {
         Config { engine, mode, variant: None, threads: 1 }
     }
 
-    /// The columnar engine.
+    /// A configuration of the columnar engine.
     pub(crate) const fn fast(
         mode: Mode,
         instruction_set: InstructionSet,

@@ -1,4 +1,4 @@
-//! Why a measurement was not made.
+//! Errors of measurements.
 use std::io;
 
 use specula_datapath::builder::BuildError;
@@ -7,7 +7,7 @@ use specula_sim::SimError;
 
 use specula_testbench::BenchError;
 
-/// Why a measurement was not made.
+/// The reason why a measurement was not made.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum MeasureError {
     /// The core cannot be built or simulated.
@@ -18,7 +18,7 @@ pub enum MeasureError {
     #[error("there is nothing to measure: no pixel of the frame is shaded")]
     #[diagnostic(code(specula::measure::empty), help("choose a larger picture or another scene"))]
     NoPixels,
-    /// An engine gave other pixels than the model.
+    /// An engine's pixels differ from the model's.
     #[error(
         "{config} is wrong: over {spans} spans the sums of its codes are {given:?}, and the model's are {expected:?}"
     )]
@@ -27,13 +27,13 @@ pub enum MeasureError {
         help("this is a fault of Specula's: please report it with the scene")
     )]
     WrongSums {
-        /// What was measured.
+        /// The configuration that was measured.
         config: String,
         /// Spans shaded.
         spans: usize,
         /// The engine's sums, modulo 2^32.
         given: Vec<u32>,
-        /// What they have to be.
+        /// The model's sums.
         expected: Vec<u32>,
     },
     /// A waveform could not be written.
@@ -45,12 +45,12 @@ pub enum MeasureError {
         )
     )]
     Waveform {
-        /// What was measured.
+        /// The configuration that was measured.
         config: String,
-        /// What the system says.
+        /// The operating system's error.
         reason: io::Error,
     },
-    /// There is no room for waveforms.
+    /// No folder for waveforms can be made.
     #[error("cannot make a temporary directory: {0}")]
     #[diagnostic(
         code(specula::measure::room),

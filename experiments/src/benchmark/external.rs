@@ -1,4 +1,4 @@
-//! Engines that are programs of their own.
+//! Engines that are separate programs.
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -13,10 +13,10 @@ use super::workload::Workload;
 use super::{Config, MeasureError, Mode};
 use specula_testbench::{Bench, EngineKind};
 
-/// Where bytes go that nobody wants.
+/// The file in which waveforms are discarded.
 const NOWHERE: &str = if cfg!(windows) { "NUL" } else { "/dev/null" };
 
-/// Verilator. It times itself.
+/// Verilator. Its program times itself.
 pub(crate) struct Verilated<'a> {
     pub program: Rc<TimedVerilator>,
     pub scratch: &'a Scratch,
@@ -47,8 +47,8 @@ impl Runner for Verilated<'_> {
     }
 }
 
-/// Icarus. Its program is started, reads the stimulus from a file and writes the outputs to
-/// another, and all of that is in its time: it is so slow that it does not matter.
+/// Icarus. The measured time includes the start of its program, reading the stimulus from a file
+/// and writing the outputs to another: the simulation is so slow that this does not matter.
 pub(crate) struct Interpreted<'a> {
     pub bench: &'a Bench<'a>,
     pub workload: &'a Workload,

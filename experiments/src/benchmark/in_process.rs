@@ -16,12 +16,12 @@ use super::workload::Workload;
 use super::{Config, MeasureError, Mode};
 use specula_testbench::Bench;
 
-/// Which engine.
+/// The engine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {
     /// The columnar engine.
     Fast(Settings),
-    /// rust-hdl's.
+    /// rust-hdl's simulator.
     RustHdl,
 }
 
@@ -33,10 +33,11 @@ impl Kind {
         })
     }
 
-    /// Spans until an engine that has just been made has shown first values.
+    /// Number of spans after which an engine that has just been made has delivered its first
+    /// values.
     fn first_spans(self, workload: &Workload) -> usize {
         match self {
-            // As in a run of a frame; it is stopped after the first batch.
+            // It is given a whole frame, as in a normal run, and stopped after the first batch.
             Kind::Fast(_) => workload.frame(),
             Kind::RustHdl => 1,
         }

@@ -1,25 +1,25 @@
-//! The machine on which something was measured.
+//! The machine on which measurements are made.
 use std::fs;
 use std::process::Command;
 use std::thread;
 
 use specula_sim::fast::InstructionSet;
 
-/// The machine, in the words of its makers.
+/// The machine, as its makers describe it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Machine {
     /// The processor's model.
     pub cpu: String,
-    /// Processors that this program may use.
+    /// Number of processors that this program may use.
     pub cores: usize,
     /// The instruction set that the columnar engine uses.
     pub instruction_set: &'static str,
-    /// What the tools that are there say of their versions.
+    /// The versions of the installed tools, as they report them.
     pub tools: Vec<String>,
 }
 
 impl Machine {
-    /// This one.
+    /// This machine.
     pub fn this() -> Machine {
         let tools = [["verilator", "--version"], ["g++", "--version"], ["iverilog", "-V"]];
         Machine {
@@ -40,7 +40,7 @@ fn cpu() -> Option<String> {
     linux().or_else(macos)
 }
 
-/// From the text of Linux's `/proc/cpuinfo`.
+/// The processor's model in the text of Linux's `/proc/cpuinfo`.
 fn model_name(text: &str) -> Option<String> {
     let (_, name) = text
         .lines()

@@ -1,4 +1,4 @@
-//! What was measured.
+//! The results of a measurement.
 use super::{Config, Machine, Mode};
 use specula_testbench::EngineKind;
 use specula_testbench::statistics::median;
@@ -8,50 +8,50 @@ use specula_testbench::statistics::median;
 pub struct Measurement {
     /// The machine.
     pub machine: Machine,
-    /// Clocks that a frame takes.
+    /// Clocks for one frame.
     pub clocks_of_a_frame: u64,
-    /// What took part, in the order in which it did.
-    pub rows: Vec<Row>,
-    /// What could not.
+    /// The engines and modes that were measured, in their order.
+    pub rows: Vec<EngineResult>,
+    /// The engines and modes that could not be measured.
     pub skipped: Vec<Skipped>,
 }
 
-/// What came of an engine in a mode.
+/// The result of an engine in a mode.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// Which it is.
+pub struct EngineResult {
+    /// The engine and its mode.
     pub config: Config,
     /// Clocks of each of its runs.
     pub clocks: u64,
-    /// Clocks a second, round by round.
+    /// Clocks per second in each round.
     pub rates: Vec<f64>,
-    /// Seconds before the first clock: the median, where it was measured in every round.
+    /// Seconds before the first clock: the median, if it was measured in every round.
     pub build_seconds: f64,
 }
 
-/// What did not take part.
+/// An engine or mode that was not measured.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Skipped {
     /// The engine.
     pub engine: EngineKind,
-    /// The mode; all of them if there is none.
+    /// The mode; `None` stands for all of them.
     pub mode: Option<Mode>,
-    /// Why not, and what to do about it.
+    /// The reason, and what the user can do about it.
     pub reason: String,
 }
 
-impl Row {
-    /// Clocks a second.
+impl EngineResult {
+    /// Clocks per second: the median of the rounds.
     pub fn rate(&self) -> f64 {
         median(&self.rates)
     }
 }
 
 impl Measurement {
-    /// How many times as fast as Verilator with its outputs alone; `None` if that did not take
-    /// part.
-    pub fn ratio_to_verilator(&self, row: &Row) -> Option<f64> {
-        let is_reference = |row: &&Row| {
+    /// The rate of `row` divided by that of Verilator with its outputs alone; `None` if that was
+    /// not measured.
+    pub fn ratio_to_verilator(&self, row: &EngineResult) -> Option<f64> {
+        let is_reference = |row: &&EngineResult| {
             row.config.engine == EngineKind::Verilator && row.config.mode == Mode::Outputs
         };
         self.rows.iter().find(is_reference).map(|reference| row.rate() / reference.rate())

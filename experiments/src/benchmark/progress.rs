@@ -1,29 +1,29 @@
-//! How far a measurement is.
+//! The progress of a measurement.
 use super::{Config, Mode};
 use specula_testbench::EngineKind;
 
 /// A step of a measurement, for a progress bar.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
-    /// A program is built.
+    /// A program is being built.
     Building {
         /// The engine.
         engine: EngineKind,
-        /// The mode that it is for.
+        /// The mode for which it is built.
         mode: Mode,
     },
-    /// Finding out how many spans make a run long enough.
+    /// The number of spans for a sufficiently long run is being determined.
     Trying {
         /// The engine and its mode.
         config: Config,
     },
-    /// A run is measured.
+    /// A run is being measured.
     Measuring {
         /// The engine and its mode.
         config: Config,
-        /// Runs measured before.
+        /// Number of runs measured before.
         done: usize,
-        /// Runs in all.
+        /// Total number of runs.
         all: usize,
     },
 }

@@ -14,7 +14,7 @@ use super::workload::Workload;
 use super::{Config, MeasureError, Mode, Skipped};
 use specula_testbench::{Bench, EngineKind};
 
-/// Threads of the rows that have several.
+/// Number of threads of the rows that use several.
 const THREADS: usize = 2;
 
 /// The runners, and the engines that cannot run on this machine.
@@ -91,7 +91,7 @@ impl<'a> Roster<'a> {
             progress(&Step::Building { engine: EngineKind::Verilator, mode: modes[0] });
             match TimedVerilator::build(&self.bench.design, &frame, keeping) {
                 Ok(program) => self.add_verilated(&Rc::new(program), modes),
-                // It needs headers of zlib, which a system with Verilator need not have.
+                // FST needs the headers of zlib, which a system with Verilator need not have.
                 Err(SimError::ToolFailed { output, .. }) if keeping == Keeping::Fst => {
                     self.skip(EngineKind::Verilator, Some(Mode::Fst), without_fst(&output));
                 }
@@ -131,7 +131,7 @@ fn fast(instruction_set: InstructionSet, threads: usize) -> Kind {
     Kind::Fast(Settings { instruction_set, threads, ..Settings::default() })
 }
 
-/// Why a tool is absent and how to install it; any other error is passed on.
+/// Why a tool is absent, and how to install it; any other error is returned.
 fn reason(error: SimError) -> Result<String, MeasureError> {
     match error {
         SimError::ToolAbsent { tool, install, .. } => {
@@ -141,7 +141,7 @@ fn reason(error: SimError) -> Result<String, MeasureError> {
     }
 }
 
-/// Why a program with FST was not built, by the compiler's output.
+/// Why a program with FST was not built, according to the compiler's output.
 fn without_fst(output: &str) -> String {
     let said =
         output.lines().find(|line| line.contains("error")).unwrap_or("no reason is given").trim();

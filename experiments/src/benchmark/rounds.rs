@@ -1,19 +1,19 @@
-//! Rounds in which every runner runs once.
+//! Rounds, in each of which every runner runs once.
 use super::progress::Step;
 use super::roster::Roster;
 use super::runner::{Runner, Timed};
 use super::scratch::Scratch;
 use super::workload::Workload;
-use super::{Config, Machine, MeasureError, Measurement, Mode, Row};
+use super::{Config, EngineResult, Machine, MeasureError, Measurement, Mode};
 use specula_testbench::Bench;
 use specula_testbench::statistics::median;
 
-/// How much time a measurement may take.
+/// The time that a measurement may take.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
     /// Number of rounds, at least 1.
     pub rounds: usize,
-    /// Seconds that a run is to take.
+    /// Intended duration of a run in seconds.
     pub seconds: f64,
 }
 
@@ -23,15 +23,15 @@ impl Default for Budget {
     }
 }
 
-/// Spans of the first try.
+/// Number of spans of the first trial run.
 const FIRST_SPANS: usize = 16;
-/// At most so many times as many spans in the next try: what a short run says of a long one is not
-/// much.
+/// Largest growth of the number of spans between trial runs: the duration of a short run predicts
+/// that of a long one badly.
 const GROWTH: f64 = 8.0;
-/// A run is long enough if it takes so much of the time that it is to take.
+/// A run is long enough if it takes this share of its intended duration.
 const ENOUGH: f64 = 0.8;
-/// Spans of the longest run, whatever the time: a stimulus has some bytes for each.
-const MOST_SPANS: usize = 1 << 25;
+/// Largest number of spans of a run, whatever the time: a stimulus takes some bytes for each.
+const MAX_SPANS: usize = 1 << 25;
 
 /// Measures every engine that is present, in every mode that it has.
 ///
@@ -72,7 +72,7 @@ pub fn measure(
     Ok(Measurement { machine: Machine::this(), clocks_of_a_frame, rows, skipped })
 }
 
-/// What has been measured of a runner so far.
+/// The measurements of a runner so far.
 #[derive(Default)]
 struct Record {
     spans: usize,
@@ -90,8 +90,8 @@ impl Record {
         Ok(())
     }
 
-    fn row(&self, config: Config) -> Row {
-        Row {
+    fn row(&self, config: Config) -> EngineResult {
+        EngineResult {
             config,
             clocks: self.clocks,
             rates: self.rates.clone(),
@@ -100,7 +100,7 @@ impl Record {
     }
 }
 
-/// A run whose checksum is right.
+/// Runs a runner and checks the checksum.
 fn checked(
     runner: &mut dyn Runner,
     workload: &Workload,
@@ -115,8 +115,8 @@ fn checked(
     Err(MeasureError::WrongSums { config: runner.config().describe(), spans, given, expected })
 }
 
-/// Gives all that write waveforms the same spans, as many as the fastest of them needs: what a
-/// waveform costs depends on how many signals change, and that on the part of the frame.
+/// Gives all runners that write waveforms the same spans, as many as the fastest of them needs: the
+/// cost of a waveform depends on how many signals change, and that on the part of the frame.
 fn equalise_spans(runners: &[Box<dyn Runner + '_>], records: &mut [Record]) {
     for mode in [Mode::Vcd, Mode::VcdNull, Mode::Fst] {
         let of_mode = |number: &usize| runners[*number].config().mode == mode;
@@ -126,7 +126,7 @@ fn equalise_spans(runners: &[Box<dyn Runner + '_>], records: &mut [Record]) {
     }
 }
 
-/// How many spans take about `seconds`; trying warms up as well.
+/// The number of spans that take about `seconds`; the trial runs also warm up.
 fn enough_spans(
     runner: &mut dyn Runner,
     workload: &Workload,
@@ -136,18 +136,18 @@ fn enough_spans(
     let mut spans = FIRST_SPANS;
     loop {
         let taken = checked(runner, workload, spans)?.seconds;
-        if taken >= ENOUGH * seconds || spans >= MOST_SPANS {
+        if taken >= ENOUGH * seconds || spans >= MAX_SPANS {
             return Ok(spans);
         }
         spans = more(spans, seconds / taken);
     }
 }
 
-/// About `factor` times as many spans, but not too many more.
+/// About `factor` times as many spans, within limits.
 fn more(spans: usize, factor: f64) -> usize {
-    // A time of 0 gives an infinite factor, or none at all; both are held in bounds here.
+    // A time of 0 gives an infinite factor or a NaN; both are brought into bounds here.
     let factor = factor.clamp(1.0, GROWTH);
-    ((spans as f64 * factor).ceil() as usize).clamp(spans + 1, MOST_SPANS.max(spans + 1))
+    ((spans as f64 * factor).ceil() as usize).clamp(spans + 1, MAX_SPANS.max(spans + 1))
 }
 
 #[cfg(test)]
@@ -157,7 +157,8 @@ mod tests {
     use specula_spec::SceneCore;
     use specula_testbench::EngineKind;
 
-    /// Takes a millisecond for each span, and gives the model's checksum for one span more or less.
+    /// A runner that takes a millisecond for each span and gives the model's checksum for one span
+    /// more or less.
     struct Fake<'a> {
         workload: &'a Workload,
         more: usize,
@@ -229,6 +230,6 @@ mod tests {
         assert_eq!(more(16, 1e9), 128);
         assert_eq!(more(16, f64::INFINITY), 128);
         assert_eq!(more(16, 1.0), 17);
-        assert_eq!(more(MOST_SPANS - 1, 8.0), MOST_SPANS);
+        assert_eq!(more(MAX_SPANS - 1, 8.0), MAX_SPANS);
     }
 }

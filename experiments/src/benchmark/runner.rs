@@ -1,4 +1,4 @@
-//! The interface of what a measurement times.
+//! The interface of engines that a measurement times.
 use super::checksum::Checksum;
 use super::{Config, MeasureError};
 
@@ -8,13 +8,13 @@ pub(crate) trait Runner {
     fn config(&self) -> Config;
 
     /// Seconds from the spec of a core to the first values. A long start is measured once, a short
-    /// one anew each time.
+    /// one anew in each call.
     ///
     /// # Errors
     /// [`MeasureError`] if the engine fails.
     fn start_up(&mut self) -> Result<f64, MeasureError>;
 
-    /// Shades the first `spans` spans of an endless row of frames.
+    /// Shades the first `spans` spans of an endless sequence of frames.
     ///
     /// # Errors
     /// [`MeasureError`] if the engine fails.
@@ -24,7 +24,7 @@ pub(crate) trait Runner {
 /// A run that has been timed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Timed {
-    /// Seconds that it took.
+    /// Duration in seconds.
     pub seconds: f64,
     /// Number of clocks simulated.
     pub clocks: u64,

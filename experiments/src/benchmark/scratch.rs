@@ -1,4 +1,4 @@
-//! Where waveforms are written while they are measured.
+//! The folder into which waveforms are written while they are measured.
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -6,22 +6,22 @@ use tempfile::TempDir;
 
 use super::MeasureError;
 
-/// A directory in memory, on systems that have one.
+/// A folder in memory, which some systems have.
 const IN_MEMORY: &str = "/dev/shm";
-/// Bytes that must be free in it: some more than a waveform of a measurement has.
+/// Bytes that must be free in it: somewhat more than a waveform of a measurement takes.
 const ROOM: u64 = 4 << 30;
 
-/// A temporary directory for one waveform at a time.
+/// A temporary folder for one waveform at a time.
 pub(crate) struct Scratch {
     directory: TempDir,
 }
 
 impl Scratch {
-    /// A directory in memory if there is one with enough room, so that no disk is measured; else
-    /// where temporary files go.
+    /// A folder in memory if there is one with enough room, so that the speed of a disk does not
+    /// matter; else a folder where temporary files are usually made.
     ///
     /// # Errors
-    /// [`MeasureError::Scratch`] if none can be made.
+    /// [`MeasureError::Scratch`] if no folder can be made.
     pub fn new() -> Result<Scratch, MeasureError> {
         let mut builder = tempfile::Builder::new();
         builder.prefix("specula-bench-");
@@ -32,13 +32,13 @@ impl Scratch {
         Ok(Scratch { directory })
     }
 
-    /// The file of the waveform that is just being measured.
+    /// The file of the waveform that is being measured.
     pub fn file(&self) -> PathBuf {
         self.directory.path().join("waveform")
     }
 
     /// Removes the waveform, so that the next measurement does not have to. Not every one writes
-    /// it, and a file that stays is overwritten.
+    /// it, and an existing file is overwritten.
     pub fn clear(&self) {
         let _ = fs::remove_file(self.file());
     }

@@ -1,4 +1,4 @@
-//! Spans in memory, as often as a measurement needs them.
+//! Spans in memory, repeated as often as a measurement needs them.
 use specula_golden::fixed::Model;
 use specula_sim::SpanSource;
 
@@ -6,13 +6,13 @@ use super::MeasureError;
 use super::checksum::Checksum;
 use specula_testbench::{Bench, FrameSpans};
 
-/// The spans of a frame, set up, and what the model makes of them.
+/// The spans of a frame, set up, and the model's checksums of them.
 pub(crate) struct Workload {
     lengths: Vec<u32>,
     /// The inputs of all spans, one span after the other.
     inputs: Vec<i64>,
     inputs_per_span: usize,
-    /// The model's sums over the spans before each, and over all of them.
+    /// The model's checksums of the spans before each one, and of all of them.
     sums: Vec<Checksum>,
 }
 
@@ -43,24 +43,24 @@ impl Workload {
         if workload.lengths.is_empty() { Err(MeasureError::NoPixels) } else { Ok(workload) }
     }
 
-    /// Spans of the frame.
+    /// Number of spans of the frame.
     pub fn frame(&self) -> usize {
         self.lengths.len()
     }
 
-    /// The first `count` spans of an endless row of frames.
+    /// The first `count` spans of an endless sequence of frames.
     pub fn spans(&self, count: usize) -> Repeated<'_> {
         Repeated { workload: self, count }
     }
 
-    /// The model's sums over as many spans.
+    /// The model's checksum of the first `count` of these spans.
     pub fn checksum(&self, count: usize) -> Checksum {
         let (frames, rest) = (count / self.frame(), count % self.frame());
         self.sums[self.frame()].times(frames).plus(self.sums[rest])
     }
 }
 
-/// Spans of an endless row of frames.
+/// Spans of an endless sequence of frames.
 pub(crate) struct Repeated<'a> {
     workload: &'a Workload,
     count: usize,

@@ -1,4 +1,5 @@
-//! One climber: it starts anew from random scenes until it has tried as many as it may.
+//! One climber: it starts from random scenes again and again until it has tried as many scenes as
+//! it may.
 use specula_spec::Method;
 
 use super::genome::Genome;
@@ -7,57 +8,57 @@ use super::mutation::Mutation;
 use super::random::{self, Formats};
 use crate::stress::draw::Draw;
 
-/// A bound of full scale, in LSBs, says nothing.
+/// A bound of full scale, in LSBs, which says nothing.
 pub const NO_BOUND: f64 = 255.0;
-/// Random scenes from the best of which an ascent begins.
+/// Number of random scenes, from the best of which an ascent begins.
 const BEGINNINGS: u64 = 6;
-/// Scenes in a row that are no better, after which an ascent ends.
+/// Number of consecutive scenes without improvement after which an ascent ends.
 const PATIENCE: u64 = 60;
-/// By how much an ascent must rise to be counted as better.
+/// Smallest rise that counts as an improvement.
 const RISE: f64 = 1e-4;
-/// What the rounding to 8 bits alone is off by at most, in LSBs.
-const OF_ROUNDING: f64 = 0.5;
-/// What is added to bounds, in LSBs, one of these in an ascent: with little, errors of fine formats
-/// count as much as those of coarse ones, and roundings of colours to 2^-7 LSB lead to a ratio of
-/// 1; with much, only large errors count.
+/// Largest error in LSBs of the rounding to 8 bits alone.
+const ROUNDING_ERROR: f64 = 0.5;
+/// Slacks, which are added to bounds, in LSBs; an ascent uses one of them. With a small slack,
+/// errors of fine formats count as much as those of coarse ones, and roundings of colours to 2^-7
+/// LSB lead to a ratio of 1; with a large one, only large errors count.
 const SLACKS: [f64; 3] = [0.002, 0.03, 0.3];
-/// Bounds above which an ascent does not go, one of these in LSBs: where formats are so coarse that
-/// the bound is all that a code can be off, it is reached easily.
-const MOST_BOUNDS: [f64; 3] = [2.0, 16.0, NO_BOUND];
-/// The highest that the error of a sum counts, of what is proven of it: where the bound rests on
-/// what codes there can be, it may be above 1.
+/// Limits in LSBs; an ascent uses one of them and avoids scenes with larger bounds: where formats
+/// are so coarse that the bound is all that a code can be off, the bound is reached easily.
+const MAX_BOUNDS: [f64; 3] = [2.0, 16.0, NO_BOUND];
+/// The ratio of a sum's error to its proven bound counts only up to this limit: where the bound
+/// rests on the possible codes, the ratio may exceed 1.
 const HIGHEST: f64 = 1.5;
-/// Ambient lights that are tried to make an error show in codes.
+/// Number of ambient lights that are tried to make an error visible in codes.
 const AMBIENTS: u64 = 24;
 
-/// A scene and what came of it.
+/// A scene and its measurement.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// The scene and its core.
     pub genome: Genome,
-    /// What was measured.
+    /// The measurement.
     pub measure: Measure,
 }
 
 /// What a climber found.
 #[derive(Clone, Debug, Default)]
 pub struct Ascent {
-    /// Scenes that it tried.
+    /// Number of scenes tried.
     pub scenes: u64,
-    /// Those of them for which there is no core.
+    /// Number of these for which there is no core.
     pub refused: u64,
-    /// Those of which the bound is full scale or more.
+    /// Number of these whose bound is full scale or more.
     pub without_bound: u64,
-    /// That with the largest ratio of measured to bound.
+    /// The scene with the largest ratio of measured error to bound.
     pub largest: Option<Found>,
-    /// The first with a ratio above 1.
+    /// Number of the first scene with a ratio above 1.
     pub first_broken: Option<u64>,
-    /// The first in which something else is wrong, and what.
+    /// The first scene in which something else is wrong, and what is wrong.
     pub fault: Option<(Genome, String)>,
 }
 
 impl Ascent {
-    /// Climbs by `method` until `scenes` are tried; `count` is told of each.
+    /// Climbs with `method` until `scenes` scenes have been tried; `count` is called for each.
     pub fn new(
         draw: &mut Draw,
         method: Method,
@@ -88,21 +89,23 @@ impl Climber<'_> {
         self.ascent.scenes >= self.most
     }
 
-    /// From the best of some random scenes on, until nothing gets better.
+    /// Climbs from the best of some random scenes until nothing improves.
     fn climb(&mut self) {
-        let taste =
-            Taste { slack: self.draw.one_of(&SLACKS), most_bound: self.draw.one_of(&MOST_BOUNDS) };
+        let taste = RankCriterion {
+            slack: self.draw.one_of(&SLACKS),
+            most_bound: self.draw.one_of(&MAX_BOUNDS),
+        };
         let height = |measure: &Measure| taste.height(measure);
         let formats = Formats::draw(self.draw);
         let Some((mut genome, mut measure)) = self.beginning(&height, formats) else { return };
         let mutation = match formats {
             Formats::Any => Mutation::new(self.draw),
-            Formats::OneCoarse(_) => Mutation::of_no_formats(self.draw),
+            Formats::OneCoarse(_) => Mutation::without_formats(self.draw),
         };
         let mut idle = 0;
         while idle < PATIENCE && !self.is_tired() {
             idle += 1;
-            let changed = mutation.of(&genome, self.draw);
+            let changed = mutation.apply(&genome, self.draw);
             let Some((next, of_next)) = self.tried(changed) else { continue };
             if height(&of_next) > height(&measure) * (1.0 + RISE) {
                 idle = 0;
@@ -112,7 +115,7 @@ impl Climber<'_> {
             }
         }
         if measure.ratio() <= 1.0
-            && measure.unrounded > measure.bound - OF_ROUNDING
+            && measure.unrounded > measure.bound - ROUNDING_ERROR
             && measure.bound < NO_BOUND
         {
             self.show(&genome);
@@ -138,8 +141,8 @@ impl Climber<'_> {
         best
     }
 
-    /// Where the error of a sum is beyond what is proven of it, some ambient light carries that
-    /// over the middle between two codes.
+    /// If the error of a sum exceeds its proven bound, tries ambient lights that carry it across
+    /// the middle between two codes.
     fn show(&mut self, genome: &Genome) {
         for _ in 0..AMBIENTS {
             if self.is_tired() {
@@ -148,11 +151,11 @@ impl Climber<'_> {
             let mut lit = genome.clone();
             lit.scene.ambient = [self.draw.unit(); 3];
             lit.scene.spans.iter_mut().for_each(|span| span.material.ambient = [1.0; 3]);
-            self.tried(lit.settled());
+            self.tried(lit.repaired());
         }
     }
 
-    /// Measures a scene and notes what came of it; none if there is no core.
+    /// Measures a scene and records the result; `None` if there is no core.
     fn tried(&mut self, genome: Option<Genome>) -> Option<(Genome, Measure)> {
         self.ascent.scenes += 1;
         (self.count)();
@@ -192,30 +195,30 @@ impl Climber<'_> {
     }
 }
 
-/// What an ascent is after.
+/// The criterion by which an ascent ranks scenes.
 #[derive(Clone, Copy, Debug)]
-struct Taste {
-    /// What is added to bounds, in LSBs.
+struct RankCriterion {
+    /// The slack that is added to bounds, in LSBs.
     slack: f64,
     /// Bounds from here on count for nothing, in LSBs.
     most_bound: f64,
 }
 
-impl Taste {
-    /// How high a scene stands: the error of a sum before it is rounded to a code, by what is
-    /// proven of that. The codes' own ratio is near 1 wherever the rounding to 8 bits is most of
-    /// it, and does not move with small changes; it counts where a bound is broken, or where codes
-    /// are always the same, whose bound may be below what rounding takes.
+impl RankCriterion {
+    /// The rank of a scene: the ratio of a sum's error, before it is rounded to a code, to the
+    /// proven bound of that error. The codes' own ratio is near 1 wherever the rounding to 8 bits
+    /// dominates, and small changes do not move it. It counts where a bound is broken, or where
+    /// codes are constant, so that their bound may be below the rounding error.
     fn height(self, measure: &Measure) -> f64 {
         let ratio = measure.ratio();
         if measure.bound >= self.most_bound {
             0.0
         } else if ratio > 1.0 {
             HIGHEST + ratio
-        } else if measure.bound <= OF_ROUNDING {
+        } else if measure.bound <= ROUNDING_ERROR {
             ratio / 2.0
         } else {
-            (measure.unrounded / (measure.bound - OF_ROUNDING + self.slack)).min(HIGHEST)
+            (measure.unrounded / (measure.bound - ROUNDING_ERROR + self.slack)).min(HIGHEST)
         }
     }
 }

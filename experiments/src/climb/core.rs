@@ -6,29 +6,29 @@ use specula_spec::{
     CoreOptions, CoreSpec, Format, LightPipelines, Method, NarrowingPoint, SpecError, Specialise,
 };
 
-/// How often formats that depend on one another are brought into line before a core is given up.
-const MOST_REPAIRS: usize = 60;
+/// How often formats that depend on one another are repaired before a core is given up.
+const MAX_REPAIRS: usize = 60;
 
-/// A method, options and formats that differ from its defaults, and what else a `[core]` table
-/// says.
+/// A method, the options and formats that differ from its defaults, and the other keys of a
+/// `[core]` table.
 #[derive(Clone, Debug)]
 pub struct CoreChoice {
     /// The method.
     pub method: Method,
-    /// Options that are not left to their defaults, by their keys; values as TOML writes them.
+    /// Options that differ from their defaults: keys and values as TOML writes them.
     pub options: Vec<(&'static str, &'static str)>,
-    /// Formats that are not left to their defaults, by their narrowing points.
+    /// Formats that differ from their defaults, by narrowing point.
     pub formats: Vec<(&'static str, Format)>,
-    /// Whether lights share a pipeline.
+    /// How lights share pipelines.
     pub light_pipelines: LightPipelines,
-    /// What the core is made for.
+    /// The scenes for which the core is made.
     pub specialise: Specialise,
-    /// The narrowing points that the core had when it was last brought into line.
+    /// The narrowing points that the core had when it was last repaired.
     pub points: Vec<NarrowingPoint>,
 }
 
 impl CoreChoice {
-    /// A method as it is by default.
+    /// A method with its defaults.
     pub fn default_of(method: Method) -> CoreChoice {
         CoreChoice {
             method,
@@ -52,12 +52,12 @@ impl CoreChoice {
         self.formats.push((name, format));
     }
 
-    /// The tables of a scene file.
+    /// The `[core]` tables of a scene file.
     pub fn text(&self) -> String {
         format!("[core]\n{}", self.tables("core."))
     }
 
-    /// The contents of the `[core]` table, in which names of tables follow `prefix`.
+    /// The contents of the `[core]` table; `prefix` precedes names of tables.
     fn tables(&self, prefix: &str) -> String {
         let name = self.method.name();
         let (pipelines, specialise) = (self.light_pipelines.name(), self.specialise.name());
@@ -72,10 +72,10 @@ impl CoreChoice {
         text
     }
 
-    /// Brings options and formats into line with what the scene needs and with one another, and
-    /// notes the narrowing points; none where there is no such core.
-    pub fn settled(mut self, needs: &Needs) -> Option<CoreChoice> {
-        for _ in 0..MOST_REPAIRS {
+    /// Repairs options and formats so that they fit the scene's needs and one another, and records
+    /// the narrowing points; `None` if there is no such core.
+    pub fn repaired(mut self, needs: &Needs) -> Option<CoreChoice> {
+        for _ in 0..MAX_REPAIRS {
             let options: CoreOptions = self.tables("").parse().ok()?;
             match CoreSpec::for_scene(needs, Some(&options), None) {
                 Ok(spec) => {

@@ -1,4 +1,4 @@
-//! What is changed on the way up.
+//! The genome that a climber changes.
 use specula_scene::{Needs, parse};
 
 use super::core::CoreChoice;
@@ -17,16 +17,16 @@ pub struct Genome {
 pub(super) const FILE: &str = "climb.toml";
 
 impl Genome {
-    /// The scene file, complete with its `[core]` table; `specula run` takes it.
+    /// The text of the scene file with its `[core]` table, which `specula run` accepts.
     pub fn text(&self) -> String {
         self.scene.text(&self.core.text())
     }
 
-    /// The same with a core that there is; none where the scene is none, or no core can be brought
-    /// into line with it.
-    pub fn settled(self) -> Option<Genome> {
+    /// The genome with a core that exists; `None` if the scene is invalid or no core can be
+    /// repaired to fit it.
+    pub fn repaired(self) -> Option<Genome> {
         let frame = parse(FILE, self.scene.text("")).ok()?.frame;
-        let core = self.core.settled(&Needs::of(&frame))?;
+        let core = self.core.repaired(&Needs::of(&frame))?;
         Some(Genome { core, ..self })
     }
 }

@@ -1,4 +1,4 @@
-//! Measured error and proven bound of a scene and its core.
+//! The measured error and the proven bound of a scene and its core.
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use specula_datapath::Design;
@@ -11,34 +11,34 @@ use super::genome::FILE;
 use specula_testbench::FrameSpans;
 use specula_testbench::{Bench, BenchError, EngineKind};
 
-/// What came of a scene.
+/// The measurement of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
     /// The bound on the quantisation error, in LSBs.
     pub bound: f64,
-    /// The largest quantisation error: of a code against the method in exact arithmetic, in LSBs.
+    /// The largest quantisation error of a code against the method in exact arithmetic, in LSBs.
     pub largest: f64,
     /// The largest error of a sum of light before it is rounded to a code, in LSBs.
     pub unrounded: f64,
 }
 
 impl Measure {
-    /// The largest quantisation error by its bound. Above 1 the bound is broken.
+    /// The largest quantisation error divided by the bound. Above 1 the bound is broken.
     pub fn ratio(&self) -> f64 {
         self.largest / self.bound.max(f64::MIN_POSITIVE)
     }
 }
 
-/// Why there is no measure.
+/// The reason why there is no measurement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unmeasured {
-    /// There is no such core, for a reason that a user is told.
+    /// There is no such core, for a reason that a user would be told.
     Refused,
-    /// Something that must not happen did.
+    /// A fault, which must never happen.
     Fault(String),
 }
 
-/// What a bound is taken to be, in LSBs.
+/// A function that gives the bound of a design in LSBs.
 pub type Bound = dyn Fn(&Design) -> f64 + Sync;
 
 /// The bound that a design states, in LSBs.
@@ -46,14 +46,15 @@ pub fn proven(design: &Design) -> f64 {
     design.error_bound()
 }
 
-/// Shades the scene of a file by the model of its core; `bound` says what the core's bound is.
+/// Shades the scene of a file with the bit-true model of its core; `bound` gives the core's bound.
 ///
-/// The scene is read from its text, so that what is measured is what the file says.
+/// The scene is parsed from its text, so that the measured scene is the one that the file
+/// describes.
 ///
 /// # Errors
-/// [`Unmeasured`] if there is no such core, or it is broken in another way than by its bound.
+/// [`Unmeasured`] if there is no such core, or if it has a fault other than a broken bound.
 pub fn measure(text: String, bound: &Bound) -> Result<Measure, Unmeasured> {
-    caught(|| {
+    catch_panic(|| {
         let (spec, frame) = read(text)?;
         let design = specula_hdl::elaborate(&spec, "core").map_err(|_| Unmeasured::Refused)?;
         let [largest, unrounded] =
@@ -62,12 +63,12 @@ pub fn measure(text: String, bound: &Bound) -> Result<Measure, Unmeasured> {
     })
 }
 
-/// Whether the simulated core does what the model says of it.
+/// Checks that the simulated core agrees with the model.
 ///
 /// # Errors
 /// [`Unmeasured`] if it does not.
 pub fn simulate(text: String) -> Result<(), Unmeasured> {
-    caught(|| {
+    catch_panic(|| {
         let (spec, frame) = read(text)?;
         let run = || Bench::new(&frame, &spec, "core")?.run(EngineKind::Fast, &mut |_, _| ());
         match run() {
@@ -88,13 +89,13 @@ fn read(text: String) -> Result<(CoreSpec, Frame), Unmeasured> {
     Ok((spec, loaded.frame))
 }
 
-/// A panic is a fault like another, and must not end the search.
-fn caught<T>(body: impl FnOnce() -> Result<T, Unmeasured>) -> Result<T, Unmeasured> {
+/// Turns a panic into a fault, so that it does not end the search.
+fn catch_panic<T>(body: impl FnOnce() -> Result<T, Unmeasured>) -> Result<T, Unmeasured> {
     catch_unwind(AssertUnwindSafe(body))
         .unwrap_or_else(|_| Err(Unmeasured::Fault("a panic".to_owned())))
 }
 
-/// The largest errors of codes and of sums of light against the method in exact arithmetic, in
+/// The largest errors of codes, and of sums of light, against the method in exact arithmetic, in
 /// LSBs.
 fn errors(spec: &CoreSpec, frame: &Frame) -> Result<[f64; 2], PacketError> {
     let (model, spans) = (Model::new(spec), FrameSpans::new(frame, spec));

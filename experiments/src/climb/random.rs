@@ -1,4 +1,4 @@
-//! Scenes and cores drawn at random.
+//! Random scenes and cores.
 use glam::DVec3;
 use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN};
 use specula_scene::{Colour, Material};
@@ -9,72 +9,72 @@ use super::genome::Genome;
 use crate::stress::draw::Draw;
 use crate::stress::scene::{Light, RawSpan, SpanScene};
 
-/// Pixels of most spans at most; a few are as long as may be.
+/// Largest length of most spans in pixels; a few are as long as possible.
 pub(super) const LONGEST: u32 = 400;
-/// How likely a span is as long as may be.
+/// Probability that a span is as long as possible.
 const LONG: f64 = 0.02;
-/// The most spans of a scene.
-pub(super) const MOST_SPANS: usize = 4;
-/// The most lights of a scene.
-pub(super) const MOST_LIGHTS: usize = specula_scene::limits::MOST_LIGHTS;
+/// Largest number of spans of a scene.
+pub(super) const MAX_SPANS: usize = 4;
+/// Largest number of lights of a scene.
+pub(super) const MAX_LIGHTS: usize = specula_scene::limits::MOST_LIGHTS;
 
-/// How much finer than the coarsest formats coarse ones are, in bits.
+/// How many bits finer than the coarsest formats the coarse ones are.
 const COARSE: i64 = 4;
 
-/// How likely one format of a core is coarse and all others are fine.
+/// Probability that one format of a core is coarse and all others are fine.
 const ONE_COARSE: f64 = 0.5;
-/// How much finer those are than by default, in bits.
+/// How many bits finer than by default those fine formats are.
 const FINER: u32 = 4;
 
-/// Whether something happens that does so with this probability.
+/// True with this probability.
 pub(super) fn happens(draw: &mut Draw, probability: f64) -> bool {
     draw.unit() < probability
 }
 
-/// A number from `low` to `high`, both above 0, as many small ones as large ones.
-pub(super) fn of_any_size(draw: &mut Draw, low: f64, high: f64) -> f64 {
+/// A number from `low` to `high`, both above 0, with a uniformly distributed logarithm.
+pub(super) fn log_uniform(draw: &mut Draw, low: f64, high: f64) -> f64 {
     libm::exp2(draw.within(low.log2(), high.log2()))
 }
 
-/// Which formats a core has.
+/// The choice of a core's formats.
 #[derive(Clone, Copy, Debug)]
 pub enum Formats {
-    /// Any.
+    /// Any formats.
     Any,
-    /// One narrowing point's is as coarse as the default's or coarser, and all others are finer, so
-    /// that errors are that point's. It stands at this share of the list of narrowing points, 0 to
-    /// 1.
+    /// The format of one narrowing point is at most as fine as by default, and all others are
+    /// finer, so that the errors come from that point. The number is its relative position, 0 to 1,
+    /// in the list of narrowing points.
     OneCoarse(f64),
 }
 
 impl Formats {
-    /// Draws either.
+    /// Draws one of the two choices.
     pub fn draw(draw: &mut Draw) -> Formats {
         if happens(draw, ONE_COARSE) { Formats::OneCoarse(draw.unit()) } else { Formats::Any }
     }
 }
 
-/// A scene and a core for it by this method; none where no such core can be built.
+/// A scene and a core for it with this method; `None` if no such core can be built.
 pub fn genome(draw: &mut Draw, method: Method, of: Formats) -> Option<Genome> {
     let scene = scene(draw);
     let mut core = CoreChoice::default_of(method);
     core.light_pipelines =
         if happens(draw, 0.2) { LightPipelines::Shared } else { LightPipelines::Each };
     core.specialise = if happens(draw, 0.1) { Specialise::General } else { Specialise::Scene };
-    for choice in method.choices() {
+    for choice in method.option_domains() {
         if happens(draw, 0.4) {
             core.set_option(choice.key, draw.one_of(choice.values));
         }
     }
-    let mut genome = Genome { scene, core }.settled()?;
+    let mut genome = Genome { scene, core }.repaired()?;
     match of {
         Formats::Any => formats(draw, &mut genome.core),
         Formats::OneCoarse(share) => one_coarse(draw, &mut genome.core, share),
     }
-    genome.settled()
+    genome.repaired()
 }
 
-/// All formats by default, coarse, or any; else some of either.
+/// Leaves all formats at their defaults, or makes all coarse or random, or some of them.
 fn formats(draw: &mut Draw, core: &mut CoreChoice) {
     let share = draw.one_of(&[0.0, 0.3, 1.0]);
     let is_coarse = happens(draw, 0.5);
@@ -87,7 +87,7 @@ fn formats(draw: &mut Draw, core: &mut CoreChoice) {
     }
 }
 
-/// One format coarse, all others finer than by default.
+/// Makes one format coarse and all others finer than by default.
 fn one_coarse(draw: &mut Draw, core: &mut CoreChoice, share: f64) {
     let points = core.points.clone();
     let coarse = (share * points.len() as f64) as usize;
@@ -130,7 +130,7 @@ fn scene(draw: &mut Draw) -> SpanScene {
     }
 }
 
-/// Any light, most often one at infinity.
+/// A random light, most often at infinity.
 pub(super) fn light(draw: &mut Draw) -> Light {
     match draw.one_of(&[0, 0, 0, 0, 0, 1, 2]) {
         1 => Light::At(place(draw)),
@@ -143,19 +143,19 @@ pub(super) fn light(draw: &mut Draw) -> Light {
     }
 }
 
-/// A point not far from the picture's middle, or at times very near or far.
+/// A point near the picture's middle, or sometimes very near or far.
 pub(super) fn place(draw: &mut Draw) -> DVec3 {
     let (nearest, farthest) = if happens(draw, 0.1) { (1e-6, 1e6) } else { (0.05, 20.0) };
-    of_any_size(draw, nearest, farthest) * draw.direction()
+    log_uniform(draw, nearest, farthest) * draw.direction()
 }
 
-/// Pixels of a span.
+/// The length of a span in pixels.
 pub(super) fn length(draw: &mut Draw) -> u32 {
     let longest = if happens(draw, LONG) { LONGEST_SPAN } else { LONGEST };
     draw.length(longest)
 }
 
-/// White or grey or anything, at times nothing.
+/// White, grey, black or a random colour.
 pub(super) fn colour(draw: &mut Draw) -> Colour {
     match draw.between(0, 5) {
         0 => [1.0; 3],
@@ -166,7 +166,7 @@ pub(super) fn colour(draw: &mut Draw) -> Colour {
     }
 }
 
-/// An exponent n, a power of two more often than not, at times the largest.
+/// An exponent n: a power of two more often than not, and sometimes the largest.
 pub(super) fn exponent(draw: &mut Draw) -> u32 {
     match draw.between(0, 19) {
         1..=11 => draw.even_shininess(),
@@ -175,7 +175,7 @@ pub(super) fn exponent(draw: &mut Draw) -> u32 {
     }
 }
 
-/// Any material.
+/// A random material.
 pub(super) fn material(draw: &mut Draw) -> Material {
     let strength = draw.one_of(&[1.0, 1.0, 1.0, 2.5, 4.0]);
     Material {
@@ -186,13 +186,13 @@ pub(super) fn material(draw: &mut Draw) -> Material {
     }
 }
 
-/// Unit vectors: those of an edge near each other, opposite but for little or not at all, or
-/// anywhere between, and a third; at times some have none.
+/// Three unit vectors. The two of an edge are close to each other, exactly or nearly opposite, or
+/// at any angle. Sometimes a vector is 0.
 pub(super) fn normals(draw: &mut Draw) -> [DVec3; 3] {
     let degrees = match draw.between(0, 9) {
-        1 => 180.0 - of_any_size(draw, 1e-6, 10.0),
+        1 => 180.0 - log_uniform(draw, 1e-6, 10.0),
         2 => 180.0,
-        _ => of_any_size(draw, 0.01, 170.0),
+        _ => log_uniform(draw, 0.01, 170.0),
     };
     let [first, last] = draw.ends(degrees, 90.0);
     let mut normals = match draw.between(0, 3) {
@@ -206,7 +206,7 @@ pub(super) fn normals(draw: &mut Draw) -> [DVec3; 3] {
     normals
 }
 
-/// The polygon's own normal: most often that of its vertices, or anything, or none.
+/// The polygon's own normal: most often that of its vertices, or a random one, or none.
 pub(super) fn face(draw: &mut Draw) -> Option<DVec3> {
     match draw.between(0, 7) {
         1 => Some(draw.direction()),
@@ -215,7 +215,7 @@ pub(super) fn face(draw: &mut Draw) -> Option<DVec3> {
     }
 }
 
-/// Weights of three vertices: one of them, or any.
+/// Weights of three vertices: those of one vertex, or random ones.
 pub(super) fn weights(draw: &mut Draw) -> [f64; 3] {
     let corner = draw.between(0, 5) as usize;
     if corner < 3 {
@@ -225,7 +225,7 @@ pub(super) fn weights(draw: &mut Draw) -> [f64; 3] {
     [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)]
 }
 
-/// Cosines between vertex normals and faces: all faces flat or not.
+/// Cosines between vertex normals and faces: those of flat faces or random ones.
 pub(super) fn cone_cosines(draw: &mut Draw) -> [f64; 3] {
     match draw.between(0, 2) {
         0 => [1.0; 3],
@@ -234,7 +234,7 @@ pub(super) fn cone_cosines(draw: &mut Draw) -> [f64; 3] {
     }
 }
 
-/// Any span.
+/// A random span.
 pub(super) fn span(draw: &mut Draw) -> RawSpan {
     let normals = normals(draw);
     let is_edge = happens(draw, 0.7);

@@ -1,4 +1,4 @@
-//! Climbers by every method.
+//! The search: climbers with every method.
 use rayon::prelude::*;
 use specula_spec::Method;
 
@@ -6,32 +6,32 @@ use super::ascent::{Ascent, Found};
 use super::genome::Genome;
 use super::measure::{Bound, Measure, Unmeasured, measure, proven, simulate};
 use super::report::{MethodReport, Peak};
-use super::shrink::shrunk;
+use super::shrink::shrink;
 use crate::stress::draw::Draw;
 
-/// Scenes that a climber tries.
-const OF_A_CLIMBER: u64 = 500;
-/// The most broken bounds of a method that are made small and told.
-pub const MOST_TOLD: usize = 4;
+/// Number of scenes that a climber tries.
+const SCENES_PER_CLIMBER: u64 = 500;
+/// Largest number of broken bounds of a method that are minimised and reported.
+pub const MAX_REPORTED: usize = 4;
 
-/// What to search.
+/// The extent of a search.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// Of the random numbers; the same seed finds the same.
+    /// Seed of the random numbers; the same seed finds the same scenes.
     pub seed: u64,
-    /// Scenes that are tried, shared out among the methods.
+    /// Number of scenes that are tried, divided among the methods.
     pub scenes: u64,
     /// The methods.
     pub methods: Vec<Method>,
 }
 
-/// Climbs with what designs prove; `count` is told of each scene that was tried. What is found does
-/// not depend on the number of threads.
+/// Climbs with the bounds that designs prove; `count` is called for each scene that was tried. The
+/// result does not depend on the number of threads.
 pub fn climb(search: &Search, count: &(dyn Fn() + Sync)) -> Vec<MethodReport> {
     climb_against(search, &proven, count)
 }
 
-/// Climbs with other bounds, to see whether broken ones are found.
+/// Climbs with other bounds, to test whether broken ones are found.
 fn climb_against(search: &Search, bound: &Bound, count: &(dyn Fn() + Sync)) -> Vec<MethodReport> {
     let climbers: Vec<(Method, u64, u64)> =
         search.methods.iter().flat_map(|&method| search.climbers(method)).collect();
@@ -51,24 +51,26 @@ impl Search {
     /// Method, number and scenes of each climber.
     fn climbers(&self, method: Method) -> impl Iterator<Item = (Method, u64, u64)> {
         let scenes = self.scenes.div_ceil(self.methods.len().max(1) as u64);
-        let of = move |number| (method, number, OF_A_CLIMBER.min(scenes - number * OF_A_CLIMBER));
-        (0..scenes.div_ceil(OF_A_CLIMBER)).map(of)
+        let of = move |number| {
+            (method, number, SCENES_PER_CLIMBER.min(scenes - number * SCENES_PER_CLIMBER))
+        };
+        (0..scenes.div_ceil(SCENES_PER_CLIMBER)).map(of)
     }
 }
 
 fn report(method: Method, ascents: &[&Ascent], bound: &Bound) -> MethodReport {
     let mut highest: Vec<&Found> =
         ascents.iter().filter_map(|ascent| ascent.largest.as_ref()).collect();
-    // The sort is stable, so that of equal ones the first counts.
+    // The sort is stable, so that the first of several equal ones counts.
     highest.sort_by(|a, b| b.measure.ratio().total_cmp(&a.measure.ratio()));
     let broken: Vec<&Found> =
         highest.iter().copied().filter(|found| found.measure.ratio() > 1.0).collect();
-    let told = broken.par_iter().take(MOST_TOLD).map(|found| made_small(found, bound));
+    let told = broken.par_iter().take(MAX_REPORTED).map(|found| made_small(found, bound));
     let intact = highest.par_iter().filter(|found| found.measure.ratio() <= 1.0);
     let simulated: Vec<Option<Peak>> = intact.map(|found| differing(found)).collect();
     let faults = ascents.iter().filter_map(|ascent| ascent.fault.as_ref());
     let faults = faults.map(|(genome, what)| faulty(genome, what.clone()));
-    let others = simulated.into_iter().flatten().chain(faults).take(MOST_TOLD);
+    let others = simulated.into_iter().flatten().chain(faults).take(MAX_REPORTED);
     MethodReport {
         method: method.name(),
         scenes: ascents.iter().map(|ascent| ascent.scenes).sum(),
@@ -81,7 +83,7 @@ fn report(method: Method, ascents: &[&Ascent], bound: &Bound) -> MethodReport {
     }
 }
 
-/// Scenes until the first bound was broken, as if climbers climbed one after the other.
+/// Number of scenes until the first bound was broken, as if one climber climbed after the other.
 fn first_broken(ascents: &[&Ascent]) -> Option<u64> {
     let before = ascents.iter().scan(0, |before, ascent| {
         let own = *before;
@@ -95,7 +97,7 @@ fn made_small(found: &Found, bound: &Bound) -> Peak {
     let broken = |genome: &Genome| {
         measure(genome.text(), bound).ok().filter(|measure| measure.ratio() > 1.0)
     };
-    let (genome, measure) = shrunk(&found.genome, found.measure, &broken);
+    let (genome, measure) = shrink(&found.genome, found.measure, &broken);
     peak(&genome, &measure)
 }
 
@@ -109,11 +111,11 @@ fn peak(genome: &Genome, measure: &Measure) -> Peak {
     }
 }
 
-/// What is wrong with the hardware where a climber ended.
+/// Simulates the scene at which a climber ended; the result is a fault of the hardware.
 fn differing(found: &Found) -> Option<Peak> {
     let differs = |genome: &Genome| fault_of(simulate(genome.text()));
     let what = differs(&found.genome)?;
-    let (genome, what) = shrunk(&found.genome, what, &differs);
+    let (genome, what) = shrink(&found.genome, what, &differs);
     Some(faulty(&genome, what))
 }
 
@@ -144,8 +146,9 @@ mod tests {
 
     const SCENES: u64 = 2000;
 
-    /// A bound with 2 percent of the error forgotten, where it is neither most of all the rounding
-    /// to 8 bits nor so large that it is the range of codes: there random scenes come near as well.
+    /// A bound from which 2 percent of the error is missing, unless it consists mostly of the
+    /// rounding to 8 bits or is as large as the range of codes: there random scenes come close as
+    /// well.
     fn planted(design: &Design) -> f64 {
         let proven = proven(design);
         if (1.0..32.0).contains(&proven) { 0.98 * proven } else { NO_BOUND }
@@ -174,7 +177,7 @@ mod tests {
             method.name()
         );
         assert!(found.first_broken_after.is_some() && !found.holds());
-        // What is told is smaller than where it was found, and broken still.
+        // The reported scene is smaller than the one that was found, and its bound is still broken.
         let small = &found.wrong[0];
         let of_small = measure(small.scene.clone(), &planted).expect("it has a core");
         assert_eq!((of_small.ratio(), of_small.bound), (small.ratio, small.bound_lsb));

@@ -1,18 +1,18 @@
-//! Scenes in which something is wrong, made small.
+//! Minimises scenes that show a fault.
 use glam::DVec3;
 use specula_spec::{LightPipelines, Specialise};
 
 use super::genome::Genome;
 use crate::stress::scene::{RawSpan, SpanScene};
 
-/// The most scenes that are tried to make one smaller.
-const MOST_TRIED: usize = 300;
+/// Largest number of scenes that are tried to make one smaller.
+const MAX_TRIED: usize = 300;
 
-/// The genome without what is not needed for what is wrong with it, and what is then wrong.
+/// The genome without everything that its fault does not need, and the fault of the result.
 ///
-/// `wrong` says what is wrong with a genome, if anything is. Each change is kept that leaves
-/// something wrong; they are gone through until none does, or too many were tried.
-pub(super) fn shrunk<T>(
+/// `wrong` gives the fault of a genome, if it has one. A change is kept if a fault remains; changes
+/// are repeated until none is kept, or too many have been tried.
+pub(super) fn shrink<T>(
     genome: &Genome,
     is_wrong: T,
     wrong: &dyn Fn(&Genome) -> Option<T>,
@@ -20,10 +20,10 @@ pub(super) fn shrunk<T>(
     let (mut best, mut tried) = ((genome.clone(), is_wrong), 0);
     loop {
         let text = best.0.text();
-        let smaller = simpler(&best.0).into_iter().take(MOST_TRIED - tried).find_map(|simpler| {
+        let smaller = simpler(&best.0).into_iter().take(MAX_TRIED - tried).find_map(|simpler| {
             tried += 1;
-            // What was taken away may have been put back, as the core needs it.
-            let simpler = simpler.settled().filter(|simpler| simpler.text() != text)?;
+            // A repair may have put back what was removed, since the core needs it.
+            let simpler = simpler.repaired().filter(|simpler| simpler.text() != text)?;
             wrong(&simpler).map(|is_wrong| (simpler, is_wrong))
         });
         match smaller {
@@ -33,14 +33,14 @@ pub(super) fn shrunk<T>(
     }
 }
 
-/// Genomes that are simpler by a step each, those with the most less first.
+/// Genomes that are simpler by one step each, those with the largest steps first.
 fn simpler(genome: &Genome) -> Vec<Genome> {
     let scene = |scene: SpanScene| Genome { scene, core: genome.core.clone() };
     let scenes = fewer(&genome.scene).into_iter().chain(plainer(&genome.scene)).map(scene);
     scenes.chain(simpler_cores(genome)).collect()
 }
 
-/// Without a span, without a light, with shorter spans.
+/// Scenes without one span, without one light, or with shorter spans.
 fn fewer(scene: &SpanScene) -> Vec<SpanScene> {
     let mut fewer = Vec::new();
     if scene.spans.len() > 1 {
@@ -75,7 +75,7 @@ fn without_light(scene: &SpanScene, light: usize) -> SpanScene {
     changed
 }
 
-/// With plain values where there are others.
+/// Scenes with plain values in place of others.
 fn plainer(scene: &SpanScene) -> Vec<SpanScene> {
     let mut plainer = Vec::new();
     if scene.eye.is_some() {
@@ -114,7 +114,7 @@ fn plainer_spans(span: &RawSpan) -> impl Iterator<Item = RawSpan> + '_ {
     PLAIN.iter().filter_map(|change| {
         let mut changed = span.clone();
         change(&mut changed);
-        // A black channel is as plain as a white one: neither is put in the other's place.
+        // A black channel is as plain as a white one: neither replaces the other.
         let is_plain = |colour: [f64; 3]| colour == [0.0; 3];
         let brightens = is_plain(span.material.diffuse) && !is_plain(changed.material.diffuse)
             || is_plain(span.material.specular) && !is_plain(changed.material.specular);
@@ -122,7 +122,7 @@ fn plainer_spans(span: &RawSpan) -> impl Iterator<Item = RawSpan> + '_ {
     })
 }
 
-/// With defaults where there is something else.
+/// Genomes with a default in place of another option or format.
 fn simpler_cores(genome: &Genome) -> Vec<Genome> {
     let mut simpler = Vec::new();
     let core = &genome.core;

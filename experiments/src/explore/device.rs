@@ -1,22 +1,22 @@
-//! What a core takes of an FPGA, as far as that can be told before any FPGA tool has seen it.
+//! The resources of an FPGA that a core takes, as far as they can be known without FPGA tools.
 use serde::Serialize;
 use specula_datapath::Design;
 
-/// An FPGA, by what its maker's data sheet says.
+/// An FPGA, according to its data sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Device {
     /// Its name on the command line.
     pub name: &'static str,
-    /// Widths of a multiplier block's operands, signed, the wider one first.
+    /// Widths of a multiplier block's signed operands, the wider one first.
     pub block: [u32; 2],
-    /// Multiplier blocks.
+    /// Number of multiplier blocks.
     pub blocks: u64,
-    /// Flip-flops.
+    /// Number of flip-flops.
     pub registers: u64,
 }
 
 impl Device {
-    /// The devices there are.
+    /// The known devices.
     pub const ALL: [Device; 3] = [
         // iCE40 UltraPlus, FPGA-DS-02008: 8 SB_MAC16, 5280 LUT4 with a flip-flop each.
         Device { name: "ice40up5k", block: [16, 16], blocks: 8, registers: 5280 },
@@ -26,8 +26,8 @@ impl Device {
         Device { name: "xc7a35t", block: [25, 18], blocks: 90, registers: 41_600 },
     ];
 
-    /// Blocks that a product of two signals takes, cut into parts that a block multiplies. Parts
-    /// behind the first have no sign, and so a bit less.
+    /// Number of blocks for a product of two signals, which is divided into parts that a block can
+    /// multiply. Parts after the first have no sign, and therefore one bit less.
     fn blocks_for(&self, [a, b]: [u32; 2]) -> u64 {
         let parts =
             |width: u32, port: u32| u64::from(width.saturating_sub(1).div_ceil(port - 1).max(1));
@@ -36,13 +36,13 @@ impl Device {
     }
 }
 
-/// What a core takes.
+/// The resources that a core takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Cost {
-    /// Bit products of all multipliers of two variables; with a device, of all blocks that they
-    /// take, used or not.
+    /// Sum of the products of operand widths over all multipliers of two variables; with a device,
+    /// over all blocks that they take, including unused bits.
     pub multiplier_bits: u64,
-    /// Multiplier blocks, if a device is given.
+    /// Number of multiplier blocks, if a device is given.
     pub blocks: Option<u64>,
     /// Bits of adders.
     pub adder_bits: u64,
@@ -53,7 +53,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// What `design` takes, of a device if one is given.
+    /// The resources that `design` takes, of a device if one is given.
     pub fn of(design: &Design, device: Option<&Device>) -> Cost {
         let size = design.size();
         let blocks =
@@ -70,20 +70,20 @@ impl Cost {
         }
     }
 
-    /// One number for all of it: a cell for each bit product, each bit of an adder, of a register
-    /// and of read-only memory.
+    /// All resources as one number: a cell for each bit product, each bit of an adder, of a
+    /// register and of read-only memory.
     pub fn cells(&self) -> u64 {
         self.multiplier_bits + self.adder_bits + self.register_bits + self.table_bits
     }
 
-    /// Whether a device has as many multiplier blocks and registers. Nothing is said of its logic
-    /// cells.
+    /// Whether a device has enough multiplier blocks and registers. Its logic cells are not
+    /// compared.
     pub fn fits(&self, device: &Device) -> bool {
         self.blocks.unwrap_or(0) <= device.blocks && self.register_bits <= device.registers
     }
 }
 
-/// Widths of the operands of every product of two variables, a sign counted where there is none.
+/// Widths of the operands of every product of two variables; a sign bit is added to unsigned ones.
 fn products(design: &Design) -> impl Iterator<Item = [u32; 2]> {
     let width = |id| {
         let range = design.node(id).range;

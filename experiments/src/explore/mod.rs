@@ -1,10 +1,10 @@
-//! The search over methods, options and formats for the smallest core whose picture is near enough
+//! The search over methods, options and formats for the smallest core whose picture is close enough
 //! to exact shading.
 //!
-//! From each method's defaults one option after the other is changed as long as that helps; for
-//! each setting all formats are narrowed together; and at last, for the setting that was best, each
-//! by itself. This is a descent: what it finds is as good as stated and need not be the smallest
-//! there is. The search looks at a sample of the spans; what is reported is measured on every
+//! Starting from each method's defaults, one option after the other is changed as long as that
+//! helps. For each setting all formats are narrowed together; finally, for the best setting, each
+//! one separately. This is a descent: the result keeps the stated error but need not be the
+//! smallest core. The search looks at a sample of the spans; what is reported is measured on every
 //! pixel.
 mod device;
 mod options;
@@ -25,19 +25,19 @@ use options::Options;
 use picture::{ExactPicture, sampled};
 use specula_testbench::BenchError;
 
-/// Pixels that the search looks at.
+/// Number of pixels at which the search looks.
 const SAMPLE: u64 = 20_000;
-/// How often all options are gone through.
+/// How often the search goes through all options.
 const ROUNDS: usize = 3;
 
-/// What is looked for.
+/// The goal of a search.
 #[derive(Clone, Debug)]
 pub struct Wanted<'a> {
     /// Largest total error, against exact shading, in LSBs of the 8-bit output.
     pub most: f64,
-    /// Methods that may be taken.
+    /// Methods that the core may use.
     pub methods: &'a [Method],
-    /// What it is to be built on, if that is known.
+    /// The device on which the core is to be built, if it is known.
     pub device: Option<Device>,
 }
 
@@ -50,30 +50,31 @@ pub struct Explored {
     pub error: f64,
     /// Largest quantisation error over every pixel, in LSBs, of cores on the front.
     pub quantisation: Option<f64>,
-    /// What that is proven to stay within, in LSBs; none if no finite bound can be proven.
+    /// The proven bound of that error in LSBs; `None` if there is no finite one.
     pub bound: Option<f64>,
-    /// What it takes.
+    /// The resources that it takes.
     pub cost: Cost,
-    /// Clocks that it takes for the frame.
+    /// The clocks that it takes for the frame.
     pub cycles: FrameCycles,
-    /// The core, for this scene alone.
+    /// The spec of the core, for this scene alone.
     pub spec: CoreSpec,
 }
 
-/// What came of a search.
+/// The result of a search.
 #[derive(Clone, Debug, Serialize)]
 pub struct Exploration {
-    /// Cores of which no other that was tried is both smaller and more exact, the smallest first.
+    /// The cores on the front, the smallest first: no other core that was tried is both smaller and
+    /// more exact.
     pub front: Vec<Explored>,
-    /// Which of them is the smallest within the error that fits the device; none if no core is.
+    /// Index of the smallest core within the error that fits the device; `None` if there is none.
     pub best: Option<usize>,
-    /// Cores that were tried.
+    /// Number of cores that were tried.
     pub tried: usize,
-    /// Methods that cannot shade the scene, and why.
+    /// Methods that cannot shade the scene, with the reasons.
     pub refused: Vec<String>,
 }
 
-/// Searches. `progress` is told of each core that is tried.
+/// Searches. `progress` is called for each core that is tried.
 ///
 /// # Errors
 /// [`BenchError`] if a core cannot be built.
@@ -96,15 +97,15 @@ pub fn explore(
     Ok(Exploration { front, best, tried: number, refused })
 }
 
-/// Those that no other one beats, the smallest first. Of equals the first counts.
+/// The cores on the front, the smallest first. Of equal cores the first is kept.
 fn front(tried: Vec<Explored>) -> Vec<Explored> {
-    // Far fewer cells than 2^53.
+    // A number of cells is far below 2^53, so it is exact as an f64.
     let places: Vec<(f64, f64)> =
         tried.iter().map(|core| (core.cost.cells() as f64, core.error)).collect();
     pareto_front(&places).into_iter().map(|number| tried[number].clone()).collect()
 }
 
-/// The front of cores whose errors are of a sample, by their errors over every pixel.
+/// The front of cores whose errors are known on a sample, by their errors over every pixel.
 fn measured(cores: Vec<Explored>, frame: &Frame) -> Result<Vec<Explored>, BenchError> {
     let whole = ExactPicture::new(frame.clone());
     let measured = cores
@@ -118,15 +119,15 @@ fn measured(cores: Vec<Explored>, frame: &Frame) -> Result<Vec<Explored>, BenchE
 }
 
 impl Explored {
-    /// The quantisation error and its bound, if that is exceeded: then the set-up of spans or the
-    /// bound is wrong.
+    /// The quantisation error and its bound, if the error exceeds it: then the set-up of spans or
+    /// the bound is wrong.
     pub fn beyond_bound(&self) -> Option<[f64; 2]> {
         let (quantisation, bound) = self.quantisation.zip(self.bound)?;
         (quantisation > bound).then_some([quantisation, bound])
     }
 }
 
-/// The search of one method's cores.
+/// The search over one method's cores.
 struct Search<'a> {
     frame: &'a Frame,
     needs: &'a Needs,
@@ -135,7 +136,7 @@ struct Search<'a> {
     progress: &'a (dyn Fn() + Sync),
 }
 
-/// What came of it.
+/// The result of that search.
 #[derive(Default)]
 struct Searched {
     tried: Vec<Explored>,
@@ -149,12 +150,12 @@ struct Setting {
     rank: Rank,
 }
 
-/// How good a setting is; less is better.
+/// The rank of a setting; less is better.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 enum Rank {
-    /// Within the error, with so many cells.
+    /// The setting is within the error and takes this many cells.
     Within(u64),
-    /// Beyond it, coming to so many LSBs.
+    /// The setting has a larger error, in LSBs.
     Beyond(f64),
 }
 
@@ -169,7 +170,7 @@ impl Search<'_> {
         }
         let tries = Tries { search: self, tried: RefCell::default(), known: RefCell::default() };
         if let Some(Setting { options, spec, rank: Rank::Within(_) }) = tries.best_options(start)? {
-            tries.search_with(&options, |goal| goal.each(spec))?;
+            tries.search_with(&options, |goal| goal.narrow_each(spec))?;
         }
         Ok(Searched { tried: tries.tried.into_inner(), refused: None })
     }
@@ -179,7 +180,8 @@ impl Search<'_> {
 struct Tries<'a> {
     search: &'a Search<'a>,
     tried: RefCell<Vec<Explored>>,
-    /// What is known of general cores; to specialise one takes the set-up of every span.
+    /// The results for general cores, which are kept because specialising one takes the set-up of
+    /// every span.
     known: RefCell<Vec<(CoreSpec, Tried)>>,
 }
 
@@ -204,10 +206,10 @@ impl Tries<'_> {
         Ok(best)
     }
 
-    /// Options with all formats narrowed together; none where no core can be built with them.
+    /// Options with all formats narrowed together; `None` if no core can be built with them.
     fn narrowed(&self, options: Options) -> Result<Option<Setting>, BenchError> {
         let Ok(start) = options.spec(self.search.needs) else { return Ok(None) };
-        let (spec, rank) = match self.search_with(&options, |goal| goal.together(&start))? {
+        let (spec, rank) = match self.search_with(&options, |goal| goal.narrow_together(&start))? {
             Ok(spec) => {
                 let cells = self.tried(&options, &spec)?.cells;
                 (spec, Rank::Within(cells))
@@ -217,15 +219,14 @@ impl Tries<'_> {
         Ok(Some(Setting { options, spec, rank }))
     }
 
-    /// A search of formats for these options.
+    /// Runs a search of formats for these options.
     fn search_with<T>(&self, options: &Options, search: impl FnOnce(&Goal<u64>) -> T) -> T {
         let error = |spec: &CoreSpec| Ok(self.tried(options, spec)?.error);
         let cost = |spec: &CoreSpec| Ok(self.tried(options, spec)?.cells);
         search(&Goal { most: self.search.wanted.most, error: &error, cost: &cost })
     }
 
-    /// Error and size of a general core, specialised; beyond any error and any size where it cannot
-    /// be built.
+    /// The error and size of a general core after specialisation; infinite if it cannot be built.
     fn tried(&self, options: &Options, general: &CoreSpec) -> Result<Tried, BenchError> {
         let known =
             self.known.borrow().iter().find(|(core, _)| core == general).map(|(_, tried)| *tried);
@@ -267,7 +268,7 @@ impl Tries<'_> {
     }
 }
 
-/// What a search asks of a core.
+/// The quantities of a core that a search compares.
 #[derive(Clone, Copy)]
 struct Tried {
     error: f64,

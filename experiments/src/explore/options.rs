@@ -1,4 +1,4 @@
-//! A method with options, and those next to it.
+//! A method with options, and its neighbours.
 use specula_scene::Needs;
 use specula_spec::{CoreSpec, Method, SpecError};
 
@@ -8,26 +8,26 @@ use crate::stress::variant::Variant;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Options {
     method: Method,
-    /// Key and value, in the order of the method's choices.
+    /// Keys and values, in the order of the method's choices.
     changed: Vec<(&'static str, &'static str)>,
 }
 
 impl Options {
-    /// The method as it is by default.
+    /// A method with its defaults.
     pub fn default_of(method: Method) -> Options {
         Options { method, changed: Vec::new() }
     }
 
-    /// All that have another value for one key.
+    /// All options that differ from these in the value of one key.
     pub fn neighbours(&self) -> Vec<Options> {
-        let choices = self.method.choices().iter();
+        let choices = self.method.option_domains().iter();
         choices
             .flat_map(|choice| choice.values.iter().map(|value| self.with(choice.key, value)))
             .collect()
     }
 
     fn with(&self, key: &'static str, value: &'static str) -> Options {
-        let of_key = |choice: &&specula_spec::Choice| {
+        let of_key = |choice: &&specula_spec::OptionDomain| {
             let old = self
                 .changed
                 .iter()
@@ -35,16 +35,17 @@ impl Options {
                 .map(|(_, value)| *value);
             (if choice.key == key { Some(value) } else { old }).map(|value| (choice.key, value))
         };
-        let changed = self.method.choices().iter().filter_map(|choice| of_key(&choice)).collect();
+        let changed =
+            self.method.option_domains().iter().filter_map(|choice| of_key(&choice)).collect();
         Options { method: self.method, changed }
     }
 
-    /// The method and what differs, for people.
+    /// Text that names the method and the options that differ.
     pub fn describe(&self) -> String {
         self.variant().describe()
     }
 
-    /// The general core for a scene, in the formats that are recommended for it.
+    /// The general core for a scene, in the formats recommended for it.
     pub fn spec(&self, needs: &Needs) -> Result<CoreSpec, SpecError> {
         self.variant().core_spec(needs)
     }
@@ -72,7 +73,7 @@ mod tests {
         assert!(second.neighbours().contains(&second));
         assert_eq!(
             start.neighbours().len(),
-            Method::Lyon.choices().iter().map(|choice| choice.values.len()).sum::<usize>()
+            Method::Lyon.option_domains().iter().map(|choice| choice.values.len()).sum::<usize>()
         );
     }
 }

@@ -1,4 +1,4 @@
-//! The exact picture of a frame, against which many cores are measured.
+//! The exact picture of a frame, with which many cores are compared.
 use rayon::prelude::*;
 use specula_golden::exact::PhongSpan;
 use specula_golden::fixed::Model;
@@ -8,10 +8,10 @@ use specula_spec::CoreSpec;
 use specula_testbench::BenchError;
 use specula_testbench::FrameSpans;
 
-/// A frame and what exact shading makes of it.
+/// A frame and its exact shades.
 pub(super) struct ExactPicture {
     pub frame: Frame,
-    /// For each span its pixels, in LSBs.
+    /// The exact shades of each span's pixels, in LSBs.
     exact: Vec<Vec<[f64; 3]>>,
 }
 
@@ -26,8 +26,8 @@ impl ExactPicture {
         ExactPicture { frame, exact }
     }
 
-    /// Largest |code - exact| of a core over every pixel and channel, in LSBs, by the bit-true
-    /// model.
+    /// Largest |code - exact| of a core over every pixel and channel in LSBs, computed with the
+    /// bit-true model.
     pub fn largest_error(&self, spec: &CoreSpec) -> Result<f64, BenchError> {
         let (model, spans) = (Model::new(spec), FrameSpans::new(&self.frame, spec));
         let of_span = |(index, exact): (usize, &Vec<[f64; 3]>)| {
@@ -40,8 +40,8 @@ impl ExactPicture {
     }
 }
 
-/// A frame with some of the spans, spread evenly, of about so many pixels; the same frame where it
-/// has no more.
+/// The frame with an evenly distributed part of the spans, which have about `pixels` pixels; the
+/// same frame if it has no more.
 pub(super) fn sampled(frame: &Frame, pixels: u64) -> Frame {
     let every = frame.shaded_pixels().div_ceil(pixels).max(1) as usize;
     Frame { spans: frame.spans.iter().step_by(every).cloned().collect(), ..frame.clone() }

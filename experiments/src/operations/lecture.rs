@@ -1,4 +1,4 @@
-//! The counts that the lecture prints, against what the cores do.
+//! The operation counts that the lecture prints, compared with the cores.
 use specula_datapath::Design;
 use specula_scene::{Frame, Needs};
 use specula_spec::Method;
@@ -6,29 +6,29 @@ use specula_spec::Method;
 use super::{Contents, general_core};
 use specula_testbench::BenchError;
 
-/// A count of the lecture's.
+/// A count that the lecture prints.
 #[derive(Clone, Copy, Debug)]
 pub struct Count {
-    /// Where it stands.
+    /// The section that prints it.
     pub section: &'static str,
-    /// What is counted.
+    /// The quantity that is counted.
     pub what: &'static str,
-    /// What is printed; in brackets what follows from the formulas, where nothing is.
+    /// The printed text; in brackets what follows from the formulas, where nothing is printed.
     pub printed: &'static str,
     /// The method.
     pub method: Method,
     /// Its options.
     pub options: &'static str,
-    /// What the core does.
+    /// The operations of the core.
     pub core: Contents,
 }
 
-/// Accumulators, multipliers, dividers, units for 1/√.
+/// Contents with this many accumulators, multipliers, dividers and units for 1/√.
 const fn contents([accumulators, multipliers, dividers, reciprocal_roots]: [usize; 4]) -> Contents {
     Contents { accumulators, multipliers, dividers, reciprocal_roots, square_roots: 0 }
 }
 
-/// All of them.
+/// All counts.
 pub const COUNTS: [Count; 5] = [
     Count {
         section: "3.1",
@@ -81,7 +81,7 @@ impl Count {
         general_core(&Needs::of(frame), self.method, self.options)
     }
 
-    /// What it does.
+    /// The operations of that core.
     ///
     /// # Errors
     /// As [`design`](Self::design).

@@ -1,4 +1,4 @@
-//! The multipliers of figures 7 and 8, against those of the core [Lyon, TR 43].
+//! The multipliers of figures 7 and 8, compared with those of the core [Lyon, TR 43].
 use specula_datapath::Design;
 use specula_scene::{Frame, Needs};
 use specula_spec::Method;
@@ -11,7 +11,7 @@ use specula_testbench::BenchError;
 pub struct Datapath {
     /// Lines of `lyon`'s table.
     pub table: &'static str,
-    /// k.
+    /// The number k of squarings.
     pub squarings: u32,
 }
 
@@ -23,7 +23,7 @@ pub const FIGURE_7: Datapath = Datapath {
     squarings: 2,
 };
 
-/// Figure 8 behind the exact normalisation: vectors and D with 10 fraction bits, m D with 9.
+/// Figure 8 after exact normalisation: vectors and D with 10 fraction bits, m D with 9.
 pub const FIGURE_8: Datapath = Datapath {
     table: "difference = \"reflection-minus-light\"\nnormalisation = \"exact\"\nshape = \"root\"\nsquarings = 1\n\
             formats.weight = \"U1.10\"\nformats.vector = \"S1.10\"\nformats.length_squared = \"U1.14\"\nformats.gain = \"U2.14\"\n\
@@ -31,24 +31,24 @@ pub const FIGURE_8: Datapath = Datapath {
     squarings: 1,
 };
 
-/// A part of a figure, and what the core has for it.
+/// A part of a figure, and the part of the core that corresponds to it.
 #[derive(Clone, Copy, Debug)]
 pub struct Part {
     /// Its figure, by number and letter.
     pub figure: &'static str,
-    /// What is multiplied.
+    /// The factors.
     pub product: &'static str,
-    /// What the report says of it.
+    /// The report's words about it.
     pub printed: &'static str,
-    /// The unit that has it.
+    /// The unit of the core that contains it.
     pub unit: &'static str,
-    /// Widths of the operands, sign included, for each multiplier of the core.
+    /// Widths of the operands, including signs, for each multiplier of the core.
     pub core: &'static [[u32; 2]],
-    /// Why that is not what is printed.
+    /// Why the core differs from what is printed.
     pub why: &'static str,
 }
 
-/// The parts that have multipliers; those of one unit stand in its order.
+/// The parts that have multipliers; those of one unit are in its order.
 pub const PARTS: [Part; 9] = [
     part(
         "7a",
@@ -101,7 +101,7 @@ const fn part(
 }
 
 impl Part {
-    /// The general core that has the part, for n from 1 to 8000 and with figure 8's whole m.
+    /// The general core that has the part, for n from 1 to 8000 and with the whole m of figure 8.
     ///
     /// # Errors
     /// [`BenchError`] if it cannot be built for the frame.

@@ -1,23 +1,26 @@
-//! What a paper claims, what is measured for it, and what follows.
+//! Claims of a paper: what is claimed, what is measured, and what follows.
 use serde::Serialize;
 
-use super::Paper;
+use super::paper::Paper;
+
+/// Half an LSB of full scale.
+pub(super) const HALF_LSB: f64 = 0.5 / specula_spec::FULL_SCALE;
 
 /// A claim.
 pub(super) struct Claim {
-    /// What is claimed.
+    /// The claim as text.
     pub what: &'static str,
-    /// What is measured, with its unit.
+    /// The quantity that is measured, with its unit.
     pub quantity: &'static str,
-    /// What measures it.
+    /// What the quantity is measured on.
     pub on: Ground,
-    /// docs/numerics.md's number, and how far from it the measured one may be: half a unit of
-    /// its last digit where both are computed in f64 from the same formula, more where samples or a
-    /// core's roundings differ, with the reason beside it.
+    /// docs/numerics.md's number, and the tolerance: half a unit of its last digit if both are
+    /// computed in f64 from the same formula, more if samples or a core's roundings differ, with
+    /// the reason next to it.
     pub expected: (f64, f64),
-    /// Measures it; NaN if it cannot.
+    /// Measures the quantity; NaN if that is impossible.
     pub measure: fn() -> f64,
-    /// What follows from what was measured.
+    /// Decides from the measured number whether the claim holds.
     pub judge: fn(f64) -> Ruling,
 }
 
@@ -32,7 +35,7 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// Its name in tables.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Ground::Exact => "f64",
@@ -45,21 +48,21 @@ impl Ground {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "ruling", content = "why")]
 pub enum Ruling {
-    /// It holds as it stands.
+    /// It holds as stated.
     Holds,
-    /// It holds within the limits named.
+    /// It holds within the named limits.
     HoldsWithin(&'static str),
-    /// It does not, for the reason named.
+    /// It does not hold, for the named reason.
     DoesNotHold(&'static str),
 }
 
 impl Ruling {
-    /// Holds if `true`; else it does not, for the reason `why`.
+    /// `Holds` if `holds`; else `DoesNotHold` with the reason `why`.
     pub(super) const fn of(holds: bool, why: &'static str) -> Ruling {
         if holds { Ruling::Holds } else { Ruling::DoesNotHold(why) }
     }
 
-    /// In words.
+    /// The ruling as text.
     pub fn words(self) -> String {
         match self {
             Ruling::Holds => "holds".to_owned(),
@@ -71,20 +74,20 @@ impl Ruling {
 
 /// A claim, computed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Verdict {
+pub struct ClaimVerdict {
     /// The paper.
     pub paper: Paper,
-    /// What is claimed.
+    /// The claim as text.
     pub claim: &'static str,
-    /// What is measured, with its unit.
+    /// The quantity that is measured, with its unit.
     pub quantity: &'static str,
-    /// What measures it.
+    /// What the quantity was measured on.
     pub on: Ground,
-    /// What came out.
+    /// The measured number.
     pub measured: f64,
     /// docs/numerics.md's number.
     pub expected: f64,
-    /// Whether that came out, as near as the claim's tolerance says.
+    /// Whether the measured number is the expected one within the claim's tolerance.
     pub as_expected: bool,
     /// Whether the claim holds.
     #[serde(flatten)]
@@ -103,9 +106,9 @@ pub(super) const fn exact(
 }
 
 impl Claim {
-    pub fn verdict(&self, paper: Paper) -> Verdict {
+    pub fn verdict(&self, paper: Paper) -> ClaimVerdict {
         let (measured, (expected, tolerance)) = ((self.measure)(), self.expected);
-        Verdict {
+        ClaimVerdict {
             paper,
             claim: self.what,
             quantity: self.quantity,

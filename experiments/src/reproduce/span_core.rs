@@ -1,4 +1,4 @@
-//! A core that is given single spans.
+//! A core that shades single spans.
 use glam::DVec3;
 use specula_golden::fixed::{Model, Observation};
 use specula_scene::{Frame, Material, Needs, parse};
@@ -7,22 +7,23 @@ use specula_spec::{CoreSpec, FULL_SCALE};
 use crate::stress::scene::{RawSpan, SpanScene};
 use crate::stress::variant::Variant;
 
-/// A core by its bit-true model, which the simulated core equals on every pixel.
+/// A core as its bit-true model, which the simulated core equals on every pixel.
 pub struct SpanCore {
     /// Its spec.
     pub spec: CoreSpec,
     model: Model,
 }
 
-/// The frame of a span between two normals under one light; none if a scene file could not say it.
+/// The frame of a span between two normals under one light; `None` if a scene file could not
+/// describe it.
 pub fn frame(ends: [DVec3; 2], length: u32, light: DVec3, material: Material) -> Option<Frame> {
     let scene = SpanScene::new(&[light], vec![RawSpan::between(ends, length, material)]);
     parse("span.toml", scene.text("")).ok().map(|scene| scene.frame)
 }
 
 impl SpanCore {
-    /// The general core of a method with options, in the formats that `frame` needs where the
-    /// options name no others.
+    /// The general core of a method with options. Formats that the options do not name are those
+    /// that `frame` needs.
     pub fn new(frame: &Frame, variant: &Variant) -> Option<SpanCore> {
         let spec = variant.core_spec(&Needs::of(frame)).ok()?;
         Some(SpanCore { model: Model::new(&spec), spec })
@@ -43,7 +44,7 @@ impl SpanCore {
 
 /// The value of that name.
 pub fn value(trace: &[Observation], name: &str) -> Option<f64> {
-    trace.iter().find(|observation| observation.name == name).map(Observation::value)
+    Observation::named(trace, name).map(Observation::value)
 }
 
 /// The vector whose components have that name.

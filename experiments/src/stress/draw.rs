@@ -1,22 +1,22 @@
-//! Numbers, directions and spans drawn at random, the same ones for the same seed.
+//! Seeded random numbers, directions and spans.
 use std::f64::consts::TAU;
 
 use glam::DVec3;
 use specula_scene::frame::EYE;
 
-/// A stream of numbers [Steele, Lea and Flood, SplitMix64].
+/// A stream of random numbers [Steele, Lea and Flood, SplitMix64].
 #[derive(Clone, Debug)]
 pub struct Draw(u64);
 
 impl Draw {
-    /// The stream of a seed; `stream` tells apart those of one seed.
+    /// The stream of a seed; `stream` distinguishes the streams of one seed.
     pub fn new(seed: u64, stream: u64) -> Draw {
         let mut draw = Draw(seed ^ stream.wrapping_mul(0xD129_42F0_1E47_6C35));
         draw.bits();
         draw
     }
 
-    /// A stream of its own.
+    /// A new independent stream.
     pub fn fork(&mut self) -> Draw {
         Draw(self.bits())
     }
@@ -39,8 +39,8 @@ impl Draw {
         low + (high - low) * self.unit()
     }
 
-    /// A whole number from `low` to `high`, the ends more often than others: that is where faults
-    /// are.
+    /// An integer from `low` to `high`. The ends are more likely than others, since faults are
+    /// there.
     pub fn between(&mut self, low: i64, high: i64) -> i64 {
         match self.bits() % 8 {
             0 => low,
@@ -53,12 +53,12 @@ impl Draw {
         }
     }
 
-    /// One of `choices`, of which there is one at least.
+    /// One of `choices`, of which there is at least one.
     pub fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[(self.bits() % choices.len() as u64) as usize]
     }
 
-    /// A length from 1 to `longest` pixels, as many short ones as long ones.
+    /// A length from 1 to `longest` pixels, with a uniformly distributed logarithm.
     pub fn length(&mut self, longest: u32) -> u32 {
         let log2 = self.within(0.0, f64::from(longest).log2());
         (libm::exp2(log2).round() as u32).clamp(1, longest)
@@ -69,7 +69,7 @@ impl Draw {
         1 << self.between(0, 12)
     }
 
-    /// A unit vector, on an axis now and then.
+    /// A unit vector, sometimes on an axis.
     pub fn direction(&mut self) -> DVec3 {
         if self.bits().is_multiple_of(8) {
             return self.one_of(&AXES);
@@ -79,8 +79,8 @@ impl Draw {
         turned(DVec3::Z, libm::acos(height), azimuth)
     }
 
-    /// Unit vectors at the ends of a span that are `degrees` apart, the middle one no farther than
-    /// `tilt` degrees from the eye.
+    /// Unit vectors at the ends of a span that are `degrees` apart, their middle at most `tilt`
+    /// degrees from the eye.
     pub fn ends(&mut self, degrees: f64, tilt: f64) -> [DVec3; 2] {
         let middle = turned(EYE, (tilt * self.unit().sqrt()).to_radians(), self.unit());
         let (half, azimuth) = (degrees.to_radians() / 2.0, self.unit());
@@ -88,7 +88,7 @@ impl Draw {
     }
 
     /// A light whose highlight for exponent `n` lies on a span between these normals: within 2/√n
-    /// of the eye's reflection somewhere.
+    /// of the eye's reflection at some point.
     pub fn aimed(&mut self, ends: [DVec3; 2], n: u32) -> DVec3 {
         let normal = ends[0].lerp(ends[1], self.unit()).try_normalize().unwrap_or(ends[0]);
         let reflected = (2.0 * normal.dot(EYE) * normal - EYE).normalize();
@@ -96,7 +96,7 @@ impl Draw {
     }
 }
 
-/// Both ways along each axis.
+/// Both directions along each axis.
 pub const AXES: [DVec3; 6] =
     [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_X, DVec3::NEG_Y, DVec3::NEG_Z];
 

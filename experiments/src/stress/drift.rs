@@ -1,7 +1,7 @@
-//! How recurrences drift with the length of a span.
+//! The drift of recurrences with the length of a span.
 use specula_golden::exact::MethodSpan;
 use specula_golden::fixed::Model;
-use specula_golden::software::by_name;
+use specula_golden::loops::software::by_name;
 use specula_scene::{Frame, Needs, SceneError, parse};
 use specula_spec::{CoreOptions, CoreSpec, Method, NarrowingPoint};
 
@@ -12,31 +12,32 @@ use super::variant::Variant;
 /// A recurrence's largest error over spans of growing length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drift {
-    /// What drifts.
+    /// The name of the recurrence.
     pub name: String,
     /// Steps S of the span, and the largest error on it in LSBs.
     pub points: Vec<(u32, f64)>,
 }
 
-/// Steps from the first pixel to the last.
+/// Numbers of steps from the first pixel to the last.
 const STEPS: [u32; 12] = [4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8191];
-/// Loops in f32 that add from pixel to pixel.
+/// Loops in f32 that add increments from pixel to pixel.
 const LOOPS: [&str; 7] = ["duff", "hybrid", "reflection", "slerp", "direct", "phong", "gouraud"];
 
-/// 30 degrees and a highlight of n = 256: a span on which every recurrence moves.
+/// The frame of a span of 30 degrees with a highlight of n = 256, on which every recurrence
+/// changes.
 fn frame(steps: u32) -> Result<Frame, SceneError> {
     let span = RawSpan::between([tilted(-12.0), tilted(18.0)], steps + 1, lit(256));
     parse("drift.toml", SpanScene::new(&[tilted(10.0)], vec![span]).text(""))
         .map(|scene| scene.frame)
 }
 
-/// What `error` says of every length at which it says something.
+/// The errors of all lengths for which `error` gives one.
 fn over_lengths(name: &str, steps: &[u32], error: impl Fn(&Frame) -> Option<f64>) -> Drift {
     let point = |&steps: &u32| Some((steps, error(&frame(steps).ok()?)?));
     Drift { name: name.to_owned(), points: steps.iter().filter_map(point).collect() }
 }
 
-/// The papers' loops in f32, against their methods in f64.
+/// The papers' loops in f32, compared with their methods in f64.
 pub fn software(longest: u32) -> Vec<Drift> {
     let steps: Vec<u32> = STEPS.into_iter().filter(|&steps| steps < longest).collect();
     LOOPS.map(|name| over_lengths(name, &steps, |frame| software_error(name, frame))).into()
@@ -54,7 +55,7 @@ fn software_error(name: &str, frame: &Frame) -> Option<f64> {
     Some(shades.iter().enumerate().map(off).fold(0.0, f64::max))
 }
 
-/// The bit-true models, with the formats that a span of 64 pixels would have been given.
+/// The bit-true models with the formats for a span of 64 pixels.
 pub fn fixed(longest: u32) -> Vec<Drift> {
     let steps: Vec<u32> = STEPS.into_iter().filter(|&steps| steps < longest).collect();
     Method::ALL
@@ -66,7 +67,7 @@ pub fn fixed(longest: u32) -> Vec<Drift> {
         .into()
 }
 
-/// The same with the formats that are chosen for the span.
+/// The bit-true models with the formats that are chosen for the span.
 pub fn chosen(longest: u32) -> Vec<Drift> {
     let steps: Vec<u32> = STEPS.into_iter().filter(|&steps| steps < longest).collect();
     let error = |method, frame: &Frame| {

@@ -1,57 +1,57 @@
-//! What is measured of a core that has shaded a scene, and what is asked of that.
+//! Measurements of a core that has shaded a scene, and the requirements on them.
 use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_spec::FULL_SCALE;
 
-use super::asked::{Asked, QUANTISATION};
 use super::limits::{EXACT, Limits, Reason, Rounding};
-use super::row::{Ask, Place, Shaded};
-use specula_testbench::{Bench, Outcome};
+use super::requirement::{QUANTISATION, Requirement};
+use super::row::{PixelPlace, RowRequirement, Shaded};
+use specula_testbench::{Bench, Outcome, Violation};
 
-/// How many there are of something, and the first.
+/// A number of things, and the first of them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counted {
-    /// How many.
+    /// How many exist.
     pub number: u64,
-    /// Where the first is.
-    pub first: Option<Place>,
-    /// More of the first.
+    /// The place of the first one.
+    pub first: Option<PixelPlace>,
+    /// Further information about the first one.
     pub detail: Option<String>,
 }
 
 /// A pixel that is farther than [`EXACT`] from exact shading.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Far {
-    /// How far, in LSBs.
+    /// The difference in LSBs.
     pub lsb: f64,
-    /// How far it may be.
+    /// The allowed difference in LSBs.
     pub limit: f64,
-    /// Why.
+    /// The reasons for which it is allowed.
     pub reasons: Vec<Reason>,
-    /// Where it is.
-    pub place: Place,
+    /// The place of the pixel.
+    pub place: PixelPlace,
 }
 
-/// An error in LSBs, and where it is.
+/// An error in LSBs and its place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Largest {
     /// The error.
     pub lsb: f64,
-    /// Its pixel.
-    pub place: Place,
+    /// The place of its pixel.
+    pub place: PixelPlace,
 }
 
-/// What came of one core.
+/// The measurements of one core.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Measured {
-    /// Pixels shaded.
+pub struct Measurements {
+    /// Number of pixels shaded.
     pub pixels: u64,
-    /// Codes that are not the bit-true model's.
+    /// Codes that differ from the bit-true model's.
     pub mismatches: Counted,
-    /// Clocks with a pixel that is not due, or without one that is.
+    /// Clocks with a pixel that is not due, or without one that is due.
     pub wrong_clocks: Counted,
-    /// Stated facts that do not hold; the first alone is looked for.
+    /// Stated facts that do not hold; only the first is recorded.
     pub broken_facts: Counted,
-    /// Shades of the method or of exact shading that are no number from 0 to 255.
+    /// Shades of the method or of exact shading that are not numbers from 0 to 255.
     pub no_shades: Counted,
     /// Total error.
     pub total: Largest,
@@ -59,36 +59,44 @@ pub struct Measured {
     pub method: Largest,
     /// Error of quantisation.
     pub quantisation: Largest,
-    /// What that is proven to stay within; 255 LSB and more say nothing.
+    /// The proven bound of that error; 255 LSB and more say nothing.
     pub bound: f64,
-    /// Of the pixels beyond 1 LSB, that which comes nearest to its limit, or is farthest beyond.
+    /// Of the pixels beyond 1 LSB, the one that is closest to its limit, or farthest beyond it.
     pub nearest: Option<Far>,
-    /// The farthest of those that have no limit.
+    /// The farthest pixel of those without a limit.
     pub unlimited: Option<Far>,
-    /// What the row asks of this core, and how often it does not happen (0 or 1).
+    /// The row's requirements on this core, and how often each is not met (0 or 1).
     pub of_row: Vec<(&'static str, Counted)>,
 }
 
-impl Measured {
-    /// Looks at every pixel.
-    pub fn new(bench: &Bench, outcome: &Outcome, asks: &[Ask], figure: Option<f64>) -> Measured {
+impl Measurements {
+    /// Measures every pixel.
+    pub fn new(
+        bench: &Bench,
+        outcome: &Outcome,
+        requirements: &[RowRequirement],
+        figure: Option<f64>,
+    ) -> Measurements {
         let shaded = Shaded { spec: bench.spec, frame: bench.frame, outcome };
         let bound = bench.design.error_bound();
-        let mut measured = Measured { pixels: outcome.pixels, bound, ..Measured::default() };
+        let mut measured =
+            Measurements { pixels: outcome.pixels, bound, ..Measurements::default() };
         measured.agreement(bench, outcome);
         measured.survey(&shaded, Rounding { bound, figure });
-        let of_core = asks.iter().filter(|ask| (ask.of)(bench.spec));
-        measured.of_row =
-            of_core.map(|ask| (ask.what, Counted::of((ask.fails)(&shaded)))).collect();
+        let of_core =
+            requirements.iter().filter(|requirement| (requirement.applies_to)(bench.spec));
+        measured.of_row = of_core
+            .map(|requirement| (requirement.what, Counted::of((requirement.fails)(&shaded))))
+            .collect();
         measured
     }
 
-    /// Pixels that are not the model's, clocks without them, and facts that do not hold.
+    /// Counts pixels that differ from the model's, wrong clocks, and facts that do not hold.
     fn agreement(&mut self, bench: &Bench, outcome: &Outcome) {
         let first = outcome.comparison.first_mismatch.as_ref();
         self.mismatches = Counted {
             number: outcome.comparison.mismatches,
-            first: first.map(|wrong| Place { span: wrong.span, pixel: wrong.pixel }),
+            first: first.map(|wrong| PixelPlace { span: wrong.span, pixel: wrong.pixel }),
             detail: first.map(|wrong| {
                 format!(
                     "the code {:?}, and the bit-true model has {:?}",
@@ -106,11 +114,11 @@ impl Measured {
         self.broken_facts = Counted {
             number: u64::from(broken.is_some()),
             first: broken.map(|broken| pixel_of(bench, broken.clock)),
-            detail: broken.map(|broken| broken.in_words()),
+            detail: broken.map(Violation::in_words),
         };
     }
 
-    /// How far every pixel is from method and exact shading.
+    /// Measures the difference of every pixel from the method and from exact shading.
     fn survey(&mut self, shaded: &Shaded, rounding: Rounding) {
         let image = &shaded.outcome.simulated;
         for (number, span) in shaded.frame.spans.iter().enumerate() {
@@ -120,7 +128,7 @@ impl Measured {
             );
             let mut limits = None;
             for i in 0..span.length {
-                let place = Place { span: number, pixel: i };
+                let place = PixelPlace { span: number, pixel: i };
                 let code =
                     image.pixels[(span.y * image.width + span.x + i) as usize].map(f64::from);
                 let (method, exact) = (method.pixel(i), exact.pixel(i));
@@ -136,7 +144,7 @@ impl Measured {
                     let limits = limits.get_or_insert_with(|| {
                         Limits::new(shaded.spec, shaded.frame, span, rounding)
                     });
-                    let limit = limits.at(i);
+                    let limit = limits.at_pixel(i);
                     for (lsb, limit_lsb) in
                         total.into_iter().zip(limit.lsb).filter(|(lsb, _)| *lsb > EXACT)
                     {
@@ -166,11 +174,11 @@ impl Measured {
         }
     }
 
-    /// All that is asked of this core, and what came.
-    pub fn asked(&self) -> Vec<Asked> {
-        let none_of = |what: &str, of: &Counted| Asked {
+    /// All requirements on this core, and their results.
+    pub fn asked(&self) -> Vec<Requirement> {
+        let none_of = |what: &str, of: &Counted| Requirement {
             detail: of.detail.clone(),
-            ..Asked::none_of(what, of.number, of.first)
+            ..Requirement::none_of(what, of.number, of.first)
         };
         let everywhere = [
             none_of("pixels other than the bit-true model's", &self.mismatches),
@@ -180,25 +188,24 @@ impl Measured {
             self.quantisation(),
         ];
         let of_row =
-            self.of_row.iter().map(|(what, of)| Asked { of_row: true, ..none_of(what, of) });
+            self.of_row.iter().map(|(what, of)| Requirement { of_row: true, ..none_of(what, of) });
         everywhere.into_iter().chain(self.distances()).chain(of_row).collect()
     }
 
-    fn quantisation(&self) -> Asked {
+    fn quantisation(&self) -> Requirement {
         let (came, place) = (self.quantisation.lsb, Some(self.quantisation.place));
-        match self.bound < FULL_SCALE {
-            true => Asked::within(QUANTISATION, Some(self.bound), came, place),
-            false => {
-                Asked::within("LSB of quantisation, of cores without a bound", None, came, place)
-            }
+        if self.bound < FULL_SCALE {
+            Requirement::within(QUANTISATION, Some(self.bound), came, place)
+        } else {
+            Requirement::within("LSB of quantisation, of cores without a bound", None, came, place)
         }
     }
 
-    /// From exact shading.
-    fn distances(&self) -> Vec<Asked> {
-        let far = |what: &str, far: &Far, most: Option<f64>| Asked {
+    /// The requirements on the difference from exact shading.
+    fn distances(&self) -> Vec<Requirement> {
+        let far = |what: &str, far: &Far, most: Option<f64>| Requirement {
             reasons: far.reasons.clone(),
-            ..Asked::within(what, most, far.lsb, Some(far.place))
+            ..Requirement::within(what, most, far.lsb, Some(far.place))
         };
         let nearest = self
             .nearest
@@ -208,9 +215,9 @@ impl Measured {
             .unlimited
             .as_ref()
             .map(|most| far("LSB off, where the method has no limit", most, None));
-        let all: Vec<Asked> = nearest.into_iter().chain(unlimited).collect();
+        let all: Vec<Requirement> = nearest.into_iter().chain(unlimited).collect();
         if all.is_empty() {
-            return vec![Asked::within(
+            return vec![Requirement::within(
                 "LSB off",
                 Some(EXACT),
                 self.total.lsb,
@@ -222,18 +229,18 @@ impl Measured {
 }
 
 impl Counted {
-    fn of(first: Option<Place>) -> Counted {
+    fn of(first: Option<PixelPlace>) -> Counted {
         Counted { number: u64::from(first.is_some()), first, detail: None }
     }
 
-    fn add(&mut self, place: Place) {
+    fn add(&mut self, place: PixelPlace) {
         self.number += 1;
         self.first.get_or_insert(place);
     }
 }
 
 impl Largest {
-    fn add(&mut self, channels: [f64; 3], place: Place) {
+    fn add(&mut self, channels: [f64; 3], place: PixelPlace) {
         let lsb = channels.into_iter().fold(0.0, f64::max);
         if lsb > self.lsb {
             *self = Largest { lsb, place };
@@ -241,8 +248,8 @@ impl Largest {
     }
 }
 
-/// The pixel that leaves in a clock, or the last before.
-fn pixel_of(bench: &Bench, clock: u64) -> Place {
+/// The pixel that leaves in a clock, or the last one before it.
+fn pixel_of(bench: &Bench, clock: u64) -> PixelPlace {
     let mut left = clock.saturating_sub(u64::from(bench.design.latency()));
     let interval = u64::from(bench.design.interval);
     for (span, clocks) in
@@ -250,11 +257,11 @@ fn pixel_of(bench: &Bench, clock: u64) -> Place {
     {
         match left.checked_sub(clocks) {
             Some(rest) => left = rest,
-            // Less than a span's length.
-            None => return Place { span, pixel: (left / interval) as u32 },
+            // The difference is less than a span's length.
+            None => return PixelPlace { span, pixel: (left / interval) as u32 },
         }
     }
-    Place { span: bench.frame.spans.len().saturating_sub(1), pixel: 0 }
+    PixelPlace { span: bench.frame.spans.len().saturating_sub(1), pixel: 0 }
 }
 
 #[cfg(test)]
@@ -262,17 +269,17 @@ mod tests {
     use specula_scene::{Needs, parse};
     use specula_spec::{CoreSpec, Method};
 
-    use super::super::asked::Verdict;
     use super::super::draw::tilted;
+    use super::super::requirement::RowVerdict;
     use super::super::row::all;
     use super::super::scene::{RawSpan, SpanScene, lit};
     use super::super::variant::Variant;
     use super::*;
     use specula_testbench::EngineKind;
 
-    /// A span on which every method has something to do, as a method shades it; `tamper` is given
-    /// what came.
-    fn measured(method: Method, tamper: impl FnOnce(&mut Outcome)) -> Measured {
+    /// The measurements of a span on which every method has something to compute; `tamper` may
+    /// change the outcome beforehand.
+    fn measured(method: Method, tamper: impl FnOnce(&mut Outcome)) -> Measurements {
         let span = RawSpan::between([tilted(-20.0), tilted(25.0)], 40, lit(16));
         let frame = parse("span.toml", SpanScene::new(&[tilted(10.0)], vec![span]).text(""))
             .expect("it is a scene")
@@ -282,20 +289,24 @@ mod tests {
         let bench = Bench::new(&frame, &spec, "core").expect("it can be built");
         let mut outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).expect("it runs");
         tamper(&mut outcome);
-        let ask = Ask { what: "no black pixel", of: all, fails: Box::new(shaded_black) };
-        Measured::new(&bench, &outcome, &[ask], None)
+        let requirement = RowRequirement {
+            what: "no black pixel",
+            applies_to: all,
+            fails: Box::new(shaded_black),
+        };
+        Measurements::new(&bench, &outcome, &[requirement], None)
     }
 
-    fn shaded_black(shaded: &Shaded) -> Option<Place> {
+    fn shaded_black(shaded: &Shaded) -> Option<PixelPlace> {
         let black = shaded.outcome.simulated.pixels.iter().position(|&pixel| pixel == [0; 3])?;
-        Some(Place { span: 0, pixel: black as u32 })
+        Some(PixelPlace { span: 0, pixel: black as u32 })
     }
 
-    fn faults(measured: &Measured) -> Vec<String> {
+    fn faults(measured: &Measurements) -> Vec<String> {
         let asked = measured.asked();
         asked
             .iter()
-            .filter(|asked| asked.verdict() == Verdict::Fault)
+            .filter(|asked| asked.verdict() == RowVerdict::Fault)
             .map(|asked| asked.what.clone())
             .collect()
     }
@@ -312,8 +323,8 @@ mod tests {
         }
     }
 
-    /// The picture itself is tampered with: one code is farther from the method than the bound, and
-    /// from exact shading than an exact method may be.
+    /// The picture is corrupted: one code is farther from the method than the bound, and from exact
+    /// shading than an exact method may be.
     #[test]
     fn a_code_that_is_off_is_a_fault() {
         for method in Method::ALL {
@@ -330,7 +341,7 @@ mod tests {
         }
     }
 
-    /// Two codes more at one pixel are enough for a method that is exact.
+    /// A pixel that is wrong by two codes is enough to fail an exact method.
     #[test]
     fn two_codes_are_enough_of_an_exact_method() {
         let changed = measured(Method::Phong, |outcome| outcome.simulated.pixels[20][1] += 2);
@@ -339,13 +350,14 @@ mod tests {
         assert!(faults(&black).contains(&"no black pixel".to_owned()));
     }
 
-    type Tamper<'a> = &'a dyn Fn(&mut Measured);
+    type Tamper<'a> = &'a dyn Fn(&mut Measurements);
 
-    /// Each thing that is asked can fail by itself.
+    /// Each requirement can fail by itself.
     #[test]
     fn whatever_is_tampered_with_is_a_fault() {
         let honest = measured(Method::Lyon, |_| ());
-        let one = || Counted { number: 1, first: Some(Place { span: 0, pixel: 3 }), detail: None };
+        let one =
+            || Counted { number: 1, first: Some(PixelPlace { span: 0, pixel: 3 }), detail: None };
         let tamper: [(&str, Tamper); 7] = [
             ("pixels other than the bit-true model's", &|m| m.mismatches = one()),
             ("clocks without their pixel", &|m| m.wrong_clocks = one()),
@@ -354,7 +366,7 @@ mod tests {
             (QUANTISATION, &|m| m.quantisation.lsb = m.bound + 1e-9),
             ("LSB off, within the method's limit", &|m| {
                 let limit = m.nearest.as_ref().map_or(1.0, |far| far.limit);
-                let place = Place::default();
+                let place = PixelPlace::default();
                 m.nearest =
                     Some(Far { lsb: limit + 1e-9, limit, reasons: vec![Reason::Lobe], place });
             }),
@@ -365,15 +377,17 @@ mod tests {
             change(&mut measured);
             assert_eq!(faults(&measured), [what]);
         }
-        let nan =
-            Measured { quantisation: Largest { lsb: f64::NAN, ..honest.quantisation }, ..honest };
+        let nan = Measurements {
+            quantisation: Largest { lsb: f64::NAN, ..honest.quantisation },
+            ..honest
+        };
         assert_eq!(faults(&nan), [QUANTISATION]);
     }
 
-    /// 255 LSB bound nothing: they are told as no bound, and never as one that holds.
+    /// A bound of 255 LSB says nothing: it is reported as no bound, and never as one that holds.
     #[test]
     fn a_bound_of_full_scale_is_none() {
-        let unbounded = Measured { bound: FULL_SCALE, ..measured(Method::Phong, |_| ()) };
+        let unbounded = Measurements { bound: FULL_SCALE, ..measured(Method::Phong, |_| ()) };
         let asked = unbounded.asked();
         let of = asked
             .iter()

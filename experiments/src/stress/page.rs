@@ -1,9 +1,10 @@
-//! The catalogue as a page: what is asked of each method in each row, what came, and the limits.
-use super::asked::{Asked, Verdict};
+//! The catalogue as a page: for each row the requirements on each method, the results, and the
+//! limits.
 use super::catalogue::CATALOGUE;
+use super::cell::Cell;
 use super::limits::Reason;
 use super::raw;
-use super::sweep::Cell;
+use super::requirement::{Requirement, RowVerdict};
 
 const HEAD: &str = "\
 # What is asked of each method in each row of the catalogue of extremes, and what came
@@ -36,7 +37,7 @@ them out for each pixel, from its geometry alone.
 
 const ROWS: &str = "\n## Rows\n\n";
 
-/// The page, of a sweep of every method.
+/// The page about a sweep of every method.
 pub fn page(cells: &[Cell]) -> String {
     let reason = |reason: &Reason| line(&[reason.name(), reason.text()]);
     let reasons = [line(&["reason", "by how much"]), "|---|---|\n".to_owned()]
@@ -45,7 +46,13 @@ pub fn page(cells: &[Cell]) -> String {
     let rows = CATALOGUE.iter().map(|row| (row.id, row.input)).chain([(raw::ID, raw::INPUT)]);
     let of_row = |(id, input)| {
         let cells: Vec<&Cell> = cells.iter().filter(|cell| cell.row == id).collect();
-        line(&[id, input, &besides(&cells), &named(&cells, Verdict::Holds), &limits(&cells)])
+        line(&[
+            id,
+            input,
+            &row_requirements(&cells),
+            &methods_with_verdict(&cells, RowVerdict::Holds),
+            &limits(&cells),
+        ])
     };
     let titles = line(&["row", "input", "asked besides", "holds", "limit: came of most, and why"]);
     [HEAD.to_owned()]
@@ -61,8 +68,8 @@ fn line(texts: &[&str]) -> String {
     format!("| {} |\n", texts.join(" | "))
 }
 
-/// What a row asks besides what is asked everywhere, and of which methods if not of all.
-pub fn besides(cells: &[&Cell]) -> String {
+/// The row's own requirements, and the methods that they apply to if not all.
+pub fn row_requirements(cells: &[&Cell]) -> String {
     let mut asked: Vec<(&str, Vec<&str>)> = Vec::new();
     for cell in cells {
         for what in cell.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str())
@@ -81,13 +88,13 @@ pub fn besides(cells: &[&Cell]) -> String {
     asked.iter().map(in_words).collect::<Vec<_>>().join("; ")
 }
 
-/// Methods that come to a verdict.
-pub fn named(cells: &[&Cell], verdict: Verdict) -> String {
+/// The methods with a verdict.
+pub fn methods_with_verdict(cells: &[&Cell], verdict: RowVerdict) -> String {
     let methods =
         cells.iter().filter(|cell| cell.verdict() == Some(verdict)).filter_map(|cell| cell.method);
     let refused = cells
         .iter()
-        .filter(|cell| cell.verdict().is_none() && verdict == Verdict::Holds)
+        .filter(|cell| cell.verdict().is_none() && verdict == RowVerdict::Holds)
         .filter_map(|cell| cell.method);
     let methods: Vec<&str> = methods.collect();
     let refused: Vec<&str> = refused.collect();
@@ -100,22 +107,22 @@ pub fn named(cells: &[&Cell], verdict: Verdict) -> String {
         .join("; ")
 }
 
-/// Methods at their limits, with the figures.
+/// The methods at their limits, with the figures.
 pub fn limits(cells: &[&Cell]) -> String {
     let at = |cell: &&Cell| {
         let figures: Vec<String> = cell
             .asked
             .iter()
-            .filter(|asked| asked.verdict() == Verdict::Limit)
+            .filter(|asked| asked.verdict() == RowVerdict::Limit)
             .map(with_reasons)
             .collect();
-        let method = cell.method.filter(|_| cell.verdict() == Some(Verdict::Limit))?;
+        let method = cell.method.filter(|_| cell.verdict() == Some(RowVerdict::Limit))?;
         Some(format!("{method} {}", figures.join(", ")))
     };
     cells.iter().filter_map(at).collect::<Vec<_>>().join("; ")
 }
 
-fn with_reasons(asked: &Asked) -> String {
+fn with_reasons(asked: &Requirement) -> String {
     let reasons: Vec<&str> = asked.reasons.iter().map(|reason| reason.name()).collect();
     format!("{} ({})", asked.figure(), reasons.join(", "))
 }

@@ -1,4 +1,4 @@
-//! Packets that no scene makes: patterns of bits within the ranges that ports state.
+//! Packets that no scene makes: bit patterns within the ranges of ports.
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 use specula_golden::fixed::Model;
@@ -6,21 +6,21 @@ use specula_scene::{Needs, parse};
 use specula_sim::{Engine, Fast, Flow, Stimulus};
 use specula_spec::{CoreSpec, InputPort, Method, SpanPacket, SpecError};
 
-use super::asked::Asked;
+use super::cell::Cell;
 use super::draw::{Draw, tilted};
-use super::row::{Extent, Place};
+use super::requirement::Requirement;
+use super::row::{PixelPlace, TrialExtent};
 use super::scene::{RawSpan, SpanScene, lit};
-use super::sweep::Cell;
 use super::variant::Variant;
 use specula_testbench::Monitor;
 use specula_testbench::checker;
 
 /// The row's name.
 pub const ID: &str = "raw";
-/// What goes in.
+/// The row's description.
 pub const INPUT: &str = "ports at 0, at all ones, at the ends of their ranges, and at random patterns, without any scene";
-/// Runs a method's cores on patterns.
-pub fn cell(method: Method, draw: &mut Draw, extent: Extent) -> Cell {
+/// Runs a method's cores on bit patterns.
+pub fn cell(method: Method, draw: &mut Draw, extent: TrialExtent) -> Cell {
     let mut cell = Cell::empty(ID, Some(method));
     let variants = if extent.every_option {
         Variant::all_of(method)
@@ -38,18 +38,24 @@ pub fn cell(method: Method, draw: &mut Draw, extent: Extent) -> Cell {
     cell
 }
 
-/// A core with two lights and everything else as wide as a wide span with a sharp highlight asks.
+/// A core with two lights, everything else as wide as a wide span with a sharp highlight needs.
 fn spec(variant: &Variant, longest: u32) -> Result<CoreSpec, SpecError> {
     let spans = vec![RawSpan::between([tilted(-40.0), tilted(45.0)], longest, lit(256))];
     let scene = SpanScene::new(&[tilted(10.0), tilted(-30.0)], spans);
-    // The text is that of every other row's scenes.
+    // The text is written as that of every other row's scenes.
     let frame = parse("raw.toml", scene.text(""))
         .map_err(|error| SpecError::Core { message: error.to_string() })?
         .frame;
     variant.core_spec(&Needs::of(&frame))
 }
 
-fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw, extent: Extent) {
+fn try_spec(
+    cell: &mut Cell,
+    variant: &Variant,
+    spec: &CoreSpec,
+    draw: &mut Draw,
+    extent: TrialExtent,
+) {
     let design = match specula_hdl::elaborate(spec, "core") {
         Ok(design) => design,
         Err(error) => return cell.refuse(error.to_string()),
@@ -69,16 +75,19 @@ fn try_spec(cell: &mut Cell, variant: &Variant, spec: &CoreSpec, draw: &mut Draw
         }
         Err(what) => cell.ask(
             &core,
-            Asked { detail: Some(what), ..Asked::none_of("runs that break off", 1, None) },
+            Requirement {
+                detail: Some(what),
+                ..Requirement::none_of("runs that break off", 1, None)
+            },
         ),
     }
 }
 
-/// Packets of every pattern; the model refuses those that mean nothing.
+/// Packets of every pattern that the model accepts; it refuses those without meaning.
 fn patterns(spec: &CoreSpec, draw: &mut Draw, random: usize) -> Vec<SpanPacket> {
     let ports = spec.inputs();
     let of = |draw: &mut Draw, value: &mut dyn FnMut(usize, &InputPort) -> i64| SpanPacket {
-        length: draw.length(spec.longest_span),
+        length: draw.length(spec.parameters.longest_span),
         inputs: ports
             .iter()
             .enumerate()
@@ -89,19 +98,19 @@ fn patterns(spec: &CoreSpec, draw: &mut Draw, random: usize) -> Vec<SpanPacket> 
     let high = |port: &InputPort| port.range.1;
     let mut packets = vec![
         of(draw, &mut |_, _| 0),
-        // All ones are -1 in two's complement, and the largest number without a sign.
+        // All ones are -1 in two's complement, and the largest number if unsigned.
         of(draw, &mut |_, port| if port.format.signed { -1 } else { port.format.max_raw() }),
         of(draw, &mut |_, port| low(port)),
         of(draw, &mut |_, port| high(port)),
         of(draw, &mut |k, port| if k % 2 == 0 { low(port) } else { high(port) }),
     ];
-    // One port alone at either end, and everything but it.
+    // One port is at either end of its range while all others are not, and vice versa.
     for alone in 0..ports.len() {
         packets.push(of(draw, &mut |k, port| if k == alone { high(port) } else { 0 }));
         packets.push(of(draw, &mut |k, port| if k == alone { low(port) } else { 0 }));
     }
     for _ in 0..8 * random {
-        // Halves and quarters of ranges are less often refused.
+        // Halves and quarters of ranges are refused less often.
         let shift = draw.between(0, 3);
         let mut stream = draw.fork();
         packets.push(of(draw, &mut |_, port| stream.between(low(port), high(port)) >> shift));
@@ -109,25 +118,25 @@ fn patterns(spec: &CoreSpec, draw: &mut Draw, random: usize) -> Vec<SpanPacket> 
     packets
 }
 
-/// The codes of packets, and which of them break a fact that hosts keep.
+/// The codes of packets, and the packets that break a fact which hosts guarantee.
 struct Simulated {
     codes: Vec<[u8; 3]>,
     breaks_a_fact: Vec<bool>,
-    /// Signals that left their proven ranges, and the packets with which they did.
+    /// Signals that left their proven ranges, each with the packet that caused it.
     leaves: Vec<(NodeId, usize)>,
 }
 
 impl Simulated {
-    /// Signals that left their ranges with a packet that breaks no fact.
-    fn out_of_range(&self, design: &Design) -> Asked {
+    /// The requirement on signals that left their ranges with a packet that breaks no fact.
+    fn out_of_range(&self, design: &Design) -> Requirement {
         let out: Vec<&(NodeId, usize)> =
             self.leaves.iter().filter(|(_, span)| !self.breaks_a_fact[*span]).collect();
         let first = out.first();
-        let place = first.map(|(_, span)| Place { span: *span, pixel: 0 });
+        let place = first.map(|(_, span)| PixelPlace { span: *span, pixel: 0 });
         let detail = first.map(|(signal, _)| format!("`{}`", design.full_name(*signal)));
-        Asked {
+        Requirement {
             detail,
-            ..Asked::none_of("signals outside their proven ranges", out.len() as u64, place)
+            ..Requirement::none_of("signals outside their proven ranges", out.len() as u64, place)
         }
     }
 }
@@ -159,26 +168,30 @@ fn simulated(design: &Design, packets: &Vec<SpanPacket>) -> Result<Simulated, St
     }
 }
 
-/// Packets that break no fact and have another code than the model's.
-fn wrong_codes(model: &Model, packets: &[SpanPacket], simulated: &Simulated) -> Asked {
+/// The requirement on packets that break no fact and have another code than the model's.
+fn wrong_codes(model: &Model, packets: &[SpanPacket], simulated: &Simulated) -> Requirement {
     let mut rest = &simulated.codes[..];
-    let mut wrong: Vec<(Place, String)> = Vec::new();
+    let mut wrong: Vec<(PixelPlace, String)> = Vec::new();
     for (span, packet) in packets.iter().enumerate() {
         let (given, later) = rest.split_at((packet.length as usize).min(rest.len()));
         rest = later;
         if !simulated.breaks_a_fact[span] {
             wrong.extend(
-                wrong_code(model, packet, given).map(|(pixel, what)| (Place { span, pixel }, what)),
+                wrong_code(model, packet, given)
+                    .map(|(pixel, what)| (PixelPlace { span, pixel }, what)),
             );
         }
     }
     let first = wrong.first();
     let number = wrong.len() as u64;
     let (place, detail) = (first.map(|(place, _)| *place), first.map(|(_, what)| what.clone()));
-    Asked { detail, ..Asked::none_of("packets with codes other than the model's", number, place) }
+    Requirement {
+        detail,
+        ..Requirement::none_of("packets with codes other than the model's", number, place)
+    }
 }
 
-/// The first code of a packet that is not the model's.
+/// The first code of a packet that differs from the model's.
 fn wrong_code(model: &Model, packet: &SpanPacket, given: &[[u8; 3]]) -> Option<(u32, String)> {
     let mut expected = Vec::new();
     if let Err(error) = model.shade(packet, &mut expected) {

@@ -1,4 +1,4 @@
-//! What a row of the catalogue is.
+//! The rows of the catalogue: what they are made of.
 use specula_golden::exact;
 use specula_scene::{Frame, Span};
 use specula_spec::{CoreSpec, FULL_SCALE};
@@ -10,131 +10,131 @@ use specula_testbench::Outcome;
 
 /// How much of a row is tried.
 #[derive(Clone, Copy, Debug)]
-pub struct Extent {
-    /// Random spans that each row draws.
+pub struct TrialExtent {
+    /// Number of random spans that each row draws.
     pub spans: usize,
-    /// Pixels of the longest random span.
+    /// Length of the longest random span in pixels.
     pub longest: u32,
-    /// Whether every option of every method is tried, and not its defaults alone.
+    /// Whether every option of every method is tried rather than its defaults alone.
     pub every_option: bool,
 }
 
-impl Extent {
-    /// A few seconds' worth.
-    pub const SMALL: Extent = Extent { spans: 3, longest: 100, every_option: false };
-    /// What `specula stress` does.
-    pub const WHOLE: Extent = Extent { spans: 64, longest: 8192, every_option: true };
+impl TrialExtent {
+    /// An extent that takes a few seconds.
+    pub const SMALL: TrialExtent = TrialExtent { spans: 3, longest: 100, every_option: false };
+    /// The extent of `specula stress`.
+    pub const WHOLE: TrialExtent = TrialExtent { spans: 64, longest: 8192, every_option: true };
 }
 
-/// An input that something breaks at, and what is asked there.
-pub struct Row {
+/// An input for which something breaks, and the requirements on it.
+pub struct CatalogueRow {
     /// Its number in docs/extremes.md, or a word.
     pub id: &'static str,
-    /// The input.
+    /// The input as text.
     pub input: &'static str,
-    /// What is tried, and asked.
+    /// How the row is tried, with its requirements.
     pub trial: Trial,
 }
 
-/// How a row is tried.
+/// The way in which a row is tried.
 pub enum Trial {
     /// Scenes, shaded by every method.
     Scenes {
-        /// Draws them.
-        cases: fn(&mut Draw, Extent) -> Vec<Case>,
-        /// Methods with options that the row is about, beside those that are tried everywhere.
+        /// Draws the scenes.
+        cases: fn(&mut Draw, TrialExtent) -> Vec<Case>,
+        /// Methods with options for this row, in addition to those that are tried in every row.
         variants: fn() -> Vec<Variant>,
     },
-    /// What the host does without a core.
+    /// Something that the host does without a core.
     Host {
-        /// What is asked of it.
+        /// The requirement as text.
         what: &'static str,
         /// Says what is wrong.
         check: fn() -> Result<(), String>,
     },
 }
 
-/// Scenes for every method as it is tried everywhere.
-pub const fn scenes(cases: fn(&mut Draw, Extent) -> Vec<Case>) -> Trial {
+/// A trial of scenes with the methods that are tried in every row.
+pub const fn scenes(cases: fn(&mut Draw, TrialExtent) -> Vec<Case>) -> Trial {
     Trial::Scenes { cases, variants: Vec::new }
 }
 
 /// A place in a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Place {
+pub struct PixelPlace {
     /// Number of the span.
     pub span: usize,
     /// Number of the pixel in it.
     pub pixel: u32,
 }
 
-/// Something that a row asks of some cores, beside what is asked everywhere.
-pub struct Ask {
-    /// What, in the words of a table.
+/// A requirement of a row on some cores, in addition to those of every row.
+pub struct RowRequirement {
+    /// The requirement as text, for a table.
     pub what: &'static str,
-    /// Of which cores.
-    pub of: fn(&CoreSpec) -> bool,
-    /// The first place where it does not happen.
+    /// Whether the requirement applies to a core.
+    pub applies_to: fn(&CoreSpec) -> bool,
+    /// Finds the first place where it is not met.
     pub fails: Fails,
 }
 
-/// Where what is asked does not happen first.
-pub type Fails = Box<dyn Fn(&Shaded) -> Option<Place> + Send + Sync>;
+/// A function that finds the first place where a requirement is not met.
+pub type Fails = Box<dyn Fn(&Shaded) -> Option<PixelPlace> + Send + Sync>;
 
-/// How far cores without a proven bound may be from their method, where a row knows.
+/// A row's limit for the difference between method and cores without a proven bound.
 #[derive(Clone, Copy, Debug)]
 pub struct Figure {
-    /// Which cores.
-    pub of: fn(&CoreSpec) -> bool,
-    /// In LSBs.
+    /// Whether the limit applies to a core.
+    pub applies_to: fn(&CoreSpec) -> bool,
+    /// The limit in LSBs.
     pub lsb: f64,
 }
 
-/// A scene and what is asked of it.
+/// A scene and the requirements on it.
 pub struct Case {
     /// The scene.
     pub scene: SpanScene,
-    /// What is asked, beside what is asked everywhere.
-    pub asks: Vec<Ask>,
-    /// What is known of cores without a bound.
+    /// The requirements, in addition to those of every row.
+    pub requirements: Vec<RowRequirement>,
+    /// The limit for cores without a bound.
     pub figure: Option<Figure>,
 }
 
 impl Case {
-    /// A scene of which no more is asked than everywhere.
+    /// A scene with no requirements other than those of every row.
     pub fn new(scene: SpanScene) -> Case {
-        Case { scene, asks: Vec::new(), figure: None }
+        Case { scene, requirements: Vec::new(), figure: None }
     }
 
-    /// The same, with `what` asked of some cores at every pixel.
-    pub fn asking(
+    /// Adds the requirement `what` on some cores at every pixel.
+    pub fn requiring(
         self,
         what: &'static str,
-        of: fn(&CoreSpec) -> bool,
+        applies_to: fn(&CoreSpec) -> bool,
         holds: impl Fn(&Pixel) -> bool + Send + Sync + 'static,
     ) -> Case {
-        self.asking_frame(what, of, move |shaded| shaded.first_that_does_not(&holds))
+        self.requiring_frame(what, applies_to, move |shaded| shaded.first_that_does_not(&holds))
     }
 
-    /// The same, with `what` asked of some cores and a whole frame; `fails` says where it does not
-    /// happen first.
-    pub fn asking_frame(
+    /// Adds the requirement `what` on some cores and a whole frame; `fails` finds the first place
+    /// where it is not met.
+    pub fn requiring_frame(
         mut self,
         what: &'static str,
-        of: fn(&CoreSpec) -> bool,
-        fails: impl Fn(&Shaded) -> Option<Place> + Send + Sync + 'static,
+        applies_to: fn(&CoreSpec) -> bool,
+        fails: impl Fn(&Shaded) -> Option<PixelPlace> + Send + Sync + 'static,
     ) -> Case {
-        self.asks.push(Ask { what, of, fails: Box::new(fails) });
+        self.requirements.push(RowRequirement { what, applies_to, fails: Box::new(fails) });
         self
     }
 
-    /// The same, with what is known of cores without a bound.
-    pub fn with_figure(self, of: fn(&CoreSpec) -> bool, lsb: f64) -> Case {
-        Case { figure: Some(Figure { of, lsb }), ..self }
+    /// Adds a limit for cores without a bound.
+    pub fn with_figure(self, applies_to: fn(&CoreSpec) -> bool, lsb: f64) -> Case {
+        Case { figure: Some(Figure { applies_to, lsb }), ..self }
     }
 }
 
-/// Every core.
+/// A condition that holds for every core.
 pub fn all(_: &CoreSpec) -> bool {
     true
 }
@@ -143,16 +143,16 @@ pub fn all(_: &CoreSpec) -> bool {
 pub struct Shaded<'a> {
     /// The core.
     pub spec: &'a CoreSpec,
-    /// The frame.
+    /// The shaded frame.
     pub frame: &'a Frame,
-    /// What came of it.
+    /// The outcome of the simulation.
     pub outcome: &'a Outcome,
 }
 
-/// A pixel of it.
+/// A pixel of a shaded frame.
 #[derive(Clone, Copy)]
 pub struct Pixel<'a> {
-    /// The frame.
+    /// The shaded frame.
     pub shaded: &'a Shaded<'a>,
     /// Its span.
     pub span: &'a Span,
@@ -161,32 +161,32 @@ pub struct Pixel<'a> {
 }
 
 impl Shaded<'_> {
-    fn first_that_does_not(&self, holds: &impl Fn(&Pixel) -> bool) -> Option<Place> {
+    fn first_that_does_not(&self, holds: &impl Fn(&Pixel) -> bool) -> Option<PixelPlace> {
         self.frame.spans.iter().enumerate().find_map(|(number, span)| {
             let fails = |&i: &u32| !holds(&Pixel { shaded: self, span, i });
-            (0..span.length).find(fails).map(|pixel| Place { span: number, pixel })
+            (0..span.length).find(fails).map(|pixel| PixelPlace { span: number, pixel })
         })
     }
 }
 
 impl Pixel<'_> {
-    /// The core's green code.
+    /// The core's code of the green channel.
     pub fn code(&self) -> u8 {
         let image = &self.shaded.outcome.simulated;
         image.pixels[(self.span.y * image.width + self.span.x + self.i) as usize][1]
     }
 
-    /// The method in f64, in LSBs.
+    /// The method's value in f64, in LSBs.
     pub fn method(&self) -> f64 {
         exact::method(self.shaded.spec, self.shaded.frame, self.span, self.i)[1]
     }
 
-    /// Exact shading, in LSBs.
+    /// The value of exact shading, in LSBs.
     pub fn exact(&self) -> f64 {
         exact::phong(self.shaded.frame, self.span, self.i)[1]
     }
 
-    /// Whether the core's code is no more than `lsb` from a value.
+    /// Whether the core's code differs from a value by at most `lsb`.
     pub fn is_within(&self, lsb: f64, of: f64) -> bool {
         (f64::from(self.code()) - of).abs() <= lsb
     }

@@ -1,4 +1,4 @@
-//! Scenes of spans, as they stand in a file.
+//! Scenes of spans, written as scene files.
 use std::fmt::Write;
 
 use glam::DVec3;
@@ -7,32 +7,32 @@ use specula_scene::{Colour, Material};
 /// White, at full scale.
 const WHITE: Colour = [1.0; 3];
 
-/// A light.
+/// A light of such a scene.
 #[derive(Clone, Copy, Debug)]
 pub enum Light {
-    /// At infinity, in this direction.
+    /// A light at infinity in this direction.
     Towards(DVec3),
-    /// At a place.
+    /// A light at a place.
     At(DVec3),
-    /// At a place, aimed at another, with Warn's exponent.
+    /// A light at a place, aimed at another, with Warn's exponent.
     Spot {
-        /// Where it is.
+        /// The place of the light.
         position: DVec3,
-        /// What it is aimed at.
+        /// The place at which it is aimed.
         target: DVec3,
         /// Warn's exponent, 1 to 8191.
         exponent: u32,
     },
 }
 
-/// A span, with what `docs/scene-format.md` says of it.
+/// A span, with the keys that `docs/scene-format.md` describes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RawSpan {
-    /// Pixels.
+    /// Length in pixels.
     pub length: u32,
     /// Normals of the triangle's vertices: unit vectors, or 0.
     pub normals: [DVec3; 3],
-    /// Unit normal of the polygon, or 0, where it is not the mean direction of those.
+    /// Unit normal of the polygon, or 0, if it is not the mean direction of the vertex normals.
     pub face: Option<DVec3>,
     /// Its vertices.
     pub positions: [DVec3; 3],
@@ -42,7 +42,7 @@ pub struct RawSpan {
     pub start: [f64; 3],
     /// Weights at the last pixel.
     pub end: [f64; 3],
-    /// What it is made of.
+    /// Its material.
     pub material: Material,
 }
 
@@ -67,17 +67,17 @@ pub fn material(ambient: f64, diffuse: f64, specular: f64, shininess: u32) -> Ma
     Material { ambient: [ambient; 3], diffuse: [diffuse; 3], specular: [specular; 3], shininess }
 }
 
-/// Nothing but highlight at full scale.
+/// A material with nothing but a highlight, at full scale.
 pub fn mirror(shininess: u32) -> Material {
     material(0.0, 0.0, 1.0, shininess)
 }
 
-/// Nothing but Lambert's reflectance at full scale.
+/// A material with nothing but Lambert's reflectance, at full scale.
 pub fn matt() -> Material {
     material(0.0, 1.0, 0.0, 1)
 }
 
-/// Something of everything, and less than full scale under one light.
+/// A material with some of every reflectance, which stays below full scale under one light.
 pub fn lit(shininess: u32) -> Material {
     material(0.1, 0.4, 0.45, shininess)
 }
@@ -87,18 +87,18 @@ pub fn lit(shininess: u32) -> Material {
 pub struct SpanScene {
     /// Colour of the ambient light, 0 to 1.
     pub ambient: Colour,
-    /// One to four.
+    /// The lights: one to four.
     pub lights: Vec<Light>,
     /// Colours of the lights, 0 to 1, in their order; those beyond are white.
     pub colours: Vec<Colour>,
-    /// Where the eye is that sees highlights, if it is at a place.
+    /// The place of the eye that sees highlights, if it is not at infinity.
     pub eye: Option<DVec3>,
-    /// One to a row.
+    /// The spans, one in each row of the picture.
     pub spans: Vec<RawSpan>,
 }
 
 impl Default for SpanScene {
-    /// Nothing in white ambient light.
+    /// A scene without spans and lights in white ambient light.
     fn default() -> SpanScene {
         SpanScene {
             ambient: WHITE,
@@ -111,24 +111,24 @@ impl Default for SpanScene {
 }
 
 impl SpanScene {
-    /// Spans under lights at infinity, all light white.
+    /// Spans under white lights at infinity, with white ambient light.
     pub fn new(lights: &[DVec3], spans: Vec<RawSpan>) -> SpanScene {
         let lights = lights.iter().map(|&light| Light::Towards(light)).collect();
         SpanScene { lights, spans, ..SpanScene::default() }
     }
 
-    /// The scene with one of its spans alone.
+    /// The scene with only one of its spans.
     pub fn only(&self, span: usize) -> SpanScene {
         SpanScene { spans: self.spans.get(span).cloned().into_iter().collect(), ..self.clone() }
     }
 
-    /// The scene file, with `core` for its last tables. Numbers are written so that they are read
-    /// to the last bit.
+    /// The scene file, which ends with the tables `core`. Numbers are written so that they are read
+    /// exactly.
     pub fn text(&self, core: &str) -> String {
         let mut text = format!("ambient = {:?}\n", self.ambient);
         // Writing to a String cannot fail.
         if let Some(eye) = self.eye {
-            // Neither at the eye nor above or below it.
+            // The target is neither at the eye nor above or below it.
             let target = eye - DVec3::new(1.0, 0.0, 1.0);
             let _ = writeln!(
                 text,

@@ -1,53 +1,54 @@
-//! One scene through one core.
+//! The trial of one scene with one core.
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use specula_scene::{Frame, Needs, SceneError, parse};
 use specula_spec::CoreSpec;
 
-use super::asked::{Asked, Verdict};
-use super::measured::Measured;
-use super::row::{Ask, Case, Figure, Place};
+use super::measured::Measurements;
+use super::requirement::{Requirement, RowVerdict};
+use super::row::{Case, Figure, PixelPlace, RowRequirement};
 use super::scene::SpanScene;
 use super::variant::Variant;
 use specula_testbench::{Bench, BenchError, EngineKind};
 
-/// What came of it.
+/// The result of a trial.
 #[derive(Clone, Debug)]
 pub enum Tried {
-    /// The core is the same as that of options tried before.
+    /// The core is the same as with options that were tried before.
     Again,
-    /// There is no such core, for a reason that the user is told.
+    /// There is no such core, for a reason that the user would be told.
     Refused(String),
-    /// It ran, or broke.
-    Ran(Result<Box<Measured>, String>),
+    /// The core ran, or failed with this message.
+    Ran(Result<Box<Measurements>, String>),
 }
 
-/// A case as methods are tried on it.
+/// A case, prepared for trials with methods.
 pub struct Prepared<'a> {
     scene: &'a SpanScene,
-    asks: &'a [Ask],
+    requirements: &'a [RowRequirement],
     figure: Option<Figure>,
     frame: Frame,
     needs: Needs,
 }
 
 impl<'a> Prepared<'a> {
-    /// Reads the scene from its own text, so that what is tried is what the file says.
+    /// Parses the scene from its own text, so that the scene tried is the one that the file
+    /// describes.
     ///
     /// # Errors
-    /// [`SceneError`] if it is no scene.
+    /// [`SceneError`] if the text is not a scene.
     pub fn new(case: &'a Case) -> Result<Prepared<'a>, SceneError> {
-        Prepared::of(&case.scene, &case.asks, case.figure)
+        Prepared::of(&case.scene, &case.requirements, case.figure)
     }
 
     fn of(
         scene: &'a SpanScene,
-        asks: &'a [Ask],
+        requirements: &'a [RowRequirement],
         figure: Option<Figure>,
     ) -> Result<Prepared<'a>, SceneError> {
         let frame = parse("stress.toml", scene.text(""))?.frame;
         let needs = Needs::of(&frame);
-        Ok(Prepared { scene, asks, figure, frame, needs })
+        Ok(Prepared { scene, requirements, figure, frame, needs })
     }
 
     /// Tries a variant, unless its core is one of `before`, to which it is added.
@@ -58,7 +59,7 @@ impl<'a> Prepared<'a> {
             Err(error) => return Tried::Refused(error.to_string()),
         };
         before.push(spec.clone());
-        // A panic is a fault like another, and must not hide those of other rows.
+        // A panic is a fault, and must not hide those of other rows.
         match catch_unwind(AssertUnwindSafe(|| self.shade(&spec))) {
             Ok(Ok(measured)) => Tried::Ran(Ok(Box::new(measured))),
             Ok(Err(BenchError::TooWide(error))) => Tried::Refused(error.to_string()),
@@ -67,11 +68,11 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// The scene file in which a fault at `place`, or the error there, is to be seen: of its span
-    /// alone if that suffices.
-    pub fn reproducer(&self, variant: &Variant, place: Place, is_fault: bool) -> String {
+    /// The scene file that shows the fault or the error at `place`: only with its span if that is
+    /// enough.
+    pub fn reproducer(&self, variant: &Variant, place: PixelPlace, is_fault: bool) -> String {
         let alone = self.scene.only(place.span);
-        let is_as_bad = match Prepared::of(&alone, self.asks, self.figure)
+        let is_as_bad = match Prepared::of(&alone, self.requirements, self.figure)
             .map(|alone| alone.run(variant, &mut Vec::new()))
         {
             Ok(Tried::Ran(alone)) => !is_fault || alone.map_or(true, |alone| has_fault(&alone)),
@@ -80,16 +81,17 @@ impl<'a> Prepared<'a> {
         if is_as_bad { alone.text(&variant.core()) } else { self.scene.text(&variant.core()) }
     }
 
-    fn shade(&self, spec: &CoreSpec) -> Result<Measured, BenchError> {
+    fn shade(&self, spec: &CoreSpec) -> Result<Measurements, BenchError> {
         let bench = Bench::new(&self.frame, spec, "core")?;
         let outcome = bench.run(EngineKind::Fast, &mut |_, _| ())?;
-        let figure = self.figure.filter(|figure| (figure.of)(spec)).map(|figure| figure.lsb);
-        Ok(Measured::new(&bench, &outcome, self.asks, figure))
+        let figure =
+            self.figure.filter(|figure| (figure.applies_to)(spec)).map(|figure| figure.lsb);
+        Ok(Measurements::new(&bench, &outcome, self.requirements, figure))
     }
 }
 
-fn has_fault(measured: &Measured) -> bool {
-    measured.asked().iter().any(|asked: &Asked| asked.verdict() == Verdict::Fault)
+fn has_fault(measured: &Measurements) -> bool {
+    measured.asked().iter().any(|asked: &Requirement| asked.verdict() == RowVerdict::Fault)
 }
 
 #[cfg(test)]
@@ -101,14 +103,13 @@ mod tests {
     use super::super::scene::{RawSpan, matt};
     use super::*;
 
-    /// What is not wanted is found where it is, and its scene file has its span alone, with the
-    /// same core.
+    /// A fault is found in its place, and its scene file has only that span, with the same core.
     #[test]
     fn a_fault_is_found_and_made_small() {
         let span = |normal| RawSpan::between([normal; 2], 3, matt());
         let scene =
             SpanScene::new(&[DVec3::Z], vec![span(DVec3::Z), span(DVec3::X), span(DVec3::Z)]);
-        let case = Case::new(scene).asking("white", all, |pixel| pixel.code() == 255);
+        let case = Case::new(scene).requiring("white", all, |pixel| pixel.code() == 255);
         let (prepared, variant) =
             (Prepared::new(&case).expect("it is a scene"), Variant::default_of(Method::Phong));
         let Tried::Ran(Ok(measured)) = prepared.run(&variant, &mut Vec::new()) else {
@@ -118,15 +119,15 @@ mod tests {
         let fault = asked.iter().find(|asked| !asked.holds()).expect("it is dark in the middle");
         assert_eq!(
             (fault.what.as_str(), fault.place),
-            ("white", Some(Place { span: 1, pixel: 0 }))
+            ("white", Some(PixelPlace { span: 1, pixel: 0 }))
         );
-        let text = prepared.reproducer(&variant, Place { span: 1, pixel: 0 }, true);
+        let text = prepared.reproducer(&variant, PixelPlace { span: 1, pixel: 0 }, true);
         let loaded = parse("reproducer.toml", text).expect("it is a scene");
         assert_eq!((loaded.frame.spans.len(), loaded.frame.triangles[0].normals[0]), (1, DVec3::X));
         assert_eq!(loaded.core_spec(None).expect("phong shades it").method(), Method::Phong);
     }
 
-    /// The frame is the one of the file, to the last bit.
+    /// The frame that the file describes is the original one, to the last bit.
     #[test]
     fn scenes_are_read_as_they_are_written() {
         let mut draw = super::super::draw::Draw::new(5, 0);

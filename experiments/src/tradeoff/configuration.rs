@@ -1,26 +1,26 @@
-//! A method with formats: what one core of a sweep is built from.
+//! A method with formats, from which one core of a sweep is built.
 use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
 use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, Method, SceneCore};
 
-/// Fraction bits by which all formats of a core are finer than those that its method recommends for
-/// the scene; fewer where a format cannot follow so far.
+/// The number of fraction bits by which all formats of a core are finer than those that its method
+/// recommends for the scene; fewer for a format that may not have so many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Formats(i32);
 
-/// Names that formats can be asked for by.
+/// Names for formats on the command line.
 const NAMED: [(&str, Formats); 3] =
     [("narrow", Formats(-4)), ("default", Formats::DEFAULT), ("wide", Formats(2))];
 
 impl Formats {
-    /// What the method recommends for the scene.
+    /// The formats that the method recommends for the scene.
     pub const DEFAULT: Formats = Formats(0);
-    /// The most bits by which formats may differ from those recommended.
+    /// Largest number of bits by which formats may differ from those recommended.
     pub const MOST: i32 = 12;
 
-    /// Fraction bits more than recommended.
+    /// Number of fraction bits more than recommended.
     pub const fn added(self) -> i32 {
         self.0
     }
@@ -73,8 +73,8 @@ impl Configuration {
     /// the scene asks for.
     ///
     /// # Errors
-    /// Why there is none: the method does not serve the scene, or no format can be so much wider or
-    /// narrower.
+    /// The reason why there is none: the method cannot shade the scene, or no format can be so much
+    /// wider or narrower.
     pub fn spec(&self, scene: &LoadedScene) -> Result<CoreSpec, String> {
         let recommended = scene.core_spec(Some(self.method)).map_err(|error| error.to_string())?;
         if self.formats == Formats::DEFAULT {

@@ -1,32 +1,34 @@
-//! Clocks that a core takes for a frame.
+//! The clocks that a core takes for a frame.
 use serde::{Deserialize, Serialize};
 use specula_datapath::Design;
 use specula_scene::Frame;
 
-/// Bits of a span's set-up that the host hands over in a clock.
+/// Bits of a span's set-up that the host transfers in a clock.
 pub const WORD_BITS: u64 = 32;
 
-/// Clocks of a frame.
+/// The clocks for a frame.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FrameCycles {
-    /// Pixels shaded.
+    /// Number of pixels shaded.
     pub pixels: u64,
-    /// Spans that they are in.
+    /// Number of spans.
     pub spans: u64,
     /// Clocks from a pixel's entry to its exit.
     pub latency: u64,
-    /// Clocks in which a span's inputs are handed over, [`WORD_BITS`] in each; constants are not.
+    /// Clocks in which spans' inputs are transferred, [`WORD_BITS`] in each; constants are not
+    /// transferred.
     pub set_up: u64,
-    /// From the first pixel's entry to the last one's exit, with every span's inputs at hand.
+    /// Clocks from the first pixel's entry to the last one's exit, if every span's inputs are
+    /// present.
     pub shading: u64,
-    /// From the first word's arrival to the last pixel's exit, where a span's inputs are handed
-    /// over while the span before is shaded: a span shorter than its successor's set-up waits for
-    /// it.
+    /// Clocks from the first word's arrival to the last pixel's exit, if a span's inputs are
+    /// transferred while the previous span is shaded: a span shorter than its successor's set-up
+    /// has to wait for it.
     pub with_set_up: u64,
 }
 
 impl FrameCycles {
-    /// Of a frame through a core.
+    /// The clocks of a frame with a core.
     pub fn new(design: &Design, frame: &Frame) -> FrameCycles {
         let bits: u64 = design
             .inputs
@@ -43,7 +45,8 @@ impl FrameCycles {
         )
     }
 
-    /// `interval` clocks after a pixel the next one enters.
+    /// The clocks for spans of these lengths; the next pixel enters `interval` clocks after a
+    /// pixel.
     fn of(
         lengths: impl DoubleEndedIterator<Item = u64> + Clone,
         interval: u64,
@@ -51,7 +54,7 @@ impl FrameCycles {
         latency: u64,
     ) -> FrameCycles {
         let pixels: u64 = lengths.clone().sum();
-        // All but the last span have a successor to wait for.
+        // All spans but the last have a successor to wait for.
         let waits: u64 = lengths
             .clone()
             .rev()
@@ -70,12 +73,12 @@ impl FrameCycles {
         }
     }
 
-    /// Clocks for each pixel with every span's inputs at hand.
+    /// Clocks for each pixel, if every span's inputs are present.
     pub fn per_pixel(&self) -> f64 {
         self.shading as f64 / self.pixels.max(1) as f64
     }
 
-    /// Clocks for each pixel with set-up counted.
+    /// Clocks for each pixel, including set-up.
     pub fn per_pixel_with_set_up(&self) -> f64 {
         self.with_set_up as f64 / self.pixels.max(1) as f64
     }
@@ -89,8 +92,8 @@ mod tests {
     fn short_spans_wait_for_the_next_ones_inputs() {
         let cycles = FrameCycles::of([10, 2, 3, 1].into_iter(), 1, 4, 100);
         assert_eq!((cycles.pixels, cycles.spans, cycles.shading), (16, 4, 116));
-        // 4 clocks before the first, 2 between the second and the third, 1 between the third and
-        // the last.
+        // 4 clocks before the first span, 2 between the second and the third, 1 between the third
+        // and the last.
         assert_eq!(cycles.with_set_up, 116 + 4 + 2 + 1);
         assert_eq!(FrameCycles::of([10, 9].into_iter(), 1, 0, 5).with_set_up, 24);
     }

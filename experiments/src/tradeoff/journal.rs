@@ -1,4 +1,5 @@
-//! Results of a sweep, written down as they come: a line of JSON each, found again by spec.
+//! The journal of a sweep: results are written as they come, a line of JSON each, and found again
+//! by spec.
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Write as _};
 use std::fs::{File, OpenOptions};
@@ -16,10 +17,10 @@ use thiserror::Error;
 
 use super::Measured;
 
-/// The longest file of results that is read, in bytes; a result takes some thousand.
+/// Largest file of results that is read, in bytes; a result takes some thousand.
 pub const LONGEST_FILE: u64 = 64 << 20;
 
-/// Results that are known, and the file that holds them.
+/// The known results, and the file that contains them.
 #[derive(Debug)]
 pub struct Journal {
     path: PathBuf,
@@ -29,22 +30,22 @@ pub struct Journal {
 
 #[derive(Debug)]
 struct Open {
-    /// For appending.
+    /// The file, open for appending.
     file: File,
-    /// By their keys as JSON.
+    /// The results, by their keys as JSON.
     results: BTreeMap<String, Measured>,
 }
 
-/// A line that is no result.
+/// A line that is not a result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Damaged {
-    /// Its number, from 1 on.
+    /// Its number, from 1.
     pub line: usize,
     /// What is wrong with it.
     pub reason: String,
 }
 
-/// Why results cannot be kept.
+/// The reason why results cannot be kept.
 #[derive(Debug, Error, Diagnostic)]
 #[error("results cannot be kept in `{}`: {reason}", path.display())]
 #[diagnostic(
@@ -56,12 +57,12 @@ pub struct JournalError {
     reason: io::Error,
 }
 
-/// What a result belongs to, the core apart.
+/// The part of a result's key that does not concern the core.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct SceneKey {
-    /// Of Specula.
+    /// Version of Specula.
     version: String,
-    /// A hash of all that is shaded.
+    /// A hash of everything that is shaded.
     scene: String,
 }
 
@@ -78,26 +79,26 @@ struct Line {
     measured: Measured,
 }
 
-/// How every line begins.
+/// The beginning of every line.
 const LINE: &[u8] = b"{\"key\":{\"version\":";
 
 impl Journal {
-    /// Whether a file's bytes are a journal's: of one that was just begun none, of others those in
-    /// which a line is a result or a part of one.
+    /// Whether a file is a journal, judged by its bytes: a journal that was just begun is empty; in
+    /// any other, a line is a result or a part of one.
     pub fn has_written(bytes: &[u8]) -> bool {
         let is_result =
             |line: &[u8]| !line.is_empty() && line.iter().zip(LINE).all(|(a, b)| a == b);
         bytes.is_empty() || bytes.split(|&byte| byte == b'\n').any(is_result)
     }
 
-    /// How the name of a file begins that is written beside the journal `name`, whose place it then
-    /// takes. An interruption leaves it; it holds nothing that the journal does not.
-    pub fn beside(name: &str) -> String {
+    /// The beginning of the name of the file that is written next to the journal `name` before it
+    /// replaces it. An interruption may leave it; it contains nothing that the journal does not.
+    pub fn replacement_prefix(name: &str) -> String {
         format!(".{name}-")
     }
 
-    /// Opens the file, or begins it. Damaged lines are taken out of it, and told: what they held is
-    /// measured again.
+    /// Opens the file, or creates it. Damaged lines are removed from it and returned; their results
+    /// are measured again.
     ///
     /// # Errors
     /// [`JournalError`] if the file cannot be read or written.
@@ -114,7 +115,7 @@ impl Journal {
         begin().map_err(|reason| JournalError { path: path.to_owned(), reason })
     }
 
-    /// The result for a core on this scene, if it is known.
+    /// The result of a core on this scene, if it is known.
     ///
     /// # Errors
     /// [`JournalError`] if the spec cannot be put into JSON.
@@ -123,7 +124,7 @@ impl Journal {
         Ok(self.lock().results.get(&key).cloned())
     }
 
-    /// Writes a result down; when this returns it is in the file.
+    /// Adds a result; once this returns, the result is in the file.
     ///
     /// # Errors
     /// [`JournalError`] if the file cannot be written.
@@ -132,7 +133,8 @@ impl Journal {
         let write = || {
             let (key, text) = (json(&line.key)?, json(&line)?);
             let mut open = self.lock();
-            // In one piece: an interrupted program leaves a whole line, or a damaged last one.
+            // A line is written at once, so an interrupted program leaves a whole line or a damaged
+            // last one.
             open.file.write_all(format!("{text}\n").as_bytes())?;
             open.file.flush()?;
             open.results.insert(key, line.measured);
@@ -158,7 +160,7 @@ impl Journal {
         JournalError { path: self.path.clone(), reason }
     }
 
-    /// A thread that panicked has left whole lines.
+    /// Locks the journal; a thread that panicked has left whole lines.
     fn lock(&self) -> MutexGuard<'_, Open> {
         self.open.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -176,8 +178,8 @@ impl SceneKey {
     }
 }
 
-/// Hashes what is written into it. Another release of Rust may hash otherwise; what was known is
-/// measured again then.
+/// Hashes the bytes that are written into it. Another release of Rust may hash otherwise; then
+/// known results are measured again.
 struct Hash(DefaultHasher);
 
 impl fmt::Write for Hash {
@@ -187,7 +189,7 @@ impl fmt::Write for Hash {
     }
 }
 
-/// The results in a file, none if it is not there, and lines that are none.
+/// The results in a file, none if it does not exist, and the lines that are not results.
 fn read(path: &Path) -> io::Result<(BTreeMap<String, Measured>, Vec<Damaged>)> {
     let bytes = match read_regular(path, LONGEST_FILE) {
         Err(reason) if reason.is_missing() => return Ok(Default::default()),
@@ -195,7 +197,7 @@ fn read(path: &Path) -> io::Result<(BTreeMap<String, Measured>, Vec<Damaged>)> {
     };
     let (mut results, mut damaged) = (BTreeMap::new(), Vec::new());
     let mut lines: Vec<&[u8]> = bytes.split(|&byte| byte == b'\n').collect();
-    // What follows the last line's end: nothing, unless the program was interrupted while it wrote.
+    // Nothing follows the end of the last line, unless the program was interrupted while it wrote.
     let rest = lines.pop().filter(|rest| !rest.is_empty());
     for (number, line) in lines.into_iter().enumerate() {
         match parsed(line) {
@@ -213,20 +215,20 @@ fn parsed(line: &[u8]) -> serde_json::Result<(String, Measured)> {
     Ok((serde_json::to_string(&key)?, measured))
 }
 
-/// Writes the file anew: beside itself first, so that an interruption loses nothing.
+/// Rewrites the file: first under another name next to it, so that an interruption loses nothing.
 fn rewrite(path: &Path, results: &BTreeMap<String, Measured>) -> io::Result<()> {
-    let mut beside = file_beside(path)?;
+    let mut beside = replacement_file(path)?;
     beside.write_all(text(results)?.as_bytes())?;
     beside.persist(path)?;
     Ok(())
 }
 
-/// An empty file that tells by its name whose place it will take.
-fn file_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
+/// An empty file whose name says which file it will replace.
+fn replacement_file(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     tempfile::Builder::new()
-        .prefix(&Journal::beside(&name))
+        .prefix(&Journal::replacement_prefix(&name))
         .tempfile_in(folder.unwrap_or(Path::new(".")))
 }
 
@@ -296,7 +298,7 @@ mod tests {
     #[test]
     fn what_takes_a_journals_place_is_known_by_its_name() {
         let folder = tempfile::tempdir().unwrap();
-        let beside = file_beside(&folder.path().join("results.jsonl")).unwrap();
+        let beside = replacement_file(&folder.path().join("results.jsonl")).unwrap();
         let name = beside.path().file_name().unwrap().to_string_lossy();
         assert!(name.starts_with(".results.jsonl-") && name.len() > 15, "{name}");
         assert_eq!(beside.path().parent(), Some(folder.path()));

@@ -1,4 +1,4 @@
-//! What is measured of one core.
+//! Measurements of one core.
 use serde::{Deserialize, Serialize};
 use specula_datapath::design::Size;
 use specula_scene::LoadedScene;
@@ -8,22 +8,22 @@ use super::cycles::FrameCycles;
 use super::surface;
 use specula_testbench::{Bench, BenchError, EngineKind, ErrorFigures, Errors};
 
-/// What a simulation of all pixels, and the design, say of a core.
+/// The results of simulating all pixels with a core, and figures of its design.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
-    /// Whether every pixel is the bit-true model's, each in its clock, every stated fact held, and
-    /// no quantisation error is above its bound.
+    /// Whether every pixel is the bit-true model's and leaves in its clock, every stated fact held,
+    /// and no quantisation error is above its bound.
     pub agrees: bool,
-    /// Against exact shading: of all, of the method, and of quantisation.
+    /// Errors against exact shading: total, of the method, and of quantisation.
     pub errors: Errors,
-    /// The core's codes against exact shading with the true surface's normals, over the pixels of
-    /// objects whose surface is known.
+    /// Errors of the core's codes against exact shading with the true surface's normals, over the
+    /// pixels of objects whose surface is known.
     pub surface: Option<ErrorFigures>,
-    /// Proven bound on the quantisation error; none if no finite one can be proven.
+    /// Proven bound on the quantisation error; `None` if there is no finite one.
     pub bound_lsb: Option<f64>,
-    /// Clocks of the frame.
+    /// Clocks for the frame.
     pub cycles: FrameCycles,
-    /// What the core is made of.
+    /// The size of the core.
     pub size: Size,
 }
 
@@ -46,7 +46,7 @@ impl Measured {
         })
     }
 
-    /// What is wrong where not all of that is so.
+    /// What is wrong, if not all of that holds.
     pub fn disagreement(&self) -> Option<String> {
         if self.agrees {
             return None;
@@ -63,9 +63,9 @@ impl Measured {
         Some(beyond.map_or_else(|| otherwise.to_owned(), of_bound))
     }
 
-    /// Full adders that its arithmetic is made of: one for each bit of an adder, and w1·w2 for a
-    /// product of w1 and w2 bits, as an array multiplier has. One number for what multipliers and
-    /// adders take; registers and tables stand apart.
+    /// Full adders of its arithmetic: one for each bit of an adder, and w1·w2 for a product of w1
+    /// and w2 bits, as an array multiplier has. It is one number for multipliers and adders;
+    /// registers and tables are not included.
     pub fn full_adders(&self) -> u64 {
         self.size.multiplier_bits + self.size.adder_bits
     }

@@ -1,23 +1,23 @@
 //! Error against run time and size: methods × formats on one scene, in hardware, and the papers'
 //! loops in software.
 //!
-//! A [`Configuration`] becomes a core; [`Measured`] is what every pixel of its simulation, its
-//! cycles and its design say of it. A [`Journal`] keeps results by spec, so that a sweep goes on
-//! where it was interrupted.
+//! A [`Configuration`] becomes a core; [`Measured`] contains the results of simulating every pixel,
+//! its cycles and figures of its design. A [`Journal`] keeps results by spec, so that an
+//! interrupted sweep can be continued.
 mod configuration;
-mod counterpart;
 mod cycles;
 mod journal;
 mod measured;
 pub mod software;
+mod software_equivalent;
 mod surface;
 mod sweep;
 mod thread_clock;
 
 pub use configuration::{Configuration, Formats};
-pub use counterpart::counterpart;
 pub use cycles::{FrameCycles, WORD_BITS};
 pub use journal::{Damaged, Journal, JournalError};
 pub use measured::Measured;
+pub use software_equivalent::software_equivalent;
 pub use surface::interpolation_errors;
-pub use sweep::{Measurement, Planned, Row, SweepError, plan, sweep};
+pub use sweep::{Measurement, Planned, SweepError, SweepResult, plan, sweep};

@@ -4,70 +4,70 @@ use std::hint::black_box;
 use rayon::prelude::*;
 use serde::Serialize;
 use specula_golden::exact::PhongSpan;
-use specula_golden::software::{METHODS, Mesh, Method};
+use specula_golden::loops::software::{METHODS, Mesh, Method};
 use specula_scene::Frame;
 
 use super::thread_clock;
 use specula_testbench::ErrorFigures;
 use specula_testbench::statistics::{Sums, median};
 
-/// A loop, measured.
+/// The measurements of a loop.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Software {
     /// Its name.
     pub name: &'static str,
-    /// Nanoseconds for each pixel, set-up apart: the median of the rounds.
+    /// Nanoseconds for each pixel, without set-up: the median of the rounds.
     pub pixel_ns: f64,
-    /// Nanoseconds to set a span up, with its share of what is worked out once for the frame: the
-    /// median of the rounds.
+    /// Nanoseconds to set a span up, including its share of what is computed once for the frame:
+    /// the median of the rounds.
     pub set_up_ns: f64,
-    /// Both for each pixel of the frame: the median of the rounds.
+    /// Nanoseconds for both, for each pixel of the frame: the median of the rounds.
     pub total_ns: f64,
     /// `total_ns` as a multiple of naive Phong shading's: the median of the ratios in each round,
-    /// in which all run one after another.
+    /// in which all loops run one after another.
     pub ratio_to_phong: f64,
-    /// Against exact shading; before rounding to 8 bits.
+    /// Errors against exact shading, before rounding to 8 bits.
     pub error: ErrorFigures,
 }
 
-/// The loops that others are compared with: the lecture's naive Phong shading, and the same with
+/// The loops with which others are compared: the lecture's naive Phong shading, and the same with
 /// lights and an eye at places.
 const NAIVE: [&str; 2] = ["phong", "phong-places"];
 
-/// How much is measured.
+/// The extent of a measurement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extent {
-    /// Rounds, at least 1, in each of which every loop shades the frame.
+pub struct TimingExtent {
+    /// Number of rounds, at least 1, in each of which every loop shades the frame.
     pub rounds: usize,
-    /// Pixels of a loop's turn, at least; small frames are shaded several times.
+    /// Least number of pixels that a loop shades in a round; small frames are shaded several times.
     pub pixels: u64,
 }
 
-impl Default for Extent {
-    fn default() -> Extent {
-        Extent { rounds: 11, pixels: 100_000 }
+impl Default for TimingExtent {
+    fn default() -> TimingExtent {
+        TimingExtent { rounds: 11, pixels: 100_000 }
     }
 }
 
-/// Spans that are set up before they are shaded: few enough to stay in the cache, enough for the
-/// clock, which takes some 300 ns to read.
+/// Number of spans that are set up before they are shaded: few enough to stay in the cache, enough
+/// for the clock, which takes some 300 ns to read.
 const BLOCK: usize = 512;
 
-/// Measures every loop on one thread, in time that it has a processor. Rounds are interleaved, so
-/// that what slows the machine down for a while slows down all of them. `done` is told after each
-/// round.
+/// Measures every loop on one thread, in time during which the thread has a processor. Rounds are
+/// interleaved, so that a temporary slowdown of the machine affects all loops. `done` is called
+/// after each round.
 ///
-/// Those are measured that do what the frame asks for: some have lights and eye at infinity alone,
+/// Only loops that do what the frame needs are measured: some require lights and eye at infinity,
 /// others are of interest only where they are not.
-pub fn measure(frame: &Frame, extent: Extent, done: &mut dyn FnMut()) -> Vec<Software> {
+pub fn measure(frame: &Frame, extent: TimingExtent, done: &mut dyn FnMut()) -> Vec<Software> {
     let methods: Vec<Method> = METHODS.into_iter().filter(|method| method.serves(frame)).collect();
     let mesh = Mesh::of(frame);
     let times = (extent.pixels / frame.shaded_pixels().max(1)).max(1);
     let mut turns = vec![Vec::new(); methods.len()];
-    // The first round warms up.
+    // The first round is a warm-up.
     for round in 0..=extent.rounds.max(1) {
         for (method, turns) in methods.iter().zip(&mut turns) {
-            let turn = Turn::take(method, &mesh, times);
+            let turn = FrameTime::take(method, &mesh, times);
             turns.extend((round > 0).then_some(turn));
         }
         done();
@@ -76,7 +76,7 @@ pub fn measure(frame: &Frame, extent: Extent, done: &mut dyn FnMut()) -> Vec<Sof
     let naive = naive.map(|number| turns[number].clone()).unwrap_or_default();
     let errors: Vec<ErrorFigures> =
         methods.par_iter().map(|method| errors(method, &mesh)).collect();
-    let row = |((method, turns), error): ((&Method, &Vec<Turn>), ErrorFigures)| {
+    let row = |((method, turns), error): ((&Method, &Vec<FrameTime>), ErrorFigures)| {
         row(method.name, (turns, &naive), frame, error)
     };
     methods.iter().zip(&turns).zip(errors).map(row).collect()
@@ -84,38 +84,38 @@ pub fn measure(frame: &Frame, extent: Extent, done: &mut dyn FnMut()) -> Vec<Sof
 
 fn row(
     name: &'static str,
-    (turns, naive): (&[Turn], &[Turn]),
+    (turns, naive): (&[FrameTime], &[FrameTime]),
     frame: &Frame,
     error: ErrorFigures,
 ) -> Software {
     let (pixels, spans) = (frame.shaded_pixels().max(1) as f64, frame.spans.len().max(1) as f64);
-    let of = |part: fn(&Turn) -> f64| median(&turns.iter().map(part).collect::<Vec<f64>>());
+    let of = |part: fn(&FrameTime) -> f64| median(&turns.iter().map(part).collect::<Vec<f64>>());
     let ratios: Vec<f64> =
         turns.iter().zip(naive).map(|(turn, naive)| turn.total() / naive.total()).collect();
     Software {
         name,
         pixel_ns: of(|turn| turn.shading) * 1e9 / pixels,
         set_up_ns: of(|turn| turn.set_up) * 1e9 / spans,
-        total_ns: of(Turn::total) * 1e9 / pixels,
+        total_ns: of(FrameTime::total) * 1e9 / pixels,
         ratio_to_phong: median(&ratios),
         error,
     }
 }
 
-/// Seconds for the frame once.
+/// Seconds for shading the frame once.
 #[derive(Clone, Copy, Debug)]
-struct Turn {
+struct FrameTime {
     set_up: f64,
     shading: f64,
 }
 
-impl Turn {
+impl FrameTime {
     /// Shades the frame `times` times.
-    fn take(method: &Method, mesh: &Mesh, times: u64) -> Turn {
+    fn take(method: &Method, mesh: &Mesh, times: u64) -> FrameTime {
         let frame = mesh.frame;
         let longest = frame.spans.iter().map(|span| span.length).max().unwrap_or(0);
         let mut out = vec![[0.0f32; 3]; longest as usize];
-        let mut turn = Turn { set_up: 0.0, shading: 0.0 };
+        let mut turn = FrameTime { set_up: 0.0, shading: 0.0 };
         for _ in 0..times {
             let begin = thread_clock::now();
             let mut software = (method.of_mesh)(mesh);
@@ -133,7 +133,7 @@ impl Turn {
                 turn.set_up += (middle - begin).as_secs_f64();
             }
         }
-        Turn { set_up: turn.set_up / times as f64, shading: turn.shading / times as f64 }
+        FrameTime { set_up: turn.set_up / times as f64, shading: turn.shading / times as f64 }
     }
 
     fn total(&self) -> f64 {
@@ -162,7 +162,7 @@ fn errors(method: &Method, mesh: &Mesh) -> ErrorFigures {
 mod tests {
     use super::*;
 
-    const SHORT: Extent = Extent { rounds: 3, pixels: 2000 };
+    const SHORT: TimingExtent = TimingExtent { rounds: 3, pixels: 2000 };
 
     #[test]
     fn every_loop_is_timed_and_naive_phong_is_the_yardstick() {
@@ -181,19 +181,19 @@ mod tests {
         assert!(of("phong").error.max_lsb < 0.05 && of("gouraud").error.max_lsb > 1.0, "{rows:?}");
     }
 
-    /// What the lecture teaches Gouraud's shading for: intensities are worked out at vertices
-    /// alone. Triangles are large, as set-up of spans of a pixel or two costs more than they do.
+    /// The lecture teaches Gouraud shading because intensities are computed only at vertices.
+    /// Triangles are large here, since the set-up of spans of a pixel or two would cost more.
     #[test]
     fn gouraud_shading_is_faster_than_naive_phong_shading() {
         let scene = specula_scene::load("icosahedron", Some((160, 120))).unwrap();
-        let rows = measure(&scene.frame, Extent { rounds: 5, pixels: 1 }, &mut || ());
+        let rows = measure(&scene.frame, TimingExtent { rounds: 5, pixels: 1 }, &mut || ());
         let of = |name: &str| rows.iter().find(|row| row.name == name).unwrap();
         for name in ["uniform", "gouraud"] {
             assert!(of(name).ratio_to_phong < 0.8, "{:?} {:?}", of(name), of("phong"));
         }
     }
 
-    /// Lights and an eye at places: loops that have them, and no others.
+    /// For lights and an eye at places, only the loops that support them are measured.
     #[test]
     fn lights_at_places_have_loops_of_their_own() {
         let scene = specula_scene::load("lamps", Some((32, 24))).unwrap();

@@ -1,23 +1,23 @@
-//! Errors against what a smooth surface would look like, where the surface of a mesh is known.
+//! Errors against exact shading of a smooth surface, where the surface of a mesh is known.
 use specula_golden::exact::PhongSpan;
 use specula_scene::{LoadedScene, Span};
 
 use specula_testbench::statistics::Sums;
 use specula_testbench::{ErrorFigures, Image};
 
-/// The picture's errors against exact shading with the true surface's normals; none where no
-/// surface is known.
+/// The picture's errors against exact shading with the true surface's normals; `None` if no surface
+/// is known.
 pub(super) fn errors(scene: &LoadedScene, picture: &Image) -> Option<ErrorFigures> {
     against_surface(scene, |span, _, pixel| picture.run(span)[pixel as usize].map(f64::from))
 }
 
-/// What interpolation itself is off: exact shading with interpolated normals against exact shading
-/// with the true surface's.
+/// The errors of interpolation itself: exact shading with interpolated normals against exact
+/// shading with the true surface's.
 pub fn interpolation_errors(scene: &LoadedScene) -> Option<ErrorFigures> {
     against_surface(scene, |_, phong, pixel| phong.pixel(pixel))
 }
 
-/// What is given at a pixel of a span, whose exact shading stands by.
+/// The value to compare at a pixel of a span, given the span and its exact shading.
 trait Given: Fn(&Span, &PhongSpan, u32) -> [f64; 3] + Sync {}
 
 impl<T: Fn(&Span, &PhongSpan, u32) -> [f64; 3] + Sync> Given for T {}
@@ -52,7 +52,7 @@ fn of_span(scene: &LoadedScene, span: &Span, given: &impl Given) -> Sums {
 mod tests {
     use super::*;
 
-    /// Finer spheres are nearer to round ones, by the square of the level; a teapot has no known
+    /// Finer spheres approach round ones with the square of the level; a teapot has no known
     /// surface.
     #[test]
     fn interpolation_converges_to_the_surface() {

@@ -1,4 +1,4 @@
-//! All configurations of a sweep, in parallel.
+//! Runs all configurations of a sweep in parallel.
 use miette::Diagnostic;
 use rayon::prelude::*;
 use specula_scene::LoadedScene;
@@ -13,16 +13,16 @@ use specula_testbench::BenchError;
 pub struct Planned {
     /// The configuration.
     pub configuration: Configuration,
-    /// Its core, or why there is none.
+    /// Its core, or the reason why there is none.
     pub spec: Result<CoreSpec, String>,
 }
 
-/// A configuration and what came of it.
+/// A configuration and its result.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct SweepResult {
     /// The configuration.
     pub configuration: Configuration,
-    /// Its measurement, or why there is none.
+    /// Its measurement, or the reason why there is none.
     pub result: Result<Measurement, String>,
 }
 
@@ -31,22 +31,22 @@ pub struct Row {
 pub struct Measurement {
     /// The core.
     pub spec: CoreSpec,
-    /// What was measured.
+    /// The measured figures.
     pub measured: Measured,
-    /// Whether the journal knew it.
+    /// Whether the journal contained it.
     pub known: bool,
 }
 
-/// Why a sweep was not finished.
+/// The reason why a sweep was not finished.
 #[derive(Debug, Error, Diagnostic)]
 pub enum SweepError {
     /// A core cannot be simulated.
     #[error("{configuration}: {source}")]
     #[diagnostic(code(specula::compare::bench))]
     Bench {
-        /// Which one.
+        /// The configuration of that core.
         configuration: Configuration,
-        /// Why not.
+        /// The reason.
         source: BenchError,
     },
     /// Results cannot be kept.
@@ -62,8 +62,8 @@ pub fn plan(scene: &LoadedScene, configurations: Vec<Configuration>) -> Vec<Plan
     configurations.into_par_iter().map(planned).collect()
 }
 
-/// Measures every core that `journal` does not know yet. `done` is told of each one when its result
-/// is there.
+/// Measures every core whose result is not in `journal`. `done` is called for each one as soon as
+/// its result exists.
 ///
 /// # Errors
 /// [`SweepError`] if a core cannot be simulated or a result cannot be written down.
@@ -72,14 +72,14 @@ pub fn sweep(
     planned: Vec<Planned>,
     journal: &Journal,
     done: &(dyn Fn(&Configuration) + Sync),
-) -> Result<Vec<Row>, SweepError> {
+) -> Result<Vec<SweepResult>, SweepError> {
     let row = |Planned { configuration, spec }| {
         let result = match spec {
             Ok(spec) => measured(scene, configuration, spec, journal)?,
             Err(refusal) => Err(refusal),
         };
         done(&configuration);
-        Ok(Row { configuration, result })
+        Ok(SweepResult { configuration, result })
     };
     planned.into_par_iter().map(row).collect()
 }

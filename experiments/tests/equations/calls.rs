@@ -275,8 +275,8 @@ impl<'ast> Visit<'ast> for Names {
 #[test]
 fn calls_are_told_from_names() {
     let source = "
-        use crate::exact::wrap::{error, wrap};
-        use crate::exact::shape;
+        use crate::exact::formula::wrap::{error, wrap};
+        use crate::exact::formula::shape;
         pub fn claim() { let _ = f(error); shape::power(1.0, 2); hidden(chord); let chord = 1; }
         /// wrap(1)
         fn text() -> &'static str { \"wrap(2)\" }

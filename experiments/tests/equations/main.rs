@@ -12,7 +12,7 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 /// repository's root.
 const FOLDERS: [(&str, &str); 4] = [
     ("exact", "golden/src/exact"),
-    ("loop", "golden/src/recurrence"),
+    ("loop", "golden/src/loops"),
     ("fixed", "golden/src/fixed"),
     ("hdl", "hdl/src"),
 ];
@@ -245,7 +245,7 @@ fn every_row_can_be_run_as_it_says() {
             quoted(&cell.text).into_iter().filter_map(|option| option.split_once(" = "))
         {
             let known = |method: &Method| {
-                method.choices().iter().any(|c| c.key == key && c.values.contains(&value))
+                method.option_domains().iter().any(|c| c.key == key && c.values.contains(&value))
             };
             let of_a_light = ["kind", "viewer"].contains(&key);
             let inherited = methods.is_empty() && Method::ALL.iter().any(known);

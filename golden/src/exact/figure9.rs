@@ -2,29 +2,29 @@
 use glam::DVec3;
 use specula_spec::FULL_SCALE;
 
-use super::diffuse::lambert;
-use super::distributions::{Formulation, formulation};
+use super::formula::diffuse::lambert;
+use super::formula::distributions::{Formulation, formulation};
 
 /// The exponent n of each ball, from the left.
 pub const EXPONENTS: [u32; 5] = [1, 4, 16, 64, 256];
 /// Diffuse reflectance of every ball, in LSBs.
 pub const DIFFUSE: f64 = 35.0;
-/// What lies between the balls, in LSBs.
+/// Colour between the balls, in LSBs.
 pub const BACKGROUND: f64 = FULL_SCALE;
 /// Reflectance of the last ball's highlight, in LSBs.
 const BRIGHTEST_SPECULAR: f64 = 400.0;
 
-/// Reflectance of a ball's highlight, in LSBs; of the last two balls it is above full scale.
+/// Reflectance of a ball's highlight, in LSBs; for the last two balls it exceeds full scale.
 pub fn specular(ball: usize) -> f64 {
     BRIGHTEST_SPECULAR * (f64::from(EXPONENTS[ball]) / 256.0).powf(0.25)
 }
 
-/// The lights: right, high and behind; right, low and in front.
+/// The lights: one from the right, high and behind; one from the right, low and in front.
 pub fn lights() -> [DVec3; 2] {
     [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, -1.0, 1.0)].map(|l| l / 3.0_f64.sqrt())
 }
 
-/// What a pixel of a ball shows with a formula, in LSBs, above full scale too.
+/// The colour of a pixel of a ball with a formula, in LSBs, not clamped to full scale.
 pub fn colour(row: Formulation, normal: DVec3, ball: usize) -> f64 {
     let (n, specular) = (EXPONENTS[ball], specular(ball));
     let of_light =
@@ -32,7 +32,7 @@ pub fn colour(row: Formulation, normal: DVec3, ball: usize) -> f64 {
     lights().map(of_light).iter().sum()
 }
 
-/// The balls in one row of the figure, as one formula shades them.
+/// The balls in one row of the figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Balls {
     /// Radius of a ball in pixels, Lyon's m: 64 in the report.
@@ -40,36 +40,37 @@ pub struct Balls {
 }
 
 impl Balls {
-    /// The largest balls of which a row is no larger than so many pixels, if there are any.
+    /// The largest balls of which a row is no larger than `width` times `height` pixels, if there
+    /// are any.
     pub fn within(width: u32, height: u32) -> Option<Balls> {
         let across = width.saturating_sub(1) / (1 + EXPONENTS.len() as u32);
         let radius = across.min(height.saturating_sub(1) / 2);
         (radius > 0).then_some(Balls { radius })
     }
 
-    /// Pixels across: balls are one radius apart.
+    /// Width of a row in pixels: balls are one radius apart.
     pub fn width(self) -> u32 {
         (1 + EXPONENTS.len() as u32) * self.radius + 1
     }
 
-    /// Pixels from the lowest to the highest.
+    /// Height of a row in pixels.
     pub fn height(self) -> u32 {
         2 * self.radius + 1
     }
 
-    /// Pixels by which rows of the figure are apart, one and a half radii: the upper part of each
-    /// lies over the lower part of the next.
+    /// Distance of the figure's rows in pixels, one and a half radii: the upper part of each row
+    /// covers the lower part of the next.
     pub fn apart(self) -> u32 {
         2 * self.radius - self.radius / 2
     }
 
-    /// Pixels from the bottom of the figure's first row to the top of its last.
+    /// Height of the figure in pixels, from the bottom of its first row to the top of its last.
     pub fn height_of_all(self) -> u32 {
         self.height() + (Formulation::ALL.len() as u32 - 1) * self.apart()
     }
 
-    /// The normal at a pixel, counted from the left and from below, and the number of its ball: the
-    /// first from the left that covers it.
+    /// The normal at a pixel, counted from the left and from below, and the number of its ball,
+    /// which is the first from the left that covers the pixel.
     pub fn at(self, column: u32, row: u32) -> Option<(DVec3, usize)> {
         let radius = f64::from(self.radius);
         let place = |pixel: u32| (0.5 + f64::from(pixel) - radius) / radius;

@@ -1,5 +1,5 @@
 //! From amounts of light to an 8-bit code.
-use specula_spec::{CoreSpec, Format};
+use specula_spec::{CoreParameters, Format};
 
 use super::number::{Wide, round_to};
 use super::observer::Observer;
@@ -38,7 +38,7 @@ impl Colour {
 
 /// Format of the sum: 2·lights + 1 ≤ 9 terms, of coefficient times amount < 2, need 5 integer bits
 /// above the coefficient's.
-pub(super) fn sum_format(core: &CoreSpec, diffuse: Format, specular: Format) -> Format {
+pub(super) fn sum_format(core: &CoreParameters, diffuse: Format, specular: Format) -> Format {
     let fraction_bits =
         core.coefficient.fraction_bits + diffuse.fraction_bits.max(specular.fraction_bits);
     Format::unsigned(core.coefficient.integer_bits + 5, fraction_bits)

@@ -1,20 +1,19 @@
 //! `consistent`, bit for bit [Reshetov, Soupikov and Mark; methods D;
 //! `docs/arithmetic/consistent.md`].
 use specula_spec::consistent::{
-    ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse,
-    Highlight, LARGEST_ANGLE,
+    ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpan, ConsistentSpec, Curve,
+    Diffuse, Highlight, LARGEST_ANGLE,
 };
-use specula_spec::{CoreSpec, Format, InputPort, Linear};
+use specula_spec::{CoreParameters, Format, Linear};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::{Wide, round_down, round_quotient, round_root, round_to, round_up};
-use super::observer::{Observer, OfLight, narrow, narrow_vector};
+use super::observer::{Observer, narrow, narrow_vector};
 use super::packet;
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
+use super::span_extent::SpanExtent;
 use super::vector::{Vector, dot};
 
 /// V = (0, 0, 1).
@@ -33,20 +32,16 @@ pub(super) struct Consistent {
     highlight: Highlight,
     power: Raised,
     formats: ConsistentFormats,
-    colour: Format,
-    ports: ConsistentInputs<InputPort>,
 }
 
 impl Consistent {
-    pub fn new(core: &CoreSpec, consistent: &ConsistentSpec) -> Consistent {
+    pub fn new(core: &CoreParameters, consistent: &ConsistentSpec) -> Consistent {
         Consistent {
             curve: consistent.curve,
             diffuse: consistent.diffuse,
             highlight: consistent.highlight,
             power: Raised::new(core, consistent.power_unit()),
             formats: consistent.formats.clone(),
-            colour: sum_format(core, consistent.formats.diffuse, consistent.power_unit().format()),
-            ports: consistent.inputs(core),
         }
     }
 }
@@ -65,23 +60,37 @@ struct Reflection {
     r: Vector,
 }
 
-impl Method for Consistent {
-    type Inputs = ConsistentInputs<Wide>;
-    type State = ();
+/// What the lights have in common at one pixel.
+pub(super) struct Pixel {
+    mirror: Mirror,
+    /// Of the eye.
+    reflection: Reflection,
+    exponent: Wide,
+}
 
-    fn read(&self, mut values: Values<'_>) -> ConsistentInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+impl Method for Consistent {
+    type Span = ConsistentSpan<Wide>;
+    type Light = ConsistentLight<Wide>;
+    type State = ();
+    type Pixel = Pixel;
+
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.diffuse, specular: self.power.format() }
     }
 
-    fn check(&self, inputs: &ConsistentInputs<Wide>, course: Course) -> Result<(), PacketError> {
+    fn check(
+        &self,
+        inputs: &ConsistentInputs<Wide>,
+        extent: SpanExtent,
+    ) -> Result<(), PacketError> {
         let f = &self.formats;
         packet::check_ends(
             format_args!("normal"),
-            (&inputs.normal_start, &inputs.normal_delta),
+            (&inputs.span.normal_start, &inputs.span.normal_delta),
             Wide::ONE,
             f.vector,
         )?;
-        for (i, light) in inputs.lights.iter().enumerate() {
+        for (i, light) in inputs.lights.iter().map(|inputs| &inputs.light).enumerate() {
             packet::check_length(
                 format_args!("light{i}_direction"),
                 &light.direction,
@@ -91,9 +100,9 @@ impl Method for Consistent {
             let halfway = light.halfway.unwrap_or_default();
             packet::check_length(format_args!("light{i}_halfway"), &halfway, Wide::ONE, f.vector)?;
         }
-        course.weight(inputs.weight_step, f.weight_accumulator)?;
-        let angle = Linear { start: inputs.angle_start, step: inputs.angle_step };
-        course.rounded_up(
+        extent.weight(inputs.span.weight_step, f.weight_accumulator)?;
+        let angle = Linear { start: inputs.span.angle_start, step: inputs.span.angle_step };
+        extent.rounded_up(
             format_args!("angle"),
             &angle,
             f.angle_accumulator,
@@ -103,22 +112,26 @@ impl Method for Consistent {
 
     fn pixel(
         &self,
-        inputs: &ConsistentInputs<Wide>,
+        span: &ConsistentSpan<Wide>,
         (): (),
         i: u32,
         observer: &mut impl Observer,
-    ) -> [u8; 3] {
-        let (normal, has_direction) = self.normal(inputs, i, observer);
-        let mirror = Mirror { normal, q: self.contraction(inputs, i, observer), has_direction };
+    ) -> Pixel {
+        let (normal, has_direction) = self.normal(span, i, observer);
+        let mirror = Mirror { normal, q: self.contraction(span, i, observer), has_direction };
         let reflection = self.reflection("", &mirror, &EYE, observer);
-        let mut colour = Colour::ambient(inputs.ambient);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            colour.add(&light.diffuse, self.diffuse(&mirror, light, &mut observer));
-            let base = self.base(&mirror, &reflection, light, &mut observer);
-            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
-        }
-        colour.code(self.colour, observer)
+        Pixel { mirror, reflection, exponent: span.exponent }
+    }
+
+    fn light(
+        &self,
+        pixel: &Pixel,
+        light: &ConsistentLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let diffuse = self.diffuse(&pixel.mirror, light, observer);
+        let base = self.base(&pixel.mirror, &pixel.reflection, light, observer);
+        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }
 
@@ -126,16 +139,16 @@ impl Consistent {
     /// n = N'/|N'| with N' = N0 + a (N1 - N0), and whether N' has a direction.
     fn normal(
         &self,
-        inputs: &ConsistentInputs<Wide>,
+        span: &ConsistentSpan<Wide>,
         i: u32,
         observer: &mut impl Observer,
     ) -> (Vector, bool) {
         let f = &self.formats;
-        let accumulated = Wide::from_num(i) * inputs.weight_step;
+        let accumulated = Wide::from_num(i) * span.weight_step;
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
         let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
         let lerp: Vector =
-            std::array::from_fn(|c| inputs.normal_start[c] + weight * inputs.normal_delta[c]);
+            std::array::from_fn(|c| span.normal_start[c] + weight * span.normal_delta[c]);
         let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
         let z = narrow(
             observer,
@@ -154,12 +167,12 @@ impl Consistent {
     /// q at t, both on the safe side.
     fn contraction(
         &self,
-        inputs: &ConsistentInputs<Wide>,
+        span: &ConsistentSpan<Wide>,
         i: u32,
         observer: &mut impl Observer,
     ) -> Wide {
         let f = &self.formats;
-        let accumulated = inputs.angle_start + Wide::from_num(i) * inputs.angle_step;
+        let accumulated = span.angle_start + Wide::from_num(i) * span.angle_step;
         observer.see(format_args!("angle_accumulator"), accumulated, f.angle_accumulator);
         let t = round_up(accumulated, f.angle.fraction_bits).min(Wide::ONE);
         observer.see(format_args!("angle"), t, f.angle);

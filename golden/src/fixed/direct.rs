@@ -1,15 +1,16 @@
 //! `direct`, bit for bit [lecture, eq. 4.3 to 4.6; methods A6, A7; `docs/arithmetic/direct.md`].
-use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root};
-use specula_spec::{CoreSpec, Format, InputPort};
+use specula_spec::direct::{
+    DirectFormats, DirectInputs, DirectLight, DirectSpan, DirectSpec, Ends, Root,
+};
+use specula_spec::{CoreParameters, Format};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::{Wide, round_quotient, round_to};
-use super::observer::{Nobody, Observer, OfLight, narrow};
+use super::observer::{Nobody, Observer, narrow};
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
+use super::span_extent::SpanExtent;
 
 /// The method in one core's formats.
 pub(super) struct Direct {
@@ -17,12 +18,10 @@ pub(super) struct Direct {
     newton_steps: u32,
     power: Raised,
     formats: DirectFormats,
-    colour: Format,
-    ports: DirectInputs<InputPort>,
 }
 
 /// What the lights have in common at one pixel.
-struct Pixel {
+pub(super) struct Pixel {
     t: Wide,
     q: Wide,
     s: Wide,
@@ -32,37 +31,37 @@ struct Pixel {
 }
 
 impl Direct {
-    pub fn new(core: &CoreSpec, direct: &DirectSpec) -> Direct {
+    pub fn new(core: &CoreParameters, direct: &DirectSpec) -> Direct {
         Direct {
             root: direct.root,
             newton_steps: direct.newton_steps,
             power: Raised::new(core, direct.power_unit()),
             formats: direct.formats.clone(),
-            colour: sum_format(core, direct.formats.diffuse, direct.power_unit().format()),
-            ports: direct.inputs(core),
         }
     }
 }
 
 impl Method for Direct {
-    type Inputs = DirectInputs<Wide>;
+    type Span = DirectSpan<Wide>;
+    type Light = DirectLight<Wide>;
     /// d, the length of the normal by Newton's method.
     type State = Wide;
+    type Pixel = Pixel;
 
-    fn read(&self, mut values: Values<'_>) -> DirectInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.diffuse, specular: self.power.format() }
     }
 
     /// With t below 2, q, 1/√q and scalars are as small as their formats say, but for a bit or two.
-    fn check(&self, inputs: &DirectInputs<Wide>, course: Course) -> Result<(), PacketError> {
-        course.weight(inputs.weight_step, self.formats.weight_accumulator)
+    fn check(&self, inputs: &DirectInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
+        extent.weight(inputs.span.weight_step, self.formats.weight_accumulator)
     }
 
     /// d by Newton's steps from that of the pixel before, and from 1 at first; an exact root needs
     /// none.
     fn state(
         &self,
-        inputs: &DirectInputs<Wide>,
+        span: &DirectSpan<Wide>,
         before: Option<Wide>,
         i: u32,
         _observer: &mut impl Observer,
@@ -71,7 +70,7 @@ impl Method for Direct {
         match self.root {
             Root::Exact => first,
             Root::Newton => {
-                let (_, q) = self.squared_length(inputs, i, &mut Nobody);
+                let (_, q) = self.squared_length(span, i, &mut Nobody);
                 (0..self.newton_steps).fold(first, |d, _| self.newton_step(d, q))
             }
         }
@@ -79,40 +78,42 @@ impl Method for Direct {
 
     fn pixel(
         &self,
-        inputs: &DirectInputs<Wide>,
+        span: &DirectSpan<Wide>,
         length: Wide,
         i: u32,
         observer: &mut impl Observer,
-    ) -> [u8; 3] {
-        let pixel = self.common(inputs, length, i, observer);
-        let mut colour = Colour::ambient(inputs.ambient);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            let linear = self.linear("n_dot_l", &light.light, pixel.t, &mut observer);
-            let n_dot_l = self.cosine("n_dot_l", linear, pixel.s, &mut observer);
-            let diffuse = round_to(n_dot_l, self.formats.diffuse.fraction_bits).max(Wide::ZERO);
-            observer.see(format_args!("diffuse"), diffuse, self.formats.diffuse);
-            colour.add(&light.diffuse, diffuse);
-            let along_light = match self.root {
-                Root::Exact => n_dot_l,
-                Root::Newton => linear,
-            };
-            colour.add(&light.specular, self.highlight(&pixel, along_light, light, &mut observer));
-        }
-        colour.code(self.colour, observer)
+    ) -> Pixel {
+        self.common(span, length, i, observer)
+    }
+
+    fn light(
+        &self,
+        pixel: &Pixel,
+        light: &DirectLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let linear = self.linear("n_dot_l", &light.light, pixel.t, observer);
+        let n_dot_l = self.cosine("n_dot_l", linear, pixel.s, observer);
+        let diffuse = round_to(n_dot_l, self.formats.diffuse.fraction_bits).max(Wide::ZERO);
+        observer.see(format_args!("diffuse"), diffuse, self.formats.diffuse);
+        let along_light = match self.root {
+            Root::Exact => n_dot_l,
+            Root::Newton => linear,
+        };
+        Intensities { diffuse, specular: self.highlight(pixel, along_light, light, observer) }
     }
 }
 
 impl Direct {
     fn common(
         &self,
-        inputs: &DirectInputs<Wide>,
+        span: &DirectSpan<Wide>,
         length: Wide,
         i: u32,
         observer: &mut impl Observer,
     ) -> Pixel {
         let f = &self.formats;
-        let (t, q) = self.squared_length(inputs, i, observer);
+        let (t, q) = self.squared_length(span, i, observer);
         let s = match self.root {
             Root::Exact => {
                 reciprocal_square_root(q, f.reciprocal.integer_bits, f.reciprocal.fraction_bits)
@@ -120,23 +121,23 @@ impl Direct {
             Root::Newton => self.reciprocal_length(length, observer),
         };
         observer.see(format_args!("reciprocal"), s, f.reciprocal);
-        let linear = self.linear("n_dot_v", &inputs.view, t, observer);
+        let linear = self.linear("n_dot_v", &span.view, t, observer);
         let view = match self.root {
             Root::Exact => self.cosine("n_dot_v", linear, s, observer),
             Root::Newton => self.over_square(linear, q, observer),
         };
-        Pixel { t, q, s, view, exponent: inputs.exponent }
+        Pixel { t, q, s, view, exponent: span.exponent }
     }
 
     /// t and q = 1 - κ t (1 - t).
     fn squared_length(
         &self,
-        inputs: &DirectInputs<Wide>,
+        span: &DirectSpan<Wide>,
         i: u32,
         observer: &mut impl Observer,
     ) -> (Wide, Wide) {
         let f = &self.formats;
-        let accumulated = inputs.weight_step * Wide::from_num(i);
+        let accumulated = span.weight_step * Wide::from_num(i);
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
         let t = narrow(observer, format_args!("weight"), accumulated, f.weight);
         let product = narrow(observer, format_args!("product"), t * (Wide::ONE - t), f.product);
@@ -145,7 +146,7 @@ impl Direct {
             narrow(
                 observer,
                 format_args!("length_squared"),
-                Wide::ONE - inputs.spread * product,
+                Wide::ONE - span.spread * product,
                 f.length_squared,
             ),
         )
@@ -223,7 +224,7 @@ impl Direct {
         let base =
             if pixel.q > Wide::ZERO { rounded.clamp(Wide::ZERO, Wide::ONE) } else { Wide::ZERO };
         observer.see(format_args!("base"), base, format);
-        self.power.of(observer, base, pixel.exponent)
+        self.power.raise(observer, base, pixel.exponent)
     }
 }
 

@@ -2,30 +2,27 @@
 //! to C11; `docs/arithmetic.md`].
 use std::fmt;
 
-use specula_spec::duff::{DuffFormats, DuffInputs, DuffLight, DuffSpec, Highlight};
-use specula_spec::{CoreSpec, Format, InputPort, Linear};
+use specula_spec::duff::{DuffFormats, DuffInputs, DuffLight, DuffSpan, DuffSpec, Highlight};
+use specula_spec::{CoreParameters, Format, Linear};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
 use super::forward::Accumulator;
 use super::highlight::{amount, cosine, quotient, reflection, root};
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::{Wide, round_signed_quotient};
-use super::observer::{Observer, OfLight};
+use super::observer::Observer;
 use super::raised::Raised;
+use super::span_extent::SpanExtent;
 
 /// The method in one core's formats.
 pub(super) struct Duff {
     highlight: Highlight,
     power: Raised,
     formats: DuffFormats,
-    colour: Format,
-    ports: DuffInputs<InputPort>,
 }
 
 /// What the lights have in common at one pixel.
-struct Pixel {
+pub(super) struct Pixel {
     i: u32,
     q: Wide,
     s: Wide,
@@ -36,38 +33,39 @@ struct Pixel {
 }
 
 impl Duff {
-    pub fn new(core: &CoreSpec, duff: &DuffSpec) -> Duff {
+    pub fn new(core: &CoreParameters, duff: &DuffSpec) -> Duff {
         Duff {
             highlight: duff.specular,
             power: Raised::new(core, duff.power_unit()),
             formats: duff.formats.clone(),
-            colour: sum_format(core, duff.formats.diffuse, duff.power_unit().format()),
-            ports: duff.inputs(core),
         }
     }
 }
 
 impl Method for Duff {
-    type Inputs = DuffInputs<Wide>;
+    type Span = DuffSpan<Wide>;
+    type Light = DuffLight<Wide>;
     type State = ();
+    type Pixel = Pixel;
 
-    fn read(&self, mut values: Values<'_>) -> DuffInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.diffuse, specular: self.power.format() }
     }
 
-    fn check(&self, inputs: &DuffInputs<Wide>, course: Course) -> Result<(), PacketError> {
+    fn check(&self, inputs: &DuffInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
         let f = &self.formats;
         let linear = |name: fmt::Arguments<'_>, linear: &Linear<Wide>| {
-            course.linear(name, linear, f.linear_accumulator, (-1, 1))
+            extent.linear(name, linear, f.linear_accumulator, (-1, 1))
         };
-        course.quadratic(
+        extent.quadratic(
             format_args!("denominator"),
-            &inputs.denominator,
+            &inputs.span.denominator,
             f.accumulator,
             (0, 1),
         )?;
-        inputs.view.iter().try_for_each(|view| linear(format_args!("view"), view))?;
-        inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
+        inputs.span.view.iter().try_for_each(|view| linear(format_args!("view"), view))?;
+        inputs.lights.iter().enumerate().try_for_each(|(index, inputs)| {
+            let light = &inputs.light;
             linear(format_args!("light{index}_p"), &light.cosine)?;
             light
                 .halfway
@@ -77,28 +75,25 @@ impl Method for Duff {
             light
                 .numerator
                 .iter()
-                .try_for_each(|numerator| course.quadratic(name, numerator, f.accumulator, (-1, 1)))
+                .try_for_each(|numerator| extent.quadratic(name, numerator, f.accumulator, (-1, 1)))
         })
     }
 
-    fn pixel(
+    fn pixel(&self, span: &DuffSpan<Wide>, (): (), i: u32, observer: &mut impl Observer) -> Pixel {
+        self.common(span, i, observer)
+    }
+
+    fn light(
         &self,
-        inputs: &DuffInputs<Wide>,
-        (): (),
-        i: u32,
+        pixel: &Pixel,
+        light: &DuffLight<Wide>,
         observer: &mut impl Observer,
-    ) -> [u8; 3] {
-        let pixel = self.common(inputs, i, observer);
-        let mut colour = Colour::ambient(inputs.ambient);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            let p = self.linear().linear(&mut observer, "p", &light.cosine, i);
-            let c = cosine(&mut observer, "cosine", p * pixel.s, self.formats.cosine);
-            colour.add(&light.diffuse, amount(&mut observer, "diffuse", c, self.formats.diffuse));
-            let base = self.base(&pixel, light, p, c, &mut observer);
-            colour.add(&light.specular, self.power.of(&mut observer, base, pixel.exponent));
-        }
-        colour.code(self.colour, observer)
+    ) -> Intensities<Wide> {
+        let p = self.linear().linear(observer, "p", &light.cosine, pixel.i);
+        let c = cosine(observer, "cosine", p * pixel.s, self.formats.cosine);
+        let diffuse = amount(observer, "diffuse", c, self.formats.diffuse);
+        let base = self.base(pixel, light, p, c, observer);
+        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }
 
@@ -111,16 +106,16 @@ impl Duff {
         Accumulator { exact: self.formats.accumulator, rounded: self.formats.operand }
     }
 
-    fn common(&self, inputs: &DuffInputs<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
+    fn common(&self, span: &DuffSpan<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
         let f = &self.formats;
-        let q = self.quadratic().quadratic(observer, "denominator", &inputs.denominator, i);
+        let q = self.quadratic().quadratic(observer, "denominator", &span.denominator, i);
         let s = root(observer, q, f.root);
         let (mut view, mut view_cosine) = (Wide::ZERO, Wide::ZERO);
-        if let Some(linear) = &inputs.view {
+        if let Some(linear) = &span.view {
             view = self.linear().linear(observer, "view", linear, i);
             view_cosine = cosine(observer, "view_cosine", view * s, f.cosine);
         }
-        Pixel { i, q, s, view, view_cosine, exponent: inputs.exponent }
+        Pixel { i, q, s, view, view_cosine, exponent: span.exponent }
     }
 
     /// The base of the highlight, 0 to 1.

@@ -18,7 +18,7 @@ impl Exp2 {
     }
 
     /// 2^-y of y as it comes, 0 or more.
-    pub fn of(&self, y: Wide) -> Wide {
+    pub fn value(&self, y: Wide) -> Wide {
         let y = round_to(y, self.fraction_bits + 6);
         if y >= Wide::from_num(self.fraction_bits + 2) { Wide::ZERO } else { self.two_to_minus(y) }
     }

@@ -3,9 +3,9 @@ use std::fmt;
 
 use specula_spec::{Format, Linear, Quadratic};
 
-use super::course::quadratic_at;
 use super::number::Wide;
 use super::observer::{Observer, narrow};
+use super::span_extent::quadratic_at;
 
 /// Formats of an accumulator and of what is rounded from it.
 #[derive(Clone, Copy)]

@@ -36,9 +36,9 @@ impl Gaussian {
     }
 
     /// exp(-2n α²).
-    pub fn of(&self, versine: Wide, n: u32) -> Wide {
+    pub fn value(&self, versine: Wide, n: u32) -> Wide {
         let t = (Wide::from_num(n) * versine).min(Wide::from_num(4));
-        self.exp2.of(2 * t * self.squared_angle(versine))
+        self.exp2.value(2 * t * self.squared_angle(versine))
     }
 
     /// g.
@@ -91,7 +91,7 @@ mod tests {
                     let versine = Wide::from_num(raw) >> 8;
                     let angle = 2.0 * (f64::from(raw) / 512.0).sqrt().asin();
                     let wanted = (-2.0 * f64::from(n) * angle * angle).exp();
-                    let off = (unit.of(versine, n).to_num::<f64>() - wanted).abs()
+                    let off = (unit.value(versine, n).to_num::<f64>() - wanted).abs()
                         * f64::from(1 << fraction_bits);
                     assert!(
                         off < 0.7,
@@ -99,7 +99,7 @@ mod tests {
                     );
                 }
             }
-            assert_eq!(unit.of(Wide::ZERO, 8191), Wide::ONE);
+            assert_eq!(unit.value(Wide::ZERO, 8191), Wide::ONE);
         }
     }
 }

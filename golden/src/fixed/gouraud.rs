@@ -2,74 +2,63 @@
 //! `docs/arithmetic/gouraud.md`].
 use std::fmt;
 
-use specula_spec::gouraud::{GouraudFormats, GouraudInputs, GouraudSpec, Intensity};
-use specula_spec::{CoreSpec, Format, InputPort, Linear};
+use specula_spec::gouraud::{GouraudFormats, GouraudInputs, GouraudLight, GouraudSpec, Intensity};
+use specula_spec::{Format, Linear, NoInputs};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::{Wide, round_to};
-use super::observer::{Observer, OfLight};
+use super::observer::Observer;
+use super::span_extent::SpanExtent;
 
 /// The method in one core's formats.
 pub(super) struct Gouraud {
     formats: GouraudFormats,
-    colour: Format,
-    ports: GouraudInputs<InputPort>,
 }
 
 impl Gouraud {
-    pub fn new(core: &CoreSpec, gouraud: &GouraudSpec) -> Gouraud {
-        let intensity = gouraud.formats.intensity;
-        Gouraud {
-            formats: gouraud.formats.clone(),
-            colour: sum_format(core, intensity, intensity),
-            ports: gouraud.inputs(core),
-        }
+    pub fn new(gouraud: &GouraudSpec) -> Gouraud {
+        Gouraud { formats: gouraud.formats.clone() }
     }
 }
 
 impl Method for Gouraud {
-    type Inputs = GouraudInputs<Wide>;
+    type Span = NoInputs<Wide>;
+    type Light = GouraudLight<Wide>;
     type State = ();
+    /// Its number.
+    type Pixel = u32;
 
-    fn read(&self, mut values: Values<'_>) -> GouraudInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.intensity, specular: self.formats.intensity }
     }
 
-    fn check(&self, inputs: &GouraudInputs<Wide>, course: Course) -> Result<(), PacketError> {
+    fn check(&self, inputs: &GouraudInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
         let check = |name: fmt::Arguments<'_>, intensity: &Intensity<Wide>| {
             let linear =
                 Linear { start: intensity.start, step: intensity.step.unwrap_or_default() };
-            course.linear(name, &linear, self.formats.accumulator, (0, 1))
+            extent.linear(name, &linear, self.formats.accumulator, (0, 1))
         };
         inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
-            check(format_args!("light{index}_diffuse_intensity"), &light.diffuse_intensity)?;
-            check(format_args!("light{index}_specular_intensity"), &light.specular_intensity)
+            check(format_args!("light{index}_diffuse_intensity"), &light.light.diffuse_intensity)?;
+            check(format_args!("light{index}_specular_intensity"), &light.light.specular_intensity)
         })
     }
 
-    fn pixel(
+    fn pixel(&self, _span: &NoInputs<Wide>, (): (), i: u32, _observer: &mut impl Observer) -> u32 {
+        i
+    }
+
+    fn light(
         &self,
-        inputs: &GouraudInputs<Wide>,
-        (): (),
-        i: u32,
+        &i: &u32,
+        light: &GouraudLight<Wide>,
         observer: &mut impl Observer,
-    ) -> [u8; 3] {
-        let mut colour = Colour::ambient(inputs.ambient);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            colour.add(
-                &light.diffuse,
-                self.intensity("diffuse", &light.diffuse_intensity, i, &mut observer),
-            );
-            colour.add(
-                &light.specular,
-                self.intensity("specular", &light.specular_intensity, i, &mut observer),
-            );
+    ) -> Intensities<Wide> {
+        Intensities {
+            diffuse: self.intensity("diffuse", &light.diffuse_intensity, i, observer),
+            specular: self.intensity("specular", &light.specular_intensity, i, observer),
         }
-        colour.code(self.colour, observer)
     }
 }
 

@@ -7,9 +7,10 @@ use super::root::reciprocal_square_root;
 
 /// s = 1/√max(q, 4^-m) with m the format's integer bits, and 0 where q ≤ 0.
 pub(super) fn root(observer: &mut impl Observer, q: Wide, format: Format) -> Wide {
-    let root = match q > Wide::ZERO {
-        true => reciprocal_square_root(q, format.integer_bits, format.fraction_bits),
-        false => Wide::ZERO,
+    let root = if q > Wide::ZERO {
+        reciprocal_square_root(q, format.integer_bits, format.fraction_bits)
+    } else {
+        Wide::ZERO
     };
     observer.see(format_args!("root"), root, format);
     root

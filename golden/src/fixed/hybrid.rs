@@ -1,62 +1,64 @@
 //! `hybrid`, bit for bit [Hast, Barrera and Bengtsson, eq. 17 to 26; methods C3;
 //! `docs/arithmetic.md`].
-use specula_spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpec};
-use specula_spec::{CoreSpec, Format, InputPort, Linear};
+use specula_spec::hybrid::{HybridFormats, HybridInputs, HybridLight, HybridSpan, HybridSpec};
+use specula_spec::{CoreParameters, Format, Linear};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
 use super::forward::Accumulator;
 use super::highlight::quotient;
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::{Wide, round_to};
-use super::observer::{Observer, OfLight};
+use super::observer::Observer;
 use super::raised::Raised;
+use super::span_extent::SpanExtent;
 
 /// The method in one core's formats.
 pub(super) struct Hybrid {
     power: Raised,
     formats: HybridFormats,
-    colour: Format,
-    ports: HybridInputs<InputPort>,
+}
+
+/// What the lights have in common at one pixel.
+pub(super) struct Pixel {
+    i: u32,
+    q: Wide,
+    exponent: Wide,
 }
 
 impl Hybrid {
-    pub fn new(core: &CoreSpec, hybrid: &HybridSpec) -> Hybrid {
-        Hybrid {
-            power: Raised::new(core, hybrid.power_unit()),
-            formats: hybrid.formats.clone(),
-            colour: sum_format(core, hybrid.formats.diffuse, hybrid.power_unit().format()),
-            ports: hybrid.inputs(core),
-        }
+    pub fn new(core: &CoreParameters, hybrid: &HybridSpec) -> Hybrid {
+        Hybrid { power: Raised::new(core, hybrid.power_unit()), formats: hybrid.formats.clone() }
     }
 }
 
 impl Method for Hybrid {
-    type Inputs = HybridInputs<Wide>;
+    type Span = HybridSpan<Wide>;
+    type Light = HybridLight<Wide>;
     type State = ();
+    type Pixel = Pixel;
 
-    fn read(&self, mut values: Values<'_>) -> HybridInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.diffuse, specular: self.power.format() }
     }
 
-    fn check(&self, inputs: &HybridInputs<Wide>, course: Course) -> Result<(), PacketError> {
+    fn check(&self, inputs: &HybridInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
         let f = &self.formats;
-        course.quadratic(
+        extent.quadratic(
             format_args!("denominator"),
-            &inputs.denominator,
+            &inputs.span.denominator,
             f.accumulator,
             (0, 1),
         )?;
         inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
-            course.quadratic(
+            extent.quadratic(
                 format_args!("light{index}_numerator"),
-                &light.numerator,
+                &light.light.numerator,
                 f.accumulator,
                 (-1, 1),
             )?;
-            let intensity = Linear { start: light.intensity_start, step: light.intensity_step };
-            course.linear(
+            let HybridLight { intensity_start: start, intensity_step: step, .. } = light.light;
+            let intensity = Linear { start, step };
+            extent.linear(
                 format_args!("light{index}_intensity"),
                 &intensity,
                 f.diffuse_accumulator,
@@ -67,27 +69,35 @@ impl Method for Hybrid {
 
     fn pixel(
         &self,
-        inputs: &HybridInputs<Wide>,
+        span: &HybridSpan<Wide>,
         (): (),
         i: u32,
         observer: &mut impl Observer,
-    ) -> [u8; 3] {
-        let f = &self.formats;
-        let operand = Accumulator { exact: f.accumulator, rounded: f.operand };
-        let q = operand.quadratic(observer, "denominator", &inputs.denominator, i);
-        let mut colour = Colour::ambient(inputs.ambient);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            let p = operand.quadratic(&mut observer, "numerator", &light.numerator, i);
-            let base = quotient(&mut observer, p, q, f.base);
-            colour.add(&light.diffuse, self.diffuse(light, i, &mut observer));
-            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
+    ) -> Pixel {
+        let q = self.operand().quadratic(observer, "denominator", &span.denominator, i);
+        Pixel { i, q, exponent: span.exponent }
+    }
+
+    fn light(
+        &self,
+        pixel: &Pixel,
+        light: &HybridLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let p = self.operand().quadratic(observer, "numerator", &light.numerator, pixel.i);
+        let base = quotient(observer, p, pixel.q, self.formats.base);
+        Intensities {
+            diffuse: self.diffuse(light, pixel.i, observer),
+            specular: self.power.raise(observer, base, pixel.exponent),
         }
-        colour.code(self.colour, observer)
     }
 }
 
 impl Hybrid {
+    fn operand(&self) -> Accumulator {
+        Accumulator { exact: self.formats.accumulator, rounded: self.formats.operand }
+    }
+
     /// Gouraud's intensity, kept within 0 to 1.
     fn diffuse(&self, light: &HybridLight<Wide>, i: u32, observer: &mut impl Observer) -> Wide {
         let accumulated = light.intensity_start + Wide::from_num(i) * light.intensity_step;

@@ -1,19 +1,18 @@
 //! `lyon`, bit for bit [Lyon, TR 43; methods B; `docs/arithmetic.md`].
+use specula_spec::Format;
 use specula_spec::lyon::{
-    Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normalisation,
-    ShapeDatapath,
+    Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpan, LyonSpec,
+    Normalisation, ShapeDatapath,
 };
-use specula_spec::{CoreSpec, Format, InputPort};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
 use super::highlight::limited_quotient;
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::Wide;
-use super::observer::{Observer, OfLight, narrow, narrow_vector};
+use super::observer::{Observer, narrow, narrow_vector};
 use super::packet;
 use super::root::reciprocal_square_root;
+use super::span_extent::SpanExtent;
 use super::vector::{Vector, cross, dot};
 use super::wrapped::{WrapFormats, wrapped};
 
@@ -35,12 +34,10 @@ pub(super) struct Lyon {
     /// h of the root shape.
     root_shift: u32,
     formats: LyonFormats,
-    colour: Format,
-    ports: LyonInputs<InputPort>,
 }
 
 impl Lyon {
-    pub fn new(core: &CoreSpec, lyon: &LyonSpec) -> Lyon {
+    pub fn new(lyon: &LyonSpec) -> Lyon {
         Lyon {
             normalisation: lyon.normalisation,
             newton_steps: lyon.newton_steps,
@@ -49,19 +46,27 @@ impl Lyon {
             squarings: lyon.squarings,
             root_shift: lyon.root_shift(),
             formats: lyon.formats.clone(),
-            colour: sum_format(core, lyon.formats.diffuse, lyon.formats.shape),
-            ports: lyon.inputs(core),
         }
     }
 }
 
+/// What the lights have in common at one pixel.
+pub(super) struct Pixel {
+    normal: Vector,
+    has_direction: bool,
+    /// n, or m of the root shape.
+    shininess: Wide,
+}
+
 impl Method for Lyon {
-    type Inputs = LyonInputs<Wide>;
+    type Span = LyonSpan<Wide>;
+    type Light = LyonLight<Wide>;
     /// n, if the next pixel's may be wrapped around it.
     type State = Option<Vector>;
+    type Pixel = Pixel;
 
-    fn read(&self, mut values: Values<'_>) -> LyonInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.diffuse, specular: self.formats.shape }
     }
 
     /// Whether Newton's steps converge and |n| < 2.
@@ -69,11 +74,12 @@ impl Method for Lyon {
     /// |N0|, |N1| ≤ 1 + 1/16 in `S1.4`, the coarsest format, and a ≤ 1 + 1/16 give |N'| ≤ 17/16 · (1 + 2/16) + √3/32 < 1.26, so z < 1.6. There z·g1² ≤ 1 and
     /// z·g2² < 1.42, inside the 3 below which g(3 - z g²)/2 goes towards 1/√z, and |n| = g√z < 1.2
     /// at first and 1 after a step, before rounding.
-    fn check(&self, inputs: &LyonInputs<Wide>, course: Course) -> Result<(), PacketError> {
-        let axis = inputs.wrap_axis.unwrap_or_default();
+    fn check(&self, inputs: &LyonInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
+        let span = &inputs.span;
+        let axis = span.wrap_axis.unwrap_or_default();
         packet::check_length(format_args!("wrap_axis"), &axis, Wide::ONE, self.formats.vector)?;
         let longest_halfway = if self.difference.takes_halfway() { TWO } else { LONGEST_BY_G2 };
-        for (i, light) in inputs.lights.iter().enumerate() {
+        for (i, light) in inputs.lights.iter().map(|inputs| &inputs.light).enumerate() {
             packet::check_length(
                 format_args!("light{i}_direction"),
                 &light.direction,
@@ -89,49 +95,51 @@ impl Method for Lyon {
             )?;
         }
         // H of normals wrapped around a fixed vector is the sum of two unit vectors.
-        let longest = if inputs.wrap_axis.is_some() && inputs.wrap_follows.is_none() {
-            TWO
-        } else {
-            Wide::ONE
-        };
-        let ends = (&inputs.normal_start, &inputs.normal_delta.unwrap_or_default());
+        let longest =
+            if span.wrap_axis.is_some() && span.wrap_follows.is_none() { TWO } else { Wide::ONE };
+        let ends = (&span.normal_start, &span.normal_delta.unwrap_or_default());
         packet::check_ends(format_args!("normal"), ends, longest, self.formats.vector)?;
-        course.weight(inputs.weight_step.unwrap_or_default(), self.formats.weight_accumulator)
+        extent.weight(span.weight_step.unwrap_or_default(), self.formats.weight_accumulator)
     }
 
     /// n, wrapped around that of the pixel before, or around the axis (methods C7).
     fn state(
         &self,
-        inputs: &LyonInputs<Wide>,
+        span: &LyonSpan<Wide>,
         before: Option<Option<Vector>>,
         i: u32,
         observer: &mut impl Observer,
     ) -> Option<Vector> {
-        let (axis, follows) = (inputs.wrap_axis?, inputs.wrap_follows? == Wide::ONE);
-        let interpolated = self.interpolated(inputs, i, observer)?;
+        let (axis, follows) = (span.wrap_axis?, span.wrap_follows? == Wide::ONE);
+        let interpolated = self.interpolated(span, i, observer)?;
         let before = before.flatten().filter(|_| follows).unwrap_or(axis);
         Some(self.next(&interpolated, &before, observer))
     }
 
     fn pixel(
         &self,
-        inputs: &LyonInputs<Wide>,
+        span: &LyonSpan<Wide>,
         followed: Option<Vector>,
         i: u32,
         observer: &mut impl Observer,
-    ) -> [u8; 3] {
+    ) -> Pixel {
         let (normal, has_direction) = match followed {
             Some(normal) => (normal, normal != [Wide::ZERO; 3]),
-            None => self.normal(inputs, i, observer),
+            None => self.normal(span, i, observer),
         };
-        let mut colour = Colour::ambient(inputs.ambient);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            colour.add(&light.diffuse, self.diffuse(&normal, light, &mut observer));
-            let highlight = self.specular(&normal, light, inputs.shininess, &mut observer);
-            colour.add(&light.specular, if has_direction { highlight } else { Wide::ZERO });
-        }
-        colour.code(self.colour, observer)
+        Pixel { normal, has_direction, shininess: span.shininess }
+    }
+
+    fn light(
+        &self,
+        pixel: &Pixel,
+        light: &LyonLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let diffuse = self.diffuse(&pixel.normal, light, observer);
+        let highlight = self.specular(&pixel.normal, light, pixel.shininess, observer);
+        let specular = if pixel.has_direction { highlight } else { Wide::ZERO };
+        Intensities { diffuse, specular }
     }
 }
 
@@ -139,15 +147,15 @@ impl Lyon {
     /// n = g N', with N' = N0 + a (N1 - N0), and whether N' has a direction.
     fn normal(
         &self,
-        inputs: &LyonInputs<Wide>,
+        span: &LyonSpan<Wide>,
         i: u32,
         observer: &mut impl Observer,
     ) -> (Vector, bool) {
         let f = &self.formats;
-        let Some(interpolated) = self.interpolated(inputs, i, observer) else {
-            return (inputs.normal_start, inputs.normal_start != [Wide::ZERO; 3]);
+        let Some(interpolated) = self.interpolated(span, i, observer) else {
+            return (span.normal_start, span.normal_start != [Wide::ZERO; 3]);
         };
-        if let Some(axis) = &inputs.wrap_axis {
+        if let Some(axis) = &span.wrap_axis {
             let formats =
                 WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
             let normal = wrapped(observer, ["wrap", "normal"], &interpolated, axis, formats).vector;
@@ -172,16 +180,16 @@ impl Lyon {
     /// N' = N0 + a (N1 - N0); none of flat normals.
     fn interpolated(
         &self,
-        inputs: &LyonInputs<Wide>,
+        span: &LyonSpan<Wide>,
         i: u32,
         observer: &mut impl Observer,
     ) -> Option<Vector> {
         let f = &self.formats;
-        let (delta, weight_step) = (inputs.normal_delta?, inputs.weight_step?);
+        let (delta, weight_step) = (span.normal_delta?, span.weight_step?);
         let accumulated = Wide::from_num(i) * weight_step;
         observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
         let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
-        let lerp: Vector = std::array::from_fn(|c| inputs.normal_start[c] + weight * delta[c]);
+        let lerp: Vector = std::array::from_fn(|c| span.normal_start[c] + weight * delta[c]);
         Some(narrow_vector(observer, "interpolated", lerp, f.vector))
     }
 

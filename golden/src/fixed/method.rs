@@ -1,29 +1,44 @@
 //! What methods have in common.
-use specula_spec::{InputPort, SpanPacket};
+use specula_spec::{CoreInputs, Format, InputGroup};
 
-use super::course::Course;
 use super::error::PacketError;
-use super::number::{Wide, from_raw};
+use super::number::Wide;
 use super::observer::Observer;
+use super::span_extent::SpanExtent;
+
+/// A span's inputs, by the names that a method has for them.
+pub(super) type Inputs<M> = CoreInputs<<M as Method>::Span, <M as Method>::Light, Wide>;
+
+/// Something of a light's diffuse and of its specular intensity.
+pub(super) struct Intensities<T> {
+    pub diffuse: T,
+    pub specular: T,
+}
 
 /// A method in the formats of one core.
 pub(super) trait Method {
-    /// A span's inputs, by name.
-    type Inputs;
+    /// Inputs that the lights of a span have in common.
+    type Span: InputGroup<Value = Wide>;
+    /// Inputs of each light, coefficients apart.
+    type Light: InputGroup<Value = Wide>;
     /// What a pixel leaves to the one after it: registers that are fed back. `()` where pixels do
     /// not depend on one another.
     type State: Copy + Default;
+    /// What the lights have in common at one pixel.
+    type Pixel;
 
-    /// Names a packet's inputs. The packet has one for each port.
-    fn read(&self, values: Values<'_>) -> Self::Inputs;
+    /// Formats of the intensities.
+    fn formats(&self) -> Intensities<Format>;
 
     /// Whether inputs within their ports' ranges can be computed together.
-    fn check(&self, inputs: &Self::Inputs, course: Course) -> Result<(), PacketError>;
+    fn check(&self, inputs: &Inputs<Self>, extent: SpanExtent) -> Result<(), PacketError>
+    where
+        Self: Sized;
 
     /// The state at pixel `i`, from that at the pixel before; `None` before the first pixel.
     fn state(
         &self,
-        _inputs: &Self::Inputs,
+        _span: &Self::Span,
         _before: Option<Self::State>,
         _i: u32,
         _observer: &mut impl Observer,
@@ -31,41 +46,20 @@ pub(super) trait Method {
         Self::State::default()
     }
 
-    /// The code of pixel `i`, at which the state is `state`.
+    /// What the lights have in common at pixel `i`, at which the state is `state`.
     fn pixel(
         &self,
-        inputs: &Self::Inputs,
+        span: &Self::Span,
         state: Self::State,
         i: u32,
         observer: &mut impl Observer,
-    ) -> [u8; 3];
-}
+    ) -> Self::Pixel;
 
-/// The code of pixel `i`, where `state` is what the pixel before has left; it is then what this one
-/// leaves.
-pub(super) fn next_pixel<M: Method>(
-    method: &M,
-    inputs: &M::Inputs,
-    state: &mut Option<M::State>,
-    i: u32,
-    observer: &mut impl Observer,
-) -> [u8; 3] {
-    let at_pixel = method.state(inputs, *state, i, observer);
-    *state = Some(at_pixel);
-    method.pixel(inputs, at_pixel, i, observer)
-}
-
-/// The raw values of a packet in port order.
-pub(super) struct Values<'a>(std::slice::Iter<'a, i64>);
-
-impl<'a> Values<'a> {
-    pub fn new(packet: &'a SpanPacket) -> Self {
-        Values(packet.inputs.iter())
-    }
-
-    /// The next value, which is this port's.
-    pub fn next(&mut self, port: &InputPort) -> Wide {
-        let raw = self.0.next().expect("packet::check has counted the inputs");
-        from_raw(*raw, port.format)
-    }
+    /// The intensities of one light at a pixel, 0 to 1.
+    fn light(
+        &self,
+        pixel: &Self::Pixel,
+        light: &Self::Light,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide>;
 }

@@ -3,7 +3,6 @@
 //! Numbers are exact between narrowing points (`number`), which round to nearest with ties up.
 mod colour;
 mod consistent;
-mod course;
 mod direct;
 mod duff;
 mod error;
@@ -24,7 +23,9 @@ mod power;
 mod raised;
 mod reflection;
 mod root;
+mod shader;
 mod slerp;
+mod span_extent;
 mod vector;
 mod wrapped;
 

@@ -2,18 +2,17 @@
 use specula_spec::{CoreSpec, InputPort, MethodSpec, SpanPacket};
 
 use super::consistent::Consistent;
-use super::course::Course;
 use super::direct::Direct;
 use super::duff::Duff;
 use super::error::PacketError;
 use super::gouraud::Gouraud;
 use super::hybrid::Hybrid;
 use super::lyon::Lyon;
-use super::method::{Method, Values, next_pixel};
-use super::observer::{Nobody, Notebook, Observation, Sums};
+use super::observer::Observation;
 use super::packet;
 use super::phong::Phong;
 use super::reflection::Reflection;
+use super::shader::{ShadeSpan, Shader};
 use super::slerp::Slerp;
 
 /// The bit-true model of a core.
@@ -27,18 +26,33 @@ impl Model {
     /// The model of the core that a spec describes. The spec is one that `CoreSpec::check` accepts;
     /// the widths in which numbers are exact here rest on it.
     pub fn new(spec: &CoreSpec) -> Model {
+        let core = &spec.parameters;
         let method: Box<dyn ShadeSpan> = match &spec.method {
-            MethodSpec::Lyon(lyon) => Box::new(Lyon::new(spec, lyon)),
-            MethodSpec::Phong(phong) => Box::new(Phong::new(spec, phong)),
-            MethodSpec::Hybrid(hybrid) => Box::new(Hybrid::new(spec, hybrid)),
-            MethodSpec::Duff(duff) => Box::new(Duff::new(spec, duff)),
-            MethodSpec::Gouraud(gouraud) => Box::new(Gouraud::new(spec, gouraud)),
-            MethodSpec::Reflection(reflection) => Box::new(Reflection::new(spec, reflection)),
-            MethodSpec::Consistent(consistent) => Box::new(Consistent::new(spec, consistent)),
-            MethodSpec::Slerp(slerp) => Box::new(Slerp::new(spec, slerp)),
-            MethodSpec::Direct(direct) => Box::new(Direct::new(spec, direct)),
+            MethodSpec::Lyon(lyon) => Shader::boxed(Lyon::new(lyon), core, spec.ports(lyon)),
+            MethodSpec::Phong(phong) => {
+                Shader::boxed(Phong::new(core, phong), core, spec.ports(phong))
+            }
+            MethodSpec::Hybrid(hybrid) => {
+                Shader::boxed(Hybrid::new(core, hybrid), core, spec.ports(hybrid))
+            }
+            MethodSpec::Duff(duff) => Shader::boxed(Duff::new(core, duff), core, spec.ports(duff)),
+            MethodSpec::Gouraud(gouraud) => {
+                Shader::boxed(Gouraud::new(gouraud), core, spec.ports(gouraud))
+            }
+            MethodSpec::Reflection(reflection) => {
+                Shader::boxed(Reflection::new(core, reflection), core, spec.ports(reflection))
+            }
+            MethodSpec::Consistent(consistent) => {
+                Shader::boxed(Consistent::new(core, consistent), core, spec.ports(consistent))
+            }
+            MethodSpec::Slerp(slerp) => {
+                Shader::boxed(Slerp::new(core, slerp), core, spec.ports(slerp))
+            }
+            MethodSpec::Direct(direct) => {
+                Shader::boxed(Direct::new(core, direct), core, spec.ports(direct))
+            }
         };
-        Model { ports: spec.inputs(), longest_span: spec.longest_span, method }
+        Model { ports: spec.inputs(), longest_span: core.longest_span, method }
     }
 
     /// Appends one code per pixel of the packet to `out`, red, green and blue, first pixel first.
@@ -46,8 +60,8 @@ impl Model {
     /// # Errors
     /// [`PacketError`] if the packet is not one for this core; `out` is then as it was.
     pub fn shade(&self, packet: &SpanPacket, out: &mut Vec<[u8; 3]>) -> Result<(), PacketError> {
-        let course = packet::check(packet, &self.ports, self.longest_span)?;
-        self.method.shade(packet, course, out)
+        let extent = packet::check(packet, &self.ports, self.longest_span)?;
+        self.method.shade(packet, extent, out)
     }
 
     /// The sums of ambient, diffuse and specular light that [`Model::shade`] rounds to codes: of
@@ -56,8 +70,8 @@ impl Model {
     /// # Errors
     /// [`PacketError`] if the packet is not one for this core.
     pub fn sums(&self, packet: &SpanPacket) -> Result<Vec<[f64; 3]>, PacketError> {
-        let course = packet::check(packet, &self.ports, self.longest_span)?;
-        self.method.sums(packet, course)
+        let extent = packet::check(packet, &self.ports, self.longest_span)?;
+        self.method.sums(packet, extent)
     }
 
     /// Every named value of pixel `i`, in the order of the data. `<l>` counts lights, `<s>` steps,
@@ -102,80 +116,10 @@ impl Model {
     /// # Errors
     /// [`PacketError`] if the packet is not one for this core, or has no pixel `i`.
     pub fn trace(&self, packet: &SpanPacket, i: u32) -> Result<Vec<Observation>, PacketError> {
-        let course = packet::check(packet, &self.ports, self.longest_span)?;
+        let extent = packet::check(packet, &self.ports, self.longest_span)?;
         if i >= packet.length {
             return Err(PacketError::NoSuchPixel { pixel: i, length: packet.length });
         }
-        self.method.trace(packet, course, i)
+        self.method.trace(packet, extent, i)
     }
-}
-
-/// A method, once it has read its packets itself.
-trait ShadeSpan: Send + Sync {
-    fn shade(
-        &self,
-        packet: &SpanPacket,
-        course: Course,
-        out: &mut Vec<[u8; 3]>,
-    ) -> Result<(), PacketError>;
-
-    fn sums(&self, packet: &SpanPacket, course: Course) -> Result<Vec<[f64; 3]>, PacketError>;
-
-    fn trace(
-        &self,
-        packet: &SpanPacket,
-        course: Course,
-        i: u32,
-    ) -> Result<Vec<Observation>, PacketError>;
-}
-
-impl<M: Method + Send + Sync> ShadeSpan for M {
-    fn shade(
-        &self,
-        packet: &SpanPacket,
-        course: Course,
-        out: &mut Vec<[u8; 3]>,
-    ) -> Result<(), PacketError> {
-        let inputs = read(self, packet, course)?;
-        let mut state = None;
-        out.extend(
-            (0..packet.length).map(|i| next_pixel(self, &inputs, &mut state, i, &mut Nobody)),
-        );
-        Ok(())
-    }
-
-    fn sums(&self, packet: &SpanPacket, course: Course) -> Result<Vec<[f64; 3]>, PacketError> {
-        let inputs = read(self, packet, course)?;
-        let mut state = None;
-        let sums_of = |i| {
-            let mut sums = Sums::default();
-            next_pixel(self, &inputs, &mut state, i, &mut sums);
-            sums.0
-        };
-        Ok((0..packet.length).map(sums_of).collect())
-    }
-
-    fn trace(
-        &self,
-        packet: &SpanPacket,
-        course: Course,
-        i: u32,
-    ) -> Result<Vec<Observation>, PacketError> {
-        let inputs = read(self, packet, course)?;
-        let mut state =
-            (0..i).fold(None, |before, i| Some(self.state(&inputs, before, i, &mut Nobody)));
-        let mut notebook = Notebook::default();
-        next_pixel(self, &inputs, &mut state, i, &mut notebook);
-        Ok(notebook.0)
-    }
-}
-
-fn read<M: Method>(
-    method: &M,
-    packet: &SpanPacket,
-    course: Course,
-) -> Result<M::Inputs, PacketError> {
-    let inputs = method.read(Values::new(packet));
-    method.check(&inputs, course)?;
-    Ok(inputs)
 }

@@ -19,6 +19,11 @@ pub struct Observation {
 }
 
 impl Observation {
+    /// The value of that name among those of a pixel, if there is one.
+    pub fn named<'a>(trace: &'a [Observation], name: &str) -> Option<&'a Observation> {
+        trace.iter().find(|observation| observation.name == name)
+    }
+
     /// What the raw value stands for.
     pub fn value(&self) -> f64 {
         self.format.value(self.raw)

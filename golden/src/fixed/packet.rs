@@ -3,9 +3,9 @@ use std::fmt;
 
 use specula_spec::{Format, InputPort, SpanPacket};
 
-use super::course::Course;
 use super::error::PacketError;
 use super::number::Wide;
+use super::span_extent::SpanExtent;
 use super::vector::{Vector, dot};
 
 /// Whether a vector that is interpolated along the span is no longer than `longest` at both ends,
@@ -46,7 +46,7 @@ pub(super) fn check(
     packet: &SpanPacket,
     ports: &[InputPort],
     longest: u32,
-) -> Result<Course, PacketError> {
+) -> Result<SpanExtent, PacketError> {
     if !(1..=longest).contains(&packet.length) {
         return Err(PacketError::Length { length: packet.length, longest });
     }
@@ -58,7 +58,7 @@ pub(super) fn check(
         .iter()
         .zip(&packet.inputs)
         .try_for_each(|(port, &raw)| check_twin(port, raw, packet, ports))?;
-    Ok(Course { length: packet.length, longest })
+    Ok(SpanExtent { length: packet.length, longest })
 }
 
 fn check_twin(

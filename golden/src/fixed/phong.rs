@@ -2,19 +2,20 @@
 //! 38; `docs/arithmetic/phong.md`].
 use std::fmt;
 
-use specula_spec::phong::{Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpec, Way};
-use specula_spec::{CoreSpec, Format, InputPort};
+use specula_spec::phong::{
+    Highlight, PhongFormats, PhongInputs, PhongLight, PhongSpan, PhongSpec, Way,
+};
+use specula_spec::{CoreParameters, Format};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
 use super::gaussian::Gaussian;
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::{Wide, round_quotient, round_to};
-use super::observer::{Observer, OfLight, narrow, narrow_vector};
+use super::observer::{Observer, narrow, narrow_vector};
 use super::packet;
 use super::power::Power;
 use super::root::reciprocal_square_root;
+use super::span_extent::SpanExtent;
 use super::vector::{Vector, dot};
 use super::wrapped::{WrapFormats, Wrapped, wrapped};
 
@@ -29,8 +30,6 @@ pub(super) struct Phong {
     gaussian: Gaussian,
     /// Of all spots.
     spot_power: Power,
-    colour: Format,
-    ports: PhongInputs<InputPort>,
 }
 
 /// A vector brought to unit length.
@@ -54,6 +53,15 @@ impl Unit {
     fn straight(vector: Vector) -> Unit {
         Unit { vector, wrap: None }
     }
+}
+
+/// What the lights have in common at one pixel.
+pub(super) struct Pixel {
+    weight: Wide,
+    normal: Option<Vector>,
+    view: Option<Vector>,
+    n_dot_v: Wide,
+    shininess: Wide,
 }
 
 /// A light at a pixel.
@@ -89,86 +97,71 @@ impl Phong {
         })
     }
 
-    pub fn new(core: &CoreSpec, phong: &PhongSpec) -> Phong {
+    pub fn new(core: &CoreParameters, phong: &PhongSpec) -> Phong {
         let formats = phong.formats.clone();
         let bits = |n: u32| u32::BITS - n.leading_zeros();
-        let ports = phong.inputs(core);
         let power = |largest: u32| Power::new(bits(largest), formats.shape.fraction_bits);
         Phong {
             highlight: phong.highlight,
             gaussian: Gaussian::new(formats.shape.fraction_bits),
             power: power(core.largest_shininess * phong.highlight.exponent_factor()),
             spot_power: power(core.largest_spot_exponent()),
-            colour: sum_format(core, formats.cosine, formats.shape),
-            ports,
             formats,
         }
     }
 }
 
 impl Method for Phong {
-    type Inputs = PhongInputs<Wide>;
+    type Span = PhongSpan<Wide>;
+    type Light = PhongLight<Wide>;
     type State = ();
+    type Pixel = Pixel;
 
-    fn read(&self, mut values: Values<'_>) -> PhongInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.cosine, specular: self.formats.shape }
     }
 
     /// Interpolated vectors stay within the unit ball, but for rounding; sums of two of them within
     /// twice as much.
-    fn check(&self, inputs: &PhongInputs<Wide>, course: Course) -> Result<(), PacketError> {
-        self.check_way(format_args!("normal"), Some(&inputs.normal))?;
-        self.check_way(format_args!("eye"), inputs.eye.as_ref())?;
-        for (i, light) in inputs.lights.iter().enumerate() {
+    fn check(&self, inputs: &PhongInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
+        self.check_way(format_args!("normal"), Some(&inputs.span.normal))?;
+        self.check_way(format_args!("eye"), inputs.span.eye.as_ref())?;
+        for (i, light) in inputs.lights.iter().map(|inputs| &inputs.light).enumerate() {
             self.check_way(format_args!("light{i}_way"), light.way.as_ref())?;
             self.check_unit(format_args!("light{i}_direction"), light.direction.as_ref())?;
             self.check_unit(format_args!("light{i}_axis"), light.axis.as_ref())?;
         }
-        course.weight(inputs.weight_step, self.formats.weight_accumulator)
+        extent.weight(inputs.span.weight_step, self.formats.weight_accumulator)
     }
 
-    fn pixel(
-        &self,
-        inputs: &PhongInputs<Wide>,
-        (): (),
-        i: u32,
-        observer: &mut impl Observer,
-    ) -> [u8; 3] {
-        let accumulated = Wide::from_num(i) * inputs.weight_step;
-        observer.see(
-            format_args!("weight_accumulator"),
-            accumulated,
-            self.formats.weight_accumulator,
-        );
-        let weight = narrow(observer, format_args!("weight"), accumulated, self.formats.weight);
-        let normal = self.along("normal", &inputs.normal, weight, observer).map(|unit| unit.vector);
-        let view = match &inputs.eye {
+    fn pixel(&self, span: &PhongSpan<Wide>, (): (), i: u32, observer: &mut impl Observer) -> Pixel {
+        let f = &self.formats;
+        let accumulated = Wide::from_num(i) * span.weight_step;
+        observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
+        let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
+        let normal = self.along("normal", &span.normal, weight, observer).map(|unit| unit.vector);
+        let view = match &span.eye {
             Some(eye) => self.along("eye", eye, weight, observer).map(|unit| unit.vector),
             None => Some(EYE),
         };
-        let mut colour = Colour::ambient(inputs.ambient);
         let n_dot_v = self.cosine("n_dot_v", normal, view, observer);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            let direction = self.direction(light, weight, &mut observer);
-            let n_dot_l =
-                self.cosine("n_dot_l", normal, direction.map(|unit| unit.vector), &mut observer);
-            let arrival = |direction| Arrival {
-                light,
-                direction,
-                view,
-                n_dot_l,
-                n_dot_v,
-                shininess: inputs.shininess,
-            };
-            let (diffuse, specular) = match (normal, direction.map(arrival)) {
-                (Some(_), Some(arrival)) => self.lit(&arrival, &mut observer),
-                _ => (Wide::ZERO, Wide::ZERO),
-            };
-            colour.add(&light.diffuse, diffuse);
-            colour.add(&light.specular, specular);
+        Pixel { weight, normal, view, n_dot_v, shininess: span.shininess }
+    }
+
+    fn light(
+        &self,
+        pixel: &Pixel,
+        light: &PhongLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let &Pixel { weight, normal, view, n_dot_v, shininess } = pixel;
+        let direction = self.direction(light, weight, observer);
+        let n_dot_l = self.cosine("n_dot_l", normal, direction.map(|unit| unit.vector), observer);
+        let arrival = |direction| Arrival { light, direction, view, n_dot_l, n_dot_v, shininess };
+        match (normal, direction.map(arrival)) {
+            (Some(_), Some(arrival)) => self.lit(&arrival, observer),
+            _ => Intensities { diffuse: Wide::ZERO, specular: Wide::ZERO },
         }
-        colour.code(self.colour, observer)
     }
 }
 
@@ -242,19 +235,19 @@ impl Phong {
     }
 
     /// d and f of a light that arrives from somewhere at a normal that points somewhere.
-    fn lit(&self, at: &Arrival, observer: &mut impl Observer) -> (Wide, Wide) {
+    fn lit(&self, at: &Arrival, observer: &mut impl Observer) -> Intensities<Wide> {
         let diffuse = at.n_dot_l.max(Wide::ZERO);
         let specular = at.view.map_or(Wide::ZERO, |view| self.specular(at, &view, observer));
         match at.light.exponent {
             Some(exponent) => {
                 let shape = self.formats.shape;
                 let cosine = self.base(to_axis(at), "spot_base", observer);
-                let share = self.spot_power.of(cosine, exponent.to_num());
+                let share = self.spot_power.raise(cosine, exponent.to_num());
                 observer.see(format_args!("spot"), share, shape);
                 let spotted = |amount| round_to(share * amount, shape.fraction_bits);
-                (spotted(diffuse), spotted(specular))
+                Intensities { diffuse: spotted(diffuse), specular: spotted(specular) }
             }
-            None => (diffuse, specular),
+            None => Intensities { diffuse, specular },
         }
     }
 
@@ -264,7 +257,7 @@ impl Phong {
         if self.highlight == Highlight::Reflection {
             let l_dot_v =
                 at.light.light_dot_view.unwrap_or_else(|| self.l_dot_v(at, view, observer));
-            return self.power.of(
+            return self.power.raise(
                 self.base(((at.n_dot_v * at.n_dot_l) << 1) - l_dot_v, "base", observer),
                 exponent,
             );
@@ -276,10 +269,10 @@ impl Phong {
         let cosine = (at.n_dot_l + at.n_dot_v) * gain;
         match self.highlight {
             Highlight::Reflection | Highlight::Blinn => {
-                self.power.of(self.base(cosine, "base", observer), exponent)
+                self.power.raise(self.base(cosine, "base", observer), exponent)
             }
             Highlight::TorranceSparrow => {
-                self.gaussian.of(self.versine(cosine, observer), exponent)
+                self.gaussian.value(self.versine(cosine, observer), exponent)
             }
             Highlight::TrowbridgeReitz => {
                 self.trowbridge_reitz(self.base(cosine, "base", observer), at.shininess, observer)

@@ -28,11 +28,11 @@ impl Power {
     }
 
     /// b^n.
-    pub fn of(&self, base: Wide, n: u32) -> Wide {
+    pub fn raise(&self, base: Wide, n: u32) -> Wide {
         if base == Wide::ZERO {
             return Wide::ZERO;
         }
-        self.exp2.of(Wide::from_num(n) * self.minus_log2(base))
+        self.exp2.value(Wide::from_num(n) * self.minus_log2(base))
     }
 
     /// λ.
@@ -99,7 +99,7 @@ mod tests {
                 for n in [1, 2, 3, 5, 11, largest / 3, largest - 1, largest] {
                     let base = Wide::from_num(raw) >> 10;
                     let wanted = (f64::from(raw) / 1024.0).powi(n as i32);
-                    let off = (unit.of(base, n).to_num::<f64>() - wanted).abs()
+                    let off = (unit.raise(base, n).to_num::<f64>() - wanted).abs()
                         * f64::from(1 << fraction_bits);
                     assert!(
                         off < 1.0,
@@ -107,7 +107,7 @@ mod tests {
                     );
                 }
             }
-            assert_eq!(unit.of(Wide::ONE, largest), Wide::ONE);
+            assert_eq!(unit.raise(Wide::ONE, largest), Wide::ONE);
         }
     }
 
@@ -119,7 +119,7 @@ mod tests {
             for n in [20_000, 32_767] {
                 let base = Wide::ONE - (Wide::from_num(below) >> 22);
                 let wanted = (1.0 - f64::from(below) / f64::from(1 << 22)).powi(n as i32);
-                let off = (unit.of(base, n).to_num::<f64>() - wanted).abs() * 65536.0;
+                let off = (unit.raise(base, n).to_num::<f64>() - wanted).abs() * 65536.0;
                 assert!(off < 1.0, "(1 - {below}/2^22)^{n} is off by {off}");
             }
         }

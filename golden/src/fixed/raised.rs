@@ -1,5 +1,5 @@
 //! Powers of highlights' bases, as the spec has them taken.
-use specula_spec::{CoreSpec, Format, PowerUnit, power};
+use specula_spec::{CoreParameters, Format, PowerUnit, power};
 
 use super::number::Wide;
 use super::observer::{Observer, narrow};
@@ -22,11 +22,11 @@ pub(super) enum Raised {
 }
 
 impl Raised {
-    pub fn new(core: &CoreSpec, unit: PowerUnit) -> Raised {
+    pub fn new(core: &CoreParameters, unit: PowerUnit) -> Raised {
         match unit.power {
             power::Power::Squaring => Raised::Squaring { base: unit.base },
             power::Power::Tables => {
-                let exponent_bits = unit.port(core).format.integer_bits;
+                let exponent_bits = unit.exponent_input(core).port.format.integer_bits;
                 Raised::Tables {
                     power: Power::new(exponent_bits, unit.shape.fraction_bits),
                     shape: unit.shape,
@@ -35,8 +35,16 @@ impl Raised {
         }
     }
 
+    /// Format of the power.
+    pub fn format(&self) -> Format {
+        match self {
+            Raised::Squaring { base } => *base,
+            Raised::Tables { shape, .. } => *shape,
+        }
+    }
+
     /// b^n of what the port of the exponent is given.
-    pub fn of(&self, observer: &mut impl Observer, base: Wide, exponent: Wide) -> Wide {
+    pub fn raise(&self, observer: &mut impl Observer, base: Wide, exponent: Wide) -> Wide {
         match self {
             Raised::Squaring { base: format } => {
                 let squarings = exponent.to_num::<u32>();
@@ -44,7 +52,7 @@ impl Raised {
                     .fold(base, |b, j| narrow(observer, format_args!("square{j}"), b * b, *format))
             }
             Raised::Tables { power, shape } => {
-                let power = power.of(base, exponent.to_num());
+                let power = power.raise(base, exponent.to_num());
                 observer.see(format_args!("power"), power, *shape);
                 power
             }

@@ -3,19 +3,18 @@
 use std::fmt;
 
 use specula_spec::reflection::{
-    Highlight, ReflectionFormats, ReflectionInputs, ReflectionLight, ReflectionSpec,
+    Highlight, ReflectionFormats, ReflectionInputs, ReflectionLight, ReflectionSpan, ReflectionSpec,
 };
-use specula_spec::{CoreSpec, Format, InputPort, Quadratic};
+use specula_spec::{CoreParameters, Format, Quadratic};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
 use super::forward::Accumulator;
 use super::highlight::{amount, cosine, quotient, reflection};
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::{Wide, round_quotient};
-use super::observer::{Observer, OfLight};
+use super::observer::Observer;
 use super::raised::Raised;
+use super::span_extent::SpanExtent;
 
 /// The largest 1/q.
 const LARGEST_RECIPROCAL: Wide = Wide::lit("4");
@@ -25,12 +24,10 @@ pub(super) struct Reflection {
     highlight: Highlight,
     power: Raised,
     formats: ReflectionFormats,
-    colour: Format,
-    ports: ReflectionInputs<InputPort>,
 }
 
 /// What the lights have in common at one pixel.
-struct Pixel {
+pub(super) struct Pixel {
     i: u32,
     q: Wide,
     /// 1/q.
@@ -38,16 +35,15 @@ struct Pixel {
     /// N'·V, and N·N; 0 where nobody asks.
     v: Wide,
     normal_squared: Wide,
+    exponent: Wide,
 }
 
 impl Reflection {
-    pub fn new(core: &CoreSpec, spec: &ReflectionSpec) -> Reflection {
+    pub fn new(core: &CoreParameters, spec: &ReflectionSpec) -> Reflection {
         Reflection {
             highlight: spec.specular,
             power: Raised::new(core, spec.power_unit()),
             formats: spec.formats.clone(),
-            colour: sum_format(core, spec.formats.diffuse, spec.power_unit().format()),
-            ports: spec.inputs(core),
         }
     }
 
@@ -79,19 +75,14 @@ impl Reflection {
         w
     }
 
-    fn common(
-        &self,
-        inputs: &ReflectionInputs<Wide>,
-        i: u32,
-        observer: &mut impl Observer,
-    ) -> Pixel {
-        let q = self.operand(observer, "denominator", Some(&inputs.denominator), i);
+    fn common(&self, span: &ReflectionSpan<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
+        let q = self.operand(observer, "denominator", Some(&span.denominator), i);
         let w = self.reciprocal(observer, q);
-        let view = self.operand(observer, "view", inputs.view.as_ref(), i);
+        let view = self.operand(observer, "view", span.view.as_ref(), i);
         let v = cosine(observer, "view_cosine", view * w, self.formats.cosine);
         let normal_squared =
-            self.operand(observer, "normal_squared", inputs.normal_squared.as_ref(), i);
-        Pixel { i, q, w, v, normal_squared }
+            self.operand(observer, "normal_squared", span.normal_squared.as_ref(), i);
+        Pixel { i, q, w, v, normal_squared, exponent: span.exponent }
     }
 
     /// The base of the highlight, 0 to 1.
@@ -122,23 +113,30 @@ impl Reflection {
 }
 
 impl Method for Reflection {
-    type Inputs = ReflectionInputs<Wide>;
+    type Span = ReflectionSpan<Wide>;
+    type Light = ReflectionLight<Wide>;
     type State = ();
+    type Pixel = Pixel;
 
-    fn read(&self, mut values: Values<'_>) -> ReflectionInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.diffuse, specular: self.power.format() }
     }
 
-    fn check(&self, inputs: &ReflectionInputs<Wide>, course: Course) -> Result<(), PacketError> {
+    fn check(
+        &self,
+        inputs: &ReflectionInputs<Wide>,
+        extent: SpanExtent,
+    ) -> Result<(), PacketError> {
         let check = |name: fmt::Arguments<'_>, quadratic: Option<&Quadratic<Wide>>, low: i32| {
             quadratic.map_or(Ok(()), |quadratic| {
-                course.quadratic(name, quadratic, self.formats.accumulator, (low, 1))
+                extent.quadratic(name, quadratic, self.formats.accumulator, (low, 1))
             })
         };
-        check(format_args!("denominator"), Some(&inputs.denominator), 0)?;
-        check(format_args!("view"), inputs.view.as_ref(), -1)?;
-        check(format_args!("normal_squared"), inputs.normal_squared.as_ref(), 0)?;
-        inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
+        check(format_args!("denominator"), Some(&inputs.span.denominator), 0)?;
+        check(format_args!("view"), inputs.span.view.as_ref(), -1)?;
+        check(format_args!("normal_squared"), inputs.span.normal_squared.as_ref(), 0)?;
+        inputs.lights.iter().enumerate().try_for_each(|(index, inputs)| {
+            let light = &inputs.light;
             check(format_args!("light{index}_p"), Some(&light.cosine), -1)?;
             check(format_args!("light{index}_halfway"), light.halfway.as_ref(), -1)?;
             check(format_args!("light{index}_numerator"), light.numerator.as_ref(), -1)
@@ -147,21 +145,24 @@ impl Method for Reflection {
 
     fn pixel(
         &self,
-        inputs: &ReflectionInputs<Wide>,
+        span: &ReflectionSpan<Wide>,
         (): (),
         i: u32,
         observer: &mut impl Observer,
-    ) -> [u8; 3] {
-        let pixel = self.common(inputs, i, observer);
-        let mut colour = Colour::ambient(inputs.ambient);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            let p = self.operand(&mut observer, "p", Some(&light.cosine), i);
-            let c = cosine(&mut observer, "cosine", p * pixel.w, self.formats.cosine);
-            colour.add(&light.diffuse, amount(&mut observer, "diffuse", c, self.formats.diffuse));
-            let base = self.base(&pixel, light, c, &mut observer);
-            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
-        }
-        colour.code(self.colour, observer)
+    ) -> Pixel {
+        self.common(span, i, observer)
+    }
+
+    fn light(
+        &self,
+        pixel: &Pixel,
+        light: &ReflectionLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let p = self.operand(observer, "p", Some(&light.cosine), pixel.i);
+        let c = cosine(observer, "cosine", p * pixel.w, self.formats.cosine);
+        let diffuse = amount(observer, "diffuse", c, self.formats.diffuse);
+        let base = self.base(pixel, light, c, observer);
+        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }

@@ -2,17 +2,18 @@
 //! `docs/arithmetic/slerp.md`].
 use std::iter;
 
-use specula_spec::slerp::{Axes, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
-use specula_spec::{CoreSpec, Format, InputPort};
+use specula_spec::slerp::{
+    Axes, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpan, SlerpSpec,
+};
+use specula_spec::{CoreParameters, Format};
 
-use super::colour::{Colour, sum_format};
-use super::course::Course;
 use super::error::PacketError;
-use super::method::{Method, Values};
+use super::method::{Intensities, Method};
 use super::number::{Wide, round_to};
-use super::observer::{Observer, OfLight, narrow, narrow_vector};
+use super::observer::{Observer, narrow, narrow_vector};
 use super::packet;
 use super::raised::Raised;
+use super::span_extent::SpanExtent;
 use super::vector::{Vector, dot};
 
 /// The method in one core's formats.
@@ -21,15 +22,13 @@ pub(super) struct Slerp {
     state: Format,
     power: Raised,
     formats: SlerpFormats,
-    colour: Format,
-    ports: SlerpInputs<InputPort>,
 }
 
 /// A cosine and a sine, times a factor.
 type Circling = [Wide; 2];
 
 impl Slerp {
-    pub fn new(core: &CoreSpec, slerp: &SlerpSpec) -> Slerp {
+    pub fn new(core: &CoreParameters, slerp: &SlerpSpec) -> Slerp {
         Slerp {
             state: if slerp.between_ends() {
                 slerp.formats.scaled_state
@@ -38,29 +37,38 @@ impl Slerp {
             },
             power: Raised::new(core, slerp.power_unit()),
             formats: slerp.formats.clone(),
-            colour: sum_format(core, slerp.formats.diffuse, slerp.power_unit().format()),
-            ports: slerp.inputs(core),
         }
     }
 }
 
+/// What the lights have in common at one pixel.
+pub(super) struct Pixel {
+    weights: [Wide; 2],
+    normal: Option<Vector>,
+    n_dot_v: Wide,
+    exponent: Wide,
+}
+
 impl Method for Slerp {
-    type Inputs = SlerpInputs<Wide>;
+    type Span = SlerpSpan<Wide>;
+    type Light = SlerpLight<Wide>;
     /// What the weights of start and end are taken from.
     type State = [Circling; 2];
+    type Pixel = Pixel;
 
-    fn read(&self, mut values: Values<'_>) -> SlerpInputs<Wide> {
-        self.ports.map(|port| values.next(port))
+    fn formats(&self) -> Intensities<Format> {
+        Intensities { diffuse: self.formats.diffuse, specular: self.power.format() }
     }
 
     /// A turn that stretches would leave every range: its squares add up to 1 but for the host's
     /// rounding. With weights below 8 normals are shorter than 18, before their length is
     /// corrected.
-    fn check(&self, inputs: &SlerpInputs<Wide>, course: Course) -> Result<(), PacketError> {
-        let stretch = inputs.turn_cosine * inputs.turn_cosine
-            + inputs.turn_sine * inputs.turn_back.unwrap_or(inputs.turn_sine);
+    fn check(&self, inputs: &SlerpInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
+        let span = &inputs.span;
+        let stretch = span.turn_cosine * span.turn_cosine
+            + span.turn_sine * span.turn_back.unwrap_or(span.turn_sine);
         let longest = Wide::ONE + (Wide::ONE >> (self.formats.turn.fraction_bits - 1));
-        if let Some(Axes { start, other }) = &inputs.normal {
+        if let Some(Axes { start, other }) = &span.normal {
             packet::check_length(
                 format_args!("normal_start"),
                 start,
@@ -74,59 +82,61 @@ impl Method for Slerp {
                 self.formats.vector,
             )?;
         }
-        let states =
-            iter::successors(Some(first(inputs)), |&state| Some(self.turned(inputs, state)));
+        let states = iter::successors(Some(first(span)), |&state| Some(self.turned(span, state)));
         let are_small =
-            || states.take(course.length as usize).flatten().flatten().all(|x| x.abs() < 8);
-        let fits = stretch <= longest && (inputs.turn_back.is_none() || are_small());
+            || states.take(extent.length as usize).flatten().flatten().all(|x| x.abs() < 8);
+        let fits = stretch <= longest && (span.turn_back.is_none() || are_small());
         if fits { Ok(()) } else { Err(PacketError::Turn) }
     }
 
     fn state(
         &self,
-        inputs: &SlerpInputs<Wide>,
+        span: &SlerpSpan<Wide>,
         before: Option<[Circling; 2]>,
         _i: u32,
         _observer: &mut impl Observer,
     ) -> [Circling; 2] {
-        before.map_or_else(|| first(inputs), |before| self.turned(inputs, before))
+        before.map_or_else(|| first(span), |before| self.turned(span, before))
     }
 
     fn pixel(
         &self,
-        inputs: &SlerpInputs<Wide>,
+        span: &SlerpSpan<Wide>,
         state: [Circling; 2],
         _i: u32,
         observer: &mut impl Observer,
-    ) -> [u8; 3] {
-        let f = &self.formats;
+    ) -> Pixel {
         let weights = self.weights(state, observer);
-        let normal = inputs.normal.as_ref().map(|axes| self.normal(axes, weights, observer));
+        let normal = span.normal.as_ref().map(|axes| self.normal(axes, weights, observer));
         let n_dot_v = match &normal {
-            Some(n) => narrow(observer, format_args!("n_dot_v"), n[2], f.cosine),
-            None => self.corrected(inputs.view.as_ref(), weights, observer),
+            Some(n) => narrow(observer, format_args!("n_dot_v"), n[2], self.formats.cosine),
+            None => self.corrected(span.view.as_ref(), weights, observer),
         };
-        let mut colour = Colour::ambient(inputs.ambient);
-        for (index, light) in inputs.lights.iter().enumerate() {
-            let mut observer = OfLight { observer, index };
-            let n_dot_l = match (&normal, &light.direction) {
-                (Some(n), Some(direction)) => dot(n, direction),
-                _ => on_arc(light.light.as_ref(), weights),
-            };
-            let n_dot_l = narrow(&mut observer, format_args!("n_dot_l"), n_dot_l, f.cosine);
-            colour.add(&light.diffuse, self.diffuse(n_dot_l, &mut observer));
-            let base = self.base(n_dot_l, n_dot_v, light, &mut observer);
-            colour.add(&light.specular, self.power.of(&mut observer, base, inputs.exponent));
-        }
-        colour.code(self.colour, observer)
+        Pixel { weights, normal, n_dot_v, exponent: span.exponent }
+    }
+
+    fn light(
+        &self,
+        pixel: &Pixel,
+        light: &SlerpLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let n_dot_l = match (&pixel.normal, &light.direction) {
+            (Some(n), Some(direction)) => dot(n, direction),
+            _ => on_arc(light.light.as_ref(), pixel.weights),
+        };
+        let n_dot_l = narrow(observer, format_args!("n_dot_l"), n_dot_l, self.formats.cosine);
+        let diffuse = self.diffuse(n_dot_l, observer);
+        let base = self.base(n_dot_l, pixel.n_dot_v, light, observer);
+        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }
 
 /// The state at the first pixel: between the ends both weights have angles of their own; else one
 /// rotation has both.
-fn first(inputs: &SlerpInputs<Wide>) -> [Circling; 2] {
-    let falling = [Wide::ONE, inputs.falling_cosine.unwrap_or(Wide::ZERO)];
-    let rising = [inputs.rising_cosine.unwrap_or(Wide::ONE), Wide::ZERO];
+fn first(span: &SlerpSpan<Wide>) -> [Circling; 2] {
+    let falling = [Wide::ONE, span.falling_cosine.unwrap_or(Wide::ZERO)];
+    let rising = [span.rising_cosine.unwrap_or(Wide::ONE), Wide::ZERO];
     [falling, rising]
 }
 
@@ -147,13 +157,9 @@ impl Slerp {
     }
 
     /// A turn further.
-    fn turned(
-        &self,
-        inputs: &SlerpInputs<Wide>,
-        [falling, rising]: [Circling; 2],
-    ) -> [Circling; 2] {
-        let (cosine, sine) = (inputs.turn_cosine, inputs.turn_sine);
-        let back = inputs.turn_back.unwrap_or(sine);
+    fn turned(&self, span: &SlerpSpan<Wide>, [falling, rising]: [Circling; 2]) -> [Circling; 2] {
+        let (cosine, sine) = (span.turn_cosine, span.turn_sine);
+        let back = span.turn_back.unwrap_or(sine);
         let turned = |[c, s]: Circling, down: Wide, up: Wide| {
             [c * cosine - s * down, s * cosine + c * up]
                 .map(|x| round_to(x, self.state.fraction_bits))

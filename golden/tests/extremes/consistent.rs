@@ -2,7 +2,11 @@
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use glam::{DQuat, DVec3};
-use specula_golden::exact::consistent_span::consistent_cosine;
+use specula_fixtures::Draw;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::highlights::{Choices, choices};
+use specula_fixtures::specs::spec;
+use specula_golden::exact::method::consistent::consistent_cosine;
 use specula_scene::mesh::Mesh;
 use specula_scene::mesh::normals::newell;
 use specula_scene::primitive::Primitive;
@@ -10,15 +14,13 @@ use specula_scene::{Frame, VertexCone};
 use specula_spec::consistent::{Curve, Diffuse, Highlight};
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use crate::common::draw::Draws;
-use crate::common::{frame, material, mirror, spec, tilted, value};
-use crate::{assert_within_one_code, codes, method, trace};
+use crate::{assert_within_one_code, codes, method, observation, trace, value};
 
 const CURVES: [Curve; 2] = [Curve::Rational, Curve::Trigonometric];
 
 /// The defaults, with a curve and what is diffusely reflected.
 fn core(frame: &Frame, curve: Curve, diffuse: Diffuse) -> CoreSpec {
-    let mut core = spec(frame, Method::Consistent).expect("the defaults serve it");
+    let mut core = spec(frame, Method::Consistent);
     if let MethodSpec::Consistent(consistent) = &mut core.method {
         (consistent.curve, consistent.diffuse) = (curve, diffuse);
     }
@@ -74,8 +76,7 @@ fn seen_from_straight_above() {
             let values = ["cos_gamma", "light0_diffuse", "reflection_x", "reflection_y"]
                 .map(|name| value(&trace, name));
             assert_eq!(values, [1.0, 1.0, 0.0, 0.0]);
-            let ulp =
-                trace.iter().find(|o| o.name == "reflection_z").expect("it is traced").format.ulp();
+            let ulp = observation(&trace, "reflection_z").format.ulp();
             assert!((value(&trace, "reflection_z") - 1.0).abs() <= ulp, "{cosine}");
         }
     }
@@ -90,7 +91,7 @@ fn flat_surroundings_reflect_plainly() {
         for curve in CURVES {
             let core = core(&frame, curve, Diffuse::Lambert);
             let trace = trace(&core, &frame, 0);
-            let ulp = trace.iter().find(|o| o.name == "angle").expect("it is traced").format.ulp();
+            let ulp = observation(&trace, "angle").format.ulp();
             assert!(
                 value(&trace, "angle") <= ulp && value(&trace, "contraction") >= 1.0 - 5.0 * ulp
             );
@@ -107,7 +108,7 @@ fn flat_surroundings_reflect_plainly() {
 
 /// The defaults with Blinn's highlight.
 fn blinn(frame: &Frame) -> CoreSpec {
-    let mut core = spec(frame, Method::Consistent).expect("the defaults serve it");
+    let mut core = spec(frame, Method::Consistent);
     if let MethodSpec::Consistent(consistent) = &mut core.method {
         consistent.highlight = Highlight::Blinn;
     }
@@ -214,27 +215,27 @@ fn faces(mesh: &Mesh) -> Vec<Face> {
 }
 
 /// A direction in the hemisphere of `face`, uniformly.
-fn in_front(face: DVec3, draw: &[f64; 12]) -> DVec3 {
-    let (height, turn) = (draw[0], 2.0 * PI * draw[1]);
+fn in_front(face: DVec3, choices: &Choices) -> DVec3 {
+    let (height, turn) = (choices[0], 2.0 * PI * choices[1]);
     let across = DQuat::from_axis_angle(face, turn) * face.any_orthonormal_vector();
     (face * height + across * (1.0 - height * height).sqrt()).normalize()
 }
 
 /// Weights of a point of a triangle, uniformly.
-fn inside(draw: &[f64]) -> [f64; 3] {
-    let (root, share) = (draw[0].sqrt(), draw[1]);
+fn inside(choices: &[f64]) -> [f64; 3] {
+    let (root, share) = (choices[0].sqrt(), choices[1]);
     [1.0 - root, root * (1.0 - share), root * share]
 }
 
 /// n·r at every pixel of a span of the face seen from `eye`, in fixed arithmetic; and of the plain
 /// reflection.
-fn heights(face: &Face, eye: DVec3, curve: Curve, draw: &[f64; 12]) -> Vec<[f64; 2]> {
+fn heights(face: &Face, eye: DVec3, curve: Curve, choices: &Choices) -> Vec<[f64; 2]> {
     let turn = DQuat::from_rotation_arc(eye, DVec3::Z);
     let mut frame = frame([DVec3::Z; 2], 4, &[DVec3::Z], mirror(16));
     let cone = |v: usize| VertexCone { axis: turn * face.normals[v], cosine: face.cosines[v] };
     frame.triangles[0].cones = std::array::from_fn(cone);
     frame.triangles[0].normals = face.normals.map(|n| turn * n);
-    (frame.spans[0].start, frame.spans[0].end) = (inside(&draw[2..4]), inside(&draw[4..6]));
+    (frame.spans[0].start, frame.spans[0].end) = (inside(&choices[2..4]), inside(&choices[4..6]));
     let core = core(&frame, curve, Diffuse::Lambert);
     let vector = |trace: &[_], name: &str| {
         DVec3::from_array(["x", "y", "z"].map(|axis| value(trace, &format!("{name}_{axis}"))))
@@ -258,14 +259,14 @@ fn no_reflection_enters_a_face() {
         // 12 x 6 cells; the table has 0.222 for 8 x 6 and 0.154 for 12 x 8.
         (Primitive::Torus { level: 3, tube: 0.4 }, 8, 0.188),
     ];
-    let mut draws = Draws(2010);
+    let mut draw = Draw::new(2010);
     for (shape, each, phong) in meshes {
         let faces = faces(&shape.mesh());
         for curve in CURVES {
             let (mut inward, mut all) = (0, 0);
             for face in faces.iter().flat_map(|face| std::iter::repeat_n(face, each)) {
-                let draw = draws.next().expect("draws do not end");
-                let heights = heights(face, in_front(face.normal, &draw), curve, &draw);
+                let choices = choices(&mut draw);
+                let heights = heights(face, in_front(face.normal, &choices), curve, &choices);
                 assert!(
                     heights.iter().all(|[consistent, _]| *consistent >= 0.0),
                     "{shape:?} {curve:?}: {heights:?}"

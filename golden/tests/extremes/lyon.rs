@@ -1,14 +1,15 @@
 //! The ranges of `lyon`.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, mirror, tilted};
+use specula_fixtures::specs::spec;
 use specula_scene::Frame;
 use specula_spec::lyon::{Difference, LyonSpec, Normalisation};
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use crate::common::{frame, mirror, spec, tilted, value};
-use crate::{assert_within_one_code, codes, trace};
+use crate::{assert_within_one_code, codes, trace, value};
 
 fn changed(frame: &Frame, change: impl FnOnce(&mut LyonSpec)) -> CoreSpec {
-    let mut core = spec(frame, Method::Lyon).unwrap();
+    let mut core = spec(frame, Method::Lyon);
     if let MethodSpec::Lyon(lyon) = &mut core.method {
         change(lyon);
     }
@@ -69,7 +70,7 @@ fn shape_is_never_negative() {
 fn centre_of_the_highlight_is_full_scale() {
     for shininess in [1, 256, 8191] {
         let frame = flat(DVec3::Z, shininess);
-        for core in [spec(&frame, Method::Lyon).unwrap(), reflection_form(&frame, 2)] {
+        for core in [spec(&frame, Method::Lyon), reflection_form(&frame, 2)] {
             assert_eq!(value(&trace(&core, &frame, 0), "light0_shape"), 1.0);
             assert_eq!(codes(&core, &frame), [255]);
         }
@@ -130,6 +131,6 @@ fn twice_n_dot_v_may_exceed_two() {
 fn difference_along_one_axis_is_enough() {
     for light in [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y] {
         let frame = flat(light, 256);
-        assert_eq!(codes(&spec(&frame, Method::Lyon).unwrap(), &frame), [0]);
+        assert_eq!(codes(&spec(&frame, Method::Lyon), &frame), [0]);
     }
 }

@@ -4,14 +4,14 @@
 //! It runs with overflow checks, so it tries the widths that `fixed::number` argues for, too.
 use glam::DVec3;
 use proptest::prelude::*;
+use specula_fixtures::any_spec;
+use specula_fixtures::frames::material;
+use specula_fixtures::highlights::{Choices, SpanRange, draw_frame};
+use specula_fixtures::specs::packet;
 use specula_golden::fixed::{Model, PacketError};
-use specula_scene::{Frame, LocalLight, Spot};
+use specula_scene::{Frame, LocalLight, Needs, Spot};
 use specula_spec::{CoreSpec, Method, MethodSpec, SpanPacket};
 
-#[path = "../../../scene/tests/common/any_spec.rs"]
-mod any_spec;
-#[path = "../common/mod.rs"]
-mod common;
 mod consistent;
 mod direct;
 mod duff;
@@ -25,12 +25,9 @@ mod raw;
 mod reflection;
 mod slerp;
 
-use any_spec::any_spec;
-use common::draw::{Draw, Range, draw_frame};
-use common::{material, needs, packet};
 use raw::Raw;
 
-const ANY: Range = Range { widest: 179.0, tilt: 180.0, log2_length: 10.0, lights: 3 };
+const ANY: SpanRange = SpanRange { widest: 179.0, tilt: 180.0, log2_length: 10.0, lights: 3 };
 
 fn codes_agree(core: &CoreSpec, packet: &SpanPacket) -> Result<(), TestCaseError> {
     let mut codes = Vec::new();
@@ -40,15 +37,15 @@ fn codes_agree(core: &CoreSpec, packet: &SpanPacket) -> Result<(), TestCaseError
     // A few dozen pixels of a long span are enough.
     for i in (0..packet.length).step_by(1 + packet.length as usize / 50) {
         let expected = match &core.method {
-            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, core.lights, i),
-            MethodSpec::Phong(spec) => phong::code(spec, &raw, core.lights, i),
-            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, core.lights, i),
-            MethodSpec::Duff(spec) => duff::code(spec, &raw, core.lights, i),
-            MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, core.lights, i),
-            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, core.lights, i),
-            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, core.lights, i),
-            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, core.lights, i),
-            MethodSpec::Direct(spec) => direct::code(spec, &raw, core.lights, i),
+            MethodSpec::Lyon(spec) => lyon::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Phong(spec) => phong::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Hybrid(spec) => hybrid::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Duff(spec) => duff::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Gouraud(spec) => gouraud::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Reflection(spec) => reflection::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Consistent(spec) => consistent::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Slerp(spec) => slerp::code(spec, &raw, core.parameters.lights, i),
+            MethodSpec::Direct(spec) => direct::code(spec, &raw, core.parameters.lights, i),
         };
         prop_assert_eq!(codes[i as usize], expected, "pixel {}", i);
     }
@@ -59,7 +56,7 @@ fn codes_agree(core: &CoreSpec, packet: &SpanPacket) -> Result<(), TestCaseError
 fn core_for(frame: &Frame, method: Method, draw: &[f64; 8]) -> CoreSpec {
     // Eight draws decide a few more things: digits further down are as good as draws of their own.
     let mut drawn = 0;
-    any_spec(&needs(frame), method, |low, high| {
+    any_spec(&Needs::of(frame), method, |low, high| {
         let digits = draw[drawn % 8] * 7_f64.powi((drawn / 8) as i32);
         drawn += 1;
         let part = if digits > 1.0 { digits.fract() } else { digits };
@@ -76,28 +73,28 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn lyon(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn lyon_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Lyon, &draw, &bits, n)?;
     }
 
     #[test]
-    fn phong(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn phong_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Phong, &draw, &bits, n)?;
     }
 
     #[test]
-    fn phong_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn phong_at_places_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check_frame(Method::Phong, &frame_with_places(&draw, n), &bits)?;
     }
 
     #[test]
-    fn gouraud_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn gouraud_at_places_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check_frame(Method::Gouraud, &frame_with_places(&draw, n), &bits)?;
     }
 
     /// The other methods see places from the middles of spans.
     #[test]
-    fn others_at_places(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
+    fn the_others_at_places_agree_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), j in 0..13_u32) {
         let frame = frame_with_places(&draw, 1 << j);
         for method in Method::ALL {
             check_frame(method, &frame, &bits)?;
@@ -105,37 +102,37 @@ proptest! {
     }
 
     #[test]
-    fn hybrid(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn hybrid_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Hybrid, &draw, &bits, n)?;
     }
 
     #[test]
-    fn duff(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn duff_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Duff, &draw, &bits, n)?;
     }
 
     #[test]
-    fn gouraud(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
+    fn gouraud_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in 1..8192_u32) {
         check(Method::Gouraud, &draw, &bits, n)?;
     }
 
     #[test]
-    fn slerp(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn slerp_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Slerp, &draw, &bits, n)?;
     }
 
     #[test]
-    fn direct(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn direct_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Direct, &draw, &bits, n)?;
     }
 
     #[test]
-    fn reflection(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
+    fn reflection_agrees_with_integers(draw in prop::array::uniform12(0.0..1.0_f64), bits in prop::array::uniform8(0.0..=1.0_f64), n in exponent()) {
         check(Method::Reflection, &draw, &bits, n)?;
     }
 
     #[test]
-    fn consistent(
+    fn consistent_agrees_with_integers(
         draw in prop::array::uniform12(0.0..1.0_f64),
         bits in prop::array::uniform8(0.0..=1.0_f64),
         n in exponent(),
@@ -150,7 +147,7 @@ proptest! {
 }
 
 /// A drawn frame with lights and the eye at places near the surface, and one light in it.
-fn frame_with_places(draw: &Draw, n: u32) -> Frame {
+fn frame_with_places(draw: &Choices, n: u32) -> Frame {
     let mut frame = draw_frame(ANY, draw, material(draw[8], draw[9], 3.0 * draw[10], n)).frame;
     frame.triangles[0].positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
     let place = |k: usize| DVec3::new(draw[k], draw[k + 1], draw[k + 2] - 0.5);
@@ -172,7 +169,7 @@ fn check_frame(method: Method, frame: &Frame, bits: &[f64; 8]) -> Result<(), Tes
 
 fn check(
     method: Method,
-    draw: &Draw,
+    draw: &Choices,
     bits: &[f64; 8],
     shininess: u32,
 ) -> Result<(), TestCaseError> {
@@ -195,7 +192,7 @@ fn takes_every_input_in_range(method: Method) {
     let frame = draw_frame(ANY, &draw, material(1.0, 1.0, 1.0, 4096)).frame;
     for bits in [[0.0; 8], [1.0; 8]] {
         let mut core = core_for(&frame, method, &bits);
-        core.longest_span = 8192;
+        core.parameters.longest_span = 8192;
         for high in [0b0, 0b1, 0b01_0101, 0b10_1010, 0b11_0110] {
             let end = |(k, port): (usize, specula_spec::InputPort)| {
                 if high >> (k % 6) & 1 == 1 { port.range.1 } else { port.range.0 }

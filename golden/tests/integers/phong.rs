@@ -13,16 +13,18 @@ pub fn code(spec: &PhongSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let (c, s) = (f.cosine.fraction_bits, f.shape.fraction_bits);
     let bits = c.max(s);
     let normal = along(spec, raw, "normal", i).map(|(vector, _)| vector);
-    let view = match has_way(raw, "eye") {
-        true => along(spec, raw, "eye", i).map(|(vector, _)| vector),
-        false => Some([0, 0, 1 << f.vector.fraction_bits]),
+    let view = if has_way(raw, "eye") {
+        along(spec, raw, "eye", i).map(|(vector, _)| vector)
+    } else {
+        Some([0, 0, 1 << f.vector.fraction_bits])
     };
     let mut terms = Vec::new();
     for light in 0..lights {
         let name = |part: &str| format!("light{light}_{part}");
-        let direction = match raw.has(&name("direction_x")) {
-            true => Some((raw.vector(&name("direction")), None)),
-            false => along(spec, raw, &name("way"), i),
+        let direction = if raw.has(&name("direction_x")) {
+            Some((raw.vector(&name("direction")), None))
+        } else {
+            along(spec, raw, &name("way"), i)
         };
         // 2 v p is above 2 v where p is above 1; the spot is dark elsewhere.
         let one = 1 << f.wrap_operand.fraction_bits;
@@ -167,12 +169,11 @@ fn specular(
         let base = round(2 * nv * nl - (vl << c), 2 * c, b).clamp(0, 1 << b);
         return power::of(base, b, exponent, exponent_bits, s);
     }
-    let gain = match raw.has(&name("halfway_gain")) {
-        true => raw.get(&name("halfway_gain")),
-        false => {
-            let z = f.length_squared.fraction_bits;
-            reciprocal_root(round((2 << c) + 2 * vl(), c, z), z, g)
-        }
+    let gain = if raw.has(&name("halfway_gain")) {
+        raw.get(&name("halfway_gain"))
+    } else {
+        let z = f.length_squared.fraction_bits;
+        reciprocal_root(round((2 << c) + 2 * vl(), c, z), z, g)
     };
     let cosine = (nl + nv) * gain;
     let base = round(cosine, c + g, b).clamp(0, 1 << b);

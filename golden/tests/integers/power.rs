@@ -4,14 +4,11 @@ use crate::raw::{Raw, round};
 /// The power of a highlight's base with `from` fraction bits, by squaring or by tables, whichever
 /// port there is, with `shape` fraction bits then; and its fraction bits.
 pub fn raised(raw: &Raw, base: i128, from: u32, shape: u32) -> (i128, u32) {
-    match raw.has("log2_exponent") {
-        true => {
-            ((0..raw.get("log2_exponent")).fold(base, |b, _| round(b * b, 2 * from, from)), from)
-        }
-        false => {
-            let exponent_bits = i128::BITS - raw.largest("exponent").leading_zeros();
-            (of(base, from, raw.get("exponent"), exponent_bits, shape), shape)
-        }
+    if raw.has("log2_exponent") {
+        ((0..raw.get("log2_exponent")).fold(base, |b, _| round(b * b, 2 * from, from)), from)
+    } else {
+        let exponent_bits = i128::BITS - raw.largest("exponent").leading_zeros();
+        (of(base, from, raw.get("exponent"), exponent_bits, shape), shape)
     }
 }
 

@@ -1,30 +1,33 @@
 //! The core for consistent normal interpolation.
-use specula_spec::consistent::{ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight};
-use specula_spec::{CoreSpec, Format};
+use specula_spec::consistent::{
+    ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight,
+};
+use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{eye, finish, pipelines, time_slots};
+use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots};
 use crate::error;
-use crate::error::consistent_reflection::Consistency;
-use crate::units::{self, ExactNormalisation, Interpolation, Light, SpanAngles, SpanNormals};
-use specula_datapath::bound::ErrorModel;
+use crate::error::consistent_reflection::highlight;
+use crate::units::{self, ExactNormalisation, Interpolation, SpanAngles, SpanNormals};
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Exactly normalised normal, N·L or N_c·L, and the power of the eye's consistent reflection.
 /// [Reshetov, Soupikov and Mark]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreSpec,
+    parameters: &CoreParameters,
     consistent: &ConsistentSpec,
-) -> Result<Design, BuildError> {
-    let slots = time_slots(&b, spec);
-    let inputs = consistent.inputs(spec).map(|port| b.input(port));
-    let (f, steps) = (&consistent.formats, spec.longest_span - 1);
+    ports: &ConsistentInputs<InputPort>,
+) -> Result<Graph, BuildError> {
+    let slots = time_slots(&b, parameters);
+    let inputs = ports.map(|port| b.input(port));
+    let (f, steps) = (&consistent.formats, parameters.longest_span - 1);
     let span = SpanNormals {
         first: &slots.first_pixel,
-        start: &Vector::new(inputs.normal_start),
-        delta: &Vector::new(inputs.normal_delta),
-        weight_step: &inputs.weight_step,
+        start: &Vector::new(inputs.span.normal_start.clone()),
+        delta: &Vector::new(inputs.span.normal_delta.clone()),
+        weight_step: &inputs.span.weight_step,
     };
     let normal = units::interpolate(
         &b,
@@ -34,7 +37,7 @@ pub(super) fn core(
             weight: f.weight,
             vector: f.vector,
             longest: 1.0,
-            apart: error::interpolate::chord(spec.shortest_normal),
+            apart: error::interpolate::chord(parameters.shortest_normal),
             steps,
         },
     );
@@ -43,38 +46,28 @@ pub(super) fn core(
         reciprocal: f.gain.into(),
         vector_fraction_bits: f.vector.fraction_bits,
     };
-    let (n, has_direction) = units::normalise_exactly(&b, &normal, to, spec.shortest_normal);
+    let normal = normal.no_shorter_than(parameters.shortest_normal, SHORTEST_NORMAL);
+    let (n, has_direction) = units::normalise_exactly(&b, &normal, to);
     let angles = SpanAngles {
         first: &slots.first_pixel,
-        start: &inputs.angle_start,
-        step: &inputs.angle_step,
+        start: &inputs.span.angle_start,
+        step: &inputs.span.angle_step,
     };
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
-    let least_q = least_contraction(spec, consistent.curve);
-    let known = Consistency { least_q, least_divisor: (1.0 + spec.least_view_cosine).max(0.0) };
-    let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, known).0;
+    let least_q = Interval::at_least(least_contraction(parameters, consistent.curve));
+    let q = q.real_within(least_q, "no angle is larger than that of a vertex");
+    let least_divisor = (1.0 + parameters.least_view_cosine).max(0.0);
+    let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, least_divisor).0;
     let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
-    let pixel = Pixel {
-        b: &b,
-        consistent,
-        n: &n,
-        has_direction: &has_direction,
-        q: &q,
-        least_q,
-        r: r.as_ref(),
-    };
-    let exponent = &inputs.exponent;
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light, exponent))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    let pixel =
+        Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, r: r.as_ref() };
+    let exponent = &inputs.span.exponent;
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, exponent))
 }
 
 /// q at the largest angle that a vertex has.
-fn least_contraction(spec: &CoreSpec, curve: Curve) -> f64 {
-    let t = curve.quarter_turns(spec.least_cone_cosine).min(1.0);
+fn least_contraction(parameters: &CoreParameters, curve: Curve) -> f64 {
+    let t = curve.quarter_turns(parameters.least_cone_cosine).min(1.0);
     match curve {
         Curve::Rational => (1.0 - t).powi(2) / (1.0 + (std::f64::consts::PI - 2.0) * t),
         Curve::Trigonometric => (std::f64::consts::FRAC_PI_4 * (1.0 - t)).tan().powi(2),
@@ -88,13 +81,12 @@ struct Pixel<'a> {
     n: &'a Vector,
     has_direction: &'a Sig,
     q: &'a Sig,
-    least_q: f64,
     /// The eye's reflection, where the highlight asks for it.
     r: Option<&'a Vector>,
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, exponent: &Sig) -> Light {
+    fn shade(&self, index: usize, light: &ConsistentLight<Sig>, exponent: &Sig) -> Intensities {
         let (b, f) = (self.b, &self.consistent.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
@@ -105,27 +97,21 @@ impl Pixel<'_> {
         let base = b.instance(&called("base"), || match (self.r, &light.halfway) {
             (_, Some(halfway)) => self.consistent_cosine(&Vector::new(halfway.clone()), f.base),
             (Some(r), None) => self.reflected_cosine(r, &direction),
-            (None, None) => unreachable!("`ConsistentSpec::inputs` has H where there is no r"),
+            (None, None) => {
+                unreachable!("`ConsistentSpec::light_inputs` has H where there is no r")
+            }
         });
         let power = || units::raised(b, &base, exponent, self.consistent.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), diffuse),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 
     /// N_c·I of any I.
     fn consistent_cosine(&self, incoming: &Vector, to: Format) -> Sig {
         let mirror = (self.n, self.q, self.has_direction);
-        units::consistent_cosine(
-            self.b,
-            mirror,
-            incoming,
-            (&self.consistent.formats, to),
-            self.least_q,
-        )
+        units::consistent_cosine(self.b, mirror, incoming, (&self.consistent.formats, to))
     }
 
     /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
@@ -137,21 +123,12 @@ impl Pixel<'_> {
             "b = r.L, clamped to [0, 1]",
             inputs,
             |b, (r, l, has_direction)| {
-                let (off, off_l) = (r.off(), l.off().length);
-                // The cosine of r's angle with L, but for what r is longer or shorter and L is off.
-                let rest = off.stretch() + (1.0 + off.stretch()) * off_l + 0.5 * format.ulp();
-                let cosine =
-                    units::clamped_cosine(b, &r, &l, format).known_cosine(off.angle(), rest);
-                let base =
-                    has_direction.choose(&cosine, &b.integer(0)).clamped_above(1).named("base");
-                // Where rounding may decide whether a normal has a direction, nothing is known of
-                // its highlight.
-                match has_direction.error() == 0.0 {
-                    true => base
-                        .stated_error_value(cosine.error_value())
-                        .known_cosine(off.angle(), rest),
-                    false => base.stated_error_value(1.0).of_error_model(ErrorModel::Bounded),
-                }
+                let cosine = units::clamped_cosine(b, &r, &l, format).tighten_error(
+                    "error::consistent_reflection::highlight",
+                    highlight(r.bound(), l.bound(), format),
+                );
+                let base = has_direction.choose(&cosine, &b.integer(0)).clamped_above(1);
+                units::gated(base, &has_direction).named("base")
             },
         )
     }

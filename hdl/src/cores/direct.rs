@@ -1,52 +1,49 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_spec::direct::{DirectFormats, DirectLight, DirectSpec, Root};
-use specula_spec::{CoreSpec, Format};
+use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Root};
+use specula_spec::{CoreParameters, Format, InputPort};
 
-use super::{finish, pipelines, time_slots};
-use crate::error::direct::{Product, normal_by_newton, unit_normal};
-use crate::units::{self, DirectedBase, Light, NewtonRoot, QuotientFormat};
+use super::common::{Intensities, finish, squared_normal, time_slots};
+use crate::error::direct::{Parameter, Product, normal_by_newton, unit_normal};
+use crate::units::{self, DirectedBase, QuotientFormat};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// q from t, one reciprocal root for all lights, then J, K and 2 J K - L·V. [lecture, eq. 4.3 to
 /// 4.6]
-pub(super) fn core(b: Builder, spec: &CoreSpec, direct: &DirectSpec) -> Result<Design, BuildError> {
-    let slots = time_slots(&b, spec);
-    let inputs = direct.inputs(spec).map(|port| b.input(port));
+pub(super) fn core(
+    b: Builder,
+    parameters: &CoreParameters,
+    direct: &DirectSpec,
+    ports: &DirectInputs<InputPort>,
+) -> Result<Graph, BuildError> {
+    let slots = time_slots(&b, parameters);
+    let inputs = ports.map(|port| b.input(port));
     let formats = &direct.formats;
     let t = units::parameter(
         &b,
         &slots.first_pixel,
-        &inputs.weight_step,
+        &inputs.span.weight_step,
         formats,
-        spec.longest_span - 1,
+        parameters.longest_span - 1,
     );
-    let q = units::squared_length(&b, &t, &inputs.spread, formats);
-    let view = [&inputs.view.start, &inputs.view.delta];
+    let q = squared_normal(units::squared_length(&b, &t, &inputs.span.spread, formats), parameters);
+    let view = [&inputs.span.view.start, &inputs.span.view.delta];
     let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
     let length = length(
         &b,
-        Squared { first: &slots.first_pixel, t: &t, q: &q, spread: &inputs.spread, view: &view },
-        spec,
+        Squared {
+            first: &slots.first_pixel,
+            t: &t,
+            q: &q,
+            spread: &inputs.span.spread,
+            view: &view,
+        },
         direct,
     );
-    let smallest_q = spec.shortest_normal * spec.shortest_normal;
-    let pixel = Pixel {
-        b: &b,
-        direct,
-        t: &t,
-        q: &q,
-        length: &length,
-        smallest_q,
-        exponent: &inputs.exponent,
-    };
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    let pixel =
+        Pixel { b: &b, direct, t: &t, q: &q, length: &length, exponent: &inputs.span.exponent };
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What a pixel's length is made of.
@@ -72,35 +69,30 @@ struct Length {
 /// What the base of the highlight is made of.
 enum Highlight {
     /// J and this K.
-    Angulars(Sig),
+    OfCosines(Sig),
     /// p_L and this p_V/q, whose product is known so well.
     OfQuotient(Sig, Option<Product>),
 }
 
-/// Unit ends are no closer to each other's middle than those of which the longer alone is a unit
-/// vector.
-fn length(b: &Builder, of: Squared, spec: &CoreSpec, direct: &DirectSpec) -> Length {
+/// What divides by the length of N, and what that makes of N·V.
+fn length(b: &Builder, of: Squared, direct: &DirectSpec) -> Length {
     let Squared { first, t, q, spread, view } = of;
-    let (formats, shortest) = (&direct.formats, spec.shortest_normal);
-    let smallest_q = shortest * shortest;
-    let parameter = units::known_parameter(t, spread);
+    let formats = &direct.formats;
+    let parameter = Parameter::new(t.bound(), spread.bound());
     match direct.root {
         Root::Exact => {
-            let reciprocal =
-                units::reciprocal_square_root(b, q, formats.reciprocal.into(), smallest_q);
-            let normal = unit_normal(parameter, formats, shortest);
+            let reciprocal = units::reciprocal_square_root(b, q, formats.reciprocal.into());
+            let normal = unit_normal(parameter, q.bound(), formats);
             let k = b.instance("n_dot_v", || {
                 units::direct_cosine(b, view, &reciprocal, formats, normal)
             });
-            Length { reciprocal, normal, highlight: Highlight::Angulars(k) }
+            Length { reciprocal, normal, highlight: Highlight::OfCosines(k) }
         }
         Root::Newton => {
-            let newton = NewtonRoot { steps: direct.newton_steps, shortest };
-            let reciprocal = reciprocal_length(b, first, q, formats, newton);
-            let of_root = newton.bound(q, formats);
-            let normal = normal_by_newton(parameter, formats, shortest, of_root);
-            let quotient = units::over_square(b, view, q, smallest_q, formats);
-            let known = Product::with_quotient(parameter, formats, shortest);
+            let reciprocal = reciprocal_length(b, first, q, formats, direct.newton_steps);
+            let normal = normal_by_newton(parameter, q.bound(), formats, direct.newton_steps);
+            let quotient = units::over_square(b, view, q, formats);
+            let known = Product::with_quotient(parameter, q.bound(), formats);
             Length { reciprocal, normal, highlight: Highlight::OfQuotient(quotient, known) }
         }
     }
@@ -112,17 +104,11 @@ fn reciprocal_length(
     first: &Sig,
     q: &Sig,
     formats: &DirectFormats,
-    newton: NewtonRoot,
+    steps: u32,
 ) -> Sig {
-    let d = units::newton_root(b, first, q, formats, newton);
+    let d = units::newton_root(b, first, q, formats, steps);
     let Format { integer_bits, fraction_bits, .. } = formats.reciprocal;
-    units::quotient(
-        b,
-        &b.integer(1),
-        &d,
-        QuotientFormat { integer_bits, fraction_bits },
-        newton.shortest,
-    )
+    units::quotient(b, &b.integer(1), &d, QuotientFormat { integer_bits, fraction_bits })
 }
 
 /// What the lights have in common.
@@ -132,12 +118,11 @@ struct Pixel<'a> {
     t: &'a Sig,
     q: &'a Sig,
     length: &'a Length,
-    smallest_q: f64,
     exponent: &'a Sig,
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &DirectLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &DirectLight<Sig>) -> Intensities {
         let (b, formats, length) = (self.b, &self.direct.formats, self.length);
         let called = |unit: &str| format!("light{index}_{unit}");
         let ends = [&light.light.start, &light.light.delta];
@@ -149,27 +134,19 @@ impl Pixel<'_> {
         let base =
             b.instance(&called("base"), || units::directed_base(b, self.base(&p, &j, light), bits));
         let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), || {
                 units::clamp_unit(b, &j, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 
     fn base<'a>(&'a self, p: &'a Sig, j: &'a Sig, light: &'a DirectLight<Sig>) -> DirectedBase<'a> {
         let (factors, known) = match &self.length.highlight {
-            Highlight::Angulars(k) => ([j, k], units::product_of_cosines([j, k])),
+            Highlight::OfCosines(k) => ([j, k], Product::of_bounds([j.bound(), k.bound()])),
             Highlight::OfQuotient(k, known) => ([p, k], *known),
         };
-        DirectedBase {
-            factors,
-            known,
-            light_dot_view: &light.light_dot_view,
-            q: self.q,
-            smallest_q: self.smallest_q,
-        }
+        DirectedBase { factors, known, light_dot_view: &light.light_dot_view, q: self.q }
     }
 }

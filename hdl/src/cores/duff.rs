@@ -1,34 +1,39 @@
 //! Duff's core, with Hast's highlights.
-use specula_spec::CoreSpec;
-use specula_spec::duff::{DuffLight, DuffSpec, Highlight};
+use specula_spec::duff::{DuffInputs, DuffLight, DuffSpec, Highlight};
+use specula_spec::{CoreParameters, InputPort};
 
+use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
-use super::{finish, pipelines, time_slots};
-use crate::units::{self, Base, Length, Light, QuotientFormat};
+use crate::units::{self, Base, Length, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Diffuse p/√q by forward differences, and a highlight of the same q and root. [Hast et al., eq. 3
 /// to 8, 17, 33 and 34]
-pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Design, BuildError> {
-    let slots = time_slots(&b, spec);
-    let inputs = duff.inputs(spec).map(|port| b.input(port));
+pub(super) fn core(
+    b: Builder,
+    parameters: &CoreParameters,
+    duff: &DuffSpec,
+    ports: &DuffInputs<InputPort>,
+) -> Result<Graph, BuildError> {
+    let slots = time_slots(&b, parameters);
+    let inputs = ports.map(|port| b.input(port));
     let f = &duff.formats;
-    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let q = forward
-        .quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits)
+        .quadratic("denominator", &inputs.span.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
-    let length = b.instance("root", || {
-        units::root(&b, &q, f.root, spec.shortest_normal * spec.shortest_normal)
-    });
+    let q = squared_normal(q, parameters);
+    let length = b.instance("root", || units::root(&b, &q, f.root));
     let view = inputs
+        .span
         .view
         .as_ref()
         .map(|view| forward.linear("view", view, f.operand.fraction_bits).named("n_dot_v"));
     let view_cosine = view.as_ref().filter(|_| duff.specular == Highlight::Eq34).map(|view| {
         b.instance("view_cosine", || units::cosine(&b, view, &length, f.cosine.fraction_bits))
     });
-    let exponent = &inputs.exponent;
+    let exponent = &inputs.span.exponent;
     let pixel = Pixel {
         forward,
         duff,
@@ -37,12 +42,7 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, duff: &DuffSpec) -> Result<Desig
         view_cosine: view_cosine.as_ref(),
         exponent,
     };
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What the lights have in common.
@@ -58,7 +58,7 @@ struct Pixel<'a> {
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &DuffLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &DuffLight<Sig>) -> Intensities {
         let called = |unit: &str| format!("light{index}_{unit}");
         let (b, f) = (self.forward.b, &self.duff.formats);
         let p = self
@@ -70,13 +70,11 @@ impl Pixel<'_> {
         });
         let base = self.base(&called, light, (&p, &cosine));
         let power = || units::raised(b, &base, self.exponent, self.duff.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), || {
                 units::clamp_nonnegative(b, &cosine, f.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 
@@ -115,15 +113,7 @@ impl Pixel<'_> {
                     (-1.0, 1.0),
                     f.operand.fraction_bits,
                 );
-                let divider = || {
-                    units::divider(
-                        b,
-                        &p,
-                        &self.length.squared,
-                        fraction_bits,
-                        self.length.proven.smallest(),
-                    )
-                };
+                let divider = || units::divider(b, &p, &self.length.squared, fraction_bits);
                 b.instance(&called("divider"), divider)
             }
             Highlight::Eq33 => {
@@ -131,19 +121,11 @@ impl Pixel<'_> {
                     integer_bits: f.root.integer_bits,
                     fraction_bits: f.quotient.fraction_bits,
                 };
-                let quotient = || {
-                    units::signed_quotient(
-                        b,
-                        p,
-                        &self.length.squared,
-                        to,
-                        self.length.proven.smallest(),
-                    )
-                };
+                let quotient = || units::signed_quotient(b, p, &self.length.squared, to);
                 let error = self.length.proven.quotient_error(
-                    p.error_value(),
-                    self.view.expect(given).error_value(),
-                    0.5 * f.quotient.ulp(),
+                    p.bound(),
+                    self.view.expect(given).bound(),
+                    f.quotient.ulp(),
                 );
                 reflected(&b.instance(&called("quotient"), quotient), self.view, error)
             }

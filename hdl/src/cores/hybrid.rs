@@ -1,46 +1,46 @@
 //! Hast's hybrid core.
-use specula_spec::CoreSpec;
-use specula_spec::hybrid::{HybridLight, HybridSpec};
+use specula_spec::hybrid::{HybridInputs, HybridLight, HybridSpec};
+use specula_spec::{CoreParameters, InputPort};
 
+use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
-use super::{finish, pipelines, time_slots};
-use crate::units::{self, Light};
+use crate::units;
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Gouraud diffuse; specular base p/q, both by forward differences, then its power. [Hast et al.,
 /// eq. 17 to 26]
-pub(super) fn core(b: Builder, spec: &CoreSpec, hybrid: &HybridSpec) -> Result<Design, BuildError> {
-    let slots = time_slots(&b, spec);
-    let inputs = hybrid.inputs(spec).map(|port| b.input(port));
-    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
+pub(super) fn core(
+    b: Builder,
+    parameters: &CoreParameters,
+    hybrid: &HybridSpec,
+    ports: &HybridInputs<InputPort>,
+) -> Result<Graph, BuildError> {
+    let slots = time_slots(&b, parameters);
+    let inputs = ports.map(|port| b.input(port));
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let q = forward
         .quadratic(
             "denominator",
-            &inputs.denominator,
+            &inputs.span.denominator,
             (0.0, 1.0),
             hybrid.formats.operand.fraction_bits,
         )
         .named("q");
-    let pixel = Pixel { forward, spec, hybrid, exponent: &inputs.exponent };
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light, &q))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    let q = squared_normal(q, parameters);
+    let pixel = Pixel { forward, hybrid, exponent: &inputs.span.exponent };
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, &q))
 }
 
 /// What the lights have in common.
 struct Pixel<'a> {
     forward: Forward<'a>,
-    spec: &'a CoreSpec,
     hybrid: &'a HybridSpec,
     exponent: &'a Sig,
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &HybridLight<Sig>, q: &Sig) -> Light {
+    fn shade(&self, index: usize, light: &HybridLight<Sig>, q: &Sig) -> Intensities {
         let called = |unit: &str| format!("light{index}_{unit}");
         let Forward { b, first, steps } = self.forward;
         let formats = &self.hybrid.formats;
@@ -54,17 +54,13 @@ impl Pixel<'_> {
                 formats.operand.fraction_bits,
             )
             .named(&called("p"));
-        let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
-        let base =
-            b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits, smallest_q));
+        let base = b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits));
         let ends = (&light.intensity_start, &light.intensity_step);
         let gouraud = || units::gouraud(b, first, ends, formats.diffuse.fraction_bits, steps);
         let power = || units::raised(b, &base, self.exponent, self.hybrid.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), gouraud),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 }

@@ -1,45 +1,44 @@
 //! Lyon's core.
-use specula_spec::CoreSpec;
 use specula_spec::lyon::{
-    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpec, Normals, ShapeDatapath,
+    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpan, LyonSpec, ShapeDatapath,
 };
+use specula_spec::{CoreParameters, InputPort, LightInputs};
 
-use super::{eye, finish, pipelines, time_slots, unit_vector};
+use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots, unit_vector};
 use crate::error;
-use crate::units::{self, Follow, Interpolation, LengthError, Light, SpanNormals, WrapFormats};
-use specula_datapath::bound::ErrorModel;
+use crate::units::{self, Follow, Interpolation, LengthError, SpanNormals, WrapFormats};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// Interpolated normal, approximate normalisation, and for each light N·L and f_k of D. [Lyon, TR
 /// 43, fig. 6 to 8]
-pub(super) fn core(b: Builder, spec: &CoreSpec, lyon: &LyonSpec) -> Result<Design, BuildError> {
-    let slots = time_slots(&b, spec);
-    let inputs = lyon.inputs(spec).map(|port| b.input(port));
-    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs, spec, lyon);
-    let lights = pipelines(&slots, &inputs.lights);
-    let apart = if slots.count() == 1 { least_distance(&lights) } else { 0.0 };
-    let shortest = shortest_normal(spec, lyon);
+pub(super) fn core(
+    b: Builder,
+    parameters: &CoreParameters,
+    lyon: &LyonSpec,
+    ports: &LyonInputs<InputPort>,
+) -> Result<Graph, BuildError> {
+    let slots = time_slots(&b, parameters);
+    let inputs = ports.map(|port| b.input(port));
+    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs.span, parameters, lyon);
+    let apart = if slots.count() == 1 { least_distance(&inputs.lights) } else { 0.0 };
     let pixel = Pixel {
         b: &b,
         lyon,
         n: &n,
-        shortest,
         has_direction: &has_direction,
-        shininess: &inputs.shininess,
+        shininess: &inputs.span.shininess,
         apart,
     };
-    let lights: Vec<Light> =
-        lights.iter().enumerate().map(|(i, light)| pixel.shade(i, light)).collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// n at each pixel, and whether it has a direction.
 fn normal(
     b: &Builder,
     first: &Sig,
-    inputs: &LyonInputs<Sig>,
-    spec: &CoreSpec,
+    inputs: &LyonSpan<Sig>,
+    parameters: &CoreParameters,
     lyon: &LyonSpec,
 ) -> (Vector, Sig) {
     let formats = &lyon.formats;
@@ -61,13 +60,15 @@ fn normal(
                 weight,
                 vector,
                 longest,
-                apart: error::interpolate::chord(spec.shortest_normal),
-                steps: spec.longest_span - 1,
+                apart: error::interpolate::chord(parameters.shortest_normal),
+                steps: parameters.longest_span - 1,
             },
         )
     };
+    let between_unit_ends =
+        || along(1.0).no_shorter_than(parameters.shortest_normal, SHORTEST_NORMAL);
     let Some(axis) = inputs.wrap_axis.as_ref().map(unit) else {
-        return units::normalise(b, &along(1.0), lyon, spec.shortest_normal);
+        return units::normalise(b, &between_unit_ends(), lyon);
     };
     let n = match &inputs.wrap_follows {
         None => {
@@ -79,20 +80,12 @@ fn normal(
             units::wrapped(b, &along(2.0), &axis, to)
         }
         Some(follows) => {
-            let of = Follow { first, follows, axis: &axis, normal: &along(1.0) };
-            units::followed(b, of, formats, spec.shortest_normal)
+            let of = Follow { first, follows, axis: &axis, normal: &between_unit_ends() };
+            units::followed(b, of, formats)
         }
     };
     let has_direction = units::has_direction(b, &n);
     (n, has_direction)
-}
-
-/// How short n can be in exact arithmetic, up to 1.
-fn shortest_normal(spec: &CoreSpec, lyon: &LyonSpec) -> f64 {
-    match lyon.normals {
-        Normals::Flat | Normals::Wrapped => 1.0,
-        Normals::Linear => error::normalise::shortest_normalised(lyon, spec.shortest_normal),
-    }
 }
 
 /// What the lights have in common.
@@ -100,8 +93,6 @@ struct Pixel<'a> {
     b: &'a Builder,
     lyon: &'a LyonSpec,
     n: &'a Vector,
-    /// See [`shortest_normal`].
-    shortest: f64,
     has_direction: &'a Sig,
     shininess: &'a Sig,
     /// See [`least_distance`].
@@ -110,23 +101,25 @@ struct Pixel<'a> {
 
 /// How far the directions of two lights are apart at least, in the ranges that the core is made
 /// for.
-fn least_distance(lights: &[LyonLight<Sig>]) -> f64 {
+fn least_distance(lights: &[LightInputs<LyonLight<Sig>, Sig>]) -> f64 {
     let distance = |a: &[Sig; 3], b: &[Sig; 3]| {
         let gap = |(a, b): (&Sig, &Sig)| {
             let (a, b, ulp) = (a.range(), b.range(), a.ulp());
             (a.low - b.high).max(b.low - a.high).max(0) as f64 * ulp
         };
-        let off = |components: &[Sig; 3]| Vector::new(components.clone()).off().length;
+        let off = |components: &[Sig; 3]| Vector::new(components.clone()).bound().error.length;
         let gaps = a.iter().zip(b).map(gap).map(|gap| gap * gap).sum::<f64>().sqrt();
         (gaps - off(a) - off(b)).max(0.0)
     };
     let pairs =
         lights.iter().enumerate().flat_map(|(i, a)| lights[..i].iter().map(move |b| (a, b)));
-    pairs.map(|(a, b)| distance(&a.direction, &b.direction)).fold(f64::INFINITY, f64::min)
+    pairs
+        .map(|(a, b)| distance(&a.light.direction, &b.light.direction))
+        .fold(f64::INFINITY, f64::min)
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &LyonLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &LyonLight<Sig>) -> Intensities {
         let (b, formats) = (self.b, &self.lyon.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let direction = Vector::new(light.direction.clone());
@@ -146,36 +139,26 @@ impl Pixel<'_> {
                 units::root_shape(b, &d, self.shininess, self.has_direction, self.lyon)
             }
         };
-        Light {
+        Intensities {
             diffuse: b
                 .instance(&called("diffuse"), || units::diffuse(b, self.n, &direction, formats)),
             specular: b.instance(&called("shape"), shape),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 }
 
 impl Pixel<'_> {
-    /// Says of f that no two lights are near the middle of their highlights at once.
-    ///
-    /// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all
-    /// but one are at least half as long as lights are apart. With exponents from
-    /// [`error::shape::least_dark_exponent`] on, f is 0 there; with others every f is off by what it is
-    /// off for those.
+    /// Says of f that no two lights are near the middle of their highlights at once, which is proven
+    /// of reflections.
     fn alone(&self, f: Sig, d: &Vector, length_error: LengthError) -> Sig {
-        let off = d.off().length;
-        let dark = error::shape::least_dark_exponent(self.apart / 2.0 - off, self.lyon);
-        let largest = self.shininess.range().magnitude();
-        if self.lyon.difference != Difference::ReflectionMinusLight
-            || dark >= largest
-            || f.error_value() >= 1.0
-        {
+        let (d, n) = (d.bound(), self.shininess.bound());
+        if self.lyon.difference != Difference::ReflectionMinusLight {
             return f;
         }
-        f.of_error_model(ErrorModel::Exclusive {
-            together: error::shape::bound(off, length_error, dark, self.lyon),
-        })
+        match error::shape::alone(f.bound(), (d, length_error), n, self.apart, self.lyon) {
+            Some(model) => f.tighten_error("error::shape::alone", model),
+            None => f,
+        }
     }
 
     /// D, and how far its length is off.
@@ -185,15 +168,9 @@ impl Pixel<'_> {
         let Some(halfway) = light.halfway.clone().map(Vector::new) else {
             return match self.lyon.difference {
                 Difference::LightReflection => {
-                    units::light_reflection(b, (n, self.shortest), &direction, &eye(b), formats)
+                    units::light_reflection(b, n, &direction, &eye(b), formats)
                 }
-                _ => units::reflection_minus_light(
-                    b,
-                    (n, self.shortest),
-                    &eye(b),
-                    &direction,
-                    formats,
-                ),
+                _ => units::reflection_minus_light(b, n, &eye(b), &direction, formats),
             };
         };
         // g2 makes h longer than 1 by 0.00176 at most (methods B9), and rounding any by √3/2 units
@@ -205,7 +182,7 @@ impl Pixel<'_> {
             Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
             _ => units::halfway_projection(b, &h, n, formats),
         };
-        let length_error = LengthError::whole(d.off().length);
+        let length_error = LengthError::whole(d.bound().error.length);
         (d, length_error)
     }
 }

@@ -1,12 +1,19 @@
 //! The core of Hast's reflection shading.
-use specula_spec::reflection::{Bisector, Highlight, ReflectionLight, ReflectionSpec};
-use specula_spec::{CoreSpec, Quadratic};
+use specula_spec::reflection::{
+    Bisector, Highlight, ReflectionInputs, ReflectionLight, ReflectionSpec,
+};
+use specula_spec::{CoreParameters, InputPort, Quadratic};
 
+use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
-use super::{finish, pipelines, time_slots};
-use crate::units::{self, Base, Light, QuotientFormat};
+use crate::error;
+use crate::units::{self, Base, QuotientFormat};
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{BuildError, Builder, Sig};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
+
+/// What is known of q. Where it and all numerators are 0, nothing is lit, whatever q is.
+const SMALLEST_SQUARE: &str = "|H|^2 is no smaller, or it and all numerators are 0";
 
 /// |H|² of H = (N + n)/2 is no smaller along any span, except those where it and all numerators are 0.
 ///
@@ -26,61 +33,56 @@ fn smallest_square(bisector: Bisector, shortest_normal: f64) -> f64 {
 /// 34]
 pub(super) fn core(
     b: Builder,
-    spec: &CoreSpec,
+    parameters: &CoreParameters,
     reflection: &ReflectionSpec,
-) -> Result<Design, BuildError> {
-    let slots = time_slots(&b, spec);
-    let inputs = reflection.inputs(spec).map(|port| b.input(port));
+    ports: &ReflectionInputs<InputPort>,
+) -> Result<Graph, BuildError> {
+    let slots = time_slots(&b, parameters);
+    let inputs = ports.map(|port| b.input(port));
     let f = &reflection.formats;
-    let forward = Forward { b: &b, first: &slots.first_pixel, steps: spec.longest_span - 1 };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let q = forward
-        .quadratic("denominator", &inputs.denominator, (0.0, 1.0), f.operand.fraction_bits)
+        .quadratic("denominator", &inputs.span.denominator, (0.0, 1.0), f.operand.fraction_bits)
         .named("q");
+    let smallest = smallest_square(reflection.bisector, parameters.shortest_normal);
+    let q = q.real_within(Interval::at_least(smallest), SMALLEST_SQUARE);
     let to = QuotientFormat { integer_bits: 2, fraction_bits: f.reciprocal.fraction_bits };
-    let smallest = smallest_square(reflection.bisector, spec.shortest_normal);
-    let reciprocal = b
-        .instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to, smallest))
-        .named("w");
-    let unsure = if smallest - q.error_value() > 0.0 { 0.0 } else { 1.0 };
-    let has_direction =
-        b.integer(0).less_than(&q).named("has_direction").stated_error_value(unsure);
-    let exponent = &inputs.exponent;
+    let reciprocal =
+        b.instance("reciprocal", || units::quotient(&b, &b.integer(1), &q, to)).named("w");
+    let unsure = error::cosine::direction_error(q.bound());
+    let has_direction = b
+        .integer(0)
+        .less_than(&q)
+        .named("has_direction")
+        .override_error("error::cosine::direction_error", unsure);
+    let exponent = &inputs.span.exponent;
     let mut pixel = Pixel {
         forward,
-        spec,
         reflection,
         q,
-        smallest,
         reciprocal,
         has_direction,
         view: None,
         normal_squared: None,
         exponent,
     };
-    pixel.view = inputs.view.as_ref().map(|view| pixel.cosine("view", view));
+    pixel.view = inputs.span.view.as_ref().map(|view| pixel.cosine("view", view));
     let normal_squared = |square| {
-        pixel
+        let squared = pixel
             .forward
             .quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits)
-            .named("normal_squared")
+            .named("normal_squared");
+        squared_normal(squared, parameters)
     };
-    pixel.normal_squared = inputs.normal_squared.as_ref().map(normal_squared);
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    pixel.normal_squared = inputs.span.normal_squared.as_ref().map(normal_squared);
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What the lights have in common.
 struct Pixel<'a> {
     forward: Forward<'a>,
-    spec: &'a CoreSpec,
     reflection: &'a ReflectionSpec,
     q: Sig,
-    /// See [`smallest_square`].
-    smallest: f64,
     /// 1/q.
     reciprocal: Sig,
     has_direction: Sig,
@@ -106,30 +108,21 @@ impl Pixel<'_> {
         let p = self.operand(&format!("{called}_numerator"), numerator);
         let (b, fraction_bits) = (self.forward.b, self.reflection.formats.cosine.fraction_bits);
         b.instance(&format!("{called}_cosine"), || {
-            units::cosine_by_reciprocal(
-                b,
-                &p,
-                &self.q,
-                &self.reciprocal,
-                self.smallest,
-                fraction_bits,
-            )
+            units::cosine_by_reciprocal(b, &p, &self.q, &self.reciprocal, fraction_bits)
         })
     }
 
-    fn shade(&self, index: usize, light: &ReflectionLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &ReflectionLight<Sig>) -> Intensities {
         let called = |unit: &str| format!("light{index}_{unit}");
         let (b, f) = (self.forward.b, &self.reflection.formats);
         let cosine = self.cosine(&format!("light{index}"), &light.cosine);
         let base = self.base(&called, light, &cosine);
         let power = || units::raised(b, &base, self.exponent, self.reflection.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), || {
                 units::clamp_nonnegative(b, &cosine, f.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 
@@ -149,11 +142,8 @@ impl Pixel<'_> {
             Highlight::Hybrid => {
                 let p = self
                     .operand(&called("hybrid_numerator"), light.numerator.as_ref().expect(given));
-                let smallest_q = self.spec.shortest_normal * self.spec.shortest_normal;
                 let q = self.normal_squared.as_ref().expect(given);
-                b.instance(&called("divider"), || {
-                    units::divider(b, &p, q, fraction_bits, smallest_q)
-                })
+                b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits))
             }
             Highlight::Eq34 => {
                 let (v, dot_view) =

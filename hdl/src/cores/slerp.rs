@@ -1,27 +1,34 @@
 //! The core of spherical interpolation.
-use specula_spec::CoreSpec;
-use specula_spec::slerp::{Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpec};
+use specula_spec::slerp::{
+    Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpan, SlerpSpec,
+};
+use specula_spec::{CoreParameters, InputPort};
 
-use super::{eye, finish, pipelines, time_slots, unit_vector};
+use super::common::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
 use crate::error::turned_normal::Weighing;
-use crate::units::{self, Light, Turn};
+use crate::units::{self, Turn};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 /// One rotation, and what it makes of N·V and of each light's N·L, or of the normal; specular base
 /// 2 J K - L·V, then its power. [lecture, eq. 4.5, 4.7 to 4.12]
-pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Design, BuildError> {
-    let slots = time_slots(&b, spec);
-    let inputs = slerp.inputs(spec).map(|port| b.input(port));
-    let (formats, steps) = (&slerp.formats, spec.longest_span - 1);
-    let [u, v] = weights(&b, &slots.first_pixel, &inputs, slerp, steps);
+pub(super) fn core(
+    b: Builder,
+    parameters: &CoreParameters,
+    slerp: &SlerpSpec,
+    ports: &SlerpInputs<InputPort>,
+) -> Result<Graph, BuildError> {
+    let slots = time_slots(&b, parameters);
+    let inputs = ports.map(|port| b.input(port));
+    let (formats, steps) = (&slerp.formats, parameters.longest_span - 1);
+    let [u, v] = weights(&b, &slots.first_pixel, &inputs.span, slerp, steps);
     let weights = [&u, &v];
-    let normal = inputs.normal.as_ref().map(|axes| {
+    let normal = inputs.span.normal.as_ref().map(|axes| {
         let known = match slerp.frame {
             Basis::Orthonormal => Weighing::orthonormal(formats, steps),
-            Basis::Ends => Weighing::between_ends(formats, steps, spec.shortest_normal),
+            Basis::Ends => Weighing::between_ends(formats, steps, parameters.shortest_normal),
         };
         let [start, other] =
             [&axes.start, &axes.other].map(|axis| unit_vector(axis, formats.vector));
@@ -32,35 +39,31 @@ pub(super) fn core(b: Builder, spec: &CoreSpec, slerp: &SlerpSpec) -> Result<Des
             units::cosine_between(&b, n, &eye(&b), formats.cosine.fraction_bits)
         }),
         None => {
-            let n_dot_v =
-                b.instance("n_dot_v", || on_arc(&b, weights, inputs.view.as_ref(), formats, steps));
+            let n_dot_v = b.instance("n_dot_v", || {
+                on_arc(&b, weights, inputs.span.view.as_ref(), formats, steps)
+            });
             units::corrected(&b, &n_dot_v, weights, formats, steps)
         }
     };
-    let base = error::turned::base(formats, steps, spec.shortest_normal);
+    let base = error::turned::base(formats, steps, parameters.shortest_normal);
     let pixel = Pixel {
         b: &b,
-        spec,
+        parameters,
         slerp,
         weights,
         normal: normal.as_ref(),
         n_dot_v: &n_dot_v,
-        exponent: &inputs.exponent,
+        exponent: &inputs.span.exponent,
         base,
     };
-    let lights: Vec<Light> = pipelines(&slots, &inputs.lights)
-        .iter()
-        .enumerate()
-        .map(|(i, light)| pixel.shade(i, light))
-        .collect();
-    finish(&b, &slots, &inputs.ambient, &lights)
+    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// The weights of what stands at the start and of what goes with it.
 fn weights(
     b: &Builder,
     first: &Sig,
-    inputs: &SlerpInputs<Sig>,
+    inputs: &SlerpSpan<Sig>,
     slerp: &SlerpSpec,
     steps: u32,
 ) -> [Sig; 2] {
@@ -97,7 +100,7 @@ fn on_arc(
 /// What the lights have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreSpec,
+    parameters: &'a CoreParameters,
     slerp: &'a SlerpSpec,
     weights: [&'a Sig; 2],
     /// The normal, if that is what turns.
@@ -109,19 +112,17 @@ struct Pixel<'a> {
 }
 
 impl Pixel<'_> {
-    fn shade(&self, index: usize, light: &SlerpLight<Sig>) -> Light {
+    fn shade(&self, index: usize, light: &SlerpLight<Sig>) -> Intensities {
         let (b, formats) = (self.b, &self.slerp.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
         let n_dot_l = b.instance(&called("n_dot_l"), || self.n_dot_l(light));
         let base = b.instance(&called("base"), || self.base(&n_dot_l, light));
         let power = || units::raised(b, &base, self.exponent, self.slerp.power_unit());
-        Light {
+        Intensities {
             diffuse: b.instance(&called("diffuse"), || {
                 units::clamp_unit(b, &n_dot_l, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
-            diffuse_coefficients: light.diffuse.clone(),
-            specular_coefficients: light.specular.clone(),
         }
     }
 
@@ -134,7 +135,13 @@ impl Pixel<'_> {
                 &unit_vector(direction, formats.vector),
                 formats.cosine.fraction_bits,
             ),
-            _ => on_arc(b, self.weights, light.light.as_ref(), formats, self.spec.longest_span - 1),
+            _ => on_arc(
+                b,
+                self.weights,
+                light.light.as_ref(),
+                formats,
+                self.parameters.longest_span - 1,
+            ),
         }
     }
 

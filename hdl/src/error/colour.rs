@@ -1,10 +1,12 @@
 //! How far a colour is off before it is rounded.
-use specula_datapath::bound::{ErrorModel, RELATIVE_BOUNDS, RelativeBound};
+use specula_datapath::bound::{Bound, ErrorModel, RELATIVE_BOUNDS, RelativeBound};
 use specula_spec::FULL_SCALE;
 
-/// A value that is never negative.
+/// A value that is not to be negative.
 #[derive(Clone, Copy, Debug)]
 pub struct Factor {
+    /// The smallest there is.
+    pub smallest: f64,
     /// The largest there is.
     pub largest: f64,
     /// Bound on its error.
@@ -22,6 +24,29 @@ pub struct Term {
     pub form: ErrorModel,
 }
 
+impl Term {
+    /// Of a coefficient and an intensity as they come.
+    pub fn new(coefficient: Bound, intensity: Bound) -> Term {
+        let factor = |bound: Bound| Factor {
+            smallest: bound.fixed.low,
+            largest: bound.magnitude(),
+            off: bound.error,
+        };
+        let form = intensity.model;
+        Term { coefficient: factor(coefficient), intensity: factor(intensity), form }
+    }
+}
+
+/// Bound on the error of a code: of the sum over a pixel's time slots below full scale, and half an LSB
+/// for rounding. Nothing is known where a value may be negative.
+pub fn code(ambient: Bound, terms: &[Term], slots: u32) -> f64 {
+    let smallest = |term: &Term| term.coefficient.smallest.min(term.intensity.smallest);
+    if terms.iter().map(smallest).fold(ambient.fixed.low, f64::min) < 0.0 {
+        return f64::INFINITY;
+    }
+    below_full_scale(ambient.error, terms, slots) + 0.5
+}
+
 /// Bound on the error of the sum over a pixel's time slots where it is below full scale.
 ///
 /// Nothing is negative. Where fixed and real sum are both 255 or more, so are both codes. Else the
@@ -37,7 +62,7 @@ pub struct Term {
 /// with the largest k and f. Of the pairs of ρ and r that hold, those count that make the least of
 /// it. Intensities of which one alone is off by r, or else all by less, count with r once in a
 /// time slot, or with the less all of them.
-pub fn below_full_scale(ambient: f64, terms: &[Term], slots: u32) -> f64 {
+fn below_full_scale(ambient: f64, terms: &[Term], slots: u32) -> f64 {
     let with = |share: usize| of_slots(terms, slots, share);
     ambient + (0..RELATIVE_BOUNDS).map(with).fold(f64::INFINITY, f64::min)
 }
@@ -68,18 +93,19 @@ fn of_slots(terms: &[Term], slots: u32, share: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// A term with its real and its fixed coefficient and intensity.
     fn draw_term(draw: &mut Draw, form: ErrorModel, off: f64) -> (Term, [f64; 2], [f64; 2]) {
         let Term { coefficient, intensity, .. } = Term {
-            coefficient: Factor { largest: draw.between(0.0, 150.0), off: 1e-3 },
-            intensity: Factor { largest: 1.0, off },
+            coefficient: Factor { smallest: 0.0, largest: draw.within(0.0, 150.0), off: 1e-3 },
+            intensity: Factor { smallest: 0.0, largest: 1.0, off },
             form,
         };
         let k = (coefficient.largest - draw.one_of(&[0.0, 0.1])).max(0.0);
-        let f = draw.between(0.0, 1.0);
+        let f = draw.within(0.0, 1.0);
         let within = match form {
             ErrorModel::Relative([RelativeBound { ratio, rest }, ..]) => {
                 // The fixed one may be the smaller.
@@ -131,8 +157,8 @@ mod tests {
         let mut reached = 0.0_f64;
         for _ in 0..10_000 {
             let terms = [0; 2].map(|_| Term {
-                coefficient: Factor { largest: draw.between(0.0, 100.0), off: 0.0 },
-                intensity: Factor { largest: 1.0, off },
+                coefficient: Factor { smallest: 0.0, largest: draw.within(0.0, 100.0), off: 0.0 },
+                intensity: Factor { smallest: 0.0, largest: 1.0, off },
                 form,
             });
             let most = draw.one_of(&[[off, 0.0], [0.0, off], [together; 2]]);

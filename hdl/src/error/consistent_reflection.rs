@@ -1,27 +1,61 @@
 //! How far reflections are off that never point into the surface.
-use specula_datapath::bound::VectorError;
+use specula_datapath::bound::{Angular, Bound, VectorBound, VectorError};
+use specula_spec::Format;
 use specula_spec::consistent::ConsistentFormats;
+
+/// What r = (g + ρb)n - ρI is made of, b = n·I and g = 1 + q(b - 1), as it comes.
+#[derive(Clone, Copy, Debug)]
+pub struct Reflection {
+    /// n and I.
+    pub vectors: [VectorBound; 2],
+    /// q.
+    pub q: Bound,
+    /// b and g.
+    pub cosines: [Bound; 2],
+    /// q(1 + g) and 1 + b, of which ρ² is the quotient.
+    pub operands: [Bound; 2],
+    /// The smallest 1 + b for which the reflection counts.
+    pub least_divisor: f64,
+}
+
+impl Reflection {
+    /// How far r is off as a whole, and each component, before it is rounded; fixed r is no longer
+    /// than `longest`.
+    pub fn error(self, formats: &ConsistentFormats, longest: f64) -> (VectorError, f64) {
+        let [normal, incoming] = self.vectors;
+        let known = Consistency { least_q: self.q.real.low, least_divisor: self.least_divisor };
+        let error = |bound: Bound| bound.error;
+        let of_components = Components {
+            vectors: [normal.component_error, incoming.component_error],
+            cosines: self.cosines.map(error),
+            operands: self.operands.map(error),
+            longest: normal.longest,
+        };
+        let of_whole = Operands { normal: normal.error, incoming: incoming.error, q: self.q.error };
+        reflection(of_components.error(formats, known), of_whole.off(formats, known), longest)
+    }
+}
 
 /// What is known of the real values, for error bounds alone.
 #[derive(Clone, Copy, Debug)]
-pub struct Consistency {
+struct Consistency {
     /// The smallest q there is.
-    pub least_q: f64,
+    least_q: f64,
     /// The smallest 1 + N·I for which the reflection counts.
-    pub least_divisor: f64,
+    least_divisor: f64,
 }
 
 /// Bounds on the errors of what each component of r = (g + ρb)n - ρI is made of.
 #[derive(Clone, Copy, Debug)]
-pub struct Components {
+struct Components {
     /// e_n and e_I, of each component of n and I.
-    pub vectors: [f64; 2],
+    vectors: [f64; 2],
     /// e_b and e_g, of b = n·I and g = 1 + q(b - 1).
-    pub cosines: [f64; 2],
+    cosines: [f64; 2],
     /// Of the operands q(1 + g) and w = 1 + b of ρ².
-    pub operands: [f64; 2],
+    operands: [f64; 2],
     /// How long n is at most.
-    pub longest: f64,
+    longest: f64,
 }
 
 impl Components {
@@ -35,7 +69,7 @@ impl Components {
     /// ```
     ///
     /// and what ρ is off by counts as often as bN - I is long: see `of_sine_ratio`.
-    pub fn error(self, formats: &ConsistentFormats, known: Consistency) -> f64 {
+    fn error(self, formats: &ConsistentFormats, known: Consistency) -> f64 {
         let [dividend, divisor] = self.operands;
         let e_rho = of_sine_ratio(dividend + divisor, divisor, formats, known);
         let ([e_n, e_i], [e_b, e_g]) = (self.vectors, self.cosines);
@@ -68,13 +102,13 @@ fn of_sine_ratio(operands: f64, e_w: f64, formats: &ConsistentFormats, known: Co
 
 /// What the reflection is made of, and how far each of it is off.
 #[derive(Clone, Copy, Debug)]
-pub struct Operands {
+struct Operands {
     /// n.
-    pub normal: VectorError,
+    normal: VectorError,
     /// I.
-    pub incoming: VectorError,
+    incoming: VectorError,
     /// q.
-    pub q: f64,
+    q: f64,
 }
 
 impl Operands {
@@ -105,7 +139,7 @@ impl Operands {
     /// moves by (2 + 2b_0) a + 3 a_I + 2 e_q at most, of which 2 b_0 (a + a_I + e_q) over |r| makes
     /// it longer or shorter. What roundings move along the one reflection is along the other but
     /// for the angle between them.
-    pub fn off(self, formats: &ConsistentFormats, known: Consistency) -> Option<VectorError> {
+    fn off(self, formats: &ConsistentFormats, known: Consistency) -> Option<VectorError> {
         let (a, a_i) = (self.normal.angle(), self.incoming.angle());
         let e_q = self.q;
         let half_units = [formats.cosine, formats.sine_ratio_squared, formats.sine_ratio]
@@ -132,7 +166,7 @@ impl Operands {
 ///
 /// Whatever both are, components are no further apart than the longest of both are long: the real
 /// one 1, the fixed one `longest`.
-pub fn reflection(component: f64, whole: Option<VectorError>, longest: f64) -> (VectorError, f64) {
+fn reflection(component: f64, whole: Option<VectorError>, longest: f64) -> (VectorError, f64) {
     let component = component.min(1.0 + longest);
     let off = whole.unwrap_or(VectorError::ball(3f64.sqrt() * component));
     (off, component.min(off.length))
@@ -282,19 +316,19 @@ impl Rounded {
 pub struct Horizon(f64);
 
 impl Horizon {
-    /// With n, I and q off so much, and cosines of unit `ulp`.
-    pub fn new([normal, incoming]: [f64; 2], q: f64, ulp: f64) -> Horizon {
-        let e_b = (normal + incoming) * 2.0 + ulp;
-        Horizon(2.0 * q + 2.0 * e_b + ulp)
+    /// Of n and I, and of q, with cosines in this format.
+    pub fn new([normal, incoming]: [VectorBound; 2], q: Bound, cosine: Format) -> Horizon {
+        let e_b = (normal.error.length + incoming.error.length) * 2.0 + cosine.ulp();
+        Horizon(2.0 * q.error + 2.0 * e_b + cosine.ulp())
     }
 
-    /// What is known of an I above the horizon: 1 + b > 2q/(1 + q) ≥ q.
-    pub fn above(self, least_q: f64) -> Consistency {
-        Consistency { least_q, least_divisor: (least_q - self.0).max(0.0) }
+    /// The smallest 1 + b of an I above the horizon: 1 + b > 2q/(1 + q) ≥ q.
+    pub fn least_divisor(self, q: Bound) -> f64 {
+        (q.real.low - self.0).max(0.0)
     }
 
-    /// Bound on the error of |I + r|/2, with I and r off so much, the result of unit `ulp`, and
-    /// where it is sure that the normal `has_direction`; 1 at most.
+    /// Bound on the error of |I + r|/2, of I and r, and of the bit that says whether the normal has a
+    /// direction; 1 at most.
     ///
     /// The length of a vector is off by no more than the vector. At the horizon
     ///
@@ -303,19 +337,31 @@ impl Horizon {
     /// ```
     ///
     /// so that where rounding decides which side of it I is on, √((e_g + e_b)/2) at most is lost.
-    pub fn cosine(self, [incoming, r]: [f64; 2], ulp: f64, has_direction: bool) -> f64 {
-        let gate = if has_direction { (self.0 / 2.0).sqrt() } else { 1.0 };
-        let error = 0.5 * (incoming + r) + 0.5 * ulp + gate;
+    pub fn cosine(self, [incoming, r]: [VectorBound; 2], to: Format, has_direction: Bound) -> f64 {
+        let gate = if has_direction.is_exact() { (self.0 / 2.0).sqrt() } else { 1.0 };
+        let error = 0.5 * (incoming.error.length + r.error.length) + 0.5 * to.ulp() + gate;
         error.min(1.0)
     }
+}
+
+/// What is known of r·L, clamped to [0, 1] and rounded: the cosine of r's angle with L, but for what
+/// r is longer or shorter by, σ, and L is off, e_L.
+///
+/// ```text
+/// |r'·L' - r̂'·L| ≤ σ + (1 + σ) e_L + u/2
+/// ```
+pub fn highlight(r: VectorBound, l: VectorBound, base: Format) -> Angular {
+    let stretch = r.error.stretch();
+    let rest = stretch + (1.0 + stretch) * l.error.length + 0.5 * base.ulp();
+    Angular { angle: r.error.angle(), rest }
 }
 
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
-    use specula_spec::Format;
+    use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// J and its reflection in the plane of both, m along the second axis, computed with every
@@ -435,9 +481,9 @@ mod tests {
                     let n = draw.direction();
                     (n, draw.across(n))
                 };
-                let b = draw.between(w - 1.0, 1.0);
+                let b = draw.within(w - 1.0, 1.0);
                 let incoming = b * n + (1.0 - b * b).sqrt() * beside;
-                let q = draw.between(least_q, 1.0);
+                let q = draw.within(least_q, 1.0);
                 let real = reflected(n, incoming, q);
                 let mut moved =
                     |v: DVec3, aside: DVec3| v + draw.error(across) * aside + draw.error(along) * v;
@@ -464,8 +510,8 @@ mod tests {
             let bound = of_sine_ratio(2.0 * operand, operand, &formats, known);
             let mut reached = 0.0_f64;
             for _ in 0..60_000 {
-                let w = least_divisor + (2.0 - least_divisor) * draw.between(0.0, 1.0).powi(4);
-                let q = least_q + (1.0 - least_q) * draw.between(0.0, 1.0).powi(4);
+                let w = least_divisor + (2.0 - least_divisor) * draw.within(0.0, 1.0).powi(4);
+                let q = least_q + (1.0 - least_q) * draw.within(0.0, 1.0).powi(4);
                 let (b, dividend) = (w - 1.0, q * (2.0 + q * (w - 2.0)));
                 let squared = |p: f64, w: f64| if w > 0.0 { (p / w).clamp(0.0, 1.0) } else { 0.0 };
                 let real = squared(dividend, w).sqrt();
@@ -485,9 +531,10 @@ mod tests {
     #[test]
     fn cosines_at_the_horizon_stay_within_the_bound_and_come_near() {
         let mut draw = Draw::new(1);
-        let (off, ulp) = (1e-4, 1e-4);
-        let horizon = Horizon::new([off; 2], off, ulp);
-        let bound = horizon.cosine([off; 2], ulp, true);
+        let (off, format) = (1e-4, Format::signed(1, 13));
+        let (vector, q) = (VectorBound::ball(0.0, 1.0, off), Bound::near(Interval::ANY, off));
+        let horizon = Horizon::new([vector; 2], q, format);
+        let bound = horizon.cosine([vector; 2], format, Bound::near(Interval::ANY, 0.0));
         let cosine = |n: DVec3, incoming: DVec3, q: f64, moved: f64| {
             let b = n.dot(incoming);
             let lit = 1.0 + q * (b + moved - 1.0) + b + moved > 0.0;
@@ -495,14 +542,14 @@ mod tests {
         };
         let mut reached = 0.0_f64;
         for _ in 0..40_000 {
-            let (n, q) = (draw.direction(), draw.between(0.0, 1.0).powi(8));
+            let (n, q) = (draw.direction(), draw.within(0.0, 1.0).powi(8));
             // g + b is 0 for b = (q - 1)/(q + 1).
-            let b = (q - 1.0 + draw.between(-horizon.0, horizon.0)) / (q + 1.0);
+            let b = (q - 1.0 + draw.within(-horizon.0, horizon.0)) / (q + 1.0);
             let b = b.clamp(-1.0, 1.0);
             let incoming = b * n + (1.0 - b * b).sqrt() * draw.across(n);
             let real = cosine(n, incoming, q, 0.0);
             let fixed_q = (q + draw.error(off)).clamp(0.0, 1.0);
-            let fixed = cosine(n, incoming, fixed_q, draw.error(4.0 * off + ulp));
+            let fixed = cosine(n, incoming, fixed_q, draw.error(4.0 * off + format.ulp()));
             reached = reached.max((fixed - real).abs() / bound);
         }
         assert!(reached <= 1.0 && reached > 0.6, "{reached}");

@@ -1,4 +1,5 @@
 //! How far the contraction of a consistent reflection is off.
+use specula_datapath::bound::Bound;
 use specula_spec::Format;
 use specula_spec::consistent::LARGEST_ANGLE;
 
@@ -33,8 +34,8 @@ pub fn angle(accumulator: Format, angle: Format, steps: u32) -> Angle {
     }
 }
 
-/// Bound on the error of q = (1 - t)²/(1 + κt), κ = 1169/1024, rounded down, for t off by
-/// `t_error`.
+/// Bound on the error of q = (1 - t)²/(1 + κt), κ = 1169/1024, rounded down, of t
+/// as it comes.
 ///
 /// κ exceeds π - 2 by 8.91e-6, and
 ///
@@ -42,13 +43,13 @@ pub fn angle(accumulator: Format, angle: Format, steps: u32) -> Angle {
 /// |∂q/∂κ| = t(1 - t)²/(1 + κt)² < 0.1
 /// |∂q/∂t| ≤ π
 /// ```
-pub fn rational(t_error: f64, contraction: Format) -> f64 {
+pub fn rational(t: Bound, contraction: Format) -> f64 {
     const OF_KAPPA: f64 = 8.91e-7;
-    (STEEPEST * t_error + OF_KAPPA + contraction.ulp()).min(1.0)
+    (STEEPEST * t.error + OF_KAPPA + contraction.ulp()).min(1.0)
 }
 
 /// Bound on the error of q = T² with T = u(1 - (1 - v) S(v)), u = 1 - t and v = u², T and q rounded
-/// down, for t off by `t_error`.
+/// down, of t as it comes.
 ///
 /// The polynomial is off by 1.45e-5. In units of the last place of T
 ///
@@ -60,17 +61,19 @@ pub fn rational(t_error: f64, contraction: Format) -> f64 {
 /// ```
 ///
 /// make less than 7, and q = T² moves twice as far.
-pub fn trigonometric(t_error: f64, tangent: Format, contraction: Format) -> f64 {
+pub fn trigonometric(t: Bound, tangent: Format, contraction: Format) -> f64 {
     const OF_POLYNOMIAL: f64 = 1.45e-5;
     let of_tangent = OF_POLYNOMIAL + 7.0 * tangent.ulp();
-    (STEEPEST * t_error + 2.0 * of_tangent + contraction.ulp()).min(1.0)
+    (STEEPEST * t.error + 2.0 * of_tangent + contraction.ulp()).min(1.0)
 }
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
     use std::f64::consts::{FRAC_PI_4, PI};
 
-    use super::super::draw::Draw;
+    use specula_datapath::bound::Interval;
+
     use super::*;
 
     /// How far t is off, and fraction bits of T and q.
@@ -90,7 +93,7 @@ mod tests {
         let mut draw = Draw::new(1);
         let mut reached = 0.0_f64;
         for _ in 0..50_000 {
-            let t = draw.between(0.0, 1.0).powi(4);
+            let t = draw.within(0.0, 1.0).powi(4);
             let moved = (t + draw.error(0.5 * t_error) + 0.5 * t_error).min(1.0);
             reached = reached.max((fixed(moved, &mut draw) - real(t)).abs() / bound);
         }
@@ -108,7 +111,7 @@ mod tests {
         let curve = |t: f64, kappa: f64| (1.0 - t).powi(2) / (1.0 + kappa * t);
         for (t_error, _, bits) in CASES {
             let contraction = format(bits);
-            let bound = rational(t_error, contraction);
+            let bound = rational(Bound::near(Interval::new(0.0, 1.0), t_error), contraction);
             let fixed = |t: f64, draw: &mut Draw| {
                 curve(t, 1169.0 / 1024.0) - up_to(draw, contraction.ulp())
             };
@@ -125,7 +128,8 @@ mod tests {
         const COEFFICIENTS: [i64; 4] = [225_028, 55_803, 13_064, 5_363];
         for ((t_error, bits, q_bits), least) in CASES.into_iter().zip([0.98, 0.98, 0.33]) {
             let (ulp, q_ulp) = (format(bits).ulp(), format(q_bits).ulp());
-            let bound = trigonometric(t_error, format(bits), format(q_bits));
+            let t = Bound::near(Interval::new(0.0, 1.0), t_error);
+            let bound = trigonometric(t, format(bits), format(q_bits));
             let fixed = |t: f64, draw: &mut Draw| {
                 let [s0, s1, s2, s3] = COEFFICIENTS.map(|s| s as f64 / f64::from(1 << 20));
                 let mut up = |x: f64| x + up_to(draw, ulp);

@@ -1,17 +1,8 @@
 //! How long the differences are that highlights depend on, and how far they are off.
-use specula_datapath::bound::VectorError;
+use specula_datapath::bound::{VectorBound, VectorError};
 use specula_spec::Format;
 
 use super::length_error::{LengthError, Reflected};
-
-/// What is known of a vector that a difference is made of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Operand {
-    /// The fixed vector is no longer.
-    pub longest: f64,
-    /// How far it is off.
-    pub off: VectorError,
-}
 
 /// What is proven of a difference D before it is rounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +11,8 @@ pub struct Difference {
     pub longest: f64,
     /// How far D is off as a whole.
     pub error: f64,
+    /// Where that is proven.
+    pub proof: &'static str,
 }
 
 /// H × N with H = L + V.
@@ -28,12 +21,13 @@ pub struct Difference {
 /// |H × N|           ≤ |H||N|,   |H| ≤ 2 but for rounding
 /// |H' × N' - H × N| ≤ |H| e_N + |N| e_H + e_H e_N
 /// ```
-pub fn cross_product([h, n]: [Operand; 2], vector: Format) -> Difference {
+pub fn cross_product([h, n]: [VectorBound; 2], vector: Format) -> Difference {
     let longest_h = 2.0 + 2.0 * vector.ulp();
-    let (e_h, e_n) = (h.off.length, n.off.length);
+    let (e_h, e_n) = (h.error.length, n.error.length);
     Difference {
         longest: longest_h * n.longest,
         error: longest_h * e_n + n.longest * e_h + e_h * e_n,
+        proof: "error::difference::cross_product",
     }
 }
 
@@ -56,32 +50,31 @@ pub fn cross_product([h, n]: [Operand; 2], vector: Format) -> Difference {
 /// |of l|         ≤ e_l
 /// |rounding|     ≤ |n| u/2               of 2(n·v)
 /// ```
-pub fn reflection([n, v, l]: [Operand; 3], (vector, difference): (Format, Format)) -> Difference {
+pub fn reflection(
+    [n, v, l]: [VectorBound; 3],
+    (vector, difference): (Format, Format),
+) -> Difference {
     let ulp = difference.ulp();
-    let VectorError { transverse: across, radial: along, .. } = n.off;
+    let VectorError { transverse: across, radial: along, .. } = n.error;
     let square = 2.0 * n.longest * along + along * along + across * across;
     let of_n = 2.0 * (n.longest + along + across) * across + 2.0 * square;
     let of_vectors =
-        v.off.length * (2.0 * (n.longest + along).powi(2) - 1.0).max(1.0) + l.off.length;
+        v.error.length * (2.0 * (n.longest + along).powi(2) - 1.0).max(1.0) + l.error.length;
     Difference {
         longest: 2.0 * n.longest * n.longest + 8.0 * vector.ulp() + 8.0 * ulp,
         error: of_n + of_vectors + 0.5 * n.longest * ulp,
+        proof: "error::difference::reflection",
     }
 }
 
-/// How far the length of the same D is off once it is rounded, of real n no shorter than
-/// `shortest`.
-pub fn reflection_length(
-    [n, v, l]: [Operand; 3],
-    shortest: f64,
-    difference: Format,
-) -> LengthError {
+/// How far the length of the same D is off once it is rounded.
+pub fn reflection_length([n, v, l]: [VectorBound; 3], difference: Format) -> LengthError {
     let ulp = difference.ulp();
     LengthError::of_reflection(&Reflected {
-        n: n.off,
-        lengths: ((shortest - n.off.length).max(0.0), n.longest + n.off.length),
-        of: v.off.length,
-        from: l.off.length,
+        n: n.error,
+        lengths: (n.surely().max(0.0), n.longest + n.error.length),
+        of: v.error.length,
+        from: l.error.length,
         rounding_along: 0.5 * ulp,
         rounding: 0.75f64.sqrt() * ulp,
     })
@@ -98,15 +91,16 @@ pub fn reflection_length(
 /// ```
 ///
 /// where lengths are those of real vectors, longer than the fixed ones by their errors at most.
-pub fn projection([h, n]: [Operand; 2], difference: Format) -> Difference {
+pub fn projection([h, n]: [VectorBound; 2], difference: Format) -> Difference {
     let ulp = difference.ulp();
-    let (e_h, e_n) = (h.off.length, n.off.length);
+    let (e_h, e_n) = (h.error.length, n.error.length);
     let (h_reach, n_reach) = (h.longest + e_h, n.longest + e_n);
     Difference {
         longest: h.longest * (n.longest * n.longest - 1.0).max(1.0) + n.longest * ulp,
         error: h_reach * (2.0 * n_reach * e_n)
             + (n_reach * n_reach + 1.0) * e_h
             + 0.5 * n_reach * ulp,
+        proof: "error::difference::projection",
     }
 }
 
@@ -116,15 +110,19 @@ pub fn projection([h, n]: [Operand; 2], difference: Format) -> Difference {
 /// |h - N|         ≤ |h| + |N|
 /// |h' - N' - D|   ≤ e_h + e_N
 /// ```
-pub fn minus([h, n]: [Operand; 2]) -> Difference {
-    Difference { longest: h.longest + n.longest, error: h.off.length + n.off.length }
+pub fn minus([h, n]: [VectorBound; 2]) -> Difference {
+    Difference {
+        longest: h.longest + n.longest,
+        error: h.error.length + n.error.length,
+        proof: "error::difference::minus",
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     const VECTOR: Format = Format::signed(1, 14);
@@ -148,13 +146,15 @@ mod tests {
     fn reached(
         (e_h, across, along, rounds): (f64, f64, f64, bool),
         length: f64,
-        bound: impl Fn([Operand; 2], Format) -> Difference,
+        bound: impl Fn([VectorBound; 2], Format) -> Difference,
         difference: impl Fn(DVec3, DVec3, f64) -> DVec3,
     ) -> f64 {
         let half_unit = 0.5 * format(rounds).ulp();
-        let h = Operand { longest: length + e_h, off: VectorError::ball(e_h) };
-        let n =
-            Operand { longest: 1.0 + along + across, off: VectorError::components(across, along) };
+        let h = VectorBound::ball(length, length + e_h, e_h);
+        let n = VectorBound {
+            error: VectorError::components(across, along),
+            ..VectorBound::ball(1.0, 1.0 + along + across, 0.0)
+        };
         let proven = bound([h, n], format(rounds));
         let mut draw = Draw::new(1);
         let mut reached = 0.0_f64;
@@ -193,9 +193,9 @@ mod tests {
 
     #[test]
     fn reflections_stay_within_the_bound_and_reach_it() {
-        let light = Operand { longest: 1.0, off: VectorError::ball(0.0) };
+        let light = VectorBound::ball(1.0, 1.0, 0.0);
         let bound =
-            |[v, n]: [Operand; 2], difference| reflection([n, v, light], (VECTOR, difference));
+            |[v, n]: [VectorBound; 2], difference| reflection([n, v, light], (VECTOR, difference));
         let l = DVec3::Z;
         let difference =
             |v: DVec3, n: DVec3, rounding: f64| (2.0 * n.dot(v) + rounding) * n - v - l;

@@ -1,13 +1,20 @@
 //! How far diffuse intensities are off.
+use specula_datapath::bound::VectorBound;
+
 use super::host::HOST_ERROR;
 
-/// Bound on the error of x·y for real vectors no longer than 1, off by `e_x` and `e_y` as a whole.
+/// Bound on the error of x·y for real vectors no longer than 1.
+pub fn cosine(x: VectorBound, y: VectorBound) -> f64 {
+    cosine_of(x.error.length, y.error.length)
+}
+
+/// The same of vectors off by `e_x` and `e_y` as a whole.
 ///
 /// ```text
 /// |x'·y' - x·y| = |(x' - x)·y + x·(y' - y) + (x' - x)·(y' - y)|
 ///               ≤ e_x + e_y + e_x e_y
 /// ```
-pub fn cosine(e_x: f64, e_y: f64) -> f64 {
+fn cosine_of(e_x: f64, e_y: f64) -> f64 {
     e_x + e_y + e_x * e_y
 }
 
@@ -26,7 +33,8 @@ pub fn overshoot(steps: u32, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// 90 % of the bound is reached.
@@ -41,7 +49,8 @@ mod tests {
                 let y = draw.one_of(&[x, -x, other]);
                 let moved_x = x + draw.error(e_x) * y;
                 let moved_y = y + draw.error(e_y) * x;
-                reached = reached.max((moved_x.dot(moved_y) - x.dot(y)).abs() / cosine(e_x, e_y));
+                reached =
+                    reached.max((moved_x.dot(moved_y) - x.dot(y)).abs() / cosine_of(e_x, e_y));
             }
             println!("{e_x}, {e_y}: {reached}");
             assert!(reached <= 1.0 + 1e-9 && reached > 0.9, "{e_x}, {e_y}: {reached}");

@@ -5,7 +5,9 @@ use specula_spec::format::power_of_two;
 
 use super::host::HOST_ERROR;
 use super::interpolate::chord;
-use specula_datapath::bound::Angular;
+use super::newton_root::followed_root;
+use super::vector::shortest;
+use specula_datapath::bound::{Angular, Bound};
 
 /// What comes of t and κ = |B - A|².
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +18,18 @@ pub struct Parameter {
     pub past: f64,
     /// The largest κ there is.
     pub spread: f64,
+}
+
+impl Parameter {
+    /// Of t and κ as they come.
+    pub fn new(t: Bound, spread: Bound) -> Parameter {
+        Parameter { off: t.error, past: past(t), spread: spread.fixed.high }
+    }
+}
+
+/// o, what t reaches past 1.
+pub fn past(t: Bound) -> f64 {
+    (t.fixed.high - 1.0).max(0.0)
 }
 
 /// How far 0 and 1 are exceeded by q = 1 - κ t (1 - t), with t up to 1 + `past`.
@@ -58,8 +72,23 @@ impl Square {
 /// |p' - p| ≤ (|1 - t'| + t') e + e_t |b - a|
 ///          ≤ (1 + 2o) e + e_t (|b' - a'| + 2e)
 /// ```
-pub fn scalar((e_t, past): (f64, f64), half_unit: f64, apart: f64) -> f64 {
+fn scalar_between((e_t, past): (f64, f64), half_unit: f64, apart: f64) -> f64 {
     (1.0 + 2.0 * past) * half_unit + (apart + 2.0 * half_unit) * e_t
+}
+
+/// Bound on the error of N·X = A·X + t (B·X - A·X), of t, A·X and the difference as they come.
+pub fn scalar(t: Bound, start: Bound, delta: Bound) -> f64 {
+    scalar_between((t.error, past(t)), start.error, delta.magnitude())
+}
+
+/// |N·X| is no larger: both ends are rounded, and t ≤ 1 + o.
+pub fn largest_scalar(t: Bound) -> f64 {
+    1.0 + 2.0 * past(t)
+}
+
+/// Whether fixed and real q are both above 0 for sure.
+pub fn is_positive(q: Bound) -> bool {
+    q.real.low - q.error > 0.0
 }
 
 /// What rounding leaves of N between unit ends: t turns it, and q is that of another.
@@ -128,6 +157,18 @@ fn half(format: Format) -> f64 {
     0.5 * format.ulp()
 }
 
+/// What is known of n·X of the unit normal n = N/√q, whatever X, before it is rounded, of t and q as
+/// they come; see `unit_normal_from`.
+pub fn unit_normal(t: Parameter, q: Bound, formats: &DirectFormats) -> Angular {
+    unit_normal_from(t, formats, shortest(q))
+}
+
+/// As [`unit_normal`], with 1/d for 1/√q: d by Newton's method with so many steps at each pixel; see
+/// `normal_by_newton_from`.
+pub fn normal_by_newton(t: Parameter, q: Bound, formats: &DirectFormats, steps: u32) -> Angular {
+    normal_by_newton_from(t, formats, shortest(q), followed_root(steps, q, formats))
+}
+
 /// What is known of n·X of the unit normal n = N/√q, whatever X, before it is rounded: of N no
 /// shorter than `shortest`, with a rounded 1/√q.
 ///
@@ -141,7 +182,7 @@ fn half(format: Format) -> f64 {
 /// ```
 ///
 /// where n' is n turned by `Moved`'s angle.
-pub fn unit_normal(t: Parameter, formats: &DirectFormats, shortest: f64) -> Angular {
+fn unit_normal_from(t: Parameter, formats: &DirectFormats, shortest: f64) -> Angular {
     let moved = Moved::new(t, formats, shortest);
     let Some(least_square) = moved.least_square(formats) else { return Angular::UNKNOWN };
     let x = moved.of_square / least_square;
@@ -152,7 +193,7 @@ pub fn unit_normal(t: Parameter, formats: &DirectFormats, shortest: f64) -> Angu
     }
 }
 
-/// As [`unit_normal`], with 1/d for 1/√q: d by Newton's method, off by `root` if anything is known
+/// As `unit_normal_from`, with 1/d for 1/√q: d by Newton's method, off by `root` if anything is known
 /// of it, is √q or more.
 ///
 /// The real scalar is r N·X/√q with r = √q/d ≤ 1. r cos x is itself the cosine of an angle, which
@@ -169,7 +210,7 @@ pub fn unit_normal(t: Parameter, formats: &DirectFormats, shortest: f64) -> Angu
 /// ```
 ///
 /// and half a unit of 1/d.
-pub fn normal_by_newton(
+fn normal_by_newton_from(
     t: Parameter,
     formats: &DirectFormats,
     shortest: f64,
@@ -192,6 +233,12 @@ pub fn cosine(normal: Angular, formats: &DirectFormats) -> Option<Angular> {
     Angular { rest, ..normal }.known()
 }
 
+/// Bound on the error of a cosine kept within -1 to 1 of which nothing is known: where N may vanish,
+/// its real length does not end at 2^-m as 1/√q does, so that rules say nothing of it.
+pub const fn any_cosine() -> f64 {
+    2.0
+}
+
 /// What is known of a product that stands for J K of the unit normal.
 #[derive(Clone, Copy, Debug)]
 pub struct Product {
@@ -202,6 +249,12 @@ pub struct Product {
 }
 
 impl Product {
+    /// Of J and K as they come, if both are known as cosines.
+    pub fn of_bounds(factors: [Bound; 2]) -> Option<Product> {
+        let [j, k] = factors.map(Bound::angular);
+        Some(Product::of_cosines([j?, k?]))
+    }
+
     /// Of J and K themselves.
     ///
     /// ```text
@@ -209,6 +262,11 @@ impl Product {
     /// ```
     pub fn of_cosines([j, k]: [Angular; 2]) -> Product {
         Product { angle: j.angle, rest: 2.0 * (j.rest + k.rest + j.rest * k.rest) }
+    }
+
+    /// Of p_L and p_V/q, of t and q as they come; see `Product::with_quotient_from`.
+    pub fn with_quotient(t: Parameter, q: Bound, formats: &DirectFormats) -> Option<Product> {
+        Product::with_quotient_from(t, formats, shortest(q))
     }
 
     /// Of p_L and p_V/q, if N is known to be no shorter than what 1/q ends at.
@@ -220,7 +278,7 @@ impl Product {
     /// e_k              = e_p max 1/q + ε/(m² - ε)/m + (1 + 2o) u_r/2 + u_c/2   for p_V/q
     /// |p'k' - p k|     ≤ |N| e_k + e_p (1/m + e_k)                             |p_L| ≤ |N|
     /// ```
-    pub fn with_quotient(t: Parameter, formats: &DirectFormats, shortest: f64) -> Option<Product> {
+    fn with_quotient_from(t: Parameter, formats: &DirectFormats, shortest: f64) -> Option<Product> {
         let moved = Moved::new(t, formats, shortest);
         let least_square = moved.least_square(formats)?;
         let longest = 1.0 + 2.0 * moved.past;
@@ -235,35 +293,29 @@ impl Product {
         })
     }
 
-    /// Of 2 J K - L·V = R·L: R turns twice as far as n. L·V is off by `light_dot_view`, and the
-    /// whole is rounded by `rounding`.
-    pub fn base(self, light_dot_view: f64, rounding: f64) -> Angular {
-        Angular { angle: 2.0 * self.angle, rest: self.rest + light_dot_view + rounding }
+    /// Of 2 J K - L·V = R·L: R turns twice as far as n. The whole is rounded by
+    /// `rounding`.
+    pub fn base(self, light_dot_view: Bound, rounding: f64) -> Angular {
+        Angular { angle: 2.0 * self.angle, rest: self.rest + light_dot_view.error + rounding }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
+    use specula_fixtures::formats::direct_formats;
 
-    use super::super::draw::Draw;
     use super::*;
 
     fn formats(bits: u32) -> DirectFormats {
-        let one = Format::unsigned(1, bits);
         DirectFormats {
-            weight_accumulator: one,
-            weight: one,
-            product: one,
             spread: Format::unsigned(3, bits),
             component: Format::signed(1, bits),
-            length_squared: one,
-            length: one,
             reciprocal: Format::unsigned(3, bits),
             cosine: Format::signed(1, bits),
-            diffuse: one,
-            base: one,
-            shape: one,
+            ..direct_formats(Format::unsigned(1, bits))
         }
     }
 
@@ -282,7 +334,7 @@ mod tests {
             let angle = 2.0 * shortest.acos();
             let a = draw.direction();
             let b = angle.cos() * a + angle.sin() * draw.across(a);
-            let anywhere = draw.between(0.0, 1.0);
+            let anywhere = draw.within(0.0, 1.0);
             let t = draw.one_of(&[0.5, anywhere]);
             let fixed_t = (t + draw.error(t_off)).clamp(0.0, 1.0);
             let kappa = (b - a).length_squared() + draw.error(half(formats.spread));
@@ -345,7 +397,7 @@ mod tests {
         let mut draw = Draw::new(1);
         for (shortest, bits, off) in SPANS {
             let formats = formats(bits);
-            let known = unit_normal(parameter(off, &formats, shortest), &formats, shortest);
+            let known = unit_normal_from(parameter(off, &formats, shortest), &formats, shortest);
             let mut reached = Reached::default();
             for _ in 0..60_000 {
                 let pixel = Pixel::new(&mut draw, off, &formats, shortest);
@@ -366,7 +418,7 @@ mod tests {
             let formats = formats(bits);
             let of_root = 2.0 * formats.length.ulp();
             let t = parameter(off, &formats, shortest);
-            let known = normal_by_newton(t, &formats, shortest, Some(of_root));
+            let known = normal_by_newton_from(t, &formats, shortest, Some(of_root));
             let mut reached = Reached::default();
             for _ in 0..60_000 {
                 let pixel = Pixel::new(&mut draw, off, &formats, shortest);
@@ -388,7 +440,9 @@ mod tests {
         for (shortest, bits, off) in SPANS {
             let formats = formats(bits);
             let t = parameter(off, &formats, shortest);
-            let known = Product::with_quotient(t, &formats, shortest).unwrap().base(0.0, 0.0);
+            let known = Product::with_quotient_from(t, &formats, shortest)
+                .unwrap()
+                .base(Bound::near(Interval::ANY, 0.0), 0.0);
             let mut reached = Reached::default();
             for _ in 0..60_000 {
                 let pixel = Pixel::new(&mut draw, off, &formats, shortest);
@@ -413,13 +467,13 @@ mod tests {
         for (off, past) in [(1e-3, 0.0), (1e-5, 0.01)] {
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let ends = [0; 2].map(|_| draw.between(-1.0, 1.0));
-                let anywhere = draw.between(0.0, 1.0);
+                let ends = [0; 2].map(|_| draw.within(-1.0, 1.0));
+                let anywhere = draw.within(0.0, 1.0);
                 let t = draw.one_of(&[anywhere, 1.0]);
                 let fixed_t = (t + draw.error(off)).clamp(0.0, 1.0 + past);
                 let [a, b] = ends.map(|end| end + draw.error(half_unit));
                 let (real, fixed) = (ends[0] + t * (ends[1] - ends[0]), a + fixed_t * (b - a));
-                let bound = scalar((off, past), half_unit, (b - a).abs());
+                let bound = scalar_between((off, past), half_unit, (b - a).abs());
                 reached = reached.max((fixed - real).abs() / bound);
             }
             assert!(reached <= 1.0 && reached > 0.95, "{off}, {past}: {reached}");
@@ -435,7 +489,7 @@ mod tests {
             let square = Square::new(past, &formats);
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let anywhere = draw.between(0.0, 1.0 + past);
+                let anywhere = draw.within(0.0, 1.0 + past);
                 let t = draw.one_of(&[0.5, anywhere]);
                 let product = t * (1.0 - t);
                 assert!(-square.below <= product && product <= 0.25);

@@ -1,4 +1,5 @@
 //! How far a clamped quotient is off.
+use specula_datapath::bound::Bound;
 
 /// What is known of p/q, clamped and rounded.
 ///
@@ -16,16 +17,21 @@
 #[derive(Clone, Copy, Debug)]
 pub struct Quotient {
     /// e_p and e_q.
-    pub operands: [f64; 2],
-    /// s, the smallest real divisor; 0 where nothing is known of it.
-    pub smallest_divisor: f64,
+    operands: [f64; 2],
+    /// s, the smallest real divisor; 0 or less where nothing is known of it.
+    smallest_divisor: f64,
     /// 2^i, the largest magnitude of the quotient.
-    pub limit: f64,
+    limit: f64,
     /// Unit of the last place of the quotient.
-    pub ulp: f64,
+    ulp: f64,
 }
 
 impl Quotient {
+    /// Of p and q as they come.
+    pub fn new([p, q]: [Bound; 2], limit: f64, ulp: f64) -> Quotient {
+        Quotient { operands: [p.error, q.error], smallest_divisor: q.real.low, limit, ulp }
+    }
+
     /// Bound on the error of a quotient that is clamped to [0, 2^i].
     pub fn unsigned(self) -> f64 {
         self.anywhere().min(self.limit + 0.5 * self.ulp)
@@ -49,7 +55,8 @@ impl Quotient {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Operands at the ends of their errors, and divisors from the smallest on: 99 % of the bound
@@ -68,8 +75,8 @@ mod tests {
                 let bound = if low == 0.0 { of.unsigned() } else { of.signed() };
                 let mut reached = 0.0_f64;
                 for _ in 0..20_000 {
-                    let q = smallest_divisor * (1.0 + draw.between(0.0, 1.0).powi(8));
-                    let p = 1.1 * q * draw.between(low, limit);
+                    let q = smallest_divisor * (1.0 + draw.within(0.0, 1.0).powi(8));
+                    let p = 1.1 * q * draw.within(low, limit);
                     let real = (p / q).clamp(low, limit);
                     let (p, q) = (p + draw.error(of.operands[0]), q + draw.error(of.operands[1]));
                     let fixed = (p / q).clamp(low, limit) + draw.error(0.5 * of.ulp);

@@ -1,4 +1,5 @@
 //! How far wrapped normals that follow one another are off.
+use specula_datapath::bound::{Bound, VectorBound};
 use specula_spec::lyon::LyonFormats;
 
 /// What n = N + u H is made of, H = N + b and u = (1 - N·N)/(H·H), with b the n of the pixel before
@@ -6,13 +7,13 @@ use specula_spec::lyon::LyonFormats;
 #[derive(Clone, Copy, Debug)]
 pub struct Followed {
     /// e_N, how far N is off.
-    pub normal: f64,
+    normal: f64,
     /// e_w, how far w is off.
-    pub axis: f64,
+    axis: f64,
     /// e_y, how far y = 1 - N·N is off.
-    pub residue: f64,
+    residue: f64,
     /// s, the length of N where it is shortest.
-    pub shortest: f64,
+    shortest: f64,
 }
 
 /// What one pixel adds.
@@ -24,6 +25,16 @@ struct Step {
 }
 
 impl Followed {
+    /// Of N, of the w that the first normal is wrapped around, and of y = 1 - N·N.
+    pub fn new(normal: VectorBound, axis: VectorBound, residue: Bound) -> Followed {
+        Followed {
+            normal: normal.error.length,
+            axis: axis.error.length,
+            residue: residue.error,
+            shortest: normal.shortest,
+        }
+    }
+
     /// Bound on the error of n, in any direction.
     ///
     /// As a function of b, N and y, n has the derivatives
@@ -89,9 +100,9 @@ const SHORTER_BY: f64 = 0.0625;
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
     use specula_spec::Format;
 
-    use super::super::draw::Draw;
     use super::*;
 
     const OPERAND: f64 = 1.0 / 4096.0;

@@ -1,4 +1,5 @@
 //! How far vectors between two ends are off.
+use specula_datapath::bound::{Bound, VectorBound};
 use specula_spec::Format;
 
 /// How far the ends are apart of a span in the unit ball that comes no nearer to its centre than
@@ -61,7 +62,7 @@ pub fn reach(overshoot: f64) -> f64 {
 
 /// The ends of a span, as the host sends them.
 #[derive(Clone, Copy, Debug)]
-pub struct Ends {
+struct Ends {
     /// e, how far either end is off.
     pub off: f64,
     /// How far the real ends are apart at most.
@@ -83,17 +84,30 @@ impl Ends {
     ///
     /// |X1 - X0| is no more than is known of it, nor than the one that comes and what that is off
     /// by, twice as much as each of its ends.
-    pub fn between(self, weight: f64, reach: f64) -> f64 {
+    fn between(self, weight: f64, reach: f64) -> f64 {
         let (longest, off) = self.difference;
         self.off * reach + weight * self.apart.min(longest + 2.0 * off)
     }
 }
 
+/// How far X0 + a (X1 - X0) is off, of ends `apart` from each other at most, of which the first and
+/// the difference are known, with a weight that is known, too.
+pub fn between([start, delta]: [VectorBound; 2], weight: Bound, apart: f64, reach: f64) -> f64 {
+    let difference = (delta.longest, delta.error.length);
+    Ends { off: start.error.length, apart, difference }.between(weight.error, reach)
+}
+
+/// Bound on the error of a component of X1 - X0 as the host sends it: both ends are rounded, so it
+/// is off by a whole unit, not by half as what is rounded once.
+pub fn sent_difference(of: Bound) -> f64 {
+    of.ulp
+}
+
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// Of spans of every length: 90 % of the bound is reached.
@@ -145,7 +159,7 @@ mod tests {
         for (off, weight, past) in [(1e-3, 1e-4, 0.0), (1e-4, 1e-3, 0.0), (1e-3, 2e-3, 0.05)] {
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let ends = [0; 2].map(|_| draw.between(0.3, 1.0) * draw.direction());
+                let ends = [0; 2].map(|_| draw.within(0.3, 1.0) * draw.direction());
                 let [x0, x1] = ends;
                 let apart = (x1 - x0).length();
                 let along = (x1 - x0) / apart;
@@ -153,7 +167,7 @@ mod tests {
                     let direction = draw.one_of(&[along, -along, DVec3::X]);
                     end + draw.error(off) * direction
                 });
-                let a = draw.between(weight, 1.0 - weight) + draw.one_of(&[0.0, past]);
+                let a = draw.within(weight, 1.0 - weight) + draw.one_of(&[0.0, past]);
                 let moved = (a + draw.error(weight)).min(1.0 + past);
                 let between = |[x0, x1]: [DVec3; 2], a: f64| x0 + a * (x1 - x0);
                 let error = (between(fixed, moved) - between(ends, a)).length();

@@ -114,8 +114,8 @@ impl LengthError {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     fn difference(n: DVec3, v: DVec3, l: DVec3) -> DVec3 {

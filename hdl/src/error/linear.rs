@@ -17,9 +17,8 @@ pub fn bound(steps: u32, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
     use specula_spec::Format;
-
-    use super::super::draw::Draw;
 
     /// Starts and steps as the host rounds them: 90 % of the bound is reached.
     #[test]
@@ -31,7 +30,7 @@ mod tests {
             let bound = super::bound(steps, format.ulp());
             let mut reached = 0.0_f64;
             for _ in 0..5000 {
-                let [x0, end] = [0; 2].map(|_| draw.between(-1.0, 1.0));
+                let [x0, end] = [0; 2].map(|_| draw.within(-1.0, 1.0));
                 let d = (end - x0) / f64::from(steps.max(1));
                 let fixed = rounded(x0) + f64::from(steps) * rounded(d);
                 let real = x0 + f64::from(steps) * d;

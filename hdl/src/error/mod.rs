@@ -7,8 +7,6 @@ pub mod difference;
 pub mod diffuse;
 pub mod direct;
 pub mod divider;
-#[cfg(test)]
-mod draw;
 pub mod followed;
 pub mod gaussian;
 pub mod host;

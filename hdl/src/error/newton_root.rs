@@ -1,6 +1,9 @@
 //! How far a square root is off that follows the pixel before.
+use specula_datapath::bound::Bound;
 use specula_spec::direct::DirectFormats;
 use specula_spec::format::power_of_two;
+
+use super::vector::shortest;
 
 /// Bound on the error of d after `steps` steps d ← (d + q/d)/2 at each pixel, from the d of the
 /// pixel before on and from 1 at the first; nothing where steps may lead away from the root. Real q
@@ -29,7 +32,7 @@ use specula_spec::format::power_of_two;
 /// ```
 ///
 /// That q counts as 4^-m at least brings it no further from the real one as long as s ≥ 2^-m.
-pub fn followed_root(steps: u32, shortest: f64, e_q: f64, formats: &DirectFormats) -> Option<f64> {
+fn root_within(steps: u32, shortest: f64, e_q: f64, formats: &DirectFormats) -> Option<f64> {
     if shortest < power_of_two(-i64::from(formats.reciprocal.integer_bits)) {
         return None;
     }
@@ -42,6 +45,31 @@ pub fn followed_root(steps: u32, shortest: f64, e_q: f64, formats: &DirectFormat
     (shrunk < 1.0 && error <= shortest / 16.0).then_some(error)
 }
 
+/// What is proven of d.
+#[derive(Clone, Copy, Debug)]
+pub struct Length {
+    /// Real d, which is √q, is no smaller.
+    pub shortest: f64,
+    /// Fixed d is no larger.
+    pub largest: f64,
+    /// Bound on the error of d.
+    pub error: f64,
+}
+
+/// What is proven of d, of q as it comes and of q as it is `limited` to 4^-m or more: where steps
+/// may lead away from the root, both are no further apart than d is large.
+pub fn length(steps: u32, q: Bound, limited: Bound, formats: &DirectFormats) -> Length {
+    let least = power_of_two(-i64::from(formats.reciprocal.integer_bits));
+    let largest = largest(least, limited.fixed.high, formats.length.ulp());
+    let error = followed_root(steps, q, formats).unwrap_or(largest);
+    Length { shortest: shortest(q), largest, error }
+}
+
+/// Bound on the error of d, of q as it comes; see `root_within`.
+pub fn followed_root(steps: u32, q: Bound, formats: &DirectFormats) -> Option<f64> {
+    root_within(steps, shortest(q), q.error, formats)
+}
+
 /// d is no larger, begun at 1, with d no smaller than l = `least` and q no larger than Q =
 /// `largest_q`, or 1; each step rounds d to half a unit of `ulp`.
 ///
@@ -51,47 +79,38 @@ pub fn followed_root(steps: u32, shortest: f64, e_q: f64, formats: &DirectFormat
 /// d = l:  (l + q/l)/2 ≤ (l + Q/l)/2
 /// d = D:  (D + q/D)/2 ≤ D             where D² ≥ Q, as D ≥ Q ≥ 1 makes it
 /// ```
-pub fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
+fn largest(least: f64, largest_q: f64, ulp: f64) -> f64 {
     let most = largest_q.max(1.0);
     most.max((least + most / least) / 2.0) + ulp
 }
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
+    use specula_fixtures::formats::direct_formats;
     use specula_spec::Format;
 
-    use super::super::draw::Draw;
     use super::*;
 
     fn formats(length: u32) -> DirectFormats {
-        let rest = Format::unsigned(1, 10);
         DirectFormats {
-            weight_accumulator: rest,
-            weight: rest,
-            product: rest,
-            spread: rest,
-            component: rest,
-            length_squared: rest,
             length: Format::unsigned(1, length),
             reciprocal: Format::unsigned(3, 10),
-            cosine: rest,
-            diffuse: rest,
-            base: rest,
-            shape: rest,
+            ..direct_formats(Format::unsigned(1, 10))
         }
     }
 
     /// Largest error of d over the bound, for q that jumps between its ends.
     fn reached(steps: u32, shortest: f64, e_q: f64, length: u32) -> f64 {
         let formats = formats(length);
-        let bound = followed_root(steps, shortest, e_q, &formats).expect("such steps shrink it");
+        let bound = root_within(steps, shortest, e_q, &formats).expect("such steps shrink it");
         let half_unit = 0.5 * formats.length.ulp();
         let mut draw = Draw::new(1);
         let mut reached = 0.0_f64;
         for _ in 0..5000 {
             let (mut real, mut fixed) = (1.0_f64, 1.0_f64);
             for _ in 0..8 {
-                let between = draw.between(shortest * shortest, 1.0);
+                let between = draw.within(shortest * shortest, 1.0);
                 let q = draw.one_of(&[shortest * shortest, 1.0, between]);
                 let q_fixed = q + draw.error(e_q);
                 for _ in 0..steps {
@@ -140,7 +159,7 @@ mod tests {
     #[test]
     fn nothing_is_known_of_wide_spans() {
         let wide = |degrees: f64| (degrees / 2.0).to_radians().cos();
-        let known = |steps, degrees| followed_root(steps, wide(degrees), 1e-6, &formats(20));
+        let known = |steps, degrees| root_within(steps, wide(degrees), 1e-6, &formats(20));
         assert!(known(1, 103.0).is_some() && known(1, 105.0).is_none());
         assert!(known(2, 123.0).is_some() && known(2, 125.0).is_none());
         assert!(known(2, 179.0).is_none());

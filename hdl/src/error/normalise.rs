@@ -3,11 +3,9 @@
 //! N' is r long, z = r² and y = 1 - z. A polynomial in y is the first gain g, and Newton steps
 //! make g (3 - z g²)/2 of it; n = g N'. Both ends of a span lie in the unit ball, so r ≤ 1 up to
 //! rounding.
-use specula_datapath::bound::VectorError;
+use specula_datapath::bound::{Bound, VectorBound, VectorError};
 use specula_spec::Format;
-use specula_spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats, LyonSpec, Normalisation};
-
-use super::vector::VectorBounds;
+use specula_spec::lyon::{LyonFormats, LyonSpec};
 
 /// The polynomial that Newton steps begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,10 +40,18 @@ pub struct Normalised {
     pub largest_product: f64,
     /// n is no longer once it is rounded.
     pub longest: f64,
+    /// Real n is no shorter, up to 1.
+    pub shortest: f64,
     /// How far n is off before it is rounded.
-    pub off: VectorError,
+    pub error: VectorError,
     /// Error of the bit z > 0.
     pub direction_error: f64,
+}
+
+/// What is proven of n = g N' for a spec's formats and Newton steps, of N' and of its squared length
+/// z.
+pub fn normalised(first: FirstGain, lyon: &LyonSpec, normal: VectorBound, z: Bound) -> Normalised {
+    Approximation::new(first, lyon, z.ulp).normalised(normal)
 }
 
 impl Approximation {
@@ -66,20 +72,21 @@ impl Approximation {
     ///
     /// Roundings on the way to n add some units of the coarsest format's last place, and those of z
     /// and g² move z g² by less than the margin.
-    pub fn normalised(&self, bounds: VectorBounds) -> Normalised {
+    pub fn normalised(&self, bounds: VectorBound) -> Normalised {
         let reach = longest_scaled(bounds.longest);
         let margin = 0.01 + 16.0 * self.coarsest_ulp();
         Normalised {
             largest_product: reach * reach + margin,
             longest: reach + 8.0 * self.coarsest_ulp(),
-            off: self.off(bounds, reach),
+            shortest: shortest_scaled(self.first, self.newton_steps, bounds.shortest),
+            error: self.off(bounds, reach),
             direction_error: self.direction_error(bounds),
         }
     }
 
     /// How far n is off before it is rounded, where no real n is longer than `reach`.
     ///
-    /// Sensitivity turn nothing, so with t as [`VectorBounds::turn`] has it
+    /// Gains turn nothing, so with t as [`VectorBound::turn`] has it
     ///
     /// ```text
     /// across ≤ |n'| t
@@ -94,8 +101,8 @@ impl Approximation {
     ///          ≤ max |dρ/dr| e + (longest + e) e_g
     /// |n'|     ≤ max ρ + (longest + e) e_g
     /// ```
-    fn off(&self, bounds: VectorBounds, reach: f64) -> VectorError {
-        let VectorBounds { longest, error: e, .. } = bounds;
+    fn off(&self, bounds: VectorBound, reach: f64) -> VectorError {
+        let (longest, e) = (bounds.longest, bounds.error.length);
         let gain = self.gain_within(bounds);
         let of_gain = (longest + e) * gain.error;
         if bounds.surely() <= 0.0 {
@@ -108,14 +115,14 @@ impl Approximation {
     }
 
     /// 1 where rounding may decide whether z > 0.
-    fn direction_error(&self, bounds: VectorBounds) -> f64 {
+    fn direction_error(&self, bounds: VectorBound) -> f64 {
         let surely = bounds.surely();
         let rounds_to_one = surely * surely >= 0.5 * self.length_squared.ulp();
         if surely > 0.0 && rounds_to_one { 0.0 } else { 1.0 }
     }
 
-    fn gain_within(&self, bounds: VectorBounds) -> Gain {
-        let ends = (bounds.surely(), bounds.longest + bounds.error);
+    fn gain_within(&self, bounds: VectorBound) -> Gain {
+        let ends = (bounds.surely(), bounds.longest + bounds.error.length);
         let first = Gain::first(self.first, ends, 0.5 * self.z_ulp, self.gain.ulp());
         first.after_newton_steps(self.newton_steps)
     }
@@ -145,25 +152,10 @@ fn longest_real(longest: f64) -> f64 {
     if longest > 1.0 { beyond.max(1.00177) } else { 1.00177 }
 }
 
-/// How short n can be in exact arithmetic, up to 1, for real N' no shorter than `shortest`.
-pub fn shortest_normalised(lyon: &LyonSpec, shortest: f64) -> f64 {
-    match lyon.normalisation {
-        Normalisation::None => shortest,
-        Normalisation::Exact => (shortest * f64::from(1u32 << LOG2_LARGEST_GAIN)).min(1.0),
-        Normalisation::G1 => shortest_scaled(FirstGain::G1, lyon.newton_steps, shortest),
-        Normalisation::G2 => shortest_scaled(FirstGain::G2, lyon.newton_steps, shortest),
-    }
-}
-
-/// √(1 - residue), for the largest residue |1 - z g²| = |1 - ρ²|.
+/// How short n can be in exact arithmetic, up to 1: √(1 - residue), for the largest residue |1 - z g²| = |1 - ρ²|.
 fn shortest_scaled(first: FirstGain, newton_steps: u32, shortest: f64) -> f64 {
     let gain = Gain::first(first, (shortest, 1.0), 0.0, 0.0).after_newton_steps(newton_steps);
     (1.0 - gain.residue).max(0.0).sqrt()
-}
-
-/// Error of the bit N' ≠ 0: 1 where all components may round to 0 though one is not.
-pub fn not_zero(bounds: VectorBounds) -> f64 {
-    if bounds.surely() > 0.0 { 0.0 } else { 1.0 }
 }
 
 impl FirstGain {
@@ -280,8 +272,8 @@ impl Gain {
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// First gain, Newton steps, and how short the shortest N' is.
@@ -309,15 +301,15 @@ mod tests {
 
     /// How much of the bounds across and along the normal is reached. Normals are mostly about as
     /// short as they come, and off across or along themselves.
-    fn reached(of: &Approximation, bounds: VectorBounds) -> [f64; 2] {
+    fn reached(of: &Approximation, bounds: VectorBound) -> [f64; 2] {
         let proven = of.normalised(bounds);
         let mut draw = Draw::new(1);
         let mut reached = [0.0_f64; 2];
         for _ in 0..20_000 {
             let direction = draw.direction();
-            let length = bounds.shortest + (1.0 - bounds.shortest) * draw.between(0.0, 1.0).powi(4);
+            let length = bounds.shortest + (1.0 - bounds.shortest) * draw.within(0.0, 1.0).powi(4);
             let moved = [direction, draw.across(direction), draw.direction()];
-            let moved = draw.one_of(&moved) * draw.error(bounds.error);
+            let moved = draw.one_of(&moved) * draw.error(bounds.error.length);
             let real = scaled(of, length * direction, |_| 0.0);
             let fixed = scaled(of, length * direction + moved, |most| draw.error(most));
             assert!(fixed.length() <= proven.longest && real.length() <= 1.0018);
@@ -325,9 +317,9 @@ mod tests {
             let off = fixed - real;
             let along = off.dot(direction);
             let across = (off - along * direction).length();
-            assert!(off.length() <= proven.off.length, "{of:?}: {off}");
-            reached[0] = reached[0].max(across / proven.off.transverse);
-            reached[1] = reached[1].max(along.abs() / proven.off.radial);
+            assert!(off.length() <= proven.error.length, "{of:?}: {off}");
+            reached[0] = reached[0].max(across / proven.error.transverse);
+            reached[1] = reached[1].max(along.abs() / proven.error.radial);
         }
         reached
     }
@@ -348,7 +340,7 @@ mod tests {
                     gain,
                     z_ulp: length_squared.ulp(),
                 };
-                let bounds = VectorBounds { shortest, longest: 1.0 + error, error };
+                let bounds = VectorBound::ball(shortest, 1.0 + error, error);
                 let [across, along] = reached(&of, bounds);
                 println!("{first:?}, {newton_steps} steps, {error}: {across} and {along}");
                 assert!(across <= 1.0 && along <= 1.0);

@@ -1,7 +1,5 @@
 //! How long exactly normalised vectors are, and how far they are off.
-use specula_datapath::bound::VectorError;
-
-use super::vector::VectorBounds;
+use specula_datapath::bound::{Bound, VectorBound, VectorError};
 
 /// n = r N with r = 1/√max(z, l) and z = N·N, each rounded.
 #[derive(Clone, Copy, Debug)]
@@ -19,13 +17,20 @@ pub struct Exact {
 pub struct Normalised {
     /// n is no longer before it is rounded.
     pub longest: f64,
+    /// Real n is no shorter, up to 1.
+    pub shortest: f64,
     /// How far n is off before it is rounded.
-    pub off: VectorError,
+    pub error: VectorError,
     /// Error of the bit z > 0.
     pub direction_error: f64,
 }
 
 impl Exact {
+    /// Of z, with r rounded to units of `root_ulp`.
+    pub fn new(z: Bound, least_operand: f64, root_ulp: f64) -> Exact {
+        Exact { z_ulp: z.ulp, least_operand, root_ulp }
+    }
+
     /// What is proven for vectors within `bounds`.
     ///
     /// z is no more than u_z/2 below N·N, and at least l under the root:
@@ -37,7 +42,7 @@ impl Exact {
     ///
     /// Where fixed z may be less than l, nothing is known of n but that both are no longer than it
     /// can be.
-    pub fn normalised(self, bounds: VectorBounds) -> Normalised {
+    pub fn normalised(self, bounds: VectorBound) -> Normalised {
         let of_root = 0.5 * bounds.longest * self.root_ulp;
         let of_z = 0.5 * self.z_ulp;
         let longest = (1.0 + of_z / self.least_operand).sqrt() + of_root;
@@ -45,9 +50,11 @@ impl Exact {
         let reached = least_z >= self.least_operand && least_z > of_z;
         Normalised {
             longest,
-            off: match reached {
-                true => unit_vector(bounds, of_z / least_z, of_root),
-                false => VectorError::ball(1.0 + longest),
+            shortest: (bounds.shortest / self.least_operand.sqrt()).min(1.0),
+            error: if reached {
+                unit_vector(bounds, of_z / least_z, of_root)
+            } else {
+                VectorError::ball(1.0 + longest)
             },
             direction_error: if least_z >= self.z_ulp { 0.0 } else { 1.0 },
         }
@@ -64,13 +71,13 @@ impl Exact {
 /// ```
 ///
 /// So the length is 1 but for ρ = x/(2 - x) + `of_root`. With the turn t of
-/// [`VectorBounds::turn`], whose angle φ has sin φ ≤ t and cos φ ≥ 1 - t²/2, n is off by
+/// [`VectorBound::turn`], whose angle φ has sin φ ≤ t and cos φ ≥ 1 - t²/2, n is off by
 ///
 /// ```text
 /// across: (1 + ρ) sin φ      ≤ (1 + ρ) t
 /// along:  |(1 + ρ) cos φ - 1| ≤ ρ + (1 + ρ) t²/2
 /// ```
-pub fn unit_vector(bounds: VectorBounds, of_z: f64, of_root: f64) -> VectorError {
+pub fn unit_vector(bounds: VectorBound, of_z: f64, of_root: f64) -> VectorError {
     let turn = bounds.turn();
     let stretched = of_z / (2.0 - of_z) + of_root;
     VectorError::components(
@@ -81,7 +88,8 @@ pub fn unit_vector(bounds: VectorBounds, of_z: f64, of_root: f64) -> VectorError
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Of vectors about as short as they come, 99 % of the bound across and 80 % of that along n
@@ -91,13 +99,13 @@ mod tests {
         for (shortest, error, bits) in [(0.25, 1e-3, 24), (0.5, 1e-6, 14), (0.9, 1e-4, 12)] {
             let ulp = f64::from(bits).exp2().recip();
             let of = Exact { z_ulp: ulp, least_operand: 1.0 / 256.0, root_ulp: ulp };
-            let bounds = VectorBounds { shortest, longest: 1.0 + error, error };
+            let bounds = VectorBound::ball(shortest, 1.0 + error, error);
             let proven = of.normalised(bounds);
             let mut draw = Draw::new(1);
             let mut reached = [0.0_f64; 2];
             for _ in 0..20_000 {
                 let direction = draw.direction();
-                let length = shortest + (1.0 - shortest) * draw.between(0.0, 1.0).powi(4);
+                let length = shortest + (1.0 - shortest) * draw.within(0.0, 1.0).powi(4);
                 let moved = [direction, draw.across(direction), draw.direction()];
                 let moved = draw.one_of(&moved) * draw.error(error);
                 let fixed = length * direction + moved;
@@ -108,8 +116,8 @@ mod tests {
                 let off = fixed - direction;
                 let along = off.dot(direction);
                 let across = (off - along * direction).length();
-                reached[0] = reached[0].max(across / proven.off.transverse);
-                reached[1] = reached[1].max(along.abs() / proven.off.radial);
+                reached[0] = reached[0].max(across / proven.error.transverse);
+                reached[1] = reached[1].max(along.abs() / proven.error.radial);
             }
             println!("{shortest}: {reached:?}");
             assert!(reached.iter().all(|&share| share <= 1.0), "{shortest}: {reached:?}");
@@ -121,7 +129,7 @@ mod tests {
     #[test]
     fn vectors_that_may_vanish_may_come_out_as_anything() {
         let of = Exact { z_ulp: 1e-6, least_operand: 1.0 / 256.0, root_ulp: 1e-4 };
-        let proven = of.normalised(VectorBounds { shortest: 0.0, longest: 1.0, error: 1e-3 });
-        assert!(proven.off.length > 2.0 && proven.direction_error == 1.0);
+        let proven = of.normalised(VectorBound::ball(0.0, 1.0, 1e-3));
+        assert!(proven.error.length > 2.0 && proven.direction_error == 1.0);
     }
 }

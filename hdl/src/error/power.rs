@@ -1,8 +1,8 @@
 //! How far powers of a cosine are off.
-use specula_datapath::bound::{RELATIVE_BOUNDS, RelativeBound};
+use specula_datapath::bound::{
+    Angular, Bound, ErrorBound, ErrorModel, RELATIVE_BOUNDS, RelativeBound,
+};
 use specula_spec::format::power_of_two;
-
-use specula_datapath::bound::Angular;
 
 /// What is known of b^n of a base b from 0 to 1 and n from 1 on.
 ///
@@ -34,7 +34,12 @@ pub struct PowerError {
 
 impl PowerError {
     /// Of the exact power of a base as it comes, for whole exponents up to `n`.
-    pub fn of(base: Angular, n: f64) -> PowerError {
+    pub fn of(base: Bound, n: f64) -> PowerError {
+        let unturned = Angular { angle: 0.0, rest: base.error };
+        PowerError::of_angle(base.angular().unwrap_or(unturned), n)
+    }
+
+    fn of_angle(base: Angular, n: f64) -> PowerError {
         let Angular { angle, rest: r } = base;
         PowerError { exponent: n, angle, bound: n * r, ratio: (n - 1.0) * r, rest: r }
     }
@@ -69,8 +74,13 @@ impl PowerError {
         (self.angle * steepest(self.exponent) + self.bound).min(1.0)
     }
 
-    /// What grows with the power and what does not, in several ways, each of which holds.
-    pub fn shares(&self) -> [RelativeBound; RELATIVE_BOUNDS] {
+    /// What is proven of the power.
+    pub fn bound(&self) -> ErrorBound {
+        ErrorBound { error: self.most(), model: ErrorModel::Relative(self.shares()) }
+    }
+
+    /// Pairs of what grows with the power and what does not, each of which holds.
+    fn shares(&self) -> [RelativeBound; RELATIVE_BOUNDS] {
         let level = Line { slope: 0.0, rest: steepest(self.exponent) };
         let lines = [0.95, 0.9, 0.8, 0.7, 0.5, 0.35, 0.2].map(|v| Line::touching(v, self.exponent));
         std::array::from_fn(|i| self.share(if i == 0 { level } else { lines[i - 1] }))
@@ -139,7 +149,8 @@ fn steepest(n: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// The largest error over what each share and the bound allow.
@@ -184,7 +195,7 @@ mod tests {
     fn every_share_holds_and_comes_near() {
         for n in [1.0, 2.0, 3.0, 16.0, 256.0, 8191.0] {
             for (angle, r) in [(1e-3, 1e-4), (1e-5, 1e-6), (1e-6, 1e-5), (1e-4, 0.0)] {
-                let of = PowerError::of(Angular { angle, rest: r }, n);
+                let of = PowerError::of_angle(Angular { angle, rest: r }, n);
                 let all = [1.0, 2.0, 3.0, 5.0, 16.0, 100.0, 256.0, 8191.0];
                 let below: Vec<f64> = all.into_iter().filter(|&exponent| exponent <= n).collect();
                 let reached = reached(&of, &below, r);
@@ -210,10 +221,10 @@ mod tests {
         for (log2_n, half_unit) in [(1, 1e-3), (4, 1e-4), (8, 1e-6)] {
             let n = power_of_two(i64::from(log2_n));
             let base = Angular { angle: 1e-4 / n, rest: half_unit };
-            let of = PowerError::of(base, n).and_squared(log2_n, half_unit);
+            let of = PowerError::of_angle(base, n).and_squared(log2_n, half_unit);
             let mut reached = Reached::default();
             for _ in 0..40_000 {
-                let t = draw.between(0.0, 1.0).powi(2) * (20.0 / n).min(1.5);
+                let t = draw.within(0.0, 1.0).powi(2) * (20.0 / n).min(1.5);
                 let real = t.cos();
                 let fixed = (t + draw.error(base.angle)).cos() + draw.error(base.rest);
                 let squared =

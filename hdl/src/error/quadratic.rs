@@ -19,9 +19,8 @@ pub fn bound(steps: u32, ulp: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use specula_fixtures::Draw;
     use specula_spec::Format;
-
-    use super::super::draw::Draw;
 
     /// Parabolas through three values from -1 to 1, as the host rounds them: 80 % of the bound is
     /// reached.
@@ -36,7 +35,7 @@ mod tests {
             let bound = super::bound(steps, format.ulp());
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let [start, middle, end] = [0; 3].map(|_| draw.between(-1.0, 1.0));
+                let [start, middle, end] = [0; 3].map(|_| draw.within(-1.0, 1.0));
                 let curvature = 2.0 * (start + end - 2.0 * middle) / (s * s);
                 let slope = (end - start) / s - s * curvature;
                 let real = [start, slope + curvature, 2.0 * curvature];

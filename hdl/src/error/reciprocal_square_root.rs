@@ -1,9 +1,10 @@
 //! How far a reciprocal square root is off.
+use specula_datapath::bound::Bound;
 
-/// Bound on the error of 1/√max(z, l) to half a unit of `ulp`, for z off by e = `z_error` and real
-/// z no smaller than `smallest`; l = `least_operand` is a power of four.
+/// Bound on the error of 1/√max(z, l) to half a unit of `ulp`, for z off by e and real z no
+/// smaller than s_0; l = `least_operand` is a power of four.
 ///
-/// With ξ between z and z', and s = max(`smallest` - e, l):
+/// With ξ between z and z', and s = max(s_0 - e, l):
 ///
 /// ```text
 /// |1/√z' - 1/√z| = e/2 ξ^(-3/2)
@@ -11,9 +12,9 @@
 /// ```
 ///
 /// and no more than 1/√l, since all of them lie from 0 to there.
-pub fn reciprocal_root(z_error: f64, smallest: f64, least_operand: f64, ulp: f64) -> f64 {
-    let least = (smallest - z_error).max(least_operand);
-    let moved = (z_error / (2.0 * least * least.sqrt())).min(1.0 / least_operand.sqrt());
+pub fn reciprocal_root(z: Bound, least_operand: f64, ulp: f64) -> f64 {
+    let least = (z.real.low - z.error).max(least_operand);
+    let moved = (z.error / (2.0 * least * least.sqrt())).min(1.0 / least_operand.sqrt());
     moved + 0.5 * ulp
 }
 
@@ -42,7 +43,9 @@ impl RowLimits {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// All small Z: 92 % of the product is reached, and 54 % of the residue.
@@ -69,10 +72,11 @@ mod tests {
         let mut draw = Draw::new(1);
         for (error, smallest, least) in [(1e-3, 0.25, 1.0 / 256.0), (1e-5, 0.0, 1.0 / 64.0)] {
             let ulp = 1.0 / 16384.0;
-            let bound = reciprocal_root(error, smallest, least, ulp);
+            let bound =
+                reciprocal_root(Bound::near(Interval::at_least(smallest), error), least, ulp);
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
-                let z = smallest + (1.0 - smallest) * draw.between(0.0, 1.0).powi(6);
+                let z = smallest + (1.0 - smallest) * draw.within(0.0, 1.0).powi(6);
                 let root = |z: f64| 1.0 / z.max(least).sqrt();
                 let fixed = root(z + draw.error(error)) + draw.error(0.5 * ulp);
                 reached = reached.max((fixed - root(z)).abs() / bound);

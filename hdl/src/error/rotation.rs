@@ -73,31 +73,15 @@ pub fn sum_of_components(widest: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use specula_spec::Format;
+    use specula_fixtures::Draw;
+    use specula_fixtures::formats::slerp_formats;
 
-    use super::super::draw::Draw;
     use super::*;
-
-    fn formats(turn: u32, state: u32) -> SlerpFormats {
-        let any = Format::unsigned(1, 10);
-        SlerpFormats {
-            turn: Format::signed(1, turn),
-            state: Format::signed(1, state),
-            scaled_state: Format::signed(3, state),
-            weight: any,
-            vector: any,
-            component: any,
-            cosine: any,
-            diffuse: any,
-            base: any,
-            shape: any,
-        }
-    }
 
     /// Every rounding at its worst, which turns further in each step: 70 % of the bound is reached.
     #[test]
     fn turns_drift_across_by_no_more_than_stated() {
-        let formats = formats(12, 11);
+        let formats = slerp_formats(12, 11);
         let (half_turn, half_state) = (0.5 * formats.turn.ulp(), 0.5 * formats.state.ulp());
         for (steps, widest) in [(1, 0.1), (7, 0.16), (20, 0.5), (50, 2.0)] {
             let step = widest / f64::from(steps);
@@ -131,7 +115,7 @@ mod tests {
         leads: bool,
     ) -> f64 {
         let (half_turn, half_state) = (0.5 * formats.turn.ulp(), 0.5 * formats.state.ulp());
-        let (angle, step) = (draw.between(0.0, 6.3), draw.between(0.0, 0.2));
+        let (angle, step) = (draw.within(0.0, 6.3), draw.within(0.0, 0.2));
         let (cosine, sine) =
             (step.cos() + draw.error(half_turn), step.sin() + draw.error(half_turn));
         let starts_off = if length > 1.0 { half_state } else { 0.0 };
@@ -143,9 +127,8 @@ mod tests {
             let t = angle + f64::from(i) * step;
             let turned = [c * cosine - s * sine, s * cosine + c * sine];
             let off = [turned[0] - length * t.cos(), turned[1] - length * t.sin()];
-            let rounding = |off: f64, draw: &mut Draw| match leads {
-                true => half_state * off.signum(),
-                false => draw.error(half_state),
+            let rounding = |off: f64, draw: &mut Draw| {
+                if leads { half_state * off.signum() } else { draw.error(half_state) }
             };
             (c, s) = (turned[0] + rounding(off[0], draw), turned[1] + rounding(off[1], draw));
         }
@@ -156,7 +139,7 @@ mod tests {
     /// Turns and starts at random: 95 % of either bound is reached.
     #[test]
     fn drifting_vectors_stay_within_the_bounds_and_reach_them() {
-        let formats = formats(12, 12);
+        let formats = slerp_formats(12, 12);
         let mut draw = Draw::new(1);
         for steps in [1, 7, 40] {
             let bounds =

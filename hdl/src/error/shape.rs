@@ -1,4 +1,5 @@
 //! How far highlights are off.
+use specula_datapath::bound::{Bound, ErrorModel, VectorBound};
 use specula_spec::lyon::LyonSpec;
 
 use super::length_error::LengthError;
@@ -7,8 +8,8 @@ use super::length_error::LengthError;
 /// counts at a step's end, what falls at its begin.
 const STEPS: u32 = 2048;
 
-/// Bound on the error of f_k of D for exponents up to `shininess`; 1 at most. D is off by `off` as
-/// a whole, and its length by `length_error`.
+/// Bound on the error of f_k of D for exponents up to `shininess`; 1 at most. The length
+/// of D is off by `length_error`.
 ///
 /// As a function of d = |D|, with K = 2^k and y = d √(n/2K)
 ///
@@ -24,11 +25,11 @@ const STEPS: u32 = 2048;
 ///
 /// Then f of the fixed D, with y', is rounded: see `Highlight::rounding`. y' is no further from
 /// any y on the way to it than √(n/2K) times what D is off.
-pub fn bound(off: f64, length_error: LengthError, shininess: f64, lyon: &LyonSpec) -> f64 {
+pub fn bound(d: VectorBound, length_error: LengthError, shininess: f64, lyon: &LyonSpec) -> f64 {
     let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());
     let highlight =
         Highlight { n, squarings: lyon.squarings as i32, ulp: lyon.formats.shape.ulp() };
-    let whole = LengthError { level: off, growing: 0.0, falling: 0.0 };
+    let whole = LengthError::whole(d.error.length);
     let moved = (n / (2.0 * highlight.terms())).sqrt() * whole.level;
     // Of most D nothing more is known than of the whole.
     let of_length = if length_error == whole { 1.0 } else { highlight.worst(length_error, moved) };
@@ -90,15 +91,6 @@ impl Highlight {
     }
 }
 
-/// m of the root shape, which is an integer and still rounded by the host.
-#[derive(Clone, Copy, Debug)]
-pub struct Root {
-    /// The smallest and the largest m as they come.
-    pub range: (f64, f64),
-    /// δ, half a step of m.
-    pub half_step: f64,
-}
-
 /// Where f_k made of u_c = m|D_c| 2^-h rounds.
 #[derive(Clone, Copy, Debug)]
 pub struct RootShape {
@@ -123,7 +115,8 @@ impl RootShape {
         }
     }
 
-    /// Bound on the error of f_k, for D off by `off` as a whole; 1 at most.
+    /// Bound on the error of f_k, 1 at most. m counts as exact where it is an integer
+    /// port, but is a rounded root: it is off by δ, half a step.
     ///
     /// As a function of |u| and with K = 2^k
     ///
@@ -140,20 +133,40 @@ impl RootShape {
     /// ```
     ///
     /// at the smallest m. Rounding x and each square adds K - 1/2 units of the last place.
-    pub fn error(self, off: f64, m: Root) -> f64 {
+    pub fn error(self, d: VectorBound, m: Bound) -> f64 {
+        let (off, half_step) = (d.error.length, 0.5 * m.ulp);
         let terms = f64::from(1u32 << self.squarings);
-        let (smallest, largest) = (m.range.0 - m.half_step, m.range.1 + m.half_step);
+        let (smallest, largest) = (m.fixed.low - half_step, m.fixed.high + half_step);
         let e_u = largest / self.shift * off + 0.75f64.sqrt() * self.scaled;
-        let of_m = 2.0 * ((terms - 1.0) / terms).powf(terms - 1.0) * m.half_step / smallest;
+        let of_m = 2.0 * ((terms - 1.0) / terms).powf(terms - 1.0) * half_step / smallest;
         let error =
             steepest_slope(self.squarings, 2.0 * terms) * e_u + of_m + (terms - 0.5) * self.shape;
         error.min(1.0)
     }
 }
 
+/// What is known of the highlights f of several lights that are `apart` or more: that no two of them
+/// are near their middle at once.
+///
+/// Of R - L for two lights the difference is that of the lights, whatever R is: so of all D all but
+/// one are at least half as long as lights are apart. With exponents from `least_dark_exponent`
+/// on, f is 0 there; with others every f is off by what it is off for those. Nothing is known where
+/// no exponent is as large, or f may be anything.
+pub fn alone(
+    f: Bound,
+    (d, length_error): (VectorBound, LengthError),
+    shininess: Bound,
+    apart: f64,
+    lyon: &LyonSpec,
+) -> Option<ErrorModel> {
+    let dark = least_dark_exponent(apart / 2.0 - d.error.length, lyon);
+    let known = dark < shininess.magnitude() && f.error < 1.0;
+    known.then(|| ErrorModel::Exclusive { together: bound(d, length_error, dark, lyon) })
+}
+
 /// The least exponent from which on f is 0 wherever D is no shorter than `shortest`: n d² ≥
 /// 2^(k+1).
-pub fn least_dark_exponent(shortest: f64, lyon: &LyonSpec) -> f64 {
+fn least_dark_exponent(shortest: f64, lyon: &LyonSpec) -> f64 {
     if shortest > 0.0 {
         f64::from(2u32 << lyon.squarings) / (shortest * shortest)
     } else {
@@ -174,7 +187,9 @@ fn steepest_slope(squarings: u32, n: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_datapath::bound::Interval;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// 99 % of the bound is reached.
@@ -243,21 +258,23 @@ mod tests {
             let of =
                 RootShape { squarings, shift: 4.0, scaled: 1.0 / 4096.0, shape: 1.0 / 65536.0 };
             let terms = 2f64.powi(squarings as i32);
-            let (root, edge) = (Root { range: (m, m), half_step: 0.01 * m / terms }, of.shift / m);
+            let (half_step, edge) = (0.01 * m / terms, of.shift / m);
+            let root = Bound { ulp: 2.0 * half_step, ..Bound::near(Interval::new(m, m), 0.0) };
+            let bound = of.error(VectorBound::ball(0.0, 2.0, off), root);
             let mut reached = 0.0_f64;
             for _ in 0..40_000 {
                 let direction = draw.direction().abs();
-                let d = edge * draw.between(0.0, 1.0) * direction;
+                let d = edge * draw.within(0.0, 1.0) * direction;
                 let exact = (d / edge).length_squared();
                 let real = (1.0 - exact).max(0.0).powf(terms);
                 let d = d + draw.error(off) * direction;
                 let error = draw.error(1.0);
-                let u = (d * (m + error.signum() * root.half_step) / of.shift)
+                let u = (d * (m + error.signum() * half_step) / of.shift)
                     .map(|u| u.abs() + (0.5 * of.scaled).copysign(error));
                 let half_unit = (0.5 * of.shape).copysign(error);
                 let base = (1.0 - u.length_squared() - half_unit).clamp(0.0, 1.0);
                 let fixed = (0..squarings).fold(base, |b, _| b * b - half_unit);
-                reached = reached.max((fixed - real).abs() / of.error(off, root));
+                reached = reached.max((fixed - real).abs() / bound);
             }
             assert!(reached <= 1.0 && reached > 0.95, "k {squarings}, m {m}: {reached}");
         }

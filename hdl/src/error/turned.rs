@@ -84,8 +84,8 @@ pub fn base(formats: &SlerpFormats, steps: u32, shortest_normal: f64) -> Angular
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use specula_fixtures::Draw;
 
-    use super::super::draw::Draw;
     use super::*;
 
     /// The least significant bits of rotation and weights, of scalars, and of cosines and base.
@@ -120,13 +120,12 @@ mod tests {
         let mut reached = [0.0_f64; 2];
         for _ in 0..100_000 {
             let (a, t) = (DVec3::X, DVec3::Y);
-            let angle = draw.between(0.0, widest);
+            let angle = draw.within(0.0, widest);
             let n = angle.cos() * a + angle.sin() * t;
             let x = draw.error(across.min(e));
             let along = draw.error((e * e - x * x).max(0.0).sqrt());
             let turned = n * (1.0 + along) + x * DVec3::Z.cross(n);
-            let [l, v] =
-                [0; 2].map(|_| (n + draw.between(0.0, 1.5) * draw.direction()).normalize());
+            let [l, v] = [0; 2].map(|_| (n + draw.within(0.0, 1.5) * draw.direction()).normalize());
 
             let mut dot = |x: DVec3| {
                 let [at_start, across] = [a, t].map(|axis| axis.dot(x) + draw.error(scalar));

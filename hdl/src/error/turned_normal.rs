@@ -1,7 +1,7 @@
 //! How far normals are off that are put together along an arc and brought to unit length.
 //!
 //! N = u P + v Q, and n = N (3 - N·N)/2. [lecture, eq. 4.7; methods A8, A9, A11]
-use specula_datapath::bound::VectorError;
+use specula_datapath::bound::{VectorBound, VectorError};
 use specula_spec::slerp::SlerpFormats;
 
 use super::rotation::{drift, scaled_drift};
@@ -44,18 +44,19 @@ impl Weighing {
         }
     }
 
-    /// How far N is off before it is rounded, of P and Q no longer than `longest` and off by `off`;
-    /// so N is no longer than 1 and this.
+    /// How far N is off before it is rounded, of P and Q as they come; so N is no longer than 1 and
+    /// this.
     ///
     /// ```text
     /// |N' - N| ≤ |(u' - u) P' + (v' - v) Q'| + |u (P' - P) + v (Q' - Q)|
     ///          ≤ e_w max |P'|, |Q'| + (|u| + |v|) max e_P, e_Q
     /// ```
-    pub fn put_together(self, longest: f64, off: f64) -> f64 {
-        self.off * longest + self.sum * off
+    pub fn put_together(self, [p, q]: [VectorBound; 2]) -> f64 {
+        let off = p.error.length.max(q.error.length);
+        self.off * p.longest.max(q.longest) + self.sum * off
     }
 
-    /// How far n is off before it is rounded, of N off by e = `off`, with (3 - N·N)/2 off by
+    /// How far n is off before it is rounded, of N off by e, with (3 - N·N)/2 off by
     /// `half_unit`. Real N is l or more long and 1 or less.
     ///
     /// ```text
@@ -65,8 +66,8 @@ impl Weighing {
     /// ```
     ///
     /// with the length ρ = r (3 - r²)/2, whose slope 3/2 (1 - r²) is steepest at r = l - e or 1 + e.
-    pub fn lengthened(self, off: f64, half_unit: f64) -> VectorError {
-        let (e, shortest) = (off, self.shortest);
+    pub fn lengthened(self, turned: VectorBound, half_unit: f64) -> VectorError {
+        let (e, shortest) = (turned.error.length, self.shortest);
         if e >= shortest / 2.0 {
             return VectorError::ball(2.0 + half_unit);
         }
@@ -85,7 +86,8 @@ pub fn longest(longest: f64, half_unit: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// 99 % of the bound across N is reached, and 55 % along it.
@@ -96,13 +98,13 @@ mod tests {
             [(1.0, 1e-3, 1e-6), (5f64.to_radians().cos(), 1e-3, 1e-6), (1.0, 1e-5, 1e-3)]
         {
             let weighing = Weighing { off: 0.0, sum: 1.0, shortest };
-            let proven = weighing.lengthened(error, half_unit);
+            let proven = weighing.lengthened(VectorBound::ball(shortest, 1.0, error), half_unit);
             let most = longest(1.0 + error, half_unit);
             let mut reached = [0.0_f64; 2];
             for _ in 0..20_000 {
                 let direction = draw.direction();
                 let real =
-                    direction * (shortest + (1.0 - shortest) * draw.between(0.0, 1.0).powi(4));
+                    direction * (shortest + (1.0 - shortest) * draw.within(0.0, 1.0).powi(4));
                 let moved = [direction, draw.across(direction), draw.direction()];
                 let fixed = real + draw.one_of(&moved) * draw.error(error);
                 let real = real * (3.0 - real.length_squared()) / 2.0;
@@ -125,13 +127,13 @@ mod tests {
         let mut draw = Draw::new(1);
         for (off, of_axes) in [(1e-3, 0.0), (0.0, 1e-3), (1e-3, 1e-3)] {
             let weighing = Weighing { off, sum: 2f64.sqrt(), shortest: 1.0 };
-            let proven = weighing.put_together(1.0 + of_axes, of_axes);
+            let proven = weighing.put_together([VectorBound::ball(1.0, 1.0 + of_axes, of_axes); 2]);
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
                 let p = draw.direction();
                 let q = draw.across(p);
-                let (v, u) = draw.between(0.0, 6.3).sin_cos();
-                let (v_off, u_off) = draw.between(0.0, 6.3).sin_cos();
+                let (v, u) = draw.within(0.0, 6.3).sin_cos();
+                let (v_off, u_off) = draw.within(0.0, 6.3).sin_cos();
                 let moved = draw.direction();
                 let [of_p, of_q] = [0; 2].map(|_| draw.one_of(&[1.0, -1.0]) * of_axes * moved);
                 let fixed = (u + off * u_off) * (p + of_p) + (v + off * v_off) * (q + of_q);

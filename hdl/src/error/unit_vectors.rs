@@ -1,7 +1,10 @@
 //! How far cosines between unit vectors are off, and those of reflections.
-use specula_datapath::bound::VectorError;
+use specula_datapath::bound::{Angular, Bound, VectorBound, VectorError};
 
-use specula_datapath::bound::Angular;
+/// x·y of real unit vectors, rounded by `rounding`.
+pub fn cosine([x, y]: [VectorBound; 2], rounding: f64) -> Angular {
+    cosine_of([x.error, y.error], rounding)
+}
 
 /// x·y of real unit vectors that are off so far, rounded by `rounding`.
 ///
@@ -12,11 +15,27 @@ use specula_datapath::bound::Angular;
 /// |t' - t|         ≤ turn of x + turn of y
 /// |x'·y' - cos t'| ≤ (1 + ε_x)(1 + ε_y) - 1
 /// ```
-pub fn cosine([x, y]: [VectorError; 2], rounding: f64) -> Angular {
+fn cosine_of([x, y]: [VectorError; 2], rounding: f64) -> Angular {
     Angular {
         angle: x.angle() + y.angle(),
         rest: (1.0 + x.stretch()) * (1.0 + y.stretch()) - 1.0 + rounding,
     }
+}
+
+/// R·L = 2(N·V)(N·L) - V·L, rounded by `rounding`, of N·V, N·L and V·L as they come; nothing where
+/// they are not known as cosines.
+pub fn reflection([n_dot_v, n_dot_l, l_dot_v]: [Bound; 3], rounding: f64) -> Option<Angular> {
+    let known = [n_dot_v.angular()?, n_dot_l.angular()?];
+    let of_l_dot_v = match l_dot_v.angular() {
+        Some(Angular { rest, .. }) => rest,
+        None => sent_light_dot_view(l_dot_v.error, known),
+    };
+    Some(reflected(known, of_l_dot_v, rounding))
+}
+
+/// Bound on the error of a value from 0 to 1 of which nothing is known.
+pub const fn any_base() -> f64 {
+    1.0
 }
 
 /// R·L = 2(N·V)(N·L) - V·L of cosines that are those of turned unit vectors, with V·L off from that
@@ -31,7 +50,7 @@ pub fn cosine([x, y]: [VectorError; 2], rounding: f64) -> Angular {
 ///
 /// where R·L is that of the turned vectors, whose angle is off by no more than both angles with N
 /// together.
-pub fn reflected([n_dot_v, n_dot_l]: [Angular; 2], l_dot_v: f64, rounding: f64) -> Angular {
+fn reflected([n_dot_v, n_dot_l]: [Angular; 2], l_dot_v: f64, rounding: f64) -> Angular {
     let (r_v, r_l) = (n_dot_v.rest, n_dot_l.rest);
     Angular {
         angle: n_dot_v.angle + n_dot_l.angle,
@@ -42,13 +61,14 @@ pub fn reflected([n_dot_v, n_dot_l]: [Angular; 2], l_dot_v: f64, rounding: f64) 
 /// How far a V·L that the host sends is off from that of the turned L. It is that of the real
 /// vectors, and V is exact then: so it is what V·L is off, and what L is turned by, the difference
 /// of both angles with N.
-pub fn sent_light_dot_view(error: f64, [n_dot_v, n_dot_l]: [Angular; 2]) -> f64 {
+fn sent_light_dot_view(error: f64, [n_dot_v, n_dot_l]: [Angular; 2]) -> f64 {
     error + (n_dot_l.angle - n_dot_v.angle).max(0.0)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Two unit vectors off across and along themselves, in one plane with them: half of what is
@@ -57,12 +77,12 @@ mod tests {
     fn cosines_stay_within_the_bound_and_reach_it() {
         let mut draw = Draw::new(1);
         for [across, along, rounding] in [[1e-3, 0.0, 0.0], [0.0, 1e-4, 0.0], [1e-3, 2e-3, 1e-3]] {
-            let bound = cosine([VectorError::components(across, along); 2], rounding);
+            let bound = cosine_of([VectorError::components(across, along); 2], rounding);
             let (mut angle, mut rest) = (0.0_f64, 0.0_f64);
             for _ in 0..50_000 {
                 let x = draw.direction();
                 let across_x = draw.across(x);
-                let sine = draw.between(-1.0, 1.0);
+                let sine = draw.within(-1.0, 1.0);
                 let y =
                     sine * across_x + (1.0 - sine * sine).sqrt() * draw.one_of(&[1.0, -1.0]) * x;
                 let across_y = (across_x - across_x.dot(y) * y).normalize_or_zero();

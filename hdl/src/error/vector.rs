@@ -1,31 +1,19 @@
-//! What a unit knows of a vector that comes in.
+//! Whether a vector has a direction, what depends on that, and how short it may be.
+use specula_datapath::bound::{Bound, VectorBound};
 
-/// Bounds on the lengths of a vector and on its error.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VectorBounds {
-    /// s: the real vector is no shorter.
-    pub shortest: f64,
-    /// The fixed vector is no longer.
-    pub longest: f64,
-    /// e: both are no further apart, as a whole.
-    pub error: f64,
+/// Error of the bit that says whether a vector is not 0: 1 where rounding may decide it.
+pub fn has_direction(of: VectorBound) -> f64 {
+    if of.surely() > 0.0 { 0.0 } else { 1.0 }
 }
 
-impl VectorBounds {
-    /// s - e: fixed and real vector are both no shorter, where it is above 0.
-    pub fn surely(self) -> f64 {
-        self.shortest - self.error
-    }
+/// Bound on the error of a value from 0 to 1 that is 0 where a bit is 0, if rounding may decide that
+/// bit: nothing is known then, since a choice counts as one between values that meet.
+pub fn gated(bit: Bound) -> Option<f64> {
+    (!bit.is_exact()).then_some(1.0)
+}
 
-    /// t, how far the directions of fixed and real vector are apart, as the distance of unit
-    /// vectors; for e < s.
-    ///
-    /// ```text
-    /// |â - b̂|² = 2 - 2 â·b̂
-    ///          = (|a - b|² - (|a| - |b|)²) / (|a||b|)
-    ///          ≤ e² / (s (s - e))
-    /// ```
-    pub fn turn(self) -> f64 {
-        self.error / (self.shortest * self.surely()).sqrt()
-    }
+/// √q of the smallest real q: no normal is shorter, at pixels or between them, since what is known of
+/// q is so for every t.
+pub fn shortest(q: Bound) -> f64 {
+    q.real.low.max(0.0).sqrt()
 }

@@ -1,4 +1,5 @@
 //! How far wrapped vectors are off.
+use specula_datapath::bound::{Bound, ErrorBound, ErrorModel, RelativeBound, VectorBound};
 
 /// Units of the last place of what a wrap rounds: H·w and H·H, and v.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +22,13 @@ pub struct Wrapped {
 }
 
 impl Wrapped {
-    /// Bound on the error of n before it is rounded; None where rounding is as coarse as H is long.
+    /// Of H and w as they come.
+    pub fn new(h: VectorBound, w: VectorBound) -> Wrapped {
+        Wrapped { h: h.error.length, w: w.error.length, longest_w: w.longest }
+    }
+
+    /// Bound on the error of n before it is rounded; infinite where rounding is as coarse as H is
+    /// long.
     ///
     /// The wrap is an isometry in w, and in H twice the projection on its direction û:
     ///
@@ -36,11 +43,11 @@ impl Wrapped {
     /// ```text
     /// 2|H| (u_p/|H|² + u_v/2) ≤ 2 u_p/(1 - e_H) + 2.1 u_v
     /// ```
-    pub fn error(self, units: WrapUnits) -> Option<f64> {
+    pub fn error(self, units: WrapUnits) -> f64 {
         let shortest = 1.0 - self.h;
         let of_rounding = 2.0 * units.operand / shortest + 2.1 * units.ratio;
         let error = 2.0 * self.longest_w * self.h / shortest + self.w + of_rounding;
-        (shortest > 0.0).then_some(error)
+        if shortest > 0.0 { error } else { f64::INFINITY }
     }
 }
 
@@ -64,6 +71,11 @@ pub struct Edge {
 }
 
 impl Edge {
+    /// Of H·S and H·H as they come.
+    pub fn new(p: Bound, q: Bound, shortest: f64) -> Edge {
+        Edge { p: p.error, q: q.error, shortest }
+    }
+
     /// S·L' where p may lie on either side of 1, at most.
     ///
     /// Where p ≤ 1, X·S ≤ 0: a spot gives no light there. Where rounding moves p across 1
@@ -87,9 +99,23 @@ impl Edge {
     }
 }
 
+/// What is known of an amount of light that is off by `most` where rounding decides whether the spot
+/// is seen, and as it is known to be elsewhere.
+pub fn at_edge(amount: Bound, most: f64) -> ErrorBound {
+    let beyond = |bound: RelativeBound| RelativeBound { rest: bound.rest.max(most), ..bound };
+    let model = match amount.model {
+        ErrorModel::Relative(bounds) => ErrorModel::Relative(bounds.map(beyond)),
+        ErrorModel::Bounded | ErrorModel::Angular(_) | ErrorModel::Exclusive { .. } => {
+            ErrorModel::Bounded
+        }
+    };
+    ErrorBound { error: amount.error.max(most), model }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::draw::Draw;
+    use specula_fixtures::Draw;
+
     use super::*;
 
     /// Vectors of any length from 1 to 2: 90 % of the bound is reached.
@@ -101,12 +127,12 @@ mod tests {
         {
             let (of, units) =
                 (Wrapped { h: e_h, w: e_w, longest_w: 1.0 }, WrapUnits { operand, ratio });
-            let bound = of.error(units).unwrap();
+            let bound = of.error(units);
             let mut reached = 0.0_f64;
             for _ in 0..40_000 {
                 let w = draw.direction();
-                let slope = draw.between(0.0, 1.0);
-                let h = draw.between(1.0, 2.0) * (w + slope * draw.across(w)).normalize();
+                let slope = draw.within(0.0, 1.0);
+                let h = draw.within(1.0, 2.0) * (w + slope * draw.across(w)).normalize();
                 let real = 2.0 * (h.dot(w) / h.length_squared()).clamp(0.0, 1.0) * h - w;
                 let h = h + draw.error(e_h) * draw.across(h.normalize());
                 let w = w + draw.error(e_w) * draw.direction();
@@ -132,7 +158,7 @@ mod tests {
             let mut reached = 0.0_f64;
             for _ in 0..20_000 {
                 let along = draw.error(p);
-                let length = shortest.max(along.abs()) * draw.between(1.0, 1.1);
+                let length = shortest.max(along.abs()) * draw.within(1.0, 1.1);
                 let real = (1.0 + along, 1.0 + 2.0 * along + length * length);
                 let fixed = (real.0 + draw.error(p), real.1 + draw.error(q));
                 if (real.0 <= 1.0) == (fixed.0 <= 1.0) {

@@ -1,6 +1,6 @@
 //! From intensities to a pixel.
 use crate::error;
-use crate::error::colour::{Factor, Term};
+use crate::error::colour::Term;
 use specula_datapath::builder::{Builder, Sig, TimeSlots};
 
 /// A colour coefficient for each channel, in LSBs of the output.
@@ -63,7 +63,7 @@ fn shared(b: &Builder, code: &Sig, [earlier, later]: [usize; 2]) -> Sig {
 /// most 255.
 ///
 /// # Error
-/// [`error::colour::below_full_scale`], and half an LSB.
+/// [`error::colour::code`].
 fn channel(b: &Builder, slots: &TimeSlots, ambient: &Sig, lights: &[Light], c: usize) -> Sig {
     let coefficients = |light: &Light| {
         [light.diffuse_coefficients[c].clone(), light.specular_coefficients[c].clone()]
@@ -79,7 +79,9 @@ fn channel(b: &Builder, slots: &TimeSlots, ambient: &Sig, lights: &[Light], c: u
     );
     let formula = "c = min(ambient + sum of coefficient x intensity, 255) [methods A3]";
     b.unit("channel", formula, inputs, |_, (ambient, coefficients, intensities, begins)| {
-        let error = error_of_sum(&ambient, &coefficients, &intensities, slots.count());
+        let known = coefficients.iter().zip(&intensities);
+        let known: Vec<Term> = known.map(|(k, f)| Term::new(k.bound(), f.bound())).collect();
+        let error = error::colour::code(ambient.bound(), &known, slots.count());
         let terms = coefficients
             .iter()
             .zip(&intensities)
@@ -88,14 +90,14 @@ fn channel(b: &Builder, slots: &TimeSlots, ambient: &Sig, lights: &[Light], c: u
             1 => terms.fold(ambient, |sum, term| sum + term),
             count => sum_of_slots(&begins, &ambient, terms, count),
         };
-        sum.rounded(0).clamped_above(255).proven_error_value(error + 0.5).named("code")
+        sum.rounded(0).clamped_above(255).tighten_error("error::colour::code", error).named("code")
     })
 }
 
 /// The ambient light and the terms of a pixel's time slots up to this one; nothing is negative.
 fn sum_of_slots(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, count: u32) -> Sig {
     let term = terms.reduce(|sum, term| sum + term).unwrap_or_else(|| ambient.clone());
-    let largest = |sig: &Sig| sig.range().high.max(0) as f64 * sig.ulp();
+    let largest = |sig: &Sig| sig.bound().fixed.high.max(0.0);
     let most = largest(ambient) + f64::from(count) * largest(&term);
     Sig::summed(
         begins,
@@ -105,20 +107,4 @@ fn sum_of_slots(begins: &Sig, ambient: &Sig, terms: impl Iterator<Item = Sig>, c
         count,
         "no pixel has more turns than there are lights",
     )
-}
-
-/// Bound on the error of the sum over a pixel's time slots where it is below full scale.
-fn error_of_sum(ambient: &Sig, coefficients: &[Sig], intensities: &[Sig], slots: u32) -> f64 {
-    if coefficients.iter().chain(intensities).chain([ambient]).any(|sig| sig.range().low < 0) {
-        return f64::INFINITY;
-    }
-    let factor =
-        |sig: &Sig| Factor { largest: sig.range().magnitude() * sig.ulp(), off: sig.error_value() };
-    let term = |(coefficient, intensity): (&Sig, &Sig)| Term {
-        coefficient: factor(coefficient),
-        intensity: factor(intensity),
-        form: intensity.error_model(),
-    };
-    let terms: Vec<Term> = coefficients.iter().zip(intensities).map(term).collect();
-    error::colour::below_full_scale(ambient.error_value(), &terms, slots)
 }

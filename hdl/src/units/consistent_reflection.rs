@@ -4,21 +4,24 @@ use specula_spec::consistent::ConsistentFormats;
 
 use super::divider::divider;
 use super::square_root::square_root;
-use crate::error::consistent_reflection::{Components, Consistency, Horizon, Operands, reflection};
+use crate::error::consistent_reflection::{Horizon, Reflection};
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// r = (g + ρb)N - ρI with b = N·I, g = 1 + q(b - 1) and ρ = √(q(1 + g)/(1 + b)) ≤ 1; and whether I
 /// is above the horizon that α leaves, g + b > 0. [Reshetov, Soupikov and Mark; methods D]
 ///
+/// Where the reflection counts, 1 + b is no smaller than `least_divisor`.
+///
 /// # Error
-/// [`Operands::off`] as a whole, [`Components::error`] of each component.
+/// [`Reflection::error`].
 pub fn consistent_reflection(
     b: &Builder,
     n: &Vector,
     incoming: &Vector,
     q: &Sig,
     formats: &ConsistentFormats,
-    known: Consistency,
+    least_divisor: f64,
 ) -> (Vector, Sig) {
     let inputs = (("n", n), ("incoming", incoming), ("q", q));
     b.unit(
@@ -36,58 +39,35 @@ pub fn consistent_reflection(
             let above_horizon =
                 b.integer(0).less_than(&(&cos_gamma + &cos_beta)).named("above_horizon");
 
-            let (dividend, divisor) =
-                (&q * (&one + &cos_gamma), (&one + &cos_beta).named("one_plus_cos_beta"));
+            let dividend = &q * (&one + &cos_gamma);
+            let divisor = (&one + &cos_beta)
+                .real_within(Interval::at_least(least_divisor), "N.I where the reflection counts")
+                .named("one_plus_cos_beta");
             let ratio_bits = formats.sine_ratio_squared.fraction_bits;
             // Both U1.f.
-            let squared = divider(b, &dividend, &divisor, ratio_bits, known.least_divisor);
+            let squared = divider(b, &dividend, &divisor, ratio_bits);
             let rho = square_root(b, &squared, formats.sine_ratio.fraction_bits).named("rho");
 
             // Both S2.f.
             let share =
                 (&cos_gamma + &rho * &cos_beta).rounded(fraction_bits).named("normal_share");
             let r = &n.scaled(&share) - &incoming.scaled(&rho);
-            let r = Bounds { n: &n, incoming: &incoming, q: &q, cosines: [&cos_beta, &cos_gamma] }
-                .state(&r, [&dividend, &divisor], formats, known);
+            let known = Reflection {
+                vectors: [n.bound(), incoming.bound()],
+                q: q.bound(),
+                cosines: [cos_beta.bound(), cos_gamma.bound()],
+                operands: [dividend.bound(), divisor.bound()],
+                least_divisor,
+            };
+            let (whole, component) = known.error(formats, r.longest());
+            let r = r.override_error(PROOF, whole).tighten_components(PROOF, component);
             (r.rounded(formats.vector.fraction_bits).named("r"), above_horizon)
         },
     )
 }
 
-/// What the error of r is made of.
-struct Bounds<'a> {
-    n: &'a Vector,
-    incoming: &'a Vector,
-    q: &'a Sig,
-    /// b and g.
-    cosines: [&'a Sig; 2],
-}
-
-impl Bounds<'_> {
-    /// r with its error, ρ² being the quotient of `operands`.
-    fn state(
-        self,
-        r: &Vector,
-        operands: [&Sig; 2],
-        formats: &ConsistentFormats,
-        known: Consistency,
-    ) -> Vector {
-        let Bounds { n, incoming, q, cosines } = self;
-        let of_components = Components {
-            vectors: [n, incoming].map(Vector::largest_error),
-            cosines: cosines.map(Sig::error_value),
-            operands: operands.map(Sig::error_value),
-            longest: n.longest(),
-        };
-        let of_whole = Operands { normal: n.off(), incoming: incoming.off(), q: q.error_value() };
-        let (off, of_component) = reflection(
-            of_components.error(formats, known),
-            of_whole.off(formats, known),
-            r.longest(),
-        );
-        r.map(|component| component.clone().stated_error_value(of_component)).proven_off(off)
-    }
-}
+/// Where the error of r is proven.
+const PROOF: &str = "error::consistent_reflection::Reflection::error";
 
 /// N_c·I = |I + r|/2 with r the reflection of I, and 0 for an I below the horizon or a normal
 /// without direction. [Reshetov, Soupikov and Mark; methods D]
@@ -99,7 +79,6 @@ pub fn consistent_cosine(
     mirror: (&Vector, &Sig, &Sig),
     incoming: &Vector,
     (formats, to): (&ConsistentFormats, Format),
-    least_q: f64,
 ) -> Sig {
     let (n, q, has_direction) = mirror;
     let inputs = (("n", n), ("q", q), ("has_direction", has_direction), ("incoming", incoming));
@@ -108,12 +87,10 @@ pub fn consistent_cosine(
         "c = |I + r|/2 [Reshetov et al.]",
         inputs,
         |b, (n, q, has_direction, incoming)| {
-            let offs = [n.off().length, incoming.off().length];
-            let horizon = Horizon::new(offs, q.error_value(), formats.cosine.ulp());
-            let known = horizon.above(least_q);
-            let (r, above_horizon) = consistent_reflection(b, &n, &incoming, &q, formats, known);
-            let offs = [incoming.off().length, r.off().length];
-            let error = horizon.cosine(offs, to.ulp(), has_direction.error() == 0.0);
+            let horizon = Horizon::new([n.bound(), incoming.bound()], q.bound(), formats.cosine);
+            let least = horizon.least_divisor(q.bound());
+            let (r, above_horizon) = consistent_reflection(b, &n, &incoming, &q, formats, least);
+            let error = horizon.cosine([incoming.bound(), r.bound()], to, has_direction.bound());
             let quarter = (&incoming + &r)
                 .length_squared()
                 .times_power_of_two(-2)
@@ -122,7 +99,8 @@ pub fn consistent_cosine(
             let root = square_root(b, &quarter, to.fraction_bits);
             let lit =
                 above_horizon.and(&has_direction).choose(&root, &b.integer(0)).clamped_above(1);
-            lit.stated_error_value(error).named("cosine")
+            lit.override_error("error::consistent_reflection::Horizon::cosine", error)
+                .named("cosine")
         },
     )
 }

@@ -3,6 +3,7 @@ use specula_spec::consistent::{ConsistentFormats, Curve};
 
 use super::divider::{QuotientFormat, quotient};
 use crate::error;
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{Builder, Sig};
 
 /// t = 2α/π along a span.
@@ -35,7 +36,7 @@ pub fn contraction(
             let limits = (0.0, proven.largest);
             let sum = Sig::accumulated(&first, &start, &step, limits, steps, "0 <= t <= 1.0625");
             let t = rounded_up(b, &sum, formats.angle.fraction_bits).clamped_above(1);
-            let t = t.stated_error_value(proven.error).named("t");
+            let t = t.override_error("error::contraction::angle", proven.error).named("t");
             match curve {
                 Curve::Rational => rational(b, &t, formats),
                 Curve::Trigonometric => trigonometric(b, &t, formats),
@@ -63,13 +64,15 @@ fn rounded_up(b: &Builder, x: &Sig, fraction_bits: u32) -> Sig {
 fn rational(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
     b.unit("rational_curve", "q = (1 - t)^2/(1 + (pi - 2) t)", (("t", t),), |b, (t,)| {
         let fraction_bits = formats.contraction.fraction_bits;
-        let error = error::contraction::rational(t.error_value(), formats.contraction);
+        let error = error::contraction::rational(t.bound(), formats.contraction);
         let above = (b.integer(1) - &t).squared().named("above");
-        let below = (b.integer(1) + &t * b.integer(1169).times_power_of_two(-10)).named("below");
+        let below = (b.integer(1) + &t * b.integer(1169).times_power_of_two(-10))
+            .real_within(Interval::at_least(1.0), "t >= 0")
+            .named("below");
         let lowered = &above - below.times_power_of_two(-(fraction_bits as i32 + 1));
         let to = QuotientFormat { integer_bits: 0, fraction_bits };
-        b.instance("curve_divider", || quotient(b, &lowered, &below, to, 1.0))
-            .stated_error_value(error)
+        b.instance("curve_divider", || quotient(b, &lowered, &below, to))
+            .override_error("error::contraction::rational", error)
             .named("q")
     })
 }
@@ -78,9 +81,7 @@ fn rational(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
 /// down.
 ///
 /// # Error
-/// The polynomial is off by 1.45e-5. With units of the last place of T: v is off by 1, each of four
-/// steps of S adds 1 and what v moves it by, less than 0.2 (|S'| < 0.1), and |d((1 - v) S)/dv| <
-/// 0.3; (1 - v) S and T add 1 each. That makes less than 7, and q = T² moves twice as far.
+/// [`error::contraction::trigonometric`].
 fn trigonometric(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
     b.unit(
         "trigonometric_curve",
@@ -89,11 +90,8 @@ fn trigonometric(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
         |b, (t,)| {
             const COEFFICIENTS: [i64; 4] = [225_028, 55_803, 13_064, 5_363];
             let fraction_bits = formats.tangent.fraction_bits;
-            let error = error::contraction::trigonometric(
-                t.error_value(),
-                formats.tangent,
-                formats.contraction,
-            );
+            let error =
+                error::contraction::trigonometric(t.bound(), formats.tangent, formats.contraction);
             let up = |x: Sig| rounded_up(b, &x, fraction_bits);
             let [s0, s1, s2, s3] = COEFFICIENTS.map(|s| b.integer(s).times_power_of_two(-20));
             let u = (b.integer(1) - &t).named("u");
@@ -102,7 +100,7 @@ fn trigonometric(b: &Builder, t: &Sig, formats: &ConsistentFormats) -> Sig {
             let w = up((b.integer(1) - &v) * sum).named("w");
             let tangent = (&u * (b.integer(1) - w)).truncated(fraction_bits).named("tangent");
             let q = tangent.squared().truncated(formats.contraction.fraction_bits).clamped_above(1);
-            q.stated_error_value(error).named("q")
+            q.override_error("error::contraction::trigonometric", error).named("q")
         },
     )
 }

@@ -20,56 +20,53 @@ pub struct Length {
     pub proven: InverseLength,
 }
 
-/// s = 1/√max(q, 4^-m) with m the integer bits of `format`, and 0 where q ≤ 0; no real q is smaller
-/// than `smallest`.
+/// s = 1/√max(q, 4^-m) with m the integer bits of `format`, and 0 where q ≤ 0.
 ///
 /// What is known of its error is known of products with it: [`error::cosine`].
-pub fn root(b: &Builder, q: &Sig, format: Format, smallest: f64) -> Length {
+pub fn root(b: &Builder, q: &Sig, format: Format) -> Length {
     let to = ReciprocalRoot::from(format);
     let positive = b.integer(0).less_than(q);
-    let reciprocal = reciprocal_square_root(b, q, to, smallest);
+    let reciprocal = reciprocal_square_root(b, q, to);
     let root = positive.choose(&reciprocal, &b.integer(0)).named("s");
-    let unsure = error::cosine::direction_error(smallest, q.error_value());
+    let unsure = error::cosine::direction_error(q.bound());
     Length {
         squared: q.clone(),
         root,
-        has_direction: positive.named("has_direction").stated_error_value(unsure),
-        proven: InverseLength::new(smallest, q.error_value(), to.least_operand()),
+        has_direction: positive
+            .named("has_direction")
+            .override_error("error::cosine::direction_error", unsure),
+        proven: InverseLength::new(q.bound(), to.least_operand()),
     }
 }
 
 /// c = u·N s, rounded and clamped to [-1, 1], of p = u·N with a unit vector u. Error:
 /// [`InverseLength::cosine_error`]. [Hast et al., eq. 8]
 pub fn cosine(b: &Builder, p: &Sig, length: &Length, fraction_bits: u32) -> Sig {
-    let error = length.proven.cosine_error(p.error_value(), 0.5 * length.root.ulp());
+    let error = length.proven.cosine_error(p.bound(), length.root.bound());
     b.unit(
         "cosine",
         "c = p s, clamped to [-1, 1] [Hast et al., eq. 8]",
         (("p", p), ("s", &length.root)),
-        |_, (p, s)| to_cosine(&(p * s).stated_error_value(error), fraction_bits),
+        |_, (p, s)| to_cosine(&(p * s).override_error(COSINE, error), fraction_bits),
     )
 }
 
-/// c = P w, rounded and clamped to [-1, 1], of a numerator P no larger than q and w = 1/q; real q
-/// is no smaller than `smallest`, or P and q are 0 exactly. Error:
-/// [`error::cosine::by_reciprocal`]. [Hast et al., eq. 29]
-pub fn cosine_by_reciprocal(
-    b: &Builder,
-    p: &Sig,
-    q: &Sig,
-    w: &Sig,
-    smallest: f64,
-    fraction_bits: u32,
-) -> Sig {
-    let errors = [p, q].map(Sig::error_value);
-    let error = error::cosine::by_reciprocal(errors, smallest, 0.5 * w.ulp());
+/// c = P w, rounded and clamped to [-1, 1], of a numerator P no larger than q and w = 1/q.
+/// Error: [`error::cosine::by_reciprocal`]. [Hast et al., eq. 29]
+pub fn cosine_by_reciprocal(b: &Builder, p: &Sig, q: &Sig, w: &Sig, fraction_bits: u32) -> Sig {
+    let error = error::cosine::by_reciprocal([p.bound(), q.bound()], w.bound());
     b.unit(
         "cosine_by_reciprocal",
         "c = P w, clamped to [-1, 1] [Hast et al., eq. 29]",
         (("p", p), ("w", w)),
-        |_, (p, w)| to_cosine(&(p * w).stated_error_value(error), fraction_bits),
+        |_, (p, w)| {
+            to_cosine(&(p * w).override_error("error::cosine::by_reciprocal", error), fraction_bits)
+        },
     )
 }
+
+/// Where the error of a cosine is proven.
+const COSINE: &str = "error::cosine::InverseLength::cosine_error";
 
 /// R·L = 2 v c - L·V with v = N·V and c = N·L of a unit normal N, clamped to [0, 1], and 0 where
 /// the normal has no direction. [Hast et al., eq. 33 and 34]
@@ -99,7 +96,7 @@ pub fn reflected_base(
                 direction: Direction::Where(&has_direction),
                 fraction_bits: to.fraction_bits,
             };
-            let sure = has_direction.error() == 0.0;
+            let sure = has_direction.bound().is_exact();
             reflected(b, of, |_| if sure { UnitBound::Propagated } else { UnitBound::Unknown })
         },
     )

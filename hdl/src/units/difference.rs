@@ -2,9 +2,9 @@
 //! [`error::difference`].
 use specula_spec::lyon::LyonFormats;
 
-use crate::error;
-use crate::error::difference::{Difference, Operand};
+use crate::error::difference::{self, Difference};
 use crate::error::length_error::LengthError;
+use specula_datapath::bound::VectorError;
 use specula_datapath::builder::{Builder, Vector};
 
 /// D = H × N with H = L + V, as long as the part of H that is perpendicular to N. [methods B13]
@@ -14,17 +14,17 @@ pub fn halfway_cross_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonF
         "D = H x N, H = L + V [methods B13]",
         (("h", h), ("n", n)),
         |_, (h, n)| {
-            let proven = error::difference::cross_product([&h, &n].map(operand), formats.vector);
+            let proven = difference::cross_product([&h, &n].map(Vector::bound), formats.vector);
             rounded(&h.cross(&n), proven, "|H x N| <= |H||N|", formats)
         },
     )
 }
 
-/// D = R - L with R = 2(N·V)N - V, the view vector reflected about the normal, which is no shorter
-/// than `shortest`, and how far |D| is off. [Lyon, TR 43, fig. 7; methods B1, B2]
+/// D = R - L with R = 2(N·V)N - V, the view vector reflected about the normal, and how far |D| is
+/// off. [Lyon, TR 43, fig. 7; methods B1, B2]
 pub fn reflection_minus_light(
     b: &Builder,
-    (n, shortest): (&Vector, f64),
+    n: &Vector,
     v: &Vector,
     l: &Vector,
     formats: &LyonFormats,
@@ -34,15 +34,14 @@ pub fn reflection_minus_light(
     let d = b.unit("reflection_minus_light", formula, inputs, |_, (n, v, l)| {
         reflected_minus(&n, ("twice_n_dot_v", &v), &l, formats)
     });
-    let of = [n, v, l].map(operand);
-    (d, error::difference::reflection_length(of, shortest, formats.difference))
+    let of = [n, v, l].map(Vector::bound);
+    (d, difference::reflection_length(of, formats.difference))
 }
 
-/// D2 = 2(N·L)N - L - V, the light reflected about the normal, which is no shorter than `shortest`,
-/// less V, and how far |D2| is off. [Lyon, TR 43, fig. 5; methods B4]
+/// D2 = 2(N·L)N - L - V, the light reflected about the normal, less V, and how far |D2| is off. [Lyon, TR 43, fig. 5; methods B4]
 pub fn light_reflection(
     b: &Builder,
-    (n, shortest): (&Vector, f64),
+    n: &Vector,
     l: &Vector,
     v: &Vector,
     formats: &LyonFormats,
@@ -52,8 +51,8 @@ pub fn light_reflection(
     let d = b.unit("light_reflection", formula, inputs, |_, (n, l, v)| {
         reflected_minus(&n, ("twice_n_dot_l", &l), &v, formats)
     });
-    let of = [n, l, v].map(operand);
-    (d, error::difference::reflection_length(of, shortest, formats.difference))
+    let of = [n, l, v].map(Vector::bound);
+    (d, difference::reflection_length(of, formats.difference))
 }
 
 /// The unit vector v reflected about n, less the unit vector l: 2(n·v)n - v - l, where 2 n·v gets
@@ -65,7 +64,7 @@ fn reflected_minus(
     formats: &LyonFormats,
 ) -> Vector {
     let proven =
-        error::difference::reflection([n, v, l].map(operand), (formats.vector, formats.difference));
+        difference::reflection([n, v, l].map(Vector::bound), (formats.vector, formats.difference));
     let cosine = n.dot_within(v, (n.longest(), v.longest()), "|N.V|, |N.L| <= |N|");
     let twice = cosine.doubled().rounded(formats.difference.fraction_bits).named(twice);
     let reflection = n.scaled(&twice) - v;
@@ -77,7 +76,7 @@ fn reflected_minus(
 pub fn halfway_projection(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFormats) -> Vector {
     let formula = "D = (H.N)N - H [Lyon, TR 43, fig. 5]";
     b.unit("halfway_projection", formula, (("h", h), ("n", n)), |_, (h, n)| {
-        let proven = error::difference::projection([&h, &n].map(operand), formats.difference);
+        let proven = difference::projection([&h, &n].map(Vector::bound), formats.difference);
         let h_dot_n = h
             .dot_within(&n, (h.longest(), n.longest()), "|H.N| <= |H||N|")
             .rounded(formats.difference.fraction_bits)
@@ -90,7 +89,7 @@ pub fn halfway_projection(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFor
 /// methods B6]
 pub fn halfway_minus_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonFormats) -> Vector {
     b.unit("halfway_minus_normal", "D = h - N [Lyon, TR 43]", (("h", h), ("n", n)), |_, (h, n)| {
-        let proven = error::difference::minus([&h, &n].map(operand));
+        let proven = difference::minus([&h, &n].map(Vector::bound));
         rounded(&(&h - &n), proven, "|h - N| <= |h| + |N|", formats)
     })
 }
@@ -98,11 +97,7 @@ pub fn halfway_minus_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonF
 /// D to its format, of which `fact` says that it is no longer than proven.
 fn rounded(d: &Vector, proven: Difference, fact: &str, formats: &LyonFormats) -> Vector {
     d.assumed_within(proven.longest, fact)
-        .proven_off_by(proven.error)
+        .tighten_error(proven.proof, VectorError::ball(proven.error))
         .rounded(formats.difference.fraction_bits)
         .named("d")
-}
-
-fn operand(vector: &Vector) -> Operand {
-    Operand { longest: vector.longest(), off: vector.off() }
 }

@@ -20,8 +20,8 @@ pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Si
 /// to 1. Error: [`error::diffuse::cosine`].
 pub fn clamped_cosine(b: &Builder, v: &Vector, l: &Vector, format: Format) -> Sig {
     b.unit("clamped_cosine", "min(max(V.L, 0), 1)", (("v", v), ("l", l)), |_, (v, l)| {
-        let error = error::diffuse::cosine(v.off().length, l.off().length);
-        let cosine = v.dot(&l).proven_error_value(error);
+        let error = error::diffuse::cosine(v.bound(), l.bound());
+        let cosine = v.dot(&l).tighten_error("error::diffuse::cosine", error);
         to_unit_interval(&cosine, format.fraction_bits).named("cosine")
     })
 }

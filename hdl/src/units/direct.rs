@@ -4,8 +4,8 @@ use specula_spec::direct::DirectFormats;
 
 use super::clamp::to_cosine;
 use super::divider::{QuotientFormat, quotient};
-use super::reflected::{Direction, Reflected, UnitBound, angular, reflected};
-use crate::error::direct::{self, Parameter, Product, Square};
+use super::reflected::{Direction, Reflected, UnitBound, reflected};
+use crate::error::direct::{self, Product, Square};
 use crate::error::interpolate::{overshoot, slack};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{Builder, Sig};
@@ -36,7 +36,7 @@ pub fn squared_length(b: &Builder, t: &Sig, spread: &Sig, formats: &DirectFormat
         "q = 1 - k t (1 - t), k = |B - A|^2 [lecture, eq. 4.4]",
         (("t", t), ("spread", spread)),
         |b, (t, spread)| {
-            let ends = Square::new(past(&t), formats);
+            let ends = Square::new(direct::past(t.bound()), formats);
             let product = (&t * (b.integer(1) - &t))
                 .assumed(-ends.below, 0.25, "t (1 - t) <= 1/4")
                 .rounded(formats.product.fraction_bits)
@@ -47,17 +47,6 @@ pub fn squared_length(b: &Builder, t: &Sig, spread: &Sig, formats: &DirectFormat
                 .named("q") // U1.f
         },
     )
-}
-
-/// What comes of t and κ, as bounds have it.
-pub fn known_parameter(t: &Sig, spread: &Sig) -> Parameter {
-    let most = spread.range().high as f64 * spread.ulp();
-    Parameter { off: t.error_value(), past: past(t), spread: most }
-}
-
-/// What t reaches past 1.
-fn past(t: &Sig) -> f64 {
-    (t.format().value(t.range().high) - 1.0).max(0.0)
 }
 
 /// p = N·X for X = L and V alike, linear in t. [lecture, eq. 4.3]
@@ -78,11 +67,10 @@ pub fn direct_scalar(
         "p = N.X = A.X + t (B.X - A.X) [lecture, eq. 4.3]",
         inputs,
         |_, (t, start, delta)| {
-            let (past, apart) = (past(&t), delta.range().magnitude() * delta.ulp());
-            let error = direct::scalar((t.error_value(), past), start.error_value(), apart);
-            let limit = 1.0 + 2.0 * past;
+            let error = direct::scalar(t.bound(), start.bound(), delta.bound());
+            let limit = direct::largest_scalar(t.bound());
             (&start + t * delta)
-                .stated_error_value(error)
+                .override_error("error::direct::scalar", error)
                 .assumed(-limit, limit, "|N.X| <= 1")
                 .rounded(formats.cosine.fraction_bits)
                 .named("linear") // S1.f
@@ -104,21 +92,18 @@ pub fn direct_cosine(
     b.unit("cosine", "c = p/sqrt(q) [lecture, eq. 4.3]", (("p", p), ("s", s)), |_, (p, s)| {
         let cosine = to_cosine(&(p * s), formats.cosine.fraction_bits);
         match direct::cosine(normal, formats) {
-            Some(Angular { angle, rest }) => cosine.known_cosine(angle, rest),
-            // Where N may vanish, its real length does not end at 2^-m as 1/√q does, so propagation
-            // through that says nothing.
-            None => cosine.stated_error_value(2.0),
+            Some(known) => cosine.tighten_error("error::direct::cosine", known),
+            None => cosine.override_error("error::direct::any_cosine", direct::any_cosine()),
         }
     })
 }
 
 /// p/q, which with another p makes p p/q of any length of N: |p/q| ≤ 1/√q ≤ 2^m. [lecture, eq. 4.5]
-pub fn over_square(b: &Builder, p: &Sig, q: &Sig, smallest_q: f64, formats: &DirectFormats) -> Sig {
+pub fn over_square(b: &Builder, p: &Sig, q: &Sig, formats: &DirectFormats) -> Sig {
     b.unit("over_square", "k = p/q [lecture, eq. 4.5]", (("p", p), ("q", q)), |b, (p, q)| {
         let Format { integer_bits, fraction_bits, .. } = formats.reciprocal;
         let to = QuotientFormat { integer_bits: 2 * integer_bits, fraction_bits };
-        let reciprocal =
-            quotient(b, &b.integer(1), &at_least(b, &q, 2 * integer_bits), to, smallest_q);
+        let reciprocal = quotient(b, &b.integer(1), &at_least(b, &q, 2 * integer_bits), to);
         let limit = 1 << integer_bits;
         (p * reciprocal)
             .rounded(formats.cosine.fraction_bits)
@@ -134,12 +119,6 @@ pub(super) fn at_least(b: &Builder, q: &Sig, exponent: u32) -> Sig {
     q.less_than(&smallest).choose(&smallest, q).named("limited")
 }
 
-/// What is known of J K, where J and K are known as cosines.
-pub fn product_of_cosines(cosines: [&Sig; 2]) -> Option<Product> {
-    let [j, k] = cosines.map(angular);
-    Some(Product::of_cosines([j?, k?]))
-}
-
 /// What the base of the highlight is made of.
 pub struct DirectedBase<'a> {
     /// J and K, or p_L and p_V/q.
@@ -150,8 +129,6 @@ pub struct DirectedBase<'a> {
     pub light_dot_view: &'a Sig,
     /// q.
     pub q: &'a Sig,
-    /// No real q is smaller.
-    pub smallest_q: f64,
 }
 
 /// 2 J K - L·V, kept within 0 to 1, and 0 where q ≤ 0; a q that may be rounded to 0 though it is
@@ -168,8 +145,7 @@ pub fn directed_base(b: &Builder, of: DirectedBase, fraction_bits: u32) -> Sig {
         "b = max(2 J K - L.V, 0) [lecture, eq. 4.5]",
         inputs,
         |b, (j, k, light_dot_view, q)| {
-            let sure = of.smallest_q - q.error_value() > 0.0;
-            let known = of.known.filter(|_| sure);
+            let known = of.known.filter(|_| direct::is_positive(q.bound()));
             let of = Reflected {
                 factors: [&j, &k],
                 product_error: f64::INFINITY,
@@ -178,9 +154,10 @@ pub fn directed_base(b: &Builder, of: DirectedBase, fraction_bits: u32) -> Sig {
                 fraction_bits,
             };
             reflected(b, of, |rounding| match known {
-                Some(known) => {
-                    UnitBound::Cosine(known.base(light_dot_view.error_value(), rounding))
-                }
+                Some(known) => UnitBound::Cosine(
+                    "error::direct::Product::base",
+                    known.base(light_dot_view.bound(), rounding),
+                ),
                 None => UnitBound::Unknown,
             })
         },

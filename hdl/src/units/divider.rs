@@ -5,10 +5,10 @@ use crate::error::divider::Quotient;
 use specula_datapath::builder::{Builder, Sig};
 
 /// p/q clamped to [0, 1], to `fraction_bits`: the [`quotient`] without integer bits.
-pub fn divider(b: &Builder, p: &Sig, q: &Sig, fraction_bits: u32, smallest_divisor: f64) -> Sig {
+pub fn divider(b: &Builder, p: &Sig, q: &Sig, fraction_bits: u32) -> Sig {
     let to = QuotientFormat { integer_bits: 0, fraction_bits };
     b.unit("divider", "b = p/q, clamped to [0, 1]", (("p", p), ("q", q)), |b, (p, q)| {
-        limited_quotient(b, &p, &q, to, smallest_divisor).named("base")
+        limited_quotient(b, &p, &q, to).named("base")
     })
 }
 
@@ -22,13 +22,9 @@ pub struct QuotientFormat {
 }
 
 impl QuotientFormat {
-    fn known(self, [p, q]: [&Sig; 2], smallest_divisor: f64) -> Quotient {
-        Quotient {
-            operands: [p.error_value(), q.error_value()],
-            smallest_divisor,
-            limit: power_of_two(self.integer_bits.into()),
-            ulp: power_of_two(-i64::from(self.fraction_bits)),
-        }
+    fn proof(self, [p, q]: [&Sig; 2]) -> Quotient {
+        let limit = power_of_two(self.integer_bits.into());
+        Quotient::new([p.bound(), q.bound()], limit, power_of_two(-i64::from(self.fraction_bits)))
     }
 }
 
@@ -40,11 +36,11 @@ impl QuotientFormat {
 /// 1)/2⌋ = ⌊2^f p/q + 1/2⌋. That makes i + f + 1 rows, a clock before them and three behind.
 ///
 /// # Error
-/// [`Quotient`], with q ≥ `smallest_divisor`.
-pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divisor: f64) -> Sig {
+/// [`Quotient`], of whose q it is known how small it may be.
+pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat) -> Sig {
     let formula = format!("r = p/q, clamped to [0, {}]", 1u64 << to.integer_bits);
     b.unit("limited_quotient", &formula, (("p", p), ("q", q)), |b, (p, q)| {
-        limited_quotient(b, &p, &q, to, smallest_divisor).named("ratio")
+        limited_quotient(b, &p, &q, to).named("ratio")
     })
 }
 
@@ -55,38 +51,29 @@ pub fn quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat, smallest_divi
 ///
 /// # Error
 /// [`Quotient`], as the [`quotient`]'s.
-pub fn signed_quotient(
-    b: &Builder,
-    p: &Sig,
-    q: &Sig,
-    to: QuotientFormat,
-    smallest_divisor: f64,
-) -> Sig {
+pub fn signed_quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat) -> Sig {
     let limit = 1i64 << to.integer_bits;
     b.unit(
         "signed_quotient",
         &format!("r = p/q, clamped to [-{limit}, {limit}]"),
         (("p", p), ("q", q)),
         |b, (p, q)| {
-            let error = to.known([&p, &q], smallest_divisor).signed();
+            let error = to.proof([&p, &q]).signed();
             let raised = &p + q.times_power_of_two(to.integer_bits as i32);
             let positive = b.integer(0).less_than(&q);
             let shifted = QuotientFormat { integer_bits: to.integer_bits + 1, ..to };
-            let ratio = quotient(b, &raised, &q, shifted, smallest_divisor) - b.integer(limit);
-            positive.choose(&ratio, &b.integer(0)).stated_error_value(error).named("ratio")
+            let ratio = quotient(b, &raised, &q, shifted) - b.integer(limit);
+            positive
+                .choose(&ratio, &b.integer(0))
+                .override_error("error::divider::Quotient::signed", error)
+                .named("ratio")
         },
     )
 }
 
-fn limited_quotient(
-    b: &Builder,
-    p: &Sig,
-    q: &Sig,
-    to: QuotientFormat,
-    smallest_divisor: f64,
-) -> Sig {
+fn limited_quotient(b: &Builder, p: &Sig, q: &Sig, to: QuotientFormat) -> Sig {
     let bits = to.integer_bits + to.fraction_bits;
-    let error = to.known([p, q], smallest_divisor).unsigned();
+    let error = to.proof([p, q]).unsigned();
     let q = q.times_power_of_two(to.integer_bits as i32);
     let (zero, one) = (b.integer(0), b.integer(1));
     let positive = zero.less_than(p).and(&zero.less_than(&q)).named("positive");
@@ -106,7 +93,9 @@ fn limited_quotient(
     let quotient = quotient.times_power_of_two(-(bits as i32 + 1)).rounded(bits).named("quotient");
     let clamped = whole.choose(&one, &quotient);
     let limited = positive.choose(&clamped, &zero).clamped_above(1);
-    limited.times_power_of_two(to.integer_bits as i32).stated_error_value(error)
+    limited
+        .times_power_of_two(to.integer_bits as i32)
+        .override_error("error::divider::Quotient::unsigned", error)
 }
 
 /// One bit of the quotient: with 0 ≤ r < q, whether 2r ≥ q, and what then remains of 2r, both after

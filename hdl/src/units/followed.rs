@@ -28,7 +28,7 @@ pub struct Follow<'a> {
 ///
 /// # Error
 /// [`Followed::error`].
-pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -> Vector {
+pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats) -> Vector {
     let inputs =
         (("start", of.first), ("follows", of.follows), ("normal", of.normal), ("w", of.axis));
     b.unit(
@@ -41,7 +41,7 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
                 .rounded(formats.length_squared.fraction_bits)
                 .named("z"); // U1.f
             let y = (b.integer(1) - &z).named("y");
-            let error = known([&n, &w], &y, shortest).error(formats);
+            let error = Followed::new(n.bound(), w.bound(), y.bound()).error(formats);
             let (longest, bits) = (1.0 + error, formats.vector.fraction_bits);
             let widest = n.longest() + longest;
             let invariant = LoopInvariant { limits: (-longest, longest), fact: "|n| = 1", error };
@@ -60,22 +60,16 @@ pub fn followed(b: &Builder, of: Follow, formats: &LyonFormats, shortest: f64) -
                         .rounded(formats.wrap_operand.fraction_bits)
                         .named("q"); // U3.f
                     // U1.f, then S1.f.
-                    let u =
-                        divider(b, residue, &q, formats.wrap_ratio.fraction_bits, 1.0).named("u");
+                    let u = divider(b, residue, &q, formats.wrap_ratio.fraction_bits).named("u");
                     let Vector { x, y, z, .. } = (&n + &h.scaled(&u)).rounded(bits).named("n");
                     [x, y, z]
                 },
             );
             Vector::new(next)
-                .known_off(VectorError::ball(error))
+                .override_error("error::followed::Followed::error", VectorError::ball(error))
                 .no_longer_than(longest)
+                .no_shorter_than(1.0, "|n| = 1")
                 .named("normal")
         },
     )
-}
-
-/// What the error of n is made of.
-fn known([normal, axis]: [&Vector; 2], residue: &Sig, shortest: f64) -> Followed {
-    let (normal, axis) = (normal.off().length, axis.off().length);
-    Followed { normal, axis, residue: residue.error_value(), shortest }
 }

@@ -24,14 +24,15 @@ pub fn gaussian(b: &Builder, versine: &Sig, n: &Sig, fraction_bits: u32) -> Sig 
         "f = exp(-2n a^2), d = 1 - cos a",
         (("d", versine), ("n", n)),
         |b, (d, n)| {
-            let largest = n.range().magnitude();
-            let error = error::gaussian::bound(largest, d.error_value(), fraction_bits);
+            let error = error::gaussian::bound(n.bound(), d.bound(), fraction_bits);
             let g = squared_angle(b, &d, fraction_bits + 4);
             // From 4 on the power vanishes whatever g is: 8g > 23.
             let t = (n * d).clamped_above(4).named("t");
             let y = (t * g).doubled().rounded(fraction_bits + 6).named("y");
             let vanishes = exp2::vanishes(b, &y, fraction_bits).named("vanishes");
-            exp2::two_to_minus(b, &y, &vanishes, fraction_bits).stated_error_value(error).named("f")
+            exp2::two_to_minus(b, &y, &vanishes, fraction_bits)
+                .override_error("error::gaussian::bound", error)
+                .named("f")
         },
     )
 }

@@ -1,7 +1,8 @@
 //! Vectors along a span.
 use specula_spec::Format;
 
-use crate::error::interpolate::{Ends, overshoot, reach, slack};
+use crate::error::interpolate::{self, overshoot, reach, slack};
+use specula_datapath::bound::VectorError;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// What the normal along a span is interpolated from.
@@ -72,7 +73,13 @@ pub fn weight(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig {
 
 /// A vector along the span, X' = X0 + a (X1 - X0), whose ends lie in the unit ball. [methods B12,
 /// C15]
-pub fn along(b: &Builder, start: &Vector, delta: &Vector, a: &Sig, to: Interpolation) -> Vector {
+pub fn vector_between(
+    b: &Builder,
+    start: &Vector,
+    delta: &Vector,
+    a: &Sig,
+    to: Interpolation,
+) -> Vector {
     let inputs = (("vector_start", start), ("vector_delta", delta), ("weight", a));
     b.unit("along", "X' = X0 + a (X1 - X0) [methods B12, C15]", inputs, |_, (start, delta, a)| {
         between(&start, &delta, &a, to, "|X'| <= 1").named("vector")
@@ -93,22 +100,17 @@ fn weight_along(b: &Builder, first: &Sig, step: &Sig, to: Interpolation) -> Sig 
 /// ends alike.
 ///
 /// # Error
-/// [`Ends::between`].
+/// [`interpolate::between`].
 fn between(start: &Vector, delta: &Vector, a: &Sig, to: Interpolation, fact: &str) -> Vector {
     let reach = reach(to.overshoot());
-    let error = ends(start, delta, to).between(a.error_value(), reach);
-    // Both ends are rounded, so their difference is off by a whole unit, not by half as what is
-    // rounded once.
-    let delta = delta.map(|component| component.clone().stated_error_value(component.ulp()));
-    (start + &delta.scaled(a))
+    let error = interpolate::between([start.bound(), delta.bound()], a.bound(), to.apart, reach);
+    let sent = |c: &Sig| {
+        let error = interpolate::sent_difference(c.bound());
+        c.clone().override_error("error::interpolate::sent_difference", error)
+    };
+    (start + &delta.map(sent).scaled(a))
         .no_longer_than((to.longest + to.vector.ulp()) * reach)
         .components_assumed_within(to.longest * reach, fact)
-        .proven_off_by(error)
-        .rounded(to.vector.fraction_bits)
-}
-
-/// What is known of the ends.
-fn ends(start: &Vector, delta: &Vector, to: Interpolation) -> Ends {
-    let difference = (delta.longest(), delta.off().length);
-    Ends { off: start.off().length, apart: to.apart, difference }
+        .tighten_error("error::interpolate::between", VectorError::ball(error))
+        .rounded(to.vector.fraction_bits) // S1.f
 }

@@ -23,7 +23,7 @@ pub fn linear(b: &Builder, first: &Sig, of: Steps, steps: u32) -> Sig {
         let error = error::linear::bound(steps, x0.ulp());
         let limit = 1.0 + error + x0.ulp();
         Sig::accumulated(&first, &x0, &d, (-limit, limit), steps, "-1 <= x <= 1")
-            .stated_error_value(error)
+            .override_error("error::linear::bound", error)
             .named("value")
     })
 }

@@ -40,15 +40,15 @@ pub use difference::{
 };
 pub use diffuse::{clamped_cosine, diffuse, gouraud};
 pub use direct::{
-    DirectedBase, direct_cosine, direct_scalar, directed_base, known_parameter, over_square,
-    parameter, product_of_cosines, squared_length,
+    DirectedBase, direct_cosine, direct_scalar, directed_base, over_square, parameter,
+    squared_length,
 };
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use followed::{Follow, followed};
 pub use gaussian::{gaussian, kept_versine};
-pub use interpolate::{Interpolation, SpanNormals, along, interpolate, weight};
+pub use interpolate::{Interpolation, SpanNormals, interpolate, vector_between, weight};
 pub use linear::{Steps, linear};
-pub use newton_root::{NewtonRoot, newton_root};
+pub use newton_root::newton_root;
 pub use normalise::normalise;
 pub use normalise_exactly::{ExactNormalisation, normalise_exactly};
 pub use power::{any_power, any_power_up_to, power, raised};
@@ -63,5 +63,5 @@ pub use unit_vectors::{
     cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine,
     trowbridge_reitz,
 };
-pub use vector::has_direction;
+pub use vector::{gated, has_direction};
 pub use wrapped::{ToPlace, WrapFormats, WrappedPlace, wrapped, wrapped_place};

@@ -1,10 +1,10 @@
 //! Approximate normalisation.
 use specula_spec::lyon::{LyonFormats, LyonSpec, Normalisation};
 
+use super::has_direction;
 use super::normalise_exactly;
-use super::vector::{bounds, has_direction};
 use crate::error;
-use crate::error::normalise::{Approximation, FirstGain};
+use crate::error::normalise::FirstGain;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Brings N' near unit length: n = g N' with g about 1/|N'|. [Lyon, TR 43; methods B8, B9]
@@ -17,13 +17,13 @@ use specula_datapath::builder::{Builder, Sig, Vector};
 /// n = g N'
 /// ```
 ///
-/// Real N' is no shorter than `shortest`. Beside n goes the bit z > 0, which says whether N' has a
-/// direction at all (extremes row 1). Lengths and errors: [`error::normalise`].
-pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -> (Vector, Sig) {
+/// Beside n goes the bit z > 0, which says whether N' has a direction at all (extremes row 1).
+/// Lengths and errors: [`error::normalise`].
+pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec) -> (Vector, Sig) {
     let f = &lyon.formats;
     let (first, formula) = match lyon.normalisation {
-        Normalisation::None => return unnormalised(b, normal, shortest),
-        Normalisation::Exact => return normalise_exactly(b, normal, f.into(), shortest),
+        Normalisation::None => return unnormalised(b, normal),
+        Normalisation::Exact => return normalise_exactly(b, normal, f.into()),
         Normalisation::G1 => (FirstGain::G1, "n = g N', g = 1 + y/2, y = 1 - N'.N' [Lyon, TR 43]"),
         Normalisation::G2 => {
             (FirstGain::G2, "n = g N', g = 1 + (y + y^2)/2, y = 1 - N'.N' [Lyon, TR 43]")
@@ -34,7 +34,7 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
             .length_squared_within(normal.longest(), "|N'| <= 1")
             .rounded(f.length_squared.fraction_bits)
             .named("length_squared");
-        let proven = Approximation::new(first, lyon, z.ulp()).normalised(bounds(&normal, shortest));
+        let proven = error::normalise::normalised(first, lyon, normal.bound(), z.bound());
 
         let y = (b.integer(1) - &z).named("y"); // S1.length_squared
         let above_one = match first {
@@ -45,14 +45,20 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec, shortest: f64) -
         let g = (0..lyon.newton_steps)
             .fold(first, |g, _| newton_step(b, &g, &z, f, proven.largest_product));
 
-        let n = normal.scaled(&g).known_off(proven.off).rounded(f.vector.fraction_bits); // S1.vector
+        let n = normal.scaled(&g).override_error(PROOF, proven.error);
+        let n = n.rounded(f.vector.fraction_bits); // S1.vector
         let has_direction = b.integer(0).less_than(&z).named("has_direction");
         (
-            n.assumed_within(proven.longest, "|g N'| <= 1.002").named("n"),
-            has_direction.stated_error_value(proven.direction_error),
+            n.assumed_within(proven.longest, "|g N'| <= 1.002")
+                .no_shorter_than(proven.shortest, PROOF)
+                .named("n"),
+            has_direction.override_error(PROOF, proven.direction_error),
         )
     })
 }
+
+/// Where lengths and errors are proven.
+const PROOF: &str = "error::normalise::normalised";
 
 /// One Newton step towards 1/√z: g ← g (3 - z g²)/2, where z g² is no larger than
 /// `largest_product`, so that 3 - z g² stays near 2 or above.
@@ -72,7 +78,8 @@ fn newton_step(b: &Builder, g: &Sig, z: &Sig, f: &LyonFormats, largest_product: 
 }
 
 /// N' as it is, and whether it has a direction.
-fn unnormalised(b: &Builder, normal: &Vector, shortest: f64) -> (Vector, Sig) {
-    let unsure = error::normalise::not_zero(bounds(normal, shortest));
-    (normal.clone(), has_direction(b, normal).stated_error_value(unsure))
+fn unnormalised(b: &Builder, normal: &Vector) -> (Vector, Sig) {
+    let unsure = error::vector::has_direction(normal.bound());
+    let has_direction = has_direction(b, normal);
+    (normal.clone(), has_direction.override_error("error::vector::has_direction", unsure))
 }

@@ -1,9 +1,7 @@
 //! Exact normalisation.
-use specula_spec::format::power_of_two;
 use specula_spec::lyon::{LOG2_LARGEST_GAIN, LyonFormats};
 
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-use super::vector::bounds;
 use crate::error::normalise_exactly::Exact;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
@@ -33,7 +31,7 @@ impl From<&LyonFormats> for ExactNormalisation {
 }
 
 /// n = r N with r = 1/√max(z, 4^-m) and z = N·N, each rounded; beside n goes the bit z > 0, which
-/// says whether N has a direction. Real N is no shorter than `shortest`.
+/// says whether N has a direction.
 ///
 /// The latency is that of the [`reciprocal_square_root`], and a clock each for squares, two sums
 /// and the rounding of z, the product and the rounding of n. Length and error:
@@ -41,35 +39,27 @@ impl From<&LyonFormats> for ExactNormalisation {
 ///
 /// Of z itself no bound is asked: that it is the squared length of N as it comes, and not of the
 /// real one, is no error of the direction.
-pub fn normalise_exactly(
-    b: &Builder,
-    normal: &Vector,
-    to: ExactNormalisation,
-    shortest: f64,
-) -> (Vector, Sig) {
+pub fn normalise_exactly(b: &Builder, normal: &Vector, to: ExactNormalisation) -> (Vector, Sig) {
     b.unit("normalise_exactly", "n = N/sqrt(N.N)", (("normal", normal),), |b, (normal,)| {
         let z = normal
             .length_squared_within(normal.longest(), "N.N <= |N|^2")
             .rounded(to.length_squared_fraction_bits)
             .named("length_squared");
-        let r = reciprocal_square_root(b, &z, to.reciprocal, shortest * shortest);
-        let proven = to.proof(&z).normalised(bounds(&normal, shortest));
+        let r = reciprocal_square_root(b, &z, to.reciprocal); // Um.f
+        let proven = Exact::new(z.bound(), to.reciprocal.least_operand(), r.ulp());
+        let proven = proven.normalised(normal.bound());
+
         let n = normal.scaled(&r).assumed_within(proven.longest, "|r N| <= 1");
         let has_direction = b.integer(0).less_than(&z).named("has_direction");
         (
-            n.known_off(proven.off).rounded(to.vector_fraction_bits).named("n"),
-            has_direction.stated_error_value(proven.direction_error),
+            n.override_error(PROOF, proven.error)
+                .rounded(to.vector_fraction_bits)
+                .no_shorter_than(proven.shortest, PROOF)
+                .named("n"),
+            has_direction.override_error(PROOF, proven.direction_error),
         )
     })
 }
 
-impl ExactNormalisation {
-    fn proof(self, z: &Sig) -> Exact {
-        let ReciprocalRoot { fraction_bits, .. } = self.reciprocal;
-        Exact {
-            z_ulp: z.ulp(),
-            least_operand: self.reciprocal.least_operand(),
-            root_ulp: power_of_two(-i64::from(fraction_bits)),
-        }
-    }
-}
+/// Where length and error are proven.
+const PROOF: &str = "error::normalise_exactly::Exact::normalised";

@@ -39,7 +39,7 @@ pub fn quadratic(b: &Builder, first: &Sig, of: Differences, limits: (f64, f64), 
             let limits = (limits.0 - slack, limits.1 + slack);
             let value =
                 Sig::accumulated(&first, &x0, &difference, limits, steps, "x within its limits");
-            value.stated_error_value(error).named("value")
+            value.override_error("error::quadratic::bound", error).named("value")
         },
     )
 }

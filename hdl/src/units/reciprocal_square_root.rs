@@ -40,13 +40,13 @@ impl ReciprocalRoot {
 /// 2P + Z in the first row, and so in each. A row and a clock for each of m + f + 1 bits, a clock
 /// each to limit z and to round.
 ///
-/// Real z is no smaller than `smallest`. Error: [`reciprocal_root`].
-pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest: f64) -> Sig {
+/// Error: [`reciprocal_root`].
+pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot) -> Sig {
     let ReciprocalRoot { integer_bits, fraction_bits } = to;
     let formula = format!("r = 1/sqrt(max(z, 2^-{}))", 2 * integer_bits);
     b.unit("reciprocal_square_root", &formula, (("z", z),), |b, (z,)| {
-        let (least_operand, ulp) = (to.least_operand(), power_of_two(-i64::from(fraction_bits)));
-        let error = reciprocal_root(z.error_value(), smallest, least_operand, ulp);
+        let ulp = power_of_two(-i64::from(fraction_bits));
+        let error = reciprocal_root(z.bound(), to.least_operand(), ulp);
 
         let limit = b.integer(1).times_power_of_two(-2 * integer_bits as i32);
         let limited = z.less_than(&limit).choose(&limit, &z);
@@ -67,7 +67,7 @@ pub fn reciprocal_square_root(b: &Builder, z: &Sig, to: ReciprocalRoot, smallest
         }
         root.times_power_of_two(-(fraction_bits as i32 + 1))
             .rounded(fraction_bits)
-            .stated_error_value(error)
+            .override_error("error::reciprocal_square_root::reciprocal_root", error)
             .named("reciprocal")
     })
 }

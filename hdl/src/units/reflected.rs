@@ -1,9 +1,8 @@
 //! R·L of a view vector that is reflected about the normal.
 use super::clamp::to_unit_interval;
+use crate::error::unit_vectors::any_base;
 use specula_datapath::bound::Angular;
-use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{Builder, Sig};
-use specula_spec::format::power_of_two;
 
 /// What R·L = 2(N·V)(N·L) - V·L is made of.
 pub(super) struct Reflected<'a> {
@@ -33,8 +32,8 @@ pub(super) enum Direction<'a> {
 pub(super) enum UnitBound {
     /// What operators propagate.
     Propagated,
-    /// It is the cosine of an angle.
-    Cosine(Angular),
+    /// It is the cosine of an angle, and where that is proven.
+    Cosine(&'static str, Angular),
     /// It may be anything from 0 to 1.
     Unknown,
 }
@@ -43,9 +42,10 @@ pub(super) enum UnitBound {
 /// rounded by.
 pub(super) fn reflected(b: &Builder, of: Reflected, bound: impl FnOnce(f64) -> UnitBound) -> Sig {
     let [j, k] = of.factors;
-    let product = (j * k).proven_error_value(of.product_error);
+    let product =
+        (j * k).tighten_error("error::cosine::InverseLength::quotient_error", of.product_error);
     let cosine = product.doubled() - of.light_dot_view;
-    let rounding = half_unit_where_narrowed(&cosine, of.fraction_bits);
+    let rounding = cosine.bound().rounding(of.fraction_bits);
     let kept = to_unit_interval(&cosine, of.fraction_bits);
     let or_zero = |bit: &Sig| bit.choose(&kept, &b.integer(0));
     let base = match of.direction {
@@ -60,25 +60,8 @@ impl UnitBound {
     pub(super) fn stated_of(self, value: Sig) -> Sig {
         match self {
             UnitBound::Propagated => value,
-            UnitBound::Cosine(Angular { angle, rest }) => value.known_cosine(angle, rest),
-            UnitBound::Unknown => value.stated_error_value(1.0),
+            UnitBound::Cosine(proof, known) => value.tighten_error(proof, known),
+            UnitBound::Unknown => value.override_error("error::unit_vectors::any_base", any_base()),
         }
-    }
-}
-
-/// What is known of a cosine's angle.
-pub(super) fn angular(cosine: &Sig) -> Option<Angular> {
-    match cosine.error_model() {
-        ErrorModel::Angular(Angular { angle, rest }) => Some(Angular { angle, rest }),
-        _ => None,
-    }
-}
-
-/// What rounding to `fraction_bits` adds to an error: nothing where there are no more.
-pub(super) fn half_unit_where_narrowed(value: &Sig, fraction_bits: u32) -> f64 {
-    if value.fraction_bits() > fraction_bits {
-        0.5 * power_of_two(-i64::from(fraction_bits))
-    } else {
-        0.0
     }
 }

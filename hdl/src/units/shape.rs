@@ -3,8 +3,9 @@ use specula_spec::lyon::LyonSpec;
 
 use super::LengthError;
 use super::power::square;
+use super::vector::gated;
 use crate::error;
-use crate::error::shape::{Root, RootShape};
+use crate::error::shape::RootShape;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// f_k(x) = (1 - x/2^k)^(2^k), 0 for x ≥ 2^k and where the normal has no direction, with x = (n/2)
@@ -31,8 +32,7 @@ pub fn shape(
         (("d", d), ("n", shininess), ("has_direction", has_direction)),
         |b, (d, n, has_direction)| {
             let fraction_bits = lyon.formats.shape.fraction_bits;
-            let most = n.range().magnitude();
-            let error = error::shape::bound(d.off().length, length_error, most, lyon);
+            let error = error::shape::bound(d.bound(), length_error, n.bound().magnitude(), lyon);
             let squared_length =
                 d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
             let x = (&n * squared_length)
@@ -44,11 +44,7 @@ pub fn shape(
             for _ in 0..lyon.squarings {
                 f = square(b, &f, fraction_bits);
             }
-            // Where rounding may decide whether a normal has a direction, nothing is known of f:
-            // the choice above counts as one between values that meet.
-            let sure = has_direction.error() == 0.0;
-            let f = if sure { f.proven_error_value(error) } else { f.stated_error_value(1.0) };
-            f.named("f")
+            gated(f.tighten_error("error::shape::bound", error), &has_direction).named("f")
         },
     )
 }
@@ -70,9 +66,7 @@ pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &
         (("d", d), ("m", m), ("has_direction", has_direction)),
         |b, (d, m, has_direction)| {
             let fraction_bits = lyon.formats.shape.fraction_bits;
-            let sure = has_direction.error() == 0.0;
-            let error =
-                if sure { RootShape::of(lyon).error(d.off().length, root(&m)) } else { 1.0 };
+            let error = RootShape::of(lyon).error(d.bound(), m.bound());
             let scaled = |c: &Sig| {
                 let product = c.absolute() * &m;
                 product
@@ -94,13 +88,8 @@ pub fn root_shape(b: &Builder, d: &Vector, m: &Sig, has_direction: &Sig, lyon: &
             for _ in 0..lyon.squarings {
                 f = square(b, &f, fraction_bits);
             }
-            f.stated_error_value(error).named("f")
+            let f = f.override_error("error::shape::RootShape::error", error);
+            gated(f, &has_direction).named("f")
         },
     )
-}
-
-/// m, which counts as exact where it is an integer port, but here is a rounded root.
-fn root(m: &Sig) -> Root {
-    let range = (m.range().low as f64 * m.ulp(), m.range().high as f64 * m.ulp());
-    Root { range, half_step: 0.5 * m.ulp() }
 }

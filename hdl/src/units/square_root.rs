@@ -15,9 +15,8 @@ use specula_datapath::builder::{Builder, Sig};
 pub fn square_root(b: &Builder, x: &Sig, fraction_bits: u32) -> Sig {
     b.unit("square_root", "r = sqrt(max(x, 0))", (("x", x),), |b, (x,)| {
         let x = x.at_least_zero();
-        let smallest = x.range().low as f64 * x.ulp();
         let ulp = power_of_two(-i64::from(fraction_bits));
-        let error = error::square_root::root(x.error_value(), smallest, ulp);
+        let error = error::square_root::root(x.bound(), ulp);
 
         let Radicand { mut bits, further_pairs } = Radicand::of(&x, 2 * fraction_bits + 2);
         let pairs = bits.range().width().div_ceil(2);
@@ -36,7 +35,7 @@ pub fn square_root(b: &Builder, x: &Sig, fraction_bits: u32) -> Sig {
         }
         root.times_power_of_two(-(fraction_bits as i32 + 1))
             .rounded(fraction_bits)
-            .stated_error_value(error)
+            .override_error("error::square_root::root", error)
             .named("root")
     })
 }

@@ -71,7 +71,7 @@ pub fn specular_base(
                 direction: Direction::Always,
                 fraction_bits: formats.base.fraction_bits,
             };
-            reflected(b, of, |_| UnitBound::Cosine(proven))
+            reflected(b, of, |_| UnitBound::Cosine("error::turned::base", proven))
         },
     )
 }

@@ -2,7 +2,14 @@
 use specula_spec::slerp::SlerpFormats;
 
 use crate::error::turned_normal::{Weighing, longest};
+use specula_datapath::bound::VectorError;
 use specula_datapath::builder::{Builder, Sig, Vector};
+
+/// Where the error of N is proven.
+const SUM: &str = "error::turned_normal::Weighing::put_together";
+
+/// Where that of n is.
+const PROOF: &str = "error::turned_normal::Weighing::lengthened";
 
 /// N = u P + v Q, and n = N (3 - N·N)/2: Newton's step towards unit length from 1 on. Errors:
 /// [`error::turned_normal`](crate::error::turned_normal). [lecture, eq. 4.7; methods A8, A9, A11]
@@ -19,11 +26,10 @@ pub fn turned_normal(
         "n = N (3 - N.N)/2, N = u P + v Q [lecture, eq. 4.7]",
         inputs,
         |b, (u, v, p, q)| {
-            let off = known
-                .put_together(p.longest().max(q.longest()), p.off().length.max(q.off().length));
+            let off = known.put_together([p.bound(), q.bound()]);
             let turned = (&p.scaled(&u) + &q.scaled(&v))
                 .assumed_within(1.0 + off, "|N| <= 1")
-                .proven_off_by(off)
+                .tighten_error(SUM, VectorError::ball(off))
                 .rounded(formats.vector.fraction_bits)
                 .named("turned");
 
@@ -37,7 +43,7 @@ pub fn turned_normal(
             turned
                 .scaled(&gain)
                 .assumed_within(longest(turned.longest(), half_unit), "|n| <= 1")
-                .known_off(known.lengthened(turned.off().length, half_unit))
+                .override_error(PROOF, known.lengthened(turned.bound(), half_unit))
                 .rounded(formats.vector.fraction_bits)
                 .named("n")
         },

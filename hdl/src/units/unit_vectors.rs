@@ -3,11 +3,8 @@ use super::clamp::to_unit_interval;
 use super::divider::divider;
 use super::gaussian::kept_versine;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
-use super::reflected::{
-    Direction, Reflected, UnitBound, angular, half_unit_where_narrowed, reflected,
-};
+use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;
-use specula_datapath::bound::Angular;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// The cosine of the angle between unit vectors, rounded to `fraction_bits`. Error:
@@ -15,13 +12,16 @@ use specula_datapath::builder::{Builder, Sig, Vector};
 pub fn cosine_between(b: &Builder, x: &Vector, y: &Vector, fraction_bits: u32) -> Sig {
     b.unit("cosine", "c = X.Y", (("x", x), ("y", y)), |_, (x, y)| {
         let product = x.dot_within(&y, (x.longest(), y.longest()), "|X.Y| <= |X||Y|");
-        let rounding = half_unit_where_narrowed(&product, fraction_bits);
-        let Angular { angle, rest } = error::unit_vectors::cosine([x.off(), y.off()], rounding);
-        product.rounded(fraction_bits).known_cosine(angle, rest).named("cosine")
+        let rounding = product.bound().rounding(fraction_bits);
+        let known = error::unit_vectors::cosine([x.bound(), y.bound()], rounding);
+        product
+            .rounded(fraction_bits)
+            .tighten_error("error::unit_vectors::cosine", known)
+            .named("cosine")
     })
 }
 
-/// R·L = 2(N·V)(N·L) - V·L, kept within 0 to 1. Error: [`error::unit_vectors::reflected`]. [methods
+/// R·L = 2(N·V)(N·L) - V·L, kept within 0 to 1. Error: [`error::unit_vectors::reflection`]. [methods
 /// A3, B1]
 pub fn reflected_cosine(
     b: &Builder,
@@ -43,25 +43,13 @@ pub fn reflected_cosine(
                 direction: Direction::Always,
                 fraction_bits,
             };
-            let known = angular(&n_dot_v).zip(angular(&n_dot_l));
-            reflected(b, of, |rounding| match known {
-                Some((v, l)) => UnitBound::Cosine(error::unit_vectors::reflected(
-                    [v, l],
-                    light_dot_view_error(&light_dot_view, [v, l]),
-                    rounding,
-                )),
+            let known = [&n_dot_v, &n_dot_l, &light_dot_view].map(Sig::bound);
+            reflected(b, of, |rounding| match error::unit_vectors::reflection(known, rounding) {
+                Some(known) => UnitBound::Cosine("error::unit_vectors::reflection", known),
                 None => UnitBound::Propagated,
             })
         },
     )
-}
-
-/// How far V·L is off from that of the turned V and L.
-fn light_dot_view_error(light_dot_view: &Sig, with_n: [Angular; 2]) -> f64 {
-    match angular(light_dot_view) {
-        Some(Angular { rest, .. }) => rest,
-        None => error::unit_vectors::sent_light_dot_view(light_dot_view.error_value(), with_n),
-    }
 }
 
 /// H*·N = (N·L + N·V)/|L + V|, kept within 0 to 1; `gain` is 1/|L + V|. [methods B6; Lyon, TR 43,
@@ -111,8 +99,7 @@ pub fn halfway_gain(
         let squared = (b.integer(2) + l_dot_v.doubled())
             .rounded(length_squared_bits)
             .named("halfway_squared");
-        // How short H may be depends on the scene: nothing is known of it here.
-        reciprocal_square_root(b, &squared, to, 0.0)
+        reciprocal_square_root(b, &squared, to)
     })
 }
 
@@ -136,7 +123,7 @@ pub fn trowbridge_reitz(b: &Builder, base: &Sig, n: &Sig, x_bits: u32, fraction_
         |b, (base, n)| {
             let x =
                 ((b.integer(1) - base.squared()) * n).rounded(x_bits).at_least_zero().named("x");
-            let reciprocal = divider(b, &b.integer(1), &(b.integer(1) + x), fraction_bits, 1.0);
+            let reciprocal = divider(b, &b.integer(1), &(b.integer(1) + x), fraction_bits);
             reciprocal.squared().rounded(fraction_bits).named("f")
         },
     )

@@ -1,5 +1,5 @@
-//! Vectors: whether they have a direction, and what is known of their lengths.
-use crate::error::vector::VectorBounds;
+//! Vectors: whether they have a direction, and what depends on that.
+use crate::error;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Whether a vector has a component that is not 0 (extremes row 1).
@@ -11,7 +11,10 @@ pub fn has_direction(b: &Builder, n: &Vector) -> Sig {
     })
 }
 
-/// What is known of a vector no shorter than `shortest` as a real one.
-pub(super) fn bounds(vector: &Vector, shortest: f64) -> VectorBounds {
-    VectorBounds { shortest, longest: vector.longest(), error: vector.off().length }
+/// A value from 0 to 1 that is 0 where the bit `has_direction` is 0.
+pub fn gated(value: Sig, has_direction: &Sig) -> Sig {
+    match error::vector::gated(has_direction.bound()) {
+        Some(error) => value.override_error("error::vector::gated", error),
+        None => value,
+    }
 }

@@ -3,6 +3,7 @@ use specula_spec::Format;
 
 use super::{divider, has_direction};
 use crate::error::wrapped::{Edge, WrapUnits, Wrapped, longest};
+use specula_datapath::bound::{Interval, VectorError};
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// Where a wrap rounds.
@@ -37,7 +38,7 @@ pub fn wrapped(b: &Builder, h: &Vector, w: &Vector, formats: WrapFormats) -> Vec
         (("h", h), ("w", w)),
         |b, (h, w)| {
             let (p, q) = operands(&h, &w, formats);
-            let v = divider(b, &p, &q, formats.ratio.fraction_bits, SHORTEST_SQUARED).named("v");
+            let v = divider(b, &p, &q, formats.ratio.fraction_bits).named("v");
             around(&h, &w, &v, formats)
         },
     )
@@ -62,8 +63,8 @@ pub struct ToPlace {
     pub formats: WrapFormats,
     /// Fraction bits of w·L'.
     pub cosine_bits: u32,
-    /// X = H - w is no shorter.
-    pub shortest: f64,
+    /// X = H - w, which is no vector here, is no shorter.
+    pub shortest_way: f64,
 }
 
 /// L' = 2v H - w as [`wrapped`], and w·L' = 2 v p - 1 with p = H·w and v = p / H·H. Where the bit
@@ -86,12 +87,13 @@ pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlac
         |b, (h, w, spot)| {
             let (p, q) = operands(&h, &w, to.formats);
             if is_spot {
-                most_at_edge = strength_at_edge([&p, &q], to);
+                most_at_edge = Edge::new(p.bound(), q.bound(), to.shortest_way)
+                    .rounded_strength(to.formats.ratio.ulp());
             }
             let lit = b.integer(1).less_than(&p).named("lit");
             let (zero, dark) = (b.integer(0), spot.choose(&lit.not(), &b.integer(0)).named("dark"));
             let p = dark.choose(&zero, &p).named("p_if_lit");
-            let v = divider(b, &p, &q, to.formats.ratio.fraction_bits, SHORTEST_SQUARED).named("v");
+            let v = divider(b, &p, &q, to.formats.ratio.fraction_bits).named("v");
             let cosine = ((&v * &p).doubled() - b.integer(1)).rounded(to.cosine_bits);
             let direction = around(&h, &w, &v, to.formats);
             let exists = spot.choose(&lit, &has_direction(b, &direction)).named("exists");
@@ -101,14 +103,8 @@ pub fn wrapped_place(b: &Builder, h: &Vector, w: &Vector, spot: &Sig, to: ToPlac
     WrappedPlace { direction, cosine, exists, most_at_edge }
 }
 
-/// How strong a spot is at most where rounding decides whether it is seen.
-fn strength_at_edge([p, q]: [&Sig; 2], to: ToPlace) -> f64 {
-    let edge = Edge { p: p.error_value(), q: q.error_value(), shortest: to.shortest };
-    edge.rounded_strength(to.formats.ratio.ulp())
-}
-
-/// |H|² at least, wherever the wrap serves.
-const SHORTEST_SQUARED: f64 = 1.0;
+/// |H|² is no smaller wherever the wrap serves.
+const SHORTEST_SQUARED: Interval = Interval::at_least(1.0);
 
 /// p = H·w and q = H·H, both rounded to U3.f.
 fn operands(h: &Vector, w: &Vector, formats: WrapFormats) -> (Sig, Sig) {
@@ -116,23 +112,17 @@ fn operands(h: &Vector, w: &Vector, formats: WrapFormats) -> (Sig, Sig) {
     let lengths = (h.longest(), w.longest());
     let p = h.dot_within(w, lengths, "|H.w| <= |H||w|").rounded(bits).named("p");
     let q = h.length_squared_within(lengths.0, "|H| <= 2").rounded(bits).named("q");
-    (p, q)
+    (p, q.real_within(SHORTEST_SQUARED, "|H| >= 1 where the wrap serves"))
 }
 
 /// 2v H - w, rounded to S1.f.
 fn around(h: &Vector, w: &Vector, v: &Sig, formats: WrapFormats) -> Vector {
     let longest = longest(w.longest(), formats.units(), formats.vector.ulp());
-    proven(h.scaled(&v.doubled()) - w, [h, w], formats)
+    let error = Wrapped::new(h.bound(), w.bound()).error(formats.units());
+    (h.scaled(&v.doubled()) - w)
+        .tighten_error("error::wrapped::Wrapped::error", VectorError::ball(error))
         .assumed_within(longest, "|2v H - w| = |w|")
         .rounded(formats.vector.fraction_bits)
+        .no_shorter_than(w.bound().shortest, "|2v H - w| = |w|")
         .named("n")
-}
-
-/// n with what is proven of its error.
-fn proven(n: Vector, [h, w]: [&Vector; 2], formats: WrapFormats) -> Vector {
-    let known = Wrapped { h: h.off().length, w: w.off().length, longest_w: w.longest() };
-    match known.error(formats.units()) {
-        Some(error) => n.proven_off_by(error),
-        None => n,
-    }
 }

@@ -1,10 +1,12 @@
-//! What adds up along a span: spans of 1, 2, 3 and 8192 pixels, one straight after the other.
+//! What adds up along a span: spans of 1, 2, 3 and 8192 pixels, one straight after the other
+//! and with bubbles.
 use specula_datapath::builder::Vector;
 use specula_datapath::{Design, SpanPacket};
+use specula_fixtures::Draw;
+use specula_fixtures::clocked::{Drive, paused, run};
 use specula_hdl::units::{self, Differences, Interpolation, SpanNormals, Steps};
 use specula_spec::Format;
 
-use super::common::{Drive, run};
 use super::{Bench, lyon, rounded};
 
 const LENGTHS: [u32; 8] = [1, 1, 3, 2, 8192, 2, 1, 3];
@@ -12,7 +14,9 @@ const STEPS: u32 = 8191;
 
 /// The outputs of every pixel of these spans, and those of pixel `i` of each as they should be.
 fn check(design: &Design, packets: &[SpanPacket], wanted: impl Fn(&[i64], i64) -> Vec<i64>) {
-    let got = run(design, packets.iter().flat_map(Drive::span));
+    let drives: Vec<Drive> = packets.iter().flat_map(Drive::span).collect();
+    let got = run(design, drives.clone());
+    assert!(run(design, paused(design, &drives, &mut Draw::new(3))) == got);
     let pixels = packets.iter().flat_map(|packet| (0..packet.length).map(move |i| (packet, i)));
     assert_eq!(got.len(), packets.iter().map(|p| p.length as usize).sum::<usize>());
     for ((packet, i), got) in pixels.zip(got) {

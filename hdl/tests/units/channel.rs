@@ -1,6 +1,6 @@
 //! From intensities to a code.
 use specula_datapath::Design;
-use specula_datapath::bound::ErrorModel;
+use specula_datapath::bound::{ErrorBound, ErrorModel};
 use specula_datapath::builder::Sig;
 use specula_hdl::units::{self, Light};
 use specula_spec::Format;
@@ -91,7 +91,8 @@ fn all_ones_are_white() {
 #[test]
 fn highlights_that_are_never_off_together_count_once() {
     let bound = |form: ErrorModel| {
-        design_with(2, 2, |f| f.stated_error_value(0.25).of_error_model(form)).error_bound()
+        design_with(2, 2, |f| f.override_error("stated", ErrorBound { error: 0.25, model: form }))
+            .error_bound()
     };
     let one = bound(ErrorModel::Exclusive { together: 0.0 });
     // A coefficient of U2.6 is 255/64 at most, off by 1/128.

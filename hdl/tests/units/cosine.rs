@@ -1,4 +1,5 @@
 //! Cosines and bases, over every pair of small operands.
+use specula_datapath::bound::Interval;
 use specula_hdl::units::{self, Base};
 use specula_spec::Format;
 
@@ -24,7 +25,7 @@ fn every_cosine_is_rounded_and_limited() {
         let bench = Bench::new();
         let ends = (P.min_raw(), P.max_raw());
         let (p, q) = (bench.input("p", P, ends), bench.input("q", Q, (Q.min_raw(), 16)));
-        let length = units::root(&bench.b, &q, Format::unsigned(2, root_bits), 0.0);
+        let length = units::root(&bench.b, &q, Format::unsigned(2, root_bits));
         let cosine = units::cosine(&bench.b, &p, &length, cosine_bits);
         let amount = units::clamp_nonnegative(&bench.b, &cosine, 3);
         let design = bench.finish(&[("cosine", cosine), ("amount", amount)]);
@@ -49,7 +50,7 @@ fn every_cosine_by_a_reciprocal_is_rounded_and_limited() {
     let bench = Bench::new();
     let ends = (P.min_raw(), P.max_raw());
     let (p, w) = (bench.input("p", P, ends), bench.input("w", Format::unsigned(3, 3), (0, 32)));
-    let cosine = units::cosine_by_reciprocal(&bench.b, &p, &p, &w, 0.25, 5);
+    let cosine = units::cosine_by_reciprocal(&bench.b, &p, &p, &w, 5);
     let design = bench.finish(&[("cosine", cosine)]);
     let rows = pairs(ends, (0, 32));
     for (row, got) in rows.iter().zip(outputs(&design, &rows)) {
@@ -87,9 +88,11 @@ fn every_reflected_base_is_rounded_and_limited() {
 fn a_base_whose_direction_is_unsure_may_be_off_by_all_of_it() {
     for (smallest, wanted) in [(0.25, false), (0.0, true)] {
         let bench = Bench::new();
-        let q = bench.input("q", Format::unsigned(1, 4), (0, 16));
+        let q = bench
+            .input("q", Format::unsigned(1, 4), (0, 16))
+            .real_within(Interval::at_least(smallest), "stated");
         let [v, dot_view] = ["v", "dot_view"].map(|name| bench.input(name, P, (0, 0)));
-        let length = units::root(&bench.b, &q, Format::unsigned(2, 5), smallest);
+        let length = units::root(&bench.b, &q, Format::unsigned(2, 5));
         let to = Base { fraction_bits: 5, product_error: f64::INFINITY };
         let base = units::reflected_base(&bench.b, (&v, &v), &dot_view, &length.has_direction, to);
         assert_eq!(base.error_value() >= 1.0, wanted, "{smallest}: {}", base.error_value());

@@ -60,7 +60,7 @@ fn reflections_are_rounded_twice() {
         let bench = Bench::new();
         let (n, l) = (vector(&bench, "n", f.vector, 8), vector(&bench, "l", f.vector, 8));
         let v = Vector::new([0, 0, 1].map(|c| bench.b.integer(c)));
-        let (d, _) = units::reflection_minus_light(&bench.b, (&n, 1.0), &v, &l, f);
+        let (d, _) = units::reflection_minus_light(&bench.b, &n, &v, &l, f);
         let design = finish(bench, d);
         let mut rows = pairs(8);
         rows.push(vec![0, 0, 8, 0, 0, -8]);

@@ -1,4 +1,5 @@
 //! The divider, over every pair of operands.
+use specula_datapath::bound::Interval;
 use specula_hdl::units;
 use specula_spec::Format;
 
@@ -10,7 +11,7 @@ fn quotients(operand_bits: u32, base_bits: u32) {
     let ends = (format.min_raw(), format.max_raw());
     let bench = Bench::new();
     let (p, q) = (bench.input("p", format, ends), bench.input("q", format, ends));
-    let base = units::divider(&bench.b, &p, &q, base_bits, 0.0);
+    let base = units::divider(&bench.b, &p, &q, base_bits);
     assert_eq!((base.fraction_bits(), base.range().high), (base_bits, 1 << base_bits));
     let design = bench.finish(&[("base", base)]);
 
@@ -62,7 +63,8 @@ fn error_is_the_operands_over_the_smallest_divisor() {
     let bench = Bench::new();
     let ends = (-(1 << 12), 1 << 12);
     let (p, q) = (bench.input("p", format, ends), bench.input("q", format, ends));
-    let base = units::divider(&bench.b, &p, &q, 10, 0.25);
+    let q = q.real_within(Interval::at_least(0.25), "stated");
+    let base = units::divider(&bench.b, &p, &q, 10);
     let operands = 2.0 * 0.5 / 4096.0;
     let wanted = operands / (0.25 - 0.5 / 4096.0) + 0.5 / 1024.0;
     assert!(

@@ -1,10 +1,10 @@
 //! Bounds that must not be lost where hardware is left out, merged or shared: every operator on
 //! constants, twins and choices, against real values that the host rounded.
 use specula_datapath::builder::{LoopInvariant, Sig};
+use specula_fixtures::Draw;
 use specula_spec::Format;
 use specula_spec::format::power_of_two;
 
-use super::common::draw::Draw;
 use super::{Bench, outputs};
 
 /// 2^-3.
@@ -17,7 +17,7 @@ const WHOLE: (i64, i64) = (-24, 24);
 fn a_condition_that_is_always_the_same_may_come_out_otherwise_for_the_real_value() {
     let bench = Bench::new();
     let one = bench.b.integer(1);
-    let x = bench.input("x", FORMAT, (7, 7)).stated_error_value(0.5);
+    let x = bench.input("x", FORMAT, (7, 7)).override_error("stated", 0.5);
     let below = x.less_than(&one);
     let (near, far) = (bench.input("near", FORMAT, WHOLE), x.clone());
     for chosen in [below.choose(&near, &far), below.not().choose(&far, &near)] {
@@ -32,10 +32,10 @@ fn a_condition_that_is_always_the_same_may_come_out_otherwise_for_the_real_value
 fn what_is_stated_of_a_choice_is_not_cut_off_by_what_was_known_before() {
     let bench = Bench::new();
     let clamped = bench.input("x", FORMAT, (0, 0)).at_least_zero().clamped_above(1);
-    let unsure = bench.b.integer(0).less_than(&clamped).stated_error_value(1.0);
+    let unsure = bench.b.integer(0).less_than(&clamped).override_error("stated", 1.0);
     let chosen = unsure.choose(&clamped, &bench.b.integer(0));
     assert_eq!(chosen.error_value(), FORMAT.ulp() / 2.0);
-    assert_eq!(chosen.or_off_by(1.0).error_value(), 1.0);
+    assert_eq!(chosen.override_error("stated", 1.0).error_value(), 1.0);
 }
 
 /// The real value of a constant 0 that is off by 4 lies from -4 to 0 after a clamp, and from 0 to 4
@@ -43,7 +43,7 @@ fn what_is_stated_of_a_choice_is_not_cut_off_by_what_was_known_before() {
 #[test]
 fn a_value_without_its_sign_may_have_had_one() {
     let bench = Bench::new();
-    let below = bench.input("x", FORMAT, (0, 0)).stated_error_value(4.0).clamped_above(0);
+    let below = bench.input("x", FORMAT, (0, 0)).override_error("stated", 4.0).clamped_above(0);
     assert_eq!(below.at_least_zero().error_value(), 0.0);
     assert_eq!(below.absolute().error_value(), 4.0);
     assert_eq!(below.absolute().at_least_zero().error_value(), 4.0);
@@ -120,7 +120,7 @@ fn held_constants_keep_the_larger_error() {
     let bench = Bench::new();
     let one = bench.b.integer(1);
     let fine = bench.input("fine", FORMAT, (0, 0));
-    let coarse = fine.clone().stated_error_value(1.0);
+    let coarse = fine.clone().override_error("stated", 1.0);
     assert_eq!(coarse.held(&one).error_value(), 1.0);
     for (value, loaded) in [(&fine, &coarse), (&coarse, &fine)] {
         assert_eq!(value.held_or_loaded(&one, &bench.start, loaded).error_value(), 1.0);
@@ -161,13 +161,13 @@ impl Samples {
     /// A port of a few values or of one, each off by up to half a unit.
     fn port(&mut self, bench: &Bench, draw: &mut Draw) -> Term {
         let number = self.reals.len();
-        let low = i64::from(draw.between(0, 32)) - 16;
+        let low = i64::from(draw.between_or_end(0, 32)) - 16;
         let high = low + i64::from(draw.one_of(&[0, 0, 0, 1, 5]));
         let sig = bench.input(&format!("x{number}"), FORMAT, (low, high));
         let real = self.rows.iter_mut().map(|row| {
-            let raw = low + i64::from(draw.between(0, (high - low) as u32));
+            let raw = low + i64::from(draw.between_or_end(0, (high - low) as u32));
             row.push(raw);
-            let off = match draw.between(0, 3) {
+            let off = match draw.between_or_end(0, 3) {
                 0 => -0.5,
                 1 => 0.5,
                 _ => draw.unit() - 0.5,
@@ -182,28 +182,29 @@ impl Samples {
 
 /// An operator on terms that there are.
 fn grown(bench: &Bench, draw: &mut Draw, terms: &[Term]) -> Term {
-    let any = |draw: &mut Draw| terms[draw.between(0, terms.len() as u32 - 1) as usize].clone();
+    let any =
+        |draw: &mut Draw| terms[draw.between_or_end(0, terms.len() as u32 - 1) as usize].clone();
     let (a, b) = (any(draw), any(draw));
-    let limit = i64::from(draw.between(0, 3)) - 1;
-    match draw.between(0, 13) {
+    let limit = i64::from(draw.between_or_end(0, 3)) - 1;
+    match draw.between_or_end(0, 13) {
         0 => a.and(&b, &a.sig + &b.sig, |x, y| x + y),
         1 => a.and(&b, &a.sig - &b.sig, |x, y| x - y),
         2 => a.and(&b, &a.sig * &b.sig, |x, y| x * y),
         3 => a.with(a.sig.squared(), |x| x * x),
-        4 => a.with(a.sig.rounded(draw.between(1, 4)), |x| x),
-        5 => a.with(a.sig.truncated(draw.between(1, 4)), |x| x),
+        4 => a.with(a.sig.rounded(draw.between_or_end(1, 4)), |x| x),
+        5 => a.with(a.sig.truncated(draw.between_or_end(1, 4)), |x| x),
         6 => a.with(a.sig.clamped_below(limit), |x| x.max(limit as f64)),
         7 => a.with(a.sig.clamped_above(limit), |x| x.min(limit as f64)),
         8 => a.with(a.sig.absolute(), f64::abs),
         9 => a.with(a.sig.at_least_zero().clamped_above(1), |x| x.clamp(0.0, 1.0)),
         10 => a.with(-&a.sig, |x| -x),
         11 => {
-            let exponent = draw.between(0, 4) as i32 - 2;
+            let exponent = draw.between_or_end(0, 4) as i32 - 2;
             a.with(a.sig.times_power_of_two(exponent), |x| x * 2f64.powi(exponent))
         }
         // A choice by a bit of the formula, and one of pieces that meet: the larger and the smaller.
         12 => {
-            let bit = bench.b.integer(draw.between(0, 1).into());
+            let bit = bench.b.integer(draw.between_or_end(0, 1).into());
             let is_a = bit.is(&bench.b.integer(1));
             a.and(&b, bit.choose(&a.sig, &b.sig), |x, y| if is_a { x } else { y })
         }

@@ -2,13 +2,12 @@
 mod accumulators;
 mod any_power;
 mod channel;
-#[path = "../common/mod.rs"]
-mod common;
 mod cosine;
 mod difference;
 mod diffuse;
 mod divider;
 mod gaussian;
+mod held;
 mod kept_errors;
 mod newton_root;
 mod normalise;
@@ -28,12 +27,10 @@ use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use specula_datapath::Design;
 use specula_datapath::builder::{Builder, Sig, TimeSlots};
 use specula_datapath::target::Generic;
+use specula_fixtures::clocked::{Drive, run};
+use specula_fixtures::specs::small_needs;
 use specula_scene::Needs;
-use specula_scene::contributions::Contributions;
-use specula_scene::needs::Ranges;
 use specula_spec::{Format, InputPort, LyonSpec};
-
-use common::{Drive, run};
 
 /// The ports, signals and outputs of a unit under test.
 struct Bench {
@@ -51,7 +48,7 @@ impl Bench {
     }
 
     fn input(&self, name: &str, format: Format, (low, high): (i64, i64)) -> Sig {
-        self.b.input(&InputPort { name: name.into(), format, range: (low, high), same_as: None })
+        self.b.input(&InputPort { range: (low, high), ..InputPort::whole(name, format) })
     }
 
     fn finish(self, outputs: &[(&str, Sig)]) -> Design {
@@ -81,26 +78,8 @@ fn rounded(raw: i64, bits: u32) -> i64 {
 
 /// A spec of `lyon` with these fraction bits everywhere.
 fn lyon(fraction_bits: u32) -> LyonSpec {
-    let needs = Needs {
-        lights: 1,
-        local_lights: Vec::new(),
-        local_eye: false,
-        longest_span: 4,
-        largest_shininess: 1,
-        uneven_shininess: None,
-        brightest_coefficient: 1.0,
-        widest_angle: 0.0,
-        shortest_normal: 1.0,
-        shortest_way: 1.0,
-        shortest_unit_way: 1.0,
-        least_cone_cosine: 0.9,
-        least_view_cosine: 0.0,
-        smallest_shininess: 1,
-        contributions: Contributions::default(),
-        flat: false,
-        consistent_normals_differ: true,
-        ranges: Ranges::default(),
-    };
+    let needs =
+        Needs { largest_shininess: 1, widest_angle: 0.0, shortest_normal: 1.0, ..small_needs() };
     let mut lyon = LyonSpec::for_needs(&needs);
     let f = &mut lyon.formats;
     for format in [

@@ -1,10 +1,12 @@
 //! Newton's root: spans one straight after the other, each from 1 on, against the same steps in
 //! whole numbers.
-use specula_hdl::units::{self, NewtonRoot};
+use specula_fixtures::Draw;
+use specula_fixtures::clocked::{Drive, paused, run};
+use specula_fixtures::formats::direct_formats;
+use specula_hdl::units;
 use specula_spec::Format;
 use specula_spec::direct::DirectFormats;
 
-use super::common::{Drive, run};
 use super::{Bench, rounded};
 
 const LENGTHS: [u32; 7] = [1, 1, 3, 2, 40, 1, 9];
@@ -13,20 +15,11 @@ const SQUARE: u32 = 12;
 
 /// m and the fraction bits of d.
 fn formats(reach: u32, length: u32) -> DirectFormats {
-    let rest = Format::unsigned(1, 10);
     DirectFormats {
-        weight_accumulator: rest,
-        weight: rest,
-        product: rest,
-        spread: rest,
-        component: rest,
         length_squared: Format::unsigned(1, SQUARE),
         length: Format::unsigned(1, length),
         reciprocal: Format::unsigned(reach, 10),
-        cosine: rest,
-        diffuse: rest,
-        base: rest,
-        shape: rest,
+        ..direct_formats(Format::unsigned(1, 10))
     }
 }
 
@@ -45,13 +38,7 @@ fn every_pixel_follows_the_one_before() {
         let bench = Bench::new();
         let formats = formats(reach, bits);
         let q = bench.input("q", formats.length_squared, (-4, one));
-        let d = units::newton_root(
-            &bench.b,
-            &bench.start,
-            &q,
-            &formats,
-            NewtonRoot { steps, shortest: 0.1 },
-        );
+        let d = units::newton_root(&bench.b, &bench.start, &q, &formats, steps);
         assert_eq!(d.fraction_bits(), bits);
         let design = bench.finish(&[("d", d)]);
 
@@ -63,7 +50,9 @@ fn every_pixel_follows_the_one_before() {
         };
         let firsts: Vec<bool> =
             LENGTHS.iter().flat_map(|&length| (0..length).map(|i| i == 0)).collect();
-        let got = run(&design, (0..).zip(&firsts).map(|(i, &first)| pixel(i, first)));
+        let drives: Vec<Drive> = (0..).zip(&firsts).map(|(i, &first)| pixel(i, first)).collect();
+        let got = run(&design, drives.clone());
+        assert!(run(&design, paused(&design, &drives, &mut Draw::new(5))) == got);
         let mut d = 0;
         for ((i, first), got) in (0..).zip(firsts).zip(got) {
             let q = values[(i * 7 % 11) as usize].max(1 << (SQUARE - 2 * reach));

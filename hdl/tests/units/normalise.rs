@@ -15,7 +15,7 @@ fn design(lyon: &LyonSpec) -> Design {
     let ends = (-17, 17);
     let normal = ["x", "y", "z"].map(|name| bench.input(name, lyon.formats.vector, ends));
     let normal = Vector::new(normal).no_longer_than(LONGEST);
-    let (n, has_direction) = units::normalise(&bench.b, &normal, lyon, 0.0);
+    let (n, has_direction) = units::normalise(&bench.b, &normal, lyon);
     bench.finish(&[("x", n.x), ("y", n.y), ("z", n.z), ("has_direction", has_direction)])
 }
 

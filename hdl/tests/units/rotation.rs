@@ -1,38 +1,22 @@
 //! The rotation: spans one straight after the other, each from (1, 0) on, against the same steps in
 //! whole numbers.
 use specula_datapath::SpanPacket;
+use specula_fixtures::Draw;
+use specula_fixtures::clocked::{Drive, paused, run};
+use specula_fixtures::formats::slerp_formats;
 use specula_hdl::units;
-use specula_spec::Format;
-use specula_spec::slerp::SlerpFormats;
 
-use super::common::{Drive, run};
 use super::{Bench, rounded};
 
 const LENGTHS: [u32; 8] = [1, 1, 3, 2, 1024, 2, 1, 300];
 const STEPS: u32 = 1023;
-
-fn formats(turn: u32, state: u32) -> SlerpFormats {
-    let rest = Format::unsigned(1, 10);
-    SlerpFormats {
-        turn: Format::signed(1, turn),
-        state: Format::signed(1, state),
-        scaled_state: Format::signed(3, state),
-        weight: rest,
-        vector: rest,
-        component: rest,
-        cosine: rest,
-        diffuse: rest,
-        base: rest,
-        shape: rest,
-    }
-}
 
 /// Turns of all sizes: none, so small that their sine rounds to 0, some that go round, and half a
 /// turn.
 #[test]
 fn every_step_is_a_rounded_rotation() {
     for (turn, state) in [(15, 13), (13, 13), (30, 28), (20, 14)] {
-        let formats = formats(turn, state);
+        let formats = slerp_formats(turn, state);
         let one = 1i64 << turn;
         let bench = Bench::new();
         let cosine = bench.input("turn_cosine", formats.turn, (-one, one));
@@ -51,7 +35,10 @@ fn every_step_is_a_rounded_rotation() {
             }
         };
         let packets: Vec<SpanPacket> = LENGTHS.iter().zip(angles).map(packet).collect();
-        let mut got = run(&design, packets.iter().flat_map(Drive::span)).into_iter();
+        let drives: Vec<Drive> = packets.iter().flat_map(Drive::span).collect();
+        let got = run(&design, drives.clone());
+        assert!(run(&design, paused(&design, &drives, &mut Draw::new(4))) == got);
+        let mut got = got.into_iter();
         for packet in &packets {
             let (mut c, mut s) = (1i64 << state, 0);
             for pixel in 0..packet.length {
@@ -67,7 +54,7 @@ fn every_step_is_a_rounded_rotation() {
 /// steps.
 #[test]
 fn drift_stays_within_its_bound() {
-    let formats = formats(16, 14);
+    let formats = slerp_formats(16, 14);
     let bench = Bench::new();
     let one = 1i64 << 16;
     let cosine = bench.input("turn_cosine", formats.turn, (-one, one));

@@ -100,17 +100,14 @@ fn twins_keep_their_own_errors() {
     for coarse_first in [false, true] {
         let bench = Bench::new();
         let (a, factor) = (bench.input("a", FORMAT, WHOLE), bench.input("factor", FORMAT, WHOLE));
-        let coarse = a.clone().stated_error_value(0.25);
+        let coarse = a.clone().override_error("stated", 0.25);
         let product = |sig: &Sig| sig * &factor;
-        let (of_fine, of_coarse) = match coarse_first {
-            false => {
-                let of_fine = product(&a);
-                (of_fine, product(&coarse))
-            }
-            true => {
-                let of_coarse = product(&coarse);
-                (product(&a), of_coarse)
-            }
+        let (of_fine, of_coarse) = if coarse_first {
+            let of_coarse = product(&coarse);
+            (product(&a), of_coarse)
+        } else {
+            let of_fine = product(&a);
+            (of_fine, product(&coarse))
         };
         assert_eq!(of_fine.id(), of_coarse.id(), "one multiplier does for both");
         assert_eq!(of_fine.error(), 8.0 + 8.0 + 0.25);
@@ -130,7 +127,7 @@ fn twins_keep_their_own_errors() {
 fn choices_that_are_always_the_same_keep_the_larger_error() {
     let bench = Bench::new();
     let a = bench.input("a", FORMAT, WHOLE);
-    let coarse = a.clone().stated_error_value(0.25);
+    let coarse = a.clone().override_error("stated", 0.25);
     for bit in [0, 1] {
         assert_eq!(bench.b.integer(bit).choose(&a, &coarse).error(), 4.0);
         assert_eq!(bench.b.integer(bit).choose(&coarse, &a).error(), 4.0);
@@ -166,7 +163,8 @@ fn between_two_clamps_a_value_is_off_by_their_distance_at_most() {
         [((-32, 32), 1.0), ((0, 0), 1.0), ((4, 4), 0.75), ((16, 16), 1.0), ((40, 50), 1.0)]
     {
         let bench = Bench::new();
-        let input = bench.input("x", Format::signed(3, 4), (low, high)).stated_error_value(5.0);
+        let input =
+            bench.input("x", Format::signed(3, 4), (low, high)).override_error("stated", 5.0);
         for clamped in
             [input.at_least_zero().clamped_above(1), input.clamped_above(1).at_least_zero()]
         {
@@ -198,7 +196,7 @@ fn turns_that_are_all_the_same_have_the_largest_error() {
         std::rc::Rc::new(specula_datapath::target::Generic),
     );
     let slots = b.time_slots(&b.control(), 2);
-    let coarse = b.integer(0).stated_error_value(0.25);
+    let coarse = b.integer(0).override_error("stated", 0.25);
     for values in [[coarse.clone(), b.integer(0)], [b.integer(0), coarse]] {
         assert_eq!(slots.multiplexed(&values).error(), 0.25);
     }
@@ -213,7 +211,8 @@ fn errors_cross_the_borders_of_units() {
     let inside = |name: &str, x: &Sig| {
         bench.b.unit(name, "", (("x", x), ("zero", &zero)), |_, (x, zero)| x * zero)
     };
-    let (fine, coarse) = (inside("fine", &x), inside("coarse", &x.clone().stated_error_value(1.0)));
+    let (fine, coarse) =
+        (inside("fine", &x), inside("coarse", &x.clone().override_error("stated", 1.0)));
     assert_eq!((fine.error(), coarse.error()), (8.25, 16.0 * 0.5 + 16.0 * 0.5));
     let design: Design = bench.finish(&[("fine", fine), ("coarse", coarse)]);
     assert_eq!(design.error_bound(), 16.0 * ULP * ULP);

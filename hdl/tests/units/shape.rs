@@ -17,7 +17,7 @@ fn design(lyon: &LyonSpec, largest: i64) -> Design {
     let d = Vector::new(d).no_longer_than(2.0);
     let f = units::shape(
         &bench.b,
-        (&d, units::LengthError::whole(d.off().length)),
+        (&d, units::LengthError::whole(d.bound().error.length)),
         &n,
         &has_direction,
         lyon,
@@ -115,7 +115,7 @@ fn centre_of_the_shape() {
 /// extremes rows 24 and 31: the longest D with the largest exponent, along one axis alone and along
 /// none.
 #[test]
-fn longest_difference() {
+fn the_longest_difference_gives_no_highlight() {
     let mut lyon = lyon(6);
     lyon.formats.shape.fraction_bits = 12;
     let design = design(&lyon, 8191);

@@ -1,8 +1,10 @@
 //! Pixels of several clocks.
+use specula_datapath::Design;
 use specula_datapath::builder::Sig;
+use specula_fixtures::Draw;
+use specula_fixtures::clocked::{Drive, Runner, paused};
 use specula_spec::{Format, InputPort};
 
-use super::common::{Drive, Runner};
 use super::{Builder, Generic, Rc};
 
 const STEPS: [i64; 3] = [1, 10, 100];
@@ -19,12 +21,7 @@ fn time_slots_have_values_of_their_own() {
     let control = b.control();
     let slots = b.time_slots(&control, 3);
     let input = |name: &str| {
-        b.input(&InputPort {
-            name: name.into(),
-            format: Format::unsigned(9, 0),
-            range: (0, 500),
-            same_as: None,
-        })
+        b.input(&InputPort { range: (0, 500), ..InputPort::whole(name, Format::unsigned(9, 0)) })
     };
     let step = slots.multiplexed(&["one", "ten", "hundred"].map(input));
     let zero = b.integer(0);
@@ -47,24 +44,37 @@ fn time_slots_have_values_of_their_own() {
     assert_eq!((design.interval, design.latency()), (3, design.depth() + 2));
 
     let spans = [(1, 4), (2, 1), (3, 3), (1, 2)];
-    let mut runner = Runner::new(&design);
+    let drives: Vec<Drive> =
+        spans.iter().flat_map(|&(factor, length)| clocks(factor, length)).collect();
+    let all: Vec<[i64; 2]> =
+        spans.iter().flat_map(|&(factor, length)| wanted(factor, length)).collect();
+    assert_eq!(leaving(&design, &drives), all);
+    for seed in 0..20 {
+        assert_eq!(leaving(&design, &paused(&design, &drives, &mut Draw::new(seed))), all);
+    }
+}
+
+/// The clocks of a span.
+fn clocks(factor: i64, length: u32) -> impl Iterator<Item = Drive> {
+    let inputs = STEPS.map(|step| factor * step).to_vec();
+    (0..3 * length).map(move |clock| Drive {
+        valid: true,
+        start: clock == 0,
+        inputs: inputs.clone(),
+    })
+}
+
+/// What leaves the design with these clocks and idle ones behind them.
+fn leaving(design: &Design, drives: &[Drive]) -> Vec<[i64; 2]> {
+    let idle = Drive { valid: false, start: true, inputs: vec![0; 3] };
+    let mut runner = Runner::new(design);
     let mut left = vec![];
-    let mut step = |drive: &Drive| {
+    for drive in drives.iter().chain(vec![&idle; design.latency() as usize + 1]) {
         runner.apply(drive);
         if runner.value(design.valid_out) == Some(1) {
             left.push([0, 1].map(|output| runner.value(design.outputs[output]).unwrap()));
         }
         runner.edge();
-    };
-    for (factor, length) in spans {
-        let inputs: Vec<i64> = STEPS.map(|step| factor * step).to_vec();
-        (0..3 * length).for_each(|clock| {
-            step(&Drive { valid: true, start: clock == 0, inputs: inputs.clone() })
-        });
     }
-    (0..=design.latency())
-        .for_each(|_| step(&Drive { valid: false, start: true, inputs: vec![0; 3] }));
-    let all: Vec<[i64; 2]> =
-        spans.iter().flat_map(|&(factor, length)| wanted(factor, length)).collect();
-    assert_eq!(left, all);
+    left
 }

@@ -1,9 +1,9 @@
-//! Sums, differences, products and copies with everything that can happen to them before they are
+//! Sums, differences, products and copies with all steps that can follow them before they are
 //! stored.
 //!
-//! A kernel is right where the raw result fits the lane it is computed in; so lanes whose exact
-//! result does not are left out, and what is stored is expected to have the low bits of the exact
-//! result.
+//! A kernel is right where the raw result fits the lane in which it is computed. So lanes whose
+//! exact result does not fit are left out, and what is stored is expected to have the low bits of
+//! the exact result.
 use proptest::prelude::*;
 use specula_kernels::{
     Arithmetic, Binary, InstructionSet, Lane, Post, Shift, Wrap, narrow, narrow_through_wide,
@@ -29,8 +29,8 @@ fn shifted(shift: Shift, value: i128) -> i128 {
     match shift {
         Shift::None => value,
         Shift::Floor(bits) => value.div_euclid(1 << bits),
-        // To nearest, ties up: half a unit of the last place that stays is added, and the rest
-        // dropped.
+        // Rounds to nearest, ties up: adds half a unit of the last place that stays and drops the
+        // rest.
         Shift::Round(bits) => (value + (1 << bits)).div_euclid(2 << bits),
     }
 }
@@ -50,8 +50,8 @@ pub fn fits(bits: u32, value: i128) -> bool {
     value >> (bits - 1) == 0 || value >> (bits - 1) == -1
 }
 
-/// Every kind of constant, shift and wrap that a kernel with such lanes can be asked for, if it
-/// does something to 0 that fits.
+/// Every kind of constant, shift and wrap that such a kernel can be asked for, provided that 0, so
+/// treated, fits.
 pub fn posts(computed: u32, stored: u32) -> impl Strategy<Value = Post> {
     let shift = prop_oneof![
         Just(Shift::None),
@@ -74,7 +74,7 @@ pub fn posts(computed: u32, stored: u32) -> impl Strategy<Value = Post> {
         })
 }
 
-/// What becomes of a raw result; `None` if it does not fit the lane that computes.
+/// What is stored of a raw result; `None` if it does not fit the lane that computes.
 pub fn finished(post: Post, computed: u32, raw: i128) -> Option<i128> {
     let sum = raw + i128::from(post.plus);
     let first = wrapped(post.first, sum);
@@ -84,14 +84,14 @@ pub fn finished(post: Post, computed: u32, raw: i128) -> Option<i128> {
     fit.then(|| wrapped(post.wrap, shifted(post.shift, first)))
 }
 
-/// Operands whose exact results all fit the lane they are computed in.
+/// Operands whose exact results all fit the lane in which they are computed.
 struct Operands {
     a: Vec<i64>,
     b: Vec<i64>,
     results: Vec<i128>,
 }
 
-/// Lanes whose exact result does not fit are set to 0.
+/// Operands, with lanes whose exact result does not fit set to 0.
 fn operands(
     operator: Arithmetic,
     post: Post,
@@ -120,7 +120,7 @@ fn operands(
 
 type Kernel<I, O> = fn(Arithmetic, Post, InstructionSet) -> Binary<I, O>;
 
-/// Holds a kernel that computes in `computed` bits against the exact results, with every operator
+/// Compares a kernel that computes in `computed` bits with the exact results, with every operator
 /// and at both instruction_sets.
 fn check<I: Lane, O: Lane>(
     kernel: Kernel<I, O>,
@@ -147,7 +147,7 @@ fn check<I: Lane, O: Lane>(
     }
 }
 
-/// Two columns of numbers that fit so many bits or fewer, so that sums and products often fit as
+/// Two columns of numbers that fit `bits` bits or fewer, so that sums and products often fit as
 /// well.
 fn columns(bits: u32) -> impl Strategy<Value = (Vec<i64>, Vec<i64>)> {
     prop_oneof![
@@ -159,7 +159,7 @@ fn columns(bits: u32) -> impl Strategy<Value = (Vec<i64>, Vec<i64>)> {
 
 proptest! {
     #[test]
-    fn narrow_lanes(post in posts(32, 32), shape in shape(), (a, b) in columns(32)) {
+    fn narrow_lanes_are_narrow_arithmetic(post in posts(32, 32), shape in shape(), (a, b) in columns(32)) {
         check::<i32, i32>(narrow, 32, post, shape, &a, &b);
     }
 
@@ -174,7 +174,7 @@ proptest! {
     }
 
     #[test]
-    fn wide_lanes(post in posts(64, 64), shape in shape(), (a, b) in columns(64)) {
+    fn wide_lanes_are_wide_arithmetic(post in posts(64, 64), shape in shape(), (a, b) in columns(64)) {
         check::<i64, i64>(wide, 64, post, shape, &a, &b);
     }
 
@@ -197,7 +197,7 @@ proptest! {
     }
 }
 
-/// Every amount of every kind of shift and every width, at the extremes.
+/// Tests every amount of every kind of shift and every width at the extremes.
 #[test]
 fn every_amount_at_the_extremes() {
     let wide_values = [

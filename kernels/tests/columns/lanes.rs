@@ -1,14 +1,14 @@
-//! Columns of values, extremes among them.
+//! Columns of values that include the extremes.
 use proptest::collection::vec;
 use proptest::prelude::*;
 use specula_kernels::{InstructionSet, Lane};
 
 /// Most lanes of a column: several vectors and an odd tail.
 pub const LONGEST: usize = 70;
-/// Most lanes before the first that a kernel reads.
+/// Most lanes that may precede the first one that a kernel reads.
 const FURTHEST: usize = 5;
 
-/// Both copies of a kernel; where the processor has no more than the baseline, that twice.
+/// Both copies of a kernel; twice the baseline where the processor has nothing more.
 pub fn instruction_sets() -> [InstructionSet; 2] {
     [InstructionSet::BASELINE, InstructionSet::best()]
 }
@@ -33,7 +33,7 @@ pub fn shape() -> impl Strategy<Value = Shape> {
         .prop_map(|(lanes, offsets)| Shape { lanes, offsets })
 }
 
-/// Numbers that fit so many bits: the extremes, those next to them, and whatever.
+/// Numbers that fit `bits` bits: the extremes, their neighbours, and random ones.
 pub fn number(bits: u32) -> impl Strategy<Value = i64> {
     let (low, high) = (i64::MIN >> (64 - bits), i64::MAX >> (64 - bits));
     let extremes =
@@ -48,12 +48,12 @@ pub fn column(bits: u32) -> impl Strategy<Value = Vec<i64>> {
     vec(number(bits), LONGEST + FURTHEST)
 }
 
-/// The column in lanes.
+/// The column, converted to lanes.
 pub fn in_lanes<L: Lane>(column: &[i64]) -> Vec<L> {
     column.iter().map(|&value| L::from_i64(value)).collect()
 }
 
-/// A column of lanes to be filled, with something in it.
+/// An output column that holds something other than results.
 pub fn unfilled<L: Lane>(lanes: usize) -> Vec<L> {
     vec![L::from_i64(0x5555_5555_5555_5555); lanes]
 }

@@ -1,4 +1,4 @@
-//! Comparisons, bits and choices.
+//! Comparisons, bitwise operators and multiplexers.
 use proptest::prelude::*;
 use specula_kernels::{Bits, Extreme, Lane, Wrap, bits, choose, extreme, less_than};
 
@@ -86,24 +86,24 @@ fn alike(bits: u32) -> impl Strategy<Value = (Vec<i64>, Vec<i64>)> {
 
 proptest! {
     #[test]
-    fn less(shape in shape(), (a, b) in alike(32), (c, d) in alike(64)) {
+    fn comparisons_are_made_lane_by_lane(shape in shape(), (a, b) in alike(32), (c, d) in alike(64)) {
         compared::<i32>(shape, &a, &b);
         compared::<i64>(shape, &c, &d);
     }
 
     #[test]
-    fn extremes(shape in shape(), (a, b) in alike(32)) {
+    fn smaller_and_larger_are_taken_lane_by_lane(shape in shape(), (a, b) in alike(32)) {
         limited(shape, &a, &b);
     }
 
     #[test]
-    fn bitwise(shape in shape(), (a, b) in alike(32), (c, d) in alike(64)) {
+    fn bits_are_combined_lane_by_lane(shape in shape(), (a, b) in alike(32), (c, d) in alike(64)) {
         combined::<i32>(shape, &a, &b);
         combined::<i64>(shape, &c, &d);
     }
 
     #[test]
-    fn choices(shape in shape(), condition in column(1), (a, b) in alike(32), (c, d) in alike(64)) {
+    fn choices_are_made_lane_by_lane(shape in shape(), condition in column(1), (a, b) in alike(32), (c, d) in alike(64)) {
         chosen::<i32>(shape, &condition, &a, &b);
         chosen::<i64>(shape, &condition, &c, &d);
     }

@@ -1,4 +1,4 @@
-//! Products, and sums of them, with everything that can happen to them before they are stored.
+//! Products, and sums of them, with all steps that can follow them before they are stored.
 use proptest::prelude::*;
 use specula_kernels::{
     InstructionSet, Lane, Magnitude, Post, Products, Second, narrow_products,
@@ -21,7 +21,7 @@ fn sum(second: Second, products: &[i128]) -> i128 {
     products.iter().enumerate().map(|(number, product)| sign(number) * product).sum()
 }
 
-/// Holds a kernel that computes in so many bits against the exact results, at both instruction_sets. Lanes
+/// Compares a kernel that computes in so many bits with the exact results, at both instruction_sets. Lanes
 /// whose sum does not fit are set to 0.
 fn check<O: Lane, const N: usize>(
     kernel: impl Fn(Second, Post, InstructionSet) -> Products<O, N>,
@@ -102,7 +102,7 @@ proptest! {
         wide::<3>(Magnitude::Any, post, lanes, &columns);
     }
 
-    /// Three products of 25-bit numbers are 3 · 2^48 at most, and less than the limit.
+    /// Three products of 25-bit numbers are 3 · 2^48 at most, less than the limit of 2^51.
     #[test]
     fn up_to_51_bits(narrow in posts(64, 32), stored in posts(64, 64), lanes in 0..=LONGEST, columns in prop_oneof![columns(20), columns(25)]) {
         through_wide::<1>(Magnitude::UpTo51Bits, narrow, lanes, &columns);
@@ -114,14 +114,14 @@ proptest! {
     }
 }
 
-/// The largest magnitudes that floating point is trusted with, and those next to them.
+/// Tests the largest magnitudes for which floating point is used, and their neighbours.
 #[test]
 fn the_limit_of_51_bits() {
     let factors = [1 << 25, -(1 << 25), (1 << 25) - 1, 1 - (1 << 25), (1 << 24) + 1, 0, 1, -1];
     let pairs: Vec<[i64; 2]> = factors.iter().flat_map(|&a| factors.map(|b| [a, b])).collect();
     let side = |k: usize| pairs.iter().map(|pair| pair[k]).collect::<Vec<_>>();
     let columns: Columns = std::array::from_fn(|_| [side(0), side(1)]);
-    // Of two products of 2^50 each, the sum or the difference is 2^51.
+    // The sum or the difference of two products of 2^50 each is 2^51.
     wide::<1>(Magnitude::UpTo51Bits, Post::default(), pairs.len(), &columns);
     wide::<2>(Magnitude::UpTo51Bits, Post::default(), pairs.len(), &columns);
 }

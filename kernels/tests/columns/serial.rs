@@ -1,7 +1,9 @@
 //! Kernels whose lanes depend on the lanes before, and tables.
+use std::collections::VecDeque;
+
 use proptest::collection::vec;
 use proptest::prelude::*;
-use specula_kernels::{Lane, accumulate, hold, look_up};
+use specula_kernels::{Lane, accumulate, accumulate_in_turn, hold, look_up};
 
 use crate::lanes::{Shape, column, in_lanes, numbers, shape, unfilled};
 
@@ -10,38 +12,52 @@ fn low_bits(value: i64) -> i64 {
     (value << 40) >> 40
 }
 
-/// value = first ? start : state, state ← low bits of value + step; a column in two parts, as
-/// batches follow each other.
+/// value = first ? start : state, state ← valid ? low bits of value + step : state, of so many
+/// states in turn; the column comes in two parts, as batches follow each other.
 fn accumulated<S: Lane, T: Lane, O: Lane>(
-    shape: Shape,
+    (shape, states): (Shape, usize),
     cut: usize,
-    first: &[i64],
+    [valid, first]: [&[i64]; 2],
     start: &[i64],
     step: &[i64],
 ) {
-    let (mut state, mut expected) = (0, vec![]);
-    for lane in 0..shape.lanes {
-        let value = if shape.of(first, 0)[lane] != 0 { shape.of(start, 1)[lane] } else { state };
+    let (mut kept, mut expected) = (VecDeque::from(vec![0; states]), vec![]);
+    for (lane, &valid) in valid[..shape.lanes].iter().enumerate() {
+        let (start, step) = (shape.of(start, 1)[lane], shape.of(step, 2)[lane]);
+        let value = if shape.of(first, 0)[lane] != 0 { start } else { kept[0] };
         expected.push(value);
-        let sum = i128::from(value) + i128::from(shape.of(step, 2)[lane]);
-        state = low_bits(sum as i64);
+        if valid != 0 {
+            kept.pop_front();
+            kept.push_back(low_bits((i128::from(value) + i128::from(step)) as i64));
+        }
     }
     let (first, start, step) = (in_lanes::<i32>(first), in_lanes::<S>(start), in_lanes::<T>(step));
     let (first, start, step) = (shape.of(&first, 0), shape.of(&start, 1), shape.of(&step, 2));
     let mut out = unfilled::<O>(shape.lanes);
-    let (cut, mut got_state) = (cut.min(shape.lanes), 0);
+    let cut = cut.min(shape.lanes);
     let (front, back) = out.split_at_mut(cut);
-    accumulate(front, first, start, step, &mut got_state, low_bits);
-    accumulate(back, &first[cut..], &start[cut..], &step[cut..], &mut got_state, low_bits);
-    assert_eq!((numbers(&out), got_state), (expected, state));
+    let mut got = vec![0; states];
+    let mut run = |out: &mut [O], from: usize| {
+        let operands = (&start[from..], &step[from..]);
+        let enabled = |lane: usize| valid[from + lane] != 0;
+        match &mut got[..] {
+            [state] => accumulate(out, &first[from..], operands, state, enabled, low_bits),
+            states => {
+                accumulate_in_turn(out, &first[from..], operands, states, enabled, low_bits);
+            }
+        }
+    };
+    run(front, 0);
+    run(back, cut);
+    assert_eq!((numbers(&out), got), (expected, Vec::from(kept)));
 }
 
-/// state ← enable ? value : state, in two parts.
+/// state ← enable ? low bits of value : state, with the column in two parts.
 fn held<I: Lane, O: Lane>(shape: Shape, cut: usize, enable: &[i64], value: &[i64]) {
     let (mut state, mut expected) = (0, vec![]);
     for (&enable, &value) in shape.of(enable, 0).iter().zip(shape.of(value, 1)) {
         if enable != 0 {
-            state = value;
+            state = low_bits(value);
         }
         expected.push(state);
     }
@@ -50,8 +66,8 @@ fn held<I: Lane, O: Lane>(shape: Shape, cut: usize, enable: &[i64], value: &[i64
     let mut out = unfilled::<O>(shape.lanes);
     let (cut, mut got_state) = (cut.min(shape.lanes), 0);
     let (front, back) = out.split_at_mut(cut);
-    hold(front, enable, value, &mut got_state);
-    hold(back, &enable[cut..], &value[cut..], &mut got_state);
+    hold(front, enable, value, &mut got_state, low_bits);
+    hold(back, &enable[cut..], &value[cut..], &mut got_state, low_bits);
     assert_eq!((numbers(&out), got_state), (expected, state));
 }
 
@@ -66,12 +82,21 @@ fn looked_up<O: Lane>(shape: Shape, address: &[i64], table: &[i64]) {
 
 proptest! {
     #[test]
-    fn accumulators(shape in shape(), cut in 0..70usize, first in column(1), narrow in column(24), wide in column(60)) {
-        accumulated::<i32, i32, i32>(shape, cut, &first, &narrow, &narrow);
-        accumulated::<i32, i32, i64>(shape, cut, &first, &narrow, &narrow);
-        accumulated::<i32, i64, i32>(shape, cut, &first, &narrow, &wide);
-        accumulated::<i64, i32, i64>(shape, cut, &first, &wide, &narrow);
-        accumulated::<i64, i64, i64>(shape, cut, &first, &wide, &wide);
+    fn accumulators_add_up_pixel_by_pixel(
+        shape in shape(),
+        cut in 0..70usize,
+        states in 1..5usize,
+        valid in column(1),
+        first in column(1),
+        narrow in column(24),
+        wide in column(60),
+    ) {
+        let (of, control) = ((shape, states), [&valid[..], &first]);
+        accumulated::<i32, i32, i32>(of, cut, control, &narrow, &narrow);
+        accumulated::<i32, i32, i64>(of, cut, control, &narrow, &narrow);
+        accumulated::<i32, i64, i32>(of, cut, control, &narrow, &wide);
+        accumulated::<i64, i32, i64>(of, cut, control, &wide, &narrow);
+        accumulated::<i64, i64, i64>(of, cut, control, &wide, &wide);
     }
 
     #[test]
@@ -82,7 +107,7 @@ proptest! {
     }
 
     #[test]
-    fn tables(
+    fn tables_are_looked_up_lane_by_lane(
         shape in shape(),
         address in column(5),
         far in column(32),

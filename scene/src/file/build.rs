@@ -1,20 +1,22 @@
-//! From a scene file as it is written to the scene it means.
+//! Builds a scene from the contents of a scene file.
 use std::path::Path;
 
 use glam::DVec3;
 use toml::Spanned;
 
+use super::shown::Shown;
 use super::values::{Integer, Number, Triple};
-use super::{Shown, SourceFile, check, light, object, raw, span};
+
+use super::{SourceFile, check, light, object, raw, span};
 use crate::limits::MOST_LIGHTS;
 use crate::mesh::Warning;
 use crate::picture::camera::Camera;
-use crate::picture::{Light, Rows, Scene, limits};
+use crate::picture::{Light, Scene, SpanRows, limits};
 use crate::{Colour, SceneError, defaults};
 
-/// Checks every value and reads the meshes, which are looked for in `folder`; what is passed over
-/// in them goes to `warnings`.
-pub(super) fn shown(
+/// Checks every value and reads the meshes, which are looked for in `folder`; notes about skipped
+/// parts of meshes are added to `warnings`.
+pub(super) fn build(
     file: raw::File,
     source: &SourceFile,
     folder: Option<&Path>,
@@ -42,13 +44,13 @@ fn scene(
     })
 }
 
-fn rows(file: raw::File, source: &SourceFile) -> Result<Rows, SceneError> {
+fn rows(file: raw::File, source: &SourceFile) -> Result<SpanRows, SceneError> {
     let other = [file.object.first().map(Spanned::span), file.size.as_ref().map(Spanned::span)];
     if let Some(at) = other.into_iter().flatten().next() {
         let help = "a scene has objects and perhaps a `size`, or spans, which say how large the picture is; leave one of them out";
         return Err(source.error(at, "a scene of spans has neither objects nor a `size`", help));
     }
-    Ok(Rows {
+    Ok(SpanRows {
         background: background(source, file.background.as_ref())?,
         ambient: ambient(source, file.ambient.as_ref())?,
         lights: lights(source, &file.light)?,
@@ -77,7 +79,7 @@ fn size(
 ) -> Result<(u32, u32), SceneError> {
     let Some(given) = given else { return Ok(defaults::SIZE) };
     let [Integer(width), Integer(height)] = *given.get_ref();
-    // What is no u32 becomes 0, which is not allowed either.
+    // A number that is not a u32 becomes 0, which is not allowed either.
     let size = (u32::try_from(width).unwrap_or(0), u32::try_from(height).unwrap_or(0));
     if limits::is_allowed(size) {
         return Ok(size);
@@ -110,7 +112,7 @@ fn camera(source: &SourceFile, given: Option<&Spanned<raw::Camera>>) -> Result<C
     }
 }
 
-/// Where the eye is that sees highlights; nowhere for a viewer at infinity.
+/// The place of the eye that sees highlights; `None` for an eye at infinity.
 fn local_eye(source: &SourceFile, raw: &raw::Camera) -> Result<Option<DVec3>, SceneError> {
     let viewers = [("infinite", false), ("local", true)];
     match (check::word(source, "viewer", raw.viewer.as_ref(), &viewers)?, &raw.eye, &raw.viewer) {
@@ -124,7 +126,7 @@ fn local_eye(source: &SourceFile, raw: &raw::Camera) -> Result<Option<DVec3>, Sc
     }
 }
 
-/// Towards the eye: the camera's `direction`, or from its `target` to its `eye`.
+/// The direction to the eye: the camera's `direction`, or the one from its `target` to its `eye`.
 fn direction_to_eye(
     source: &SourceFile,
     raw: &raw::Camera,

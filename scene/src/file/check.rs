@@ -38,7 +38,7 @@ pub(super) fn colour(
     }
 }
 
-/// A number that is finite and not absurdly large.
+/// A number that is finite and not larger than [`FARTHEST`].
 pub(super) fn number(
     source: &SourceFile,
     name: &str,
@@ -74,13 +74,14 @@ pub(super) fn direction(
 /// Scale factors; none may be 0.
 pub(super) fn scale(source: &SourceFile, given: &Spanned<Triple>) -> Result<DVec3, SceneError> {
     let factors = within(source, "scale", given.span(), given.get_ref().0)?;
-    match factors.iter().any(|f| f.abs() < 1.0 / FARTHEST) {
-        true => Err(source.error(
+    if factors.iter().any(|f| f.abs() < 1.0 / FARTHEST) {
+        Err(source.error(
             given.span(),
             "`scale` squashes the object flat",
             "scale factors are not 0",
-        )),
-        false => Ok(DVec3::from_array(factors)),
+        ))
+    } else {
+        Ok(DVec3::from_array(factors))
     }
 }
 
@@ -119,7 +120,7 @@ pub(super) fn integer(
     }
 }
 
-/// One of a few words, the first of which is the default.
+/// One of a few words; the first one is the default.
 pub(super) fn word<T: Copy>(
     source: &SourceFile,
     name: &str,
@@ -141,7 +142,7 @@ pub(super) fn word<T: Copy>(
     }
 }
 
-/// A kind of which only one can be made so far, though the format knows others.
+/// Checks a kind that the format could have several of, but of which only one exists so far.
 pub(super) fn only_kind(
     source: &SourceFile,
     given: Option<&Spanned<String>>,
@@ -151,9 +152,10 @@ pub(super) fn only_kind(
     match given {
         Some(kind) if kind.get_ref() != made => {
             let help = format!("`kind` is \"{made}\", or left out");
-            let problem = match planned.contains(&kind.get_ref().as_str()) {
-                true => format!("the kind \"{}\" is not made yet", kind.get_ref()),
-                false => format!("there is no kind \"{}\"", kind.get_ref()),
+            let problem = if planned.contains(&kind.get_ref().as_str()) {
+                format!("the kind \"{}\" is not made yet", kind.get_ref())
+            } else {
+                format!("there is no kind \"{}\"", kind.get_ref())
             };
             Err(source.error(kind.span(), problem, help))
         }

@@ -1,4 +1,4 @@
-//! The `[core]` table of a scene file, which says what hardware to build; what is in it is not
+//! The `[core]` table of a scene file, which says what hardware to build. Its contents are not
 //! looked at here.
 use std::ops::Range;
 
@@ -8,14 +8,14 @@ use serde::de::DeserializeOwned;
 use super::SourceFile;
 use crate::SceneError;
 
-/// A scene file's `[core]` table and where it stands.
+/// A scene file's `[core]` table and its place.
 #[derive(Clone, Debug)]
 pub struct CoreTable {
     source: SourceFile,
     span: Range<usize>,
 }
 
-/// A scene file of which only the core counts.
+/// A scene file, as far as the core is concerned.
 #[derive(Deserialize)]
 struct OnlyCore<T> {
     core: T,
@@ -33,8 +33,8 @@ impl CoreTable {
 
     /// Reads the table as a type.
     ///
-    /// `toml::Spanned` fields of the type have spans of the scene file's text, to be handed to
-    /// [`CoreTable::error`].
+    /// `toml::Spanned` fields of the type get ranges of the scene file's text, which
+    /// [`CoreTable::error`] takes.
     ///
     /// # Errors
     /// A [`SceneError`] that points at the wrong place in the scene file.

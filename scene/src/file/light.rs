@@ -8,7 +8,7 @@ use crate::SceneError;
 use crate::limits::LARGEST_SHININESS;
 use crate::picture::{Light, LightSource, LightSpace};
 
-/// The exponent of a spot that names none.
+/// The exponent of a spot whose table has none.
 const EXPONENT: u32 = 16;
 
 #[derive(Clone, Copy)]

@@ -5,6 +5,7 @@ mod core;
 mod light;
 mod object;
 mod raw;
+mod shown;
 mod source;
 mod span;
 mod values;
@@ -16,34 +17,28 @@ pub use self::core::CoreTable;
 pub use self::source::SourceFile;
 
 use crate::mesh::Warning;
+use crate::picture::Scene;
 use crate::picture::project::PictureError;
-use crate::picture::{Rows, Scene};
 use crate::{Frame, SceneError, Surface};
 
-/// Where a scene file's keys are said.
+use shown::Shown;
+
+/// A pointer to the documentation of the keys.
 const KEYS: &str = "docs/scene-format.md lists every key with its unit, range and default";
 
-/// What a scene shows.
-pub(crate) enum Shown {
-    /// Objects, seen by a camera.
-    Objects(Scene),
-    /// Spans as they are given.
-    Rows(Rows),
-}
-
-/// A scene file that was read: the scene, and its table for the core if it has one.
+/// A scene file that has been read: the scene, and its table for the core if it has one.
 pub(crate) struct SceneFile {
     shown: Shown,
     pub core: Option<CoreTable>,
-    /// What was passed over in the meshes.
+    /// What was skipped in the meshes.
     pub warnings: Vec<Warning>,
-    /// Where the camera is, if the file has one.
+    /// The place of the camera's table, if the file has one.
     camera: Option<(SourceFile, Range<usize>)>,
 }
 
 impl SceneFile {
-    /// Reads a scene from the text of a file; meshes are looked for beside `folder`'s files, or not
-    /// at all without one.
+    /// Reads a scene from the text of a file. Paths of meshes are relative to `folder`, or without
+    /// one to the current folder.
     ///
     /// # Errors
     /// A [`SceneError`] that points at the wrong place in the text.
@@ -53,22 +48,22 @@ impl SceneFile {
         let camera = raw.camera.as_ref().map(|camera| (source.clone(), camera.span()));
         let mut warnings = Vec::new();
         Ok(SceneFile {
-            shown: build::shown(raw, source, folder, &mut warnings)?,
+            shown: build::build(raw, source, folder, &mut warnings)?,
             core,
             warnings,
             camera,
         })
     }
 
-    /// A scene that no scene file was read for, with what was passed over in its mesh.
+    /// A scene that does not come from a scene file, with the warnings about its mesh.
     pub fn without_text(scene: Scene, warnings: Vec<Warning>) -> SceneFile {
         SceneFile { shown: Shown::Objects(scene), core: None, warnings, camera: None }
     }
 
-    /// Makes the picture, `size` pixels large if given; `name` is the scene's in errors.
+    /// Makes the frame, `size` pixels large if given; `name` is the scene's name in errors.
     ///
     /// # Errors
-    /// A [`SceneError`], which points at the camera where the fault is its.
+    /// A [`SceneError`], which points at the camera if that is at fault.
     pub fn frame(&mut self, name: &str, size: Option<(u32, u32)>) -> Result<Frame, SceneError> {
         let frame = match (&mut self.shown, size) {
             (Shown::Objects(scene), size) => {
@@ -88,8 +83,8 @@ impl SceneFile {
         })
     }
 
-    /// The surfaces that objects stand for, where known, one for each material; none of spans as
-    /// they are given.
+    /// The surfaces that objects represent, one for each material; `None` where the surface is
+    /// unknown, as for spans that the file gives directly.
     pub fn surfaces(&self) -> Vec<Option<Surface>> {
         match &self.shown {
             Shown::Objects(scene) => scene.surfaces(),

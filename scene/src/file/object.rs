@@ -9,7 +9,7 @@ use super::{SourceFile, check, raw};
 use crate::angle::cos_sin;
 use crate::limits::LARGEST_SHININESS;
 use crate::mesh::error::listed;
-use crate::mesh::{MOST_TRIANGLES, Mesh, Warning};
+use crate::mesh::{MAX_TRIANGLES, Mesh, Warning};
 use crate::picture::Object;
 use crate::primitive::{self, Primitive};
 use crate::{Material, SceneError, defaults};
@@ -17,8 +17,8 @@ use crate::{Material, SceneError, defaults};
 /// The largest component of a material's specular colour; Lyon's figure 9 uses 400/255.
 const BRIGHTEST_SPECULAR: f64 = 4.0;
 
-/// All objects; at least one, and together no more triangles than a single mesh may have. What was
-/// passed over in their meshes goes to `warnings`.
+/// All objects: at least one, and together no more triangles than a single mesh may have. Notes
+/// about skipped parts of their meshes are added to `warnings`.
 pub(super) fn objects(
     source: &SourceFile,
     given: &[Spanned<raw::Object>],
@@ -34,10 +34,10 @@ pub(super) fn objects(
     for raw in given {
         let object = object(source, raw, folder, warnings)?;
         triangles += object.mesh.triangles.len();
-        if triangles > MOST_TRIANGLES {
+        if triangles > MAX_TRIANGLES {
             let problem = format!("with this object the scene has {triangles} triangles");
             let help = format!(
-                "all objects together have at most {MOST_TRIANGLES}; use a lower `level` or simpler meshes"
+                "all objects together have at most {MAX_TRIANGLES}; use a lower `level` or simpler meshes"
             );
             return Err(source.error(raw.span(), problem, help));
         }
@@ -52,14 +52,14 @@ fn object(
     folder: Option<&Path>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Object, SceneError> {
-    // Cheap checks first, then what reads files.
+    // Cheap checks come before those that read files.
     let (place, material) =
         (place(source, raw.get_ref())?, material(source, &raw.get_ref().material)?);
     let (mesh, primitive) = shape(source, raw, folder, warnings)?;
     Ok(Object { mesh, primitive, place, material })
 }
 
-/// The object's mesh, and the primitive that it was made from if it was.
+/// The object's mesh, and the primitive that it was made from, if any.
 fn shape(
     source: &SourceFile,
     object: &Spanned<raw::Object>,
@@ -85,7 +85,7 @@ fn shape(
             let read = Mesh::read(&path);
             let (mesh, mut passed_over) =
                 read.map_err(|error| source.error(file.span(), error.to_string(), error.help()))?;
-            // A mesh that several objects show is warned of once.
+            // If several objects show a mesh, its warnings are given once.
             passed_over.retain(|warning| !warnings.contains(warning));
             warnings.append(&mut passed_over);
             Ok((mesh, None))
@@ -121,10 +121,10 @@ fn primitive(
         let problem = format!("there is no primitive `{}`", name.get_ref());
         source.error(name.span(), problem, format!("primitives are {}", listed(&primitive::NAMES)))
     };
-    let shape = Primitive::named(name.get_ref()).ok_or_else(unknown)?;
+    let shape = Primitive::by_name(name.get_ref()).ok_or_else(unknown)?;
     let shape = with_tube(source, shape, raw.tube.as_ref())?;
     let Some(level) = &raw.level else { return Ok(shape) };
-    // What is no u32 is out of every range.
+    // A number that is not a u32 is out of every range.
     shape.at_level(u32::try_from(level.get_ref().0).unwrap_or(u32::MAX)).map_err(|range| {
         let help =
             format!("`level` of a {} is {} to {}", name.get_ref(), range.start(), range.end());
@@ -154,7 +154,7 @@ fn with_tube(
     }
 }
 
-/// First scaled, then turned about x, y and z in that order, then moved.
+/// The transformation that scales, then rotates about x, y and z in that order, then moves.
 fn place(source: &SourceFile, raw: &raw::Object) -> Result<DAffine3, SceneError> {
     let scale = raw.scale.as_ref().map_or(Ok(DVec3::ONE), |s| check::scale(source, s))?;
     let degrees =
@@ -167,7 +167,7 @@ fn place(source: &SourceFile, raw: &raw::Object) -> Result<DAffine3, SceneError>
     Ok(DAffine3::from_mat3_translation(linear, translate))
 }
 
-/// Turns about the fixed axes x, then y, then z.
+/// The rotation about the fixed axes x, then y, then z.
 fn rotation(degrees: DVec3) -> DMat3 {
     let [(cx, sx), (cy, sy), (cz, sz)] = degrees.to_array().map(cos_sin);
     let about_x = DMat3::from_cols(DVec3::X, DVec3::new(0.0, cx, sx), DVec3::new(0.0, -sx, cx));
@@ -181,7 +181,7 @@ pub(super) fn material(source: &SourceFile, raw: &raw::Material) -> Result<Mater
     let diffuse =
         check::colour(source, "diffuse", raw.diffuse.as_ref(), 0.0..=1.0, default.diffuse)?;
     Ok(Material {
-        // A surface answers ambient light as it does the light of a lamp, unless it says otherwise.
+        // A surface reflects ambient light as it does a lamp's, unless the file says otherwise.
         ambient: check::colour(source, "ambient", raw.ambient.as_ref(), 0.0..=1.0, diffuse)?,
         diffuse,
         specular: check::colour(

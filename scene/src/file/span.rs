@@ -5,7 +5,7 @@ use toml::Spanned;
 use super::values::Vector;
 use super::{SourceFile, check, object, raw};
 use crate::limits::LONGEST_SPAN;
-use crate::picture::{Row, limits};
+use crate::picture::{SpanRow, limits};
 use crate::{Facet, SceneError, Span, Triangle, VertexCone};
 
 /// How far from 1 the weights of a span's end may add up.
@@ -17,8 +17,8 @@ const LENGTH_SLACK: f64 = 1e-9;
 pub(super) fn spans(
     source: &SourceFile,
     given: &[Spanned<raw::Span>],
-) -> Result<Vec<Row>, SceneError> {
-    let rows: Vec<Row> = given
+) -> Result<Vec<SpanRow>, SceneError> {
+    let rows: Vec<SpanRow> = given
         .iter()
         .enumerate()
         .map(|(number, given)| span(source, number, given))
@@ -39,7 +39,11 @@ pub(super) fn spans(
     }
 }
 
-fn span(source: &SourceFile, number: usize, given: &Spanned<raw::Span>) -> Result<Row, SceneError> {
+fn span(
+    source: &SourceFile,
+    number: usize,
+    given: &Spanned<raw::Span>,
+) -> Result<SpanRow, SceneError> {
     let raw = given.get_ref();
     let normals = normals(source, &raw.normals)?;
     let cosines =
@@ -52,7 +56,7 @@ fn span(source: &SourceFile, number: usize, given: &Spanned<raw::Span>) -> Resul
         Some(given) => Facet { normal: face(source, given)?, ..of_vertices },
         None => of_vertices,
     };
-    Ok(Row {
+    Ok(SpanRow {
         triangle: Triangle {
             normals,
             facet,

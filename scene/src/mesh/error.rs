@@ -1,22 +1,22 @@
-//! What can be wrong with a mesh.
+//! Errors in meshes.
 use std::path::Path;
 
 use thiserror::Error;
 
-/// File name extensions of meshes that can be read.
-pub const EXTENSIONS: [&str; 4] = ["obj", "ply", "stl", "glb"];
+use super::limits::{self, EXTENSIONS, FARTHEST, LONGEST_FILE, MAX_TRIANGLES};
+use super::triangulate::MAX_CROSSINGS;
 
 /// What is wrong with a mesh, without saying where.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MeshProblem {
-    /// The file cannot be opened or read; holds the system's reason.
+    /// The file cannot be opened or read; contains the system's reason.
     #[error("it cannot be read: {0}")]
     Unreadable(String),
     /// The path names a folder, pipe or device.
     #[error("it is not a regular file")]
     NotAFile,
-    /// The file is longer than is read; holds its length in bytes.
-    #[error("it is {0} bytes long; files up to {limit} bytes are read", limit = super::LONGEST_FILE)]
+    /// The file is too long; contains its length in bytes.
+    #[error("it is {0} bytes long; files up to {limit} bytes are read", limit = LONGEST_FILE)]
     TooLong(u64),
     /// The file's extension is not that of a mesh.
     #[error("its extension is not that of a mesh")]
@@ -27,10 +27,10 @@ pub enum MeshProblem {
     /// The file ends early.
     #[error("it ends early: {0}")]
     Truncated(String),
-    /// A part of the format that is not read.
+    /// The file uses a part of the format that is not supported.
     #[error("it uses {0}, which is not read")]
     Unsupported(String),
-    /// A number that is not finite, or beyond [`super::FARTHEST`].
+    /// A number is not finite, or beyond [`FARTHEST`].
     #[error("{what} {index} (counted from 0) has the coordinate {value:?}")]
     Coordinate {
         /// `vertex` or `normal`.
@@ -40,23 +40,23 @@ pub enum MeshProblem {
         /// The offending number.
         value: f64,
     },
-    /// A face names a vertex or normal that is not there.
+    /// A face names a vertex or normal that does not exist.
     #[error("face {face} names {what} {}, but there are only {count} (all counted from 0)", shown(*index))]
     Index {
         /// The face, counted from 0.
         face: usize,
         /// `vertex` or `normal`.
         what: &'static str,
-        /// What it names, counted from 0; `u32::MAX` for an index below 0.
+        /// The index that it names, counted from 0; `u32::MAX` for an index below 0.
         index: u32,
-        /// How many there are.
+        /// How many exist.
         count: usize,
     },
-    /// A polygon with too many crossings to be split into triangles.
+    /// A polygon has too many crossings to be split into triangles.
     #[error(
         "face {face} (counted from 0), a polygon of {corners} corners, crosses or covers itself too often; \
          all faces of a file together may do so {limit} times",
-        limit = super::triangulate::MOST_CROSSINGS
+        limit = MAX_CROSSINGS
     )]
     Tangled {
         /// The face, counted from 0.
@@ -64,11 +64,11 @@ pub enum MeshProblem {
         /// Its number of corners.
         corners: usize,
     },
-    /// Nothing with an area is in the file.
+    /// The file contains nothing with an area.
     #[error("it has no triangles with an area")]
     Empty,
-    /// More triangles than are taken; holds the number.
-    #[error("it has {0} triangles; at most {limit} are taken", limit = super::MOST_TRIANGLES)]
+    /// The mesh has too many triangles; contains the number.
+    #[error("it has {0} triangles; at most {limit} are taken", limit = MAX_TRIANGLES)]
     TooManyTriangles(usize),
 }
 
@@ -84,7 +84,7 @@ impl MeshProblem {
             MeshProblem::Truncated(_) => "the file was cut off, or its header is damaged; fetch or export it again".into(),
             MeshProblem::Unsupported(_) => "export the mesh as plain triangles, uncompressed, in one file".into(),
             MeshProblem::Coordinate { .. } => {
-                format!("coordinates are finite numbers from -{0:e} to {0:e}", super::FARTHEST)
+                format!("coordinates are finite numbers from -{0:e} to {0:e}", FARTHEST)
             }
             MeshProblem::Index { .. } => "every face may name only what the file defines; export the mesh again".into(),
             MeshProblem::Tangled { .. } => "faces go around their outline once; export the mesh again, as triangles".into(),
@@ -95,12 +95,12 @@ impl MeshProblem {
     }
 }
 
-/// An index as it is said in an error.
+/// An index as text for an error.
 fn shown(index: u32) -> String {
     if index == u32::MAX { "below 0".to_owned() } else { index.to_string() }
 }
 
-/// Names in backquotes with commas between them.
+/// Names in backquotes, separated by commas.
 pub(crate) fn listed(names: &[&str]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     quoted.join(", ")
@@ -124,7 +124,7 @@ impl MeshError {
             Some(line) => format!("mesh `{}`, line {line}", path.display()),
             None => format!("mesh `{}`", path.display()),
         };
-        MeshError { place, extension: super::extension(path), problem }
+        MeshError { place, extension: limits::extension(path), problem }
     }
 
     /// What would be right.
@@ -136,7 +136,7 @@ impl MeshError {
     }
 }
 
-/// What a file with `extension` looks like.
+/// A description of a file with `extension`.
 fn shape(extension: &str) -> Option<&'static str> {
     match extension {
         "obj" => Some(
@@ -159,8 +159,8 @@ fn shape(extension: &str) -> Option<&'static str> {
     }
 }
 
-/// A problem and the line it is on, where one is known: what readers give back, who do not know the
-/// file's name.
+/// A problem and its line, if it is known. Readers return it, since they do not know the file's
+/// name.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Located {
     pub line: Option<usize>,
@@ -173,19 +173,19 @@ impl From<MeshProblem> for Located {
     }
 }
 
-/// Something of a file that stands on a line of its own where the file is text; counted from 0.
+/// An item of a file, which stands on a line of its own if the file is text; counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Item {
     /// A vertex.
     Vertex(usize),
     /// A normal.
     Normal(usize),
-    /// A face, of those with three corners or more.
+    /// A face; only faces with three corners or more are counted.
     Face(usize),
 }
 
 impl MeshProblem {
-    /// What it is that is wrong.
+    /// The item that is wrong.
     pub(crate) fn item(&self) -> Option<Item> {
         match self {
             MeshProblem::Coordinate { what: "vertex", index, .. } => Some(Item::Vertex(*index)),
@@ -197,7 +197,7 @@ impl MeshProblem {
         }
     }
 
-    /// Says the line, counted from 1.
+    /// Adds the line, counted from 1.
     pub(crate) fn at_line(self, line: usize) -> Located {
         Located { line: Some(line), problem: self }
     }

@@ -4,15 +4,15 @@
 #[derive(Clone, Debug)]
 pub struct Lines<'a> {
     bytes: &'a [u8],
-    /// Where the next line starts.
+    /// Offset of the next line.
     at: usize,
-    /// The line handed out last, counted from 1.
+    /// Number of the last line returned, counted from 1.
     number: usize,
-    /// How it ended.
+    /// The end of that line.
     end: LineEnd,
 }
 
-/// How a line ends.
+/// The end of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineEnd {
     /// A line feed.
@@ -31,18 +31,17 @@ impl<'a> Lines<'a> {
         Lines { bytes, at: 0, number: 0, end: LineEnd::Nothing }
     }
 
-    /// The line handed out last, counted from 1.
+    /// Number of the last line returned, counted from 1.
     pub fn number(&self) -> usize {
         self.number
     }
 
-    /// How the line handed out last ended.
+    /// The end of the last line returned.
     pub fn end(&self) -> LineEnd {
         self.end
     }
 
-    /// What follows the line handed out last, if that line ended in `end`, or in what stands at its
-    /// place if it did not.
+    /// The bytes after the last line returned, as if that line had ended in `end`.
     ///
     /// Where data follow lines that end in CR, a first byte that is an LF belongs to the data.
     pub fn rest_after(&self, end: LineEnd) -> &'a [u8] {
@@ -77,7 +76,7 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// The words of a line: what stands between blanks.
+/// The words of a line, which are separated by blanks.
 #[derive(Clone, Debug, Default)]
 pub struct Words<'a> {
     rest: &'a [u8],
@@ -88,8 +87,8 @@ pub fn words(line: &[u8]) -> Words<'_> {
     Words { rest: line }
 }
 
-/// Whether a byte stands between words: a blank, or a control character such as the one that ends
-/// texts of DOS.
+/// Whether a byte separates words: a blank, or a control character such as the one that ends DOS
+/// texts.
 pub fn is_blank(byte: &u8) -> bool {
     *byte <= b' '
 }

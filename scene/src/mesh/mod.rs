@@ -1,6 +1,8 @@
 //! Triangle meshes and the files they come from.
 pub mod error;
 mod glb;
+mod indexed;
+mod limits;
 mod lines;
 pub mod normals;
 mod number;
@@ -15,49 +17,23 @@ mod weld;
 
 use std::path::Path;
 
-use glam::DVec3;
-
-use error::{EXTENSIONS, Located};
+use error::Located;
 pub use error::{MeshError, MeshProblem};
+pub use indexed::Mesh;
+pub use limits::{EXTENSIONS, FARTHEST, LONGEST_FILE, MAX_TRIANGLES, extension};
 use warning::Notices;
 pub use warning::Warning;
 
-use crate::Facet;
-
 use crate::regular::{NotRead, read_regular};
-
-/// The longest file that is read, in bytes.
-pub const LONGEST_FILE: u64 = 1 << 30;
-
-/// The most triangles a mesh may have.
-pub const MOST_TRIANGLES: usize = 10_000_000;
-
-/// Coordinates farther from 0 than this are refused, so that products of them stay finite.
-pub const FARTHEST: f64 = 1e30;
-
-/// A triangle mesh with unit normals at the corners of its triangles.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Mesh {
-    /// Places of vertices.
-    pub positions: Vec<DVec3>,
-    /// Triangles as indices of `positions`, counter-clockwise seen from outside where the file
-    /// keeps to that; at least one.
-    pub triangles: Vec<[u32; 3]>,
-    /// Unit normals at each triangle's corners.
-    pub normals: Vec<[DVec3; 3]>,
-    /// The polygon that each triangle is part of, its normal on the side from which the triangle's
-    /// corners go counter-clockwise; triangles of one polygon have the same.
-    pub facets: Vec<Facet>,
-}
 
 impl Mesh {
     /// Reads a mesh by its file name extension: `.obj`, `.ply`, `.stl` or `.glb`.
     ///
-    /// Where the file has no normals, they are made from the faces (methods A1, A2). What stands
-    /// in the file beside what is needed is passed over with a warning for each kind.
+    /// If the file has no normals, they are computed from the faces (methods A1, A2). Parts of the
+    /// file that are not needed are skipped, with a warning for each kind.
     ///
     /// # Errors
-    /// A [`MeshError`] for a file that cannot be read, is damaged, or holds no triangle with an
+    /// A [`MeshError`] for a file that cannot be read, is damaged, or contains no triangle with an
     /// area.
     pub fn read(path: &Path) -> Result<(Mesh, Vec<Warning>), MeshError> {
         let extension =
@@ -66,10 +42,11 @@ impl Mesh {
         warned(path, extension, &bytes)
     }
 
-    /// Reads a mesh from bytes, as if they were those of the file `path`, which is not opened.
+    /// Reads a mesh from bytes as if they were the contents of the file `path`, which is not
+    /// opened.
     ///
     /// # Errors
-    /// As [`Mesh::read`].
+    /// The errors of [`Mesh::read`].
     pub fn from_bytes(path: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<Warning>), MeshError> {
         let extension =
             extension(path).ok_or_else(|| MeshError::new(path, None, MeshProblem::Extension))?;
@@ -77,13 +54,7 @@ impl Mesh {
     }
 }
 
-/// The mesh extension of a path, in lower case, if it has one that can be read.
-pub fn extension(path: &Path) -> Option<&'static str> {
-    let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-    EXTENSIONS.into_iter().find(|known| *known == extension)
-}
-
-/// Reads a mesh from the bytes of the file `path`, with what was passed over.
+/// Reads a mesh from the bytes of the file `path`, with warnings about what was skipped.
 fn warned(path: &Path, extension: &str, bytes: &[u8]) -> Result<(Mesh, Vec<Warning>), MeshError> {
     let mut notices = Notices::default();
     let mesh = parse(extension, bytes, &mut notices)
@@ -105,7 +76,7 @@ fn parse(extension: &str, bytes: &[u8], notices: &mut Notices) -> Result<Mesh, L
 /// Reads a whole regular file, up to [`LONGEST_FILE`] bytes.
 ///
 /// # Errors
-/// A path that is no regular file, a file that is too long or that the system does not give.
+/// A path that is not a regular file, or a file that is too long or cannot be read.
 pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, MeshProblem> {
     read_regular(path, LONGEST_FILE).map_err(|problem| match problem {
         NotRead::NotRegular => MeshProblem::NotAFile,
@@ -114,7 +85,7 @@ pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, MeshProblem> {
     })
 }
 
-/// The reason without the system's error number, which differs between systems.
+/// The system's reason without its error number, which differs between systems.
 fn reason(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::NotFound => "there is no such file".into(),

@@ -1,22 +1,22 @@
 //! Face and vertex normals (Lecture 21: methods A1, A2).
 use glam::{DMat3, DVec3};
 
-/// A face counts as degenerate when its area is below this share of its extent squared: what is
-/// left then is rounding.
+/// A face counts as degenerate if its area is below this share of its extent squared, where it may
+/// be rounding error alone.
 const THINNEST: f64 = 1e-13;
 
-/// A sum of unit normals shorter than this has no direction worth keeping.
+/// The direction of a sum of unit normals shorter than this is not used.
 const SHORTEST_SUM: f64 = 1e-9;
 
 /// The unit normal of a polygon by Newell's method, or `None` for a polygon without area.
 ///
-/// N = Σ Pₖ × Pₖ₊₁ [Lecture 21, (1.1)], taken relative to P₀ so that a polygon far from the origin
-/// does not cancel itself away, and scaled by the polygon's extent so that its size does not
+/// N = Σ Pₖ × Pₖ₊₁ [Lecture 21, (1.1)], computed relative to P₀, so that a polygon far from the
+/// origin does not lose digits, and divided by the polygon's extent, so that its size does not
 /// matter.
 pub fn newell(polygon: &[DVec3]) -> Option<DVec3> {
     let origin = *polygon.first()?;
     let extent = polygon.iter().fold(0.0_f64, |e, &p| e.max((p - origin).abs().max_element()));
-    // Also false for NaN.
+    // The condition is also false for NaN.
     if !(extent > 0.0 && extent.is_finite()) {
         return None;
     }
@@ -31,8 +31,8 @@ pub fn newell(polygon: &[DVec3]) -> Option<DVec3> {
 /// [Lecture 21, (3.1)].
 ///
 /// `faces` gives each face's corners and its unit normal; faces without a normal are skipped. A
-/// vertex where the normals cancel, or without faces, has none: there the caller uses the face's
-/// own normal.
+/// vertex where the normals cancel, or without faces, has no normal: there the caller uses the
+/// face's own.
 pub fn vertex_normals<'a>(
     vertices: usize,
     faces: impl Iterator<Item = (&'a [u32], Option<DVec3>)>,
@@ -53,11 +53,11 @@ pub fn direction(sum: DVec3) -> Option<DVec3> {
     (length > SHORTEST_SUM).then(|| sum / length)
 }
 
-/// The matrix that takes normals where `linear` takes the surface: its inverse transposed, up to a
-/// positive factor.
+/// The matrix that transforms normals where `linear` transforms the surface: its inverse
+/// transposed, up to a positive factor.
 ///
-/// Built from cofactors, so that a matrix without inverse (something squashed flat) still gives the
-/// normals it can.
+/// It is built from cofactors, so that a matrix without inverse (a projection to a plane) still
+/// gives normals where they exist.
 pub fn normal_matrix(linear: DMat3) -> DMat3 {
     let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis];
     let side = if linear.determinant() < 0.0 { -1.0 } else { 1.0 };

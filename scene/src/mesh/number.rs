@@ -1,20 +1,20 @@
-//! Numbers as C, C++ and numpy print them in text.
+//! Numbers in text, as C, C++ and numpy print them.
 
-/// The value of a word, or `None` if it is no number: anything that `printf` writes for a double,
-/// in any C library and locale.
+/// The value of a word, or `None` if it is not a number: the function accepts anything that
+/// `printf` writes for a double, in any C library and locale.
 pub fn number(word: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(word).ok()?;
     text.parse().ok().or_else(|| unusual(text))
 }
 
-/// As [`number`], rounded once to single precision, as binary files have it.
+/// The value as [`number`] gives it, rounded once to single precision, as binary files have it.
 pub fn single(word: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(word).ok()?;
     let usual = text.parse::<f32>().ok().map(f64::from);
     usual.or_else(|| unusual(text).map(|value| f64::from(value as f32)))
 }
 
-/// The value of a word that stands for a whole number, perhaps written as a fraction (`3.0`).
+/// The value of a word that is an integer, possibly written as a fraction (`3.0`).
 pub fn whole(word: &[u8]) -> Option<i64> {
     let text = std::str::from_utf8(word).ok()?;
     let from_fraction = || {
@@ -25,8 +25,8 @@ pub fn whole(word: &[u8]) -> Option<i64> {
     text.parse().ok().or_else(from_fraction)
 }
 
-/// Forms that Rust does not read itself: `0x1.8p+1`, `nan(ind)` and `NaNQ`, `1.#QNAN` of
-/// Microsoft's older library, the decimal comma of many locales, and Fortran's `1.5D+00`.
+/// Forms that Rust does not parse: `0x1.8p+1`, `nan(ind)` and `NaNQ`, `1.#QNAN` of Microsoft's
+/// older library, the decimal comma of many locales, and Fortran's `1.5D+00`.
 fn unusual(text: &str) -> Option<f64> {
     let lower = text.to_ascii_lowercase();
     let (sign, size) = match lower.strip_prefix(['+', '-']) {
@@ -46,8 +46,8 @@ fn unusual(text: &str) -> Option<f64> {
     Some(sign * value)
 }
 
-/// What Microsoft's library wrote after `1.#`, perhaps cut off and rounded to the digits asked for
-/// (`1.#J`, `1.#R`), or filled up with zeros, and with an exponent (`1.#INF00e+000`).
+/// What Microsoft's library wrote after `1.#`: possibly cut off and rounded to the requested digits
+/// (`1.#J`, `1.#R`), or padded with zeros, and with an exponent (`1.#INF00e+000`).
 fn microsoft(word: &str) -> Option<f64> {
     let digits = word.split(['e', 'p']).next()?;
     match digits.trim_end_matches('0') {

@@ -1,26 +1,26 @@
-//! Wavefront `.obj`: the lines `v`, `vn` and `f`; what else says how faces look or belong together
-//! (texture, groups, materials) is skipped, and geometry that is no face (lines, points, curves) is
-//! passed over with a warning.
+//! Wavefront `.obj`: the lines `v`, `vn` and `f`. Other lines about the appearance or grouping of
+//! faces (texture, groups, materials) are ignored; geometry other than faces (lines, points,
+//! curves) is skipped with a warning.
 //!
-//! Read here and not by the `tobj` crate, whose errors do not know their line, which takes
-//! polylines (`l`) for faces, gives a corner without normal its neighbour's, and overflows on
-//! texture indices far below zero.
+//! The `tobj` crate is not used: its errors do not state the line, it reads polylines (`l`) as
+//! faces, gives a corner without normal its neighbour's, and overflows on texture indices far below
+//! zero.
 use std::borrow::Cow;
 
 use glam::DVec3;
 
-use super::Mesh;
 use super::error::{Item, Located, MeshProblem};
+use super::indexed::Mesh;
 use super::lines::{Lines, is_blank, words};
 use super::number::number;
 use super::polygons::{Corner, Polygons};
 use super::text::unmarked;
 use super::warning::{Notices, quoted};
 
-/// Keywords of what is drawn; `fo` is what faces were called before version 3.
+/// Keywords of what is drawn; before version 3, faces were called `fo`.
 const DRAWN: [&[u8]; 4] = [b"v", b"vn", b"f", b"fo"];
 
-/// Keywords of what is skipped without a word.
+/// Keywords of lines that are ignored without a warning.
 const SKIPPED: [&[u8]; 19] = [
     b"vt",
     b"g",
@@ -46,20 +46,21 @@ const SKIPPED: [&[u8]; 19] = [
 /// Reads an `.obj` file.
 ///
 /// # Errors
-/// Lines that are not as the format has them, and all that [`Polygons::into_mesh`] finds.
+/// Malformed lines, and all errors of [`Polygons::into_mesh`].
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let text = unmarked(bytes);
-    let mut reader = Reader { notices, polygons: Polygons::default(), places: Places::default() };
+    let mut reader =
+        Reader { notices, polygons: Polygons::default(), line_numbers: LineNumbers::default() };
     for (number, line) in joined_lines(&text) {
         reader.line(number, &line).map_err(|problem| problem.at_line(number))?;
     }
-    let Reader { polygons, places, notices } = reader;
-    let mesh = polygons.into_mesh(notices, &|item| places.of(item));
+    let Reader { polygons, line_numbers, notices } = reader;
+    let mesh = polygons.into_mesh(notices, &|item| line_numbers.of(item));
     mesh.map_err(|at| Located { problem: as_counted_here(at.problem), ..at })
 }
 
-/// Lines without their comments, each with its number from 1; a line that ends in a backslash goes
-/// on in the next.
+/// Lines without their comments, each with its number, counted from 1; a line that ends in a
+/// backslash continues in the next.
 fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
     let plain = |line| without_comment(without_mark(line));
     let mut numbered = Lines::new(text).map(plain).enumerate().peekable();
@@ -67,7 +68,7 @@ fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
         let (index, line) = numbered.next()?;
         let Some(first) = continued(line) else { return Some((index + 1, Cow::Borrowed(line))) };
         let mut joined = first.to_vec();
-        // A name may end in a backslash of its own, and then a line of its own follows.
+        // A name may itself end in a backslash; then the next line is separate.
         while let Some((_, next)) = numbered.next_if(|(_, next)| !has_keyword(next)) {
             joined.push(b' ');
             let goes_on = continued(next);
@@ -80,12 +81,12 @@ fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
     })
 }
 
-/// A line without the byte order mark that it starts with where files were put together.
+/// A line without a byte order mark at its start, which remains where files were concatenated.
 fn without_mark(line: &[u8]) -> &[u8] {
     line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line)
 }
 
-/// A `#` starts a comment anywhere.
+/// A line without its comment, which a `#` starts anywhere.
 fn without_comment(line: &[u8]) -> &[u8] {
     line.split(|&b| b == b'#').next().unwrap_or_default()
 }
@@ -96,22 +97,22 @@ fn continued(line: &[u8]) -> Option<&[u8]> {
     (line[end] == b'\\').then_some(&line[..end])
 }
 
-/// Whether a line starts with a word that says what it is.
+/// Whether a line starts with a keyword.
 fn has_keyword(line: &[u8]) -> bool {
     words(line)
         .next()
         .is_none_or(|word| DRAWN.contains(&word) || word == b"l" || SKIPPED.contains(&word))
 }
 
-/// The lines that vertices, normals and faces stand on.
+/// The line numbers of vertices, normals and faces.
 #[derive(Default)]
-struct Places {
+struct LineNumbers {
     vertices: Vec<usize>,
     normals: Vec<usize>,
     faces: Vec<usize>,
 }
 
-impl Places {
+impl LineNumbers {
     fn of(&self, item: Item) -> Option<usize> {
         let line = match item {
             Item::Vertex(index) => self.vertices.get(index),
@@ -122,7 +123,7 @@ impl Places {
     }
 }
 
-/// The same problem with indices from 1, as the file has them.
+/// The problem with indices counted from 1, as in the file.
 fn as_counted_here(problem: MeshProblem) -> MeshProblem {
     match problem {
         MeshProblem::Index { what, index, count, .. } => syntax(format!(
@@ -136,7 +137,7 @@ fn as_counted_here(problem: MeshProblem) -> MeshProblem {
 struct Reader<'n> {
     notices: &'n mut Notices,
     polygons: Polygons,
-    places: Places,
+    line_numbers: LineNumbers,
 }
 
 impl Reader<'_> {
@@ -145,11 +146,11 @@ impl Reader<'_> {
         match words.next() {
             Some(b"v") => {
                 self.polygons.positions.push(position(words)?);
-                self.places.vertices.push(number);
+                self.line_numbers.vertices.push(number);
             }
             Some(b"vn") => {
                 self.polygons.normals.push(normal(words));
-                self.places.normals.push(number);
+                self.line_numbers.normals.push(number);
             }
             Some(b"f" | b"fo") => self.face(number, words)?,
             Some(keyword) if !SKIPPED.contains(&keyword) => self.pass_over(number, keyword),
@@ -173,7 +174,7 @@ impl Reader<'_> {
             return Ok(());
         }
         self.polygons.push(corners);
-        self.places.faces.push(number);
+        self.line_numbers.faces.push(number);
         Ok(())
     }
 
@@ -200,15 +201,15 @@ fn position<'w>(mut words: impl Iterator<Item = &'w [u8]>) -> Result<DVec3, Mesh
     Ok(DVec3::new(component()?, component()?, component()?))
 }
 
-/// A normal; what is no number makes one that has no direction, which does no harm where no corner
-/// names it.
+/// A normal. A word that is not a number makes a normal without direction, which does no harm if no
+/// corner names it.
 fn normal<'w>(mut words: impl Iterator<Item = &'w [u8]>) -> DVec3 {
     let mut component = || words.next().and_then(number).unwrap_or(f64::NAN);
     DVec3::new(component(), component(), component())
 }
 
 /// A corner, `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`; texture
-/// indices are not looked at.
+/// indices are ignored.
 fn corner(word: &[u8], (vertices, normals): (usize, usize)) -> Result<Corner, MeshProblem> {
     let mut parts = word.split(|&b| b == b'/');
     let (vertex, _texture, normal) = (parts.next().unwrap_or_default(), parts.next(), parts.next());
@@ -225,8 +226,8 @@ fn corner(word: &[u8], (vertices, normals): (usize, usize)) -> Result<Corner, Me
     Ok(Corner { vertex: vertex_index(vertex, vertices)?, normal })
 }
 
-/// An index counted from 0, from one counted from 1, or counted back from the last with a minus
-/// sign.
+/// An index counted from 0, made from one counted from 1 or, if negative, counted back from the
+/// last.
 fn vertex_index(text: &[u8], count: usize) -> Result<u32, MeshProblem> {
     let wrong = |why: &str| syntax(format!("{} is not an index: {why}", quoted(text)));
     let index = index(text).ok_or_else(|| wrong("it is not a whole number"))?;
@@ -236,7 +237,8 @@ fn vertex_index(text: &[u8], count: usize) -> Result<u32, MeshProblem> {
     from_zero(index, count).ok_or_else(|| wrong("nothing is there"))
 }
 
-/// As [`vertex_index`], but for one that leads nowhere there is an index that no normal has.
+/// An index of a normal, converted as by [`vertex_index`]; one that leads nowhere becomes an index
+/// that no normal has.
 fn normal_index(text: &[u8], count: usize) -> Result<u32, MeshProblem> {
     let index = index(text)
         .ok_or_else(|| syntax(format!("{} is not an index of a normal", quoted(text))))?;
@@ -248,7 +250,7 @@ fn index(text: &[u8]) -> Option<i64> {
 }
 
 fn from_zero(index: i64, count: usize) -> Option<u32> {
-    // Counts are lengths of vectors, far below i64's end.
+    // Counts are lengths of vectors, far below the largest i64.
     let from_zero = if index > 0 { index - 1 } else { (count as i64).saturating_add(index) };
     u32::try_from(from_zero).ok().filter(|_| index != 0)
 }

@@ -2,14 +2,15 @@
 use glam::DVec3;
 
 use super::error::{Item, Located, MeshProblem};
+use super::indexed::Mesh;
+use super::limits::{FARTHEST, MAX_TRIANGLES};
 use super::normals::{direction, newell, vertex_normals};
-use super::triangulate::{MOST_CROSSINGS, Triangulation, triangulate};
+use super::triangulate::{MAX_CROSSINGS, Triangulation, triangulate};
 use super::warning::Notices;
 use super::weld::weld;
-use super::{FARTHEST, MOST_TRIANGLES, Mesh};
 use crate::Facet;
 
-/// What becomes of a corner without a normal that can be used.
+/// What happens to a corner without a usable normal.
 const INSTEAD: &str = "corners that name it get the normal that the faces around their vertex make";
 
 /// A corner of a face.
@@ -24,13 +25,13 @@ pub struct Corner {
 /// Positions, normals and faces with any number of corners.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Polygons {
-    /// Places of vertices.
+    /// Positions of vertices.
     pub positions: Vec<DVec3>,
     /// Normals of any length.
     pub normals: Vec<DVec3>,
     /// The corners of all faces, one face after the other.
     corners: Vec<Corner>,
-    /// Where each face ends in `corners`.
+    /// For each face its end in `corners`.
     ends: Vec<usize>,
 }
 
@@ -71,11 +72,11 @@ impl Polygons {
     /// Checks everything, splits faces into triangles and fills in missing normals (methods A1,
     /// A2).
     ///
-    /// `line` tells the line of something in the file, counted from 1, where it has one.
+    /// `line` gives the line of an item in the file, counted from 1, if it has one.
     ///
     /// # Errors
-    /// Numbers that are not finite or absurdly large, indices out of range, too many triangles, or
-    /// none with an area.
+    /// Numbers that are not finite or too large, indices out of range, too many triangles, or none
+    /// with an area.
     pub(super) fn into_mesh(
         self,
         notices: &mut Notices,
@@ -99,8 +100,8 @@ impl Polygons {
         Ok(self.with_normals(split))
     }
 
-    /// Leaves out the normals that corners name and that are not there or have no direction, so
-    /// that those corners get the normal that the faces around their vertex make.
+    /// Removes references to normals that do not exist or have no direction, so that those corners
+    /// get the normal computed from the faces around their vertex.
     pub(super) fn drop_missing_normals(
         &mut self,
         notices: &mut Notices,
@@ -125,7 +126,7 @@ impl Polygons {
         }
     }
 
-    /// Checks what faces name; vertices that none names may be anything.
+    /// Checks the items that faces name; vertices that no face names may be anything.
     fn check(&self) -> Result<(), MeshProblem> {
         for (face, corners) in self.faces().enumerate() {
             for corner in corners {
@@ -135,7 +136,7 @@ impl Polygons {
         Ok(())
     }
 
-    /// All faces split into triangles.
+    /// Splits all faces into triangles.
     fn split(
         &self,
         notices: &mut Notices,
@@ -149,7 +150,7 @@ impl Polygons {
                 continue;
             };
             let tangled = MeshProblem::Tangled { face, corners: corners.len() };
-            let crossings_left = MOST_CROSSINGS.saturating_sub(split.crossings.len());
+            let crossings_left = MAX_CROSSINGS.saturating_sub(split.crossings.len());
             let triangulation = triangulate(&places, normal, crossings_left).ok_or(tangled)?;
             if triangulation.overlaps {
                 notices.add("polygon that covers itself", line(Item::Face(face)), || {
@@ -160,7 +161,7 @@ impl Polygons {
                 });
             }
             split.push(corners, normal, triangulation, self.positions.len());
-            if split.pieces.len() > MOST_TRIANGLES {
+            if split.pieces.len() > MAX_TRIANGLES {
                 let corners_left = self.corners.len() - self.ends[face];
                 let faces_left = self.ends.len() - face - 1;
                 let all = split.pieces.len() + corners_left - 2 * faces_left;
@@ -195,15 +196,15 @@ impl Polygons {
     }
 }
 
-/// All faces in triangles.
+/// All faces as triangles.
 struct Split {
     pieces: Vec<Piece>,
     flats: Vec<Flat>,
-    /// Vertices where a face crosses itself, which come after those of the file.
+    /// Vertices where a face crosses itself; they are numbered after those of the file.
     crossings: Vec<DVec3>,
 }
 
-/// A face, as it counts for the normals of its vertices.
+/// A face with its plane, as it contributes to the normals of its vertices.
 struct Flat {
     /// Its vertices, each once.
     vertices: Vec<u32>,
@@ -232,7 +233,7 @@ impl Split {
         }
     }
 
-    /// Adds a face; `vertices` is how many the file has.
+    /// Adds a face; `vertices` is the number of vertices in the file.
     fn push(
         &mut self,
         corners: &[Corner],
@@ -244,8 +245,8 @@ impl Split {
         self.crossings.extend(triangulation.crossings);
         let corner = |k: usize| match corners.get(k) {
             Some(&corner) => corner,
-            // Far fewer than 2^32: a file of 2^30 bytes has at most 2^29 corners, and 10^6
-            // crossings a face.
+            // Indices are far below 2^32: a file of 2^30 bytes has at most 2^29 corners, and a face
+            // at most 10^6 crossings.
             None => Corner { vertex: (first_crossing + k - corners.len()) as u32, normal: None },
         };
         self.pieces
@@ -267,7 +268,7 @@ fn normal_of_a_part(places: &[DVec3]) -> Option<DVec3> {
     newell(&[places[0], largest[0], largest[1]])
 }
 
-/// A unit vector along a file's normal, which may have any length but 0.
+/// A unit vector along a file's normal, which may have any length except 0.
 fn direction_of_any_length(normal: DVec3) -> Option<DVec3> {
     let largest = normal.abs().max_element();
     if largest > 0.0 { direction(normal / largest) } else { None }

@@ -1,28 +1,29 @@
 //! `.stl`, binary and text.
 //!
-//! Its triangles share no vertices, so those at the same place are joined. The normals it states
-//! are left aside: they are those of the faces, and many programs write zeros. Read here and not by
-//! the `stl_io` crate, which reads one `solid` of a text, written in small letters
+//! The triangles share no vertices, so vertices at the same place are joined. The stated normals
+//! are ignored: they are those of the faces, and many programs write zeros. The `stl_io` crate is
+//! not used: it reads only one `solid` of a text, in lower case
 //! (docs/decisions/0015-stl-files-are-read-by-our-own-code.md).
 use glam::DVec3;
 
 use super::error::{Located, MeshProblem};
+use super::indexed::Mesh;
+use super::limits::FARTHEST;
 use super::lines::{Lines, is_blank, words};
 use super::number::number;
 use super::polygons::{Corner, Polygons};
 use super::text::unmarked;
 use super::warning::{Notices, quoted};
-use super::{FARTHEST, Mesh};
 
 /// Bytes before the first triangle of a binary file: a comment of 80 bytes and the number of
 /// triangles.
 const HEADER: usize = 84;
 
-/// Bytes a triangle takes in a binary file: normal and three vertices of three floats each, and two
-/// bytes for anything.
+/// Bytes of a triangle in a binary file: normal and three vertices of three floats each, and two
+/// bytes for any purpose.
 const TRIANGLE: usize = 50;
 
-/// Bytes at the start of a file that tell text from binary.
+/// Bytes at the start of a file by which text is distinguished from binary.
 const BEGINNING: usize = 1024;
 
 /// Reads an `.stl` file.
@@ -39,16 +40,16 @@ pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located
     polygons.welded().into_mesh(notices, &|_| None)
 }
 
-/// Whether the triangles that a binary header states fit into the file. In a text up to the longest
-/// that is read, they never do.
+/// Whether the triangles that a binary header states fit into the file. For a text of allowed
+/// length, they never do.
 fn is_whole_binary(bytes: &[u8]) -> bool {
     stated_triangles(bytes).and_then(binary_length).is_some_and(|length| length <= bytes.len())
 }
 
-/// Whether a file looks like text: no zeros at its beginning, and a line that opens a solid or a
-/// facet.
+/// Whether a file looks like text: it has no zeros at its beginning, and a line that opens a solid
+/// or a facet.
 fn is_text(text: &[u8]) -> bool {
-    // Some programs fill a text up with zeros.
+    // Some programs pad a text with zeros.
     let end = text.iter().rposition(|byte| !is_blank(byte)).map_or(0, |last| last + 1);
     let opens =
         |line: &[u8]| words(line).next().is_some_and(|word| is(word, "solid") || is(word, "facet"));
@@ -105,16 +106,16 @@ fn parse_binary(bytes: &[u8], notices: &mut Notices) -> Result<Polygons, MeshPro
 
 /// Adds a face with vertices of its own.
 fn push(polygons: &mut Polygons, vertices: impl IntoIterator<Item = DVec3>) {
-    // At most 2^30 bytes are read, and a vertex takes 12 of them or more: indices fit.
+    // At most 2^30 bytes are read, and a vertex takes at least 12 of them, so indices fit.
     let first = polygons.positions.len() as u32;
     polygons.positions.extend(vertices);
     let end = polygons.positions.len() as u32;
     polygons.push((first..end).map(|vertex| Corner { vertex, normal: None }));
 }
 
-/// A text that is being read, word by word: `solid`, `facet normal x y z`, `outer loop`,
-/// `vertex x y z` three times, `endloop`, `endfacet`, and so on to `endsolid`, in small letters or
-/// capitals, and all that as often as there are solids.
+/// A text that is read word by word: `solid`, `facet normal x y z`, `outer loop`, three times
+/// `vertex x y z`, `endloop`, `endfacet`, and so on to `endsolid`, in lower or upper case, and
+/// repeated for each solid.
 struct Text<'a> {
     rest: &'a [u8],
     /// The line that `rest` starts in, counted from 1.
@@ -130,7 +131,7 @@ impl<'a> Text<'a> {
 
     fn read(mut self) -> Result<Polygons, Located> {
         let mut is_open = false;
-        // The last unknown word since a facet ended, which may stand for the start of another.
+        // The last unknown word since a facet ended, which may be meant to start another.
         let mut unknown = None;
         while let Some(word) = self.word() {
             match keyword(word) {
@@ -159,7 +160,7 @@ impl<'a> Text<'a> {
         Ok(self.polygons)
     }
 
-    /// What follows the word `facet`, to its end.
+    /// Reads a facet after the word `facet`, to its end.
     fn facet(&mut self) -> Result<(), Located> {
         let line = self.line;
         self.skip_normal();
@@ -177,10 +178,10 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
-    /// The vertices of a facet, to the end of its loop.
+    /// Reads the vertices of a facet, to the end of its loop.
     fn vertices(&mut self) -> Result<Vec<DVec3>, Located> {
         let mut vertices = Vec::with_capacity(3);
-        // An unknown word that may stand for what is missing: a vertex, or the end of the loop.
+        // An unknown word that may be meant as what is missing: a vertex, or the end of the loop.
         let mut unknown = None;
         loop {
             let word = self.word();
@@ -228,7 +229,7 @@ impl<'a> Text<'a> {
         Ok(DVec3::new(coordinate()?, coordinate()?, coordinate()?))
     }
 
-    /// Goes to a word; what is none of the words of a text is passed over.
+    /// Advances to a word; words that are not keywords are skipped.
     fn expect(&mut self, wanted: &str) -> Result<(), Located> {
         let quoted = format!("`{wanted}`");
         let mut unknown = None;
@@ -245,7 +246,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// Skips the line of a word that is unknown; of a number, the number alone.
+    /// Skips the line of an unknown word; if it is a number, only the number.
     fn pass_over(&mut self, word: &[u8]) {
         if number(word).is_some() {
             let text = || format!("the number {} is passed over", quoted(word));
@@ -268,12 +269,11 @@ impl<'a> Text<'a> {
         problem.at_line(self.line)
     }
 
-    /// The next word; at the end, what is left is left as it is, and `line` stays that of the last
-    /// word.
+    /// The next word. At the end of the text, `line` stays that of the last word.
     fn word(&mut self) -> Option<&'a [u8]> {
         let start = self.rest.iter().position(|b| !is_blank(b))?;
         let (blanks, rest) = self.rest.split_at(start);
-        // A CR before an LF ends no line: the LF does.
+        // A CR before an LF does not end a line: the LF does.
         let ends = |k: &usize| {
             blanks[*k] == b'\n' || blanks[*k] == b'\r' && blanks.get(k + 1) != Some(&b'\n')
         };
@@ -284,8 +284,8 @@ impl<'a> Text<'a> {
         Some(word)
     }
 
-    /// Skips a solid's name, which may be anything, to the line's end or to where the line opens a
-    /// facet.
+    /// Skips a solid's name, which may be anything, to the end of the line or to where the line
+    /// opens a facet.
     fn skip_name(&mut self) {
         let line = Lines::new(self.rest).next().unwrap_or_default();
         let opens_facet = |at: &usize| {
@@ -303,11 +303,11 @@ impl<'a> Text<'a> {
     }
 }
 
-/// The words that a text is made of.
+/// The keywords of a text.
 const KEYWORDS: [&str; 9] =
     ["solid", "facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "endsolid"];
 
-/// Which of [`KEYWORDS`] a word is, in small letters or capitals.
+/// The keyword that a word is, in lower or upper case.
 fn keyword(word: &[u8]) -> Option<&'static str> {
     KEYWORDS.into_iter().find(|known| is(word, known))
 }

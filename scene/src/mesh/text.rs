@@ -1,7 +1,7 @@
-//! Text of mesh files, whatever its encoding.
+//! The text of mesh files in any encoding.
 use std::borrow::Cow;
 
-/// The bytes of a text without a byte order mark; UTF-16, which is known by its mark, becomes
+/// The bytes of a text without a byte order mark; UTF-16, which is recognised by its mark, becomes
 /// UTF-8.
 pub(super) fn unmarked(bytes: &[u8]) -> Cow<'_, [u8]> {
     match bytes {

@@ -10,37 +10,37 @@ use i_triangle::int::custom::IntCustomTriangulatable;
 use i_triangle::int::triangulation::IntTriangulation;
 use i_triangle::int::validation::Validation;
 
-/// Steps of the grid that corners are rounded to for finding out which of them make triangles, in a
-/// polygon's extent. It is finer than what [`super::normals::newell`] calls rounding. Coordinates
-/// stay below 2^45 in magnitude (√3 extents), twice a triangle's area below 2^93, and sums of it
-/// over any polygon that a file can hold (2^29 corners) within 127 bits.
+/// Steps in a polygon's extent of the grid to which corners are rounded to find triangles. It is
+/// finer than what [`super::normals::newell`] counts as rounding. Coordinates stay below 2^45 in
+/// magnitude (√3 extents), twice a triangle's area below 2^93, and sums of it over any polygon that
+/// a file can contain (2^29 corners) within 127 bits.
 const GRID: f64 = (1_u64 << 44) as f64;
 
-/// Corners that are tried as the first of a fan, before the sweep.
+/// Number of corners that are tried as the first of a fan, before the sweep.
 const FANS_TRIED: usize = 8;
 
-/// Times that all polygons of a file may cross themselves.
-pub const MOST_CROSSINGS: usize = 250_000;
+/// Largest number of crossings of all polygons of a file.
+pub const MAX_CROSSINGS: usize = 250_000;
 
-/// Pairs of edges that crossings are estimated from, at least.
+/// Least number of pairs of edges from which crossings are estimated.
 const FEWEST_PAIRS: usize = 4096;
 
-/// Pairs of edges that crossings are estimated from, for each corner: enough that what a few of
-/// countless edges do is not overlooked.
+/// Number of pairs of edges, for each corner, from which crossings are estimated: enough to notice
+/// a few edges with many crossings among countless others.
 const PAIRS_A_CORNER: usize = 4;
 
 /// Areas that differ by less than this share of them differ by rounding.
 const LEAST_DIFFERENCE: i128 = 1_000_000;
 
-/// A polygon in triangles.
+/// A polygon split into triangles.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Triangulation {
-    /// Triangles that turn the way of the polygon's normal. Each is three indices: of the polygon's
-    /// corners and, from their number on, of `crossings`.
+    /// Triangles with the orientation of the polygon's normal. Each is three indices: of the
+    /// polygon's corners or, from their number on, of `crossings`.
     pub triangles: Vec<[usize; 3]>,
-    /// Where edges cross each other.
+    /// Points where edges cross each other.
     pub crossings: Vec<DVec3>,
-    /// Whether the area of the triangles is not that of the polygon, since it crosses or covers
+    /// Whether the area of the triangles differs from the polygon's, since it crosses or covers
     /// itself.
     pub overlaps: bool,
 }
@@ -49,10 +49,10 @@ pub struct Triangulation {
 /// along `normal`, a unit vector.
 ///
 /// A polygon with a bridge to a hole, whose corners are stated twice, keeps the hole. Of corners at
-/// the same place, a triangle has the one whose angle it lies in. Polygons of which one of the
-/// first corners sees all others become a fan from it. Takes a time of n log n for n corners and
-/// crossings; `None` for a polygon whose edges cross or cover each other more often than
-/// `most_crossings` times, by an estimate.
+/// the same place, a triangle uses the one in whose angle it lies. If one of the first corners sees
+/// all others, the polygon becomes a fan from it. The time is of order n log n for n corners and
+/// crossings. The result is `None` for a polygon whose edges, by an estimate, cross or cover each
+/// other more than `most_crossings` times.
 pub fn triangulate(
     polygon: &[DVec3],
     normal: DVec3,
@@ -85,7 +85,7 @@ struct Plane {
 }
 
 impl Plane {
-    /// `None` if all corners are at one place.
+    /// The plane of a polygon; `None` if all corners are at one place.
     fn of(polygon: &[DVec3], normal: DVec3) -> Option<Plane> {
         let origin = *polygon.first()?;
         let extent = polygon.iter().fold(0.0_f64, |e, &p| e.max((p - origin).abs().max_element()));
@@ -98,26 +98,26 @@ impl Plane {
         Some(Plane { origin, across, up, normal, extent, height })
     }
 
-    fn grid(&self, point: DVec3) -> Place {
+    fn grid(&self, point: DVec3) -> GridPoint {
         let relative = (point - self.origin) / self.extent;
         let step = |axis: DVec3| (relative.dot(axis) * GRID).round() as i64;
-        Place::new(step(self.across), step(self.up))
+        GridPoint::new(step(self.across), step(self.up))
     }
 
-    fn point(&self, place: Place) -> DVec3 {
+    fn point(&self, place: GridPoint) -> DVec3 {
         let [x, y] = [place.x, place.y].map(|steps| steps as f64 / GRID);
         self.origin + (self.across * x + self.up * y + self.normal * self.height) * self.extent
     }
 }
 
-type Place = IntPoint<i64>;
+type GridPoint = IntPoint<i64>;
 
-/// A polygon in its plane, without corners at the place of the one before.
+/// A polygon in its plane, without corners at the same place as the previous one.
 struct Ring {
     /// Indices of corners.
     corners: Vec<usize>,
-    /// Where they are.
-    places: Vec<Place>,
+    /// Their places.
+    places: Vec<GridPoint>,
 }
 
 impl Ring {
@@ -142,7 +142,7 @@ impl Ring {
         self.places.len()
     }
 
-    /// Triangles from one corner to all edges that do not touch it, where one of the first corners
+    /// Triangles from one corner to all edges that do not touch it, if one of the first corners
     /// sees all others.
     fn fan(&self) -> Option<Vec<[usize; 3]>> {
         let n = self.len();
@@ -154,9 +154,9 @@ impl Ring {
         Some((1..n - 1).map(|k| [corner(0), corner(k), corner(k + 1)]).collect())
     }
 
-    /// Whether the edges around a corner, taken in turn, stand one beside the other within the
-    /// angle at it, which is below 180 degrees: then the triangles from it to them do not cover
-    /// each other.
+    /// Whether the edges, as seen from a corner, follow each other in order within the angle at it,
+    /// which is below 180 degrees: then the triangles between the corner and the edges do not
+    /// overlap.
     fn sees_all(&self, first: usize) -> bool {
         let (n, last) = (self.len(), self.len() - 1);
         let at = |k: usize| self.places[(first + k) % n];
@@ -164,8 +164,8 @@ impl Ring {
         (1..last).all(|k| left(k, k + 1) && left(k, last) && (k == 1 || left(1, k)))
     }
 
-    /// About how often edges meet, from some pairs of them that are the same every time; 0 for
-    /// polygons that have too few to reach `most`.
+    /// An estimate of how often edges meet, from some pairs of them that are the same in every run;
+    /// 0 for polygons with too few edges to reach `most`.
     fn crossings_expected(&self, most: usize) -> usize {
         let n = self.len();
         let pairs = n * n / 2;
@@ -175,7 +175,7 @@ impl Ring {
         let tried = FEWEST_PAIRS.max(PAIRS_A_CORNER * n);
         let mut state = 1_u64;
         let mut edge = || {
-            // Knuth's MMIX generator; its upper bits are the random ones.
+            // The sequence is Knuth's MMIX generator, whose upper bits are the random ones.
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
@@ -183,19 +183,19 @@ impl Ring {
             [self.places[from], self.places[(from + 1) % n]]
         };
         let crossing = (0..tried).filter(|_| meet(edge(), edge())).count();
-        // A polygon of 2^29 corners has pairs below 2^58, of which 2^31 are tried.
+        // A polygon of 2^29 corners has fewer than 2^58 pairs, of which 2^31 are tried.
         (crossing as u128 * pairs as u128 / tried as u128) as usize
     }
 
-    /// Triangles by a sweep over the plane.
+    /// Finds triangles by a sweep over the plane.
     fn swept(&self, corners: usize, plane: &Plane) -> Triangulation {
         // Corners on a straight edge have normals, and neighbours that share them.
         let options = IntOverlayOptions::keep_all_points();
         let validation = Validation { fill_rule: FillRule::EvenOdd, options };
         let found: IntTriangulation<i64, u32> =
             self.places.custom_triangulate(validation).into_triangulation();
-        let named = Named::new(self);
-        // The sweep states a crossing once for each of the parts that meet there.
+        let corners_by_place = CornersByPlace::new(self);
+        // The sweep reports a crossing once for each of the parts that meet there.
         let (mut crossings, mut known) = (Vec::new(), BTreeMap::new());
         let mut area = 0;
         let mut triangles = Vec::with_capacity(found.indices.len() / 3);
@@ -209,7 +209,7 @@ impl Ring {
             let places = if twice_area < 0 { [a, c, b] } else { [a, b, c] }
                 .map(|k| found.points[k as usize]);
             triangles.push(places.map(|place| {
-                named.corner(place, places).unwrap_or_else(|| {
+                corners_by_place.corner(place, places).unwrap_or_else(|| {
                     *known.entry((place.x, place.y)).or_insert_with(|| {
                         crossings.push(plane.point(place));
                         corners + crossings.len() - 1
@@ -225,22 +225,22 @@ impl Ring {
         }
     }
 
-    /// Twice the area that the ring turns around to the left, less what it turns around to the
-    /// right.
+    /// Twice the area that the ring surrounds counter-clockwise, minus what it surrounds clockwise.
     fn twice_area(&self) -> i128 {
         let edges = self.places.iter().zip(self.places.iter().cycle().skip(1));
-        edges.map(|(&a, &b)| turn(Place::new(0, 0), a, b)).sum()
+        edges.map(|(&a, &b)| turn(GridPoint::new(0, 0), a, b)).sum()
     }
 
     /// Whether a triangle that has a corner of the ring lies in the angle there, to the left of the
     /// ring.
-    fn has_in_angle(&self, position: usize, triangle: [Place; 3]) -> bool {
+    fn has_in_angle(&self, position: usize, triangle: [GridPoint; 3]) -> bool {
         let n = self.len();
         let [before, here, after] =
             [position + n - 1, position, position + 1].map(|k| self.places[k % n]);
-        // Three times the triangle's centre, from three times `here`: the same direction.
+        // This is three times the triangle's centre minus three times `here`, which has the same
+        // direction.
         let centre = triangle.iter().fold((0, 0), |(x, y), p| (x + p.x - here.x, y + p.y - here.y));
-        let inside = Place::new(here.x + centre.0, here.y + centre.1);
+        let inside = GridPoint::new(here.x + centre.0, here.y + centre.1);
         let (after_left, before_right) =
             (turn(here, after, inside) >= 0, turn(here, inside, before) >= 0);
         if turn(here, after, before) > 0 {
@@ -251,22 +251,23 @@ impl Ring {
     }
 }
 
-/// The corners of a ring by their places.
-struct Named<'a> {
+/// The corners of a ring, sorted by place.
+struct CornersByPlace<'a> {
     ring: &'a Ring,
     /// Positions in the ring, sorted by place.
     order: Vec<usize>,
 }
 
-impl Named<'_> {
-    fn new(ring: &Ring) -> Named<'_> {
+impl CornersByPlace<'_> {
+    fn new(ring: &Ring) -> CornersByPlace<'_> {
         let mut order: Vec<usize> = (0..ring.len()).collect();
         order.sort_unstable_by_key(|&k| (ring.places[k].x, ring.places[k].y, k));
-        Named { ring, order }
+        CornersByPlace { ring, order }
     }
 
-    /// The corner at a place of a triangle; of several, the first whose angle the triangle lies in.
-    fn corner(&self, place: Place, triangle: [Place; 3]) -> Option<usize> {
+    /// The corner at a place of a triangle; of several, the first one in whose angle the triangle
+    /// lies.
+    fn corner(&self, place: GridPoint, triangle: [GridPoint; 3]) -> Option<usize> {
         let key = |&k: &usize| (self.ring.places[k].x, self.ring.places[k].y);
         let first = self.order.partition_point(|k| key(k) < (place.x, place.y));
         let here = self.order[first..].iter().take_while(|k| key(k) == (place.x, place.y));
@@ -277,14 +278,14 @@ impl Named<'_> {
     }
 }
 
-/// Twice the area of a triangle that turns to the left; negative for one that turns to the right.
-fn turn(a: Place, b: Place, c: Place) -> i128 {
+/// Twice the area of a counter-clockwise triangle; negative for a clockwise one.
+fn turn(a: GridPoint, b: GridPoint, c: GridPoint) -> i128 {
     let [bx, by, cx, cy] = [b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y].map(i128::from);
     bx * cy - by * cx
 }
 
 /// Whether two edges cross, or one ends between the ends of the other.
-fn meet([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
+fn meet([a, b]: [GridPoint; 2], [c, d]: [GridPoint; 2]) -> bool {
     let sides = |a, b, c, d| turn(a, b, c).signum() * turn(a, b, d).signum() < 0;
     let crosses = sides(a, b, c, d) && sides(c, d, a, b);
     crosses
@@ -293,7 +294,7 @@ fn meet([a, b]: [Place; 2], [c, d]: [Place; 2]) -> bool {
 }
 
 /// Whether a place is on an edge and not at its ends.
-fn is_between(a: Place, b: Place, place: Place) -> bool {
+fn is_between(a: GridPoint, b: GridPoint, place: GridPoint) -> bool {
     let [ax, ay, bx, by] =
         [a.x - place.x, a.y - place.y, b.x - place.x, b.y - place.y].map(i128::from);
     ax * bx + ay * by < 0 && ax * by == ay * bx
@@ -308,7 +309,7 @@ mod tests {
     }
 
     fn split(polygon: &[DVec3]) -> Triangulation {
-        triangulate(polygon, DVec3::Z, MOST_CROSSINGS).expect("it does not cross itself often")
+        triangulate(polygon, DVec3::Z, MAX_CROSSINGS).expect("it does not cross itself often")
     }
 
     #[test]
@@ -357,7 +358,7 @@ mod tests {
 
     #[test]
     fn a_polygon_that_crosses_itself_everywhere_is_refused() {
-        // A star whose every edge crosses about half of the others.
+        // A star, each edge of which crosses about half of the others.
         let star = |corners: u32| {
             let corner =
                 |k: u32| f64::from(k * (corners / 2)) * std::f64::consts::TAU / f64::from(corners);
@@ -365,9 +366,9 @@ mod tests {
                 .map(|k| DVec3::new(corner(k).cos(), corner(k).sin(), 0.0))
                 .collect::<Vec<_>>()
         };
-        assert!(triangulate(&star(501), DVec3::Z, MOST_CROSSINGS).is_some());
-        assert_eq!(triangulate(&star(501), DVec3::Z, MOST_CROSSINGS / 10), None);
-        assert_eq!(triangulate(&star(20_001), DVec3::Z, MOST_CROSSINGS), None);
+        assert!(triangulate(&star(501), DVec3::Z, MAX_CROSSINGS).is_some());
+        assert_eq!(triangulate(&star(501), DVec3::Z, MAX_CROSSINGS / 10), None);
+        assert_eq!(triangulate(&star(20_001), DVec3::Z, MAX_CROSSINGS), None);
     }
 
     /// Many long edges on one line, in no order: each is covered by thousands of others.
@@ -377,8 +378,8 @@ mod tests {
         let polygon = |corners: u32| {
             flat(&(0..corners).map(on_line).chain([(5000.0, 7000.0)]).collect::<Vec<_>>())
         };
-        assert!(triangulate(&polygon(300), DVec3::Z, MOST_CROSSINGS).is_some());
-        assert_eq!(triangulate(&polygon(20_000), DVec3::Z, MOST_CROSSINGS), None);
+        assert!(triangulate(&polygon(300), DVec3::Z, MAX_CROSSINGS).is_some());
+        assert_eq!(triangulate(&polygon(20_000), DVec3::Z, MAX_CROSSINGS), None);
     }
 
     /// Two zigzags that cross each other everywhere, among a hundred times as many edges that
@@ -390,7 +391,7 @@ mod tests {
         let upwards = (0..3000).map(|k| (f64::from(k) / 300.0, zig(k)));
         let outside = (0..600_000).map(|k| (20.0 + f64::from(k), zig(k) * 1e-3 - 1.0));
         let polygon = flat(&across.chain(upwards).chain(outside).collect::<Vec<_>>());
-        assert_eq!(triangulate(&polygon, DVec3::Z, MOST_CROSSINGS), None);
+        assert_eq!(triangulate(&polygon, DVec3::Z, MAX_CROSSINGS), None);
     }
 
     /// Corners on straight edges have normals of their own, and neighbours that share them.

@@ -1,22 +1,22 @@
-//! What was passed over in a mesh file, beside what was needed of it.
+//! Warnings about skipped parts of a mesh file.
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
 
-/// Kinds of things that one file is warned of; what more there is is counted only.
-const MOST_KINDS: usize = 20;
+/// Largest number of kinds of warnings for a file; further ones are only counted.
+const MAX_KINDS: usize = 20;
 
-/// Characters of a file's own words that a warning quotes.
+/// Number of a file's characters that a warning quotes.
 const LONGEST_QUOTE: usize = 40;
 
-/// Something in a mesh file that was passed over, and did not keep the mesh from being drawn.
+/// A part of a mesh file that was skipped; the mesh can be drawn without it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
     /// The file.
     pub path: String,
-    /// The line it was first met on, counted from 1, where one is known.
+    /// The line where it first occurs, counted from 1, if it is known.
     pub line: Option<usize>,
-    /// What it is, what is done instead, and on how many more lines it stands.
+    /// What was found, what is done about it, and on how many more lines it occurs.
     pub text: String,
 }
 
@@ -29,16 +29,16 @@ impl fmt::Display for Warning {
     }
 }
 
-/// What a reader has passed over so far, each kind once.
+/// Notes about what a reader has skipped so far, one of each kind.
 #[derive(Debug, Default)]
 pub struct Notices {
     kinds: BTreeMap<String, usize>,
     first: Vec<Notice>,
-    /// Things of kinds beyond [`MOST_KINDS`].
+    /// Number of notes of kinds beyond [`MAX_KINDS`].
     untold: usize,
 }
 
-/// The first thing of a kind, and how many more there are.
+/// The first note of a kind, and the number of further ones.
 #[derive(Debug)]
 struct Notice {
     line: Option<usize>,
@@ -47,12 +47,12 @@ struct Notice {
 }
 
 impl Notices {
-    /// Notes a thing on `line`, counted from 1; `text`, a sentence without its full stop, is told
-    /// of the first of a `kind` alone.
+    /// Adds a note about `line`, counted from 1; `text`, a sentence without its full stop, is made
+    /// only for the first of a `kind`.
     pub fn add(&mut self, kind: &str, line: Option<usize>, text: impl FnOnce() -> String) {
         match self.kinds.get(kind) {
             Some(&index) => self.first[index].more += 1,
-            None if self.first.len() < MOST_KINDS => {
+            None if self.first.len() < MAX_KINDS => {
                 self.kinds.insert(kind.to_owned(), self.first.len());
                 self.first.push(Notice { line, text: text(), more: 0 });
             }
@@ -60,7 +60,7 @@ impl Notices {
         }
     }
 
-    /// The warnings about the file `path`, in the order in which the kinds were met.
+    /// The warnings about the file `path`, in the order in which the kinds occurred.
     pub fn into_warnings(self, path: &Path) -> Vec<Warning> {
         let path = path.display().to_string();
         let rest = (self.untold > 0)
@@ -81,9 +81,9 @@ impl Notice {
     }
 }
 
-/// The start of a file's own words in backquotes, on one line and without control characters.
+/// The start of a file's own text in backquotes, on one line and without control characters.
 pub(super) fn quoted(words: &[u8]) -> String {
-    // A character takes four bytes at most.
+    // A character takes at most four bytes.
     let start = &words[..words.len().min(4 * LONGEST_QUOTE)];
     let plain = String::from_utf8_lossy(start);
     let shown =

@@ -4,27 +4,27 @@ use glam::{DMat3, DVec3};
 /// Share of the picture's smaller dimension that objects fill when the camera frames them itself.
 const FILLED: f64 = 0.9;
 
-/// Sine of the angle between `up` and the eye below which up is not known.
+/// Least sine of the angle between `up` and the eye; below it, the up direction is undefined.
 const LEAST_SINE: f64 = 1e-9;
 
-/// How the world is looked at.
+/// The camera's position and orientation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
-    /// Towards the eye, in world coordinates; any length but 0.
+    /// The direction to the eye, in world coordinates; any length except 0.
     pub direction: DVec3,
-    /// What points up in the picture, in world coordinates; not along `direction`.
+    /// The direction that points up in the picture, in world coordinates; not along `direction`.
     pub up: DVec3,
-    /// The world point at the picture's centre; the middle of the objects if none.
+    /// The world point at the picture's centre; if `None`, the middle of the objects.
     pub target: Option<DVec3>,
-    /// World units from the picture's bottom to its top; what the objects need if none.
+    /// World units from the picture's bottom to its top; if `None`, what the objects need.
     pub height: Option<f64>,
-    /// Where the eye is that sees highlights, in world coordinates; at infinity along `direction`
-    /// if nowhere.
+    /// The position of the eye that sees highlights, in world coordinates; if `None`, it is at
+    /// infinity along `direction`.
     pub eye: Option<DVec3>,
 }
 
 impl Default for Camera {
-    /// From the front, a little to the right and above; y up.
+    /// The camera looks from the front, a little to the right and above; y is up.
     fn default() -> Camera {
         Camera {
             direction: DVec3::new(0.5, 0.45, 1.0),
@@ -37,13 +37,13 @@ impl Default for Camera {
 }
 
 impl Camera {
-    /// Whether it takes place and scale of the picture from the objects.
+    /// Whether it takes position and scale of the picture from the objects.
     pub fn frames_objects(&self) -> bool {
         self.target.is_none() && self.height.is_none()
     }
 
-    /// The rotation from world to view space; `None` if `up` points along `direction` or either has
-    /// no direction.
+    /// The rotation from world to view space; `None` if `up` is along `direction`, or either has no
+    /// direction.
     pub fn rotation(&self) -> Option<DMat3> {
         let backward = unit(self.direction)?;
         let across = unit(self.up)?.cross(backward);
@@ -59,24 +59,25 @@ impl Camera {
 /// A vector of length 1 along `v`, unless it is 0 or not finite.
 fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
-    // Scaled first, so that squares neither vanish nor overflow.
+    // The vector is scaled first, so that squares neither vanish nor overflow.
     (largest > 0.0 && largest.is_finite()).then(|| (v / largest).normalize())
 }
 
 /// The window of view space that the picture shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    /// What is at the picture's centre, in view space.
+    /// The point at the picture's centre, in view space.
     pub centre: DVec3,
-    /// Units of view space a pixel.
+    /// Units of view space for a pixel.
     pub pixel: f64,
 }
 
 impl Window {
     /// The window of a picture of `size` pixels.
     ///
-    /// `bounds` are the smallest and largest view-space coordinates of all objects, `rotation` is
-    /// the camera's. `None` if the objects have no extent to take the height from.
+    /// `bounds` are the smallest and largest view-space coordinates of all objects; `rotation` is
+    /// the camera's. The result is `None` if the objects have no extent from which the height could
+    /// be computed.
     pub fn new(
         camera: &Camera,
         rotation: DMat3,
@@ -88,14 +89,14 @@ impl Window {
             Some(target) => rotation * target,
             None => (bounds[0] + bounds[1]) / 2.0,
         };
-        // Half of what has to fit, measured from the centre to the farther side.
+        // Half of the extent that has to fit, measured from the centre to the farther side.
         let half = (bounds[1] - centre).abs().max((bounds[0] - centre).abs());
         let needed = (half.y / height).max(half.x / width) * 2.0 / FILLED;
         let pixel = camera.height.map_or(needed, |units| units / height);
         (pixel > 0.0 && pixel.is_finite()).then_some(Window { centre, pixel })
     }
 
-    /// The window moved by half a pixel at most in either direction, so that a point of view space
+    /// The window moved by at most half a pixel in either direction, so that a point of view space
     /// is at the middle of a pixel.
     pub fn with_on_a_pixel(self, point: DVec3, size: (u32, u32)) -> Window {
         let [x, y] = self.place(point, size);
@@ -105,7 +106,8 @@ impl Window {
         Window { centre: self.centre + DVec3::new(right, up, 0.0), ..self }
     }
 
-    /// Where a point of view space is in a picture of `size`, in pixels from its top left corner.
+    /// The place of a point of view space in a picture of `size`, in pixels from its top left
+    /// corner.
     pub fn place(&self, point: DVec3, size: (u32, u32)) -> [f64; 2] {
         let x = f64::from(size.0) / 2.0 + (point.x - self.centre.x) / self.pixel;
         let y = f64::from(size.1) / 2.0 - (point.y - self.centre.y) / self.pixel;

@@ -1,8 +1,8 @@
-//! Which pixels a triangle covers, exactly.
+//! The exact pixels that a triangle covers.
 //!
-//! Corners are snapped to a grid of 1/256 pixel; edge functions are integers, so that nothing
-//! rounds. A pixel is covered when its centre is inside, or on an edge that is the triangle's left
-//! or top one. Of two triangles on either side of an edge exactly one owns the centres on it:
+//! Corners are snapped to a grid of 1/256 pixel; edge functions are integers, so nothing is
+//! rounded. A pixel is covered if its centre is inside, or on an edge that is a left or top edge of
+//! the triangle. Of two triangles on either side of an edge, exactly one owns the centres on it:
 //! meshes have neither gaps nor pixels drawn twice.
 use std::ops::Range;
 
@@ -25,8 +25,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// The grid point nearest to a place in pixels; `None` beyond [`FARTHEST_STEP`] and for what is
-    /// not a number.
+    /// The grid point nearest to a place in pixels; `None` beyond [`FARTHEST_STEP`] and for NaN.
     pub fn snap(x: f64, y: f64) -> Option<Point> {
         let step = |pixels: f64| {
             let steps = (pixels * STEPS as f64 + 0.5).floor();
@@ -35,7 +34,7 @@ impl Point {
         Some(Point { x: step(x)?, y: step(y)? })
     }
 
-    /// Where it is, in pixels.
+    /// Its place in pixels.
     pub fn in_pixels(self) -> DVec2 {
         DVec2::new(self.x as f64, self.y as f64) / STEPS as f64
     }
@@ -47,8 +46,8 @@ impl Point {
     }
 }
 
-/// Twice the signed area of triangle a, b, p; above 0 where p is to the right of a → b as seen in
-/// the picture.
+/// Twice the signed area of the triangle a, b, p; it is above 0 if p is to the right of a → b as
+/// seen in the picture.
 fn edge(a: Point, b: Point, p: Point) -> i64 {
     (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)
 }
@@ -64,7 +63,7 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// The triangle, turned clockwise if need be; `None` without area.
+    /// The triangle, made clockwise if necessary; `None` if it has no area.
     pub fn new([a, b, c]: [Point; 3]) -> Option<Coverage> {
         match edge(a, b, c) {
             0 => None,
@@ -73,7 +72,7 @@ impl Coverage {
         }
     }
 
-    /// Edges opposite to each corner.
+    /// The edge opposite to each corner.
     fn edges(&self) -> [(Point, Point); 3] {
         let [a, b, c] = self.corners;
         [(b, c), (c, a), (a, b)]
@@ -82,14 +81,14 @@ impl Coverage {
     /// The rows of a picture of `height` rows that may hold covered pixels.
     pub fn rows(&self, height: u32) -> Range<u32> {
         let ys = self.corners.map(|p| p.y);
-        // The first and last row whose centre is not above or below all corners.
+        // These are the first and last row whose centre is not above or below all corners.
         let first = (ys[0].min(ys[1]).min(ys[2]) - STEPS / 2).div_euclid(STEPS);
         let last = (ys[0].max(ys[1]).max(ys[2]) - STEPS / 2).div_euclid(STEPS);
         let within = |row: i64| row.clamp(0, i64::from(height)) as u32;
         within(first)..within(last + 1)
     }
 
-    /// The columns covered in `row` of a picture of `width` columns: one run, perhaps empty.
+    /// The columns covered in `row` of a picture of `width` columns: one run, which may be empty.
     pub fn columns(&self, row: u32, width: u32) -> Range<u32> {
         let start = Point::centre(0, row);
         let (mut first, mut end) = (0, i64::from(width));
@@ -99,7 +98,7 @@ impl Coverage {
             let owned = dy < 0 || (dy == 0 && dx > 0);
             let least = i64::from(!owned);
             let (at_start, per_pixel) = (edge(a, b, start), -dy * STEPS);
-            // at_start + k * per_pixel >= least
+            // The condition is at_start + k * per_pixel >= least.
             match per_pixel.signum() {
                 1 => first = first.max(ceiling(least - at_start, per_pixel)),
                 -1 => end = end.min((at_start - least).div_euclid(-per_pixel) + 1),
@@ -111,7 +110,7 @@ impl Coverage {
         if first < end { first as u32..end as u32 } else { 0..0 }
     }
 
-    /// The covered pixels of a picture, as rows with their run of columns.
+    /// The covered pixels of a picture, as rows, each with its run of columns.
     pub fn runs(&self, width: u32, height: u32) -> impl Iterator<Item = (u32, Range<u32>)> + '_ {
         let run = move |row| (row, self.columns(row, width));
         self.rows(height).map(run).filter(|(_, columns)| !columns.is_empty())

@@ -1,11 +1,14 @@
 //! From objects in the world to the visible spans of a [`crate::Frame`].
 pub mod camera;
-mod cones;
 pub mod coverage;
+mod faces;
 pub mod limits;
+mod normal_cones;
 pub mod project;
 mod rows;
+mod scene;
 mod visibility;
 
-pub use project::{ConedFace, Light, LightSource, LightSpace, Object, Scene, coned_faces};
-pub use rows::{Row, Rows};
+pub use faces::{ConedFace, coned_faces};
+pub use rows::{SpanRow, SpanRows};
+pub use scene::{Light, LightSource, LightSpace, Object, Scene};

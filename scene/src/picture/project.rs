@@ -1,105 +1,27 @@
-//! From a scene to the frame that is to be shaded.
+//! Projects a scene to the frame that is to be shaded.
 use glam::{DAffine3, DMat3, DVec3};
 use thiserror::Error;
 
-use super::camera::{Camera, Window};
-use super::cones::{Face, Fans};
+use super::camera::Window;
 use super::coverage::{Coverage, Point};
 use super::limits;
+use super::normal_cones::{Face, VertexFans};
+use super::scene::{Light, LightSource, LightSpace, Object, Scene};
 use super::visibility::{Projected, visible_spans};
-use crate::mesh::Mesh;
 use crate::mesh::normals::{direction, newell, normal_matrix};
-use crate::primitive::Primitive;
 use crate::surface::Surface;
-use crate::{
-    Colour, DirectionalLight, Facet, Frame, LocalLight, Material, Span, Spot, Triangle, VertexCone,
-    defaults,
-};
+use crate::{DirectionalLight, Facet, Frame, LocalLight, Span, Spot, Triangle, VertexCone};
 
-/// A mesh put somewhere in the world.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Object {
-    /// Its shape, in its own coordinates.
-    pub mesh: Mesh,
-    /// The primitive that the mesh was made from, if it was.
-    pub primitive: Option<Primitive>,
-    /// From its own coordinates to the world's.
-    pub place: DAffine3,
-    /// How it answers light.
-    pub material: Material,
-}
-
-/// The coordinates a light's direction is given in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LightSpace {
-    /// Those of the objects: the light stays when the camera moves.
-    World,
-    /// Those of the picture, x right, y up, z to the eye: the light moves with the camera.
-    View,
-}
-
-/// A light, as a scene gives it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Light {
-    /// Where it shines from.
-    pub source: LightSource,
-    /// What `source` is measured in.
-    pub space: LightSpace,
-    /// Its colour and strength.
-    pub colour: Colour,
-}
-
-/// Where a light shines from.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LightSource {
-    /// From infinity.
-    Directional {
-        /// Towards the light; any length but 0.
-        direction: DVec3,
-    },
-    /// From a place, to all sides.
-    Point {
-        /// The place.
-        position: DVec3,
-    },
-    /// From a place, most of all along one direction.
-    Spot {
-        /// The place.
-        position: DVec3,
-        /// The direction along which it shines; any length but 0.
-        axis: DVec3,
-        /// Warn's exponent, 1 to 8191.
-        exponent: u32,
-    },
-}
-
-/// Everything a picture is made from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// Width and height of the picture in pixels.
-    pub size: (u32, u32),
-    /// 8-bit colour of pixels without object.
-    pub background: [u8; 3],
-    /// How the world is looked at.
-    pub camera: Camera,
-    /// Colour of the ambient light.
-    pub ambient: Colour,
-    /// Lights.
-    pub lights: Vec<Light>,
-    /// What is to be seen.
-    pub objects: Vec<Object>,
-}
-
-/// Why a scene does not become a picture.
+/// The reason why a scene cannot be drawn.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum PictureError {
-    /// Too large, or without pixels.
+    /// The picture would be too large, or without pixels.
     #[error("a picture of {0} x {1} pixels cannot be made")]
     Size(u32, u32),
-    /// A scene of spans was to have another size.
+    /// A size was requested for a scene of spans.
     #[error("spans say themselves how large the picture is")]
     OwnSize,
-    /// The camera's `up` points to the eye or away from it, or one of both is 0.
+    /// The camera's `up` points to the eye or away from it, or one of the two is 0.
     #[error("the camera does not know what is up")]
     Up,
     /// All objects are at one point as the camera sees them.
@@ -130,35 +52,34 @@ impl PictureError {
 }
 
 impl Scene {
-    /// Projects the scene along parallel lines, settles what is visible and cuts it into spans.
+    /// Projects the scene along parallel lines, determines what is visible and cuts it into spans.
     ///
     /// Each pixel is sampled at its centre. Both sides of a surface are drawn, since meshes may
-    /// have holes and turn their faces either way; the normals of a triangle seen from behind (from
-    /// where its vertex normals do not point) are turned around, so that it is lit from the side
-    /// that is seen.
+    /// have holes, and faces of either orientation. The normals of a triangle that is seen from
+    /// behind (opposite to its vertex normals) are reversed, so that the visible side is lit.
     ///
     /// # Errors
-    /// A [`PictureError`] if the picture's size is out of range, the camera cannot see, or nothing
+    /// A [`PictureError`] if the picture's size is out of range, the camera is invalid, or nothing
     /// is visible.
     pub fn frame(&self) -> Result<Frame, PictureError> {
         if !limits::is_allowed(self.size) {
             return Err(PictureError::Size(self.size.0, self.size.1));
         }
         let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
-        let seen: Vec<Seen<'_>> =
-            self.objects.iter().map(|object| Seen::new(object, rotation)).collect();
+        let seen: Vec<ViewedObject<'_>> =
+            self.objects.iter().map(|object| ViewedObject::new(object, rotation)).collect();
         let bounds = bounds(&seen).ok_or(PictureError::NothingVisible)?;
         let window =
             Window::new(&self.camera, rotation, bounds, self.size).ok_or(PictureError::NoExtent)?;
         let (window, (kept, spans)) = self.visible(&seen, window)?;
-        let fans: Vec<Fans> =
+        let fans: Vec<VertexFans> =
             seen.iter().enumerate().map(|(object, seen)| seen.fans(object, &kept)).collect();
-        let triangle = |&name: &Name| {
+        let triangle = |&name: &TriangleId| {
             let (seen, fans) = (&seen[name.object], &fans[name.object]);
             seen.triangle(name, fans, snapped(self.places(seen, name.triangle, &window)))
         };
         let triangles = kept.iter().map(triangle).collect();
-        let view = View { rotation, centre: window.centre };
+        let view = ViewTransform { rotation, centre: window.centre };
         Ok(Frame {
             width: self.size.0,
             height: self.size.1,
@@ -173,14 +94,14 @@ impl Scene {
         })
     }
 
-    /// The triangles that can be seen and their spans, with the window that shows them.
+    /// The visible triangles and their spans, with the window that shows them.
     ///
-    /// Where a camera that frames the objects itself shows none, since they lie between the middles
-    /// of pixels as in pictures a pixel or two wide, the window is moved until the largest triangle
-    /// is on one.
+    /// If a camera that frames the objects itself shows none, since they lie between the middles of
+    /// pixels, as in pictures of a pixel or two, the window is moved until the largest triangle
+    /// covers one.
     fn visible(
         &self,
-        seen: &[Seen<'_>],
+        seen: &[ViewedObject<'_>],
         window: Window,
     ) -> Result<(Window, Visible), PictureError> {
         if let Some(visible) = self.visible_in(seen, &window)? {
@@ -192,10 +113,10 @@ impl Scene {
         Ok((moved, visible))
     }
 
-    /// What a window shows, if anything.
+    /// What a window shows; `None` if that is nothing.
     fn visible_in(
         &self,
-        seen: &[Seen<'_>],
+        seen: &[ViewedObject<'_>],
         window: &Window,
     ) -> Result<Option<Visible>, PictureError> {
         let (names, projected) = self.project(seen, window)?;
@@ -203,8 +124,8 @@ impl Scene {
         Ok((!spans.is_empty()).then(|| keep_visible(spans, &names)))
     }
 
-    /// The surfaces that objects stand for, where known: one for each material of the [`Frame`].
-    /// None if the camera cannot see.
+    /// The surfaces that objects represent, where they are known: one for each material of the
+    /// [`Frame`]. Empty if the camera is invalid.
     pub fn surfaces(&self) -> Vec<Option<Surface>> {
         let Some(rotation) = self.camera.rotation() else { return vec![] };
         let of = |object: &Object| {
@@ -213,12 +134,12 @@ impl Scene {
         self.objects.iter().map(of).collect()
     }
 
-    /// The triangles that may be in the picture, and which they are.
+    /// The triangles that may be in the picture, each with its name.
     fn project(
         &self,
-        seen: &[Seen<'_>],
+        seen: &[ViewedObject<'_>],
         window: &Window,
-    ) -> Result<(Vec<Name>, Vec<Projected>), PictureError> {
+    ) -> Result<(Vec<TriangleId>, Vec<Projected>), PictureError> {
         let (mut names, mut projected) = (Vec::new(), Vec::new());
         for (object, seen) in seen.iter().enumerate() {
             for (triangle, corners) in seen.object.mesh.triangles.iter().enumerate() {
@@ -229,7 +150,7 @@ impl Scene {
                 let points = snapped(places).ok_or(PictureError::TooClose)?;
                 if let Some(coverage) = Coverage::new(points) {
                     let nearness = corners.map(|k| seen.positions[k as usize].z);
-                    names.push(Name { object, triangle });
+                    names.push(TriangleId { object, triangle });
                     projected.push(Projected { coverage, nearness });
                 }
             }
@@ -237,13 +158,13 @@ impl Scene {
         Ok((names, projected))
     }
 
-    /// Where the corners of an object's triangle are, in pixels.
-    fn places(&self, seen: &Seen<'_>, triangle: usize, window: &Window) -> [[f64; 2]; 3] {
+    /// The places of the corners of an object's triangle in the picture, in pixels.
+    fn places(&self, seen: &ViewedObject<'_>, triangle: usize, window: &Window) -> [[f64; 2]; 3] {
         let corners = seen.object.mesh.triangles[triangle];
         corners.map(|k| window.place(seen.positions[k as usize], self.size))
     }
 
-    /// Whether all corners are beyond one and the same side of the picture.
+    /// Whether all corners are beyond the same side of the picture.
     fn is_outside(&self, places: [[f64; 2]; 3]) -> bool {
         let beyond = |axis: usize, size: u32| {
             let size = f64::from(size);
@@ -253,17 +174,18 @@ impl Scene {
     }
 }
 
-/// From the world to view space.
+/// The transformation from the world to view space.
 #[derive(Clone, Copy)]
-pub(super) struct View {
+pub(super) struct ViewTransform {
     rotation: DMat3,
-    /// What is at the picture's centre, in view space.
+    /// The point at the picture's centre, in view space.
     centre: DVec3,
 }
 
-impl View {
-    /// Of a world that is in view space already.
-    pub const NONE: View = View { rotation: DMat3::IDENTITY, centre: DVec3::ZERO };
+impl ViewTransform {
+    /// The view of a world that is already in view space.
+    pub const NONE: ViewTransform =
+        ViewTransform { rotation: DMat3::IDENTITY, centre: DVec3::ZERO };
 
     /// A direction in view space, of length 1.
     fn direction(self, space: LightSpace, direction: DVec3) -> DVec3 {
@@ -275,7 +197,8 @@ impl View {
         }
     }
 
-    /// A place in view space; those given in it are measured from the picture's centre.
+    /// A position in view space; one that is given in view space is relative to the picture's
+    /// centre.
     fn place(self, space: LightSpace, position: DVec3) -> DVec3 {
         match space {
             LightSpace::World => self.rotation * position,
@@ -285,7 +208,7 @@ impl View {
 }
 
 impl Light {
-    pub(super) fn at_infinity(&self, view: View) -> Option<DirectionalLight> {
+    pub(super) fn at_infinity(&self, view: ViewTransform) -> Option<DirectionalLight> {
         match self.source {
             LightSource::Directional { direction } => Some(DirectionalLight {
                 direction: view.direction(self.space, direction),
@@ -295,7 +218,7 @@ impl Light {
         }
     }
 
-    pub(super) fn at_a_place(&self, view: View) -> Option<LocalLight> {
+    pub(super) fn at_a_place(&self, view: ViewTransform) -> Option<LocalLight> {
         let (position, spot) = match self.source {
             LightSource::Directional { .. } => return None,
             LightSource::Point { position } => (position, None),
@@ -307,38 +230,38 @@ impl Light {
     }
 }
 
-/// A triangle of an object.
+/// The name of an object's triangle.
 #[derive(Clone, Copy)]
-struct Name {
-    object: usize,
-    triangle: usize,
+pub(super) struct TriangleId {
+    pub object: usize,
+    pub triangle: usize,
 }
 
-/// The triangles that can be seen, and the spans that name them.
-type Visible = (Vec<Name>, Vec<Span>);
+/// The visible triangles, and the spans that refer to them.
+type Visible = (Vec<TriangleId>, Vec<Span>);
 
 /// An object in view space.
-struct Seen<'a> {
+pub(super) struct ViewedObject<'a> {
     object: &'a Object,
     place: DAffine3,
     positions: Vec<DVec3>,
     to_normals: DMat3,
 }
 
-impl<'a> Seen<'a> {
-    fn new(object: &'a Object, rotation: DMat3) -> Seen<'a> {
+impl<'a> ViewedObject<'a> {
+    pub fn new(object: &'a Object, rotation: DMat3) -> ViewedObject<'a> {
         let place = DAffine3::from_mat3(rotation) * object.place;
         let positions = object.mesh.positions.iter().map(|&p| place.transform_point3(p)).collect();
-        Seen { object, place, positions, to_normals: normal_matrix(place.matrix3) }
+        ViewedObject { object, place, positions, to_normals: normal_matrix(place.matrix3) }
     }
 
-    /// The corners that triangles use; meshes may have vertices that none does.
+    /// The corners that triangles use; meshes may have unused vertices.
     fn corners(&self) -> impl Iterator<Item = DVec3> + '_ {
         self.object.mesh.triangles.iter().flatten().map(|&k| self.positions[k as usize])
     }
 
     /// A triangle of the object, turned to the side to which its vertex normals point.
-    fn face(&self, triangle: usize) -> Face {
+    pub fn face(&self, triangle: usize) -> Face {
         let places = self.object.mesh.triangles[triangle].map(|k| self.positions[k as usize]);
         let face = newell(&places);
         let fallback = face.unwrap_or(DVec3::Z);
@@ -349,8 +272,8 @@ impl<'a> Seen<'a> {
         Face { places, normals, outward }
     }
 
-    /// The faces around the vertices of those of the visible triangles that belong to this object.
-    fn fans(&self, object: usize, visible: &[Name]) -> Fans {
+    /// The faces around the vertices of this object's visible triangles.
+    pub fn fans(&self, object: usize, visible: &[TriangleId]) -> VertexFans {
         let wanted = visible
             .iter()
             .filter(|name| name.object == object)
@@ -358,12 +281,17 @@ impl<'a> Seen<'a> {
         let all = (0..self.object.mesh.triangles.len()).map(|triangle| self.face(triangle));
         let extent =
             self.corners().fold(f64::MIN_POSITIVE, |extent, p| extent.max(p.abs().max_element()));
-        Fans::around(wanted, all, extent)
+        VertexFans::around(wanted, all, extent)
     }
 
-    /// The triangle as it is shaded, at these points of the picture, its normals turned to the side
-    /// that is seen.
-    fn triangle(&self, name: Name, fans: &Fans, points: Option<[Point; 3]>) -> Triangle {
+    /// The triangle as it is shaded, at these points of the picture, with its normals on the
+    /// visible side.
+    fn triangle(
+        &self,
+        name: TriangleId,
+        fans: &VertexFans,
+        points: Option<[Point; 3]>,
+    ) -> Triangle {
         let face = self.face(name.triangle);
         let outward = face.outward.unwrap_or_else(|| face.normals.iter().sum());
         let turn = if outward.z < 0.0 { -1.0 } else { 1.0 };
@@ -378,10 +306,10 @@ impl<'a> Seen<'a> {
         }
     }
 
-    /// The polygon of a triangle, its normal on the side from which the triangle is seen.
+    /// The polygon of a triangle, with its normal on the side from which the triangle is seen.
     ///
-    /// Corners that go counter-clockwise go clockwise in a mirror. `to_normals` keeps a normal
-    /// outside all the same, so that the side is asked of the triangle turned back.
+    /// A mirror reverses the orientation of corners. `to_normals` nevertheless keeps a normal
+    /// outside, so the side is determined for the reversed triangle.
     fn facet(&self, triangle: usize, face: &Face) -> Facet {
         let facet = self.object.mesh.facets[triangle];
         let side = if self.place.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
@@ -393,52 +321,22 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// A triangle of a mesh among its neighbours.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ConedFace {
-    /// Its unit normal, on the side to which its vertex normals point.
-    pub outward: DVec3,
-    /// Unit normals at its vertices.
-    pub normals: [DVec3; 3],
-    /// Cones about them.
-    pub cones: [VertexCone; 3],
-}
-
-/// The triangles of a whole mesh that have an area, with the cones of their vertices.
-pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
-    let object = Object {
-        mesh: mesh.clone(),
-        primitive: None,
-        place: DAffine3::IDENTITY,
-        material: defaults::material(),
-    };
-    let seen = Seen::new(&object, DMat3::IDENTITY);
-    let all: Vec<Name> =
-        (0..mesh.triangles.len()).map(|triangle| Name { object: 0, triangle }).collect();
-    let fans = seen.fans(0, &all);
-    let coned = |name: &Name| {
-        let face = seen.face(name.triangle);
-        Some(ConedFace { outward: face.outward?, normals: face.normals, cones: fans.cones(&face) })
-    };
-    all.iter().filter_map(coned).collect()
-}
-
-/// A unit vector along one of any length but 0.
+/// A unit vector along a vector of any length except 0.
 fn direction_of(normal: DVec3) -> Option<DVec3> {
     let largest = normal.abs().max_element();
     if largest > 0.0 { direction(normal / largest) } else { None }
 }
 
-/// The grid points nearest to places in pixels, if none is beyond the grid.
+/// The grid points nearest to places in pixels; `None` if one is beyond the grid.
 fn snapped(places: [[f64; 2]; 3]) -> Option<[Point; 3]> {
     let [a, b, c] = places.map(|[x, y]| Point::snap(x, y));
     Some([a?, b?, c?])
 }
 
-/// The middle of the triangle that the camera sees largest.
-fn middle_of_largest(seen: &[Seen<'_>]) -> Option<DVec3> {
+/// The middle of the triangle that is largest in the picture.
+fn middle_of_largest(seen: &[ViewedObject<'_>]) -> Option<DVec3> {
     let corners =
-        |seen: &Seen<'_>, triangle: &[u32; 3]| triangle.map(|k| seen.positions[k as usize]);
+        |seen: &ViewedObject<'_>, triangle: &[u32; 3]| triangle.map(|k| seen.positions[k as usize]);
     let all = seen
         .iter()
         .flat_map(|seen| seen.object.mesh.triangles.iter().map(move |t| corners(seen, t)));
@@ -448,14 +346,14 @@ fn middle_of_largest(seen: &[Seen<'_>]) -> Option<DVec3> {
 }
 
 /// The smallest and largest coordinates of all corners, if there are any.
-fn bounds(seen: &[Seen<'_>]) -> Option<[DVec3; 2]> {
-    let corners = seen.iter().flat_map(Seen::corners).map(|p| [p, p]);
+fn bounds(seen: &[ViewedObject<'_>]) -> Option<[DVec3; 2]> {
+    let corners = seen.iter().flat_map(ViewedObject::corners).map(|p| [p, p]);
     corners.reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
 }
 
-/// Keeps the triangles that spans name, in the order of their first use, and makes spans name them
-/// by it.
-fn keep_visible(spans: Vec<Span>, names: &[Name]) -> (Vec<Name>, Vec<Span>) {
+/// Keeps the triangles that spans refer to, in the order of their first use, and adapts the
+/// references.
+fn keep_visible(spans: Vec<Span>, names: &[TriangleId]) -> (Vec<TriangleId>, Vec<Span>) {
     let mut kept: Vec<Option<usize>> = vec![None; names.len()];
     let mut triangles = Vec::new();
     let renamed = spans.into_iter().map(|span| {

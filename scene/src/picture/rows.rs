@@ -1,38 +1,38 @@
-//! Spans that are given as they are, one to a row, instead of being cut from objects.
+//! Spans that are given directly, one in each row, instead of being cut from objects.
 use glam::DVec3;
 
 use super::Light;
-use super::project::{PictureError, View};
+use super::project::{PictureError, ViewTransform};
 use crate::{Colour, Frame, Material, Span, Triangle};
 
-/// A span and its triangle, whose material is its own.
+/// A span and its triangle, with a material of its own.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// The span, as it stands in the frame.
+pub struct SpanRow {
+    /// The span, as it is in the frame.
     pub span: Span,
     /// Its triangle.
     pub triangle: Triangle,
-    /// How it answers light.
+    /// Its material.
     pub material: Material,
 }
 
-/// A picture of spans. World and view space are one.
+/// A picture of spans. World and view space are the same.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rows {
+pub struct SpanRows {
     /// 8-bit colour of pixels behind the end of a span.
     pub background: [u8; 3],
     /// Colour of the ambient light.
     pub ambient: Colour,
     /// Lights.
     pub lights: Vec<Light>,
-    /// Where the eye is that sees highlights, if it is at a place.
+    /// The position of the eye that sees highlights, if it is not at infinity.
     pub eye: Option<DVec3>,
     /// The spans, from the top.
-    pub rows: Vec<Row>,
+    pub rows: Vec<SpanRow>,
 }
 
-impl Rows {
-    /// The frame: as wide as the longest span, as high as there are spans.
+impl SpanRows {
+    /// The frame: as wide as the longest span, and as high as there are spans.
     ///
     /// # Errors
     /// [`PictureError::NothingVisible`] without spans.
@@ -45,11 +45,15 @@ impl Rows {
             height: spans.len() as u32,
             background: self.background,
             ambient: self.ambient,
-            lights: self.lights.iter().filter_map(|light| light.at_infinity(View::NONE)).collect(),
+            lights: self
+                .lights
+                .iter()
+                .filter_map(|light| light.at_infinity(ViewTransform::NONE))
+                .collect(),
             local_lights: self
                 .lights
                 .iter()
-                .filter_map(|light| light.at_a_place(View::NONE))
+                .filter_map(|light| light.at_a_place(ViewTransform::NONE))
                 .collect(),
             eye: self.eye,
             materials: self.rows.iter().map(|row| row.material.clone()).collect(),

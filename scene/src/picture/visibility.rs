@@ -1,26 +1,27 @@
-//! Which triangle is seen at each pixel, row by row.
+//! Determines which triangle is visible at each pixel, row by row.
 use std::ops::Range;
 
 use super::coverage::Coverage;
 use crate::Span;
 
-/// A triangle in the picture.
+/// A triangle projected to the picture.
 #[derive(Clone, Debug)]
 pub(super) struct Projected {
-    /// Where it is.
+    /// The pixels that it covers.
     pub coverage: Coverage,
-    /// How near its corners are, in the order of `coverage`'s weights; more is nearer.
+    /// Nearness of its corners, in the order of `coverage`'s weights; larger is nearer.
     pub nearness: [f64; 3],
 }
 
-/// The visible runs of `triangles`, from top to bottom and left to right; [`Span::triangle`]
-/// indexes `triangles`.
+/// The visible runs of `triangles`, from top to bottom and left to right; [`Span::triangle`] is an
+/// index of `triangles`.
 ///
-/// At each pixel centre the nearest triangle wins, and of equally near ones the first. Works a row
-/// at a time on the triangles that reach it, so that memory does not grow with the picture.
+/// At each pixel centre the nearest triangle is visible, and of equally near ones the first. Rows
+/// are processed one at a time with the triangles that reach them, so that memory does not grow
+/// with the picture.
 pub(super) fn visible_spans(triangles: &[Projected], width: u32, height: u32) -> Vec<Span> {
     let by_row = triangles_by_first_row(triangles, height);
-    let mut row = Row::new(width);
+    let mut row = PixelRow::new(width);
     let mut active: Vec<usize> = Vec::new();
     let mut spans = Vec::new();
     for (y, starting) in (0..height).zip(&by_row) {
@@ -46,18 +47,18 @@ fn triangles_by_first_row(triangles: &[Projected], height: u32) -> Vec<Vec<usize
     by_row
 }
 
-/// What is nearest at each pixel of the current row.
-struct Row {
+/// The nearest triangle at each pixel of the current row.
+struct PixelRow {
     nearness: Vec<f64>,
-    /// The triangle seen, `NOTHING` where there is none.
+    /// The visible triangle, or `NOTHING`.
     seen: Vec<usize>,
 }
 
 const NOTHING: usize = usize::MAX;
 
-impl Row {
-    fn new(width: u32) -> Row {
-        Row {
+impl PixelRow {
+    fn new(width: u32) -> PixelRow {
+        PixelRow {
             nearness: vec![f64::NEG_INFINITY; width as usize],
             seen: vec![NOTHING; width as usize],
         }
@@ -73,7 +74,8 @@ impl Row {
         let pixels = self.nearness[run.clone()].iter_mut().zip(&mut self.seen[run]);
         for (k, (nearest, seen)) in pixels.enumerate() {
             let nearness = start + step * k as f64;
-            // Triangles do not come in order of their index here: equals are decided by it.
+            // Triangles do not come in the order of their indices here, so the index decides
+            // between equals.
             if nearness > *nearest || (nearness == *nearest && index < *seen) {
                 (*nearest, *seen) = (nearness, index);
             }
@@ -118,7 +120,7 @@ mod tests {
 
     const SIZE: u32 = 12;
 
-    /// The triangle seen at each pixel, found by asking all of them.
+    /// The triangle visible at each pixel, found by testing all of them.
     fn by_asking_all(triangles: &[Projected], column: u32, row: u32) -> Option<usize> {
         let mut best: Option<(f64, usize)> = None;
         for (index, triangle) in triangles.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The icosahedron, coarse on purpose: its spans have end normals up to 63 degrees apart.
+//! The icosahedron, intentionally coarse: the end normals of its spans are up to 63 degrees apart.
 use std::collections::HashMap;
 
 use glam::DVec3;
@@ -6,8 +6,7 @@ use glam::DVec3;
 use crate::Facet;
 use crate::mesh::Mesh;
 
-/// The 12 vertices: (0, ±1, ±φ) and its cyclic permutations, brought to length 1; φ is the golden
-/// ratio.
+/// The 12 vertices: (0, ±1, ±φ) and its cyclic permutations, normalised; φ is the golden ratio.
 fn corners() -> Vec<DVec3> {
     let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
     let signs = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
@@ -20,10 +19,10 @@ fn corners() -> Vec<DVec3> {
     (0..3).flat_map(along).collect()
 }
 
-/// The 20 faces: vertices that are neighbours of each other, counter-clockwise seen from outside.
+/// The 20 faces: triples of neighbouring vertices, counter-clockwise as seen from outside.
 fn faces(corners: &[DVec3]) -> Vec<[u32; 3]> {
-    // The cosine of the angle between neighbours is 1/sqrt 5; the next farther vertices have the
-    // opposite.
+    // The cosine of the angle between neighbours is 1/√5; that of the next farther vertices is the
+    // negative.
     let near = |a: usize, b: usize| corners[a].dot(corners[b]) > 0.0;
     let mut faces = Vec::with_capacity(20);
     for a in 0..corners.len() {
@@ -38,7 +37,7 @@ fn faces(corners: &[DVec3]) -> Vec<[u32; 3]> {
     faces
 }
 
-/// The icosahedron with every triangle split in four `level` times, new vertices pushed out to the
+/// The icosahedron with every triangle split into four `level` times, and new vertices moved to the
 /// sphere.
 pub(super) fn mesh(level: u32) -> Mesh {
     let mut positions = corners();
@@ -48,7 +47,7 @@ pub(super) fn mesh(level: u32) -> Mesh {
     }
     let normals: Vec<[DVec3; 3]> =
         triangles.iter().map(|t| t.map(|k| positions[k as usize])).collect();
-    // On the unit sphere, so that a vertex is its own normal; no triangle is without area.
+    // On the unit sphere a vertex is its own normal; every triangle has an area.
     let facet = |places: &[DVec3; 3]| {
         Facet::of_polygon(places).unwrap_or(Facet::of_vertices(places, places))
     };
@@ -62,7 +61,7 @@ fn split(triangles: &[[u32; 3]], positions: &mut Vec<DVec3>) -> Vec<[u32; 3]> {
     let mut middle = |a: u32, b: u32| {
         *known.entry((a.min(b), a.max(b))).or_insert_with(|| {
             positions.push((positions[a as usize] + positions[b as usize]).normalize());
-            // At most 20 * 4^7 triangles: indices fit.
+            // There are at most 20 · 4^7 triangles, so indices fit.
             (positions.len() - 1) as u32
         })
     };

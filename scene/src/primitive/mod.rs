@@ -1,12 +1,10 @@
 //! Shapes that need no file.
+mod grid;
 mod icosahedron;
 mod sphere;
 mod teapot;
 mod torus;
 
-use glam::DVec3;
-
-use crate::Facet;
 use crate::mesh::Mesh;
 
 /// A built-in shape, y up, with its parameters.
@@ -44,8 +42,8 @@ pub enum Primitive {
 pub const NAMES: [&str; 4] = ["teapot", "sphere", "torus", "icosahedron"];
 
 impl Primitive {
-    /// The shape of that name with its defaults.
-    pub fn named(name: &str) -> Option<Primitive> {
+    /// The shape with that name and its default parameters.
+    pub fn by_name(name: &str) -> Option<Primitive> {
         match name {
             "teapot" => Some(Primitive::Teapot { level: 12 }),
             "sphere" => Some(Primitive::Sphere { level: 16 }),
@@ -55,8 +53,10 @@ impl Primitive {
         }
     }
 
-    /// The same shape, tessellated at `level`; the range of levels that it can have if that is not
-    /// one.
+    /// The same shape, tessellated at `level`.
+    ///
+    /// # Errors
+    /// The range of levels that the shape can have, if `level` is not in it.
     pub fn at_level(self, level: u32) -> Result<Primitive, std::ops::RangeInclusive<u32>> {
         let (range, shape) = match self {
             Primitive::Teapot { .. } => (1..=64, Primitive::Teapot { level }),
@@ -69,7 +69,7 @@ impl Primitive {
 
     /// The shape's triangles, counter-clockwise seen from outside, and its exact normals.
     ///
-    /// Levels outside the stated ranges are brought into them.
+    /// Levels outside the stated ranges are clamped.
     pub fn mesh(self) -> Mesh {
         match self {
             Primitive::Teapot { level } => teapot::mesh(level.clamp(1, 64)),
@@ -78,66 +78,4 @@ impl Primitive {
             Primitive::Icosahedron { level } => icosahedron::mesh(level.min(7)),
         }
     }
-}
-
-/// Vertices on a grid, with their normals.
-struct Grid {
-    /// Cells along the second parameter.
-    columns: u32,
-    positions: Vec<DVec3>,
-    normals: Vec<DVec3>,
-}
-
-impl Grid {
-    /// Samples a surface, given as place and unit normal, at the corners of `rows` times `columns`
-    /// cells; the closure is given the indices of a corner.
-    fn sample(
-        rows: u32,
-        columns: u32,
-        mut surface: impl FnMut(u32, u32) -> (DVec3, DVec3),
-    ) -> Grid {
-        let corners = (0..=rows).flat_map(|i| (0..=columns).map(move |j| (i, j)));
-        let (positions, normals) = corners.map(|(i, j)| surface(i, j)).unzip();
-        Grid { columns, positions, normals }
-    }
-
-    /// Appends the grid's triangles to a mesh: two a cell, those without area left out, each turned
-    /// to the side its normals point to.
-    fn append_to(self, mesh: &mut Mesh) {
-        // Levels are bounded, so that indices fit.
-        let (across, rows) =
-            (self.columns + 1, self.positions.len() as u32 / (self.columns + 1) - 1);
-        let first = mesh.positions.len() as u32;
-        for i in 0..rows {
-            for j in 0..self.columns {
-                let [a, b] = [i * across + j, i * across + j + 1];
-                let [c, d] = [a + across, b + across];
-                for triangle in [[a, b, d], [a, d, c]] {
-                    if let Some((outward, facet)) = self.outward(triangle) {
-                        mesh.facets.push(facet);
-                        mesh.triangles.push(outward.map(|k| first + k));
-                        mesh.normals.push(outward.map(|k| self.normals[k as usize]));
-                    }
-                }
-            }
-        }
-        mesh.positions.extend(self.positions);
-    }
-
-    /// The triangle turned so that its own normal agrees with its vertex normals, if it has an
-    /// area.
-    fn outward(&self, triangle: [u32; 3]) -> Option<([u32; 3], Facet)> {
-        let facet = Facet::of_polygon(&triangle.map(|k| self.positions[k as usize]))?;
-        let normals: DVec3 = triangle.iter().map(|&k| self.normals[k as usize]).sum();
-        Some(if facet.normal.dot(normals) >= 0.0 {
-            (triangle, facet)
-        } else {
-            ([triangle[0], triangle[2], triangle[1]], Facet { normal: -facet.normal, ..facet })
-        })
-    }
-}
-
-/// A mesh without anything yet.
-fn empty() -> Mesh {
-    Mesh { positions: Vec::new(), triangles: Vec::new(), normals: Vec::new(), facets: Vec::new() }
 }

@@ -1,7 +1,7 @@
 //! Newell's teapot, 1975: 32 bicubic Bézier patches.
 use glam::DVec3;
 
-use super::{Grid, empty};
+use super::grid::{Grid, empty};
 use crate::mesh::Mesh;
 
 /// Control points, a line each: x, y, z with z up.
@@ -10,7 +10,7 @@ const POINTS: &str = include_str!("../../data/teapot-points.csv");
 /// Patches, a line each: 16 indices of control points, row by row.
 const PATCHES: &str = include_str!("../../data/teapot-patches.csv");
 
-/// A tangent shorter than this is one that has shrunk to a point.
+/// A tangent shorter than this belongs to an edge that has degenerated to a point.
 const SHORTEST_TANGENT: f64 = 1e-9;
 
 /// The teapot, y up, with `level` by `level` cells a patch and its exact normals.
@@ -25,12 +25,12 @@ pub(super) fn mesh(level: u32) -> Mesh {
 /// The numbers of each line that is not a comment.
 fn rows<T: std::str::FromStr>(table: &str) -> impl Iterator<Item = Vec<T>> {
     let lines = table.lines().filter(|line| !line.starts_with('#'));
-    // The tables are part of the program; a test counts what they hold.
+    // The tables are part of the program; a test checks their contents.
     lines.map(|line| line.split(',').filter_map(|number| number.trim().parse().ok()).collect())
 }
 
 fn points() -> Vec<DVec3> {
-    // From z up to y up, by a quarter turn about x.
+    // A quarter turn about x takes z up to y up.
     rows::<f64>(POINTS)
         .filter_map(|row| Some(DVec3::new(*row.first()?, *row.get(2)?, -*row.get(1)?)))
         .collect()
@@ -56,8 +56,8 @@ struct Weights {
 }
 
 impl Weights {
-    /// At t = `part`/`whole`. 1 - t is taken from integers, so that an edge is the same whichever
-    /// way it is run along.
+    /// The weights at t = `part`/`whole`. 1 - t is computed from integers, so that an edge is the
+    /// same in either direction.
     fn new(part: u32, whole: u32) -> Weights {
         let t = f64::from(part) / f64::from(whole);
         let s = f64::from(whole - part) / f64::from(whole);
@@ -72,8 +72,8 @@ impl Patch {
     fn grid(&self, level: u32) -> Grid {
         Grid::sample(level, level, |i, j| {
             let (u, v) = (Weights::new(i, level), Weights::new(j, level));
-            // The lower half takes the mixed derivative as it is, the upper half looks back from
-            // u = 1 or v = 1.
+            // The mixed derivative is used as it is in the lower half, and negated in the upper
+            // half, which looks back from u = 1 or v = 1.
             let toward = |k: u32| if 2 * k <= level { 1.0 } else { -1.0 };
             (self.combine(&u.value, &v.value), self.normal(&u, &v, [toward(i), toward(j)]))
         })
@@ -86,9 +86,9 @@ impl Patch {
 
     /// The outward unit normal, ∂P/∂v × ∂P/∂u: all 32 patches turn that way.
     ///
-    /// Where an edge has shrunk to a point (the tops of lid and bottom), the derivative along it is
-    /// zero, and near it grows as the distance times the mixed derivative, which then stands for
-    /// it; `toward` is the sign of that distance inside the patch.
+    /// Where an edge has degenerated to a point (the tops of lid and bottom), the derivative along
+    /// it is zero, and near it grows as the distance times the mixed derivative, which replaces it;
+    /// `toward` is the sign of that distance inside the patch.
     fn normal(&self, u: &Weights, v: &Weights, toward: [f64; 2]) -> DVec3 {
         let mixed = self.combine(&u.slope, &v.slope);
         let [mut along_u, mut along_v] =

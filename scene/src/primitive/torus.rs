@@ -1,7 +1,7 @@
 //! The torus.
 use glam::DVec3;
 
-use super::{Grid, empty};
+use super::grid::{Grid, empty};
 use crate::angle::cos_sin_of_turn;
 use crate::mesh::Mesh;
 

@@ -1,7 +1,7 @@
 //! Binary glTF 2.0.
 use glam::DVec3;
 use serde_json::{Value, json};
-use specula_scene::mesh::{MOST_TRIANGLES, Mesh};
+use specula_scene::mesh::{MAX_TRIANGLES, Mesh};
 
 use crate::glb_files::{self, F32, Glb, I8, I16, U16, floats, written};
 use crate::shape::wedge;
@@ -190,7 +190,7 @@ fn triangles_are_counted_before_they_are_copied() {
         assert_eq!(
             said,
             format!(
-                "mesh `a.glb`: it has {triangles} triangles; at most {MOST_TRIANGLES} are taken"
+                "mesh `a.glb`: it has {triangles} triangles; at most {MAX_TRIANGLES} are taken"
             )
         );
     }

@@ -1,22 +1,16 @@
 //! Mesh files in the dialects of many programs: each gives the mesh and the picture of
 //! the plain file, and none that is damaged brings anything down.
-#[path = "../common/glb_files.rs"]
-mod glb_files;
-#[path = "../common/obj_files.rs"]
-mod obj_files;
-#[path = "../common/ply_files.rs"]
-mod ply_files;
-#[path = "../common/shape.rs"]
-mod shape;
-#[path = "../common/stl_files.rs"]
-mod stl_files;
-
 mod corpus;
 mod damage;
 mod glb;
+mod glb_files;
 mod obj;
+mod obj_files;
 mod ply;
+mod ply_files;
+mod shape;
 mod stl;
+mod stl_files;
 
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,6 @@
 //! What a polygon covers, and what triangles do, without a line of the code that is tested.
-use super::random::Random;
+use specula_fixtures::Draw;
+
 use super::shapes::{Place, edges, turn};
 
 /// Points nearer than this share of the polygon's extent to an edge say nothing: they are on it but
@@ -7,14 +8,14 @@ use super::shapes::{Place, edges, turn};
 const NEAR: f64 = 1e-6;
 
 /// Points over a polygon's bounds, none of them on an edge.
-pub fn probes(random: &mut Random, polygon: &[Place], count: usize) -> Vec<Place> {
+pub fn probes(draw: &mut Draw, polygon: &[Place], count: usize) -> Vec<Place> {
     let bound = |axis: usize, pick: fn(f64, f64) -> f64| {
         polygon.iter().map(|p| p[axis]).reduce(pick).expect("it has corners")
     };
     let (low, high) =
         ([bound(0, f64::min), bound(1, f64::min)], [bound(0, f64::max), bound(1, f64::max)]);
     let extent = (high[0] - low[0]).max(high[1] - low[1]);
-    let mut point = || [0, 1].map(|axis| low[axis] + (high[axis] - low[axis]) * random.unit());
+    let mut point = || [0, 1].map(|axis| low[axis] + (high[axis] - low[axis]) * draw.unit());
     let points: Vec<Place> = (0..count).map(|_| point()).collect();
     points
         .into_iter()

@@ -1,7 +1,6 @@
 //! Polygons of mesh files in triangles: what they cover is what an even-odd fill of the polygon
 //! covers, once, whichever corner is first and whichever way round the corners are given.
 mod fill;
-mod random;
 mod shapes;
 
 use std::fmt::Write;
@@ -9,10 +8,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use glam::{DMat3, DVec3};
+use specula_fixtures::Draw;
 use specula_scene::mesh::{Mesh, Warning};
 
 use fill::{area, area_around, covers, is_inside, probes};
-use random::Random;
 use shapes::{Place, bridged, comb, edges, roughened, spiral, star, tangled, with_holes};
 
 /// Points that each polygon is probed at.
@@ -29,9 +28,8 @@ impl Plane {
         Plane { axes: DMat3::IDENTITY, origin: DVec3::ZERO }
     }
 
-    fn any(random: &mut Random) -> Plane {
-        let mut vector =
-            || DVec3::new(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
+    fn any(draw: &mut Draw) -> Plane {
+        let mut vector = || DVec3::new(draw.unit() - 0.5, draw.unit() - 0.5, draw.unit() - 0.5);
         let normal = vector().normalize_or(DVec3::Y);
         let (across, up) = normal.any_orthonormal_pair();
         Plane { axes: DMat3::from_cols(across, up, normal), origin: vector() * 100.0 }
@@ -80,9 +78,9 @@ fn read(text: &str, plane: &Plane) -> (Vec<[Place; 3]>, Vec<Warning>) {
 
 /// Compares what a polygon's triangles cover with the even-odd fill, from every first corner and
 /// both ways round.
-fn check(name: &str, polygon: &[Place], plane: &Plane, random: &mut Random) {
+fn check(name: &str, polygon: &[Place], plane: &Plane, draw: &mut Draw) {
     let probes: Vec<(Place, bool)> =
-        probes(random, polygon, PROBES).into_iter().map(|p| (p, is_inside(polygon, p))).collect();
+        probes(draw, polygon, PROBES).into_iter().map(|p| (p, is_inside(polygon, p))).collect();
     let mut turned = polygon.to_vec();
     let mut areas = Vec::new();
     for round in 0..2 * polygon.len() {
@@ -104,8 +102,8 @@ fn check(name: &str, polygon: &[Place], plane: &Plane, random: &mut Random) {
 
 /// As `check`, of a polygon that does not cover itself: its area is known, and nothing is warned
 /// of.
-fn check_simple(name: &str, polygon: &[Place], plane: &Plane, random: &mut Random) {
-    check(name, polygon, plane, random);
+fn check_simple(name: &str, polygon: &[Place], plane: &Plane, draw: &mut Draw) {
+    check(name, polygon, plane, draw);
     let (triangles, warnings) = read(&obj(polygon, plane, true), plane);
     let (found, expected) = (area(&triangles), area_around(polygon));
     assert!(
@@ -118,37 +116,37 @@ fn check_simple(name: &str, polygon: &[Place], plane: &Plane, random: &mut Rando
 #[test]
 fn stars_are_covered_once() {
     for seed in 0..60 {
-        let mut random = Random::new(seed);
-        let corners = 3 + random.below(30);
-        let polygon = star(&mut random, corners, [0.0; 2], 8.0);
-        check_simple(&format!("star {seed}"), &polygon, &Plane::flat(), &mut random);
-        let (rough, plane) = (roughened(&mut random, &polygon), Plane::any(&mut random));
-        check(&format!("rough star {seed}"), &rough, &Plane::flat(), &mut random);
-        check(&format!("tilted star {seed}"), &polygon, &plane, &mut random);
+        let mut draw = Draw::new(seed);
+        let corners = 3 + draw.below(30);
+        let polygon = star(&mut draw, corners, [0.0; 2], 8.0);
+        check_simple(&format!("star {seed}"), &polygon, &Plane::flat(), &mut draw);
+        let (rough, plane) = (roughened(&mut draw, &polygon), Plane::any(&mut draw));
+        check(&format!("rough star {seed}"), &rough, &Plane::flat(), &mut draw);
+        check(&format!("tilted star {seed}"), &polygon, &plane, &mut draw);
     }
 }
 
 #[test]
 fn spirals_and_combs_are_covered_once() {
-    let mut random = Random::new(1);
+    let mut draw = Draw::new(1);
     for (name, polygon) in [("spiral", spiral(60, 3.0, 10.0)), ("comb", comb(12))] {
-        for plane in [Plane::flat(), Plane::any(&mut random)] {
-            check_simple(name, &polygon, &plane, &mut random);
+        for plane in [Plane::flat(), Plane::any(&mut draw)] {
+            check_simple(name, &polygon, &plane, &mut draw);
         }
-        check(name, &roughened(&mut random, &polygon), &Plane::flat(), &mut random);
+        check(name, &roughened(&mut draw, &polygon), &Plane::flat(), &mut draw);
     }
 }
 
 #[test]
 fn holes_at_bridges_stay_open() {
     for seed in 0..40 {
-        let mut random = Random::new(seed);
-        let holes = 1 + random.below(4);
-        let polygon = with_holes(&mut random, holes);
-        check(&format!("holes {seed}"), &polygon, &Plane::flat(), &mut random);
-        let (rough, plane) = (roughened(&mut random, &polygon), Plane::any(&mut random));
-        check(&format!("rough holes {seed}"), &rough, &Plane::flat(), &mut random);
-        check(&format!("tilted holes {seed}"), &polygon, &plane, &mut random);
+        let mut draw = Draw::new(seed);
+        let holes = 1 + draw.below(4);
+        let polygon = with_holes(&mut draw, holes);
+        check(&format!("holes {seed}"), &polygon, &Plane::flat(), &mut draw);
+        let (rough, plane) = (roughened(&mut draw, &polygon), Plane::any(&mut draw));
+        check(&format!("rough holes {seed}"), &rough, &Plane::flat(), &mut draw);
+        check(&format!("tilted holes {seed}"), &polygon, &plane, &mut draw);
     }
 }
 
@@ -156,15 +154,15 @@ fn holes_at_bridges_stay_open() {
 #[test]
 fn stars_in_stars_leave_rings() {
     for seed in 0..40 {
-        let mut random = Random::new(seed);
-        let (outer, inner) = (5 + random.below(12), 3 + random.below(6));
-        let rim = star(&mut random, outer, [0.0; 2], 30.0);
-        let mut hole = star(&mut random, inner, [0.0; 2], 3.0);
+        let mut draw = Draw::new(seed);
+        let (outer, inner) = (5 + draw.below(12), 3 + draw.below(6));
+        let rim = star(&mut draw, outer, [0.0; 2], 30.0);
+        let mut hole = star(&mut draw, inner, [0.0; 2], 3.0);
         hole.reverse();
-        let polygon = bridged(&mut random, &rim, &hole);
-        check_simple(&format!("ring {seed}"), &polygon, &Plane::flat(), &mut random);
-        let plane = Plane::any(&mut random);
-        check_simple(&format!("tilted ring {seed}"), &polygon, &plane, &mut random);
+        let polygon = bridged(&mut draw, &rim, &hole);
+        check_simple(&format!("ring {seed}"), &polygon, &Plane::flat(), &mut draw);
+        let plane = Plane::any(&mut draw);
+        check_simple(&format!("tilted ring {seed}"), &polygon, &plane, &mut draw);
     }
 }
 
@@ -172,10 +170,10 @@ fn stars_in_stars_leave_rings() {
 #[test]
 fn polygons_that_cross_themselves_are_filled_by_the_even_odd_rule() {
     for seed in 0..300 {
-        let mut random = Random::new(seed);
-        let corners = 4 + random.below(9);
-        let polygon = tangled(&mut random, corners);
-        check(&format!("tangled {seed}"), &polygon, &Plane::flat(), &mut random);
+        let mut draw = Draw::new(seed);
+        let corners = 4 + draw.below(9);
+        let polygon = tangled(&mut draw, corners);
+        check(&format!("tangled {seed}"), &polygon, &Plane::flat(), &mut draw);
     }
     let bow_tie = [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]];
     let (triangles, warnings) = read(&obj(&bow_tie, &Plane::flat(), true), &Plane::flat());
@@ -228,9 +226,9 @@ fn a_picture_shows_the_hole() {
 #[test]
 fn every_corner_of_a_polygon_is_one_of_its_triangles() {
     for seed in 0..40 {
-        let mut random = Random::new(seed);
-        let corners = 4 + random.below(12);
-        let star = star(&mut random, corners, [0.0; 2], 8.0);
+        let mut draw = Draw::new(seed);
+        let corners = 4 + draw.below(12);
+        let star = star(&mut draw, corners, [0.0; 2], 8.0);
         let middles = edges(&star).flat_map(|[a, b]| {
             [
                 a,
@@ -252,10 +250,10 @@ fn every_corner_of_a_polygon_is_one_of_its_triangles() {
 #[test]
 fn files_of_tangles_are_refused_in_little_time() {
     let begun = Instant::now();
-    let mut random = Random::new(7);
+    let mut draw = Draw::new(7);
     let corners = 900;
     let vertices: String =
-        (0..corners).map(|_| format!("v {:.6} {:.6} 0\n", random.unit(), random.unit())).collect();
+        (0..corners).map(|_| format!("v {:.6} {:.6} 0\n", draw.unit(), draw.unit())).collect();
     let face: String = (1..=corners).map(|k| format!(" {k}")).collect();
     let file = format!("{vertices}{}", format!("f{face}\n").repeat(40));
     let error = Mesh::from_bytes(Path::new("a.obj"), file.as_bytes()).expect_err("it is tangled");

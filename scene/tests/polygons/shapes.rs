@@ -1,20 +1,19 @@
 //! Polygons to be split, as corners in a plane.
-use super::random::Random;
+use specula_fixtures::Draw;
 
 /// A place in the plane.
 pub type Place = [f64; 2];
 
 /// A polygon around the middle, its corners on a grid, so that edges may run through corners
 /// exactly.
-pub fn star(random: &mut Random, corners: usize, middle: Place, radius: f64) -> Vec<Place> {
-    let turn = random.unit() * std::f64::consts::TAU;
-    let corner = |k: usize, random: &mut Random| {
-        let angle =
-            turn + (k as f64 + 0.8 * random.unit()) / corners as f64 * std::f64::consts::TAU;
-        let length = radius * (0.3 + 0.7 * random.unit());
+pub fn star(draw: &mut Draw, corners: usize, middle: Place, radius: f64) -> Vec<Place> {
+    let turn = draw.unit() * std::f64::consts::TAU;
+    let corner = |k: usize, draw: &mut Draw| {
+        let angle = turn + (k as f64 + 0.8 * draw.unit()) / corners as f64 * std::f64::consts::TAU;
+        let length = radius * (0.3 + 0.7 * draw.unit());
         on_grid([middle[0] + length * angle.cos(), middle[1] + length * angle.sin()])
     };
-    (0..corners).map(|k| corner(k, random)).collect()
+    (0..corners).map(|k| corner(k, draw)).collect()
 }
 
 /// A band that winds inwards; no corner of it sees all others.
@@ -43,25 +42,25 @@ pub fn comb(teeth: usize) -> Vec<Place> {
 }
 
 /// A square with square holes in a row, each joined to the rim, or to the hole before, by a bridge.
-pub fn with_holes(random: &mut Random, holes: usize) -> Vec<Place> {
+pub fn with_holes(draw: &mut Draw, holes: usize) -> Vec<Place> {
     let width = 4.0 * holes as f64 + 2.0;
     let mut polygon = vec![[0.0, 0.0], [width, 0.0], [width, 6.0], [0.0, 6.0]];
     for k in 0..holes {
-        let (x, bottom) = (4.0 * k as f64 + 2.0, 2.0 + random.unit().round() * 0.5);
+        let (x, bottom) = (4.0 * k as f64 + 2.0, 2.0 + draw.unit().round() * 0.5);
         let mut hole = vec![[x, bottom], [x, 4.0], [x + 2.0, 4.0], [x + 2.0, bottom]];
         // A hole that turns the same way as the rim is a hole all the same.
-        if random.below(4) == 0 {
+        if draw.below(4) == 0 {
             hole.reverse();
         }
-        polygon = bridged(random, &polygon, &hole);
+        polygon = bridged(draw, &polygon, &hole);
     }
     polygon
 }
 
 /// A polygon with a hole put into it by a bridge between two corners that see each other.
-pub fn bridged(random: &mut Random, polygon: &[Place], hole: &[Place]) -> Vec<Place> {
+pub fn bridged(draw: &mut Draw, polygon: &[Place], hole: &[Place]) -> Vec<Place> {
     let (n, m) = (polygon.len(), hole.len());
-    let start = random.below(n * m);
+    let start = draw.below(n * m);
     let pairs = (0..n * m).map(|k| (start + k) % (n * m)).map(|k| (k / m, k % m));
     let sees = |&(i, j): &(usize, usize)| {
         let bridge = [polygon[i], hole[j]];
@@ -74,11 +73,11 @@ pub fn bridged(random: &mut Random, polygon: &[Place], hole: &[Place]) -> Vec<Pl
 
 /// Corners put on edges, corners stated twice in a row, and slits that go along an edge inwards and
 /// back.
-pub fn roughened(random: &mut Random, polygon: &[Place]) -> Vec<Place> {
+pub fn roughened(draw: &mut Draw, polygon: &[Place]) -> Vec<Place> {
     let mut rough = Vec::new();
     for [a, b] in edges(polygon) {
         rough.push(a);
-        match random.below(4) {
+        match draw.below(4) {
             0 => rough.push(a),
             1 => rough.extend([0.25, 0.5].map(|t| between(a, b, t))),
             2 => rough.extend([between(a, b, 0.5), between(a, b, 0.25), between(a, b, 0.75)]),
@@ -89,8 +88,8 @@ pub fn roughened(random: &mut Random, polygon: &[Place]) -> Vec<Place> {
 }
 
 /// Corners anywhere on a small grid: the polygon crosses, touches and covers itself.
-pub fn tangled(random: &mut Random, corners: usize) -> Vec<Place> {
-    (0..corners).map(|_| [random.below(7) as f64, random.below(7) as f64]).collect()
+pub fn tangled(draw: &mut Draw, corners: usize) -> Vec<Place> {
+    (0..corners).map(|_| [draw.below(7) as f64, draw.below(7) as f64]).collect()
 }
 
 /// The edges of a polygon.

@@ -1,6 +1,6 @@
 //! The ports of a core, as a simulator's main program sees them.
 use specula_datapath::Design;
-use specula_datapath::design::{NodeId, Op, ScopeId};
+use specula_datapath::design::{Node, NodeId, Op, ScopeId};
 
 /// A port of a core.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,7 +52,7 @@ impl Ports {
         };
         Ports {
             core: design.scope(ScopeId::TOP).instance.clone(),
-            clock: design.nodes.iter().any(|node| node.registered()),
+            clock: design.nodes.iter().any(Node::registered),
             reset: design.to_block().has_reset(),
             valid: port(&design.valid),
             start: port(&design.start),

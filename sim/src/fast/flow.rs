@@ -25,18 +25,24 @@ impl Source {
 /// Feedback that has a kernel of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Recurrence {
-    /// value = first ? start : state; state ← value + step, wrapped to the register `state`.
+    /// value = first ? start : state; state ← valid ? value + step : state, wrapped to the register
+    /// `state`. Behind it there may be other registers, each of which takes over what the one before
+    /// it held, where `valid` is 1: the last one is then the state that is read.
     Accumulate {
+        /// The bit with which the registers take over what is next.
+        valid: NodeId,
         /// The bit that loads.
         first: NodeId,
         /// What is loaded.
         start: NodeId,
         /// What is added.
         step: NodeId,
-        /// The register.
+        /// The first register.
         state: NodeId,
+        /// How many registers there are.
+        registers: usize,
     },
-    /// A register with an enable: state ← enable ? value : state.
+    /// A register with an enable: state ← enable ? value : state, wrapped to its width.
     Hold {
         /// The enable.
         enable: NodeId,
@@ -181,8 +187,8 @@ impl Flow {
         let sources = |ids: &[NodeId]| ids.iter().map(|&id| self.source(id)).collect();
         match (self.fused.get(&root), self.recurrences[root.0 as usize]) {
             (Some(fused), _) => fused.sources().collect(),
-            (None, Some(Recurrence::Accumulate { first, start, step, .. })) => {
-                sources(&[first, start, step])
+            (None, Some(Recurrence::Accumulate { valid, first, start, step, .. })) => {
+                sources(&[valid, first, start, step])
             }
             (None, Some(Recurrence::Hold { enable, value })) => sources(&[enable, value]),
             (None, None) => design.node(root).op.operands().map(|id| self.source(id)).collect(),
@@ -191,22 +197,40 @@ impl Flow {
 }
 
 fn recurrence(design: &Design, id: NodeId, node: &Node) -> Option<Recurrence> {
-    let Op::Select(condition, yes, no) = node.op else { return None };
-    if no == id && node.register == Register::Data {
-        return Some(Recurrence::Hold { enable: condition, value: yes });
+    if let (Some((enable, value)), Register::Data) = (node.clock_enable(id), node.register) {
+        return Some(Recurrence::Hold { enable, value });
     }
-    let state = design.node(no);
-    let Op::Wrap(next) = state.op else { return None };
-    let Op::Add(value, step) = design.node(next).op else { return None };
-    let plain = [id, next].iter().all(|&n| design.node(n).register == Register::None);
-    let closes =
-        value == id && step != no && step != id && state.register == Register::Data && no < id;
-    (plain && closes).then_some(Recurrence::Accumulate {
-        first: condition,
-        start: yes,
-        step,
-        state: no,
-    })
+    accumulator(design, id, node)
+}
+
+/// The accumulator that computes the value `id`.
+fn accumulator(design: &Design, id: NodeId, node: &Node) -> Option<Recurrence> {
+    let Op::Select(first, start, oldest) = node.op else { return None };
+    let (valid, _) = design.node(oldest).clock_enable(oldest)?;
+    let range = design.node(oldest).range;
+    let mut state = oldest;
+    // Feedback goes back over a pixel, in whose clocks each register of a row has its turn.
+    for registers in 1..=design.interval as usize {
+        let register = design.node(state);
+        let (enable, next) = register.clock_enable(state)?;
+        if enable != valid || register.range != range || register.register != Register::Data {
+            return None;
+        }
+        if let Op::Add(value, step) = design.node(next).op {
+            let plain = [id, next].iter().all(|&n| design.node(n).register == Register::None);
+            let closes = value == id && step != id && plain;
+            return closes.then_some(Recurrence::Accumulate {
+                valid,
+                first,
+                start,
+                step,
+                state,
+                registers,
+            });
+        }
+        state = next;
+    }
+    None
 }
 
 /// Range of an operator's result before it is brought to the signal's width.

@@ -1,7 +1,15 @@
 //! Columns in memory.
+use specula_datapath::design::Range;
 use specula_kernels::Lane;
 
 use crate::Lanes;
+
+const NARROW: Range = Range::new(i32::MIN as i64, i32::MAX as i64);
+
+/// Whether 32-bit lanes hold every value of a range.
+pub fn fits_narrow(range: Range) -> bool {
+    NARROW.low <= range.low && range.high <= NARROW.high
+}
 
 /// Lanes behind the batch that may be written and are never read. So many are written at a time.
 pub const PADDING: usize = 8;
@@ -76,31 +84,30 @@ impl Memory {
     /// A lane of this batch (or, below 0, of the one before).
     pub fn lane(&self, place: Place, at: isize) -> i64 {
         let lane = |history: usize| (history as isize + at) as usize;
-        match place.wide {
-            true => self.wide[place.index].lanes[lane(self.wide[place.index].history)],
-            false => self.narrow[place.index].lanes[lane(self.narrow[place.index].history)].into(),
+        if place.wide {
+            self.wide[place.index].lanes[lane(self.wide[place.index].history)]
+        } else {
+            self.narrow[place.index].lanes[lane(self.narrow[place.index].history)].into()
         }
     }
 
     /// Sets a lane of this batch.
     pub fn set_lane(&mut self, place: Place, at: usize, value: i64) {
-        match place.wide {
-            true => {
-                let column = &mut self.wide[place.index];
-                column.lanes[column.history + at] = value;
-            }
-            false => {
-                let column = &mut self.narrow[place.index];
-                column.lanes[column.history + at] = value as i32;
-            }
+        if place.wide {
+            let column = &mut self.wide[place.index];
+            column.lanes[column.history + at] = value;
+        } else {
+            let column = &mut self.narrow[place.index];
+            column.lanes[column.history + at] = value as i32;
         }
     }
 
     /// Fills lanes `from..to` of this batch with one value.
     pub fn fill(&mut self, place: Place, from: usize, to: usize, value: i64) {
-        match place.wide {
-            true => self.wide[place.index].write(from, to).fill(value),
-            false => self.narrow[place.index].write(from, to).fill(value as i32),
+        if place.wide {
+            self.wide[place.index].write(from, to).fill(value)
+        } else {
+            self.narrow[place.index].write(from, to).fill(value as i32)
         }
     }
 
@@ -111,13 +118,10 @@ impl Memory {
             let first = (history as isize + first) as usize;
             first..first + clocks
         };
-        match place.wide {
-            true => {
-                Lanes::Wide(&self.wide[place.index].lanes[range(self.wide[place.index].history)])
-            }
-            false => Lanes::Narrow(
-                &self.narrow[place.index].lanes[range(self.narrow[place.index].history)],
-            ),
+        if place.wide {
+            Lanes::Wide(&self.wide[place.index].lanes[range(self.wide[place.index].history)])
+        } else {
+            Lanes::Narrow(&self.narrow[place.index].lanes[range(self.narrow[place.index].history)])
         }
     }
 

@@ -13,9 +13,11 @@ mod kept;
 mod memory;
 mod parallel;
 mod plan;
+mod read;
 mod run;
 mod schedule;
 mod serial;
+mod settings;
 mod step;
 
 use specula_datapath::Design;
@@ -27,24 +29,7 @@ use parallel::Pieces;
 use plan::plan;
 use run::Run;
 
-/// How the engine works. What it computes does not depend on it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Settings {
-    /// Clocks in a batch, at least 1.
-    pub batch: usize,
-    /// The instruction set.
-    pub instruction_set: InstructionSet,
-    /// Threads that work at once, at least 1; one does where many signals are watched.
-    pub threads: usize,
-    /// Clocks that a thread works on at a time, at least 1, where there are several.
-    pub piece: usize,
-}
-
-impl Default for Settings {
-    fn default() -> Settings {
-        Settings { batch: 512, instruction_set: InstructionSet::best(), threads: 1, piece: 32_768 }
-    }
-}
+pub use settings::Settings;
 
 /// The columnar engine.
 pub struct Fast<'a> {

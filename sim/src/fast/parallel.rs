@@ -12,10 +12,10 @@ use std::thread::{self, Scope};
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 
-use super::Settings;
 use super::kept::Kept;
 use super::plan::Plan;
 use super::run::Run;
+use super::settings::Settings;
 use crate::{Batch, Flow, Stimulus};
 
 /// Values that a piece may hold: 8 MiB, where they have 32 bits. A piece is copied before it is

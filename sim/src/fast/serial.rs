@@ -2,10 +2,10 @@
 use std::sync::Arc;
 
 use specula_datapath::design::{NodeId, Op, Table, wrapped};
-use specula_kernels::{Lane, accumulate, hold, look_up};
+use specula_kernels::{Lane, accumulate, accumulate_in_turn, hold, look_up};
 
 use super::memory::{Column, Memory, Place};
-use super::step::{Read, narrow, wide};
+use super::read::{Read, narrow, wide};
 
 /// A column with a serial kernel.
 #[derive(Clone)]
@@ -18,22 +18,26 @@ pub enum Serial {
     LookUp(Arc<[i64]>, Read),
 }
 
-/// value = first ? start : state, then state ← value + step, wrapped.
+/// value = first ? start : state, then state ← valid ? value + step : state, wrapped.
 #[derive(Clone)]
 pub struct Accumulator {
+    pub valid: Read,
     pub first: Read,
     pub start: Read,
     pub step: Read,
     pub width: u32,
     pub signed: bool,
-    pub state: i64,
+    /// What the registers hold, the oldest first.
+    pub states: Vec<i64>,
 }
 
-/// state ← enable ? value : state.
+/// state ← enable ? value : state, wrapped.
 #[derive(Clone)]
 pub struct Holder {
     pub enable: Read,
     pub value: Read,
+    pub width: u32,
+    pub signed: bool,
     pub state: i64,
 }
 
@@ -84,13 +88,35 @@ impl Serial {
 }
 
 impl Accumulator {
+    /// Where every lane has a pixel, as in most batches, none has to be asked whether it counts.
     fn run<L: Lane>(&mut self, memory: &Memory, out: &mut [L], from: usize, clocks: usize) {
+        let valid = &narrow(memory, self.valid, clocks)[from..clocks];
+        // Bit by bit, so that it takes no branch.
+        if valid.iter().fold(1, |all, bit| all & bit) == 1 {
+            self.run_enabled(memory, out, from, clocks, |_| true);
+        } else {
+            self.run_enabled(memory, out, from, clocks, |lane| valid[lane] != 0);
+        }
+    }
+
+    fn run_enabled<L: Lane>(
+        &mut self,
+        memory: &Memory,
+        out: &mut [L],
+        from: usize,
+        clocks: usize,
+        enabled: impl Fn(usize) -> bool,
+    ) {
         let first = &narrow(memory, self.first, clocks)[from..];
         let (width, signed) = (self.width, self.signed);
         let wrap = |raw: i64| wrapped(raw, width, signed);
-        let state = &mut self.state;
+        let states = &mut self.states[..];
         with_lanes!(memory, self.start, clocks, start => with_lanes!(memory, self.step, clocks, step => {
-            accumulate(out, first, &start[from..], &step[from..], state, wrap)
+            let operands = (&start[from..], &step[from..]);
+            match states {
+                [state] => accumulate(out, first, operands, state, enabled, wrap),
+                states => accumulate_in_turn(out, first, operands, states, enabled, wrap),
+            }
         }))
     }
 }
@@ -98,8 +124,12 @@ impl Accumulator {
 impl Holder {
     fn run<L: Lane>(&mut self, memory: &Memory, out: &mut [L], from: usize, clocks: usize) {
         let enable = &narrow(memory, self.enable, clocks)[from..];
+        let (width, signed) = (self.width, self.signed);
+        let wrap = |raw: i64| wrapped(raw, width, signed);
         let state = &mut self.state;
-        with_lanes!(memory, self.value, clocks, value => hold(out, enable, &value[from..], state))
+        with_lanes!(memory, self.value, clocks, value => {
+            hold(out, enable, &value[from..], state, wrap)
+        })
     }
 }
 

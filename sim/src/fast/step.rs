@@ -2,16 +2,8 @@
 use specula_kernels::{Binary, Products, Ternary};
 
 use super::memory::{Memory, Place};
+use super::read::{Read, narrow, wide};
 use super::serial::{Member, Serial};
-
-/// A column as one reader sees it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Read {
-    /// The column.
-    pub place: Place,
-    /// Clocks that the reader looks back.
-    pub back: usize,
-}
 
 /// A sum of `N` products.
 #[derive(Clone, Copy)]
@@ -167,14 +159,4 @@ impl Step {
             _ => memory.fill(self.out, 0, to, 0),
         }
     }
-}
-
-/// The lanes of a column as a reader sees them.
-pub fn narrow(memory: &Memory, read: Read, clocks: usize) -> &[i32] {
-    memory.narrow[read.place.index].read(read.back, clocks)
-}
-
-/// The lanes of a column as a reader sees them.
-pub fn wide(memory: &Memory, read: Read, clocks: usize) -> &[i64] {
-    memory.wide[read.place.index].read(read.back, clocks)
 }

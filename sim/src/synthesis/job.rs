@@ -4,7 +4,8 @@ use std::path::Path;
 
 use specula_datapath::verilog::Library;
 
-use super::{Synthesised, counts};
+use super::cells::Synthesised;
+use super::counts;
 use crate::SimError;
 use crate::external::{Tool, temporary_directory};
 

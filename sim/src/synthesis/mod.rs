@@ -5,11 +5,11 @@
 //! designs it is in; the cells of a design are those of its modules, as often as they stand in it.
 //! So nothing is optimised across the borders of modules: where the builder has left out what is
 //! constant and unread there is little to be found.
+mod cells;
 mod counts;
 mod job;
 
 use std::num::NonZero;
-use std::ops::AddAssign;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
@@ -19,24 +19,7 @@ use specula_datapath::verilog::{Library, LongDelays};
 
 use crate::SimError;
 
-/// Cells of an ECP5.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Synthesised {
-    /// Look-up tables of four inputs: `LUT4`, and the two of each carry cell, `CCU2C`.
-    pub luts: u64,
-    /// Multipliers of 18 x 18 bits, `MULT18X18D`.
-    pub multipliers: u64,
-    /// Flip-flops, `TRELLIS_FF`.
-    pub flip_flops: u64,
-}
-
-impl AddAssign for Synthesised {
-    fn add_assign(&mut self, other: Synthesised) {
-        self.luts += other.luts;
-        self.multipliers += other.multipliers;
-        self.flip_flops += other.flip_flops;
-    }
-}
+pub use cells::Synthesised;
 
 /// How far synthesis has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,15 +1,13 @@
 //! A core for one scene is the general core under what is known of the scene: Yosys proves it, for
 //! every input there is, at reduced widths.
-#[path = "../common/mod.rs"]
-mod common;
 mod miter;
 
 use std::process::Command;
 
+use specula_fixtures::tools;
 use specula_scene::parse;
 use specula_spec::{CoreSpec, Method, SceneCore};
 
-use common::tools;
 use miter::Miter;
 
 /// Faces that look at the viewer, in a light, without ambient light, in formats so coarse that a
@@ -79,7 +77,7 @@ fn proven(miter: &Miter, given: &[String]) -> bool {
 
 /// Given all that is known the cores agree, and they rest on every line of it that `matters`.
 fn assert_equivalent(spec: &CoreSpec, facts: &str, matters: &[&str]) {
-    if !tools::program("yosys") {
+    if !tools::is_installed("yosys") {
         return;
     }
     let miter = Miter::new(spec, facts);
@@ -101,7 +99,7 @@ const UNIT_NORMAL: &str =
 /// Constants (the light, the exponent, the colours), ambient light that is left out, and narrowed
 /// normals.
 #[test]
-fn flat_lyon() {
+fn lyon_with_constants_is_the_general_core() {
     let yellow = core(Method::Lyon, &FLAT, &[YELLOW]);
     assert_equivalent(
         &yellow,
@@ -112,14 +110,14 @@ fn flat_lyon() {
 
 /// Highlights that no material has: their vectors and powers are left out.
 #[test]
-fn matt_lyon() {
+fn lyon_without_highlights_is_the_general_core() {
     let matt = core(Method::Lyon, &FLAT, &["diffuse = [0.5, 0.5, 0.3]\nspecular = 0"]);
     assert_equivalent(&matt, UNIT_NORMAL, &["light0_specular_g"]);
 }
 
 /// Two inputs that are alike.
 #[test]
-fn grey_lyon() {
+fn lyon_with_equal_inputs_is_the_general_core() {
     // Faces of two greys, so that colours are no constants.
     let grey = core(
         Method::Lyon,
@@ -131,7 +129,7 @@ fn grey_lyon() {
 
 /// Intensities that are interpolated, over three pixels at which they stay within 0 to 1.
 #[test]
-fn gouraud() {
+fn gouraud_with_constants_is_the_general_core() {
     let stays = |name: &str| {
         // A start has no sign.
         let last = format!("$signed({{1'b0, {name}_start}}) + 2 * {name}_step");

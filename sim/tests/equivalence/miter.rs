@@ -80,8 +80,9 @@ impl<'a> Miter<'a> {
             Given::SameAs(twin) => format!("{name} == {twin}"),
         };
         let ports = self.spec.inputs().into_iter();
-        let known = ports
-            .filter_map(|port| Some((port.name.clone(), self.spec.specialisation.of(&port.name)?)));
+        let known = ports.filter_map(|port| {
+            Some((port.name.clone(), self.spec.specialisation.given(&port.name)?))
+        });
         known.map(of).chain((!self.facts.is_empty()).then(|| self.facts.to_owned())).collect()
     }
 
@@ -139,10 +140,11 @@ impl<'a> Miter<'a> {
     /// Wires that make a loop are refused.
     fn script(&self) -> String {
         let [latency, _] = self.latencies();
-        let (registers, clocks) = match self.has_feedback() {
-            true => ("", latency + PIXELS),
+        let (registers, clocks) = if self.has_feedback() {
+            ("", latency + PIXELS)
+        } else {
             // Bit by bit, since the word that holds validity is shifted into itself.
-            false => ("simplemap t:$mux\ntechmap -map wire.v\ncheck -assert\n", 1),
+            ("simplemap t:$mux\ntechmap -map wire.v\ncheck -assert\n", 1)
         };
         let read = |core: &str| {
             format!(

@@ -1,14 +1,14 @@
 //! Normals that vanish or oppose each other.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::{lyon, spec};
 use specula_scene::Needs;
 use specula_spec::Method;
 use specula_spec::lyon::Difference;
 use specula_spec::reflection::Bisector;
 
-use crate::common::{
-    codes, cores, cross_form, duffs, frame, lyon, material, mirror, reflection_form, reflections,
-    shade, spec, tilted,
-};
+use crate::cores::{cores, cross_form, duffs, reflection_form, reflections};
+use crate::run::{assert_agrees, codes};
 
 const AMBIENT: f64 = 0.2;
 const AMBIENT_CODE: u8 = 51;
@@ -16,7 +16,7 @@ const AMBIENT_CODE: u8 = 51;
 /// Rows 1 and 2: N0 = -N1, and t = 1/2 is a pixel, whose normal has no direction. `lyon` gives
 /// ambient light there.
 #[test]
-fn opposite_normals() {
+fn opposite_normals_leave_ambient_light_in_the_middle() {
     for (first, length) in [(DVec3::X, 3), (DVec3::Z, 5), (tilted(40.0), 33), (DVec3::Y, 257)] {
         let frame =
             frame([first, -first], length, &[tilted(30.0)], material(AMBIENT, 0.5, 0.3, 16));
@@ -54,7 +54,7 @@ fn hybrid_at_q_zero() {
     // In the longest span rounding leaves something of q, and what p/q then is nobody knows: the
     // bound says so.
     let longest = frame([DVec3::Z, -DVec3::Z], 8191, &[DVec3::Z], mirror(16));
-    shade(&spec(&longest, Method::Hybrid), &longest);
+    assert_agrees(&spec(&longest, Method::Hybrid), &longest);
 }
 
 /// Row 2: where q = 0 nobody knows a direction, and ambient light is all there is; the pixels
@@ -81,7 +81,9 @@ fn duff_at_q_zero() {
     }
     // In the longest span rounding leaves something of q.
     let longest = frame([DVec3::Z, -DVec3::Z], 8191, &[DVec3::Z], mirror(16));
-    duffs(&longest).iter().for_each(|core| drop(shade(core, &longest)));
+    for core in duffs(&longest) {
+        assert_agrees(&core, &longest);
+    }
 }
 
 /// Row 12: L = -V leaves Blinn's half-way vector without a direction, and the highlight is 0; R·L
@@ -119,7 +121,7 @@ fn reflection_falls_back_to_the_spans_bisector() {
         frame([tilted(0.0), tilted(110.0)], 20, &[tilted(55.0)], material(0.0, 1.0, 0.0, 1));
     frame.triangles[0].facet.normal = tilted(10.0);
     let [of_span, of_triangle] = [Bisector::Span, Bisector::Triangle]
-        .map(|bisector| bisector.of(&frame, &frame.spans[0]).unwrap());
+        .map(|bisector| bisector.fixed_normal(&frame, &frame.spans[0]).unwrap());
     assert_eq!(of_triangle, of_span);
     let at_the_ends = (255.0 * 55f64.to_radians().cos()).round() as u8;
     for core in reflections(&frame) {
@@ -141,16 +143,18 @@ fn reflection_about_the_normal_itself() {
 
 /// Row 3: 150 degrees.
 #[test]
-fn wide_spans() {
+fn spans_of_150_degrees_agree() {
     for shininess in [1, 256, 4096] {
         let frame = frame([tilted(-75.0), tilted(75.0)], 300, &[tilted(10.0)], mirror(shininess));
-        cores(&frame).iter().for_each(|core| drop(shade(core, &frame)));
+        for core in cores(&frame) {
+            assert_agrees(&core, &frame);
+        }
     }
 }
 
 /// Row 27: z = 0 gives g2 = 2 and, with three Newton steps, 6.75; nothing wraps around.
 #[test]
-fn largest_gain() {
+fn the_largest_gain_does_not_wrap_around() {
     let frame = frame([DVec3::X, -DVec3::X], 3, &[DVec3::Z], material(AMBIENT, 0.5, 0.3, 8191));
     for newton_steps in 0..=3 {
         for difference in [Difference::HalfwayCrossNormal, Difference::ReflectionMinusLight] {
@@ -180,7 +184,7 @@ fn bound_knows_of_normals_that_round_away() {
             lyon.formats.vector.fraction_bits = 8;
             lyon.formats.length_squared.fraction_bits = 24;
         });
-        let outcome = shade(&core, &frame);
+        let outcome = assert_agrees(&core, &frame);
         assert_eq!(outcome.simulated.pixels[1], [0; 3]);
         assert!(outcome.comparison.errors.quantisation.max_lsb > 200.0);
     }
@@ -189,7 +193,7 @@ fn bound_knows_of_normals_that_round_away() {
 /// Row 50: a triangle whose normals are all 0 has ambient light alone in `lyon`, and no highlight
 /// in `hybrid`.
 #[test]
-fn zero_normals() {
+fn normals_of_length_0_leave_ambient_light() {
     for length in [1, 2, 100] {
         let frame = frame(
             [DVec3::ZERO; 2],
@@ -209,7 +213,7 @@ fn a_zero_normal_at_one_end() {
     for normals in [[DVec3::ZERO, DVec3::Z], [tilted(60.0), DVec3::ZERO]] {
         let frame = frame(normals, 17, &[tilted(20.0)], material(AMBIENT, 0.3, 0.3, 64));
         for core in cores(&frame) {
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
 }
@@ -236,6 +240,8 @@ fn light_nearly_opposite_the_eye() {
             &[tilted(degrees)],
             mirror(64),
         );
-        cores(&frame).iter().for_each(|core| drop(shade(core, &frame)));
+        for core in cores(&frame) {
+            assert_agrees(&core, &frame);
+        }
     }
 }

@@ -1,8 +1,10 @@
 //! Short normals under the root.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::spec;
 use specula_spec::Method;
 
-use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
+use crate::run::{assert_agrees, codes};
 
 /// Rows 2 and 4: q = 0 in the middle gives no highlight there, not even with the light behind, and
 /// the pixels beside it theirs.
@@ -32,7 +34,8 @@ fn wide_and_long_spans_are_exact() {
             &[tilted(10.0)],
             material(0.1, 0.4, 0.5, n),
         );
-        let total = shade(&spec(&frame, Method::Direct), &frame).comparison.errors.total.max_lsb;
+        let total =
+            assert_agrees(&spec(&frame, Method::Direct), &frame).comparison.errors.total.max_lsb;
         assert!(total <= 1.0, "{half} degrees either side: {total} LSB");
     }
 }

@@ -2,7 +2,7 @@
 use specula_scene::{Frame, LoadedScene, load};
 use specula_spec::{CoreSpec, SceneCore};
 
-use crate::common::shade;
+use crate::run::assert_agrees;
 
 /// A zigzag roof whose vertex normals all point to the eye, and whose facets, of one slope either
 /// way, do not: N = (∓1, 0, 2)/√5.
@@ -44,7 +44,7 @@ fn roof(corners: usize, place: &str, method: &str, options: &str) -> LoadedScene
 
 /// The codes that are seen, each once, in rising order.
 fn codes(core: &CoreSpec, frame: &Frame) -> Vec<u8> {
-    let outcome = shade(core, frame);
+    let outcome = assert_agrees(core, frame);
     let pixels = frame.spans.iter().flat_map(|span| {
         let first = (span.y * frame.width + span.x) as usize;
         &outcome.simulated.pixels[first..first + span.length as usize]

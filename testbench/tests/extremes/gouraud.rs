@@ -1,10 +1,12 @@
 //! Intensities that are uniform over a polygon.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, tilted};
+use specula_fixtures::specs::spec;
 use specula_scene::{Facet, Frame, LocalLight, Spot};
 use specula_spec::gouraud::Interpolation;
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use crate::common::{codes, frame, material, shade, spec, tilted};
+use crate::run::{assert_agrees, codes};
 
 fn uniform(frame: &Frame) -> CoreSpec {
     let mut core = spec(frame, Method::Gouraud);
@@ -91,5 +93,5 @@ fn uniform_polygons_see_places_from_their_middle() {
     let third = 1.0 / 3.0;
     frame.local_lights[0].position = DVec3::new(third, third, 5.0);
     assert_eq!(codes(&uniform(&frame), &frame), [255; 3]);
-    shade(&spec(&frame, Method::Gouraud), &frame);
+    assert_agrees(&spec(&frame, Method::Gouraud), &frame);
 }

@@ -1,14 +1,14 @@
 //! The highlight: its centre, its end, its exponents.
 use glam::DVec3;
+use specula_fixtures::frames::{Row, frame, frame_of, material, mirror, tilted};
+use specula_fixtures::specs::{lyon, spec};
 use specula_scene::{Frame, Needs};
 use specula_spec::duff::Highlight;
 use specula_spec::lyon::Difference;
 use specula_spec::{CoreSpec, Method, SpecError};
 
-use crate::common::{
-    Row, codes, cores, cross_form, duff, duffs, frame, frame_of, lyon, material, mirror,
-    reflection_form, shade, spec, tilted,
-};
+use crate::cores::{cores, cross_form, duff, duffs, reflection_form};
+use crate::run::{assert_agrees, codes};
 
 fn flat(light: DVec3, shininess: u32) -> Frame {
     frame([DVec3::Z; 2], 1, &[light], mirror(shininess))
@@ -81,7 +81,7 @@ fn tails_are_the_methods() {
 /// Rows 24, 25 and 31: D as long as it can be, along one axis, with n = 8191: 0 and not wrapped
 /// around.
 #[test]
-fn longest_difference() {
+fn the_longest_difference_gives_no_highlight() {
     for squarings in 0..=3 {
         let opposite = flat(-DVec3::Z, 8191);
         assert_eq!(codes(&reflection_form(&opposite, squarings), &opposite), [0]);
@@ -106,7 +106,7 @@ fn longest_difference_with_overshoot() {
                 lyon.difference = Difference::ReflectionMinusLight;
                 lyon.newton_steps = newton_steps;
             });
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
 }
@@ -145,20 +145,22 @@ fn base_is_at_most_one() {
 
 /// Row 54: every kind of exponent that a method takes.
 #[test]
-fn exponents() {
+fn every_kind_of_exponent_agrees() {
     let lit = |shininess| {
         frame([tilted(-10.0), tilted(10.0)], 40, &[tilted(5.0)], material(0.1, 0.4, 0.5, shininess))
     };
     for shininess in [1, 2, 3, 5, 100, 255, 257, 4095, 4097, 8190, 8191] {
         let frame = lit(shininess);
         for core in [cross_form(&frame, 2), reflection_form(&frame, 2)] {
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
     for j in 0..=12 {
         let frame = lit(1 << j);
-        shade(&spec(&frame, Method::Hybrid), &frame);
-        duffs(&frame).iter().for_each(|core| drop(shade(core, &frame)));
+        assert_agrees(&spec(&frame, Method::Hybrid), &frame);
+        for core in duffs(&frame) {
+            assert_agrees(&core, &frame);
+        }
     }
 }
 
@@ -219,6 +221,6 @@ fn exponents_change_between_spans() {
     let rows: Vec<Row> = (0..=12).map(row).collect();
     let frame = frame_of(&rows, &[tilted(12.0)]);
     for core in cores(&frame) {
-        shade(&core, &frame);
+        assert_agrees(&core, &frame);
     }
 }

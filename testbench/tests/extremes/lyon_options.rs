@@ -1,12 +1,14 @@
 //! What the options of `lyon` do at their ends.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::lyon;
 use specula_scene::Frame;
 use specula_spec::CoreSpec;
 use specula_spec::lyon::{
     Difference, Halfway, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis,
 };
 
-use crate::common::{codes, frame, lyon, material, mirror, tilted};
+use crate::run::codes;
 
 fn flat(light: DVec3, shininess: u32) -> Frame {
     frame([DVec3::Z; 2], 1, &[light], mirror(shininess))
@@ -57,7 +59,7 @@ fn no_halfway_vector_no_highlight() {
 /// Row 34: D = h1 - N loses the highlight of a light from behind, where h1 is short: figure 9's row
 /// 10, at most 0.153 for n = 16.
 #[test]
-fn grazing_light() {
+fn unit_halfway_minus_normal_loses_the_highlight_of_a_grazing_light() {
     let light = DVec3::new(1.0, 1.0, -1.0).normalize();
     let normal = (light + DVec3::Z).normalize();
     for (n, brightest) in [(16, 0.153), (64, 0.0)] {

@@ -1,10 +1,12 @@
 //! Lights and eyes at places, and every exponent.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::spec;
 use specula_scene::{Frame, LocalLight, Spot};
 use specula_spec::phong::{Highlight, Places};
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
+use crate::run::{assert_agrees, codes};
 
 const HIGHLIGHTS: [Highlight; 4] = [
     Highlight::Reflection,
@@ -38,7 +40,8 @@ fn wall(light: DVec3, spot: Option<Spot>, eye: Option<DVec3>) -> Frame {
 fn opposite_light_and_eye_have_no_halfway_vector() {
     let frame = frame([tilted(80.0), tilted(100.0)], 5, &[-DVec3::Z], mirror(4));
     assert_eq!(codes(&with(&frame, Highlight::Blinn), &frame), [0; 5]);
-    let shallow = crate::common::frame([tilted(80.0), tilted(100.0)], 5, &[-DVec3::Z], mirror(1));
+    let shallow =
+        specula_fixtures::frames::frame([tilted(80.0), tilted(100.0)], 5, &[-DVec3::Z], mirror(1));
     // 255 exp(-π²/2) = 1.83
     assert_eq!(codes(&with(&shallow, Highlight::TorranceSparrow), &shallow), [2; 5]);
     // 255/25 = 10.2
@@ -53,7 +56,7 @@ fn all_but_opposite_light_and_eye_stay_within_bounds() {
         let frame = frame([tilted(85.0), tilted(95.0)], 33, &[tilted(degrees)], mirror(16));
         for highlight in [Highlight::Blinn, Highlight::TorranceSparrow, Highlight::TrowbridgeReitz]
         {
-            shade(&with(&frame, highlight), &frame);
+            assert_agrees(&with(&frame, highlight), &frame);
         }
     }
 }
@@ -81,7 +84,8 @@ fn far_and_near_lights_have_true_directions() {
     for distance in [0.25, 1.0, 10.0, 1e4] {
         let direction = tilted(60.0);
         let frame = wall(distance * direction, None, None);
-        let total = shade(&spec(&frame, Method::Phong), &frame).comparison.errors.total.max_lsb;
+        let total =
+            assert_agrees(&spec(&frame, Method::Phong), &frame).comparison.errors.total.max_lsb;
         assert!(total <= 1.0, "a light {distance} away: off by {total} LSB");
     }
 }
@@ -130,7 +134,7 @@ fn wraps_in_the_surface_are_defined() {
         ] {
             for eye in [None, Some(place), Some(-DVec3::Z)] {
                 let frame = wall(place, spot.clone(), eye);
-                shade(&wrapped(&frame), &frame);
+                assert_agrees(&wrapped(&frame), &frame);
             }
         }
     }
@@ -183,8 +187,11 @@ fn every_exponent_is_near_a_code() {
     for (n, most) in [(1, 1.25), (3, 1.25), (100, 1.25), (8190, 1.75), (8191, 1.75)] {
         let frame = frame([tilted(-3.0), tilted(5.0)], 257, &[tilted(2.0)], mirror(n));
         for highlight in HIGHLIGHTS {
-            let quantisation =
-                shade(&with(&frame, highlight), &frame).comparison.errors.quantisation.max_lsb;
+            let quantisation = assert_agrees(&with(&frame, highlight), &frame)
+                .comparison
+                .errors
+                .quantisation
+                .max_lsb;
             assert!(quantisation <= most, "n = {n}, {highlight:?}: {quantisation} LSB");
         }
     }

@@ -1,10 +1,12 @@
 //! Angles between nothing and half a turn.
 use glam::DVec3;
+use specula_fixtures::frames::{frame, material, mirror, tilted};
+use specula_fixtures::specs::spec;
 use specula_scene::{Frame, Span};
 use specula_spec::slerp::SlerpFormats;
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use crate::common::{codes, frame, material, mirror, shade, spec, tilted};
+use crate::run::{assert_agrees, codes};
 
 fn slerp(frame: &Frame, change: impl FnOnce(&mut SlerpFormats)) -> CoreSpec {
     let mut core = spec(frame, Method::Slerp);
@@ -18,7 +20,7 @@ fn slerp(frame: &Frame, change: impl FnOnce(&mut SlerpFormats)) -> CoreSpec {
 /// those round 10 degrees, where others go over to linear interpolation: within a code of exact
 /// shading.
 #[test]
-fn small_angles() {
+fn small_angles_are_within_a_code_of_exact_shading() {
     for degrees in [0.0, 1e-9, 0.01, 9.9, 10.1] {
         for (length, n) in [(17, 32), (250, 256)] {
             let frame = frame(
@@ -27,7 +29,7 @@ fn small_angles() {
                 &[tilted(21.0)],
                 material(0.1, 0.4, 0.4, n),
             );
-            let outcome = shade(&spec(&frame, Method::Slerp), &frame);
+            let outcome = assert_agrees(&spec(&frame, Method::Slerp), &frame);
             let total = outcome.comparison.errors.total.max_lsb;
             assert!(total <= 1.0, "{degrees} degrees over {length} pixels: {total} LSB");
         }

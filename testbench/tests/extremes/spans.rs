@@ -1,10 +1,12 @@
 //! Lengths of spans.
 use glam::DVec3;
 use rayon::prelude::*;
+use specula_fixtures::frames::{Row, frame, frame_of, material, mirror, tilted};
 use specula_scene::Material;
 use specula_spec::Method;
 
-use crate::common::{Row, codes, cores, frame, frame_of, material, mirror, row, shade, tilted};
+use crate::cores::cores;
+use crate::run::{assert_agrees, codes, row};
 
 fn lit(shininess: u32) -> Material {
     material(0.1, 0.3, 0.5, shininess)
@@ -12,19 +14,19 @@ fn lit(shininess: u32) -> Material {
 
 /// Row 37: one pixel, whose step has nothing to divide by, and two.
 #[test]
-fn shortest_spans() {
+fn the_shortest_spans_agree() {
     for length in [1, 2, 3] {
         let frame =
             frame([tilted(-20.0), tilted(20.0)], length, &[tilted(-38.0), tilted(39.0)], lit(64));
         for core in cores(&frame) {
-            shade(&core, &frame);
+            assert_agrees(&core, &frame);
         }
     }
 }
 
 /// Row 38: S = 8191, where second differences add up to 2^24 times their error.
 #[test]
-fn longest_span() {
+fn the_longest_span_has_its_highlight() {
     let frame = frame([tilted(-30.0), tilted(60.0)], 8192, &[tilted(90.0)], mirror(4096));
     for core in cores(&frame) {
         let codes = codes(&core, &frame);
@@ -39,7 +41,7 @@ fn longest_span() {
 
 /// Row 52: a flat face has one code from end to end.
 #[test]
-fn flat_faces() {
+fn flat_faces_have_one_code_from_end_to_end() {
     for (tilt, light) in [(0.0, 0.0), (17.3, 31.9), (60.0, 110.0), (85.0, 165.0)] {
         let frame = frame([tilted(tilt); 2], 1000, &[tilted(light)], material(0.1, 0.4, 0.4, 64));
         for core in cores(&frame) {
@@ -75,13 +77,13 @@ fn spans_leave_nothing_behind() {
     let lights = [tilted(15.0), DVec3::new(-0.6, 0.64, 0.48)];
     let together = frame_of(&rows, &lights);
     cores(&together).par_iter().for_each(|core| {
-        let outcome = shade(core, &together);
+        let outcome = assert_agrees(core, &together);
         assert_eq!(outcome.pixels, MIXED.iter().map(|&length| u64::from(length)).sum::<u64>());
         for (number, alone) in rows.iter().enumerate().filter(|(_, row)| row.length < 10) {
             let alone = frame_of(std::slice::from_ref(alone), &lights);
             assert_eq!(
                 row(&outcome, &together, number),
-                row(&shade(core, &alone), &alone, 0),
+                row(&assert_agrees(core, &alone), &alone, 0),
                 "{core:?}, span {number}"
             );
         }
@@ -94,7 +96,7 @@ fn no_span_at_all() {
     let mut frame = frame([DVec3::Z; 2], 3, &[DVec3::Z], lit(4));
     frame.spans.clear();
     for core in cores(&frame) {
-        let outcome = shade(&core, &frame);
+        let outcome = assert_agrees(&core, &frame);
         assert_eq!((outcome.pixels, outcome.worst_cycle), (0, None));
         assert!(outcome.simulated.pixels.iter().all(|&code| code == frame.background));
     }

@@ -1,8 +1,8 @@
-//! A measurement for programs.
+//! A measurement as JSON.
 use serde::Serialize;
-use specula_experiments::benchmark::{Row, Skipped};
+use specula_experiments::benchmark::{EngineResult, Mode, Skipped};
 
-use super::Measured;
+use super::measured::Measured;
 
 /// What `bench --json` prints.
 #[derive(Serialize)]
@@ -14,7 +14,7 @@ struct Report<'a> {
     width: u32,
     height: u32,
     spans: usize,
-    /// Clocks that a frame takes.
+    /// Clocks for one frame.
     cycles: u64,
     machine: MachineFacts<'a>,
     design: DesignFacts,
@@ -26,12 +26,12 @@ struct Report<'a> {
 #[derive(Serialize)]
 struct MachineFacts<'a> {
     cpu_model: &'a str,
-    /// That the columnar engine uses.
+    /// The instruction set that the columnar engine uses.
     instruction_set: &'static str,
     cores: usize,
-    /// At most, in any row.
+    /// Largest number of threads in any row.
     threads: usize,
-    /// With their versions.
+    /// Names and versions of the external tools.
     tools: &'a [String],
 }
 
@@ -54,12 +54,12 @@ struct RowFacts {
     threads: usize,
     /// Median of the rounds.
     cycles_per_second: f64,
-    /// Of the medians, to Verilator with its outputs alone.
+    /// Ratio of this median to that of Verilator with its outputs alone.
     ratio_to_verilator: Option<f64>,
     build_seconds: f64,
-    /// Of each run.
+    /// Cycles of each run.
     cycles: u64,
-    /// Cycles per second, round by round.
+    /// Cycles per second in each round.
     rounds: Vec<f64>,
 }
 
@@ -70,7 +70,7 @@ struct SkippedFacts<'a> {
     reason: &'a str,
 }
 
-/// The measurement as text.
+/// The measurement as JSON text.
 pub fn text(measured: &Measured) -> serde_json::Result<String> {
     let mut text = serde_json::to_string_pretty(&report(measured))?;
     text.push('\n');
@@ -120,7 +120,7 @@ fn design(measured: &Measured) -> DesignFacts {
     }
 }
 
-fn row_facts(measured: &Measured, row: &Row) -> RowFacts {
+fn row_facts(measured: &Measured, row: &EngineResult) -> RowFacts {
     RowFacts {
         engine: row.config.engine.program(),
         mode: row.config.mode.name(),
@@ -137,7 +137,7 @@ fn row_facts(measured: &Measured, row: &Row) -> RowFacts {
 fn skipped(skipped: &Skipped) -> SkippedFacts<'_> {
     SkippedFacts {
         engine: skipped.engine.program(),
-        mode: skipped.mode.map(|mode| mode.name()),
+        mode: skipped.mode.map(Mode::name),
         reason: &skipped.reason,
     }
 }

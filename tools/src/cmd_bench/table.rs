@@ -1,10 +1,10 @@
-//! A measurement for people.
-use specula_experiments::benchmark::{Row, Skipped};
+//! A measurement as a table.
+use specula_experiments::benchmark::{EngineResult, Skipped};
 
-use super::Measured;
+use super::measured::Measured;
 use crate::table;
 
-/// What `bench` prints.
+/// The text that `bench` prints.
 pub fn text(measured: &Measured) -> String {
     let titles =
         ["engine", "mode", "variant", "threads", " Mcycles/s", " ns/cycle", "  ratio", "  build s"]
@@ -54,7 +54,7 @@ fn facts(measured: &Measured) -> Vec<[String; 2]> {
     rows.map(|(name, value)| [name.to_owned(), value]).to_vec()
 }
 
-fn cells(measured: &Measured, row: &Row) -> [String; 8] {
+fn cells(measured: &Measured, row: &EngineResult) -> [String; 8] {
     let rate = row.rate();
     [
         row.config.engine.program().to_owned(),

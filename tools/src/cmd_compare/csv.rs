@@ -1,11 +1,11 @@
-//! Figures of a comparison as CSV, a line for each core or loop. No field has a comma or a
-//! quotation mark in it.
+//! The figures of a comparison as CSV, one line for each core or loop. No field contains a comma or
+//! a quotation mark.
 use specula_experiments::tradeoff::software::Software;
 use specula_testbench::ErrorFigures;
 
 use super::result::{Compared, Core};
 
-/// A column: its name, and what stands in it.
+/// A column: its name, and the function that gives its fields.
 type Column<T> = (&'static str, fn(&T) -> String);
 
 const CORES: [Column<Core>; 30] = [
@@ -56,12 +56,12 @@ const LOOPS: [Column<Software>; 8] = [
     ("psnr_db", |software| decibels(&software.error)),
 ];
 
-/// The cores.
+/// The table of cores.
 pub fn cores(compared: &Compared) -> String {
     lines(&CORES, &compared.cores)
 }
 
-/// The loops in software.
+/// The table of software loops.
 pub fn software(compared: &Compared) -> String {
     lines(&LOOPS, &compared.software)
 }
@@ -73,7 +73,7 @@ fn lines<T>(columns: &[Column<T>], rows: &[T]) -> String {
     [titles].into_iter().chain(rows).collect()
 }
 
-/// Empty where there is none.
+/// A number, or an empty field where there is none.
 fn optional(number: Option<f64>) -> String {
     number.map_or(String::new(), |number| number.to_string())
 }

@@ -1,4 +1,4 @@
-//! What came of a comparison, for programs.
+//! The result of a comparison as JSON.
 use serde::Serialize;
 use specula_experiments::tradeoff::software::Software;
 use specula_experiments::tradeoff::{Measured, WORD_BITS};
@@ -11,7 +11,7 @@ use crate::output::PROGRAM;
 /// `report.json`. Errors are in LSBs of the 8-bit output.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Always `specula`: a later run recognises by it that the listed files are its own.
+    /// Always `specula`: by it a later run recognises that the listed files are its own.
     program: &'static str,
     version: &'static str,
     scene: &'a str,
@@ -19,29 +19,29 @@ struct Report<'a> {
     height: u32,
     agrees: bool,
     clock_mhz: f64,
-    /// Whether the clock is assumed, and not given by the user.
+    /// Whether the clock is assumed rather than given by the user.
     clock_is_assumed: bool,
-    /// Bits of a span's set-up that the host hands over in a clock.
+    /// Bits of a span's set-up that the host transfers in a clock.
     set_up_word_bits: u64,
-    cores: Vec<OfCore<'a>>,
+    cores: Vec<CoreFacts<'a>>,
     not_built: &'a [String],
-    /// Exact shading with interpolated normals against that with the true surface's; none where no
-    /// surface is known.
+    /// Error of exact shading with interpolated normals against exact shading of the true surface;
+    /// `None` where no surface is known.
     interpolation: Option<&'a ErrorFigures>,
-    /// The papers' loops, measured on this processor.
+    /// The processor on which the papers' loops were measured.
     processor: &'a str,
     software: &'a [Software],
     files: &'a [String],
 }
 
 #[derive(Serialize)]
-struct OfCore<'a> {
+struct CoreFacts<'a> {
     method: &'static str,
     formats: String,
     added_fraction_bits: i32,
-    /// On the front of error against full adders.
+    /// Whether the core is on the front of error against full adders.
     on_front_of_size: bool,
-    /// On the front of error against time.
+    /// Whether the core is on the front of error against time.
     on_front_of_time: bool,
     #[serde(flatten)]
     measured: &'a Measured,
@@ -50,12 +50,12 @@ struct OfCore<'a> {
     cycles_per_pixel_with_set_up: f64,
     ns_per_pixel: f64,
     frames_per_second: f64,
-    /// The loop that does the same in software.
+    /// The software loop that does the same.
     software: Option<&'static str>,
     spec: &'a CoreSpec,
 }
 
-/// The report as text.
+/// The report as JSON text.
 pub fn text(compared: &Compared, files: &[String]) -> serde_json::Result<String> {
     let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
     let report = Report {
@@ -89,9 +89,9 @@ fn of_core<'a>(
     compared: &'a Compared,
     core: &'a Core,
     (small, quick): (&bool, &bool),
-) -> OfCore<'a> {
+) -> CoreFacts<'a> {
     let measured = core.measured();
-    OfCore {
+    CoreFacts {
         method: core.configuration.method.name(),
         formats: core.configuration.formats.to_string(),
         added_fraction_bits: core.configuration.formats.added(),

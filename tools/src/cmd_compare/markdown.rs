@@ -1,24 +1,24 @@
 //! The report of a comparison, for people.
-use super::plots::SUBJECTS;
+use super::plots::PLOTS;
 use super::result::Compared;
 use super::tables::{
     self, ERROR_TITLES, RUN_TIME_TITLES, SIZE_TITLES, SOFTWARE_TITLES, SURFACE_TITLES,
 };
 use crate::table::markdown as table;
 
-/// How set-up is counted.
+/// Explains how set-up is counted.
 pub const SET_UP: &str = "\
 Set-up: the host hands a span's inputs over in words of 32 bits, one a clock, while the span before is shaded; a span
 shorter than that waits. Inputs that the scene holds constant are not handed over.
 ";
 
-/// What full adders are.
+/// Explains what full adders are.
 pub const FULL_ADDERS: &str = "\
 Full adders: one for each bit of an adder, w1 w2 for a product of w1 and w2 bits, as an array multiplier has. Registers and
 ROMs stand apart. Counted in the design, before any FPGA tool has seen it.
 ";
 
-/// `report.md`.
+/// The text of `report.md`.
 pub fn markdown(compared: &Compared) -> String {
     let sections = [
         head(compared),
@@ -58,11 +58,11 @@ fn head(compared: &Compared) -> String {
 }
 
 fn plots(compared: &Compared) -> String {
-    let of = |subject: &&super::plots::Subject| subject.has_places(compared);
-    SUBJECTS
+    let of = |plot: &&super::plots::TradeoffPlot| plot.has_places(compared);
+    PLOTS
         .iter()
         .filter(of)
-        .map(|subject| format!("![{}]({}.svg)\n\n", subject.title, subject.file))
+        .map(|plot| format!("![{}]({}.svg)\n\n", plot.title, plot.file))
         .collect()
 }
 
@@ -75,7 +75,7 @@ fn errors(compared: &Compared) -> String {
     )
 }
 
-/// Nothing where no surface is known.
+/// The section about true surfaces; empty where no surface is known.
 fn surfaces(compared: &Compared) -> String {
     let rows = tables::surfaces(compared);
     if rows.is_empty() {

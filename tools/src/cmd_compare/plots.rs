@@ -1,53 +1,53 @@
-//! Error against size and against run time.
+//! Plots of error against size and against run time.
 use specula_experiments::pareto_front;
 use specula_experiments::tradeoff::Formats;
 use specula_spec::Method;
 
 use super::result::{Compared, Core, size};
-use crate::plot::{Axis, Label, Place, Plot, PlotSeries, Scale, Shown};
+use crate::plot::{Axis, AxisScale, Label, Plot, PlotPoint, PlotSeries, SeriesStyle};
 use specula_drawing::{SERIES, Series};
 
-/// A plot: its file without an ending, what it shows, and what is drawn.
-pub struct Subject {
-    /// The file's stem.
+/// A plot: the stem of its file name, its title, and its axes and series.
+pub struct TradeoffPlot {
+    /// Stem of the file name.
     pub file: &'static str,
-    /// What it shows.
+    /// Title of the plot.
     pub title: &'static str,
-    x: (&'static str, Scale),
-    series: fn(&Compared) -> Vec<Named>,
+    x: (&'static str, AxisScale),
+    series: fn(&Compared) -> Vec<LabelledSeries>,
     notes: &'static [&'static str],
 }
 
-/// Places of one colour, each with the words for it.
-struct Named {
+/// The points of one colour, each with its label.
+struct LabelledSeries {
     colour: Series,
-    places: Vec<(Place, String)>,
-    shown: Shown,
-    /// Which of them says best what all are.
+    places: Vec<(PlotPoint, String)>,
+    style: SeriesStyle,
+    /// The point whose label describes the whole series best.
     main: usize,
 }
 
-/// The plots there are.
-pub const SUBJECTS: [Subject; 3] = [
-    Subject {
+/// All plots of a comparison.
+pub const PLOTS: [TradeoffPlot; 3] = [
+    TradeoffPlot {
         file: "error-size",
         title: "Error against size of the core",
-        x: ("full adders of its multipliers and adders", Scale::Logarithmic),
-        series: |compared| of_cores(compared, size),
+        x: ("full adders of its multipliers and adders", AxisScale::Logarithmic),
+        series: |compared| core_series(compared, size),
         notes: &FORMATS,
     },
-    Subject {
+    TradeoffPlot {
         file: "error-time",
         title: "Error against run time in hardware",
-        x: ("ns a pixel, set-up counted", Scale::Linear),
-        series: |compared| of_cores(compared, Core::pixel_ns),
+        x: ("ns a pixel, set-up counted", AxisScale::Linear),
+        series: |compared| core_series(compared, Core::pixel_ns),
         notes: &FORMATS,
     },
-    Subject {
+    TradeoffPlot {
         file: "error-software",
         title: "Error against run time in software",
-        x: ("ns a pixel, set-up counted", Scale::Logarithmic),
-        series: of_software,
+        x: ("ns a pixel, set-up counted", AxisScale::Logarithmic),
+        series: software_series,
         notes: &[
             "A dot is one of the papers' loops in f32, on one thread, not rounded to 8 bits. Errors below 0.001 stand at 0.001.",
         ],
@@ -61,25 +61,25 @@ const FORMATS: [&str; 2] = [
 
 const BAND: &str = "Band: the Pareto front. Nothing that costs as little has less error.";
 
-/// Differences below this do not show, in LSBs: what f32 is off by is of no use to an 8-bit
-/// picture.
+/// Smallest error that a plot shows, in LSBs: f32's rounding errors are below it and do not matter
+/// to an 8-bit picture.
 const LEAST: f64 = 1e-3;
 
-impl Subject {
-    /// Its SVG and its PNG.
+impl TradeoffPlot {
+    /// The names of its SVG and PNG files.
     pub fn names(&self) -> [String; 2] {
         ["svg", "png"].map(|ending| format!("{}.{ending}", self.file))
     }
 
-    /// Whether there is anything to draw.
+    /// Whether there are points to draw.
     pub fn has_places(&self, compared: &Compared) -> bool {
         (self.series)(compared).iter().any(|named| !named.places.is_empty())
     }
 
-    /// The plot.
+    /// Makes the plot from the results.
     pub fn plot(&self, compared: &Compared) -> Plot {
         let all = (self.series)(compared);
-        let axis = |(title, scale): (&str, Scale)| Axis { title: title.to_owned(), scale };
+        let axis = |(title, scale): (&str, AxisScale)| Axis { title: title.to_owned(), scale };
         let front = front(&all);
         Plot {
             title: format!(
@@ -87,7 +87,7 @@ impl Subject {
                 self.title, compared.scene, compared.size.0, compared.size.1
             ),
             x: axis(self.x),
-            y: axis(("rms error against exact shading in LSB", Scale::Logarithmic)),
+            y: axis(("rms error against exact shading in LSB", AxisScale::Logarithmic)),
             series: all.iter().map(series).collect(),
             labels: labels(&all, &front),
             front: front.into_iter().map(|(series, place)| all[series].places[place].0).collect(),
@@ -96,29 +96,29 @@ impl Subject {
     }
 }
 
-fn series(named: &Named) -> PlotSeries {
+fn series(named: &LabelledSeries) -> PlotSeries {
     PlotSeries {
         colour: named.colour,
         places: named.places.iter().map(|(place, _)| *place).collect(),
-        shown: named.shown,
+        style: named.style,
     }
 }
 
-/// The front: numbers of series and of places in them, from left to right.
-fn front(all: &[Named]) -> Vec<(usize, usize)> {
+/// The front, from left to right: the number of a series, and of a point in it.
+fn front(all: &[LabelledSeries]) -> Vec<(usize, usize)> {
     let numbers: Vec<(usize, usize)> = all
         .iter()
         .enumerate()
         .flat_map(|(series, named)| (0..named.places.len()).map(move |place| (series, place)))
         .collect();
-    let places: Vec<Place> =
+    let places: Vec<PlotPoint> =
         numbers.iter().map(|&(series, place)| all[series].places[place].0).collect();
     pareto_front(&places).into_iter().map(|number| numbers[number]).collect()
 }
 
-/// Words for where each series enters the front, and for the main place of every series that is not
-/// on it.
-fn labels(all: &[Named], front: &[(usize, usize)]) -> Vec<Label> {
+/// Labels where each series enters the front, and at the main point of every series that is not on
+/// it.
+fn labels(all: &[LabelledSeries], front: &[(usize, usize)]) -> Vec<Label> {
     let entries = front.iter().enumerate().filter(|(number, (series, _))| {
         !front[..*number].iter().any(|(before, _)| before == series)
     });
@@ -138,7 +138,7 @@ fn labels(all: &[Named], front: &[(usize, usize)]) -> Vec<Label> {
 }
 
 /// A series for each method, from its narrowest formats to its widest.
-fn of_cores(compared: &Compared, cost: fn(&Core) -> f64) -> Vec<Named> {
+fn core_series(compared: &Compared, cost: fn(&Core) -> f64) -> Vec<LabelledSeries> {
     let of_method = |(number, method): (usize, Method)| {
         let cores: Vec<&Core> =
             compared.cores.iter().filter(|core| core.configuration.method == method).collect();
@@ -146,14 +146,14 @@ fn of_cores(compared: &Compared, cost: fn(&Core) -> f64) -> Vec<Named> {
             Formats::DEFAULT => method.name().to_owned(),
             _ => core.configuration.to_string(),
         };
-        Named {
+        LabelledSeries {
             colour: Series::new(number),
             main: cores
                 .iter()
                 .position(|core| core.configuration.formats == Formats::DEFAULT)
                 .unwrap_or(0),
             places: cores.iter().map(|core| ((cost(core), core.error()), words(core))).collect(),
-            shown: Shown::LineWithDots,
+            style: SeriesStyle::LineWithDots,
         }
     };
     Method::ALL
@@ -164,21 +164,21 @@ fn of_cores(compared: &Compared, cost: fn(&Core) -> f64) -> Vec<Named> {
         .collect()
 }
 
-/// A series for each loop, in the colour of the method whose name its own begins with.
-fn of_software(compared: &Compared) -> Vec<Named> {
+/// A series for each loop, in the colour of the method with whose name the loop's name begins.
+fn software_series(compared: &Compared) -> Vec<LabelledSeries> {
     let colour = |name: &str| {
         Method::ALL
             .iter()
             .position(|method| name.starts_with(method.name()))
             .unwrap_or(usize::from(SERIES) - 1)
     };
-    let named = |software: &specula_experiments::tradeoff::software::Software| Named {
+    let named = |software: &specula_experiments::tradeoff::software::Software| LabelledSeries {
         colour: Series::new(colour(software.name)),
         places: vec![(
             (software.total_ns, software.error.rms_lsb.max(LEAST)),
             software.name.to_owned(),
         )],
-        shown: Shown::Dots,
+        style: SeriesStyle::Dots,
         main: 0,
     };
     compared.software.iter().map(named).collect()

@@ -1,30 +1,32 @@
-//! What came of a comparison, as tables, plots and reports see it.
+//! The result of a comparison, from which tables, plots and reports are made.
 use specula_experiments::benchmark::Machine;
 use specula_experiments::pareto_front;
 use specula_experiments::tradeoff::software::Software;
-use specula_experiments::tradeoff::{Configuration, Measured, Measurement, Row, counterpart};
+use specula_experiments::tradeoff::{
+    Configuration, Measured, Measurement, SweepResult, software_equivalent,
+};
 use specula_testbench::ErrorFigures;
 
 use crate::clock::Clock;
-use crate::plot::Place;
+use crate::plot::PlotPoint;
 
-/// A comparison that was made.
+/// The result of a comparison.
 pub struct Compared {
     /// The scene's name.
     pub scene: String,
     /// Width and height of the picture.
     pub size: (u32, u32),
-    /// What cores are clocked with.
+    /// The clock at which the cores are assumed to run.
     pub clock: Clock,
     /// The cores that were measured.
     pub cores: Vec<Core>,
-    /// Why there are no others: configurations with their reasons.
+    /// The configurations that have no core, each with the reason.
     pub refusals: Vec<String>,
-    /// The papers' loops; none where they cannot shade the scene.
+    /// The papers' loops; empty if they cannot shade the scene.
     pub software: Vec<Software>,
-    /// What interpolation itself is off from surfaces that are known; none where none is.
+    /// The error of interpolation itself against surfaces that are known; `None` if none is.
     pub interpolation: Option<ErrorFigures>,
-    /// Where the loops ran.
+    /// The machine on which the loops ran.
     pub machine: Machine,
 }
 
@@ -37,10 +39,11 @@ pub struct Core {
     clock: Clock,
 }
 
-/// Cores that were measured, and configurations without one, with their reasons.
-pub fn sorted(rows: Vec<Row>, clock: Clock) -> (Vec<Core>, Vec<String>) {
+/// Separates the cores that were measured from configurations without a core, whose reasons are
+/// given as text.
+pub fn sorted(rows: Vec<SweepResult>, clock: Clock) -> (Vec<Core>, Vec<String>) {
     let (mut cores, mut refusals) = (vec![], vec![]);
-    for Row { configuration, result } in rows {
+    for SweepResult { configuration, result } in rows {
         match result {
             Ok(measurement) => cores.push(Core { configuration, measurement, clock }),
             Err(reason) => refusals.push(format!("{configuration}: {reason}")),
@@ -50,22 +53,22 @@ pub fn sorted(rows: Vec<Row>, clock: Clock) -> (Vec<Core>, Vec<String>) {
 }
 
 impl Core {
-    /// Its figures.
+    /// Its measured figures.
     pub fn measured(&self) -> &Measured {
         &self.measurement.measured
     }
 
-    /// Nanoseconds for each pixel, set-up counted.
+    /// Nanoseconds for each pixel, including set-up.
     pub fn pixel_ns(&self) -> f64 {
         self.clock.nanoseconds(self.measured().cycles.per_pixel_with_set_up())
     }
 
-    /// Frames in a second, set-up counted.
+    /// Frames per second, including set-up.
     pub fn frames_per_second(&self) -> f64 {
         self.clock.frames_per_second(&self.measured().cycles)
     }
 
-    /// Root of the mean square of its total error, in LSBs.
+    /// Root mean square of its total error, in LSBs.
     pub fn error(&self) -> f64 {
         self.measured().errors.total.rms_lsb
     }
@@ -77,21 +80,22 @@ impl Compared {
         self.cores.iter().all(|core| core.measured().agrees)
     }
 
-    /// The loop that does in software what a core does.
+    /// The software loop that computes the same as a core.
     pub fn software_of(&self, core: &Core) -> Option<&Software> {
-        let name = counterpart(&core.measurement.spec)?;
+        let name = software_equivalent(&core.measurement.spec)?;
         self.software.iter().find(|software| software.name == name)
     }
 
-    /// For each core whether no other one has as little error in as little of something.
+    /// For each core, whether no other core has both a smaller error and a smaller cost.
     pub fn on_front(&self, cost: impl Fn(&Core) -> f64) -> Vec<bool> {
-        let places: Vec<Place> = self.cores.iter().map(|core| (cost(core), core.error())).collect();
+        let places: Vec<PlotPoint> =
+            self.cores.iter().map(|core| (cost(core), core.error())).collect();
         let front = pareto_front(&places);
         (0..places.len()).map(|number| front.contains(&number)).collect()
     }
 }
 
-/// Full adders of a core's arithmetic, as a number to be compared.
+/// The full adders of a core's arithmetic, as a floating-point number.
 pub fn size(core: &Core) -> f64 {
     core.measured().full_adders() as f64
 }

@@ -1,4 +1,4 @@
-//! Tables of a comparison: titles and rows, for people.
+//! The tables of a comparison: titles and rows.
 use specula_experiments::tradeoff::software::Software;
 use specula_testbench::ErrorFigures;
 
@@ -17,7 +17,7 @@ pub const ERROR_TITLES: [&str; 9] = [
     "proven bound",
 ];
 
-/// Errors in LSBs.
+/// Rows of errors in LSBs.
 pub fn errors(compared: &Compared) -> Vec<[String; 9]> {
     let row = |core: &Core| {
         let (errors, measured) = (&core.measured().errors, core.measured());
@@ -39,8 +39,8 @@ pub fn errors(compared: &Compared) -> Vec<[String; 9]> {
 /// Titles of [`surfaces`].
 pub const SURFACE_TITLES: [&str; 4] = ["", "largest", "rms", "PSNR dB"];
 
-/// Errors in LSBs against the true surface: interpolation's own, and the cores'. Nothing where no
-/// surface is known.
+/// Rows of errors in LSBs against the true surface: interpolation's own, and the cores'. There are
+/// none if no surface is known.
 pub fn surfaces(compared: &Compared) -> Vec<[String; 4]> {
     let row = |name: String, figures: &ErrorFigures| {
         [name, lsb(figures.max_lsb), lsb(figures.rms_lsb), decibels(figures)]
@@ -70,7 +70,7 @@ pub const RUN_TIME_TITLES: [&str; 11] = [
     "its ns a pixel",
 ];
 
-/// Run times in hardware and of the same in software.
+/// Rows of run times in hardware and of the same work in software.
 pub fn run_times(compared: &Compared) -> Vec<[String; 11]> {
     let row = |core: &Core| {
         let (cycles, software) = (&core.measured().cycles, compared.software_of(core));
@@ -104,7 +104,7 @@ pub const SIZE_TITLES: [&str; 9] = [
     "full adders",
 ];
 
-/// What cores are made of.
+/// Rows of the cores' sizes.
 pub fn sizes(compared: &Compared) -> Vec<[String; 9]> {
     let row = |core: &Core| {
         let s = &core.measured().size;
@@ -136,7 +136,7 @@ pub const SOFTWARE_TITLES: [&str; 8] = [
     "PSNR dB",
 ];
 
-/// The papers' loops.
+/// Rows of the papers' loops.
 pub fn software(compared: &Compared) -> Vec<[String; 8]> {
     let row = |software: &Software| {
         [
@@ -168,8 +168,8 @@ pub const SUMMARY_TITLES: [&str; 11] = [
     "reg. bits",
 ];
 
-/// What matters most, in one line for each core; `s` and `t` mark those on the fronts of size and
-/// of time.
+/// Rows of the most important figures, one for each core; `s` and `t` mark cores on the fronts of
+/// size and of time.
 pub fn summary(compared: &Compared) -> Vec<[String; 11]> {
     let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
     let row = |(core, (small, quick)): (&Core, (&bool, &bool))| {

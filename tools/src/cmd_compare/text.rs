@@ -1,4 +1,4 @@
-//! What `compare` prints.
+//! The text that `compare` prints.
 use std::path::Path;
 
 use super::markdown;
@@ -7,7 +7,7 @@ use super::tables::{self, SOFTWARE_TITLES, SUMMARY_TITLES};
 use crate::output::JOURNAL;
 use crate::table;
 
-/// The tables, and where the rest is.
+/// The tables, and where the files are.
 pub fn text(compared: &Compared, folder: &Path) -> String {
     let cores = with_titles(SUMMARY_TITLES, tables::summary(compared));
     let known = compared.cores.iter().filter(|core| core.measurement.known).count();

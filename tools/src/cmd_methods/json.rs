@@ -1,4 +1,4 @@
-//! The methods for programs.
+//! The methods as JSON.
 use std::collections::BTreeMap;
 
 use serde::Serialize;
@@ -16,34 +16,36 @@ use crate::error::ToolError;
 /// The scene whose cores are described.
 const SCENE: &str = "teapot";
 
-/// One of the objects that `methods --json` prints.
+/// One of the objects in the array that `methods --json` prints.
 #[derive(Serialize)]
 struct MethodFacts {
     name: &'static str,
     summary: &'static str,
     paper: &'static str,
-    /// None where the paper does not number them.
+    /// The equations; `None` if the paper does not number them.
     equations: Option<&'static str>,
     needs: SceneFacts,
-    /// The values of each key of the method's table in a scene file, its formats apart.
+    /// The values of each key of the method's table in a scene file, except formats.
     options: BTreeMap<&'static str, Vec<Value>>,
-    /// Of the general core that the teapot's default options give, in the order of the data.
+    /// The formats of the general core with the default options for the teapot, in the order of the
+    /// data flow.
     formats: Vec<FormatFacts>,
     /// Clocks from a pixel's entry to its exit.
     latency: u32,
-    /// In a pixel, powers and the materials' products left out, as the papers leave them out.
+    /// Operations for a pixel, without powers and the material's products, as the papers count
+    /// them.
     operations: Contents,
-    /// What the core is with each value of each option alone.
+    /// The core with each value of each option, one option changed at a time.
     variants: Vec<VariantFacts>,
     /// Multipliers of two variables.
     multipliers: usize,
-    /// And subtractors.
+    /// Adders and subtractors.
     adders: usize,
     registers: usize,
     register_bits: u64,
 }
 
-/// What a scene must be for the method.
+/// Which scenes the method can shade.
 #[derive(Serialize)]
 struct SceneFacts {
     most_lights: usize,
@@ -63,11 +65,11 @@ struct VariantFacts {
 struct FormatFacts {
     name: &'static str,
     format: Format,
-    /// What is rounded.
+    /// The value that is rounded.
     value: &'static str,
 }
 
-/// The methods as text.
+/// The methods as JSON text.
 pub fn text() -> Result<String, ToolError> {
     let scene = specula_scene::load(SCENE, None)?;
     let methods: Vec<MethodFacts> = Method::ALL
@@ -101,16 +103,16 @@ fn facts(method: Method, scene: &LoadedScene) -> Result<MethodFacts, ToolError> 
     })
 }
 
-/// What the method takes.
+/// The scenes that the method can shade.
 fn scene_facts(places_seen_from: Viewpoint) -> SceneFacts {
     SceneFacts { most_lights: MOST_LIGHTS, largest_shininess: LARGEST_SHININESS, places_seen_from }
 }
 
-/// What each value of each option makes of the core.
+/// The core with each value of each option.
 fn variants(method: Method, scene: &LoadedScene) -> Result<Vec<VariantFacts>, ToolError> {
     let needs = Needs::of(&scene.frame);
     let values = method
-        .choices()
+        .option_domains()
         .iter()
         .flat_map(|choice| choice.values.iter().map(|value| (choice.key, *value)));
     let facts = |(option, value): (&'static str, &str)| {
@@ -126,18 +128,18 @@ fn variants(method: Method, scene: &LoadedScene) -> Result<Vec<VariantFacts>, To
     values.map(facts).collect()
 }
 
-/// The general core with an option.
+/// The general core with one option changed.
 fn variant(needs: &Needs, variant: &Variant) -> Result<Design, BenchError> {
     let spec = variant.core_spec(needs)?;
     Ok(specula_hdl::elaborate(&spec, SCENE)?)
 }
 
-/// TOML writes the values, strings and whole numbers, as JSON does.
+/// The values of each option. TOML writes them, strings and integers, as JSON does.
 fn options(method: Method) -> serde_json::Result<BTreeMap<&'static str, Vec<Value>>> {
     let values = |values: &[&str]| {
         values.iter().map(|value| serde_json::from_str(value)).collect::<serde_json::Result<_>>()
     };
-    method.choices().iter().map(|choice| Ok((choice.key, values(choice.values)?))).collect()
+    method.option_domains().iter().map(|choice| Ok((choice.key, values(choice.values)?))).collect()
 }
 
 fn format_facts(point: &NarrowingPoint) -> FormatFacts {

@@ -1,4 +1,4 @@
-//! The whole text.
+//! The whole document.
 use super::section::Section;
 
 pub const HEAD: &str = "\
@@ -10,7 +10,7 @@ tests compare. LSB is 1/255 of full scale.
 
 ";
 
-/// The sections, below what is common to them.
+/// The sections, preceded by what is common to them.
 pub fn text(sections: &[Section]) -> String {
     let body: String = sections.iter().map(|section| section.text.as_str()).collect();
     format!("{HEAD}{}\n", body.trim_end())

@@ -1,14 +1,16 @@
 //! `specula reproduce figure9`: Lyon's figure 9, each row shaded by the core that has its formula
 //! [Lyon, TR 43].
+mod names;
 mod picture;
 mod report;
+mod shaded;
 
 use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use specula_experiments::figure9::{self, Balls, ROWS, Row};
+use specula_experiments::figure9::{self, Balls, FigureRow, ROWS};
 use specula_scene::Frame;
 use specula_spec::CoreError;
 use specula_testbench::{Bench, EngineKind, Image};
@@ -16,12 +18,13 @@ use specula_testbench::{Bench, EngineKind, Image};
 use crate::arguments::{engine_parser, parse_size};
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
-use crate::header::Origin;
 use crate::output::{Destination, Interrupts, MARKDOWN, REPORT};
 use crate::run::{DEFAULT_ENGINE, simulate};
 use crate::verdict::Verdict;
+use crate::verilog::Origin;
 use crate::{picture as png, verilog};
-use report::Line;
+use names::{FORMULAS, NAME, SIMULATED, module};
+use shaded::{Line, Shaded};
 
 const EXAMPLE: &str = "\
 Shades Lyon's figure 9, a core for each of its twelve rows, and compares every pixel with the \
@@ -39,11 +42,11 @@ pub struct Arguments {
     /// Folder to write [default: out/figure9]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Width and height in pixels into which a row of balls has to fit, from 7x3 on [default:
+    /// Width and height in pixels into which a row of balls has to fit, at least 7x3 [default:
     /// 385x129, the report's]
     #[arg(long = "size", value_name = "WxH", allow_hyphen_values = true, value_parser = parse_balls)]
     balls: Option<Balls>,
-    /// What simulates the cores
+    /// Engine that simulates the cores
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
     /// Print report.json instead of the table
@@ -51,29 +54,17 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Name of the figure, of its output folder, and of its picture.
-const NAME: &str = "figure9";
-/// The balls of the report.
+/// The size of the balls in the report.
 const BALLS: Balls = Balls { radius: 64 };
-const SIMULATED: &str = "figure9.png";
-const FORMULAS: &str = "formulas.png";
 
-/// `--size`: the largest balls of which a row fits.
+/// Parses `--size`: the result is the largest balls of which a row fits.
 fn parse_balls(text: &str) -> Result<Balls, String> {
     let (width, height) = parse_size(text)?;
     Balls::within(width, height)
         .ok_or_else(|| "five balls in a row take 7x3 pixels at least".to_owned())
 }
 
-/// A row that has been simulated and compared.
-struct Shaded {
-    line: Line,
-    verilog: String,
-    simulated: Image,
-    disagreement: Option<Disagreement>,
-}
-
-/// Shades every row, writes everything, and prints the table or the report.
+/// Shades every row, writes all files, and prints the table or the report.
 pub fn execute(
     arguments: &Arguments,
     stdout: &mut dyn Write,
@@ -96,7 +87,7 @@ pub fn execute(
 
 fn shaded(
     arguments: &Arguments,
-    (row, number): (&Row, usize),
+    (row, number): (&FigureRow, usize),
     balls: Balls,
     frame: &Frame,
 ) -> Result<Shaded, ToolError> {
@@ -117,17 +108,13 @@ fn shaded(
     })
 }
 
-fn module(number: usize) -> String {
-    format!("{NAME}_row{number:02}")
-}
-
 /// Every file that is written.
 fn files() -> Vec<String> {
     let cores = (1..=ROWS.len()).map(|number| verilog::file_name(&module(number)));
     [SIMULATED, FORMULAS, MARKDOWN, REPORT].map(str::to_owned).into_iter().chain(cores).collect()
 }
 
-/// Writes everything, and gives the JSON report.
+/// Writes all files and returns the JSON report.
 fn write(
     destination: &Destination,
     arguments: &Arguments,
@@ -156,7 +143,7 @@ fn write(
     Ok(json)
 }
 
-/// The verdict; what disagrees is written to standard error.
+/// The verdict; disagreements are reported on standard error.
 fn verdict(rows: &[Shaded]) -> Verdict {
     let mut verdict = Verdict::Done;
     let mut stderr = io::stderr().lock();
@@ -164,7 +151,8 @@ fn verdict(rows: &[Shaded]) -> Verdict {
     {
         verdict = Verdict::Disagrees;
         for line in disagreement.lines() {
-            // The report says the same, and the exit status tells.
+            // The report and the exit status say the same, so a closed standard error is no reason
+            // to stop.
             let _ = writeln!(stderr, "disagreement: row {}: {line}", row.line.row);
         }
     }

@@ -1,12 +1,12 @@
-//! Figures as plots.
-use specula_experiments::reproduce::figure::{Curve, CurveKind, Figure};
+//! The papers' figures as plots.
+use specula_experiments::reproduce::figure::{CurveKind, Figure, FigureCurve};
 
-use crate::plot::{Axis, Label, Plot, PlotSeries, Scale, Shown};
+use crate::plot::{Axis, AxisScale, Label, Plot, PlotSeries, SeriesStyle};
 use specula_drawing::Series;
 
-/// A figure as a plot.
+/// Makes a plot of a figure.
 pub fn plot(figure: &Figure) -> Plot {
-    let axis = |title: &str| Axis { title: title.to_owned(), scale: Scale::Linear };
+    let axis = |title: &str| Axis { title: title.to_owned(), scale: AxisScale::Linear };
     Plot {
         title: figure.title.clone(),
         x: axis(figure.x),
@@ -18,15 +18,15 @@ pub fn plot(figure: &Figure) -> Plot {
     }
 }
 
-fn series(curve: &Curve) -> PlotSeries {
-    let shown = match curve.kind {
-        CurveKind::Formula => Shown::Line,
-        CurveKind::Core => Shown::Dots,
+fn series(curve: &FigureCurve) -> PlotSeries {
+    let style = match curve.kind {
+        CurveKind::Formula => SeriesStyle::Line,
+        CurveKind::Core => SeriesStyle::Dots,
     };
-    PlotSeries { colour: Series::new(curve.colour), places: curve.points.clone(), shown }
+    PlotSeries { colour: Series::new(curve.colour), places: curve.points.clone(), style }
 }
 
-fn label(curve: &Curve) -> Option<Label> {
+fn label(curve: &FigureCurve) -> Option<Label> {
     Some(Label {
         at: *curve.points.get(curve.label?)?,
         words: curve.name.clone(),

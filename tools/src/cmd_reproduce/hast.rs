@@ -1,18 +1,18 @@
-//! What is reproduced of Hast's paper besides claims: operations, and figures 2 and 3.
+//! The parts of Hast's paper besides claims: operations, and figures 2 and 3.
 use specula_experiments::reproduce::hast::operations::{Scheme, schemes};
 use specula_experiments::reproduce::hast::quality::quality;
 use specula_scene::{Frame, load};
 use specula_testbench::ErrorFigures;
 
+use super::pictured_mesh::{PicturedMesh, SIZE};
 use super::section::{Section, written};
-use super::subject::{SIZE, Subject};
 use crate::error::ToolError;
 use crate::picture::{Panel, error_map, side_by_side};
 
-/// Adds it.
-pub fn add(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
+/// Adds these parts to the section.
+pub fn add(section: &mut Section, mesh: &PicturedMesh) -> Result<(), ToolError> {
     operations(section)?;
-    pictures(section, subject)
+    pictures(section, mesh)
 }
 
 fn operations(section: &mut Section) -> Result<(), ToolError> {
@@ -55,13 +55,13 @@ fn row(scheme: &Scheme) -> [String; 5] {
     ]
 }
 
-fn pictures(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
+fn pictures(section: &mut Section, mesh: &PicturedMesh) -> Result<(), ToolError> {
     section.heading(3, "Figures 2 and 3: Phong shading and reflection shading");
     section.paragraph(
         "By simulated cores: figure 2 by `duff` (Phong shading without normalisation), figure 3 by `reflection`, normals wrapped around the \
          polygon's; highlights of both by eq. 34. The paper's statue has small polygons, as the first mesh has; the second is coarse.",
     );
-    compare(section, &subject.name, &subject.frame)?;
+    compare(section, &mesh.name, &mesh.frame)?;
     compare(section, "icosahedron", &load("icosahedron", Some(SIZE))?.frame)
 }
 

@@ -1,4 +1,4 @@
-//! What is reproduced of the lecture besides claims: the hardware of its programming project.
+//! The part of the lecture besides claims: the hardware of its programming project.
 use specula_scene::{Needs, load};
 use specula_spec::{CoreSpec, Method};
 use specula_testbench::BenchError;
@@ -14,7 +14,7 @@ const ALGORITHMS: [(&str, Method); 4] = [
     ("Phong shading by slerp", Method::Slerp),
 ];
 
-/// Adds it.
+/// Adds this part to the section.
 pub fn add(section: &mut Section) -> Result<(), ToolError> {
     section.heading(3, "The project: relative speeds, in hardware");
     section.paragraph(

@@ -1,30 +1,29 @@
-//! What is reproduced of Reshetov's paper besides claims and plots: reflections that enter meshes,
-//! and what consistent normals cost.
+//! The parts of Reshetov's paper besides claims and plots: reflections that enter meshes, and the
+//! cost of consistent normals.
 use specula_datapath::design::Size;
 use specula_experiments::reproduce::reshetov::inward::{self, Inward};
-use specula_experiments::reproduce::reshetov::seen::{Seen, seen};
+use specula_experiments::reproduce::reshetov::marked_pictures::{MarkedPictures, marked_pictures};
 use specula_experiments::reproduce::reshetov::size::{SizedCore, sizes};
 use specula_scene::{Frame, load, parse};
 
+use super::pictured_mesh::{PicturedMesh, SIZE};
 use super::section::{Section, written};
-use super::subject::{SIZE, Subject};
 use crate::error::ToolError;
 use crate::picture::{Panel, side_by_side};
 
-/// Adds it.
-pub fn add(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
-    meshes(section, subject);
-    pictures(section, subject)?;
+/// Adds these parts to the section.
+pub fn add(section: &mut Section, mesh: &PicturedMesh) -> Result<(), ToolError> {
+    meshes(section, mesh);
+    pictures(section, mesh)?;
     cost(section)
 }
 
-fn meshes(section: &mut Section, subject: &Subject) {
+fn meshes(section: &mut Section, mesh: &PicturedMesh) {
     section.heading(3, "Reflections into meshes");
     section.paragraph("As many rays for each face, about 200 000 in all, from everywhere before it, anywhere on it; in f64.");
     let built_in =
         inward::MESHES.iter().map(|(name, shape)| row(name, &inward::count(&shape.mesh())));
-    let given =
-        (subject.name != "teapot").then(|| row(&subject.name, &inward::count(&subject.mesh)));
+    let given = (mesh.name != "teapot").then(|| row(&mesh.name, &inward::count(&mesh.mesh)));
     section.table(
         [
             "mesh",
@@ -56,17 +55,17 @@ fn row(name: &str, inward: &Inward) -> [String; 9] {
     ]
 }
 
-/// A sphere of 8 times 4 cells.
+/// A sphere of 8 by 4 cells.
 const COARSE_SPHERE: &str =
     "[[object]]\nprimitive = \"sphere\"\nlevel = 2\n[object.material]\nshininess = 16\n";
 
-fn pictures(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
+fn pictures(section: &mut Section, mesh: &PicturedMesh) -> Result<(), ToolError> {
     section.paragraph(
         "Seen from the eye, pixel by pixel; pink where the eye's ray is reflected into the surface (black or green in figure 1). Left with Phong's normals, \
          in f64; right the core's reflection.",
     );
     let scenes: [(&str, Frame); 3] = [
-        (&subject.name, subject.frame.clone()),
+        (&mesh.name, mesh.frame.clone()),
         ("icosahedron", load("icosahedron", Some(SIZE))?.frame),
         (
             "coarse_sphere",
@@ -76,7 +75,7 @@ fn pictures(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
     ];
     let mut rows = vec![];
     for (name, frame) in &scenes {
-        let seen = seen(frame)?;
+        let seen = marked_pictures(frame)?;
         rows.push(counts(name, &seen));
         let panels = [
             Panel::new("Phong's normals", &seen.phong),
@@ -95,7 +94,7 @@ fn pictures(section: &mut Section, subject: &Subject) -> Result<(), ToolError> {
     Ok(())
 }
 
-fn counts(name: &str, seen: &Seen) -> [String; 5] {
+fn counts(name: &str, seen: &MarkedPictures) -> [String; 5] {
     let [phong, core] = seen.inward;
     let share = |count: usize| {
         format!("{count} ({:.2} %)", 100.0 * count as f64 / seen.pixels.max(1) as f64)

@@ -1,10 +1,10 @@
-//! What there is to say of a paper, and the pictures that go with it.
+//! The section about a paper, and the pictures that belong to it.
 use std::fs;
 use std::io;
 use std::path::Path;
 
 use image::RgbImage;
-use specula_experiments::reproduce::{Paper, Verdict};
+use specula_experiments::reproduce::{ClaimVerdict, Paper};
 
 use super::figures;
 use crate::error::ToolError;
@@ -12,22 +12,22 @@ use crate::picture::write_line_drawing;
 use crate::table;
 use specula_drawing as drawing;
 
-/// The folder of pictures beside the document.
+/// The folder of pictures next to the document.
 pub const IMAGES: &str = "images";
 
-/// A paper's part of the document.
+/// A paper's section of the document.
 pub struct Section {
     /// Its Markdown.
     pub text: String,
-    /// Pictures that it shows.
+    /// The pictures that the text shows.
     pub files: Vec<File>,
-    /// Whether every number is as measured before.
+    /// Whether every number is as it was when it was first measured.
     pub as_expected: bool,
 }
 
-/// A picture.
+/// A picture's file.
 pub struct File {
-    /// Its name, with an ending.
+    /// Its name with its extension.
     pub name: String,
     content: Content,
 }
@@ -38,7 +38,7 @@ enum Content {
 }
 
 impl File {
-    /// Writes it.
+    /// Writes the file.
     pub fn write(&self, path: &Path) -> io::Result<()> {
         match &self.content {
             Content::Svg(text) => fs::write(path, text),
@@ -48,7 +48,7 @@ impl File {
 }
 
 impl Section {
-    /// The paper's claims, with a verdict each, and its plots.
+    /// A section with the paper's claims, a verdict each, and its plots.
     pub fn of(paper: Paper) -> Result<Section, ToolError> {
         let verdicts = paper.verdicts();
         let mut section = Section {
@@ -71,28 +71,28 @@ impl Section {
         Ok(section)
     }
 
-    /// A heading.
+    /// Adds a heading.
     pub fn heading(&mut self, level: usize, words: &str) {
         self.paragraph(&format!("{} {words}", "#".repeat(level)));
     }
 
-    /// A paragraph, or anything else with a line free behind it.
+    /// Adds a paragraph, or any other block, and an empty line.
     pub fn paragraph(&mut self, text: &str) {
         self.text.push_str(text.trim_end());
         self.text.push_str("\n\n");
     }
 
-    /// A table.
+    /// Adds a table.
     pub fn table<const N: usize>(&mut self, titles: [&str; N], rows: &[[String; N]]) {
         self.paragraph(&table::markdown(titles, rows));
     }
 
-    /// A plot.
+    /// Adds a plot.
     fn plot(&mut self, title: &str, name: &str, svg: String) {
         self.show(title, format!("{name}.svg"), Content::Svg(svg));
     }
 
-    /// A picture.
+    /// Adds a picture.
     pub fn picture(&mut self, title: &str, name: &str, picture: RgbImage) {
         self.show(title, format!("{name}.png"), Content::Png(picture));
     }
@@ -103,11 +103,11 @@ impl Section {
     }
 }
 
-/// A row for each; a claim is written once, and a verdict once where the next ones on the claim are
-/// the same.
-fn rows(verdicts: &[Verdict]) -> Vec<[String; 6]> {
+/// A row for each verdict. A claim is written once, and so is a verdict that is the same in the
+/// following rows of its claim.
+fn rows(verdicts: &[ClaimVerdict]) -> Vec<[String; 6]> {
     let before = std::iter::once(None).chain(verdicts.iter().map(Some));
-    let row = |(verdict, before): (&Verdict, Option<&Verdict>)| {
+    let row = |(verdict, before): (&ClaimVerdict, Option<&ClaimVerdict>)| {
         let before = before.filter(|before| before.claim == verdict.claim);
         let again = before.is_some_and(|before| before.ruling == verdict.ruling);
         let expected = written(verdict.expected);
@@ -123,7 +123,8 @@ fn rows(verdicts: &[Verdict]) -> Vec<[String; 6]> {
     verdicts.iter().zip(before).map(row).collect()
 }
 
-/// Five significant digits, which are the same on every machine; what rounding leaves of 0 is not.
+/// A number with five significant digits, which are the same on every machine. What rounding leaves
+/// of 0 is not the same and is written as 0.
 pub fn written(number: f64) -> String {
     if !number.is_finite() {
         return number.to_string();

@@ -16,14 +16,14 @@ use crate::{html, picture, verilog, waveform, worst_pixel};
 pub struct Artifact {
     /// Its name.
     pub name: String,
-    /// Whether a run has it.
+    /// Whether a run has this file.
     pub is_of: fn(&Run) -> bool,
-    /// Writes it under the name given. Files before it in the table have been written.
+    /// Writes the file under the given name. Files that precede it in the table have been written.
     write: fn(&Report, &Staging, &str) -> Result<(), ToolError>,
 }
 
 impl Artifact {
-    /// Writes it.
+    /// Writes the file.
     pub fn write(&self, report: &Report, staging: &Staging) -> Result<(), ToolError> {
         (self.write)(report, staging, &self.name)
     }
@@ -33,9 +33,9 @@ impl Artifact {
     }
 }
 
-/// Every file that a run of this module can have, in the order in which people want to see them and
-/// in which they are written: the page shows what stands before it, and `report.json` makes the
-/// folder complete.
+/// Every file that a run with this module can have, in the order in which people want to see them
+/// and in which they are written: the page embeds pictures that precede it, and `report.json` makes
+/// the folder complete.
 pub fn artifacts(module: &str) -> [Artifact; 13] {
     let always = |name: &str, write| Artifact { name: name.to_owned(), is_of: |_| true, write };
     [
@@ -71,7 +71,7 @@ pub fn artifacts(module: &str) -> [Artifact; 13] {
     ]
 }
 
-/// Names of all of them.
+/// The names of all files.
 pub fn names(module: &str) -> Vec<String> {
     artifacts(module).map(|artifact| artifact.name).into()
 }
@@ -95,7 +95,7 @@ fn write_page(report: &Report, staging: &Staging, name: &str) -> Result<(), Tool
 }
 
 fn write_json(report: &Report, staging: &Staging, name: &str) -> Result<(), ToolError> {
-    let json = report::json(report).map_err(io::Error::other).map_err(staging.failed(name))?;
+    let json = report.json().map_err(io::Error::other).map_err(staging.failed(name))?;
     text(&json, staging, name)
 }
 

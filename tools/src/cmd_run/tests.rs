@@ -1,4 +1,5 @@
-//! What a run leaves when the core does not agree, which no scene should ever show.
+//! Tests of what a run leaves when the core disagrees with its models, which should never happen
+//! with a scene.
 use std::fs;
 use std::path::Path;
 
@@ -25,8 +26,8 @@ fn arguments(words: &[&str]) -> Arguments {
     }
 }
 
-/// Runs the scene, spoils what came of it, and writes the files into `folder`. Gives the clock of
-/// what was spoilt, and the verdict.
+/// Runs the scene, corrupts the outcome, and writes the files into `folder`. The result is the
+/// clock of the corruption and the verdict.
 fn spoilt_run(
     words: &[&str],
     folder: &Path,
@@ -52,14 +53,14 @@ fn report(folder: &Path) -> Value {
         .expect("it is JSON")
 }
 
-/// The first pixel of the frame's last span but one, spoilt; it leaves before all pixels of the
-/// last two.
+/// Corrupts the first pixel of the frame's last span but one; it leaves before all pixels of the
+/// last two spans.
 fn spoil_a_pixel(outcome: &mut Outcome) -> u64 {
     let c = &mut outcome.comparison;
     c.mismatches = 2;
     c.first_mismatch =
         Some(Mismatch { x: 3, y: 4, span: 0, pixel: 0, simulated: [1, 2, 3], expected: [1, 2, 4] });
-    // The first pixel of all leaves after the latency.
+    // The very first pixel leaves after the latency.
     outcome.cycles - outcome.pixels
 }
 
@@ -130,8 +131,8 @@ fn wrong_clocks_and_facts_count_too() {
     assert_eq!(report["trace"], serde_json::json!([150, 350]));
 }
 
-/// An error above its bound ends a run as a differing pixel does, with the pixel, both numbers and
-/// what they mean, and the waveform around it.
+/// An error above its bound ends a run as a wrong pixel does: the pixel, both numbers and their
+/// meaning are reported, and the waveform shows the surroundings.
 #[test]
 fn an_error_above_its_bound_is_named_and_shown() {
     let place = TempDir::new().expect("there is room");
@@ -170,8 +171,8 @@ fn an_error_above_its_bound_is_named_and_shown() {
     }
 }
 
-/// Facts are shown with their limits and with what was seen, which lies within them and is not the
-/// same.
+/// Facts are shown with their limits and with the values seen, which lie within the limits and
+/// differ from them.
 #[test]
 fn facts_have_limits_and_what_was_seen() {
     let place = TempDir::new().expect("there is room");

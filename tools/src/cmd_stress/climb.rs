@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::time::Instant;
 
 use serde::Serialize;
-use specula_experiments::climb::{MOST_TOLD, MethodReport, Search, climb};
+use specula_experiments::climb::{MAX_REPORTED, MethodReport, Search, climb};
 use specula_spec::Method;
 
 use crate::error::ToolError;
@@ -15,22 +15,22 @@ use crate::verdict::Verdict;
 
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Always `specula`: a later run recognises by it that the listed files are its own.
+    /// Always `specula`: by it a later run recognises that the listed files are its own.
     program: &'static str,
     version: &'static str,
     seed: u64,
-    /// That were tried.
+    /// Number of scenes that were tried.
     scenes: u64,
     holds: bool,
-    methods: Vec<OfMethod<'a>>,
+    methods: Vec<MethodFacts<'a>>,
     files: &'a [String],
 }
 
 #[derive(Serialize)]
-struct OfMethod<'a> {
+struct MethodFacts<'a> {
     #[serde(flatten)]
     report: &'a MethodReport,
-    /// Files that `run` takes: that with the largest ratio, and those in which something is wrong.
+    /// Scene files for `run`: the one with the largest ratio, and those that show a fault.
     scene_files: Vec<String>,
 }
 
@@ -57,7 +57,7 @@ pub fn execute(
 /// Every file that may be written.
 pub fn possible_names(methods: &[Method]) -> Vec<String> {
     let scenes = methods.iter().flat_map(|method| {
-        let wrong = (0..2 * MOST_TOLD).map(|number| wrong_name(method.name(), number));
+        let wrong = (0..2 * MAX_REPORTED).map(|number| wrong_name(method.name(), number));
         [highest_name(method.name())].into_iter().chain(wrong)
     });
     [REPORT.to_owned()].into_iter().chain(scenes).collect()
@@ -83,7 +83,7 @@ fn scenes(report: &MethodReport) -> Vec<(String, &str)> {
     highest.chain(wrong).collect()
 }
 
-/// Writes everything; gives the JSON report.
+/// Writes all files and returns the JSON report.
 fn write(
     destination: &Destination,
     seed: u64,
@@ -106,7 +106,7 @@ fn unwritten(staging: &Staging, error: serde_json::Error) -> ToolError {
 }
 
 fn json(seed: u64, methods: &[MethodReport], files: &[String]) -> serde_json::Result<String> {
-    let of_method = |report| OfMethod {
+    let of_method = |report| MethodFacts {
         report,
         scene_files: scenes(report).into_iter().map(|(name, _)| name).collect(),
     };
@@ -122,7 +122,7 @@ fn json(seed: u64, methods: &[MethodReport], files: &[String]) -> serde_json::Re
     Ok(serde_json::to_string_pretty(&report)? + "\n")
 }
 
-/// What is printed.
+/// The text that is printed.
 fn text(seed: u64, methods: &[MethodReport], seconds: f64, destination: &Destination) -> String {
     let titles = [
         "method",

@@ -1,23 +1,15 @@
-//! What `stress` writes.
+//! The files that `stress` writes.
 use std::fs;
 use std::io;
 
-use specula_experiments::stress::{CATALOGUE, Cell, RAW};
+use specula_experiments::stress::{CATALOGUE, RAW};
 use specula_spec::Method;
 
-use super::{Stress, json, plots, table};
+use super::results::Stress;
+use super::scene_files::{scene_name, scene_of};
+use super::{json, plots, table};
 use crate::error::ToolError;
 use crate::output::{Destination, MARKDOWN, REPORT, Staging};
-
-/// The name of a row's scene file for a method, such as `row_breaks_1_lyon.toml`.
-pub fn scene_name(row: &str, method: &str) -> String {
-    format!("row_{}_{method}.toml", row.replace(' ', "_"))
-}
-
-/// The scene file of a cell, if it has one.
-pub fn scene_of(cell: &Cell) -> Option<String> {
-    cell.reproducer.as_ref().and(cell.method).map(|method| scene_name(cell.row, method))
-}
 
 /// Every file that may be written.
 pub fn possible_names(methods: &[Method]) -> Vec<String> {
@@ -26,7 +18,7 @@ pub fn possible_names(methods: &[Method]) -> Vec<String> {
     [MARKDOWN, REPORT].map(str::to_owned).into_iter().chain(plots::names()).chain(scenes).collect()
 }
 
-/// Writes everything; gives the JSON report.
+/// Writes all files and returns the JSON report.
 pub fn write(destination: &Destination, stress: &Stress) -> Result<String, ToolError> {
     let staging = destination.stage()?;
     let put =

@@ -1,52 +1,52 @@
-//! How recurrences drift with the length of a span.
+//! Plots of the drift of recurrences with the length of a span.
 use specula_experiments::stress::drift::{self, Drift};
 
 use crate::error::ToolError;
-use crate::plot::{Axis, Label, Plot, PlotSeries, Scale, Shown};
+use crate::plot::{Axis, AxisScale, Label, Plot, PlotSeries, SeriesStyle};
 use specula_drawing::{self as drawing, Series};
 
-/// A plot's file, what it shows, and what is measured for it.
-struct Subject {
+/// A plot: its file, its title, and what is measured for it.
+struct DriftPlot {
     file: &'static str,
     title: &'static str,
     drifts: fn(u32) -> Vec<Drift>,
 }
 
-const SUBJECTS: [Subject; 3] = [
-    Subject {
+const PLOTS: [DriftPlot; 3] = [
+    DriftPlot {
         file: "drift_f32.svg",
         title: "The papers' loops in f32 against their methods in f64",
         drifts: drift::software,
     },
-    Subject {
+    DriftPlot {
         file: "drift_fixed.svg",
         title: "Cores with the formats that a span of 64 pixels is given, on longer ones",
         drifts: drift::fixed,
     },
-    Subject {
+    DriftPlot {
         file: "drift_chosen.svg",
         title: "Cores with the formats that are chosen for the span",
         drifts: drift::chosen,
     },
 ];
 
-/// Pixels of the longest span.
+/// Length of the longest span in pixels.
 const LONGEST: u32 = 8192;
-/// What is drawn where there is no error at all.
+/// The value that is drawn where the error is 0.
 const LEAST: f64 = 1e-5;
 
-/// Names of the plots' files.
+/// The names of the plots' files.
 pub fn names() -> impl Iterator<Item = String> {
-    SUBJECTS.iter().map(|subject| subject.file.to_owned())
+    PLOTS.iter().map(|plot| plot.file.to_owned())
 }
 
-/// The plots: names and texts of their files.
+/// The plots as pairs of file name and file contents.
 pub fn all() -> Result<Vec<(String, String)>, ToolError> {
-    let one = |subject: &Subject| {
-        let sheet = plot(subject.title, &(subject.drifts)(LONGEST)).render()?;
-        Ok((subject.file.to_owned(), drawing::svg(&sheet)))
+    let one = |drift: &DriftPlot| {
+        let sheet = plot(drift.title, &(drift.drifts)(LONGEST)).render()?;
+        Ok((drift.file.to_owned(), drawing::svg(&sheet)))
     };
-    SUBJECTS.iter().map(one).collect()
+    PLOTS.iter().map(one).collect()
 }
 
 fn plot(title: &str, drifts: &[Drift]) -> Plot {
@@ -60,7 +60,7 @@ fn plot(title: &str, drifts: &[Drift]) -> Plot {
     let series = |(number, drift): (usize, &Drift)| PlotSeries {
         colour: Series::new(number),
         places: places(drift),
-        shown: Shown::LineWithDots,
+        style: SeriesStyle::LineWithDots,
     };
     let label = |(number, drift): (usize, &Drift)| {
         Some(Label {
@@ -69,7 +69,7 @@ fn plot(title: &str, drifts: &[Drift]) -> Plot {
             colour: Series::new(number),
         })
     };
-    let axis = |title: &str| Axis { title: title.to_owned(), scale: Scale::Logarithmic };
+    let axis = |title: &str| Axis { title: title.to_owned(), scale: AxisScale::Logarithmic };
     Plot {
         title: title.to_owned(),
         x: axis("steps of the span"),

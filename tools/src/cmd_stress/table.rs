@@ -1,15 +1,15 @@
-//! What came of the catalogue, for people.
+//! The results of the catalogue as text.
 use std::fmt::Write;
 use std::path::Path;
 
 use specula_experiments::stress::limits::Reason;
-use specula_experiments::stress::{Asked, Cell, Verdict, Worst, besides};
+use specula_experiments::stress::{Cell, Requirement, RowVerdict, Worst, row_requirements};
 
-use super::files::scene_of;
-use super::{RowResult, Stress};
+use super::results::{RowResult, Stress};
+use super::scene_files::scene_of;
 use crate::table;
 
-/// What `stress` prints.
+/// The text that `stress` prints.
 pub fn text(stress: &Stress, folder: &Path) -> String {
     let titles = [
         "row",
@@ -32,11 +32,13 @@ pub fn text(stress: &Stress, folder: &Path) -> String {
     )
 }
 
-/// How many rows and methods come to what.
+/// The number of cells with each verdict.
 fn summary(stress: &Stress) -> String {
     let cells = || stress.rows.iter().flat_map(|row| &row.cells);
-    let number = |verdict: Verdict| cells().filter(|cell| cell.verdict() == Some(verdict)).count();
-    let [hold, limit, fault] = [Verdict::Holds, Verdict::Limit, Verdict::Fault].map(number);
+    let number =
+        |verdict: RowVerdict| cells().filter(|cell| cell.verdict() == Some(verdict)).count();
+    let [hold, limit, fault] =
+        [RowVerdict::Holds, RowVerdict::Limit, RowVerdict::Fault].map(number);
     let faults =
         if fault == 0 { "none is at fault".to_owned() } else { format!("{fault} ARE AT FAULT") };
     format!(
@@ -50,7 +52,7 @@ fn line(row: &RowResult) -> [String; 6] {
     let share = row.cells.iter().filter_map(share_of_bound).fold(0.0, f64::max);
     [
         row.id.to_owned(),
-        row.verdict().map_or("refused", Verdict::name).to_owned(),
+        row.verdict().map_or("refused", RowVerdict::name).to_owned(),
         pixels.to_string(),
         if share > 0.0 { format!("{share:.2}") } else { String::new() },
         holding(row),
@@ -58,18 +60,18 @@ fn line(row: &RowResult) -> [String; 6] {
     ]
 }
 
-/// How much of a proven bound the error of quantisation takes.
+/// The share of the proven bound that the measured quantisation error reaches.
 fn share_of_bound(cell: &Cell) -> Option<f64> {
     let shares = cell
         .asked
         .iter()
-        .filter(|asked| asked.is_of_bound())
+        .filter(|asked| asked.is_bounded_quantisation())
         .filter_map(|asked| Some(asked.came / asked.most?));
     shares.reduce(f64::max)
 }
 
 fn holding(row: &RowResult) -> String {
-    let holding = row.cells.iter().filter(|cell| cell.verdict() == Some(Verdict::Holds));
+    let holding = row.cells.iter().filter(|cell| cell.verdict() == Some(RowVerdict::Holds));
     let methods: Vec<&str> = holding.map(|cell| cell.method.unwrap_or("host")).collect();
     if methods.len() == row.cells.len() && methods.len() > 1 {
         "all".to_owned()
@@ -78,29 +80,30 @@ fn holding(row: &RowResult) -> String {
     }
 }
 
-/// Methods at their limits, each with its figures.
+/// The methods at their limits, each with its figures.
 fn limits(row: &RowResult) -> String {
     let at = |cell: &Cell| {
-        let figures: Vec<String> = of_verdict(cell, Verdict::Limit).map(Asked::figure).collect();
+        let figures: Vec<String> =
+            of_verdict(cell, RowVerdict::Limit).map(Requirement::figure).collect();
         (!figures.is_empty())
             .then(|| format!("{} {}", cell.method.unwrap_or("host"), figures.join(", ")))
     };
     row.cells.iter().filter_map(at).collect::<Vec<_>>().join("; ")
 }
 
-fn of_verdict(cell: &Cell, verdict: Verdict) -> impl Iterator<Item = &Asked> {
+fn of_verdict(cell: &Cell, verdict: RowVerdict) -> impl Iterator<Item = &Requirement> {
     cell.asked.iter().filter(move |asked| asked.verdict() == verdict)
 }
 
 fn faults(row: &RowResult) -> impl Iterator<Item = String> + '_ {
     row.cells.iter().flat_map(move |cell| {
         let scene = scene_of(cell).map_or(String::new(), |scene| format!("; see {scene}"));
-        of_verdict(cell, Verdict::Fault)
+        of_verdict(cell, RowVerdict::Fault)
             .map(move |asked| format!("row {}, {}: {}{scene}\n", row.id, asked.core, fault(asked)))
     })
 }
 
-fn fault(asked: &Asked) -> String {
+fn fault(asked: &Requirement) -> String {
     let place = asked
         .place
         .map_or(String::new(), |place| format!(", span {} pixel {}", place.span, place.pixel));
@@ -108,7 +111,7 @@ fn fault(asked: &Asked) -> String {
     format!("{}: {}{detail}{place}", asked.what, came_of_most(asked))
 }
 
-fn came_of_most(asked: &Asked) -> String {
+fn came_of_most(asked: &Requirement) -> String {
     let number =
         |value: f64| if value.fract() == 0.0 { format!("{value}") } else { format!("{value:.3}") };
     match asked.most {
@@ -117,7 +120,7 @@ fn came_of_most(asked: &Asked) -> String {
     }
 }
 
-/// The report.
+/// The text of `report.md`.
 pub fn markdown(stress: &Stress) -> String {
     let mut text = format!(
         "# Stress\n\nSeed {}, {} random spans in each row. {}\n\nA method holds in a row if all that is asked of it happens and no \
@@ -151,10 +154,10 @@ pub fn markdown(stress: &Stress) -> String {
 fn overview(row: &RowResult) -> [String; 7] {
     let [id, verdict, _, share, holds, limits] = line(row);
     let cells: Vec<&Cell> = row.cells.iter().collect();
-    [id, row.input.to_owned(), besides(&cells), verdict, share, holds, limits]
+    [id, row.input.to_owned(), row_requirements(&cells), verdict, share, holds, limits]
 }
 
-/// What was asked of each method in a row, and what came.
+/// What was asked of each method in a row, and the result.
 fn section(row: &RowResult) -> String {
     let mut text = format!("\n## Row {}\n\n{}\n\n", row.id, row.input);
     let titles = ["method", "asked", "cores", "may come", "came", "verdict", "why", "core"];
@@ -174,7 +177,7 @@ fn section(row: &RowResult) -> String {
     text
 }
 
-fn asked_line(cell: &Cell, asked: &Asked) -> [String; 8] {
+fn asked_line(cell: &Cell, asked: &Requirement) -> [String; 8] {
     let reasons: Vec<&str> = asked.reasons.iter().map(|reason| reason.name()).collect();
     let number =
         |value: f64| if value.fract() == 0.0 { format!("{value}") } else { format!("{value:.3}") };
@@ -190,7 +193,7 @@ fn asked_line(cell: &Cell, asked: &Asked) -> [String; 8] {
     ]
 }
 
-/// The worst core, its scene, and what was not built.
+/// Notes about a cell: its worst core, its scene, and what was not built.
 fn notes(cell: &Cell) -> Vec<String> {
     let worst = cell.worst.as_ref().map(|Worst { core, total, method, quantisation, bound }| {
         let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {bound:.2}"));

@@ -1,27 +1,27 @@
-//! Reports as one HTML file that needs no other file: pictures and drawings are in it,
-//! light or dark as the reader's system is.
+//! Reports as one HTML file that needs no other file: pictures are embedded in it, and it is light
+//! or dark as the reader's system is.
 //!
-//! The text is that of the Markdown report, rendered by `pulldown-cmark`; what a name brings along
-//! that looks like HTML is shown as it is written. A policy in the file keeps browsers from loading
+//! The text is that of the Markdown report, rendered by `pulldown-cmark`. What looks like HTML, for
+//! example in a name, is shown as it is written. A policy in the file keeps browsers from loading
 //! anything from elsewhere.
 mod render;
 mod viewer;
 
-pub use render::{Beside, render};
+pub use render::{ReportFiles, render};
 pub use viewer::{Picture, viewer};
 
 use specula_drawing::escaped;
 
-/// The report that a browser shows.
+/// The file name of the HTML report.
 pub const FILE: &str = "report.html";
 
 const STYLE: &str = include_str!("style.css");
 const SCRIPT: &str = include_str!("viewer.js");
-/// What browsers may load: what is in the file.
+/// Browsers may load only what is in the file.
 const POLICY: &str =
     "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
-/// A whole page with this title and body.
+/// A page with this title and body.
 pub fn page(title: &str, body: &str) -> String {
     let title = escaped(title);
     format!(

@@ -1,4 +1,4 @@
-//! Markdown as HTML, with the files it shows put into it.
+//! Renders Markdown as HTML, with pictures embedded.
 use std::fs;
 use std::io;
 use std::path::PathBuf;
@@ -7,18 +7,18 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
-/// Where a report's files are: those that it shows are put into it.
-pub trait Beside {
-    /// The place of the file `name`.
+/// The files next to a report; those that it shows are embedded.
+pub trait ReportFiles {
+    /// The path of the file `name`, if it exists.
     fn file(&self, name: &str) -> Option<PathBuf>;
 }
 
-/// A report's Markdown as HTML. Pictures become data, drawings elements of the page; links to files
-/// beside it are left out, since the page stands alone.
+/// Renders a report's Markdown as HTML. Bitmaps become data, drawings become elements of the page.
+/// Links to files next to it are removed, since the page stands alone.
 ///
 /// # Errors
-/// What the system says of a file that cannot be read.
-pub fn render(markdown: &str, beside: &impl Beside) -> io::Result<String> {
+/// The system's error if a file cannot be read.
+pub fn render(markdown: &str, files: &impl ReportFiles) -> io::Result<String> {
     let mut events = vec![];
     let mut parser = Parser::new_ext(markdown, Options::ENABLE_TABLES);
     while let Some(event) = parser.next() {
@@ -26,11 +26,11 @@ pub fn render(markdown: &str, beside: &impl Beside) -> io::Result<String> {
             Event::Start(Tag::Link { .. }) | Event::End(TagEnd::Link) => {}
             Event::Start(Tag::Image { dest_url, .. }) => {
                 let alternative = words(&mut parser);
-                events.push(Event::Html(figure(&dest_url, &alternative, beside)?.into()));
+                events.push(Event::Html(figure(&dest_url, &alternative, files)?.into()));
             }
-            // No report has HTML in it; a name may look like some.
+            // No report contains HTML, but a name may look like it.
             Event::Html(text) | Event::InlineHtml(text) => events.push(Event::Text(text)),
-            // Wide tables are scrolled, not the page.
+            // A wide table scrolls by itself, so that the page does not have to.
             Event::Start(Tag::Table(alignments)) => {
                 events.extend([
                     Event::Html(CowStr::from("<div class=\"scroll\">")),
@@ -48,7 +48,7 @@ pub fn render(markdown: &str, beside: &impl Beside) -> io::Result<String> {
     Ok(text)
 }
 
-/// The words that stand for a picture, up to its end.
+/// Reads the alternative text of a picture, up to the picture's end.
 fn words<'a>(events: &mut impl Iterator<Item = Event<'a>>) -> String {
     let until_end = events.take_while(|event| !matches!(event, Event::End(TagEnd::Image)));
     until_end
@@ -62,8 +62,8 @@ fn words<'a>(events: &mut impl Iterator<Item = Event<'a>>) -> String {
         .collect()
 }
 
-fn figure(file: &str, alternative: &str, beside: &impl Beside) -> io::Result<String> {
-    let place = beside.file(file).filter(|place| place.is_file());
+fn figure(file: &str, alternative: &str, files: &impl ReportFiles) -> io::Result<String> {
+    let place = files.file(file).filter(|place| place.is_file());
     let alternative = attribute(alternative);
     match place {
         Some(place) if file.ends_with(".svg") => {
@@ -76,12 +76,12 @@ fn figure(file: &str, alternative: &str, beside: &impl Beside) -> io::Result<Str
     }
 }
 
-/// A PNG as an address that holds it.
+/// A PNG as a data URL.
 pub fn data(png: &[u8]) -> String {
     format!("data:image/png;base64,{}", STANDARD.encode(png))
 }
 
-/// As attributes take it.
+/// The text escaped for an attribute.
 pub fn attribute(text: &str) -> String {
     specula_drawing::escaped(text).replace('"', "&quot;")
 }

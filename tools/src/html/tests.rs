@@ -3,10 +3,10 @@ use std::path::PathBuf;
 
 use super::*;
 
-/// A folder with the files that are asked for.
+/// A temporary folder that has every file that is asked for.
 struct Folder(tempfile::TempDir);
 
-impl Beside for Folder {
+impl ReportFiles for Folder {
     fn file(&self, name: &str) -> Option<PathBuf> {
         Some(self.0.path().join(name))
     }
@@ -67,7 +67,7 @@ fn names_are_no_markup() {
 
 #[test]
 fn viewers_hold_each_picture_once() {
-    let picture = |name| Picture { name, about: "what it is", png: vec![1, 2, 3] };
+    let picture = |name| Picture { name, description: "what it is", png: vec![1, 2, 3] };
     let html = viewer(&[picture("one"), picture("two")]);
     assert_eq!(html.matches("data:image/png;base64,AQID").count(), 2);
     assert_eq!(html.matches("<option value=\"1\" selected>two</option>").count(), 1);

@@ -1,18 +1,18 @@
-//! Pictures of one size, side by side or one over another.
+//! A viewer for pictures of one size, next to each other or one over another.
 use super::render::{attribute, data};
 
 /// A picture.
 pub struct Picture {
-    /// What it shows, in a word or two.
+    /// Its title, a word or two.
     pub name: &'static str,
-    /// What it shows.
-    pub about: &'static str,
-    /// As a PNG file.
+    /// A sentence that describes it.
+    pub description: &'static str,
+    /// The contents of its PNG file.
     pub png: Vec<u8>,
 }
 
-/// Two of the pictures in one place, divided where the reader wants, and all of them below. Without
-/// scripts only these are shown.
+/// Shows two of the pictures in one place, divided where the reader wants, and below them all
+/// pictures. Browsers without scripts show only these.
 pub fn viewer(pictures: &[Picture]) -> String {
     let figures: String = pictures.iter().map(figure).collect();
     let side = |side: &str, chosen: usize| {
@@ -34,10 +34,10 @@ pub fn viewer(pictures: &[Picture]) -> String {
 }
 
 fn figure(picture: &Picture) -> String {
-    let about = attribute(picture.about);
+    let description = attribute(picture.description);
     let name = attribute(picture.name);
     format!(
-        "<figure><img src=\"{}\" alt=\"{about}\"><figcaption><b>{name}</b>: {about}</figcaption></figure>\n",
+        "<figure><img src=\"{}\" alt=\"{description}\"><figcaption><b>{name}</b>: {description}</figcaption></figure>\n",
         data(&picture.png)
     )
 }

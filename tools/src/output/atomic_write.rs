@@ -1,4 +1,4 @@
-//! Writing a single file: it is complete, or it is not there.
+//! Writing a single file atomically: it is complete, or it does not exist.
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -9,11 +9,12 @@ use super::folder::settle_leftovers;
 use super::interrupt::Interrupts;
 use super::temporary::Temporary;
 
-/// Lets `write` make a file beside `path`, and moves it there once it is complete. The folder is
-/// made if it is not there; a link to a file stays one.
+/// Calls `write` with the path of a temporary file next to `path`, and moves that file to `path`
+/// once it is complete. The folder is created if it does not exist; a link to a file remains a
+/// link.
 ///
 /// # Errors
-/// [`OutputError`] if the system refuses.
+/// [`OutputError`] if the operating system refuses.
 pub fn write_file(
     path: &Path,
     interrupts: &Interrupts,
@@ -39,7 +40,7 @@ pub fn write_file(
     let publish = || {
         let created = CreatedDirs::create(beside, interrupts)?;
         let temporary = Temporary::new_in(beside, interrupts)?;
-        // With the same ending, by which pictures are told apart.
+        // The file keeps its extension, by which picture formats are distinguished.
         let new = temporary.path().join(path.file_name().ok_or(io::ErrorKind::InvalidInput)?);
         write(&new)?;
         fs::rename(&new, path)?;

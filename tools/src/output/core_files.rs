@@ -11,12 +11,12 @@ use super::interrupt::Interrupts;
 use super::own::Contents;
 use super::temporary::Temporary;
 
-/// Writes files, by name and text, into `folder`, which is made if it is not there; every other
-/// file in it stays. Returns their paths.
+/// Writes files, given by name and text, into `folder`, which is created if it does not exist;
+/// every other file in it stays. Returns their paths.
 ///
 /// # Errors
-/// [`OutputError`] if the system refuses, a foreign file has one of the names, or the folder
-/// is a run's and its core is another one.
+/// [`OutputError`] if the operating system refuses, if a foreign file has one of the names, or if
+/// the folder is a run's and has another core.
 pub fn write_core(
     folder: &Path,
     files: &[(String, String)],

@@ -1,12 +1,12 @@
-//! Folders that had to be created on the way to a place.
+//! Folders that had to be created above a path.
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::interrupt::{Interrupts, Undo};
 
-/// Folders that were created, outermost first. Unless they are kept, those that are still empty are
-/// removed.
+/// Folders that were created, outermost first. Those that are still empty when this is dropped are
+/// removed, unless they are kept.
 #[derive(Debug)]
 pub struct CreatedDirs {
     created: Vec<PathBuf>,
@@ -29,7 +29,7 @@ impl CreatedDirs {
                 // Another program created it first, and may remove it.
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
                 Err(error) => {
-                    // Dropping what was created waits for the list.
+                    // Dropping `folders` locks the list, so the lock is released first.
                     drop(held);
                     return Err(error);
                 }
@@ -38,7 +38,7 @@ impl CreatedDirs {
         Ok(folders)
     }
 
-    /// Keeps the folders.
+    /// Keeps the folders even if they are empty.
     pub fn keep(mut self) {
         self.forget();
         self.created.clear();
@@ -53,7 +53,7 @@ impl CreatedDirs {
 impl Drop for CreatedDirs {
     fn drop(&mut self) {
         for folder in self.created.iter().rev() {
-            // A folder that holds something or is gone already is no error.
+            // It is no error if a folder holds something or is gone already.
             let _ = fs::remove_dir(folder);
         }
         self.forget();

@@ -1,15 +1,15 @@
-//! What putting results in place does to the disk: one atomic step after the other, so that a test
-//! can look at what a kill before each of them would leave.
+//! The operations on the disk that put results in place: each is atomic, so that a test can look at
+//! what a kill before each of them would leave.
 use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Steps, each of which is done or not done, whenever the program ends.
+/// Atomic operations: whenever the program ends, each is done or not done.
 pub trait Disk {
     /// Moves a file or folder; a file replaces another.
     fn rename(&mut self, from: &Path, to: &Path) -> io::Result<()>;
-    /// Lets two folders change places. [`io::ErrorKind::Unsupported`] where the system or the file
-    /// system cannot do that in one step.
+    /// Exchanges two folders. The error is [`io::ErrorKind::Unsupported`] where the operating
+    /// system or the file system cannot do that in one step.
     fn exchange(&mut self, one: &Path, other: &Path) -> io::Result<()>;
     /// Gives a file a second name.
     fn link(&mut self, file: &Path, name: &Path) -> io::Result<()>;
@@ -19,7 +19,7 @@ pub trait Disk {
     fn make_folder(&mut self, folder: &Path) -> io::Result<()>;
 }
 
-/// The system's.
+/// The operating system's disk.
 #[derive(Clone, Copy, Debug)]
 pub struct System;
 
@@ -50,7 +50,7 @@ fn exchange(one: &Path, other: &Path) -> io::Result<()> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
     use rustix::io::Errno;
     let cannot = |errno: Errno| match errno {
-        // The file system, the kernel, or a place that something is mounted on.
+        // The file system or the kernel cannot do it, or the path is a mount point.
         Errno::INVAL | Errno::NOSYS | Errno::NOTSUP | Errno::BUSY | Errno::XDEV => {
             io::ErrorKind::Unsupported.into()
         }

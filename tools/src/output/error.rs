@@ -1,14 +1,14 @@
-//! Why the output folder cannot be used.
+//! The reasons why the output folder cannot be used.
 use std::io;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// Why the output folder cannot be used.
+/// The reason why the output folder cannot be used.
 #[derive(Debug, Error, Diagnostic)]
 pub enum OutputError {
-    /// There is something that is not a folder.
+    /// A part of the path is not a folder.
     #[error("output folder `{}`: `{}` is not a folder", folder.display(), at.display())]
     #[diagnostic(
         code(specula::output::file),
@@ -63,7 +63,7 @@ pub enum OutputError {
         /// The folder asked for.
         folder: PathBuf,
     },
-    /// The operating system refuses.
+    /// The operating system refuses to write.
     #[error("cannot write `{}`: {reason}", path.display())]
     #[diagnostic(
         code(specula::output::system),
@@ -74,25 +74,25 @@ pub enum OutputError {
     System {
         /// What was to be written.
         path: PathBuf,
-        /// Why not.
+        /// The operating system's error.
         reason: io::Error,
     },
-    /// Not everything that belongs into the output folder is in it yet.
+    /// Not everything that belongs in the output folder is in it yet.
     #[error("`{}` could not be moved into the output folder: {reason}", path.display())]
     #[diagnostic(
         code(specula::output::kept),
         help("it is safe there: the next run tries again, or move it by hand")
     )]
     Kept {
-        /// Where it is.
+        /// Where it is now.
         path: PathBuf,
-        /// Why it could not be moved.
+        /// The reason why it could not be moved.
         reason: io::Error,
     },
 }
 
 impl OutputError {
-    /// The error of having failed to write `path`, with the system's reason.
+    /// Turns the operating system's error into the error of having failed to write `path`.
     pub fn system(path: &Path) -> impl FnOnce(io::Error) -> OutputError + '_ {
         move |reason| OutputError::System { path: path.to_owned(), reason }
     }

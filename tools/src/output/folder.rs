@@ -1,8 +1,9 @@
-//! The folder that a run writes, checked before the run.
+//! The output folder of a run, checked before the run.
 use std::env;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use super::destination::Destination;
 use super::disk::System;
 use super::error::OutputError;
 use super::interrupt::Interrupts;
@@ -10,29 +11,19 @@ use super::leftovers::settle;
 use super::own::Contents;
 use super::temporary::Temporary;
 
-/// A folder that can be written or replaced.
-#[derive(Clone, Debug)]
-pub struct Destination {
-    /// As the user wrote it.
-    pub shown: PathBuf,
-    /// Where it is, symbolic links followed.
-    pub(super) place: PathBuf,
-    interrupts: Interrupts,
-}
-
 impl Destination {
     /// Checks that `folder` can be written; `files` are the names that may stand in it. What killed
-    /// programs have left there or beside it is settled first, and said.
+    /// programs have left there or next to it is settled first, with a message.
     ///
     /// # Errors
-    /// [`OutputError`] if something is in the way that Specula did not write, or the system does
-    /// not let us write there.
+    /// [`OutputError`] if something that Specula did not write is in the way, or if the operating
+    /// system does not let us write there.
     pub fn check(
         folder: &Path,
         files: &[String],
         interrupts: &Interrupts,
     ) -> Result<Destination, OutputError> {
-        let place = place_of(folder)?;
+        let place = absolute_path(folder)?;
         settle_leftovers(place.parent().into_iter().chain([place.as_path()]));
         if place.exists() {
             refuse_foreign(folder, &place, files)?;
@@ -41,27 +32,22 @@ impl Destination {
         probe(folder, interrupts)?;
         Ok(Destination { shown: folder.to_owned(), place, interrupts: interrupts.clone() })
     }
-
-    /// What is undone when the program is interrupted.
-    pub fn interrupts(&self) -> &Interrupts {
-        &self.interrupts
-    }
 }
 
-/// Settles what was left in folders that are written into.
+/// Settles what killed programs have left in folders that are written into.
 pub fn settle_leftovers<'a>(folders: impl IntoIterator<Item = &'a Path>) {
     let mut stderr = io::stderr().lock();
     for settled in folders.into_iter().flat_map(|folder| settle(folder, &mut System)) {
-        // The files are in their places even if standard error is closed.
+        // The files are in place even if standard error is closed.
         let _ = writeln!(stderr, "{settled}");
     }
 }
 
-/// The absolute path of `folder`, which is a folder or is not there.
-fn place_of(folder: &Path) -> Result<PathBuf, OutputError> {
+/// The absolute path of `folder`, which is a folder or does not exist.
+fn absolute_path(folder: &Path) -> Result<PathBuf, OutputError> {
     let there = |path: &Path| path.symlink_metadata().is_ok();
-    // Each folder above must be one too; the last ancestor of a relative path is the empty one, the
-    // current folder.
+    // Each ancestor must be a folder too; the last ancestor of a relative path is empty and stands
+    // for the current folder.
     if let Some(at) = folder.ancestors().find(|path| there(path)).filter(|path| !path.is_dir()) {
         return Err(OutputError::NotAFolder { folder: folder.to_owned(), at: at.to_owned() });
     }
@@ -76,12 +62,12 @@ fn place_of(folder: &Path) -> Result<PathBuf, OutputError> {
     Ok(absolute)
 }
 
-/// Without a report of Specula's nothing may be there but what Specula wrote; with one, nothing of
-/// the names that may be written.
+/// Refuses foreign files: without a report of Specula's, any; with one, those whose names may be
+/// written.
 fn refuse_foreign(folder: &Path, place: &Path, files: &[String]) -> Result<(), OutputError> {
     let contents = Contents::of(place).map_err(OutputError::system(folder))?;
     let folder = folder.to_owned();
-    // The first of them by name, so that the same folder gives the same message.
+    // The first of them by name is reported, so that the same folder gives the same message.
     match contents.foreign.first() {
         Some(foreign) if !contents.has_report => {
             Err(OutputError::Foreign { folder, foreign: foreign.clone() })
@@ -93,7 +79,8 @@ fn refuse_foreign(folder: &Path, place: &Path, files: &[String]) -> Result<(), O
     }
 }
 
-/// A shell that stands in a folder which is replaced stands in a deleted one afterwards.
+/// Refuses the current folder: a shell whose current folder is replaced is in a deleted one
+/// afterwards.
 fn refuse_current(folder: &Path, place: &Path) -> Result<(), OutputError> {
     let current = env::current_dir()
         .and_then(|current| current.canonicalize())
@@ -105,7 +92,7 @@ fn refuse_current(folder: &Path, place: &Path) -> Result<(), OutputError> {
     }
 }
 
-/// Tries to write where the folder's nearest existing ancestor is, so that a long run does not end
+/// Tries to write into the nearest existing ancestor of the folder, so that a long run does not end
 /// in a refusal.
 fn probe(folder: &Path, interrupts: &Interrupts) -> Result<(), OutputError> {
     let above = folder.parent().unwrap_or(folder);

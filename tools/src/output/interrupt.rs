@@ -1,4 +1,4 @@
-//! Ctrl-C and its kin: what is half done is undone before the program ends.
+//! Handling of Ctrl-C and similar signals: what is half done is undone before the program ends.
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -6,9 +6,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-use super::temporary;
+use super::hidden;
 
-/// What is half done. Copies are of the same list.
+/// The list of what is half done. Clones share the list.
 #[derive(Clone, Debug, Default)]
 pub struct Interrupts {
     undo: Arc<Mutex<Vec<Undo>>>,
@@ -17,23 +17,23 @@ pub struct Interrupts {
 /// How something that is half done is undone.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Undo {
-    /// A temporary folder goes with all that is in it.
+    /// A temporary folder is removed with all of its contents.
     Temporary(PathBuf),
-    /// A folder that was created on the way is removed if it is empty.
+    /// A folder that was created above a path is removed if it is empty.
     Created(PathBuf),
 }
 
-/// While it lives, no signal ends the program: what has to be done as a whole is.
+/// A lock that keeps signals from ending the program, so that what must be done as a whole is.
 #[derive(Debug)]
 pub struct Held<'a>(MutexGuard<'a, Vec<Undo>>);
 
 impl Interrupts {
-    /// Undoes what is half done when SIGINT, SIGTERM or SIGHUP comes, and ends with status 128 +
-    /// signal. Signals that the program's parent had it ignore, as `nohup` does, stay
-    /// ignored.
+    /// Starts to watch for SIGINT, SIGTERM and SIGHUP. When one comes, what is half done is undone,
+    /// and the program ends with status 128 + signal. Signals that the parent process had ignored,
+    /// as `nohup` does, stay ignored.
     ///
     /// # Errors
-    /// What the system says if it takes no handler.
+    /// The operating system's error if no handler can be installed.
     #[cfg(unix)]
     pub fn watch() -> io::Result<Interrupts> {
         let interrupts = Interrupts::default();
@@ -43,7 +43,7 @@ impl Interrupts {
         let shared = interrupts.clone();
         thread::Builder::new().name("signals".to_owned()).spawn(move || {
             if let Some(signal) = signals.forever().next() {
-                // Any other thread that wants it waits until the program has ended.
+                // Any other thread that wants the lock waits until the program has ended.
                 let held = shared.hold();
                 held.0.iter().rev().for_each(Undo::carry_out);
                 std::process::exit(128 + signal);
@@ -52,31 +52,31 @@ impl Interrupts {
         Ok(interrupts)
     }
 
-    /// Elsewhere the next run removes what is left.
+    /// Watches nothing: on other systems the next run removes what is left.
     #[cfg(not(unix))]
     pub fn watch() -> io::Result<Interrupts> {
         Ok(Interrupts::default())
     }
 
-    /// It is done, or undone.
+    /// Removes an entry that is done, or undone.
     pub fn forget(&self, undo: &Undo) {
         self.hold().forget(undo);
     }
 
-    /// Waits until no signal is being acted on, and keeps others off.
+    /// Waits until no signal is being handled, and keeps others off.
     pub fn hold(&self) -> Held<'_> {
-        // Who panicked has left a list that can be read.
+        // A thread that panicked has left a list that can still be read.
         Held(self.undo.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
 impl Held<'_> {
-    /// Something is half done from now on.
+    /// Adds something that is half done from now on.
     pub fn add(&mut self, undo: Undo) {
         self.0.push(undo);
     }
 
-    /// It is done, or undone.
+    /// Removes an entry that is done, or undone.
     pub fn forget(&mut self, undo: &Undo) {
         self.0.retain(|other| other != undo);
     }
@@ -86,32 +86,32 @@ impl Undo {
     fn carry_out(&self) {
         match self {
             Undo::Temporary(folder) => remove_while_written(folder),
-            // One that holds something, or is gone already, is nothing to complain of.
+            // It is no error if a folder holds something or is gone already.
             Undo::Created(folder) => drop(fs::remove_dir(folder)),
         }
     }
 }
 
-/// Tries to remove a folder into which another thread writes, at most.
+/// Largest number of attempts to remove a folder into which another thread writes.
 const TRIES: u32 = 100;
-/// Time between two tries.
+/// Time between two attempts.
 const PAUSE: Duration = Duration::from_millis(5);
 
 fn remove_while_written(folder: &Path) {
     for _ in 0..TRIES {
-        if temporary::remove(folder).is_ok() || folder.symlink_metadata().is_err() {
+        if hidden::remove(folder).is_ok() || folder.symlink_metadata().is_err() {
             return;
         }
         thread::sleep(PAUSE);
     }
 }
 
-/// Signals that end a program and leave it time.
+/// Signals that end a program but leave it time to clean up.
 #[cfg(unix)]
 const ENDING: [i32; 3] =
     [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM, signal_hook::consts::SIGHUP];
 
-/// The signals that this process ignores, a bit each from signal 1 on; none where Linux does not
+/// The signals that this process ignores, one bit each, from signal 1 on; 0 where Linux does not
 /// tell.
 #[cfg(unix)]
 fn ignored_signals() -> u64 {

@@ -1,5 +1,4 @@
-//! What programs that were killed have left: what is the user's goes back, what is Specula's goes
-//! away.
+//! Recovery after programs that were killed: the user's files are put back, Specula's are removed.
 use std::fmt;
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -7,18 +6,18 @@ use std::path::{Path, PathBuf};
 
 use super::REPORT;
 use super::disk::Disk;
+use super::hidden::{FOLDER, LOCK, PREFIX, RECORD, remove};
 use super::publish::finish;
 use super::record::{Record, Step};
-use super::temporary::{FOLDER, LOCK, PREFIX, RECORD, remove};
 
 /// What was done about a leftover.
 #[derive(Debug)]
 pub enum Settled {
     /// The folder held no foreign file and has been removed.
     Removed(PathBuf),
-    /// The folder whose replacement was interrupted has everything that belongs into it.
+    /// The folder whose replacement was interrupted now has everything that belongs in it.
     Finished(PathBuf),
-    /// It is as it was.
+    /// The leftover is unchanged, for the given reason.
     Left(PathBuf, String),
 }
 
@@ -46,8 +45,8 @@ impl fmt::Display for Settled {
     }
 }
 
-/// Settles everything that was left in a folder; what belongs to programs that still run is left
-/// alone. A folder that is not there, or cannot be listed, has nothing.
+/// Settles everything that killed programs have left in a folder. What belongs to programs that
+/// still run is left alone. A folder that does not exist or cannot be listed has no leftovers.
 pub fn settle(place: &Path, disk: &mut dyn Disk) -> Vec<Settled> {
     let Ok(entries) = fs::read_dir(place) else { return vec![] };
     let is_leftover = |entry: &fs::DirEntry| {
@@ -64,8 +63,8 @@ fn settle_one(leftover: &Path, place: &Path, disk: &mut dyn Disk) -> Option<Sett
     let left = |reason: String| Some(Settled::Left(leftover.to_owned(), reason));
     let lock = match File::open(leftover.join(LOCK)) {
         Ok(lock) => lock,
-        // A program that was killed at once, or one that goes on in a moment and then takes another
-        // folder.
+        // It belongs to a program that was killed at once, or to one that will lock it in a moment
+        // and, if it is removed, take another folder.
         Err(error)
             if error.kind() == io::ErrorKind::NotFound && fs::remove_dir(leftover).is_ok() =>
         {
@@ -76,7 +75,7 @@ fn settle_one(leftover: &Path, place: &Path, disk: &mut dyn Disk) -> Option<Sett
                 "nothing tells whose files are in it; look through it and remove it".to_owned(),
             );
         }
-        // It is another user's.
+        // It belongs to another user.
         Err(error) if error.kind() == io::ErrorKind::PermissionDenied => return None,
         Err(error) => return left(error.to_string()),
     };
@@ -103,7 +102,7 @@ fn settle_one(leftover: &Path, place: &Path, disk: &mut dyn Disk) -> Option<Sett
     }
 }
 
-/// Finishes what was begun with the folder that is in a leftover.
+/// Finishes the replacement of the folder that is in a leftover.
 fn finished(
     leftover: &Path,
     place: &Path,
@@ -133,14 +132,14 @@ fn finished(
     Ok(settled)
 }
 
-/// Whether there is something in the folder that has to go elsewhere.
+/// Whether the folder contains something that has to be moved.
 fn needs_finishing(from: &Path, record: &Record) -> io::Result<bool> {
     let names =
         fs::read_dir(from)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
     let names: Vec<String> = names.collect::<io::Result<_>>()?;
     Ok(match record.step {
         Step::Exchange => names.iter().any(|name| !record.has(name)),
-        // The report goes last.
+        // The report is moved last.
         Step::FileByFile => names.iter().any(|name| name == REPORT),
     })
 }

@@ -1,5 +1,5 @@
-//! What of a folder Specula wrote: what its report lists or, where it has none, what begins as
-//! Specula's files do.
+//! Recognises the files in a folder that Specula wrote: those that its report lists or, without a
+//! report, those that begin as Specula's files do.
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
@@ -12,30 +12,30 @@ use specula_spec::SpecFile;
 
 use super::{JOURNAL, REPORT};
 
-/// What reports say in the place of their program.
+/// The name of the program in reports.
 pub const PROGRAM: &str = "Specula";
 
-/// The longest report that is read, in bytes.
+/// Largest report that is read, in bytes.
 const LONGEST_REPORT: u64 = 64 << 20;
-/// The longest file whose beginning is looked at, in bytes.
+/// Largest file whose beginning is read, in bytes.
 const LONGEST_FILE: u64 = 256 << 20;
 
-/// The files in a folder, by whose they are.
+/// The files in a folder, by who wrote them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Contents {
-    /// Whether a report of Specula's is there.
+    /// Whether the folder has a report of Specula's.
     pub has_report: bool,
-    /// Names of what Specula wrote.
+    /// Names of files that Specula wrote.
     pub own: BTreeSet<String>,
-    /// Names of everything else; odd characters of a name are replaced.
+    /// Names of everything else; characters of a name that are not valid are replaced.
     pub foreign: BTreeSet<String>,
 }
 
 impl Contents {
-    /// Looks at a folder; one that is not there is empty.
+    /// Reads the contents of a folder; a folder that does not exist is empty.
     ///
     /// # Errors
-    /// What the system says if it does not list the folder.
+    /// The operating system's error if the folder cannot be listed.
     pub fn of(folder: &Path) -> io::Result<Contents> {
         let listed = listed_files(&folder.join(REPORT));
         let mut contents = Contents { has_report: listed.is_some(), ..Contents::default() };
@@ -48,11 +48,11 @@ impl Contents {
             let name = entry.file_name().to_string_lossy().into_owned();
             let is_own_file = || match &listed {
                 Some(names) if names.contains(&name) => true,
-                // A sweep that was killed has added it since.
-                Some(_) => is_journal(&name) && begins_as_ours(&name, &entry.path()),
-                None => begins_as_ours(&name, &entry.path()),
+                // A sweep that was killed has written it since the report.
+                Some(_) => is_journal(&name) && begins_like_ours(&name, &entry.path()),
+                None => begins_like_ours(&name, &entry.path()),
             };
-            // Links and folders are never ours.
+            // Specula makes no links and folders.
             let is_own = entry.file_type()?.is_file() && is_own_file();
             if is_own { &mut contents.own } else { &mut contents.foreign }.insert(name);
         }
@@ -65,15 +65,14 @@ impl Contents {
     }
 }
 
-/// What of a report is read again.
+/// The part of a report that is read again.
 #[derive(Deserialize)]
 struct Report {
     program: String,
     files: BTreeSet<String>,
 }
 
-/// The files that a report of Specula's lists; none if Specula did not write it, or if it is no
-/// report.
+/// The files that a report lists; `None` if Specula did not write it, or if it is not a report.
 fn listed_files(report: &Path) -> Option<BTreeSet<String>> {
     let is_file = report.symlink_metadata().is_ok_and(|about| about.is_file());
     let bytes = is_file.then(|| read_regular(report, LONGEST_REPORT).ok()).flatten()?;
@@ -81,8 +80,8 @@ fn listed_files(report: &Path) -> Option<BTreeSet<String>> {
     (report.program == PROGRAM).then_some(report.files)
 }
 
-/// Whether a file begins as one does that Specula writes without a report.
-fn begins_as_ours(name: &str, path: &Path) -> bool {
+/// Whether a file begins as a file does that Specula writes without a report.
+fn begins_like_ours(name: &str, path: &Path) -> bool {
     let read = || read_regular(path, LONGEST_FILE);
     let begins = |with: &str| read().is_ok_and(|bytes| bytes.starts_with(with.as_bytes()));
     match name {
@@ -93,9 +92,9 @@ fn begins_as_ours(name: &str, path: &Path) -> bool {
     }
 }
 
-/// Whether a name is that of a journal, or of one that was to take its place.
+/// Whether a name is that of a journal, or of one that was to replace it.
 fn is_journal(name: &str) -> bool {
-    name == JOURNAL || name.starts_with(&Journal::beside(JOURNAL))
+    name == JOURNAL || name.starts_with(&Journal::replacement_prefix(JOURNAL))
 }
 
 #[cfg(test)]

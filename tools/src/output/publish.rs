@@ -1,34 +1,36 @@
-//! From a complete temporary folder to its place.
+//! Publication: a complete temporary folder is moved to its place.
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::REPORT;
 use super::created_dirs::CreatedDirs;
+use super::destination::Destination;
 use super::disk::{Disk, System};
 use super::error::OutputError;
+use super::hidden::FOLDER;
 use super::interrupt::Interrupts;
 use super::own::Contents;
 use super::record::{Record, Step};
-use super::temporary::{FOLDER, Temporary};
-use super::{Destination, REPORT};
-use crate::html::Beside;
+use super::temporary::Temporary;
+use crate::html::ReportFiles;
 
-/// A folder being written; unless it is published, nothing of it remains.
+/// A folder that is being written. Unless it is published, nothing of it remains.
 #[derive(Debug)]
 pub struct Staging {
     destination: Destination,
-    /// A folder inside the temporary one, since that is private to the user and the result need not
-    /// be. It has its final name.
+    /// The new folder. It is inside the temporary one, which is private to the user as the result
+    /// need not be, and has its final name.
     new: PathBuf,
-    // Dropped in this order: first what is in the folders that were made.
+    // Fields are dropped in this order: first what is in the folders that were created.
     temporary: Temporary,
     created: CreatedDirs,
 }
 
 impl Destination {
-    /// Begins to write.
+    /// Begins to write the folder.
     pub fn stage(&self) -> Result<Staging, OutputError> {
         let refused = OutputError::system(&self.shown);
         let begin = || {
@@ -43,7 +45,7 @@ impl Destination {
     }
 
     fn parent(&self) -> &Path {
-        // The place is absolute and has a name.
+        // The path is absolute and has a name, so it has a parent.
         self.place.parent().unwrap_or(&self.place)
     }
 }
@@ -54,18 +56,19 @@ impl Staging {
         self.new.join(name)
     }
 
-    /// The path of a file that is needed on the way and not published.
+    /// The path of a temporary file that is not published.
     pub fn scratch(&self, name: &str) -> PathBuf {
         self.temporary.path().join(name)
     }
 
-    /// The error of having failed to write the file `name`, by the path it would have had.
+    /// Turns the system's error into the error of having failed to write the file `name`, with its
+    /// final path.
     pub fn failed(&self, name: &str) -> impl FnOnce(io::Error) -> OutputError + use<> {
         let path = self.destination.shown.join(name);
         move |reason| OutputError::System { path, reason }
     }
 
-    /// Puts the folder in its place. Files of an earlier run go; any others that were there stay.
+    /// Puts the folder in its place. Files of an earlier run are removed; any others stay.
     pub fn publish(self) -> Result<(), OutputError> {
         self.publish_by(&mut System)
     }
@@ -74,11 +77,10 @@ impl Staging {
         let Staging { destination, new, temporary, created } = self;
         let interrupts: Interrupts = destination.interrupts().clone();
         let held = interrupts.hold();
-        let published = match destination.place.exists() {
-            true => replace(&destination, &new, temporary.path(), disk),
-            false => disk
-                .rename(&new, &destination.place)
-                .map_err(OutputError::system(&destination.shown)),
+        let published = if destination.place.exists() {
+            replace(&destination, &new, temporary.path(), disk)
+        } else {
+            disk.rename(&new, &destination.place).map_err(OutputError::system(&destination.shown))
         };
         match published {
             // It must not be deleted with the temporary folder.
@@ -95,9 +97,9 @@ impl Staging {
     }
 }
 
-impl Beside for Staging {
+impl ReportFiles for Staging {
     fn file(&self, name: &str) -> Option<PathBuf> {
-        // Nothing outside the folder is part of a report.
+        // A report lists only files in its own folder.
         let is_a_name = Path::new(name).file_name().is_some_and(|file| file == name);
         is_a_name.then(|| Staging::file(self, name))
     }
@@ -117,7 +119,7 @@ fn replace(
         old: contents.own.clone(),
         new: names_in(new).map_err(refused())?,
     };
-    // Somebody may have put it there while the results were computed.
+    // A file may have been put there while the results were computed.
     if let Some(name) = contents.clash(&record.new) {
         return Err(OutputError::InTheWay { folder: shown.clone(), name: name.clone() });
     }
@@ -146,8 +148,8 @@ fn names_in(folder: &Path) -> io::Result<BTreeSet<String>> {
         .collect()
 }
 
-/// Gives every foreign file a second name in the new folder, so that it is never away. What
-/// cannot have one, such as a folder, comes after the exchange.
+/// Gives every foreign file a second name in the new folder, so that it is always present. What
+/// cannot have one, such as a folder, is moved after the exchange.
 fn link_others(
     place: &Path,
     new: &Path,
@@ -168,12 +170,12 @@ fn link_others(
     Ok(linked)
 }
 
-/// Does what is left to do of replacing `place`: after the exchange `from` holds what was there
-/// before, and file by file it holds what is new. However often it is done, and whatever was done
-/// of it, the result is the same.
+/// Finishes the replacement of `place`: after an exchange, `from` contains what was there before;
+/// file by file, `from` contains what is new. The result is the same however often this is done,
+/// and whichever part of it was done before.
 ///
 /// # Errors
-/// A path that could not be moved, and why. It is where it was.
+/// A path that could not be moved, and the reason. It is where it was.
 pub fn finish(
     from: &Path,
     place: &Path,
@@ -186,7 +188,7 @@ pub fn finish(
     }
 }
 
-/// Moves foreign files.
+/// Moves foreign files back.
 fn bring_back(
     from: &Path,
     place: &Path,
@@ -212,8 +214,8 @@ fn bring_back(
     Ok(())
 }
 
-/// Puts new files in the places of old ones, and removes old ones that have no successor. The
-/// report goes last: with it everything is done.
+/// Replaces old files by new ones, and removes old ones that have no successor. The report is moved
+/// last: it marks the replacement as complete.
 fn file_by_file(
     from: &Path,
     place: &Path,
@@ -249,7 +251,7 @@ fn is_same_file(one: &Path, other: &Path) -> bool {
     identity(one).is_some() && identity(one) == identity(other)
 }
 
-/// Folders do not change places here, so no file has two names.
+/// Folders are never exchanged on these systems, so no file has two names.
 #[cfg(not(unix))]
 fn is_same_file(_: &Path, _: &Path) -> bool {
     false

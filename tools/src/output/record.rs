@@ -1,4 +1,5 @@
-//! What is written down before a folder is replaced, so that another program can finish it.
+//! The record that is written before a folder is replaced, so that another program can finish the
+//! replacement.
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, Write};
@@ -8,38 +9,40 @@ use serde::{Deserialize, Serialize};
 use specula_scene::regular::read_regular;
 
 use super::disk::Disk;
-use super::temporary::RECORD;
+use super::hidden::RECORD;
 
-/// The longest record that is read, in bytes.
+/// Largest record that is read, in bytes.
 const LONGEST: u64 = 64 << 20;
 
 /// A folder that is being replaced.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Record {
-    /// How far it is.
+    /// The kind of replacement.
     pub step: Step,
     /// The files that Specula wrote into the folder as it was.
     pub old: BTreeSet<String>,
-    /// The files of the new one.
+    /// The files of the new folder.
     pub new: BTreeSet<String>,
 }
 
 /// How a folder is replaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Step {
-    /// Both folders change places, and what is the user's goes back.
+    /// Both folders are exchanged, and the user's files are moved back.
     Exchange,
-    /// File by file, where folders cannot change places.
+    /// Files are moved one by one, where folders cannot be exchanged.
     FileByFile,
 }
 
 impl Record {
-    /// Reads that of a temporary folder; none if it has none, or none that was written here.
+    /// Reads the record of a temporary folder; `None` if it has none, or one that Specula did not
+    /// write.
     pub fn of(temporary: &Path) -> Option<Record> {
         serde_json::from_slice(&read_regular(&temporary.join(RECORD), LONGEST).ok()?).ok()
     }
 
-    /// Writes it into a temporary folder. When this returns, it outlasts a power cut.
+    /// Writes the record into a temporary folder. Once this returns, the record survives a power
+    /// cut.
     pub fn write(&self, temporary: &Path, disk: &mut dyn Disk) -> io::Result<()> {
         let begun = temporary.join("record");
         let mut file = File::create(&begun)?;

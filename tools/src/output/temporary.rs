@@ -1,26 +1,16 @@
-//! Hidden folders in which results are made before they are put in their places.
-use std::fs::{self, File, TryLockError};
+//! Hidden temporary folders in which results are made before they are put in their places.
+use std::fs::{File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::hidden::{LOCK, PREFIX, remove};
 use super::interrupt::{Held, Interrupts, Undo};
 
-/// Beginning of the names of temporary folders. The next program that writes beside one looks after
-/// what is left of it.
-pub const PREFIX: &str = ".specula-";
-/// In a temporary folder: locked as long as its program runs.
-pub const LOCK: &str = "lock";
-/// In a temporary folder: what the folder that is replaced holds, once it is being replaced.
-pub const RECORD: &str = "record.json";
-/// In a temporary folder: the folder of results, under the name that it has or will have beside the
-/// temporary one.
-pub const FOLDER: &str = "folder";
-
-/// A temporary folder of this program. Nothing of it remains once it is dropped.
+/// A temporary folder of this program. It is removed with its contents when it is dropped.
 #[derive(Debug)]
 pub struct Temporary {
     path: PathBuf,
-    /// None where the file system has no locks: then nothing ever removes what a kill leaves.
+    /// `None` where the file system has no locks: then what a kill leaves is never removed.
     #[expect(dead_code, reason = "it is locked until it is closed")]
     lock: Option<File>,
     interrupts: Interrupts,
@@ -28,7 +18,7 @@ pub struct Temporary {
 }
 
 impl Temporary {
-    /// Makes one in a folder that is there.
+    /// Makes a temporary folder in an existing folder.
     pub fn new_in(place: &Path, interrupts: &Interrupts) -> io::Result<Temporary> {
         loop {
             let path = hidden_folder(place, interrupts)?;
@@ -52,12 +42,12 @@ impl Temporary {
         }
     }
 
-    /// Where it is.
+    /// The path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Leaves it where it is.
+    /// Leaves the folder where it is.
     pub fn keep(mut self, mut held: Held) {
         held.forget(&Undo::Temporary(self.path.clone()));
         self.kept = true;
@@ -80,7 +70,7 @@ enum Locked {
     Impossible,
 }
 
-/// Makes a folder that a signal takes away again.
+/// Makes a folder that a signal's handler removes.
 fn hidden_folder(place: &Path, interrupts: &Interrupts) -> io::Result<PathBuf> {
     let mut held = interrupts.hold();
     let path = tempfile::Builder::new().prefix(PREFIX).tempdir_in(place)?.keep();
@@ -99,25 +89,4 @@ fn locked(folder: &Path) -> io::Result<Locked> {
         Ok(()) | Err(TryLockError::WouldBlock) => Locked::Taken,
         Err(TryLockError::Error(_)) => Locked::Impossible,
     })
-}
-
-/// Removes a temporary folder. What tells what it is goes last: a kill leaves what the next program
-/// understands.
-pub fn remove(folder: &Path) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let entry = entry?;
-        let path = entry.path();
-        match entry.file_name() {
-            name if name == LOCK || name == RECORD => {}
-            _ if entry.file_type()?.is_dir() => fs::remove_dir_all(path)?,
-            _ => fs::remove_file(path)?,
-        }
-    }
-    for name in [RECORD, LOCK] {
-        match fs::remove_file(folder.join(name)) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
-            _ => {}
-        }
-    }
-    fs::remove_dir(folder)
 }

@@ -1,28 +1,28 @@
-//! Where in the picture the error is, and how large.
+//! A heat map: where in the picture errors are, and how large.
 use colorous::INFERNO;
 use image::{Rgb, RgbImage};
 use specula_testbench::{Comparison, ErrorFigures};
 
-use super::scale::Scale;
+use super::scale::ColourScale;
 use specula_drawing::canvas::{CHARACTER, Canvas};
 
-/// The paper.
+/// Colour of the background.
 const PAPER: Rgb<u8> = Rgb([255, 255, 255]);
-/// Words and ticks.
+/// Colour of text and ticks.
 const INK: Rgb<u8> = Rgb([40, 40, 40]);
-/// Pixels that nothing is shaded in: no colour of the scale.
+/// Colour of pixels in which nothing is shaded; the scale does not contain it.
 const NOTHING: Rgb<u8> = Rgb([205, 208, 212]);
-/// Stands beside a box of that colour, two characters in.
+/// Text next to a box of that colour, which takes two characters.
 const KEY: &str = "  nothing shaded. Colours: square root";
-/// Pixels of a picture's shorter side for each dot of its words.
+/// Pixels of a picture's shorter side for each dot of its text.
 const PIXELS_PER_DOT: u32 = 240;
 /// Lines of text that a legend beside the smallest pictures needs.
 const FEWEST_LINES: u32 = 17;
 
-/// Where things stand, in pixels.
+/// Positions in the legend, in pixels.
 struct Layout {
     dot: u32,
-    /// A character's width and height.
+    /// Width and height of a character.
     unit: u32,
     picture: (u32, u32),
     corner: (u32, u32),
@@ -62,7 +62,7 @@ pub fn heat_map(comparison: &Comparison) -> RgbImage {
     error_map("Total error |core - exact shading|, in LSB", picture, &comparison.error_map, total)
 }
 
-/// Errors of a picture's pixels as colours, with a title and a legend; negative ones stand for
+/// Errors of a picture's pixels as colours, with a title and a legend; negative errors stand for
 /// pixels in which nothing is shaded.
 pub fn error_map(
     title: &str,
@@ -70,7 +70,7 @@ pub fn error_map(
     errors: &[f32],
     total: &ErrorFigures,
 ) -> RgbImage {
-    let scale = Scale::reaching(total.max_lsb);
+    let scale = ColourScale::reaching(total.max_lsb);
     let figures = figures(total);
     let layout = Layout::new(picture, [title, &figures, KEY], &scale.ticks());
     let mut canvas = Canvas::new(layout.size.0, layout.size.1, PAPER, layout.dot);
@@ -85,9 +85,10 @@ pub fn error_map(
     canvas.finish()
 }
 
-/// The error of each pixel as a colour, as large as the picture itself; same colours, no legend.
+/// The error of each pixel as a colour, in the picture's own size: the same colours without a
+/// legend.
 pub fn heat_picture(comparison: &Comparison) -> RgbImage {
-    let scale = Scale::reaching(comparison.errors.total.max_lsb);
+    let scale = ColourScale::reaching(comparison.errors.total.max_lsb);
     let mut image = RgbImage::new(comparison.exact.width, comparison.exact.height);
     for (pixel, &error) in image.pixels_mut().zip(&comparison.error_map) {
         *pixel = colour_of(&scale, error);
@@ -99,7 +100,7 @@ fn figures(total: &ErrorFigures) -> String {
     format!("largest {:.2}, rms {:.2}, mean {:.2}", total.max_lsb, total.rms_lsb, total.mean_lsb)
 }
 
-fn draw_errors(canvas: &mut Canvas, layout: &Layout, scale: &Scale, errors: &[f32]) {
+fn draw_errors(canvas: &mut Canvas, layout: &Layout, scale: &ColourScale, errors: &[f32]) {
     for (row, line) in (0..).zip(errors.chunks(layout.picture.0 as usize)) {
         for (column, &error) in (0..).zip(line) {
             canvas.put(layout.corner.0 + column, layout.corner.1 + row, colour_of(scale, error));
@@ -107,8 +108,8 @@ fn draw_errors(canvas: &mut Canvas, layout: &Layout, scale: &Scale, errors: &[f3
     }
 }
 
-/// The scale's colours from bottom to top, with ticks and their numbers.
-fn draw_bar(canvas: &mut Canvas, layout: &Layout, scale: &Scale) {
+/// Draws the scale's colours from bottom to top, with ticks and their numbers.
+fn draw_bar(canvas: &mut Canvas, layout: &Layout, scale: &ColourScale) {
     let ((left, top), (width, height)) = (layout.bar_corner, layout.bar);
     for row in 0..height {
         let place = 1.0 - f64::from(row) / f64::from(height - 1);
@@ -127,12 +128,13 @@ fn draw_bar(canvas: &mut Canvas, layout: &Layout, scale: &Scale) {
     }
 }
 
-/// Of an error, negative where nothing is shaded.
-fn colour_of(scale: &Scale, error: f32) -> Rgb<u8> {
+/// The colour of an error, which is negative where nothing is shaded.
+fn colour_of(scale: &ColourScale, error: f32) -> Rgb<u8> {
     if error < 0.0 { NOTHING } else { colour(scale.place(error.into())) }
 }
 
-/// Inferno: as even to the eye as it is to the number, and readable in black and white.
+/// The colour at a place of the scale, 0 to 1: Inferno, which is perceptually uniform and also
+/// readable in black and white.
 fn colour(place: f64) -> Rgb<u8> {
     Rgb(INFERNO.eval_continuous(place).as_array())
 }

@@ -1,4 +1,4 @@
-//! Pictures: PNG files, heat maps of errors, and pictures side by side.
+//! Pictures: PNG files, heat maps of errors, and pictures next to each other.
 mod heat_map;
 mod panels;
 mod scale;
@@ -24,8 +24,8 @@ pub fn write_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
     write_png(path, drawing.as_raw(), drawing.dimensions())
 }
 
-/// Writes a drawing of lines and words as PNG: without filters, which spoil its long runs of one
-/// colour.
+/// Writes a drawing of lines and text as PNG, without PNG's filters, which would break its long
+/// runs of one colour.
 pub fn write_line_drawing(path: &Path, drawing: &RgbImage) -> io::Result<()> {
     encode(drawing, BufWriter::new(File::create(path)?), FilterType::NoFilter)
 }

@@ -1,4 +1,4 @@
-//! Pictures side by side, each with its title above.
+//! Pictures next to each other, each with its title above.
 use image::{Rgb, RgbImage, imageops};
 use specula_testbench::Image;
 
@@ -12,11 +12,11 @@ pub struct Panel {
 
 const PAPER: Rgb<u8> = Rgb([255, 255, 255]);
 const INK: Rgb<u8> = Rgb([40, 40, 40]);
-/// Around titles and between panels, in pixels.
+/// Distance around titles and between panels, in pixels.
 const ROOM: u32 = CHARACTER;
 
 impl Panel {
-    /// A picture in memory with its title.
+    /// A panel of a picture in memory.
     pub fn new(title: impl Into<String>, image: &Image) -> Panel {
         let bytes = image.pixels.as_flattened().to_vec();
         // An image has as many pixels as its width and height say.
@@ -29,7 +29,7 @@ impl Panel {
     }
 }
 
-/// Panels from left to right.
+/// Draws panels from left to right.
 pub fn side_by_side(panels: &[Panel]) -> RgbImage {
     let top = 2 * ROOM + CHARACTER;
     let width = panels.iter().map(|panel| panel.width() + ROOM).sum::<u32>() + ROOM;

@@ -1,35 +1,35 @@
-//! A scale for errors: its colours grow with the square root, so that a small error shows beside a
-//! large one.
+//! A colour scale for errors, which follows the square root, so that a small error is visible next
+//! to a large one.
 
 /// A scale from 0 to a round number.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Scale {
+pub struct ColourScale {
     /// Its upper end, at or above the largest number.
     top: f64,
 }
 
-/// Upper ends of a scale, times a power of ten.
+/// Possible upper ends of a scale, up to a power of ten.
 const ROUND: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
 /// The smallest upper end. Below one LSB there is only the rounding to 8 bits.
 const SMALLEST: f64 = 1.0;
-/// Distance of ticks on a scale of length 1, at least.
+/// Least distance of ticks on a scale of length 1.
 const CLOSEST: f64 = 0.08;
 
-impl Scale {
+impl ColourScale {
     /// The scale whose upper end is the next round number above `largest`.
-    pub fn reaching(largest: f64) -> Scale {
+    pub fn reaching(largest: f64) -> ColourScale {
         let largest = if largest.is_finite() { largest.max(SMALLEST) } else { SMALLEST };
         let power = 10f64.powf(largest.log10().floor());
         let round = ROUND.into_iter().find(|round| round * power >= largest).unwrap_or(10.0);
-        Scale { top: round * power }
+        ColourScale { top: round * power }
     }
 
-    /// Where a number stands, 0 to 1.
+    /// The place of a number on the scale, 0 to 1.
     pub fn place(&self, number: f64) -> f64 {
         (number / self.top).clamp(0.0, 1.0).sqrt()
     }
 
-    /// The ticks, downwards from the top: numbers and how they are written.
+    /// The ticks from the top downwards: numbers and their labels.
     pub fn ticks(&self) -> Vec<(f64, String)> {
         let powers = (-3..=3).rev().map(|power| 10f64.powi(power));
         let series = powers.flat_map(|power| [5.0, 2.0, 1.0].map(|digit| digit * power));
@@ -45,7 +45,7 @@ impl Scale {
     }
 }
 
-/// With as many decimals as it has, up to three.
+/// The number with as many decimals as it has, up to three.
 fn written(number: f64) -> String {
     format!("{number:.3}").trim_end_matches('0').trim_end_matches('.').to_owned()
 }
@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     fn ticks(largest: f64) -> Vec<String> {
-        Scale::reaching(largest).ticks().into_iter().map(|(_, text)| text).collect()
+        ColourScale::reaching(largest).ticks().into_iter().map(|(_, text)| text).collect()
     }
 
     #[test]
@@ -70,13 +70,13 @@ mod tests {
     fn every_scale_reaches_its_number() {
         for k in 1..2000 {
             let largest = f64::from(k) * 0.13;
-            let scale = Scale::reaching(largest);
+            let scale = ColourScale::reaching(largest);
             assert!(
                 scale.top >= largest && scale.top <= 1.5 * largest.max(SMALLEST),
                 "{largest}: {scale:?}"
             );
             assert!((0.0..1.01).contains(&scale.place(largest)));
         }
-        assert_eq!(Scale::reaching(f64::NAN), Scale::reaching(0.0));
+        assert_eq!(ColourScale::reaching(f64::NAN), ColourScale::reaching(0.0));
     }
 }

@@ -6,31 +6,31 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 /// An axis of a plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it measures, with its unit.
+    /// What the axis measures, with the unit.
     pub title: String,
-    /// How places follow from numbers.
-    pub scale: Scale,
+    /// How positions follow from numbers.
+    pub scale: AxisScale,
 }
 
-/// How places on an axis follow from numbers.
+/// The scale of an axis: how positions follow from numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scale {
-    /// By the number.
+pub enum AxisScale {
+    /// Positions are proportional to numbers.
     Linear,
-    /// By its logarithm.
+    /// Positions are proportional to the numbers' logarithms.
     Logarithmic,
 }
 
-/// A scale and what of it is shown, in units of the scale's places.
+/// A scale and the part of it that is shown, in units of positions.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shown {
-    /// How places follow from numbers.
-    pub scale: Scale,
-    /// The places shown.
+pub struct ShownRange {
+    /// How positions follow from numbers.
+    pub scale: AxisScale,
+    /// The positions shown.
     pub range: Range<f64>,
 }
 
-impl Ranged for Shown {
+impl Ranged for ShownRange {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
 
@@ -48,7 +48,7 @@ impl Ranged for Shown {
     }
 }
 
-impl ValueFormatter<f64> for Shown {
+impl ValueFormatter<f64> for ShownRange {
     fn format(place: &f64) -> String {
         place.to_string()
     }
@@ -58,36 +58,36 @@ impl ValueFormatter<f64> for Shown {
     }
 }
 
-/// Ticks of an axis, at most.
+/// Largest number of ticks of an axis.
 const MOST_TICKS: usize = 9;
-/// Share of an axis left free at either end.
+/// Share of an axis that stays free at either end.
 const FREE: f64 = 0.06;
-/// Steps of ticks, times a power of ten.
+/// Possible steps between ticks, up to a power of ten.
 const STEPS: [f64; 4] = [1.0, 2.0, 5.0, 10.0];
-/// Ticks within a decade, from many to few.
+/// Possible ticks within a decade, from many to few.
 const DECADES: [&[f64]; 3] =
     [&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0], &[1.0, 2.0, 5.0], &[1.0]];
 
-impl Scale {
-    /// Where a number is, in units of the axis; none if it cannot be shown.
+impl AxisScale {
+    /// The position of a number, in units of the axis; `None` if it cannot be shown.
     pub fn place(self, number: f64) -> Option<f64> {
         let place = match self {
-            Scale::Linear => number,
-            Scale::Logarithmic if number > 0.0 => libm::log10(number),
-            Scale::Logarithmic => return None,
+            AxisScale::Linear => number,
+            AxisScale::Logarithmic if number > 0.0 => libm::log10(number),
+            AxisScale::Logarithmic => return None,
         };
         place.is_finite().then_some(place)
     }
 
-    /// The number at a place.
+    /// The number at a position.
     pub fn number(self, place: f64) -> f64 {
         match self {
-            Scale::Linear => place,
-            Scale::Logarithmic => libm::pow(10.0, place),
+            AxisScale::Linear => place,
+            AxisScale::Logarithmic => libm::pow(10.0, place),
         }
     }
 
-    /// A range of places that holds all of `places`, with some room.
+    /// A range that holds all of `places`, with some room.
     pub fn range(places: impl Iterator<Item = f64> + Clone) -> Range<f64> {
         let (low, high) = (
             places.clone().fold(f64::INFINITY, f64::min),
@@ -96,16 +96,16 @@ impl Scale {
         if low > high {
             return 0.0..1.0;
         }
-        // A single place stands in the middle.
+        // A single position stands in the middle.
         let room = if high > low { FREE * (high - low) } else { 0.5 };
         low - room..high + room
     }
 
-    /// Ticks within a range of places, as places.
+    /// The positions of ticks within a range.
     pub fn ticks(self, range: &Range<f64>) -> Vec<f64> {
         match self {
-            Scale::Linear => linear(range),
-            Scale::Logarithmic => {
+            AxisScale::Linear => linear(range),
+            AxisScale::Logarithmic => {
                 let [all, some, few] = DECADES.map(|digits| logarithmic(range, digits));
                 let ticks =
                     [all, some].into_iter().find(|ticks| ticks.len() <= MOST_TICKS).unwrap_or(few);
@@ -132,12 +132,12 @@ fn logarithmic(range: &Range<f64>, digits: &[f64]) -> Vec<f64> {
     places.filter(|place| range.contains(place)).collect()
 }
 
-/// Every so many of them, few enough.
+/// Every n-th tick, with n such that there are few enough.
 fn thinned(ticks: &[f64]) -> Vec<f64> {
     ticks.iter().copied().step_by(ticks.len().div_ceil(MOST_TICKS)).collect()
 }
 
-/// A tick's number: to four digits, without zeros behind.
+/// A tick's number with up to four digits, without zeros at the end.
 pub fn written(number: f64) -> String {
     if number == 0.0 {
         return "0".to_owned();

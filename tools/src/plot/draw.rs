@@ -1,65 +1,65 @@
-//! A plot laid out.
+//! Lays out a plot.
 use std::convert::Infallible;
 
 use plotters::chart::ChartBuilder;
 use plotters::drawing::{DrawingAreaErrorKind, IntoDrawingArea};
 use plotters::style::{Color, IntoFont, TRANSPARENT};
 
-use super::axis::{self, Scale};
+use super::axis::{self, AxisScale};
+use super::contents::{Plot, PlotPoint, SeriesStyle};
 use super::labels::{Area, placed};
 use super::recorder::{Recorder, colour_of};
-use super::{Place, Plot, Shown};
 use specula_drawing::{CAPITAL, Ink, Mark, Point, Sheet};
 
-/// Width and height of the axes with their words.
+/// Width and height of the axes with their text.
 const SIZE: (u32, u32) = (920, 520);
-/// Around everything.
+/// Width of the margin around the drawing.
 const MARGIN: f64 = 16.0;
-/// The title's line, and a note's.
+/// Height of the title's line, and of a note's.
 const LINE: f64 = 22.0;
-/// Room for the words of an axis: below it, and on its left.
+/// Room for an axis's text: below the plot, and on its left.
 const WORDS: (u32, u32) = (46, 68);
 /// Radius of a dot.
 const DOT: f64 = 4.0;
-/// Distance of the squares that stand for a line where words look for room.
+/// Side of the squares by which a line is represented when labels are placed.
 const SAMPLE: f64 = 6.0;
 
 type Failure = DrawingAreaErrorKind<Infallible>;
 
-/// Everything in its place.
+/// Lays out the plot as a sheet.
 pub fn render(plot: &Plot) -> Result<Sheet, String> {
     let size = (
         f64::from(SIZE.0) + 2.0 * MARGIN,
         f64::from(SIZE.1) + LINE * (1 + plot.notes.len()) as f64 + 2.0 * MARGIN,
     );
     let mut marks = vec![Mark::Box(Ink::Paper, (0.0, 0.0), size)];
-    marks.push(Mark::Words(Ink::Title, (MARGIN, MARGIN + CAPITAL), plot.title.clone()));
+    marks.push(Mark::Text(Ink::Title, (MARGIN, MARGIN + CAPITAL), plot.title.clone()));
     let (axes, area) = axes(plot, &mut marks).map_err(|error| error.to_string())?;
     draw(plot, &axes, &area, &mut marks);
     for (number, note) in plot.notes.iter().enumerate() {
         let base = f64::from(SIZE.1) + MARGIN + LINE * (number + 2) as f64 - CAPITAL / 2.0;
-        marks.push(Mark::Words(Ink::Aside, (MARGIN, base), note.clone()));
+        marks.push(Mark::Text(Ink::Aside, (MARGIN, base), note.clone()));
     }
     let below = |mark: &Mark| {
         !matches!(
             mark,
-            Mark::Words(..) | Mark::WordsAmid(..) | Mark::WordsBefore(..) | Mark::WordsUp(..)
+            Mark::Text(..) | Mark::TextCentred(..) | Mark::TextEnding(..) | Mark::TextUpwards(..)
         )
     };
-    // Words lie above shapes.
+    // Text lies above shapes.
     let (shapes, words): (Vec<Mark>, Vec<Mark>) = marks.into_iter().partition(below);
     Ok(Sheet { title: plot.title.clone(), size, marks: shapes.into_iter().chain(words).collect() })
 }
 
-/// From places in the axes' units to points of the sheet.
+/// The map from the axes' units to points of the sheet.
 struct Axes {
-    scales: [Scale; 2],
-    /// Where an axis begins, and the pixels for each of its units.
+    scales: [AxisScale; 2],
+    /// For each axis the position of its origin, and the pixels for each of its units.
     lines: [(f64, f64); 2],
 }
 
 impl Axes {
-    fn point(&self, (x, y): Place) -> Option<Point> {
+    fn point(&self, (x, y): PlotPoint) -> Option<Point> {
         let at = |axis: usize, number: f64| {
             let (begin, unit) = self.lines[axis];
             Some(begin + unit * self.scales[axis].place(number)?)
@@ -68,20 +68,22 @@ impl Axes {
     }
 }
 
-/// Draws the axes; gives what they say and the area between them.
+/// Draws the axes; the result is their map and the area between them.
 fn axes(plot: &Plot, marks: &mut Vec<Mark>) -> Result<(Axes, Area), Failure> {
     let scales = [plot.x.scale, plot.y.scale];
     let of_series = plot.series.iter().flat_map(|series| series.places.iter().copied());
-    let places: Vec<Place> = of_series
+    let places: Vec<PlotPoint> = of_series
         .chain(plot.front.iter().copied())
         .filter_map(|(x, y)| Some((scales[0].place(x)?, scales[1].place(y)?)))
         .collect();
     let [x, y] = [
-        Scale::range(places.iter().map(|place| place.0)),
-        Scale::range(places.iter().map(|place| place.1)),
+        AxisScale::range(places.iter().map(|place| place.0)),
+        AxisScale::range(places.iter().map(|place| place.1)),
     ];
-    let shown =
-        |scale: Scale, range: &std::ops::Range<f64>| axis::Shown { scale, range: range.clone() };
+    let shown = |scale: AxisScale, range: &std::ops::Range<f64>| axis::ShownRange {
+        scale,
+        range: range.clone(),
+    };
     let mut drawn = vec![];
     let corners = {
         let area = Recorder::new(SIZE, &mut drawn).into_drawing_area();
@@ -115,25 +117,25 @@ fn axes(plot: &Plot, marks: &mut Vec<Mark>) -> Result<(Axes, Area), Failure> {
     Ok((Axes { scales, lines }, Area { left: low.0, top: high.1, right: high.0, bottom: low.1 }))
 }
 
-/// A mark of the axes, elsewhere.
+/// A mark of the axes, moved by (dx, dy).
 fn moved(mark: Mark, (dx, dy): (f64, f64)) -> Mark {
     let to = |(x, y): Point| (x + dx, y + dy);
     match mark {
         Mark::Lines(ink, lines) => {
             Mark::Lines(ink, lines.into_iter().map(|(from, end)| (to(from), to(end))).collect())
         }
-        Mark::Words(ink, place, words) => Mark::Words(ink, to(place), words),
-        Mark::WordsBefore(ink, place, words) => Mark::WordsBefore(ink, to(place), words),
-        Mark::WordsAmid(ink, place, words) => Mark::WordsAmid(ink, to(place), words),
-        Mark::WordsUp(ink, place, words) => Mark::WordsUp(ink, to(place), words),
+        Mark::Text(ink, place, words) => Mark::Text(ink, to(place), words),
+        Mark::TextEnding(ink, place, words) => Mark::TextEnding(ink, to(place), words),
+        Mark::TextCentred(ink, place, words) => Mark::TextCentred(ink, to(place), words),
+        Mark::TextUpwards(ink, place, words) => Mark::TextUpwards(ink, to(place), words),
         // The recorder makes no others.
         other @ (Mark::Box(..) | Mark::Traces(..) | Mark::Areas(..) | Mark::Dots(..)) => other,
     }
 }
 
-/// Front, series and labels.
+/// Draws the front, the series and the labels.
 fn draw(plot: &Plot, axes: &Axes, area: &Area, marks: &mut Vec<Mark>) {
-    let points = |places: &[Place]| {
+    let points = |places: &[PlotPoint]| {
         places.iter().filter_map(|&place| axes.point(place)).collect::<Vec<Point>>()
     };
     let front = points(&plot.front);
@@ -145,12 +147,12 @@ fn draw(plot: &Plot, axes: &Axes, area: &Area, marks: &mut Vec<Mark>) {
     let all: Vec<(&super::PlotSeries, Vec<Point>)> =
         plot.series.iter().map(|series| (series, points(&series.places))).collect();
     for (series, points) in
-        all.iter().filter(|(series, points)| series.shown != Shown::Dots && points.len() > 1)
+        all.iter().filter(|(series, points)| series.style != SeriesStyle::Dots && points.len() > 1)
     {
         marks.push(Mark::Traces(Ink::SeriesLine(series.colour), vec![points.clone()]));
         drawn.extend(samples(points));
     }
-    for (series, points) in all.iter().filter(|(series, _)| series.shown != Shown::Line) {
+    for (series, points) in all.iter().filter(|(series, _)| series.style != SeriesStyle::Line) {
         marks.push(Mark::Dots(Ink::Series(series.colour), points.clone(), DOT));
         // A dot weighs more than a line.
         drawn.extend(points.iter().flat_map(|&point| [Area::about(point, DOT + 1.0); 3]));
@@ -166,7 +168,7 @@ fn write_labels(plot: &Plot, axes: &Axes, (area, drawn): (&Area, &[Area]), marks
     for ((_, label), place) in labels.iter().zip(placed(&asked, drawn, area)) {
         let Some(place) = place else { continue };
         marks.extend(place.leader.map(|leader| Mark::Lines(Ink::Axis, vec![leader])));
-        marks.push(Mark::Words(Ink::Series(label.colour), place.begin, label.words.clone()));
+        marks.push(Mark::Text(Ink::Series(label.colour), place.begin, label.words.clone()));
     }
 }
 

@@ -1,5 +1,5 @@
-//! Words beside places, so that they overlap neither each other nor, where there is room, what is
-//! drawn.
+//! Placement of labels next to points, so that they do not overlap each other nor, where there is
+//! room, what is drawn.
 use specula_drawing::{CAPITAL, CHARACTER, Point};
 
 /// A rectangle: left, top, right, bottom.
@@ -37,28 +37,28 @@ impl Area {
     }
 }
 
-/// Words in their place.
+/// A label in its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
-    /// Where their base line begins.
+    /// The beginning of its base line.
     pub begin: Point,
-    /// A line from the words to what they belong to, where they are not beside it.
+    /// A line from the label to its point, if the label is not next to it.
     pub leader: Option<(Point, Point)>,
 }
 
-/// Distances of words from their places, in pixels.
+/// Possible distances of labels from their points, in pixels.
 const DISTANCES: [f64; 8] = [7.0, 13.0, 22.0, 34.0, 48.0, 64.0, 84.0, 110.0];
-/// Directions in which words may stand.
+/// Number of directions in which a label may stand.
 const DIRECTIONS: u32 = 16;
-/// From this distance on a line leads to the words.
+/// Least distance at which a line connects the label and its point.
 const FAR: f64 = 13.0;
-/// Room between words.
+/// Distance between labels.
 const ROOM: f64 = 2.0;
-/// What it costs to cover something drawn, in pixels of distance.
+/// The cost of covering something drawn, in pixels of distance.
 const COVERING: f64 = 30.0;
 
-/// Places words beside `places`, the first ones first, within an area; `drawn` is what they should
-/// not cover. Words for which there is no room are left out.
+/// Places labels next to their points, the first ones first, within an area; `drawn` is what they
+/// should not cover. Labels for which there is no room are left out.
 pub fn placed(labels: &[(Point, &str)], drawn: &[Area], within: &Area) -> Vec<Option<Placed>> {
     let mut taken: Vec<Area> = vec![];
     labels
@@ -86,7 +86,7 @@ pub fn placed(labels: &[(Point, &str)], drawn: &[Area], within: &Area) -> Vec<Op
         .collect()
 }
 
-/// Areas that words could take round a place, and how far they are from it.
+/// Areas that a label could take around a point, each with its distance from the point.
 fn candidates((x, y): Point, words: &str) -> impl Iterator<Item = (f64, Area)> {
     let (width, height) =
         (CHARACTER * words.chars().count() as f64 + 2.0 * ROOM, CAPITAL + 2.0 * ROOM);

@@ -1,4 +1,4 @@
-//! What `plotters` draws, taken down as marks of a sheet.
+//! Records what `plotters` draws as marks of a sheet.
 use std::convert::Infallible;
 
 use plotters::style::RGBColor;
@@ -10,7 +10,7 @@ use plotters_backend::{
 
 use specula_drawing::{CAPITAL, CHARACTER, Ink, Mark, Point, light};
 
-/// Takes down lines and words; axes have nothing else.
+/// A drawing back end that records lines and text; axes consist of nothing else.
 pub struct Recorder<'a> {
     size: (u32, u32),
     marks: &'a mut Vec<Mark>,
@@ -19,7 +19,7 @@ pub struct Recorder<'a> {
 type Done = Result<(), DrawingErrorKind<Infallible>>;
 
 impl<'a> Recorder<'a> {
-    /// A drawing of that size, whose marks are appended to `marks`.
+    /// A back end of that size, which appends marks to `marks`.
     pub fn new(size: (u32, u32), marks: &'a mut Vec<Mark>) -> Recorder<'a> {
         Recorder { size, marks }
     }
@@ -32,14 +32,14 @@ impl<'a> Recorder<'a> {
     }
 }
 
-/// The colour by which [`Recorder`] knows an ink of lines.
+/// The colour by which [`Recorder`] recognises an ink of lines.
 pub fn colour_of(ink: Ink) -> RGBColor {
     // Inks of lines have a stroke.
     let [red, green, blue] = light(ink).stroke.unwrap_or_default();
     RGBColor(red, green, blue)
 }
 
-/// The grid's, or else the axes'.
+/// The ink of a colour: the grid's, or else the axes'.
 fn ink(colour: BackendColor) -> Ink {
     let RGBColor(red, green, blue) = colour_of(Ink::Grid);
     if colour.rgb == (red, green, blue) { Ink::Grid } else { Ink::Axis }
@@ -103,10 +103,10 @@ impl DrawingBackend for Recorder<'_> {
         };
         let words = text.to_owned();
         self.marks.push(match (style.transform(), style.anchor().h_pos) {
-            (FontTransform::Rotate270, _) => Mark::WordsUp(Ink::Aside, (x + below, y), words),
-            (_, HPos::Left) => Mark::Words(Ink::Aside, (x, y + below), words),
-            (_, HPos::Center) => Mark::WordsAmid(Ink::Aside, (x, y + below), words),
-            (_, HPos::Right) => Mark::WordsBefore(Ink::Aside, (x, y + below), words),
+            (FontTransform::Rotate270, _) => Mark::TextUpwards(Ink::Aside, (x + below, y), words),
+            (_, HPos::Left) => Mark::Text(Ink::Aside, (x, y + below), words),
+            (_, HPos::Center) => Mark::TextCentred(Ink::Aside, (x, y + below), words),
+            (_, HPos::Right) => Mark::TextEnding(Ink::Aside, (x, y + below), words),
         });
         Ok(())
     }

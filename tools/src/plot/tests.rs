@@ -1,22 +1,26 @@
 //! Plots of made-up numbers.
 use super::labels::{Area, placed};
 use super::*;
-use specula_drawing::{self as drawing, CAPITAL, CHARACTER};
+use specula_drawing::{self as drawing, CAPITAL, CHARACTER, Series};
 
-fn axis(title: &str, scale: Scale) -> Axis {
+fn axis(title: &str, scale: AxisScale) -> Axis {
     Axis { title: title.to_owned(), scale }
 }
 
-fn plot(scale: Scale, places: Vec<Place>) -> Plot {
+fn plot(scale: AxisScale, places: Vec<PlotPoint>) -> Plot {
     let front = specula_experiments::pareto_front(&places).into_iter().map(|k| places[k]).collect();
     let label =
-        |&at: &Place| Label { at, words: format!("{} {}", at.0, at.1), colour: Series::new(0) };
+        |&at: &PlotPoint| Label { at, words: format!("{} {}", at.0, at.1), colour: Series::new(0) };
     Plot {
         title: "Error against <size>".to_owned(),
         x: axis("size in bits", scale),
         y: axis("error in LSB", scale),
         labels: places.iter().map(label).collect(),
-        series: vec![PlotSeries { colour: Series::new(0), places, shown: Shown::LineWithDots }],
+        series: vec![PlotSeries {
+            colour: Series::new(0),
+            places,
+            style: SeriesStyle::LineWithDots,
+        }],
         front,
         notes: vec!["A note.".to_owned()],
     }
@@ -25,14 +29,15 @@ fn plot(scale: Scale, places: Vec<Place>) -> Plot {
 #[test]
 fn a_plot_is_drawn() {
     let places = vec![(100.0, 8.0), (250.0, 2.0), (1000.0, 0.5), (4000.0, 0.6)];
-    let svg = drawing::svg(&plot(Scale::Logarithmic, places).render().expect("it has room"));
+    let svg = drawing::svg(&plot(AxisScale::Logarithmic, places).render().expect("it has room"));
     insta::assert_snapshot!(svg);
 }
 
-/// Numbers that an axis cannot show, no numbers, one number, equal numbers.
+/// Plots with numbers that an axis cannot show, with no numbers, with one number, and with equal
+/// numbers.
 #[test]
 fn odd_numbers_do_no_harm() {
-    for scale in [Scale::Linear, Scale::Logarithmic] {
+    for scale in [AxisScale::Linear, AxisScale::Logarithmic] {
         for places in [
             vec![],
             vec![(0.0, 0.0)],
@@ -78,15 +83,15 @@ fn labels_do_not_overlap() {
 
 #[test]
 fn ticks_are_round_and_few() {
-    let ticks = |scale: Scale, low: f64, high: f64| -> Vec<String> {
+    let ticks = |scale: AxisScale, low: f64, high: f64| -> Vec<String> {
         let range = scale.place(low).unwrap_or(0.0)..scale.place(high).unwrap_or(1.0);
         scale.ticks(&range).into_iter().map(|place| axis::written(scale.number(place))).collect()
     };
-    assert_eq!(ticks(Scale::Linear, 0.0, 10.0), ["0", "2", "4", "6", "8", "10"]);
+    assert_eq!(ticks(AxisScale::Linear, 0.0, 10.0), ["0", "2", "4", "6", "8", "10"]);
     assert_eq!(
-        ticks(Scale::Logarithmic, 0.9, 250.0),
+        ticks(AxisScale::Logarithmic, 0.9, 250.0),
         ["1", "2", "5", "10", "20", "50", "100", "200"]
     );
-    assert_eq!(ticks(Scale::Logarithmic, 0.25, 0.45), ["0.3", "0.4"]);
-    assert!(ticks(Scale::Logarithmic, 1e-300, 1e300).len() <= 9);
+    assert_eq!(ticks(AxisScale::Logarithmic, 0.25, 0.45), ["0.3", "0.4"]);
+    assert!(ticks(AxisScale::Logarithmic, 1e-300, 1e300).len() <= 9);
 }

@@ -1,27 +1,27 @@
-//! The one value from which every rendering of a report is made.
+//! The contents of a run's report, from which every rendering is made.
 use std::time::Instant;
 
 use serde::{Serialize, Serializer};
 use specula_datapath::design::Size;
-use specula_experiments::{Savings, Share};
+use specula_experiments::{BoundShare, Savings};
 use specula_spec::CoreSpec;
 use specula_testbench::{Errors, Violation, WorstQuantisation};
 
 use super::facts::{self, Fact};
 use crate::device::Fitted;
 use crate::disagreement::{BeyondBound, CHANNELS, Disagreement};
-use crate::header::bound;
 use crate::output::PROGRAM;
 use crate::run::Run;
+use crate::verilog::bound;
 
-/// Everything that is said about a run. It serialises as `report.json`; errors are in LSBs of the
-/// 8-bit output.
+/// Everything that is reported about a run. It serialises as `report.json`; errors are in LSBs of
+/// the 8-bit output.
 #[derive(Serialize)]
 pub struct Report<'a> {
-    /// The run, of which the reports for people show the design too.
+    /// The run, from which the reports for people also show the design.
     #[serde(skip)]
     pub run: &'a Run<'a>,
-    /// Always `specula`: a later run recognises by it that the listed files are its own.
+    /// Always `specula`: by it a later run recognises that the listed files are its own.
     program: &'static str,
     pub version: &'static str,
     pub scene: &'a str,
@@ -46,33 +46,35 @@ pub struct Report<'a> {
     pub cycles: u64,
     pub latency: u32,
     pub cycles_per_pixel: f64,
-    /// The clock in MHz: assumed or given, and not proven.
+    /// The clock in MHz, assumed or given by the user, and not proven.
     pub clock_mhz: f64,
-    /// Frames per second at that clock, set-up counted.
+    /// Frames per second at that clock, including set-up.
     pub frames_per_second: f64,
-    /// What the core takes of the device, if one was named.
+    /// The share of the device that the core takes, if the user named a device.
     #[serde(flatten)]
     pub fitted: Option<Fitted>,
-    /// When the run began. The report says the seconds from then on until it is written.
+    /// When the run began. It serialises as the seconds from then until the report is written.
     #[serde(rename = "wall_seconds", serialize_with = "seconds_since")]
     pub begin: Instant,
     pub simulation_seconds: f64,
     pub error: &'a Errors,
-    /// Largest difference between the core's code and its method in f64, rounded, in codes.
+    /// Largest difference between the core's code and the rounded value of its method in f64, in
+    /// codes.
     pub largest_code_difference: u8,
-    /// Proven bound of the quantisation error; none if there is no finite one.
+    /// Proven bound of the quantisation error; `None` if there is no finite one.
     pub bound_lsb: Option<f64>,
     /// The bound divided by the largest measured quantisation error.
     pub bound_ratio: Option<f64>,
-    /// By how much the bound would be smaller if one place rounded far finer, the largest first.
-    pub bound_shares: &'a [Share],
+    /// By how much the bound would shrink if one narrowing point rounded far more finely, the
+    /// largest first.
+    pub bound_shares: &'a [BoundShare],
     pub worst_pixel: Option<WorstPixel>,
-    /// Facts that the core rests on: where signals must lie, and where they did.
+    /// Facts that the core rests on: the limits of signals, and the values seen.
     pub facts: Vec<Fact>,
-    /// The clocks in the waveform, from the first to the one behind the last.
+    /// The clocks in the waveform: the first one, and the one behind the last.
     pub trace: Option<[u64; 2]>,
     pub size: Size,
-    /// What is saved against the general core, need by need; none if this is one.
+    /// What each need saves against the general core; `None` if this is a general core.
     pub savings: Option<&'a Savings>,
     pub spec: &'a CoreSpec,
     /// Every file of the run's folder, in the order in which people want to see them.
@@ -86,7 +88,7 @@ pub struct ViolatedFact<'a> {
     signal: &'a str,
     cycle: u64,
     value: f64,
-    /// Every digit of the value and of its limits.
+    /// Text with every digit of the value and of its limits.
     in_words: String,
 }
 
@@ -181,6 +183,14 @@ impl<'a> Report<'a> {
             spec: bench.spec,
             files,
         }
+    }
+
+    /// The text of `report.json`.
+    ///
+    /// # Errors
+    /// Errors of [`serde_json`], which a report does not cause.
+    pub fn json(&self) -> serde_json::Result<String> {
+        Ok(serde_json::to_string_pretty(self)? + "\n")
     }
 
     /// Seconds since the run began.

@@ -1,33 +1,34 @@
-//! The facts that a core rests on: where its signals must lie, and where they were seen.
+//! The facts that a core rests on: the limits within which its signals must lie, and the values
+//! seen.
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_datapath::design::{Assumption, Range};
 use specula_spec::Format;
 use specula_testbench::Outcome;
 
-/// A fact in units of one kind.
+/// A fact in all units of one kind.
 #[derive(Serialize)]
 pub struct Fact {
     /// The fact, as the units state it.
     fact: String,
     /// Full name of the first signal.
     signal: String,
-    /// Signals of which it was checked.
+    /// Number of signals for which it was checked.
     signals: usize,
-    /// Where they must lie.
+    /// The limits within which they must lie.
     limits: [f64; 2],
-    /// The smallest and the largest value that any of them had; none where no pixel came.
+    /// The smallest and the largest value that any of them had; `None` if no pixel came.
     seen: Option<[f64; 2]>,
 }
 
-/// The same fact, in units of the same kind, on signals that may be several.
+/// Groups the same fact in units of the same kind; it may concern several signals.
 struct Kind<'a> {
     first: &'a Assumption,
     signals: usize,
     seen: Option<Range>,
 }
 
-/// Every fact, the same ones in units of the same kind together.
+/// Every fact, with equal facts in units of the same kind grouped.
 pub fn facts(design: &Design, outcome: &Outcome) -> Vec<Fact> {
     let mut kinds: Vec<Kind> = vec![];
     for (assumption, &seen) in design.assumptions.iter().zip(&outcome.facts_seen) {
@@ -65,7 +66,7 @@ fn fact(design: &Design, kind: &Kind) -> Fact {
 }
 
 impl Fact {
-    /// The row of a table: the fact, its signals, their limits, and what was seen of them.
+    /// The row of a table: the fact, its signals, their limits, and the values seen.
     pub fn row(&self) -> [String; 4] {
         let others = if self.signals == 1 {
             String::new()

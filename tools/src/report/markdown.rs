@@ -1,5 +1,5 @@
-//! The report for people: what was built, how well it does, and how to go on with it.
-use specula_experiments::Share;
+//! The report for people: what was built, how exact and fast it is, and what to do next.
+use specula_experiments::BoundShare;
 use specula_testbench::ErrorFigures;
 
 use super::facts::Fact;
@@ -8,17 +8,17 @@ use super::{Report, ports, rows, units};
 use crate::table::markdown as table;
 use crate::{cmd_needs, waveform, worst_pixel};
 
-/// `report.md`. It holds no times, so that the same run gives the same bytes.
+/// The text of `report.md`. It contains no times, so that the same run gives the same bytes.
 pub fn markdown(report: &Report) -> String {
     [head(report), pictures(), rest(report)].join("\n")
 }
 
-/// What comes before the pictures.
+/// The part before the pictures.
 pub fn head(report: &Report) -> String {
     [title(report), result(report)].join("\n")
 }
 
-/// What comes after the pictures.
+/// The part after the pictures.
 pub fn rest(report: &Report) -> String {
     let sections = [
         errors(report),
@@ -63,10 +63,7 @@ fn result(report: &Report) -> String {
             .to_owned(),
         Some(disagreement) => {
             let lines: Vec<String> = disagreement.lines().iter().map(|line| format!("- {line}\n")).collect();
-            let verdict = match disagreement.is_of_bound_alone() {
-                true => "The quantisation error is above its proven bound.",
-                false => "The core does not agree with its models.",
-            };
+            let verdict = if disagreement.is_bound_only() { "The quantisation error is above its proven bound." } else { "The core does not agree with its models." };
             format!("**{verdict}**\n\n{}", lines.concat())
         }
     };
@@ -83,7 +80,7 @@ fn result(report: &Report) -> String {
     format!("## Result\n\n{verdict}\n{}", table(["", ""], &rows))
 }
 
-/// The heat map with its scale.
+/// The section with the heat map and its scale.
 pub fn heat_map() -> String {
     format!("![error]({ERROR})\n")
 }
@@ -124,11 +121,11 @@ fn errors(report: &Report) -> String {
     )
 }
 
-/// How the proven bound compares with what was measured, and where it comes from; nothing where
-/// there is no bound.
+/// How the proven bound compares with the measured error, and where it comes from; empty if there
+/// is no bound.
 fn bound_shares(report: &Report) -> String {
     let Some(ratio) = report.bound_ratio else { return String::new() };
-    let row = |share: &Share| {
+    let row = |share: &BoundShare| {
         [format!("`{}`", share.name), format!("{:.3}", share.lsb), format!("`{}`", share.value)]
     };
     let rows: Vec<[String; 3]> =
@@ -175,17 +172,20 @@ fn built(report: &Report) -> String {
 fn ports_of(report: &Report) -> String {
     let design = &report.run.bench.design;
     let rows = ports::rows(report.spec, design);
-    let (held, entering) = match design.interval {
-        1 => ("as many clocks as it has pixels".to_owned(), "on consecutive clocks"),
-        clocks => (format!("{clocks} clocks a pixel"), "one after the other"),
+    let (entering, leaving) = match design.interval {
+        1 => ("`valid` is high in each clock in which a pixel enters".to_owned(), "that enters in"),
+        clocks => (
+            format!("A pixel takes {clocks} clocks, in which `valid` is high"),
+            "the last of whose clocks is",
+        ),
     };
     format!(
         "## Ports\n\n{}\n\
-         A span's data inputs are held for {held}, `valid` high in each of them and `start` in the first\n\
-         only; its pixels enter {entering}. The next span may follow at once. A pixel that enters in clock c leaves in\n\
-         clock c + {}, with `valid_out` high.\n",
+         {entering}, and `start` in the first clock of a span only. A span's data inputs are held from\n\
+         its first clock to its last; between them and between spans there may be clocks in which `valid` is low. A pixel\n\
+         {leaving} clock c leaves in clock c + {}, with `valid_out` high.\n",
         table(["port", "direction", "bits", "format", "meaning"], &rows),
-        report.latency
+        design.depth()
     )
 }
 
@@ -209,7 +209,7 @@ fn units(report: &Report) -> String {
     )
 }
 
-/// What the scene's needs save, if that is known.
+/// What the scene's needs save; empty if that is not known.
 fn needs(report: &Report) -> String {
     let Some(savings) = report.savings else { return String::new() };
     format!(
@@ -261,17 +261,17 @@ fn waves(report: &Report) -> String {
             save = waveform::SAVE_FILE
         ),
     };
-    format!("## Waveform\n\n{text}{}", way(report))
+    format!("## Waveform\n\n{text}{}", pixel_path(report))
 }
 
-/// The picture of a pixel's way, if there is one.
-fn way(report: &Report) -> String {
+/// The section with the picture of a pixel's path through the core, if there is one.
+fn pixel_path(report: &Report) -> String {
     if !report.files.iter().any(|file| file == worst_pixel::PICTURE) {
         return String::new();
     }
     let pixel = match &report.run.disagreement {
         None => "the pixel with the largest error",
-        Some(disagreement) if disagreement.is_of_bound_alone() => {
+        Some(disagreement) if disagreement.is_bound_only() => {
             "the pixel whose error is furthest above its bound"
         }
         Some(_) => "the first disagreement",

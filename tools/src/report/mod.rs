@@ -1,8 +1,7 @@
-//! What is said about a run: one [`Report`], and its renderings: `report.json` for programs,
+//! The report about a run: one [`Report`], and its renderings: `report.json` for programs,
 //! `report.md` and `report.html` for people, and the summary that `run` prints.
 mod contents;
 mod facts;
-mod json;
 mod markdown;
 mod page;
 mod pictures;
@@ -12,7 +11,6 @@ mod summary;
 mod units;
 
 pub use contents::Report;
-pub use json::json;
 pub use markdown::markdown;
 pub use page::html;
 pub use pictures::{ERROR, EXACT, EXPECTED, SIMULATED};

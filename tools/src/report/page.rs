@@ -2,13 +2,13 @@
 use std::fs;
 use std::io;
 
-use super::pictures::{SHOWN, Shown};
+use super::pictures::{LAYERED_PICTURES, LayeredPicture};
 use super::{Report, markdown};
 use crate::html::{Picture, page, render, viewer};
 use crate::output::Staging;
 use crate::picture;
 
-/// `report.html`, made of the files that have been written.
+/// The text of `report.html`, made from the files that have been written.
 ///
 /// # Errors
 /// The system's error if a file cannot be read.
@@ -25,13 +25,14 @@ pub fn html(report: &Report, staging: &Staging) -> io::Result<String> {
 }
 
 fn pictures(report: &Report, staging: &Staging) -> io::Result<Vec<Picture>> {
-    let read = |&Shown { name, file, about }: &Shown| {
-        Ok(Picture { name, about, png: fs::read(staging.file(file))? })
+    let read = |&LayeredPicture { name, file, description }: &LayeredPicture| {
+        Ok(Picture { name, description, png: fs::read(staging.file(file))? })
     };
-    let mut pictures: Vec<Picture> = SHOWN.iter().map(read).collect::<io::Result<_>>()?;
+    let mut pictures: Vec<Picture> =
+        LAYERED_PICTURES.iter().map(read).collect::<io::Result<_>>()?;
     pictures.push(Picture {
         name: "error",
-        about: "total error of each pixel, in the colours of the scale below",
+        description: "total error of each pixel, in the colours of the scale below",
         png: picture::png(&picture::heat_picture(&report.run.outcome.comparison))?,
     });
     Ok(pictures)

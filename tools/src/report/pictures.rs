@@ -1,27 +1,31 @@
-//! Names of the pictures of a run, which reports show.
+//! The file names of a run's pictures, which reports show.
 
-/// The picture that the core gave.
+/// The core's picture.
 pub const SIMULATED: &str = "simulated.png";
-/// The picture that the bit-true model gives.
+/// The bit-true model's picture.
 pub const EXPECTED: &str = "expected.png";
-/// Exact Phong shading.
+/// The picture of exact Phong shading.
 pub const EXACT: &str = "exact.png";
 /// The total error of each pixel, as a heat map with its scale.
 pub const ERROR: &str = "error.png";
 
-/// A picture that the page lays over another one.
-pub struct Shown {
-    /// Its name in the page.
+/// A picture that can be laid over another one in the page.
+pub struct LayeredPicture {
+    /// Its title in the page.
     pub name: &'static str,
-    /// Its file.
+    /// Its file name.
     pub file: &'static str,
-    /// Its meaning.
-    pub about: &'static str,
+    /// A sentence that describes it.
+    pub description: &'static str,
 }
 
-/// Pictures of the frame in the page's order.
-pub const SHOWN: [Shown; 3] = [
-    Shown { name: "simulated", file: SIMULATED, about: "what the core gave" },
-    Shown { name: "expected", file: EXPECTED, about: "what the bit-true model gives" },
-    Shown { name: "exact", file: EXACT, about: "exact Phong shading" },
+/// The pictures in the page's order.
+pub const LAYERED_PICTURES: [LayeredPicture; 3] = [
+    LayeredPicture { name: "simulated", file: SIMULATED, description: "what the core gave" },
+    LayeredPicture {
+        name: "expected",
+        file: EXPECTED,
+        description: "what the bit-true model gives",
+    },
+    LayeredPicture { name: "exact", file: EXACT, description: "exact Phong shading" },
 ];

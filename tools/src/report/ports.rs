@@ -1,10 +1,10 @@
-//! The ports of a core, for people.
+//! The table of a core's ports.
 use specula_datapath::Design;
 use specula_datapath::design::NodeId;
 use specula_spec::CoreSpec;
 
-/// Rows of name, direction, width, format and meaning: control, what a span brings, and the pixel
-/// that leaves.
+/// Rows of name, direction, width, format and meaning: control, the inputs of a span, and the
+/// output pixel.
 pub fn rows(spec: &CoreSpec, design: &Design) -> Vec<[String; 5]> {
     let control = |name: &str, direction: &str, meaning: &str| {
         [name.to_owned(), direction.to_owned(), "1".to_owned(), String::new(), meaning.to_owned()]

@@ -14,7 +14,7 @@ pub fn speed(report: &Report) -> [[String; 2]; 4] {
     .map(|(name, value)| [name.to_owned(), value])
 }
 
-/// The device and what the core takes of it, if one was named.
+/// The device and the share of it that the core takes, if the user named a device.
 pub fn device(report: &Report) -> Option<[String; 2]> {
     report.fitted.map(|fitted| ["device".to_owned(), fitted.in_words()])
 }

@@ -1,9 +1,9 @@
-//! The units of a core and their sizes, for people.
+//! The table of a core's units and their sizes.
 use specula_datapath::Design;
 use specula_datapath::design::{Scope, Size, UnitSize};
 
-/// Rows of name, number, and what each one has: latency, multipliers, multiplier bits, adders,
-/// multiplexers, register bits. Equal units that stand one after the other share a row.
+/// Rows of name, number, and for each one latency, multipliers, multiplier bits, adders,
+/// multiplexers, register bits. Equal units that follow each other share a row.
 pub fn rows(design: &Design) -> Vec<[String; 8]> {
     let sizes = design.unit_sizes();
     let units: Vec<(&Scope, &UnitSize)> = design.scopes.iter().zip(&sizes).collect();

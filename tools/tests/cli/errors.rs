@@ -26,7 +26,7 @@ fn refusals(place: &Place, all: &[&[&str]]) -> String {
 }
 
 #[test]
-fn wrong_words() {
+fn wrong_words_are_refused() {
     let said = refusals(
         &Place::new(),
         &[
@@ -65,7 +65,7 @@ fn wrong_words() {
 }
 
 #[test]
-fn wrong_scenes() {
+fn wrong_scenes_are_refused() {
     let place = Place::new();
     place.write("latin1.toml", b"# caf\xe9\n");
     place.write("typo.toml", "[[object]]\nprimitve = \"torus\"\n");
@@ -95,7 +95,7 @@ fn wrong_scenes() {
 }
 
 #[test]
-fn wrong_cores() {
+fn wrong_cores_are_refused() {
     let place = Place::new();
     place.succeeds(&["generate", "torus", "--size", "48x36", "-o", "core"]);
     place.write("old.toml", "version = 0\n");
@@ -152,7 +152,7 @@ fn names_that_no_module_can_have() {
 }
 
 #[test]
-fn wrong_windows() {
+fn wrong_windows_are_refused() {
     let place = Place::new();
     let small =
         |trace: &str| refusal(&place, &["run", "icosahedron", "--size", "16x12", "--trace", trace]);
@@ -163,7 +163,7 @@ fn wrong_windows() {
 }
 
 #[test]
-fn wrong_folders() {
+fn wrong_folders_are_refused() {
     let place = Place::new();
     place.write("file", "");
     fs::create_dir(place.path("full")).unwrap();

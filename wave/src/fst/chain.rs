@@ -1,30 +1,32 @@
-//! Where in a block of values each signal's are, and how much they unpack to.
+//! The chain of offsets in a block of values: where each signal's values are, and how many bytes
+//! they unpack to.
 //!
-//! fst-reader reads the same, but makes room for whatever is stated; so it is read here before.
+//! fst-reader reads the same chain, but allocates whatever length is stated; so the lengths are
+//! checked here first.
 use std::io::{self, Read, Seek, SeekFrom};
 
-use super::check::{MOST, ValueBlock, unpacks, wrong};
+use super::check::{MAX_BYTES, ValueBlock, unpacks};
+use super::error::wrong;
 use super::integer::{signed, variable};
 
 /// Where a signal's values are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Place {
-    /// It has none in this block.
+enum ValueLocation {
+    /// The signal has no values in this block.
     None,
-    /// They are those of the signal with that number.
+    /// The values are those of the signal with that number.
     SameAs(usize),
-    /// Behind an offset.
+    /// The values are at an offset.
     At(u64),
 }
 
 /// The kind of block whose chain has signed entries.
 const SIGNED: u8 = 8;
 
-/// Checks that some signals' values are where they can be, and unpack to no more than [`MOST`]
-/// bytes.
+/// Checks that the values of some signals lie inside the file, and unpack to no more than
+/// [`MAX_BYTES`] bytes.
 ///
 /// # Errors
-/// What is wrong, or what the system says.
 pub fn check(
     input: &mut (impl Read + Seek),
     block: &ValueBlock,
@@ -38,35 +40,35 @@ pub fn check(
     let mut total = 0;
     for &signal in signals {
         total += match places.get(signal) {
-            Some(&Place::At(offset)) => unpacked(input, block, offset)?,
-            Some(&Place::SameAs(other)) => match places.get(other) {
-                Some(&Place::At(offset)) => unpacked(input, block, offset)?,
+            Some(&ValueLocation::At(offset)) => unpacked(input, block, offset)?,
+            Some(&ValueLocation::SameAs(other)) => match places.get(other) {
+                Some(&ValueLocation::At(offset)) => unpacked(input, block, offset)?,
                 _ => {
                     return Err(wrong("values of a signal are said to be another's that has none"));
                 }
             },
-            Some(Place::None) | None => 0,
+            Some(ValueLocation::None) | None => 0,
         };
-        if total > MOST {
+        if total > MAX_BYTES {
             return Err(wrong("the values of its signals are too many to be unpacked"));
         }
     }
     Ok(())
 }
 
-/// The length of what is at an offset, unpacked.
+/// The unpacked length of what is at an offset.
 fn unpacked(input: &mut (impl Read + Seek), block: &ValueBlock, offset: u64) -> io::Result<u64> {
     input.seek(SeekFrom::Start(block.values + offset))?;
     let room = block.chain.0 - block.values - offset;
     match variable(input)? {
-        // They are not packed.
+        // A length of 0 says that the values are not packed.
         0 => Ok(room),
         length if unpacks(room, length) => Ok(length),
         _ => Err(wrong("values of a signal are longer than they can be")),
     }
 }
 
-fn places(chain: &[u8], block: &ValueBlock) -> io::Result<Vec<Place>> {
+fn places(chain: &[u8], block: &ValueBlock) -> io::Result<Vec<ValueLocation>> {
     let mut places = Places { places: vec![], block, offset: 0, alias: 0 };
     let mut rest = chain;
     while !rest.is_empty() {
@@ -86,9 +88,9 @@ fn places(chain: &[u8], block: &ValueBlock) -> io::Result<Vec<Place>> {
     Ok(places.places)
 }
 
-/// Places while a chain is read.
+/// The places found while a chain is read.
 struct Places<'a> {
-    places: Vec<Place>,
+    places: Vec<ValueLocation>,
     block: &'a ValueBlock,
     offset: u64,
     alias: u64,
@@ -108,7 +110,7 @@ impl Places<'_> {
 
     fn same_as(&mut self, other: u64) -> io::Result<()> {
         let other = usize::try_from(other).ok().filter(|_| other < self.block.signals);
-        self.push(Place::SameAs(
+        self.push(ValueLocation::SameAs(
             other.ok_or_else(|| wrong("it has values of signals that it does not list"))?,
         ))
     }
@@ -118,19 +120,19 @@ impl Places<'_> {
         let offset = self.offset.checked_add(by).filter(|&offset| by > 0 && offset < room);
         self.offset = offset
             .ok_or_else(|| wrong("values of a signal are said to be outside of their block"))?;
-        self.push(Place::At(self.offset))
+        self.push(ValueLocation::At(self.offset))
     }
 
     fn none(&mut self, signals: u64) -> io::Result<()> {
         if signals > self.block.signals - self.places.len() as u64 {
             return Err(wrong("it has values of signals that it does not list"));
         }
-        // No more than the file lists.
-        self.places.resize(self.places.len() + signals as usize, Place::None);
+        // A block has no more signals than the file declares.
+        self.places.resize(self.places.len() + signals as usize, ValueLocation::None);
         Ok(())
     }
 
-    fn push(&mut self, place: Place) -> io::Result<()> {
+    fn push(&mut self, place: ValueLocation) -> io::Result<()> {
         if self.places.len() as u64 >= self.block.signals {
             return Err(wrong("it has values of signals that it does not list"));
         }

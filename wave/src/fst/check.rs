@@ -1,21 +1,22 @@
-//! Checks the lengths that an FST file states before a reader allocates what they ask for, or goes
-//! where they point.
+//! Checks the lengths that an FST file states, before a reader allocates memory for them or seeks
+//! by them.
 //!
-//! fst-reader 0.17 takes them as they stand: a program that asks for exabytes is ended by the
-//! system, with no error and not even a panic, and one that goes backwards by a length never ends.
-//! The layout is that of GTKWave's `fstapi.c`: blocks of a kind, a length that counts itself, and
+//! fst-reader 0.17 trusts them: a program that asks for exabytes is ended by the operating system,
+//! without an error or even a panic, and one that seeks backwards by a length never ends. The
+//! layout is that of GTKWave's `fstapi.c`: a block has a kind, a length that includes itself, and
 //! contents.
 use std::io::{self, Read, Seek, SeekFrom};
 
 use super::super::input::BEST_COMPRESSION;
+use super::error::wrong;
 use super::integer::{number, variable};
 
-/// Bytes that anything in a file may unpack to.
-pub const MOST: u64 = 1 << 30;
-/// Instants in a block of values, at most.
-const MOST_INSTANTS: u64 = 1 << 26;
-/// Signals, at most.
-const MOST_SIGNALS: u64 = 1 << 24;
+/// Largest number of bytes that anything in a file may unpack to.
+pub const MAX_BYTES: u64 = 1 << 30;
+/// Largest number of instants in a block of values.
+const MAX_INSTANTS: u64 = 1 << 26;
+/// Largest number of signals.
+const MAX_SIGNALS: u64 = 1 << 24;
 
 /// Kinds of blocks.
 mod kind {
@@ -31,37 +32,37 @@ mod kind {
 
 /// The length of the header's block.
 const HEADER: u64 = 329;
-/// Bytes before a block of values' first length: its own, begin, end, and the memory that its
-/// writer used.
+/// Bytes before the first length in a block of values: the block's own length, begin, end, and the
+/// memory that its writer used.
 const VALUES_HEADER: u64 = 4 * 8;
-/// Bytes at its end that describe its table of times: length, compressed length, number.
+/// Bytes at the end of a block of values that describe its table of times: length, compressed
+/// length, number.
 const TIMES_TRAILER: u64 = 3 * 8;
 
 /// A block of values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ValueBlock {
-    /// Its kind: how it says where a signal's values are.
+    /// The kind, which says how the block states where a signal's values are.
     pub kind: u8,
     /// Its first time.
     pub first: u64,
     /// Its last time.
     pub last: u64,
-    /// Its table of times: where it is, its compressed length and its length.
+    /// The table of times: its place, its compressed length and its length.
     pub times: (u64, u64, u64),
-    /// The number of times in it.
+    /// The number of times in the table.
     pub instants: u64,
-    /// How many signals it has.
+    /// The number of signals in the block.
     pub signals: u64,
-    /// Where values begin: offsets count from here.
+    /// The place where values begin; offsets count from here.
     pub values: u64,
-    /// The chain of offsets: where it is, and its length.
+    /// The chain of offsets: its place and its length.
     pub chain: (u64, u64),
 }
 
-/// Checks an FST file, and gives its blocks of values.
+/// Checks an FST file and gives its blocks of values.
 ///
 /// # Errors
-/// What is wrong with it, or what the system says.
 pub fn check(input: &mut (impl Read + Seek)) -> io::Result<Vec<ValueBlock>> {
     let length = input.seek(SeekFrom::End(0))?;
     let mut checker = Checker { input, length, signals: None, hierarchy: false, blocks: vec![] };
@@ -83,14 +84,14 @@ pub fn check(input: &mut (impl Read + Seek)) -> io::Result<Vec<ValueBlock>> {
 struct Checker<'a, I> {
     input: &'a mut I,
     length: u64,
-    /// The number of signals, as far as it is known.
+    /// The number of signals, once it is known.
     signals: Option<u64>,
     hierarchy: bool,
     blocks: Vec<ValueBlock>,
 }
 
 impl<I: Read + Seek> Checker<'_, I> {
-    /// Checks the block at a place, and gives the place behind it. None at the end.
+    /// Checks the block at a place and gives the place behind it, or `None` at the end of the file.
     fn block(&mut self, at: u64) -> io::Result<Option<u64>> {
         if at >= self.length {
             return Ok(None);
@@ -100,7 +101,7 @@ impl<I: Read + Seek> Checker<'_, I> {
         self.input.read_exact(&mut kind)?;
         let [kind] = kind;
         let (begin, length) = (at + 1, number(self.input)?);
-        // So an unfinished file ends.
+        // An unfinished file ends with such a block.
         if kind == kind::SKIPPED && length == 0 {
             return Ok(None);
         }
@@ -128,7 +129,7 @@ impl<I: Read + Seek> Checker<'_, I> {
     fn geometry(&mut self, length: u64) -> io::Result<()> {
         let (unpacked, signals) = (number(self.input)?, number(self.input)?);
         possible(
-            length >= 24 && unpacks(length - 24, unpacked) && signals <= unpacked.min(MOST_SIGNALS),
+            length >= 24 && unpacks(length - 24, unpacked) && signals <= unpacked.min(MAX_SIGNALS),
         )?;
         self.signals = Some(signals);
         Ok(())
@@ -136,9 +137,9 @@ impl<I: Read + Seek> Checker<'_, I> {
 
     fn names(&mut self, kind: u8, length: u64) -> io::Result<()> {
         let unpacked = number(self.input)?;
-        // Behind a gzip header, whose first byte is at least there.
+        // The packed data are behind a gzip header, whose first byte must be there.
         let least = if kind == kind::HIERARCHY_ZLIB { 16 + 10 } else { 16 };
-        possible(length >= least && unpacked <= MOST)?;
+        possible(length >= least && unpacked <= MAX_BYTES)?;
         if kind == kind::HIERARCHY_LZ4_TWICE {
             let once = variable(self.input)?;
             possible(length >= least + 10 && unpacks(length, once) && unpacks(once, unpacked))?;
@@ -159,7 +160,7 @@ impl<I: Read + Seek> Checker<'_, I> {
         possible(
             packed <= length - VALUES_HEADER - TIMES_TRAILER - 8 && unpacks(packed, unpacked),
         )?;
-        possible(instants <= unpacked && instants <= MOST_INSTANTS)?;
+        possible(instants <= unpacked && instants <= MAX_INSTANTS)?;
         let times = (end - TIMES_TRAILER - packed, packed, unpacked);
         let chain_end = times.0 - 8;
         self.input.seek(SeekFrom::Start(chain_end))?;
@@ -183,12 +184,12 @@ impl<I: Read + Seek> Checker<'_, I> {
     }
 }
 
-/// Whether that many bytes can become that many.
+/// Whether `packed` bytes can unpack to `unpacked` bytes.
 pub fn unpacks(packed: u64, unpacked: u64) -> bool {
-    unpacked <= packed.saturating_mul(BEST_COMPRESSION).min(MOST)
+    unpacked <= packed.saturating_mul(BEST_COMPRESSION).min(MAX_BYTES)
 }
 
-/// What is wrong with the block that begins at a byte.
+/// Adds the block that begins at `at` to an error's message.
 fn in_block(at: u64, reason: &io::Error) -> io::Error {
     let said = match reason.kind() {
         io::ErrorKind::InvalidData => reason.to_string(),
@@ -204,9 +205,4 @@ fn possible(possible: bool) -> io::Result<()> {
     } else {
         Err(wrong("it states a length that no file of its size can have"))
     }
-}
-
-/// An error of the file's.
-pub fn wrong(what: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, what)
 }

@@ -2,11 +2,11 @@
 use fst_reader::{FstHierarchyEntry, FstVarDirection, FstVarType};
 
 use super::super::variables::{
-    Enumerations, Kind, MOST_VARIABLES, ScopeId, Scopes, ValueNames, Variable, split_name,
+    Enumerations, Kind, MAX_VARIABLES, ScopeId, Scopes, ValueNames, Variable, split_name,
 };
 use super::super::warnings::Warnings;
 
-/// Scopes and variables while they are read.
+/// Collects scopes and variables while a hierarchy is read.
 pub struct Hierarchy<'a> {
     /// The scopes.
     pub scopes: Scopes,
@@ -18,13 +18,13 @@ pub struct Hierarchy<'a> {
 }
 
 impl<'a> Hierarchy<'a> {
-    /// Nothing yet.
+    /// A collector that has read nothing yet.
     pub fn new(warnings: &'a mut Warnings) -> Hierarchy<'a> {
         let (scopes, enumerations) = (Scopes::new(), Enumerations::default());
         Hierarchy { scopes, variables: vec![], open: vec![], enumerations, warnings }
     }
 
-    /// Takes what comes next.
+    /// Takes the next entry of the hierarchy.
     pub fn take(&mut self, entry: FstHierarchyEntry) {
         match entry {
             FstHierarchyEntry::Scope { name, .. } => self.scope(&name),
@@ -43,7 +43,7 @@ impl<'a> Hierarchy<'a> {
 
     fn scope(&mut self, name: &str) {
         let around = self.around();
-        let inner = self.scopes.inside(around, name);
+        let inner = self.scopes.child(around, name);
         if inner.is_none() {
             self.warnings.of_file("deep", || {
                 "scopes are too many or nest too deep: what is inside is taken for the outer's"
@@ -68,9 +68,9 @@ impl<'a> Hierarchy<'a> {
         signal: u32,
     ) {
         let next_names = self.enumerations.take_next();
-        if self.variables.len() >= MOST_VARIABLES {
+        if self.variables.len() >= MAX_VARIABLES {
             let said = || {
-                format!("there are more than {MOST_VARIABLES} variables: the others are left out")
+                format!("there are more than {MAX_VARIABLES} variables: the others are left out")
             };
             return self.warnings.of_file("many", said);
         }
@@ -95,7 +95,7 @@ impl<'a> Hierarchy<'a> {
     }
 }
 
-/// The unit of time of that power of ten of a second, such as `10 ps`.
+/// The unit of time for a power of ten of a second, such as `10 ps`.
 pub fn time_unit(exponent: i8) -> Option<String> {
     const UNITS: [&str; 8] = ["s", "ms", "us", "ns", "ps", "fs", "as", "zs"];
     let thousandths = i32::from(exponent).div_euclid(3);

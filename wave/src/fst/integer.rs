@@ -1,22 +1,23 @@
-//! Integers as FST files have them.
+//! Integers as FST files encode them.
 use std::io::{self, Read};
 
-use super::check::wrong;
+use super::error::wrong;
 
-/// Eight bytes, the highest first.
+/// Reads an integer of eight bytes, the most significant first.
 ///
 /// # Errors
-/// What the system says.
+/// The operating system's error.
 pub fn number(input: &mut impl Read) -> io::Result<u64> {
     let mut bytes = [0; 8];
     input.read_exact(&mut bytes)?;
     Ok(u64::from_be_bytes(bytes))
 }
 
-/// A number in bytes of seven bits, the lowest first; the eighth says that more follow.
+/// Reads an integer in groups of seven bits, the least significant first; the eighth bit of a byte
+/// says that more follow.
 ///
 /// # Errors
-/// If it has no end, or what the system says.
+/// An integer without an end, or the operating system's error.
 pub fn variable(input: &mut impl Read) -> io::Result<u64> {
     let mut number = 0;
     for shift in (0..64).step_by(7) {
@@ -29,10 +30,10 @@ pub fn variable(input: &mut impl Read) -> io::Result<u64> {
     Err(wrong("a number in it has no end"))
 }
 
-/// The same, of which the highest bit counts negative.
+/// Reads a signed integer in the same encoding: the highest bit counts negative.
 ///
 /// # Errors
-/// If it has no end, or what the system says.
+/// An integer without an end, or the operating system's error.
 pub fn signed(input: &mut impl Read) -> io::Result<i64> {
     let mut number = 0;
     for shift in (0..64).step_by(7) {

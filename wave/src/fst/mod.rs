@@ -1,6 +1,8 @@
-//! Reading FST files by fst-reader, whose limits are checked before and whose panics are caught.
+//! Reading FST files with fst-reader. Lengths are checked before it sees them, and its panics are
+//! caught.
 mod chain;
 mod check;
+mod error;
 mod hierarchy;
 mod integer;
 mod times;
@@ -15,20 +17,21 @@ use fst_reader::{
 };
 
 use super::catch_panic::catch_panic;
+use super::clock;
 use super::contents::Contents;
 use super::input::Bytes;
-use super::raw::{Change, Raw, Taker};
+use super::raw::{Change, ChangeSink, Raw};
 use super::survey::{LATEST, Survey};
-use super::time_axis;
 use super::variables::{Kind, arrange};
 use super::warnings::Warnings;
-use check::{ValueBlock, wrong};
+use check::ValueBlock;
+use error::wrong;
 use hierarchy::Hierarchy;
 
 /// An opened FST file.
 pub struct Fst {
     reader: FstReader<BufReader<Shared>>,
-    /// The same bytes, for what is checked before the reader reads it.
+    /// The same bytes, for checks that precede the reader.
     bytes: Shared,
     blocks: Vec<ValueBlock>,
     /// Whether a signal's values are text.
@@ -37,10 +40,10 @@ pub struct Fst {
 }
 
 impl Fst {
-    /// Opens a file and reads what it declares and when something happens.
+    /// Opens a file and reads what it declares and the times at which something happens.
     ///
     /// # Errors
-    /// What is wrong with it, or what the system says.
+    /// An error that says what is wrong with the file, or the operating system's error.
     pub fn read(
         bytes: Box<dyn Bytes>,
         mut survey: Survey,
@@ -62,26 +65,26 @@ impl Fst {
         for variable in variables.iter().filter(|variable| variable.kind == Kind::Other) {
             is_text[variable.signal as usize] = true;
         }
-        let first = *survey.extent().start();
+        let first = *survey.time_range().start();
         let time_unit = hierarchy::time_unit(reader.get_header().timescale_exponent);
         let mut fst = Fst { reader, bytes, blocks, is_text, first };
         fst.survey_values(
-            time_axis::clock(&variables, &scopes).map(|clock| variables[clock].signal),
+            clock::outermost(&variables, &scopes).map(|clock| variables[clock].signal),
             &mut survey,
         )?;
         Ok((fst, Contents { scopes, variables, time_unit, survey }))
     }
 
-    /// Gives every change of some signals up to, and without, the time `end`.
+    /// Gives every change of some signals before the time `end`.
     ///
     /// # Errors
-    /// What is wrong with them, or what the system says.
-    pub fn changes(&mut self, signals: &[u32], end: u64, take: &mut Taker) -> io::Result<()> {
+    /// An error that says what is wrong with the values, or the operating system's error.
+    pub fn changes(&mut self, signals: &[u32], end: u64, take: &mut ChangeSink) -> io::Result<()> {
         let Some(last) = end.checked_sub(1) else { return Ok(()) };
         self.read_signals(0, last, signals, take)
     }
 
-    /// The clock's pace, and whether something changes at the last instant.
+    /// Finds the clock's period, and whether something changes at the last instant.
     fn survey_values(&mut self, clock: Option<u32>, survey: &mut Survey) -> io::Result<()> {
         if self.blocks.is_empty() {
             return Ok(());
@@ -93,7 +96,7 @@ impl Fst {
                 ControlFlow::Continue(())
             })?;
         }
-        let last = *survey.extent().end();
+        let last = *survey.time_range().end();
         let every: Vec<u32> = (0..self.is_text.len() as u32).collect();
         self.read_signals(last, last, &every, &mut |change| {
             if change.time != last {
@@ -109,7 +112,7 @@ impl Fst {
         from: u64,
         last: u64,
         signals: &[u32],
-        take: &mut Taker,
+        take: &mut ChangeSink,
     ) -> io::Result<()> {
         let numbers: Vec<usize> = signals.iter().map(|&signal| signal as usize).collect();
         let mut bytes = BufReader::new(self.bytes.clone());
@@ -132,7 +135,7 @@ impl Fst {
                     }
                     FstSignalValue::String(bits) => Raw::Bits(bits),
                 };
-                // A writer states every value at the begin.
+                // A writer states every value at the beginning of a block.
                 let change = Change {
                     time: time.min(LATEST),
                     signal: index as u32,
@@ -149,10 +152,10 @@ impl Fst {
     }
 }
 
-/// Looks at the times of all blocks.
+/// Surveys the times of all blocks.
 fn instants(bytes: &mut Shared, blocks: &[ValueBlock], survey: &mut Survey) -> io::Result<()> {
     for block in blocks {
-        // Values that hold from the begin of a block have no time in its table.
+        // Values that hold from the beginning of a block have no time in its table.
         survey.instant(block.first.min(LATEST));
         times::read(bytes, block, |time| survey.instant(time.min(LATEST)))?;
     }
@@ -170,7 +173,7 @@ fn illegible(error: ReaderError) -> io::Error {
     }
 }
 
-/// Bytes that are read in several places, each of which knows where it is.
+/// Bytes that several readers share, each with a position of its own.
 #[derive(Clone)]
 struct Shared {
     bytes: Rc<RefCell<Box<dyn Bytes>>>,

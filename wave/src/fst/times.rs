@@ -1,15 +1,16 @@
-//! The times at which something happens, read without keeping them.
+//! The times at which something happens, read one by one without being stored.
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
 
 use flate2::read::ZlibDecoder;
 
-use super::check::{ValueBlock, wrong};
+use super::check::ValueBlock;
+use super::error::wrong;
 use super::integer::variable;
 
-/// Gives the times of a block, in order.
+/// Calls back with the times of a block, in order.
 ///
 /// # Errors
-/// What is wrong with them, or what the system says.
+/// An error that says what is wrong with the times, or the operating system's error.
 pub fn read(
     input: &mut (impl Read + Seek),
     block: &ValueBlock,
@@ -18,7 +19,7 @@ pub fn read(
     let (at, packed, unpacked) = block.times;
     input.seek(SeekFrom::Start(at))?;
     let input = input.take(packed);
-    // What became no shorter stands as it is.
+    // Where compression does not make a table shorter, the writer stores it uncompressed.
     let input: Box<dyn Read + '_> =
         if packed == unpacked { Box::new(input) } else { Box::new(ZlibDecoder::new(input)) };
     let mut input = BufReader::new(input);

@@ -1,8 +1,8 @@
-//! What the sections of a VCD file's header declare.
+//! The declarations in a VCD file's header.
 use super::super::variables::{Kind, ValueNames, split_name};
 use super::super::warnings::{decoded, quoted};
 
-/// Types of variables: IEEE 1364 and 1800, and what GTKWave knows besides.
+/// Types of variables in IEEE 1364 and 1800, and those that GTKWave also knows.
 const TYPES: [&str; 35] = [
     "event",
     "integer",
@@ -45,7 +45,7 @@ const OTHERS: [&str; 6] =
     ["real", "real_parameter", "realparameter", "realtime", "shortreal", "string"];
 const PORTS: [&str; 4] = ["port", "in", "out", "inout"];
 
-/// Types of scopes: IEEE 1364 and 1800, and what GTKWave and simulators of VHDL write.
+/// Types of scopes in IEEE 1364 and 1800, and those that GTKWave and simulators of VHDL also write.
 const SCOPES: [&str; 14] = [
     "module",
     "task",
@@ -64,7 +64,7 @@ const SCOPES: [&str; 14] = [
 ];
 const SCOPE_FAMILIES: [&str; 2] = ["vhdl_", "sv_"];
 
-/// Width of a variable in bits, at most.
+/// Largest width of a variable in bits.
 pub const WIDEST: u32 = 1 << 20;
 
 /// A variable as its section declares it.
@@ -76,25 +76,25 @@ pub struct Declaration {
     pub name: String,
     /// The range of its bits.
     pub range: Option<String>,
-    /// What its values are.
+    /// The kind of its values.
     pub kind: Kind,
-    /// Its width in bits; none for other values than bits, and where the file does not say.
+    /// Its width in bits; `None` for values other than bits, and where the file does not state it.
     pub width: Option<u32>,
     /// Whether it is a port.
     pub port: bool,
 }
 
-/// What is wrong with a section, in words, and a name for that kind of fault.
+/// A name for the kind of a fault in a section, and a message about it.
 pub type Fault = (&'static str, String);
 
-/// Why a variable is left out, and its identifier if it has one.
+/// The reason why a variable is left out, and its identifier if it has one.
 pub type LeftOut = (Fault, Option<Vec<u8>>);
 
-/// Reads `$var TYPE SIZE ID NAME [RANGE] $end`, given what stands between. What is odd about a
-/// variable that can be drawn is the second result.
+/// Reads `$var TYPE SIZE ID NAME [RANGE] $end`, given the words between the keywords. The second
+/// result is an oddity of a variable that can still be drawn.
 ///
 /// # Errors
-/// Why it cannot be drawn.
+/// The reason why the variable cannot be drawn.
 pub fn variable(words: &[Vec<u8>]) -> Result<(Declaration, Option<Fault>), LeftOut> {
     let comment = words.iter().position(|word| word == b"$comment").unwrap_or(words.len());
     let (kind_of, size, rest) = split_size(&words[..comment]);
@@ -138,14 +138,15 @@ pub fn variable(words: &[Vec<u8>]) -> Result<(Declaration, Option<Fault>), LeftO
         _ => None,
     };
     let port = known.is_some_and(|known| PORTS.contains(&known));
-    // Widths above u32's went above.
+    // A width that exceeds a u32 has been refused above.
     let width = width
         .and_then(|width| u32::try_from(width).ok())
         .filter(|&width| kind == Kind::Bits && width > 0);
     Ok((Declaration { id: id.clone(), name, range, kind, width, port }, odd))
 }
 
-/// The type, the size, which may have blanks between its brackets, and the rest.
+/// Splits the words into the type, the size, which may contain blanks between its brackets, and the
+/// rest.
 fn split_size(words: &[Vec<u8>]) -> (Option<&Vec<u8>>, Vec<u8>, &[Vec<u8>]) {
     let is_number = |word: &Vec<u8>| !word.is_empty() && word.iter().all(u8::is_ascii_digit);
     let (kind, sized) = match words {
@@ -162,11 +163,11 @@ fn split_size(words: &[Vec<u8>]) -> (Option<&Vec<u8>>, Vec<u8>, &[Vec<u8>]) {
     (kind, sized[..end].concat(), &sized[end..])
 }
 
-/// The width that a size states: a number, or the range that extended dumps state.
+/// The width that a size states, as a number or, in extended dumps, as a range.
 fn width(size: &[u8]) -> Option<u64> {
     let text = std::str::from_utf8(size).ok()?;
     let Some(range) = text.strip_prefix('[').and_then(|text| text.strip_suffix(']')) else {
-        // Numbers that are too large are too wide.
+        // Numbers that are too large to be read are widths that are too large.
         return text
             .bytes()
             .all(|byte| byte.is_ascii_digit())
@@ -180,10 +181,10 @@ fn width(size: &[u8]) -> Option<u64> {
     high.abs_diff(low).checked_add(1)
 }
 
-/// Reads `$scope TYPE NAME $end`: the name, and what is odd.
+/// Reads `$scope TYPE NAME $end`: the name, and an oddity.
 ///
 /// # Errors
-/// That there is no name.
+/// The fault that there is no name.
 pub fn scope(words: &[Vec<u8>]) -> Result<(String, Option<Fault>), Fault> {
     let known = |word: &[u8]| {
         let word = decoded(word).to_ascii_lowercase();
@@ -206,17 +207,17 @@ pub fn scope(words: &[Vec<u8>]) -> Result<(String, Option<Fault>), Fault> {
     }
 }
 
-/// What `fst2vcd` and GTKWave write of enumerations.
+/// Attributes of enumerations, as `fst2vcd` and GTKWave write them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Attribute {
-    /// An enumeration with its number.
+    /// An enumeration and its number.
     Enumeration(u64, ValueNames),
     /// The number of the enumeration that the next variable has.
     Next(u64),
 }
 
-/// Reads `$attrbegin misc 07 NAME COUNT NAMES.. VALUES.. NUMBER $end`, or with a name of `""`, the
-/// number alone. None for other attributes.
+/// Reads `$attrbegin misc 07 NAME COUNT NAMES.. VALUES.. NUMBER $end`, or if the name is `""`, the
+/// number alone. The result is `None` for other attributes.
 pub fn attribute(words: &[Vec<u8>]) -> Option<Attribute> {
     let [misc, kind, name, about @ .., number] = words else { return None };
     if misc != b"misc" || kind != b"07" {
@@ -233,7 +234,7 @@ pub fn attribute(words: &[Vec<u8>]) -> Option<Attribute> {
     Some(Attribute::Enumeration(number, ValueNames::new(pairs)))
 }
 
-/// Reads `$timescale 10 ns $end`: `10 ns`, or `ns` for one of them.
+/// Reads `$timescale 10 ns $end`: the result is `10 ns`, or `ns` for a scale of one.
 pub fn time_unit(words: &[Vec<u8>]) -> Option<String> {
     const UNITS: [&str; 8] = ["s", "ms", "us", "ns", "ps", "fs", "as", "zs"];
     let text = decoded(&words.concat()).to_ascii_lowercase().replace(['\u{b5}', '\u{3bc}'], "u");
@@ -242,7 +243,7 @@ pub fn time_unit(words: &[Vec<u8>]) -> Option<String> {
     let unit = UNITS.iter().find(|known| unit == **known)?;
     match number {
         "" | "1" => Some((*unit).to_owned()),
-        // What time is counted in is a power of ten.
+        // The unit of time must be a power of ten.
         number => Some(format!("{number} {unit}")).filter(|_| number.trim_end_matches('0') == "1"),
     }
 }

@@ -1,5 +1,5 @@
-//! Reading VCD files: once for what they declare and when something happens, and again for the
-//! values of chosen signals, so that a file may be larger than the memory.
+//! Reading VCD files: a first pass for declarations and times, and another for the values of chosen
+//! signals, so that a file may be larger than the memory.
 mod declaration;
 mod number;
 mod parser;
@@ -9,32 +9,32 @@ mod words;
 
 use std::io::{self, BufReader};
 
+use super::clock;
 use super::contents::Contents;
 use super::input::Bytes;
-use super::raw::{Change, Raw, Taker};
+use super::raw::{Change, ChangeSink, Raw};
 use super::survey::Survey;
-use super::time_axis;
 use super::variables::{Enumerations, ScopeId, Scopes, Variable, arrange};
 use super::warnings::Warnings;
 use declaration::Attribute;
 use parser::{Event, Ids, Parser};
 
-/// Bytes that are read at a time.
+/// Number of bytes that are read at a time.
 const PIECE: usize = 1 << 16;
 
-/// A VCD file that has been read once.
+/// A VCD file after the first pass.
 pub struct Vcd {
     bytes: Box<dyn Bytes>,
     ids: Ids,
-    /// The first time, at which values hold that stand before any.
+    /// The first time. Values that stand before any time hold from there.
     first: u64,
 }
 
 impl Vcd {
-    /// Reads what a file declares, and when something happens in it.
+    /// Reads the declarations of a file and the times at which something happens.
     ///
     /// # Errors
-    /// What the system says.
+    /// The operating system's error.
     pub fn read(
         mut bytes: Box<dyn Bytes>,
         survey: Survey,
@@ -50,17 +50,17 @@ impl Vcd {
         }
         let Reader { survey, scopes, mut variables, time_unit, .. } = reader;
         arrange(&mut variables, &scopes);
-        let first = *survey.extent().start();
+        let first = *survey.time_range().start();
         Ok((Vcd { bytes, ids, first }, Contents { scopes, variables, time_unit, survey }))
     }
 
-    /// Gives every change up to, and without, the time `end`.
+    /// Gives every change before the time `end`.
     ///
     /// # Errors
-    /// What the system says.
-    pub fn changes(&mut self, end: u64, take: &mut Taker) -> io::Result<()> {
+    /// The operating system's error.
+    pub fn changes(&mut self, end: u64, take: &mut ChangeSink) -> io::Result<()> {
         self.bytes.rewind()?;
-        // They were told when the file was read for the first time.
+        // The warnings were given in the first pass.
         let mut told = Warnings::default();
         let mut parser = Parser::new(
             BufReader::with_capacity(PIECE, &mut self.bytes),
@@ -92,11 +92,11 @@ impl Vcd {
     }
 }
 
-/// What has been read of a file.
+/// The state of the first pass.
 struct Reader {
     survey: Survey,
     scopes: Scopes,
-    /// The scopes around the place.
+    /// The scopes that are open at the current place.
     open: Vec<ScopeId>,
     variables: Vec<Variable>,
     enumerations: Enumerations,
@@ -113,7 +113,7 @@ impl Reader {
         match event {
             Event::Scope(name) => {
                 let around = self.scope();
-                let inner = self.scopes.inside(around, &name);
+                let inner = self.scopes.child(around, &name);
                 if inner.is_none() {
                     parser.warn("deep", || {
                         "scopes are too many or nest too deep: what is inside is taken for the outer's".to_owned()
@@ -130,7 +130,7 @@ impl Reader {
             }
             Event::Variable(declared, signal) => {
                 let (scope, width) = (self.scope(), declared.width);
-                if width == Some(1) && time_axis::is_clock(&declared.name) {
+                if width == Some(1) && clock::is_clock(&declared.name) {
                     self.survey.watch(signal);
                 }
                 let names = self.enumerations.take_next();
@@ -154,13 +154,13 @@ impl Reader {
             Event::TimeUnit(unit) => self.time_unit = Some(unit),
             Event::Time(time) => self.survey.instant(time),
             Event::Change(signal) => {
-                // What stands before any time holds from the begin on.
+                // A change that stands before any time holds from the beginning.
                 if self.survey.is_empty() {
                     self.survey.instant(0);
                 }
                 self.survey.change();
                 if let Raw::Bits(bits) = parser.value() {
-                    let now = *self.survey.extent().end();
+                    let now = *self.survey.time_range().end();
                     self.survey.level(signal, now, bits.last() == Some(&b'1'));
                 }
             }

@@ -1,28 +1,29 @@
 //! Times and real numbers as VCD files state them.
 use super::super::survey::LATEST;
 
-/// A time, and what is odd about it.
+/// A time, and its oddity if it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Time {
-    /// As it should be.
+    /// A whole number, as IEEE 1364 has it.
     Whole(u64),
-    /// With a fraction, which is cut off.
+    /// A number with a fraction, which is cut off.
     Fraction(u64),
-    /// Before 0.
+    /// A number below 0.
     Negative,
-    /// Larger than can be counted.
+    /// A number larger than [`LATEST`].
     TooLarge,
 }
 
 impl Time {
-    /// Reads what stands behind `#`. None if it is no number.
+    /// Reads the time behind `#`; `None` if it is not a number.
     pub fn parse(word: &[u8]) -> Option<Time> {
         let text = std::str::from_utf8(word).ok()?;
         if !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit()) {
             let time = text.parse().ok().filter(|&time| time <= LATEST);
             return Some(time.map_or(Time::TooLarge, Time::Whole));
         }
-        // A fraction as it stands, where a floating-point number would lose digits of its whole.
+        // The whole part is read as an integer, since a floating-point number would lose digits of
+        // it.
         let fraction = text.split_once('.').filter(|(whole, rest)| {
             let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
             !whole.is_empty() && digits(whole) && digits(rest)
@@ -45,11 +46,11 @@ impl Time {
     }
 }
 
-/// A real number as any language prints it.
+/// Reads a real number as any programming language prints it.
 pub fn real(word: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(word).ok()?;
     let lower = text.to_ascii_lowercase();
-    // As C prints a number that is none: with a sign, or with its bits in brackets.
+    // C prints a NaN with a sign, or with its bits in parentheses.
     let bare = lower.trim_start_matches(['+', '-']);
     if bare.starts_with("1.#inf") {
         return Some(if lower.starts_with('-') { f64::NEG_INFINITY } else { f64::INFINITY });
@@ -57,7 +58,7 @@ pub fn real(word: &[u8]) -> Option<f64> {
     if bare == "nan" || bare.starts_with("nan(") || bare.starts_with("1.#") {
         return Some(f64::NAN);
     }
-    // Some languages print the decimal sign of their user's country.
+    // Some programs print the decimal separator of their user's country.
     text.parse().ok().or_else(|| text.replace(',', ".").parse().ok())
 }
 

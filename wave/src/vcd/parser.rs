@@ -1,50 +1,50 @@
 //! The grammar of VCD files, in every dialect that simulators write.
 //!
-//! IEEE 1364, 18.2 and 18.4, says what they should be. What is read besides: sections in any place,
-//! also behind `$enddefinitions` or without it; vectors of any length; text (`sTEXT ID`) of GTKWave
-//! and its kin; the nine states of VHDL. What cannot be understood is passed over with a warning.
+//! IEEE 1364, 18.2 and 18.4, defines them. The parser also reads sections in any place, even behind
+//! `$enddefinitions` or without it; vectors of any length; text (`sTEXT ID`) of GTKWave and related
+//! tools; and the nine states of VHDL. What it does not understand is skipped with a warning.
 use std::collections::HashMap;
 use std::io::{self, BufRead};
 
 use super::super::raw::Raw;
 use super::super::survey::LATEST;
-use super::super::variables::MOST_VARIABLES;
+use super::super::variables::MAX_VARIABLES;
 use super::super::warnings::{Warnings, quoted};
 use super::declaration::{self, Attribute, Declaration, Fault};
 use super::number::Time;
 use super::words::{Word, Words};
 
-/// Something in a VCD file.
+/// A parsed item of a VCD file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Event {
     /// A scope begins.
     Scope(String),
     /// A scope ends.
     Upscope,
-    /// A variable of the signal with that number.
+    /// A variable, and the number of its signal.
     Variable(Declaration, u32),
     /// The unit of time.
     TimeUnit(String),
-    /// Something about enumerations.
+    /// An attribute of an enumeration.
     Attribute(Attribute),
-    /// Time goes on, or stays.
+    /// The current time; it may be the same as before.
     Time(u64),
-    /// The signal of that number has the value [`Parser::value`].
+    /// The signal of that number takes the value [`Parser::value`].
     Change(u32),
 }
 
 /// The identifiers that a file declares.
 #[derive(Clone, Debug, Default)]
 pub struct Ids {
-    /// The signals' numbers; none for those that are not drawn.
+    /// The signals' numbers, by identifier; `None` for signals that are not drawn.
     pub(super) numbers: HashMap<Vec<u8>, Option<u32>>,
-    /// The widest width of each signal's variables; none if the file does not say.
+    /// The largest width of each signal's variables; `None` if the file does not state it.
     pub(super) widths: Vec<Option<u32>>,
 }
 
 impl Ids {
     fn declare(&mut self, declaration: &Declaration) -> u32 {
-        // No more than `MOST_VARIABLES` come here.
+        // At most `MAX_VARIABLES` identifiers come here.
         let next = self.widths.len() as u32;
         let number = *self.numbers.entry(declaration.id.clone()).or_default().get_or_insert(next);
         if number == next {
@@ -60,11 +60,11 @@ impl Ids {
     }
 }
 
-/// Words of a section that are kept, and bytes of each.
-const MOST_WORDS: usize = 1024;
+/// Number of words of a section that are kept, and of bytes of each.
+const MAX_WORDS: usize = 1024;
 pub(super) const LONGEST_WORD: usize = 4096;
 
-/// What the value of a change is made of.
+/// The kind of value that the parser holds of the last change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Held {
     Bits,
@@ -72,7 +72,7 @@ pub(super) enum Held {
     Real(f64),
 }
 
-/// Reads a VCD file event by event.
+/// Parses a VCD file event by event.
 pub struct Parser<'a, R> {
     pub(super) words: Words<R>,
     pub(super) ids: &'a mut Ids,
@@ -87,10 +87,10 @@ pub struct Parser<'a, R> {
 }
 
 impl<'a, R: BufRead> Parser<'a, R> {
-    /// A parser for a file with these identifiers, to which it adds those that it comes upon.
+    /// A parser for a file with these identifiers, to which it adds those that it finds.
     ///
     /// # Errors
-    /// What the system says.
+    /// The operating system's error.
     pub fn new(
         input: R,
         ids: &'a mut Ids,
@@ -111,7 +111,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
         })
     }
 
-    /// The value of the change that came last.
+    /// The value of the last change.
     pub fn value(&self) -> Raw<'_> {
         match self.held {
             Held::Bits => Raw::Bits(&self.bytes),
@@ -120,12 +120,12 @@ impl<'a, R: BufRead> Parser<'a, R> {
         }
     }
 
-    /// Whether the change that came last stands in `$dumpvars` or the like.
+    /// Whether the last change stands in `$dumpvars` or a similar section.
     pub fn in_checkpoint(&self) -> bool {
         self.checkpoint
     }
 
-    /// Notes something about the place where the parser is.
+    /// Records a warning about the current line.
     pub fn warn(&mut self, kind: &'static str, words: impl FnOnce() -> String) {
         self.warnings.in_line(self.words.current().line, kind, words);
     }
@@ -133,7 +133,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
     /// The next event, if there is one.
     ///
     /// # Errors
-    /// What the system says.
+    /// The operating system's error.
     pub fn next(&mut self) -> io::Result<Option<Event>> {
         while self.words.advance()? {
             let event = match self.words.current().bytes[0] {
@@ -191,7 +191,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 return Ok(Some(Event::Upscope));
             }
             b"$var" => return self.variable(),
-            // The begin of a keyword, of which will be told that it is cut off.
+            // This is the beginning of a keyword; another warning says that the file ends in it.
             _ if self.words.current().ends_file => {}
             _ => {
                 let word = quoted(&self.words.current().bytes);
@@ -204,7 +204,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
         Ok(None)
     }
 
-    /// The words of a section up to its `$end`, or to where something else begins.
+    /// The words of a section up to its `$end`, or up to where another section begins.
     fn content(&mut self, begins_another: impl Fn(&Word) -> bool) -> io::Result<Vec<Vec<u8>>> {
         let (begin, name) = (self.words.current().line, self.words.current().bytes.clone());
         let mut content = vec![];
@@ -217,12 +217,12 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 Some(word) if !begins_another(word) => self.words.advance()?,
                 _ => break,
             };
-            // Some leave out the blank before `$end`.
+            // Some writers leave out the blank before `$end`.
             let ends = self.words.current().bytes.ends_with(b"$end")
                 && self.words.peek()?.is_none_or(|word| word.begins_line);
             let bytes = &self.words.current().bytes;
             let bytes = if ends { &bytes[..bytes.len() - b"$end".len()] } else { bytes };
-            if content.len() < MOST_WORDS {
+            if content.len() < MAX_WORDS {
                 content.push(bytes[..bytes.len().min(LONGEST_WORD)].to_vec());
             }
             if ends {
@@ -260,11 +260,11 @@ impl<'a, R: BufRead> Parser<'a, R> {
         let content = self.content(is_section)?;
         self.variables += 1;
         let declared = match declaration::variable(&content) {
-            Ok(_) if self.variables > MOST_VARIABLES => {
+            Ok(_) if self.variables > MAX_VARIABLES => {
                 let fault = (
                     "many",
                     format!(
-                        "there are more than {MOST_VARIABLES} variables: the others are left out"
+                        "there are more than {MAX_VARIABLES} variables: the others are left out"
                     ),
                 );
                 Err((fault, None))
@@ -279,8 +279,8 @@ impl<'a, R: BufRead> Parser<'a, R> {
             }
             Err((fault, id)) => {
                 self.fault(fault);
-                // Those of too many are undeclared.
-                let id = id.filter(|_| self.variables <= MOST_VARIABLES);
+                // Variables beyond the limit count as undeclared.
+                let id = id.filter(|_| self.variables <= MAX_VARIABLES);
                 id.into_iter().for_each(|id| self.ids.leave_out(id));
                 Ok(None)
             }
@@ -330,7 +330,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 }
 
-/// Sections whose content are values.
+/// Sections that contain values.
 const CHECKPOINTS: [&[u8]; 8] = [
     b"$dumpvars",
     b"$dumpall",
@@ -341,10 +341,10 @@ const CHECKPOINTS: [&[u8]; 8] = [
     b"$dumpportson",
     b"$dumpportsoff",
 ];
-/// Sections in which nothing is that is drawn.
+/// Sections whose contents are not drawn.
 const PASSED_OVER: [&[u8]; 5] =
     [b"$date", b"$version", b"$attrend", b"$dumpportslimit", b"$dumplimit"];
-/// Sections that begin where another one has no end.
+/// Sections whose keyword also ends a section that has no `$end`.
 const DECLARATIONS: [&[u8]; 8] = [
     b"$date",
     b"$version",

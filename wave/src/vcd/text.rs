@@ -1,6 +1,6 @@
-//! Text among values: blanks and the like are escaped as in C.
+//! Text values, in which blanks and control characters are escaped as in C.
 
-/// Text without its escapes, as `fst2vcd` and GTKWave write them: `\n`, `\040`, `\x20`, `\'`.
+/// The text without escapes such as `\n`, `\040`, `\x20`, `\'`, which `fst2vcd` and GTKWave write.
 pub fn unescaped(text: &[u8]) -> Vec<u8> {
     let (mut plain, mut rest) = (Vec::with_capacity(text.len()), text);
     while let Some((&byte, behind)) = rest.split_first() {
@@ -12,7 +12,7 @@ pub fn unescaped(text: &[u8]) -> Vec<u8> {
     plain
 }
 
-/// The byte that an escape stands for, and the length of what is behind its backslash.
+/// The byte that an escape stands for, and the length of the escape without its backslash.
 fn escape(behind: &[u8]) -> Option<(u8, usize)> {
     let digits = |from: usize, radix: u32, length: usize| {
         let text = std::str::from_utf8(behind.get(from..from + length)?).ok()?;

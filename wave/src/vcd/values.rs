@@ -33,7 +33,8 @@ impl<R: BufRead> Parser<'_, R> {
         self.hold_bits(1..length);
         if length == 1 && self.words.peek()?.is_some_and(|word| !word.begins_line && is_bits(word))
         {
-            // Either bits behind a blank, or no bits and an identifier that looks like some.
+            // Either the bits follow a blank, or there are no bits and the identifier looks like
+            // bits.
             self.words.advance()?;
             if self.words.peek()?.is_none_or(|word| word.begins_line) {
                 return Ok(self.vector_of(Some(0)));
@@ -60,7 +61,7 @@ impl<R: BufRead> Parser<'_, R> {
         event
     }
 
-    /// Keeps bits of the current word; what is no state of a bit becomes an x.
+    /// Keeps the bits of the current word; a character that is no state of a bit becomes an x.
     fn hold_bits(&mut self, range: Range<usize>) {
         self.held = Held::Bits;
         self.bytes.clear();
@@ -92,7 +93,7 @@ impl<R: BufRead> Parser<'_, R> {
     pub(super) fn real(&mut self) -> io::Result<Option<Event>> {
         let alone = self.words.current().bytes.len() == 1;
         let is_number = |word: &Word| !word.begins_line && real(&word.bytes).is_some();
-        // The number may stand behind a blank.
+        // The number may follow a blank.
         let behind_blank = alone && self.words.peek()?.is_some_and(is_number);
         let from = if behind_blank && self.words.advance()? { 0 } else { 1 };
         match real(&self.words.current().bytes[from..]) {
@@ -107,14 +108,15 @@ impl<R: BufRead> Parser<'_, R> {
         Ok(self.change(id))
     }
 
-    /// Keeps the current word from a letter on as text.
+    /// Keeps the current word as text, from a position on.
     fn hold_text(&mut self, from: usize) {
         self.held = Held::Text;
         self.bytes.clear();
         self.bytes.extend_from_slice(&self.words.current().bytes[from..]);
     }
 
-    /// Text may have blanks in it: the identifier is the first declared one of its line.
+    /// Reads a text, which may contain blanks: the identifier is the first declared one of its
+    /// line.
     pub(super) fn text(&mut self) -> io::Result<Option<Event>> {
         self.hold_text(1);
         let mut id = None;
@@ -135,7 +137,7 @@ impl<R: BufRead> Parser<'_, R> {
         Ok(self.change(id))
     }
 
-    /// A port of an extended dump (IEEE 1364, 18.4.3): states, two strengths, identifier.
+    /// Reads a port of an extended dump (IEEE 1364, 18.4.3): states, two strengths, identifier.
     pub(super) fn port(&mut self) -> io::Result<Option<Event>> {
         let states: Option<Vec<u8>> =
             self.words.current().bytes[1..].iter().map(|&state| port_state(state)).collect();
@@ -157,8 +159,8 @@ impl<R: BufRead> Parser<'_, R> {
         Ok(self.change(id))
     }
 
-    /// Goes to the identifier of a value, in the same line or, if it is one, in the next. Its place
-    /// in its word is the result.
+    /// Advances to the identifier of a value, in the same line or, if it is a declared one, in the
+    /// next. The result is the position of the identifier in its word.
     fn advance_to_id(&mut self) -> io::Result<Option<usize>> {
         if self.words.advance_in_line()? {
             return Ok(Some(0));
@@ -169,7 +171,7 @@ impl<R: BufRead> Parser<'_, R> {
         Ok((declared && self.words.advance()?).then_some(0))
     }
 
-    /// The change of the signal whose identifier stands in the current word, from a place on.
+    /// The change of the signal whose identifier begins at a position in the current word.
     fn change(&mut self, id: Option<usize>) -> Option<Event> {
         let Some(from) = id else {
             let word = quoted(&self.words.current().bytes);
@@ -196,7 +198,7 @@ fn is_bits(word: &Word) -> bool {
     word.bytes.iter().all(|bit| STATES.contains(&bit.to_ascii_lowercase()))
 }
 
-/// The state of a bit for that of a port, whoever drives it (IEEE 1364, table 18-11).
+/// The state of a bit for a port's state, whichever side drives it (IEEE 1364, table 18-11).
 fn port_state(state: u8) -> Option<u8> {
     match state {
         b'D' | b'd' | b'L' | b'l' | b'0' => Some(b'0'),

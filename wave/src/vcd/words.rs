@@ -1,13 +1,13 @@
-//! The words of a VCD file, which blanks part, and the lines they stand in.
+//! The words of a VCD file, which are separated by blanks, and the lines they stand in.
 use std::io::{self, BufRead};
 
-/// Bytes of a word that are kept: room for the bits of the widest signal.
+/// Number of bytes of a word that are kept: room for the bits of the widest signal.
 const LONGEST: usize = (1 << 20) + 8;
 
-/// A word, and where it stands.
+/// A word and its place.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Word {
-    /// Its bytes; the first of them if it is very long.
+    /// Its bytes, or the first of them if it is very long.
     pub bytes: Vec<u8>,
     /// The line it stands in, counted from 1.
     pub line: u64,
@@ -15,28 +15,28 @@ pub struct Word {
     pub begins_line: bool,
     /// Whether the file ends with it, without an end of the line.
     pub ends_file: bool,
-    /// Whether it is longer than what is kept.
+    /// Whether it is longer than [`LONGEST`] bytes and was cut.
     pub cut: bool,
 }
 
-/// Reads words one by one, and looks one ahead.
+/// Reads words one by one, with one word of look-ahead.
 pub struct Words<R> {
     input: R,
     line: u64,
     begins_line: bool,
-    /// The byte before was a carriage return, which a line feed may follow.
+    /// Whether the last byte was a carriage return, which a line feed may follow.
     returned: bool,
     current: Word,
     ahead: Option<Word>,
-    /// A word that is done with, whose memory is used again.
+    /// A word that is no longer needed; its memory is used again.
     spare: Word,
 }
 
 impl<R: BufRead> Words<R> {
-    /// The words of a file, without the mark of its byte order.
+    /// The words of a file, without its byte order mark.
     ///
     /// # Errors
-    /// What the system says.
+    /// The operating system's error.
     pub fn new(mut input: R) -> io::Result<Words<R>> {
         const MARK: &[u8] = b"\xef\xbb\xbf";
         if input.fill_buf()?.starts_with(MARK) {
@@ -54,15 +54,15 @@ impl<R: BufRead> Words<R> {
         })
     }
 
-    /// The word that [`Words::advance`] came to last.
+    /// The word to which [`Words::advance`] came last.
     pub fn current(&self) -> &Word {
         &self.current
     }
 
-    /// Goes to the next word, if there is one.
+    /// Advances to the next word, if there is one.
     ///
     /// # Errors
-    /// What the system says.
+    /// The operating system's error.
     pub fn advance(&mut self) -> io::Result<bool> {
         let next = match self.ahead.take() {
             Some(word) => Some(word),
@@ -78,7 +78,7 @@ impl<R: BufRead> Words<R> {
     /// The word behind the current one.
     ///
     /// # Errors
-    /// What the system says.
+    /// The operating system's error.
     pub fn peek(&mut self) -> io::Result<Option<&Word>> {
         if self.ahead.is_none() {
             self.ahead = self.read()?;
@@ -86,10 +86,10 @@ impl<R: BufRead> Words<R> {
         Ok(self.ahead.as_ref())
     }
 
-    /// Goes to the next word if it stands in the line of the current one.
+    /// Advances to the next word if it stands in the line of the current one.
     ///
     /// # Errors
-    /// What the system says.
+    /// The operating system's error.
     pub fn advance_in_line(&mut self) -> io::Result<bool> {
         let in_line = self.peek()?.is_some_and(|word| !word.begins_line);
         if in_line { self.advance() } else { Ok(false) }
@@ -119,7 +119,7 @@ impl<R: BufRead> Words<R> {
         }
     }
 
-    /// Whether anything follows the blanks.
+    /// Skips blanks; the result is whether anything follows them.
     fn skip_blanks(&mut self) -> io::Result<bool> {
         loop {
             let piece = self.input.fill_buf()?;
@@ -143,7 +143,7 @@ impl<R: BufRead> Words<R> {
     }
 }
 
-/// Blanks, ends of lines, and other characters that no name has.
+/// Whether a byte is a blank, an end of a line, or another character that names do not have.
 fn is_blank(byte: u8) -> bool {
     byte <= b' '
 }
@@ -153,7 +153,7 @@ mod tests {
     use super::*;
 
     fn words(text: &[u8]) -> Vec<(String, u64, bool)> {
-        // Pieces of one byte, so that every word goes over their ends.
+        // Each piece has one byte, so that every word crosses the ends of pieces.
         let mut words =
             Words::new(io::BufReader::with_capacity(3, text)).expect("memory can be read");
         let mut found = vec![];

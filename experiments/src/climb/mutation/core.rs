@@ -1,7 +1,8 @@
 //! Changes to the core.
 use specula_spec::{Format, LightPipelines, Specialise};
 
-use super::{Genome, Operator, any};
+use super::operator::{Operator, any};
+use crate::climb::genome::Genome;
 use crate::climb::random;
 use crate::stress::draw::Draw;
 
@@ -9,7 +10,7 @@ use crate::stress::draw::Draw;
 pub(super) const FORMATS: &[Operator] =
     &[shift, shift, shift, redraw, shift_integer_bits, forget, shift_all];
 
-/// Changes to the method's options, and to what the core is made for.
+/// Changes to the method's options, and to the scenes for which the core is made.
 pub(super) const OPTIONS: &[Operator] = &[
     choose,
     choose,
@@ -21,7 +22,8 @@ pub(super) const OPTIONS: &[Operator] = &[
     },
 ];
 
-/// A bit or a few more or fewer; what is too many or too few is brought into line later.
+/// Changes a format by a bit or a few; a number of bits that is too small or too large is repaired
+/// later.
 fn shift(genome: &mut Genome, draw: &mut Draw) {
     if let Some(point) = any(&mut genome.core.points, draw).cloned() {
         let fraction_bits =
@@ -45,8 +47,8 @@ fn redraw(genome: &mut Genome, draw: &mut Draw) {
     }
 }
 
-/// Few narrowing points may have other integer bits than they have; others are brought into line
-/// later.
+/// Changes the integer bits of a format. Few narrowing points may have other integer bits than
+/// their own; others are repaired later.
 fn shift_integer_bits(genome: &mut Genome, draw: &mut Draw) {
     if let Some(point) = any(&mut genome.core.points, draw).cloned() {
         let integer_bits = point.format.integer_bits.saturating_add_signed(draw.one_of(&[-1, 1]));
@@ -54,7 +56,7 @@ fn shift_integer_bits(genome: &mut Genome, draw: &mut Draw) {
     }
 }
 
-/// Back to the default.
+/// Returns an option or a format to its default.
 fn forget(genome: &mut Genome, draw: &mut Draw) {
     if let Some(&mut (name, _)) = any(&mut genome.core.formats, draw) {
         genome.core.formats.retain(|(other, _)| *other != name);
@@ -62,7 +64,7 @@ fn forget(genome: &mut Genome, draw: &mut Draw) {
 }
 
 fn choose(genome: &mut Genome, draw: &mut Draw) {
-    let choices = genome.core.method.choices();
+    let choices = genome.core.method.option_domains();
     if !choices.is_empty() {
         let choice = draw.one_of(choices);
         genome.core.set_option(choice.key, draw.one_of(choice.values));

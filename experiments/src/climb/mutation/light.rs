@@ -1,9 +1,10 @@
 //! Changes to lights and to the eye.
 use glam::DVec3;
 
+use super::operator::{Operator, any};
 use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
-use super::{Genome, Operator, any};
-use crate::climb::random::{self, MOST_LIGHTS, happens};
+use crate::climb::genome::Genome;
+use crate::climb::random::{self, MAX_LIGHTS, happens};
 use crate::stress::draw::{AXES, Draw};
 use crate::stress::scene::Light;
 
@@ -49,7 +50,7 @@ fn turn(light: &mut Light, draw: &mut Draw) {
     }
 }
 
-/// A component of a direction that is rounded badly.
+/// Gives a direction a component that is rounded badly.
 fn round_badly(genome: &mut Genome, draw: &mut Draw) {
     let Some(format) = any(&mut genome.core.points, draw).map(|point| point.format) else { return };
     if let Some(Light::Towards(direction)) = any(&mut genome.scene.lights, draw) {
@@ -63,7 +64,7 @@ fn make_components_alike(light: &mut Light, draw: &mut Draw) {
     }
 }
 
-/// A light where another one is, or nearly so.
+/// Moves a light to where another one is, or close to it.
 fn make_a_twin(genome: &mut Genome, draw: &mut Draw) {
     let Some(mut twin) = any(&mut genome.scene.lights, draw).copied() else { return };
     if draw.one_of(&[true, false]) {
@@ -72,7 +73,7 @@ fn make_a_twin(genome: &mut Genome, draw: &mut Draw) {
     change(genome, draw, |light, _| *light = twin);
 }
 
-/// A light whose highlight lies on a span.
+/// Aims a light so that its highlight lies on a span.
 fn aim(genome: &mut Genome, draw: &mut Draw) {
     let Some(span) = any(&mut genome.scene.spans, draw) else { return };
     let direction = draw.aimed([span.normals[0], span.normals[1]], span.material.shininess);
@@ -81,23 +82,23 @@ fn aim(genome: &mut Genome, draw: &mut Draw) {
     }
 }
 
-/// Towards the eye, away from it, or across.
+/// Turns a light towards the eye, away from it, or across.
 fn turn_to_an_axis(light: &mut Light, draw: &mut Draw) {
     *light = Light::Towards(draw.one_of(&AXES));
 }
 
-/// A light opposite another one.
+/// Moves a light opposite to another one.
 fn oppose_another(genome: &mut Genome, draw: &mut Draw) {
     let Some(Light::Towards(other)) = any(&mut genome.scene.lights, draw).copied() else { return };
     change(genome, draw, |light, _| *light = Light::Towards(-other));
 }
 
-/// A light, or the eye, on a span or a hair's breadth from it.
+/// Puts a light or the eye on a span, or very close to it.
 fn put_on_a_span(genome: &mut Genome, draw: &mut Draw) {
     let Some(span) = any(&mut genome.scene.spans, draw) else { return };
     let weights = random::weights(draw);
     let on_it: DVec3 = span.positions.iter().zip(weights).map(|(&p, weight)| weight * p).sum();
-    let away = draw.one_of(&[0.0, 1.0]) * random::of_any_size(draw, 1e-6, 1e-1);
+    let away = draw.one_of(&[0.0, 1.0]) * random::log_uniform(draw, 1e-6, 1e-1);
     let position = on_it + away * draw.direction();
     if genome.scene.eye.is_some() && happens(draw, 0.3) {
         genome.scene.eye = Some(position);
@@ -114,7 +115,7 @@ fn put_on_a_span(genome: &mut Genome, draw: &mut Draw) {
 }
 
 fn add(genome: &mut Genome, draw: &mut Draw) {
-    if genome.scene.lights.len() < MOST_LIGHTS {
+    if genome.scene.lights.len() < MAX_LIGHTS {
         genome.scene.lights.push(random::light(draw));
         genome.scene.colours.push(random::colour(draw));
     }

@@ -1,6 +1,7 @@
 //! Small changes to a scene and its core.
 mod core;
 mod light;
+mod operator;
 mod span;
 mod vector;
 
@@ -8,20 +9,19 @@ use super::genome::Genome;
 use super::random::happens;
 use crate::stress::draw::Draw;
 
-/// A change; it may leave everything as it is.
-pub(super) type Operator = fn(&mut Genome, &mut Draw);
+use operator::Operator;
 
-/// What changes are about, formats first. An ascent leaves some of these as they are, so that not all end on the
-/// same peak.
+/// The subjects of changes, formats first. An ascent leaves some of them unchanged, so that not all
+/// ascents end on the same peak.
 const SUBJECTS: [&[Operator]; 5] =
     [core::FORMATS, span::SHAPE, span::MATERIAL, light::OPERATORS, core::OPTIONS];
 
-/// How likely a subject is changed in an ascent.
+/// Probability that an ascent changes a subject.
 const SHARE_OF_SUBJECTS: f64 = 0.75;
-/// How likely one more change follows.
+/// Probability of one more change.
 const ONE_MORE: f64 = 0.4;
 
-/// The changes of an ascent: those of some subjects, of one at least.
+/// The changes of an ascent: those of some subjects, at least one.
 pub(super) struct Mutation(Vec<&'static [Operator]>);
 
 impl Mutation {
@@ -30,8 +30,8 @@ impl Mutation {
         Mutation::among(&SUBJECTS, draw)
     }
 
-    /// Draws the subjects, of which formats are none: those stay as they are.
-    pub fn of_no_formats(draw: &mut Draw) -> Mutation {
+    /// Draws the subjects, except formats, which stay as they are.
+    pub fn without_formats(draw: &mut Draw) -> Mutation {
         Mutation::among(&SUBJECTS[1..], draw)
     }
 
@@ -44,21 +44,15 @@ impl Mutation {
         Mutation(subjects)
     }
 
-    /// The genome with one change or a few; none where no core can be brought into line with it.
-    pub fn of(&self, genome: &Genome, draw: &mut Draw) -> Option<Genome> {
+    /// The genome with one or a few changes; `None` if no core can be repaired to fit it.
+    pub fn apply(&self, genome: &Genome, draw: &mut Draw) -> Option<Genome> {
         let mut changed = genome.clone();
         loop {
             let subject = draw.one_of(&self.0);
             draw.one_of(subject)(&mut changed, draw);
             if !happens(draw, ONE_MORE) {
-                return changed.settled();
+                return changed.repaired();
             }
         }
     }
-}
-
-/// An element of what may be empty.
-fn any<'a, T>(elements: &'a mut [T], draw: &mut Draw) -> Option<&'a mut T> {
-    let last = elements.len().checked_sub(1)?;
-    elements.get_mut(draw.between(0, last as i64) as usize)
 }

@@ -4,13 +4,14 @@ use specula_scene::Colour;
 use specula_scene::frame::EYE;
 use specula_scene::limits::LONGEST_SPAN;
 
+use super::operator::{Operator, any};
 use super::vector::{badly_rounded, turned_a_bit, with_alike_components};
-use super::{Genome, Operator, any};
-use crate::climb::random::{self, LONGEST, MOST_SPANS, happens};
+use crate::climb::genome::Genome;
+use crate::climb::random::{self, LONGEST, MAX_SPANS, happens};
 use crate::stress::draw::{Draw, turned};
 use crate::stress::scene::RawSpan;
 
-/// Changes to lengths, normals, weights, and how many spans there are.
+/// Changes to lengths, normals, weights and the number of spans.
 pub(super) const SHAPE: &[Operator] = &[
     |genome, draw| change(genome, draw, turn_a_normal),
     |genome, draw| change(genome, draw, turn_a_normal),
@@ -68,10 +69,10 @@ fn change(genome: &mut Genome, draw: &mut Draw, of: fn(&mut RawSpan, &mut Draw))
     }
 }
 
-/// A component a little brighter or darker, or as another one, or nearly so.
+/// Makes a component a little brighter or darker, or equal or nearly equal to another.
 fn nudge(colour: &mut Colour, draw: &mut Draw) {
     let (channel, other) = (draw.between(0, 2) as usize, draw.between(0, 2) as usize);
-    let apart = draw.one_of(&[0.0, 1.0, -1.0]) * random::of_any_size(draw, 1e-6, 1e-2);
+    let apart = draw.one_of(&[0.0, 1.0, -1.0]) * random::log_uniform(draw, 1e-6, 1e-2);
     colour[channel] = (colour[other] + apart).clamp(0.0, 1.0);
 }
 
@@ -80,7 +81,7 @@ fn make_components_alike(span: &mut RawSpan, draw: &mut Draw) {
     replace(span, before, with_alike_components(before, draw), draw);
 }
 
-/// One vertex's normal, and those of other vertices that have the same along with it now and then.
+/// Turns one vertex's normal and, sometimes, the equal normals of other vertices with it.
 fn turn_a_normal(span: &mut RawSpan, draw: &mut Draw) {
     let before = span.normals[draw.between(0, 2) as usize];
     replace(span, before, turned_a_bit(before, draw), draw);
@@ -93,14 +94,14 @@ fn round_a_normal_badly(genome: &mut Genome, draw: &mut Draw) {
     replace(span, before, badly_rounded(before, format, draw), draw);
 }
 
-/// Normals of an edge that are opposite, or nearly so: N is shorter than formats can say. All may
-/// lie across an axis besides.
+/// Makes the normals of an edge opposite, or nearly so: N becomes shorter than formats can
+/// represent. Sometimes all of them also become perpendicular to an axis.
 fn oppose_normals(span: &mut RawSpan, draw: &mut Draw) {
     if happens(draw, 0.5) {
         flatten_normals(span, draw);
     }
     let opposite = -span.normals[0];
-    let angle = random::of_any_size(draw, 1e-7, 0.3);
+    let angle = random::log_uniform(draw, 1e-7, 0.3);
     span.normals[1] = match opposite.try_normalize() {
         Some(axis) if happens(draw, 0.8) => {
             let across = span.normals[2].reject_from_normalized(axis);
@@ -111,7 +112,8 @@ fn oppose_normals(span: &mut RawSpan, draw: &mut Draw) {
     };
 }
 
-/// A unit vector across another one, in the plane across the eye's way if that one lies there.
+/// A unit vector perpendicular to `axis`; also perpendicular to the view direction, if such a
+/// vector is unique.
 fn any_across(axis: DVec3, draw: &mut Draw) -> DVec3 {
     match axis.cross(EYE).try_normalize() {
         Some(across) if axis.z == 0.0 && happens(draw, 0.7) => across,
@@ -119,7 +121,8 @@ fn any_across(axis: DVec3, draw: &mut Draw) -> DVec3 {
     }
 }
 
-/// All normals across one axis, the eye's way more often than another: a cosine is 0 exactly.
+/// Makes all normals perpendicular to one axis, most often to the view direction: a cosine is then
+/// exactly 0.
 fn flatten_normals(span: &mut RawSpan, draw: &mut Draw) {
     let axis = draw.one_of(&[0, 1, 2, 2]);
     for normal in &mut span.normals {
@@ -128,7 +131,7 @@ fn flatten_normals(span: &mut RawSpan, draw: &mut Draw) {
     }
 }
 
-/// The polygon's own normal a little or more away from what it was, or from a vertex's.
+/// Turns the polygon's own normal a little or more away from what it was, or from a vertex's.
 fn turn_the_face(span: &mut RawSpan, draw: &mut Draw) {
     let before = span.face.filter(|_| happens(draw, 0.7));
     let before = before.unwrap_or(span.normals[draw.between(0, 2) as usize]);
@@ -145,11 +148,11 @@ fn replace(span: &mut RawSpan, before: DVec3, after: DVec3, draw: &mut Draw) {
     }
 }
 
-/// A few pixels more or fewer, or many.
+/// Makes a span a few pixels, or many, longer or shorter.
 fn stretch(span: &mut RawSpan, draw: &mut Draw) {
     let factor = draw.one_of(&[0.5, 0.8, 1.0, 1.0, 1.25, 2.0]);
     let length = (f64::from(span.length) * factor).round() as i64 + draw.between(-2, 2);
-    // What is long already may grow on; every pixel takes its time.
+    // Only a span that is long already may become even longer, since every pixel takes time.
     let longest = if span.length > LONGEST { LONGEST_SPAN } else { LONGEST };
     span.length = length.clamp(1, longest.into()) as u32;
 }
@@ -158,9 +161,9 @@ fn move_a_vertex(span: &mut RawSpan, draw: &mut Draw) {
     span.positions[draw.between(0, 2) as usize] += random::place(draw) / 10.0;
 }
 
-/// One more span, new or like another but for its normals.
+/// Adds a span: a new one, or a copy of another with other normals.
 fn add(genome: &mut Genome, draw: &mut Draw) {
-    if genome.scene.spans.len() >= MOST_SPANS {
+    if genome.scene.spans.len() >= MAX_SPANS {
         return;
     }
     let mut span = random::span(draw);

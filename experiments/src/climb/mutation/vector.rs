@@ -4,32 +4,32 @@ use specula_spec::Format;
 
 use crate::stress::draw::{Draw, turned};
 
-use super::super::random::of_any_size;
+use super::super::random::log_uniform;
 
 /// The vector, turned a little or more.
 pub(super) fn turned_a_bit(vector: DVec3, draw: &mut Draw) -> DVec3 {
-    let (angle, azimuth) = (of_any_size(draw, 1e-5, 1.0), draw.unit());
+    let (angle, azimuth) = (log_uniform(draw, 1e-5, 1.0), draw.unit());
     vector.try_normalize().map_or(DVec3::Z, |axis| turned(axis, angle, azimuth))
 }
 
-/// The unit vector with a component near the middle between two values of `format`, where rounding
-/// is off by most; or between those that round to 0.
+/// The unit vector with a component near the middle between two values of `format`, where the
+/// rounding error is largest; or near the middle between those around 0.
 pub(super) fn badly_rounded(vector: DVec3, format: Format, draw: &mut Draw) -> DVec3 {
     let (axis, ulp) = (draw.between(0, 2) as usize, format.ulp());
-    let short_of_it = 0.5 - of_any_size(draw, 1e-6, 0.2);
+    let short_of_it = 0.5 - log_uniform(draw, 1e-6, 0.2);
     let steps = draw.one_of(&[0.0, 0.0, (vector[axis] / ulp).round()]);
     with_component(vector, axis, (steps + short_of_it * draw.one_of(&[1.0, -1.0])) * ulp)
 }
 
-/// The unit vector with one component as large as another, or nearly so: they may become twins.
+/// The unit vector with one component equal, or nearly equal, to another: they may become twins.
 pub(super) fn with_alike_components(vector: DVec3, draw: &mut Draw) -> DVec3 {
     let (axis, other) = (draw.between(0, 2) as usize, draw.between(0, 2) as usize);
     let sign = draw.one_of(&[1.0, -1.0]);
-    let apart = draw.one_of(&[0.0, 1.0]) * of_any_size(draw, 1e-6, 1e-2);
+    let apart = draw.one_of(&[0.0, 1.0]) * log_uniform(draw, 1e-6, 1e-2);
     with_component(vector, axis, sign * vector[other] + apart)
 }
 
-/// The unit vector with this component, and the others in their ratio to one another.
+/// The unit vector with this component; the ratio of the others is kept.
 fn with_component(vector: DVec3, axis: usize, component: f64) -> DVec3 {
     let component = component.clamp(-1.0, 1.0);
     let mut others = vector;

@@ -5,7 +5,7 @@ mod vectors;
 
 use super::claim::Claim;
 
-/// Every claim, in the order of the report.
+/// All claims, in the paper's order.
 pub(super) fn claims() -> Vec<&'static Claim> {
     let groups: [&'static [Claim]; 2] = [&operations::CLAIMS, &vectors::CLAIMS];
     groups.into_iter().flatten().collect()

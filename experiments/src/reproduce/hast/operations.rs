@@ -1,8 +1,8 @@
-//! The paper's operations per pixel, in the inner loops and in the cores.
+//! The operations per pixel in the paper, in the inner loops and in the cores.
 use glam::DVec3;
-pub use specula_golden::operations::Operations;
-use specula_golden::operations::{Row, TABLE};
-use specula_golden::recurrence::Line;
+use specula_golden::loops::Line;
+pub use specula_golden::loops::operations::Operations;
+use specula_golden::loops::operations::{SchemeRow, TABLE};
 use specula_scene::{Frame, load};
 
 use super::super::claim::{Claim, Ground, Ruling};
@@ -12,21 +12,21 @@ use specula_testbench::BenchError;
 /// A scheme of the paper.
 #[derive(Clone, Debug)]
 pub struct Scheme {
-    /// Its equations, with docs/methods.md's number.
+    /// Its equations, with their numbers in docs/methods.md.
     pub source: &'static str,
-    /// What the paper says.
+    /// The operations that the paper states.
     pub printed: Operations,
-    /// What the inner loop does.
+    /// The operations of the inner loop.
     pub counted: Operations,
-    /// What the core does.
+    /// The operations of the core.
     pub core: Contents,
-    /// Products in place of divisions, where the core has a reciprocal already.
+    /// Number of products that replace divisions, where the core has a reciprocal already.
     pub further_products: usize,
 }
 
 impl Scheme {
-    /// Whether the core does what is printed, a root with its division and a product in place of a
-    /// division counted as one.
+    /// Whether the core's operations are the printed ones, if a root with its division counts as
+    /// one, and a product that replaces a division counts as a division.
     pub fn core_agrees(&self) -> bool {
         let printed = &self.printed;
         let (core, count) = (&self.core, |n: u32| n as usize);
@@ -37,14 +37,14 @@ impl Scheme {
     }
 }
 
-/// The schemes that there are cores for, which are for `frame`.
+/// The schemes that have cores, elaborated for `frame`.
 ///
 /// # Errors
 /// [`BenchError`] if a core cannot be built for the frame.
 pub fn schemes(frame: &Frame) -> Result<Vec<Scheme>, BenchError> {
     let row = |name: &str| TABLE.iter().find(|row| row.name == name);
     let pairs = HAST.iter().filter_map(|counterpart| Some((counterpart, row(counterpart.row)?)));
-    let scheme = |(counterpart, row): (&crate::operations::Counterpart, &Row)| {
+    let scheme = |(counterpart, row): (&crate::operations::Counterpart, &SchemeRow)| {
         Ok(Scheme {
             source: row.source,
             printed: row.printed,
@@ -56,8 +56,8 @@ pub fn schemes(frame: &Frame) -> Result<Vec<Scheme>, BenchError> {
     pairs.map(scheme).collect()
 }
 
-/// What a row's inner loop does in a pixel; it is the same in every pixel.
-fn counted(row: &Row) -> Operations {
+/// The operations of a row's inner loop for a pixel, which are the same for every pixel.
+fn counted(row: &SchemeRow) -> Operations {
     let ends = [DVec3::Z, DVec3::new(0.6, 0.0, 0.8)];
     let weights = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let vertices = [ends[0], ends[1], DVec3::Z];
@@ -65,14 +65,14 @@ fn counted(row: &Row) -> Operations {
     (row.counted)(&line, DVec3::new(0.0, 0.6, 0.8))
 }
 
-/// Rows of the table in which a pixel does other operations than are printed.
+/// Number of rows of the table whose loop has other operations than are printed.
 fn miscounted() -> f64 {
     TABLE.iter().filter(|row| row.source.contains("Hast") && counted(row) != row.printed).count()
         as f64
 }
 
-/// Schemes whose cores do other operations than are printed, but for products in place of
-/// divisions.
+/// Number of schemes whose cores have other operations than are printed, except for products that
+/// replace divisions.
 fn different_cores() -> f64 {
     let schemes =
         load("teapot", Some((160, 120))).ok().and_then(|scene| schemes(&scene.frame).ok());
@@ -85,7 +85,7 @@ fn none(wrong: f64) -> Ruling {
     Ruling::of(wrong == 0.0, "some differ")
 }
 
-/// The counts that are scattered over the paper's text.
+/// Claims about the counts, which are scattered over the paper's text.
 pub(super) const CLAIMS: [Claim; 2] = [
     Claim {
         what: "additions, multiplications, divisions and roots of the schemes",

@@ -1,36 +1,36 @@
-//! Figures 2 and 3: Phong shading and reflection shading, highlights of both by eq. 34, as cores
-//! draw them.
+//! Figures 2 and 3: Phong shading and reflection shading, both with highlights by eq. 34, drawn by
+//! cores.
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreSpec, Method};
 
 use specula_testbench::statistics::Sums;
 use specula_testbench::{Bench, BenchError, EngineKind, ErrorFigures, Image};
 
-/// A mesh, drawn by two cores.
+/// A mesh that two cores have drawn.
 #[derive(Clone, Debug)]
 pub struct Quality {
     /// Figure 2: `duff` with eq. 34.
     pub phong: Drawn,
     /// Figure 3: `reflection` with eq. 34, wrapped around the polygon's normal.
     pub reflection: Drawn,
-    /// Codes of the second against those of the first.
+    /// Differences between the codes of the two pictures.
     pub difference: ErrorFigures,
-    /// Difference of each pixel, largest over its channels; negative where nothing is shaded.
+    /// Difference of each pixel, the largest over its channels; negative where nothing is shaded.
     pub map: Vec<f32>,
     /// Share of the shaded pixels in which a channel differs by more than one code.
     pub share: f64,
 }
 
-/// What a core drew.
+/// A picture that a core drew.
 #[derive(Clone, Debug)]
 pub struct Drawn {
     /// The picture.
     pub image: Image,
-    /// Against exact Phong shading.
+    /// Its errors against exact Phong shading.
     pub error: ErrorFigures,
 }
 
-/// Draws a frame by both cores.
+/// Draws a frame with both cores.
 ///
 /// # Errors
 /// [`BenchError`] if a core cannot be built for the frame, or does not agree with its model.

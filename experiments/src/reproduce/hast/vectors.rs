@@ -1,39 +1,38 @@
-//! Vectors that need no normalisation: the specular base, and what is wrapped around something.
+//! Vectors that need no normalisation: the specular base, and vectors wrapped around others.
 use glam::DVec3;
-use specula_golden::exact::duff::{eq33, eq34};
-use specula_golden::exact::hybrid::base;
-use specula_golden::exact::point_light::{scaled, wrapped_cosine, wrapped_view};
-use specula_golden::exact::reflection::{halfway, reflect};
-use specula_golden::exact::shape::power;
-use specula_golden::exact::wrap;
+use specula_golden::exact::formula::hast::{base, eq33, eq34};
+use specula_golden::exact::formula::point_light::{scaled, wrapped_cosine, wrapped_view};
+use specula_golden::exact::formula::reflection::{halfway, reflect};
+use specula_golden::exact::formula::shape::power;
+use specula_golden::exact::formula::wrap;
 use specula_scene::frame::EYE;
 use specula_spec::FULL_SCALE;
 
-use super::super::claim::{Claim, Ruling, exact};
-use super::super::{HALF_LSB, largest};
+use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::super::maximum::largest;
 use crate::stress::draw::{Draw, tilted, turned};
 
-/// Cases drawn.
+/// Number of random cases.
 const CASES: u32 = 200_000;
-/// Their seed.
+/// Seed of the cases.
 const SEED: u64 = 1;
 
-/// A direction, all alike.
+/// A direction, uniformly distributed on the sphere.
 fn direction(draw: &mut Draw) -> DVec3 {
     // Archimedes: heights on a sphere are uniform.
     turned(DVec3::Z, libm::acos(draw.within(-1.0, 1.0)), draw.unit())
 }
 
-/// The largest over normals of any length and lights.
-fn over_normals(f: impl Fn(DVec3, DVec3) -> f64) -> f64 {
+/// The largest value over normals of any length and lights.
+fn largest_over_normals(f: impl Fn(DVec3, DVec3) -> f64) -> f64 {
     let mut draw = Draw::new(SEED, 2);
     (0..CASES)
         .map(|_| f(draw.within(0.05, 3.0) * direction(&mut draw), direction(&mut draw)))
         .fold(0.0, f64::max)
 }
 
-/// The share of front-facing cases in which the angle from N to H is not below that from R to V,
-/// among those in which that is below `widest` degrees.
+/// Among front-facing cases in which the angle from R to V is below `widest` degrees, the share in
+/// which the angle from N to H is not below it.
 fn farther_halfway(widest: f64) -> f64 {
     let mut draw = Draw::new(SEED, 3);
     let (mut all, mut farther) = (0, 0);
@@ -48,7 +47,8 @@ fn farther_halfway(widest: f64) -> f64 {
     f64::from(farther) / f64::from(all)
 }
 
-/// By how many degrees a normal is off at most, wrapped around the bisector of a span of `degrees`.
+/// The largest angle in degrees by which a normal is wrong that is wrapped around the bisector of a
+/// span of `degrees`.
 fn wrap_error(degrees: f64) -> f64 {
     let ends = [tilted(-degrees / 2.0), tilted(degrees / 2.0)];
     largest(|t| {
@@ -57,27 +57,27 @@ fn wrap_error(degrees: f64) -> f64 {
     })
 }
 
-/// What twice that angle makes of the flank of a highlight at most, in LSBs, n = 256.
+/// The largest error in LSBs that twice that angle causes on the flank of a highlight with n = 256.
 fn flank_error(degrees: f64) -> f64 {
     let off = 2.0 * wrap_error(degrees).to_radians();
     // The lobe ends long before a radian.
     FULL_SCALE * largest(|angle| power(libm::cos(angle - off), 256) - power(libm::cos(angle), 256))
 }
 
-/// The angle in degrees at which a spot's light comes out, that stands at 60 degrees and at this
-/// distance.
+/// The angle in degrees at which the light of a spot leaves, if the spot stands at 60 degrees and
+/// at this distance.
 fn spot(distance: f64) -> f64 {
     libm::acos(wrapped_cosine(DVec3::Z, distance * tilted(60.0))).to_degrees()
 }
 
-/// The same, F - P divided by its length beforehand.
+/// The same angle if F - P is divided by its length beforehand.
 fn scaled_spot(distance: f64) -> f64 {
     let [to_light, _] = scaled([distance * tilted(60.0); 2]);
     libm::acos(wrapped_cosine(DVec3::Z, to_light)).to_degrees()
 }
 
-/// The largest difference of V' from the direction to an eye up to 89 degrees aside, F - P divided
-/// by its length beforehand.
+/// The largest difference between V' and the direction to an eye that is up to 89 degrees aside, if
+/// F - P is divided by its length beforehand.
 fn scaled_view() -> f64 {
     largest(|t| {
         let [to_eye, _] = scaled([10.0 * tilted(89.0 * t); 2]);
@@ -85,8 +85,8 @@ fn scaled_view() -> f64 {
     })
 }
 
-/// The largest difference of (29)'s quotient from Lambert's cosine of (27)'s vector, the normal up
-/// to 89 degrees from n and of any length.
+/// The largest difference between the quotient of (29) and Lambert's cosine of (27)'s vector, with
+/// the normal up to 89 degrees from n and of any length.
 fn quotient_from_vector() -> f64 {
     let mut draw = Draw::new(SEED, 4);
     let one = |_| {
@@ -153,27 +153,31 @@ const fn narrower(quantity: &'static str, expected: (f64, f64), measure: fn() ->
     )
 }
 
-/// Propositions and remarks.
+/// Claims about propositions and remarks.
 pub const CLAIMS: [Claim; 17] = [
     exact(
         "the hybrid's quotient is the exact R.V, for N of any length",
         "largest difference",
         (0.0, 1e-13),
-        || over_normals(|n, l| (base(n, l) - reflect(n.normalize()).dot(l).clamp(0.0, 1.0)).abs()),
+        || {
+            largest_over_normals(|n, l| {
+                (base(n, l) - reflect(n.normalize()).dot(l).clamp(0.0, 1.0)).abs()
+            })
+        },
         equal,
     ),
     exact(
         "(33) is (17)",
         "largest difference",
         (0.0, 1e-13),
-        || over_normals(|n, l| (eq33(n, l) - base(n, l)).abs()),
+        || largest_over_normals(|n, l| (eq33(n, l) - base(n, l)).abs()),
         equal,
     ),
     exact(
         "(34) is (17)",
         "largest difference",
         (0.0, 1e-13),
-        || over_normals(|n, l| (eq34(n, l) - base(n, l)).abs()),
+        || largest_over_normals(|n, l| (eq34(n, l) - base(n, l)).abs()),
         equal,
     ),
     exact(
@@ -183,7 +187,7 @@ pub const CLAIMS: [Claim; 17] = [
         quotient_from_vector,
         equal,
     ),
-    // Of 50 000 and 4 000 cases that are left: two standard deviations.
+    // Of 50 000 and 4 000 cases that remain; the tolerance is two standard deviations.
     closer("share of random front-facing cases", (0.081, 3e-3), || farther_halfway(180.0)),
     closer("share of those with R less than 20 degrees from V", (0.285, 1.5e-2), || {
         farther_halfway(20.0)

@@ -1,17 +1,17 @@
 //! The lecture: arcs against chords, Newton's root, an exercise.
 use glam::DVec3;
-use specula_golden::exact::direct::{kappa, length_squared};
-use specula_golden::exact::newton::lengths;
-use specula_golden::exact::slerp::{slerp, weights};
-use specula_golden::exact::specular::{fast, textbook};
+use specula_golden::exact::formula::direct::{kappa, length_squared};
+use specula_golden::exact::formula::newton::lengths;
+use specula_golden::exact::formula::slerp::{slerp, weights};
+use specula_golden::exact::formula::specular::{fast, textbook};
 use specula_spec::FULL_SCALE;
 
-use super::claim::{Claim, Ruling, exact};
-use super::{HALF_LSB, largest};
+use super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
 
 /// Largest angle in degrees between slerp and the normalised lerp.
-fn apart(degrees: f64) -> f64 {
+fn largest_angle(degrees: f64) -> f64 {
     let ends = [tilted(0.0), tilted(degrees)];
     largest(|t| {
         let [a, b] = weights(degrees.to_radians(), t);
@@ -20,7 +20,8 @@ fn apart(degrees: f64) -> f64 {
     })
 }
 
-/// What Newton's root, warm-started from the pixel before, makes of diffuse light at most, in LSBs.
+/// The largest error in LSBs of diffuse light with Newton's root, warm-started from the previous
+/// pixel.
 fn newton_error(degrees: f64, spans: u32, steps: u32) -> f64 {
     let ends = [tilted(-degrees / 2.0), tilted(degrees / 2.0)];
     let off = |(i, length): (usize, f64)| {
@@ -30,7 +31,7 @@ fn newton_error(degrees: f64, spans: u32, steps: u32) -> f64 {
     FULL_SCALE * lengths(ends, spans, steps).enumerate().map(off).fold(0.0, f64::max)
 }
 
-/// The largest difference of (4.6), of normals of any length, from (4.5) of unit normals.
+/// The largest difference between (4.6) with normals of any length and (4.5) with unit normals.
 fn any_length() -> f64 {
     largest(|t| {
         let (normal, light) = (turned(DVec3::Z, 1.5 * t, 7.0 * t), turned(DVec3::Z, 3.0 * t, 0.2));
@@ -38,7 +39,7 @@ fn any_length() -> f64 {
     })
 }
 
-/// The largest difference of 1 - κt(1 - t) from N·N between unit normals that are `degrees` apart.
+/// The largest difference between 1 - κt(1 - t) and N·N for unit normals that are `degrees` apart.
 fn square(degrees: f64) -> f64 {
     let ends = [tilted(-degrees / 2.0), tilted(degrees / 2.0)];
     largest(|t| {
@@ -50,8 +51,8 @@ const fn same(what: &'static str, quantity: &'static str, measure: fn() -> f64) 
     exact(what, quantity, (0.0, 1e-14), measure, |error| Ruling::of(error < 1e-14, "they differ"))
 }
 
-/// The largest angle in degrees between the normals at a triangle's centre that scan lines in three
-/// directions give, its vertex normals `degrees` apart.
+/// The largest angle in degrees between the normals at a triangle's centre along scan lines in
+/// three directions, with vertex normals `degrees` apart.
 fn spread(degrees: f64) -> f64 {
     // Three normals `degrees` apart about z: sin(degrees/2) = sin(tilt) sin(60).
     let tilt = libm::asin(libm::sin(degrees.to_radians() / 2.0) / libm::sin(60f64.to_radians()));
@@ -107,12 +108,20 @@ const fn whichever(quantity: &'static str, expected: (f64, f64), measure: fn() -
 const ONE: &str = "Newton's root needs few steps: one";
 const TWO: &str = "Newton's root needs few steps: two";
 
-/// By the criterion of half an LSB of diffuse light where nothing else is said.
+/// The criterion is half an LSB of diffuse light unless a claim says otherwise.
 pub(super) const CLAIMS: [Claim; 14] = [
-    difference("largest angle between them in degrees, span of 10", (0.0049, 5e-5), || apart(10.0)),
-    difference("largest angle between them in degrees, span of 30", (0.134, 5e-4), || apart(30.0)),
-    difference("largest angle between them in degrees, span of 60", (1.12, 5e-3), || apart(60.0)),
-    difference("largest angle between them in degrees, span of 90", (4.07, 5e-3), || apart(90.0)),
+    difference("largest angle between them in degrees, span of 10", (0.0049, 5e-5), || {
+        largest_angle(10.0)
+    }),
+    difference("largest angle between them in degrees, span of 30", (0.134, 5e-4), || {
+        largest_angle(30.0)
+    }),
+    difference("largest angle between them in degrees, span of 60", (1.12, 5e-3), || {
+        largest_angle(60.0)
+    }),
+    difference("largest angle between them in degrees, span of 90", (4.07, 5e-3), || {
+        largest_angle(90.0)
+    }),
     same("(4.6) is (4.5) for N of any length", "largest difference", any_length),
     same(
         "N.N is 1 - kappa t (1 - t) (our extension, not a claim)",

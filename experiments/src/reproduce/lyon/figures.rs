@@ -1,9 +1,9 @@
 //! Figures 3 and 4.
 use glam::DVec3;
-use specula_golden::exact::normalisation::{g1, g2};
+use specula_golden::exact::formula::normalisation::{g1, g2};
 use specula_spec::Method;
 
-use super::super::figure::{Curve, Figure};
+use super::super::figure::{Figure, FigureCurve};
 use super::super::span_core::{SpanCore, frame};
 use super::normalisation::core_lengths;
 use super::shapes::{phong, shape};
@@ -11,25 +11,25 @@ use crate::stress::draw::tilted;
 use crate::stress::scene::mirror;
 use crate::stress::variant::Variant;
 
-/// Figures 3 and 4.
+/// Both figures.
 pub fn figures() -> Vec<Figure> {
     vec![shapes(), lengths()]
 }
 
-/// n of figure 3.
+/// The exponent n of figure 3.
 const SHININESS: u32 = 100;
 /// The angles that figure 3 shows, in radians.
 const ANGLES: (f64, f64) = (0.0, 0.4);
-/// Places in figures 3 and 4 at which cores are asked.
+/// Number of positions in figures 3 and 4 at which cores are evaluated.
 const PLACES: u32 = 16;
 
 fn shapes() -> Figure {
     let lobe = |k: u32, label| {
-        Curve::formula(&format!("f_{k}"), k as usize + 1, ANGLES, label, move |a| {
+        FigureCurve::formula(&format!("f_{k}"), k as usize + 1, ANGLES, label, move |a| {
             shape(a, SHININESS, k)
         })
     };
-    let cosine = Curve::formula("cos^n", 0, ANGLES, 0.62, |a| phong(a, SHININESS));
+    let cosine = FigureCurve::formula("cos^n", 0, ANGLES, 0.62, |a| phong(a, SHININESS));
     let formulas = [cosine, lobe(0, 0.3), lobe(1, 0.42), lobe(2, 0.52)];
     let cores = [core_shape(0, Method::Phong, String::new())];
     let of_lyon = (0..3).map(|k| core_shape(k as usize + 1, Method::Lyon, lyon_table(k)));
@@ -49,9 +49,9 @@ fn lyon_table(k: u32) -> String {
     format!("difference = \"reflection-minus-light\"\nnormalisation = \"exact\"\nsquarings = {k}\n")
 }
 
-/// A core's highlight along a span whose normal turns away from eye and light by half of the
-/// angles.
-fn core_shape(colour: usize, method: Method, table: String) -> Option<Curve> {
+/// A core's highlight along a span whose normal turns away from eye and light by half of the angle
+/// each.
+fn core_shape(colour: usize, method: Method, table: String) -> Option<FigureCurve> {
     let frame = frame(
         [tilted(0.0), tilted(ANGLES.1.to_degrees() / 2.0)],
         PLACES + 1,
@@ -59,11 +59,11 @@ fn core_shape(colour: usize, method: Method, table: String) -> Option<Curve> {
         mirror(SHININESS),
     )?;
     let core = SpanCore::new(&frame, &Variant { method, table })?;
-    // The span's normals are lerped, so they do not turn evenly.
+    // The span's normals are interpolated linearly, so they do not turn evenly.
     let angle = |i: u32| {
         2.0 * DVec3::Z.angle_between(frame.normal_at(&frame.spans[0], frame.spans[0].weights(i)))
     };
-    Some(Curve::of_core("", colour, (0..).map(angle).zip(core.shades(&frame)?).collect()))
+    Some(FigureCurve::core("", colour, (0..).map(angle).zip(core.shades(&frame)?).collect()))
 }
 
 /// The lengths that figure 4 shows: those in spans of up to 120 degrees.
@@ -71,15 +71,15 @@ const LENGTHS: (f64, f64) = (0.5, 1.0);
 
 fn lengths() -> Figure {
     let behind = |name: &str, colour, label, gain: fn(f64) -> f64| {
-        Curve::formula(name, colour, LENGTHS, label, move |l| l * gain(l * l))
+        FigureCurve::formula(name, colour, LENGTHS, label, move |l| l * gain(l * l))
     };
     let core = |name, colour| {
-        core_lengths(name, 120.0, PLACES).map(|points| Curve::of_core("", colour, points))
+        core_lengths(name, 120.0, PLACES).map(|points| FigureCurve::core("", colour, points))
     };
     let formulas = [
         behind("g1", 1, 0.35, g1),
         behind("g2", 2, 0.3, g2),
-        Curve::formula("not normalised", 0, LENGTHS, 0.5, |l| l),
+        FigureCurve::formula("not normalised", 0, LENGTHS, 0.5, |l| l),
     ];
     Figure {
         name: "lyon_figure4",

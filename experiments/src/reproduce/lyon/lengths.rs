@@ -1,33 +1,33 @@
-//! "Length error sensitivity", and what is left of a highlight in the middle of a wide span.
+//! "Length error sensitivity", and the remaining highlight in the middle of a wide span.
 use glam::DVec3;
-use specula_golden::exact::normalisation::g2;
-use specula_golden::exact::shape::f_k;
+use specula_golden::exact::formula::normalisation::g2;
+use specula_golden::exact::formula::shape::f_k;
 use specula_spec::FULL_SCALE;
 
 use super::super::claim::{Claim, Ground, Ruling};
-use super::{core_height, height};
+use super::heights::{core_height, height};
 use crate::stress::draw::tilted;
 
-/// Half of the widest angle in degrees of a span whose middle normal, not normalised, is `length`
-/// long.
+/// Half of the angle in degrees of the widest span whose middle normal, if not normalised, is
+/// `length` long.
 fn half_angle(length: f64) -> f64 {
     libm::acos(length).to_degrees()
 }
 
-/// What a core without normalisation loses of the peak in the middle of a span where the normal is
-/// `length` long, seen from above.
+/// The loss of the peak with a core without normalisation in the middle of a span, where the normal
+/// is `length` long, seen from above.
 fn core_loss(length: f64, n: u32) -> f64 {
     let half = half_angle(length);
     core_height([tilted(-half), tilted(half)], n, "none").map_or(f64::NAN, |height| 1.0 - height)
 }
 
-/// What an error of the length of N costs of the peak, seen from above.
+/// The loss of the peak by an error in the length of N, seen from above.
 fn loss(error: f64, n: u32) -> f64 {
     1.0 - height(DVec3::Z, 1.0 - error, n)
 }
 
-/// The error of the length of N that costs an LSB of the peak, seen from above: by bisection, since
-/// the loss grows with the error.
+/// The error in the length of N that costs an LSB of the peak, seen from above. It is found by
+/// bisection, since the loss grows with the error.
 fn error_for_one_lsb(n: u32) -> f64 {
     let (mut low, mut high) = (0.0, 0.1);
     for _ in 0..60 {
@@ -37,7 +37,7 @@ fn error_for_one_lsb(n: u32) -> f64 {
     high
 }
 
-/// The length of N behind g2 in the middle of a span of 90 degrees, where z = 1/2.
+/// The length of N after g2 in the middle of a span of 90 degrees, where z = 1/2.
 fn middle_of_90() -> f64 {
     g2(0.5) * 0.5_f64.sqrt()
 }
@@ -47,29 +47,49 @@ fn ends_of_90(degrees: f64) -> [DVec3; 2] {
     [1.0, -1.0].map(|side| (tilted(degrees) + side * DVec3::Y).normalize())
 }
 
-/// Height of the highlight in the middle of a span of 90 degrees, its normal `degrees` from the
-/// eye, n = 1000.
+/// Height of the highlight in the middle of a span of 90 degrees whose normal there is `degrees`
+/// from the eye, with n = 1000.
 fn mid_span(degrees: f64) -> f64 {
     height(tilted(degrees), middle_of_90(), 1000)
 }
 
-/// The same by a core with g2 and no Newton step.
+/// The same height with a core that has g2 and no Newton step.
 fn core_mid_span(degrees: f64) -> f64 {
     core_height(ends_of_90(degrees), 1000, "g2").unwrap_or(f64::NAN)
 }
 
-/// A core's f is off by some units of its last place, 2^-14.
-const OF_CORE: f64 = 0.01;
+/// Tolerance of a core's f, which has an error of some units of its last place, 2^-14.
+const CORE_TOLERANCE: f64 = 0.01;
 
 const ONE_PERCENT: &str = "1 % residual length error is good enough at n = 1000 (5 % of the peak)";
+
+/// What 1 % of the length costs.
+const fn one_percent(on: Ground, tolerance: f64, measure: fn() -> f64) -> Claim {
+    Claim {
+        what: ONE_PERCENT,
+        quantity: "share of the peak that f_2 loses to 1 % of |N|",
+        on,
+        expected: (0.59, tolerance),
+        measure,
+        judge: five_percent,
+    }
+}
+
+/// What costs an LSB.
+const fn one_lsb(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+    Claim {
+        what: ONE_PERCENT,
+        quantity,
+        on: Ground::Exact,
+        expected,
+        measure,
+        judge: |error| Ruling::of(error >= 0.01, "an LSB is lost long before"),
+    }
+}
 
 fn five_percent(loss: f64) -> Ruling {
     let why = "that is for the length of R. An error e of N makes R wrong by 4e cos(V, N), and costs 8 n e^2 cos^2";
     Ruling::of(loss <= 0.05, why)
-}
-
-fn one_in_a_hundred(error: f64) -> Ruling {
-    Ruling::of(error >= 0.01, "an LSB is lost long before")
 }
 
 fn about_a_half(height: f64) -> Ruling {
@@ -93,7 +113,7 @@ const fn peak(
     }
 }
 
-/// n = 1000 unless they say otherwise.
+/// The exponent is n = 1000 unless a claim says otherwise.
 pub const CLAIMS: [Claim; 18] = [
     Claim {
         what: "the dot product loses 5 % of the peak to an error of 1 in 20 000 of the length of R",
@@ -120,46 +140,11 @@ pub const CLAIMS: [Claim; 18] = [
         measure: || core_loss((0.995_f64).sqrt(), 1000),
         judge: |loss| Ruling::of(loss <= 0.05, "it loses more"),
     },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "share of the peak that f_2 loses to 1 % of |N|",
-        on: Ground::Exact,
-        expected: (0.59, 5e-3),
-        measure: || loss(0.01, 1000),
-        judge: five_percent,
-    },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "share of the peak that f_2 loses to 1 % of |N|",
-        on: Ground::Core,
-        expected: (0.59, OF_CORE),
-        measure: || core_loss(0.99, 1000),
-        judge: five_percent,
-    },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "error of |N| that costs an LSB, n = 256",
-        on: Ground::Exact,
-        expected: (1.4e-3, 5e-5),
-        measure: || error_for_one_lsb(256),
-        judge: one_in_a_hundred,
-    },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "error of |N| that costs an LSB",
-        on: Ground::Exact,
-        expected: (7.0e-4, 5e-6),
-        measure: || error_for_one_lsb(1000),
-        judge: one_in_a_hundred,
-    },
-    Claim {
-        what: ONE_PERCENT,
-        quantity: "error of |N| that costs an LSB, n = 8000",
-        on: Ground::Exact,
-        expected: (2.5e-4, 5e-6),
-        measure: || error_for_one_lsb(8000),
-        judge: one_in_a_hundred,
-    },
+    one_percent(Ground::Exact, 5e-3, || loss(0.01, 1000)),
+    one_percent(Ground::Core, CORE_TOLERANCE, || core_loss(0.99, 1000)),
+    one_lsb("error of |N| that costs an LSB, n = 256", (1.4e-3, 5e-5), || error_for_one_lsb(256)),
+    one_lsb("error of |N| that costs an LSB", (7.0e-4, 5e-6), || error_for_one_lsb(1000)),
+    one_lsb("error of |N| that costs an LSB, n = 8000", (2.5e-4, 5e-6), || error_for_one_lsb(8000)),
     Claim {
         what: ONE_PERCENT,
         quantity: "LSBs that 7.0e-4 of |N| cost",
@@ -175,7 +160,13 @@ pub const CLAIMS: [Claim; 18] = [
     peak("height of f_2, V at 60 degrees", Ground::Exact, (0.15, 5e-3), || mid_span(60.0)),
     peak("height of f_2, V at 75 degrees", Ground::Exact, (0.66, 5e-3), || mid_span(75.0)),
     peak("height of f_2, V at N", Ground::Core, (0.0, 1e-15), || core_mid_span(0.0)),
-    peak("height of f_2, V at 50 degrees", Ground::Core, (0.02, OF_CORE), || core_mid_span(50.0)),
-    peak("height of f_2, V at 60 degrees", Ground::Core, (0.15, OF_CORE), || core_mid_span(60.0)),
-    peak("height of f_2, V at 75 degrees", Ground::Core, (0.66, OF_CORE), || core_mid_span(75.0)),
+    peak("height of f_2, V at 50 degrees", Ground::Core, (0.02, CORE_TOLERANCE), || {
+        core_mid_span(50.0)
+    }),
+    peak("height of f_2, V at 60 degrees", Ground::Core, (0.15, CORE_TOLERANCE), || {
+        core_mid_span(60.0)
+    }),
+    peak("height of f_2, V at 75 degrees", Ground::Core, (0.66, CORE_TOLERANCE), || {
+        core_mid_span(75.0)
+    }),
 ];

@@ -2,14 +2,14 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 
 use glam::DVec3;
-use specula_golden::exact::differences::{d1, d2, d3};
-use specula_golden::exact::distributions::{Formulation, formulation, torrance_sparrow};
-use specula_golden::exact::reflection::{halfway, reflect, reflection_minus_light};
-use specula_golden::exact::root_shininess;
-use specula_golden::exact::shape::{f_k, power};
+use specula_golden::exact::formula::differences::{d1, d2, d3};
+use specula_golden::exact::formula::distributions::{Formulation, formulation, torrance_sparrow};
+use specula_golden::exact::formula::reflection::{halfway, reflect, reflection_minus_light};
+use specula_golden::exact::formula::root_shininess;
+use specula_golden::exact::formula::shape::{f_k, power};
 
-use super::super::claim::{Claim, Ruling, exact};
-use super::super::{HALF_LSB, largest};
+use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
 
 /// |D| where R and L are `angle` radians apart.
@@ -23,35 +23,35 @@ pub fn shape(angle: f64, n: u32, k: u32) -> f64 {
     f_k(f64::from(n) * (1.0 - libm::cos(angle)), k)
 }
 
-/// cos^n.
+/// The power cos^n.
 pub fn phong(angle: f64, n: u32) -> f64 {
     power(libm::cos(angle), n)
 }
 
-/// The largest difference of f_k from cos^n over 0 to 180 degrees.
+/// The largest difference between f_k and cos^n over 0 to 180 degrees.
 fn shape_error(n: u32, k: u32) -> f64 {
     largest(|t| (shape(PI * t, n, k) - phong(PI * t, n)).abs())
 }
 
-/// The least angle in degrees at which f_k is 0; 180 if it is nowhere.
+/// The least angle in degrees at which f_k is 0; 180 if there is none.
 fn zero(n: u32, k: u32) -> f64 {
     let angles = (0..=18_000).map(|hundredth| f64::from(hundredth) / 100.0);
-    // What rounding leaves of a zero counts as one: the square or the fourth power of 1e-16.
+    // The square or the fourth power of 1e-16, which rounding leaves of a zero, counts as zero.
     angles.into_iter().find(|degrees| shape(degrees.to_radians(), n, k) < 1e-30).unwrap_or(180.0)
 }
 
-/// The largest difference of D1·D1 from D2·D2 for normals of this length.
+/// The largest difference between D1·D1 and D2·D2 for normals of this length.
 fn d1_from_d2(length: f64) -> f64 {
     let normal = length * DVec3::Z;
-    // The eye is along z, so the light is what turns.
+    // The eye is along z, so the light is turned.
     largest(|t| {
         let light = tilted(180.0 * t);
         (d1(normal, light).length_squared() - d2(normal, light).length_squared()).abs()
     })
 }
 
-/// The largest difference of D1·D1 from D3·D3 + (V·N - L·N)², the light going round the eye as it
-/// goes down.
+/// The largest difference between D1·D1 and D3·D3 + (V·N - L·N)², with the light going round the
+/// eye while it goes down.
 fn d1_from_d3() -> f64 {
     let normal = turned(DVec3::Z, 1.0, 0.3);
     largest(|t| {
@@ -62,8 +62,8 @@ fn d1_from_d3() -> f64 {
     })
 }
 
-/// The largest difference of f_1 by figure 8's small squares of m D, m = √n, from (1 - x/2)² of x =
-/// n/2 D·D.
+/// The largest difference between f_1 by figure 8's small squares of m D, m = √n, and (1 - x/2)²
+/// with x = n/2 D·D.
 fn small_squares(n: u32) -> f64 {
     let normal = turned(DVec3::Z, 0.2, 0.1);
     largest(|t| {
@@ -74,7 +74,8 @@ fn small_squares(n: u32) -> f64 {
     })
 }
 
-/// The largest difference of Blinn's D2 from his D1, cos^4n of the angle to the half-way vector.
+/// The largest difference between Blinn's D2 and his D1, cos^4n of the angle to the half-way
+/// vector.
 fn gaussian_from_power(n: u32) -> f64 {
     largest(|t| {
         let cosine = libm::cos(FRAC_PI_2 * t);
@@ -82,14 +83,14 @@ fn gaussian_from_power(n: u32) -> f64 {
     })
 }
 
-/// The height of row 10's glancing highlight: figure 9's first light, the normal half-way between
-/// it and the eye.
+/// The height of row 10's glancing highlight: figure 9's first light, with the normal half-way
+/// between it and the eye.
 fn glancing(n: u32) -> f64 {
     let light = DVec3::new(1.0, 1.0, -1.0).normalize();
     formulation(Formulation::NearlyUnit, n, halfway(light).normalize(), light)
 }
 
-/// Over normals from one horizon to the other, the largest difference of |D| from 2 sin(α/2).
+/// The largest difference between |D| and 2 sin(α/2), over normals from one horizon to the other.
 fn chord_error() -> f64 {
     let light = tilted(50.0);
     largest(|t| {
@@ -115,7 +116,7 @@ const fn row_10(quantity: &'static str, expected: (f64, f64), measure: fn() -> f
     )
 }
 
-/// In units of full scale unless they say otherwise.
+/// Numbers are in units of full scale unless a claim says otherwise.
 pub const CLAIMS: [Claim; 24] = [
     exact("|D| is 2 sin(alpha/2)", "largest difference", (0.0, 5e-15), chord_error, |error| {
         Ruling::of(error < 5e-15, "it differs")
@@ -255,7 +256,7 @@ pub const CLAIMS: [Claim; 24] = [
         |error| Ruling::of(error < HALF_LSB, "they differ"),
     ),
     row_10("its height, n = 1", (0.91, 5e-3), || glancing(1)),
-    // The peak itself, which the samples of docs/numerics.md are a little beside.
+    // This is the peak itself, from which the samples of docs/numerics.md are a little away.
     row_10("its height, n = 4", (0.67, 1e-2), || glancing(4)),
     row_10("its height, n = 16", (0.15, 5e-3), || glancing(16)),
     row_10("its height, n = 64", (0.0, 1e-15), || glancing(64)),

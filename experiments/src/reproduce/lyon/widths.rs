@@ -2,8 +2,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
-use specula_golden::exact::reflection::{reflect, reflection_minus_light};
-use specula_golden::exact::shape::f_k;
+use specula_golden::exact::formula::reflection::{reflect, reflection_minus_light};
+use specula_golden::exact::formula::shape::f_k;
 use specula_spec::{FULL_SCALE, Format, Method};
 
 use super::super::claim::{Claim, Ground, Ruling};
@@ -15,12 +15,12 @@ use crate::stress::variant::Variant;
 
 /// Fraction bits of direction vectors in figures 7 and 8.
 const FRACTION: Format = Format::signed(1, 10);
-/// Directions or spans drawn for a largest error.
+/// Number of random directions or spans for a largest error.
 const DRAWN: u32 = 20_000;
-/// Seed of what is drawn.
+/// Seed of the random numbers.
 const SEED: u64 = 43;
 
-/// Normals in all directions, and eyes that are up to 90 degrees from them, half of them up to 22.
+/// Normals in all directions, and eyes up to 90 degrees from them, half of them up to 22 degrees.
 fn normals_and_eyes() -> impl Iterator<Item = [DVec3; 2]> {
     let mut draw = Draw::new(SEED, 7);
     (0..DRAWN).map(move |_| {
@@ -38,12 +38,12 @@ fn truncated(vector: DVec3) -> DVec3 {
     vector.map(|component| libm::floor(component / FRACTION.ulp()) * FRACTION.ulp())
 }
 
-/// The largest difference of a normal from what its 10 fraction bits leave of it.
+/// The largest difference between a normal and its value rounded to 10 fraction bits.
 fn error_of_normal(narrowed: fn(DVec3) -> DVec3) -> f64 {
     normals_and_eyes().map(|[normal, _]| (narrowed(normal) - normal).length()).fold(0.0, f64::max)
 }
 
-/// The same of R.
+/// The largest difference between R and its value computed from rounded vectors.
 fn error_of_reflection(narrowed: fn(DVec3) -> DVec3) -> f64 {
     let reflect = |normal: DVec3, eye: DVec3| 2.0 * normal.dot(eye) * normal - eye;
     normals_and_eyes()
@@ -52,8 +52,8 @@ fn error_of_reflection(narrowed: fn(DVec3) -> DVec3) -> f64 {
 }
 
 /// The largest error in LSBs, before the rounding to 8 bits, of the datapath's f against f_k of
-/// true normals: spans of up to 30 degrees whose middle is up to 70 from the eye, the light within
-/// the lobe of the middle.
+/// true normals: for spans of up to 30 degrees whose middle is up to 70 degrees from the eye, and
+/// the light within the lobe of the middle.
 fn error_lsb(datapath: &Datapath, n: u32) -> Option<f64> {
     let variant = Variant { method: Method::Lyon, table: datapath.table.to_owned() };
     let mut draw = Draw::new(SEED, n.into());
@@ -93,9 +93,9 @@ const fn angle(quantity: &'static str, expected: (f64, f64), measure: fn() -> f6
     }
 }
 
-/// docs/numerics.md's largest errors are of 60 000 spans seen from anywhere with V rounded too; a
-/// core's V is (0, 0, 1), exactly. Its errors are a third smaller.
-const OF_SAMPLES: f64 = 0.4;
+/// Tolerance: docs/numerics.md's largest errors are those of 60 000 spans seen from any direction
+/// with V also rounded, but a core's V is exactly (0, 0, 1). Its errors are a third smaller.
+const SAMPLE_TOLERANCE: f64 = 0.4;
 
 const fn figure(
     what: &'static str,
@@ -107,7 +107,7 @@ const fn figure(
         what,
         quantity,
         on: Ground::Core,
-        expected: (expected, OF_SAMPLES * expected),
+        expected: (expected, SAMPLE_TOLERANCE * expected),
         measure,
         judge: |lsb| Ruling::of(lsb <= 1.0, "D is too coarse: n D.D makes its last bit large"),
     }
@@ -116,7 +116,7 @@ const fn figure(
 const SEVEN: &str = "figure 7's bit counts are plausible (an LSB), spans of 30 degrees";
 const EIGHT: &str = "figure 8's bit counts are plausible (an LSB), spans of 30 degrees";
 
-/// What 10 fraction bits do, and what figures 7 and 8 do with them.
+/// Claims about 10 fraction bits, and about figures 7 and 8 with them.
 pub const CLAIMS: [Claim; 14] = [
     angle("largest error of N, rounded", (8.3e-4, 2e-5), || error_of_normal(rounded)),
     angle("largest error of N, truncated", (1.65e-3, 4e-5), || error_of_normal(truncated)),

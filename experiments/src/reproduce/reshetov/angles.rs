@@ -1,34 +1,35 @@
-//! Angles at vertices and in between: how far interpolation falls short, and the constants against
-//! it.
+//! Angles at vertices and in between: the shortfall of interpolation, and the constants that
+//! compensate it.
 use std::f64::consts::FRAC_PI_2;
 
-use specula_golden::exact::consistent::{Scaling, cos_gamma, q, rational_q, vertex_angle};
+use specula_golden::exact::formula::consistent::{Scaling, cos_gamma, q, rational_q, vertex_angle};
 
 use super::super::claim::{Claim, Ruling, exact};
-use super::super::largest;
+use super::super::maximum::largest;
 
-/// α at a share u of the way from a vertex with the face's normal to one whose normal is `theta`
-/// radians from it.
+/// The angle α at a share u of the way from a vertex with the face's normal to one whose normal is
+/// `theta` radians from it.
 fn angle_of_face(theta: f64, u: f64) -> f64 {
     libm::atan2(u * libm::sin(theta), 1.0 - u + u * libm::cos(theta))
 }
 
-/// By how many radians the interpolated angle falls short, for vertex angles enlarged by `scaling`.
-fn short(theta: f64, u: f64, scaling: Scaling) -> f64 {
+/// The shortfall of the interpolated angle in radians, for vertex angles enlarged by `scaling`.
+fn shortfall(theta: f64, u: f64, scaling: Scaling) -> f64 {
     angle_of_face(theta, u) - u * vertex_angle(libm::cos(theta), scaling)
 }
 
-/// The same at most, in degrees.
-fn shortest(scaling: Scaling) -> f64 {
+/// The largest shortfall in degrees.
+fn largest_shortfall(scaling: Scaling) -> f64 {
     let at = |k: u32| {
         let theta = FRAC_PI_2 * f64::from(k) / 900.0;
-        (0..=1000).map(|j| short(theta, f64::from(j) / 1000.0, scaling)).fold(0.0, f64::max)
+        (0..=1000).map(|j| shortfall(theta, f64::from(j) / 1000.0, scaling)).fold(0.0, f64::max)
     };
     (0..=900).map(at).fold(0.0, f64::max).to_degrees()
 }
 
-/// How far r enters the face at most, I grazing it opposite to the normal, so that β = α + 90
-/// degrees and n·r = cos(α + γ); the trigonometric q. Our ρ, which is kept within 1, halves it.
+/// How far r enters the face at most, with I grazing it opposite to the normal, so that β = α + 90
+/// degrees and n·r = cos(α + γ), with the trigonometric q. Specula's ρ, which is clamped to 1,
+/// halves it.
 fn entering(scaling: Scaling) -> f64 {
     let at = |k: u32, j: u32| {
         let (theta, u) = (FRAC_PI_2 * f64::from(k) / 450.0, f64::from(j) / 500.0);
@@ -39,8 +40,8 @@ fn entering(scaling: Scaling) -> f64 {
     (1..=450).flat_map(|k| (0..=500).map(move |j| at(k, j))).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Where q~ of the interpolated angle is above q of the face's, as an angle: r would enter the
-/// face.
+/// By how much, as an angle, q~ of the interpolated angle exceeds q of the face's angle: r would
+/// enter the face.
 fn rational_deficit() -> f64 {
     let above = |theta: f64, u: f64| {
         let interpolated = (u * vertex_angle(libm::cos(theta), Scaling::RATIONAL)).min(FRAC_PI_2);
@@ -65,13 +66,16 @@ fn none_short(degrees: f64) -> Ruling {
     Ruling::of(degrees < 1e-9, THIRD_POWER)
 }
 
-/// Inequality 5, equation 6 and its constants.
+/// Claims about inequality 5, equation 6 and its constants.
 pub const CLAIMS: [Claim; 7] = [
     exact(
         "without scaling the interpolated angle falls short by less than 4.075 degrees",
         "largest shortfall in degrees",
         (4.07457, 5e-5),
-        || largest(|u| short(FRAC_PI_2, u, Scaling { constant: 0.0, exponent: 1 })).to_degrees(),
+        || {
+            largest(|u| shortfall(FRAC_PI_2, u, Scaling { constant: 0.0, exponent: 1 }))
+                .to_degrees()
+        },
         |degrees| Ruling::of(degrees < 4.075, "it is more"),
     ),
     exact(
@@ -84,9 +88,9 @@ pub const CLAIMS: [Claim; 7] = [
     exact(
         "0.06096 suffices for q, with the exponent 2 as printed",
         "largest shortfall in degrees",
-        // docs/numerics.md cut its digits off.
+        // docs/numerics.md truncated its digits.
         (0.42, 1e-2),
-        || shortest(Scaling::TRIGONOMETRIC),
+        || largest_shortfall(Scaling::TRIGONOMETRIC),
         none_short,
     ),
     exact(
@@ -100,7 +104,7 @@ pub const CLAIMS: [Claim; 7] = [
         "0.06097 suffices for q, with the exponent 1 (our constant, not a claim)",
         "largest shortfall in degrees",
         (0.0, 1e-9),
-        || shortest(Scaling::TRIGONOMETRIC_LINEAR),
+        || largest_shortfall(Scaling::TRIGONOMETRIC_LINEAR),
         none_short,
     ),
     exact(

@@ -1,22 +1,22 @@
 //! The rational q (figure 6).
 use std::f64::consts::FRAC_PI_2;
 
-use specula_golden::exact::consistent::{q, rational_q};
+use specula_golden::exact::formula::consistent::{q, rational_q};
 
 use super::super::claim::{Claim, Ground, Ruling};
-use super::super::{SAMPLES, largest};
+use super::super::maximum::{SAMPLES, largest};
 
 fn difference(t: f64) -> f64 {
     q(FRAC_PI_2 * t) - rational_q(FRAC_PI_2 * t)
 }
 
-/// Where the difference is largest, in degrees.
+/// The angle of the largest difference, in degrees.
 fn place() -> f64 {
     let places = (0..=SAMPLES).map(|k| f64::from(k) / f64::from(SAMPLES));
     90.0 * places.max_by(|a, b| difference(*a).total_cmp(&difference(*b))).unwrap_or(0.0)
 }
 
-/// Figure 6.
+/// Claims about figure 6.
 pub const CLAIMS: [Claim; 3] = [
     Claim {
         what: "q - q~ is below 0.0127",

@@ -1,20 +1,20 @@
-//! The seven goals of section 2.1, by the trigonometric q and by the rational one.
+//! The seven goals of section 2.1, with the trigonometric q and with the rational one.
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
-use specula_golden::exact::consistent::{
+use specula_golden::exact::formula::consistent::{
     Scaling, cos_gamma, cosine, normal, pixel_angle, q, rational_q, reflection, vertex_angle,
 };
 use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
 
 use super::super::claim::{Claim, Ground, Ruling};
-use super::super::largest;
+use super::super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
 
-/// The largest of `f` over angles α from 0 to 90 degrees, and over a share t of whatever else
-/// varies.
-fn over(f: impl Fn(f64, f64) -> f64) -> f64 {
+/// The largest value of `f` over angles α from 0 to 90 degrees, and over t from 0 to 1 for whatever
+/// else varies.
+fn largest_over(f: impl Fn(f64, f64) -> f64) -> f64 {
     const STEPS: u32 = 200;
     let share = |k: u32| f64::from(k) / f64::from(STEPS);
     let at = |k: u32| {
@@ -23,12 +23,12 @@ fn over(f: impl Fn(f64, f64) -> f64) -> f64 {
     (0..=STEPS).map(at).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The larger by the two curves.
+/// The larger result of the two curves.
 fn by_both(measure: impl Fn(fn(f64) -> f64) -> f64) -> f64 {
     f64::max(measure(q), measure(rational_q))
 }
 
-/// How far r jumps at most where two faces of a mesh meet.
+/// The largest jump of r where two faces of a mesh meet.
 fn jump(mesh: Primitive, curve: fn(f64) -> f64, scaling: Scaling) -> f64 {
     let faces = coned_faces(&mesh.mesh());
     let pairs = faces
@@ -38,7 +38,8 @@ fn jump(mesh: Primitive, curve: fn(f64) -> f64, scaling: Scaling) -> f64 {
     pairs.filter_map(|(one, other)| jump_between(one, other, curve, scaling)).fold(0.0, f64::max)
 }
 
-/// The same of two faces; none if they have no edge in common. Vertices with one normal are one.
+/// The largest jump between two faces; `None` if they have no edge in common. Vertices with the
+/// same normal count as one.
 fn jump_between(
     one: &ConedFace,
     other: &ConedFace,
@@ -69,10 +70,10 @@ fn jump_between(
     Some((0..=16).map(|k| jump(f64::from(k) / 16.0)).fold(0.0, f64::max))
 }
 
-/// How far r points into a face at most, at a single point: the interpolated normal α from the
-/// face's, I anywhere before the face.
-fn into(curve: fn(f64) -> f64) -> f64 {
-    over(|alpha, t| {
+/// How far r points into a face at most, at a single point: the interpolated normal is at α from
+/// the face's, and I anywhere in front of the face.
+fn depth_into_face(curve: fn(f64) -> f64) -> f64 {
+    largest_over(|alpha, t| {
         let normal = tilted(alpha.to_degrees());
         let heights = (0..=24).map(|azimuth| {
             let incoming = turned(DVec3::Z, FRAC_PI_2 * t, f64::from(azimuth) / 24.0);
@@ -87,14 +88,14 @@ fn along_beta(curve: fn(f64) -> f64, alpha: f64, t: f64) -> f64 {
     cos_gamma(curve(alpha), libm::cos(t * (alpha + FRAC_PI_2)))
 }
 
-/// By how much cos γ at the largest β is above sin α, where r lies in the face.
+/// By how much cos γ at the largest β exceeds sin α, where r lies in the face.
 fn above_least(curve: fn(f64) -> f64) -> f64 {
     largest(|t| along_beta(curve, FRAC_PI_2 * t, 1.0) - libm::sin(FRAC_PI_2 * t))
 }
 
-/// The largest difference of N_c·I from |I + r|/2, I before the interpolated normal.
+/// The largest difference between N_c·I and |I + r|/2, with I in front of the interpolated normal.
 fn half_length(curve: fn(f64) -> f64) -> f64 {
-    over(|alpha, t| {
+    largest_over(|alpha, t| {
         let (n, incoming) = (tilted(alpha.to_degrees()), tilted(alpha.to_degrees() - 89.0 * t));
         let reflected = reflection(n, incoming, curve(alpha));
         let of_vector = normal(incoming, reflected).map_or(0.0, |n_c| n_c.dot(incoming));
@@ -103,7 +104,7 @@ fn half_length(curve: fn(f64) -> f64) -> f64 {
 }
 
 const fn goal(what: &'static str, quantity: &'static str, measure: fn() -> f64) -> Claim {
-    // docs/numerics.md: all to 1e-15, of numbers up to 4.
+    // docs/numerics.md has all of them to 1e-15, with numbers up to 4.
     Claim {
         what,
         quantity,
@@ -114,7 +115,7 @@ const fn goal(what: &'static str, quantity: &'static str, measure: fn() -> f64) 
     }
 }
 
-/// The goals; one number for both curves where both reach it.
+/// Claims about the goals; one number for both curves where both reach it.
 pub const CLAIMS: [Claim; 9] = [
     goal(
         "goal 1: r is continuous across edges",
@@ -130,10 +131,10 @@ pub const CLAIMS: [Claim; 9] = [
     goal("goal 2: f grows with b", "how far its slope q is below 0", || {
         by_both(|curve| largest(|t| -curve(FRAC_PI_2 * t)))
     }),
-    goal("goal 3: r never points into the surface", "how far it does", || by_both(into)),
+    goal("goal 3: r never points into the surface", "how far it does", || by_both(depth_into_face)),
     goal("goal 4: 0 <= f <= 1", "how far f is outside", || {
         by_both(|curve| {
-            over(|alpha, t| {
+            largest_over(|alpha, t| {
                 let f = along_beta(curve, alpha, t);
                 f64::max(-f, f - 1.0)
             })

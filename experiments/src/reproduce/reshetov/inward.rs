@@ -1,6 +1,6 @@
-//! Reflections that enter a mesh, by Phong's normals and by consistent ones, all over its faces
-//! (numerics N2c).
-use specula_golden::exact::consistent::{
+//! Reflections that enter a mesh, with Phong's and with consistent normals, for points all over its
+//! faces (numerics N2c).
+use specula_golden::exact::formula::consistent::{
     Scaling, cosine, pixel_angle, q, rational_q, reflection, vertex_angle,
 };
 use specula_scene::mesh::Mesh;
@@ -11,16 +11,16 @@ use specula_spec::FULL_SCALE;
 use super::super::claim::{Claim, Ruling, exact};
 use crate::stress::draw::{Draw, turned};
 
-/// Rays for each mesh, about.
+/// Approximate number of rays for each mesh.
 const RAYS: usize = 200_000;
-/// Their seed.
+/// Seed of the rays.
 const SEED: u64 = 2010;
 
-/// What comes of rays from everywhere before the faces of a mesh, as many for each face, anywhere
-/// on it.
+/// Statistics of rays from all directions in front of the faces of a mesh, as many for each face,
+/// at any point of it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inward {
-    /// Triangles with an area.
+    /// Number of triangles with an area.
     pub triangles: usize,
     /// The largest angle between a vertex normal and a face around it, in degrees.
     pub widest: f64,
@@ -28,17 +28,17 @@ pub struct Inward {
     pub phong: f64,
     /// Share of rays that come from behind Phong's normal.
     pub behind: f64,
-    /// Share of rays that consistent normals by q reflect into the face.
+    /// Share of rays that consistent normals with q reflect into the face.
     pub trigonometric: f64,
-    /// Share of rays that consistent normals by q~ reflect into the face.
+    /// Share of rays that consistent normals with q~ reflect into the face.
     pub rational: f64,
-    /// The least n·r by q~.
+    /// The least n·r with q~.
     pub least: f64,
-    /// Mean difference of N_c·I from N·I by q~, in LSBs.
+    /// Mean difference of N_c·I from N·I with q~, in LSBs.
     pub change: f64,
 }
 
-/// How many units of the last place of f64 n·r may be below 0 by rounding.
+/// By how much n·r in f64 may be below 0 because of rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Counts rays.
@@ -96,7 +96,7 @@ impl Inward {
     }
 }
 
-/// Meshes on which it is counted.
+/// The meshes for which rays are counted.
 pub const MESHES: [(&str, Primitive); 8] = [
     ("icosahedron", ICOSAHEDRON),
     ("its faces in 4", Primitive::Icosahedron { level: 1 }),
@@ -121,36 +121,36 @@ fn no_ray(share: f64) -> Ruling {
     Ruling::of(share == 0.0, "they do")
 }
 
-/// Of 200 000 rays a share of 0.2 is known to 0.003, three standard deviations.
-const OF_RAYS: f64 = 3e-3;
+/// Tolerance: of 200 000 rays a share of 0.2 is known to 0.003, three standard deviations.
+const RAY_TOLERANCE: f64 = 3e-3;
 
-/// On icosahedra, which the project's measurement had too.
+/// Claims about icosahedra, which the project's measurement also used.
 pub(super) const CLAIMS: [Claim; 6] = [
     exact(
         PHONG,
         "share of rays, icosahedron",
-        (0.211, OF_RAYS),
+        (0.211, RAY_TOLERANCE),
         || count(&ICOSAHEDRON.mesh()).phong,
         some,
     ),
     exact(
         PHONG,
         "share of rays, 80 triangles",
-        (0.105, OF_RAYS),
+        (0.105, RAY_TOLERANCE),
         || count(&MESHES[1].1.mesh()).phong,
         some,
     ),
     exact(
         PHONG,
         "share of rays, 320 triangles",
-        (0.052, OF_RAYS),
+        (0.052, RAY_TOLERANCE),
         || count(&MESHES[2].1.mesh()).phong,
         some,
     ),
     exact(
         PHONG,
         "share of rays, 1280 triangles",
-        (0.026, OF_RAYS),
+        (0.026, RAY_TOLERANCE),
         || count(&MESHES[3].1.mesh()).phong,
         some,
     ),

@@ -4,13 +4,13 @@ mod curves;
 mod figures;
 mod goals;
 pub mod inward;
-pub mod seen;
+pub mod marked_pictures;
 pub mod size;
 
 use super::claim::Claim;
 pub use figures::figures;
 
-/// Every claim, in the order of the report.
+/// All claims, in the order of the paper.
 pub(super) fn claims() -> Vec<&'static Claim> {
     let groups: [&'static [Claim]; 4] =
         [&curves::CLAIMS, &goals::CLAIMS, &angles::CLAIMS, &inward::CLAIMS];

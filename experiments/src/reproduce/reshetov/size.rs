@@ -1,4 +1,4 @@
-//! What consistent normals cost in hardware.
+//! The hardware cost of consistent normals.
 use specula_datapath::Design;
 use specula_datapath::design::Size;
 use specula_scene::{Frame, Needs};
@@ -8,18 +8,18 @@ use specula_testbench::BenchError;
 
 /// A core and its size.
 pub struct SizedCore {
-    /// What it is, in words.
+    /// Its description.
     pub name: &'static str,
     /// The core.
     pub design: Design,
-    /// Of that, the units that consistent normals take.
+    /// The size of the units for consistent normals in it.
     pub share: Size,
 }
 
-/// Units of consistent normals: q of the angle, and the reflection by it.
+/// The units for consistent normals: q of the angle, and the reflection with it.
 const UNITS: [&str; 2] = ["contraction", "consistent_reflection"];
 
-/// Phong's core and those of both curves, for a frame.
+/// Phong's core and those with both curves, for a frame.
 ///
 /// # Errors
 /// [`BenchError`] if one cannot be built for the frame.

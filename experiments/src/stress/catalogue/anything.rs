@@ -1,9 +1,10 @@
-//! Spans that nothing restricts.
-use super::super::scene::material;
-use super::{Case, Draw, Extent, RawSpan, Row, SpanScene, scenes};
+//! Random spans without any restriction.
+use crate::stress::draw::Draw;
+use crate::stress::row::{Case, CatalogueRow, TrialExtent, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, material};
 
 /// Random spans.
-pub const ANYTHING: Row = Row {
+pub const ANYTHING: CatalogueRow = CatalogueRow {
     id: "any",
     input: "random normals near each other, anywhere and opposite, random weights and cones, one to four lights anywhere",
     trial: scenes(|draw, extent| {
@@ -12,7 +13,7 @@ pub const ANYTHING: Row = Row {
     }),
 };
 
-fn scene(draw: &mut Draw, extent: Extent) -> SpanScene {
+fn scene(draw: &mut Draw, extent: TrialExtent) -> SpanScene {
     let lights: Vec<glam::DVec3> = (0..draw.between(1, 4)).map(|_| draw.direction()).collect();
     let longest = draw.one_of(&[3, 20, 150, extent.longest]).min(extent.longest);
     SpanScene::new(&lights, (0..extent.spans).map(|_| span(draw, longest)).collect())

@@ -1,13 +1,14 @@
-//! What breaks first [numerics N4]: the paper's own formats, where they are too short. The core is
-//! as bad as they say, and its bound says so.
+//! What breaks first [numerics N4]: the papers' own formats, where they are too short. The core is
+//! as inexact as they imply, and its bound says so.
 use specula_spec::{CoreSpec, Method};
 
-use super::super::draw::tilted;
-use super::super::row::{Place, Shaded};
-use super::super::variant::Variant;
-use super::{Case, RawSpan, Row, SpanScene, Trial, lyon, mirror};
+use super::lyon;
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, PixelPlace, Shaded, Trial};
+use crate::stress::scene::{RawSpan, SpanScene, matt, mirror};
+use crate::stress::variant::Variant;
 
-/// A highlight on a span of so many degrees and pixels.
+/// A highlight on a span of `degrees` and `length` pixels.
 fn highlight(degrees: f64, length: u32, n: u32) -> SpanScene {
     SpanScene::new(
         &[tilted(7.0)],
@@ -15,14 +16,14 @@ fn highlight(degrees: f64, length: u32, n: u32) -> SpanScene {
     )
 }
 
-/// That some pixel of a core with short formats is off by more than `lsb`; the defaults are to do
-/// better.
+/// The case that some pixel of a core with short formats has an error above `lsb`, while the
+/// default formats are better.
 fn breaks(scene: SpanScene, what: &'static str, is_short: fn(&CoreSpec) -> bool, lsb: f64) -> Case {
     let holds_out = move |shaded: &Shaded| {
         let off = shaded.outcome.comparison.errors.total.max_lsb;
-        (off < lsb).then_some(Place { span: 0, pixel: 0 })
+        (off < lsb).then_some(PixelPlace { span: 0, pixel: 0 })
     };
-    Case::new(scene).asking_frame(what, is_short, holds_out)
+    Case::new(scene).requiring_frame(what, is_short, holds_out)
 }
 
 fn short(method: Method, names: &[&str], fraction_bits: u32) -> Vec<Variant> {
@@ -37,8 +38,8 @@ fn bits(spec: &CoreSpec, name: &str) -> Option<u32> {
         .map(|point| point.format.fraction_bits)
 }
 
-/// Hybrid's base by second differences.
-pub const SECOND_DIFFERENCES: Row = Row {
+/// The hybrid's base by second differences.
+pub const SECOND_DIFFERENCES: CatalogueRow = CatalogueRow {
     id: "breaks 1",
     input: "hybrid with accumulators of 27 bits, 256 pixels, n = 256 and more",
     trial: Trial::Scenes {
@@ -52,8 +53,8 @@ pub const SECOND_DIFFERENCES: Row = Row {
                 is_short,
                 1.0,
             );
-            // The base is off by 2^-28 (1 + S + S(S-1)/2), which n multiplies on the lobe's flank
-            // (numerics N3b), 31 LSB; half of that was seen.
+            // The error of the base is 2^-28 (1 + S + S(S-1)/2), which n multiplies on the lobe's
+            // flank (numerics N3b): 31 LSB. Half of that was measured.
             vec![case.with_figure(is_short, 16.0)]
         },
         variants: || short(Method::Hybrid, &["accumulator = \"S3"], 27),
@@ -61,7 +62,7 @@ pub const SECOND_DIFFERENCES: Row = Row {
 };
 
 /// g2 in the R - L form.
-pub const REFLECTION_FORM: Row = Row {
+pub const REFLECTION_FORM: CatalogueRow = CatalogueRow {
     id: "breaks 2",
     input: "lyon's R - L with g2 alone, fine formats, 30 degrees with n = 1024 and 90 degrees with n = 256",
     trial: Trial::Scenes {
@@ -81,7 +82,7 @@ pub const REFLECTION_FORM: Row = Row {
 };
 
 /// Lyon's 10-bit D.
-pub const SHORT_DIFFERENCE: Row = Row {
+pub const SHORT_DIFFERENCE: CatalogueRow = CatalogueRow {
     id: "breaks 3",
     input: "lyon as figure 7 prints it, with 10 fraction bits, n = 16 and 256",
     trial: Trial::Scenes {
@@ -100,13 +101,13 @@ fn is_reflection_form(spec: &CoreSpec) -> bool {
 }
 
 /// Duff's and reflection shading's accumulators.
-pub const SHORT_ACCUMULATOR: Row = Row {
+pub const SHORT_ACCUMULATOR: CatalogueRow = CatalogueRow {
     id: "breaks 4",
     input: "duff and reflection with accumulators of 18 bits, 257 pixels of 30 degrees",
     trial: Trial::Scenes {
         cases: |_, _| {
             let is_short = |spec: &CoreSpec| bits(spec, "accumulator") == Some(18);
-            let span = RawSpan::between([tilted(-13.0), tilted(17.0)], 257, super::matt());
+            let span = RawSpan::between([tilted(-13.0), tilted(17.0)], 257, matt());
             let scene = SpanScene::new(&[tilted(7.0)], vec![span]);
             vec![breaks(scene, "more than 1 LSB off, with 18 bits", is_short, 1.0)]
         },
@@ -120,7 +121,7 @@ pub const SHORT_ACCUMULATOR: Row = Row {
 };
 
 /// Reflection shading's highlight.
-pub const WRAPPED_HIGHLIGHT: Row = Row {
+pub const WRAPPED_HIGHLIGHT: CatalogueRow = CatalogueRow {
     id: "breaks 6",
     input: "reflection shading's highlight, n = 256, 60 degrees",
     trial: Trial::Scenes {

@@ -3,12 +3,13 @@ use glam::DVec3;
 use specula_spec::consistent::{Diffuse, Highlight};
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::super::scene::matt;
-use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, lit, material, mirror, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, CatalogueRow, Pixel, Trial, TrialExtent};
+use crate::stress::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
+use crate::stress::variant::Variant;
 
-/// Both curves with both kinds of diffuse light, and Blinn's highlight.
+/// Variants with both curves, each with both kinds of diffuse light, and with Blinn's highlight.
 fn forms() -> Vec<Variant> {
     let form = |(curve, diffuse)| {
         let table = format!("curve = \"{curve}\"\ndiffuse = \"{diffuse}\"\n");
@@ -25,11 +26,11 @@ fn forms() -> Vec<Variant> {
         .collect()
 }
 
-const fn trial(cases: fn(&mut super::Draw, super::Extent) -> Vec<Case>) -> Trial {
+const fn trial(cases: fn(&mut Draw, TrialExtent) -> Vec<Case>) -> Trial {
     Trial::Scenes { cases, variants: forms }
 }
 
-/// A span of one normal among faces as far from it as `cosine` says.
+/// A span with one normal among faces at an angle with the given `cosine`.
 fn flat(normal: DVec3, cosine: f64, material: specula_scene::Material) -> RawSpan {
     RawSpan { cone_cosines: [cosine; 3], ..RawSpan::between([normal; 2], 2, material) }
 }
@@ -51,13 +52,13 @@ fn is_consistent(spec: &CoreSpec) -> bool {
 }
 
 /// Row 41.
-pub const HORIZON: Row = Row {
+pub const HORIZON: CatalogueRow = CatalogueRow {
     id: "41",
     input: "r = -I: a light on the horizon and behind it, where N_c is 0/0",
     trial: trial(|_, _| {
         let case = |(degrees, cosine)| {
             let scene = SpanScene::new(&[tilted(degrees)], vec![flat(DVec3::Z, cosine, matt())]);
-            Case::new(scene).asking(
+            Case::new(scene).requiring(
                 "consistent diffuse light is 0",
                 is_consistent_diffuse,
                 |pixel| pixel.code() == 0,
@@ -68,23 +69,27 @@ pub const HORIZON: Row = Row {
 };
 
 /// Row 42.
-pub const QUARTER_TURN: Row = Row {
+pub const QUARTER_TURN: CatalogueRow = CatalogueRow {
     id: "42",
     input: "al = pi/2 and b = -1: rho is 0/0",
     trial: trial(|_, _| {
         let scene = SpanScene::new(&[-DVec3::Z], vec![flat(-DVec3::Z, 0.0, mirror(1))]);
         let is_blinns = |spec: &CoreSpec| has_highlight(spec, Highlight::Blinn);
         let case = Case::new(scene)
-            .asking("255: r = N, with the light there", has_reflection, |pixel| pixel.code() == 255)
-            .asking("0 by Blinn's highlight: L = -V has no half-way vector", is_blinns, |pixel| {
-                pixel.code() == 0
-            });
+            .requiring("255: r = N, with the light there", has_reflection, |pixel| {
+                pixel.code() == 255
+            })
+            .requiring(
+                "0 by Blinn's highlight: L = -V has no half-way vector",
+                is_blinns,
+                |pixel| pixel.code() == 0,
+            );
         vec![case]
     }),
 };
 
 /// Row 43.
-pub const ABOVE: Row = Row {
+pub const ABOVE: CatalogueRow = CatalogueRow {
     id: "43",
     input: "b = 1, the eye straight above, cones of 0 to 90 degrees",
     trial: trial(|_, _| {
@@ -92,16 +97,16 @@ pub const ABOVE: Row = Row {
             .iter()
             .flat_map(|&cosine| [mirror(1), matt()].map(|m| flat(DVec3::Z, cosine, m)));
         let scene = SpanScene::new(&[DVec3::Z], all.collect());
-        vec![
-            Case::new(scene).asking("255: r = N and N_c.I = 1 exactly", is_consistent, |pixel| {
-                pixel.code() == 255
-            }),
-        ]
+        vec![Case::new(scene).requiring(
+            "255: r = N and N_c.I = 1 exactly",
+            is_consistent,
+            |pixel| pixel.code() == 255,
+        )]
     }),
 };
 
 /// Row 44.
-pub const FLAT: Row = Row {
+pub const FLAT: CatalogueRow = CatalogueRow {
     id: "44",
     input: "al = 0: flat surroundings",
     trial: trial(|draw, extent| {
@@ -111,7 +116,7 @@ pub const FLAT: Row = Row {
         let all = tilts.map(|degrees| flat(tilted(degrees), 1.0, mirror(16))).collect();
         let scene = SpanScene::new(&[tilted(50.0)], all);
         let plain = |pixel: &Pixel| pixel.is_within(1.0, pixel.exact());
-        vec![Case::new(scene).asking(
+        vec![Case::new(scene).requiring(
             "the plain reflection: within 1 LSB of exact shading",
             has_reflection,
             plain,
@@ -120,7 +125,7 @@ pub const FLAT: Row = Row {
 };
 
 /// Row 45.
-pub const BEYOND_A_QUARTER: Row = Row {
+pub const BEYOND_A_QUARTER: CatalogueRow = CatalogueRow {
     id: "45",
     input: "vertices whose angles exceed 90 degrees once enlarged",
     trial: trial(|draw, extent| {
@@ -136,7 +141,7 @@ pub const BEYOND_A_QUARTER: Row = Row {
 };
 
 /// Row 46.
-pub const FROM_BEHIND: Row = Row {
+pub const FROM_BEHIND: CatalogueRow = CatalogueRow {
     id: "46",
     input: "I from behind the surface, b = -0.99 and al = 0.3: rho is 7",
     trial: trial(|draw, extent| {
@@ -150,7 +155,7 @@ pub const FROM_BEHIND: Row = Row {
 };
 
 /// Row 47.
-pub const TRIGONOMETRIC: Row = Row {
+pub const TRIGONOMETRIC: CatalogueRow = CatalogueRow {
     id: "47",
     input: "the trigonometric curve at 62 degrees and u = 0.75, seen grazing: n.r = -0.0085 with the printed constant",
     trial: trial(|draw, extent| {
@@ -171,7 +176,7 @@ pub const TRIGONOMETRIC: Row = Row {
 };
 
 /// Row 48.
-pub const WIDE_CONES: Row = Row {
+pub const WIDE_CONES: CatalogueRow = CatalogueRow {
     id: "48",
     input: "vertex normals 90 degrees and more from a face around them",
     trial: trial(|draw, extent| {
@@ -184,7 +189,7 @@ pub const WIDE_CONES: Row = Row {
 };
 
 /// Row 49.
-pub const VANISHING: Row = Row {
+pub const VANISHING: CatalogueRow = CatalogueRow {
     id: "49",
     input: "vertex normals in the face's plane, opposite",
     trial: trial(|_, _| {
@@ -194,6 +199,10 @@ pub const VANISHING: Row = Row {
         };
         let ambient = |pixel: &Pixel| pixel.i != 1 || pixel.code() == pixel.ambient();
         let scene = SpanScene::new(&[tilted(30.0), -DVec3::Z], vec![span]);
-        vec![Case::new(scene).asking("ambient light alone in the middle", is_consistent, ambient)]
+        vec![Case::new(scene).requiring(
+            "ambient light alone in the middle",
+            is_consistent,
+            ambient,
+        )]
     }),
 };

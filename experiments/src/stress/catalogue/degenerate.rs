@@ -2,12 +2,12 @@
 use glam::DVec3;
 use specula_scene::mesh::normals::newell;
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{Case, RawSpan, Row, SpanScene, Trial, all, material, scenes};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, Pixel, Trial, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, material};
 
 /// Row 50.
-pub const TRIANGLES: Row = Row {
+pub const TRIANGLES: CatalogueRow = CatalogueRow {
     id: "50",
     input: "normals of no length at both ends, as of triangles without area, and at one",
     trial: scenes(|_, _| {
@@ -17,7 +17,7 @@ pub const TRIANGLES: Row = Row {
             .map(|ends| RawSpan::between(ends, 17, grey()));
         let ambient = |pixel: &Pixel| pixel.code() == pixel.ambient();
         let scene = |spans: Vec<RawSpan>| SpanScene::new(&[DVec3::Z, tilted(50.0)], spans);
-        let nothing = Case::new(scene(none.into())).asking(
+        let nothing = Case::new(scene(none.into())).requiring(
             "ambient light alone where there is no normal at all",
             all,
             ambient,
@@ -27,7 +27,7 @@ pub const TRIANGLES: Row = Row {
 };
 
 /// Row 51.
-pub const FAR_AWAY: Row = Row {
+pub const FAR_AWAY: CatalogueRow = CatalogueRow {
     id: "51",
     input: "Newell's normal of a unit square at an offset of 10^6, and of degenerate polygons",
     trial: Trial::Host {

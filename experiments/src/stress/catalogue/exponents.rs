@@ -1,9 +1,10 @@
 //! Exponents.
-use super::super::draw::tilted;
-use super::{Case, RawSpan, Row, SpanScene, lit, scenes};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit};
 
 /// Row 54.
-pub const EVERY: Row = Row {
+pub const EVERY: CatalogueRow = CatalogueRow {
     id: "54",
     input: "exponents that are powers of two and others, 1 to 8191",
     trial: scenes(|draw, extent| {

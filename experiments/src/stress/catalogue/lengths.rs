@@ -1,13 +1,13 @@
 //! Lengths of spans.
 use glam::DVec3;
 
-use super::super::draw::tilted;
-use super::{
-    Case, RawSpan, Row, SpanScene, aimed, flat_from_end_to_end, lit, mirror, scenes, spans,
-};
+use super::scenes::{aimed, flat_from_end_to_end, spans};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, mirror};
 
 /// Row 37.
-pub const SHORTEST: Row = Row {
+pub const SHORTEST: CatalogueRow = CatalogueRow {
     id: "37",
     input: "one, two and three pixels",
     trial: scenes(|draw, extent| {
@@ -22,7 +22,7 @@ pub const SHORTEST: Row = Row {
 };
 
 /// Row 38.
-pub const LONGEST: Row = Row {
+pub const LONGEST: CatalogueRow = CatalogueRow {
     id: "38",
     input: "8192 pixels, where a second difference's error adds up 2^24 times; n = 4096 and 256",
     trial: scenes(|_, extent| {
@@ -39,7 +39,7 @@ pub const LONGEST: Row = Row {
 };
 
 /// Row 52.
-pub const FLAT: Row = Row {
+pub const FLAT: CatalogueRow = CatalogueRow {
     id: "52",
     input: "a flat face: k.k = 0 and no difference",
     trial: scenes(|draw, extent| {

@@ -1,13 +1,15 @@
-//! Lyon's shape function and what goes into it.
+//! Lyon's shape function and its arguments.
 use glam::DVec3;
 use specula_spec::lyon::{Difference, LyonSpec, Normalisation, Normals};
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, all, lit, mirror, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, Pixel, Trial, all};
+use crate::stress::scene::{RawSpan, SpanScene, lit, mirror};
+use crate::stress::variant::Variant;
 
-/// D = R - L with every number of squarings, as f_k and by m = √n.
+/// Variants with D = R - L and every number of squarings, as f_k and with m = √n.
 fn reflection_forms() -> Vec<Variant> {
     let form = |(k, shape)| {
         let table = format!(
@@ -18,7 +20,7 @@ fn reflection_forms() -> Vec<Variant> {
     (0..=3).flat_map(|k| ["f-k", "root"].map(|shape| (k, shape))).map(form).collect()
 }
 
-/// Newton steps after either approximation, for both forms that the defaults know.
+/// Variants with Newton steps after either approximation, for both forms whose defaults have them.
 fn approximations() -> Vec<Variant> {
     let one = |(steps, difference)| {
         let table = format!("difference = \"{difference}\"\nnewton_steps = {steps}\n");
@@ -43,9 +45,9 @@ fn is_reflection_form(spec: &CoreSpec) -> bool {
     matches!(&spec.method, MethodSpec::Lyon(lyon) if lyon.difference == Difference::ReflectionMinusLight)
 }
 
-/// That R - L has no highlight.
+/// The case that R - L has no highlight.
 fn dark(scene: SpanScene) -> Case {
-    Case::new(scene).asking("R - L: no highlight", is_reflection_form, |pixel| pixel.code() == 0)
+    Case::new(scene).requiring("R - L: no highlight", is_reflection_form, |pixel| pixel.code() == 0)
 }
 
 fn flat(n: u32) -> RawSpan {
@@ -53,15 +55,15 @@ fn flat(n: u32) -> RawSpan {
 }
 
 /// Row 21.
-pub const END_OF_THE_SHAPE: Row = Row {
+pub const END_OF_THE_SHAPE: CatalogueRow = CatalogueRow {
     id: "21",
     input: "x = 2^k exactly, and a little to either side",
     trial: Trial::Scenes {
         cases: |_, _| {
             let end = |light| {
                 let scene = SpanScene::new(&[light], (0..=3).map(|k| flat(1 << k)).collect());
-                // |R - L|² = 2, so that x = n/2 · 2 is 2^k or more where n is.
-                Case::new(scene).asking(
+                // |R - L|² = 2, so x = n/2 · 2 is at least 2^k if n is.
+                Case::new(scene).requiring(
                     "R - L: 0 at x = 2^k and behind it",
                     is_reflection_form,
                     |pixel| {
@@ -85,26 +87,29 @@ pub const END_OF_THE_SHAPE: Row = Row {
 };
 
 /// Row 22.
-pub const CENTRE: Row = Row {
+pub const CENTRE: CatalogueRow = CatalogueRow {
     id: "22",
     input: "x = 0",
     trial: Trial::Scenes {
         cases: |_, _| {
             let scene = SpanScene::new(&[DVec3::Z], [1, 256, 8191].map(flat).into());
-            vec![Case::new(scene).asking("255: f = 1.0 exactly", all, |pixel| pixel.code() == 255)]
+            vec![
+                Case::new(scene)
+                    .requiring("255: f = 1.0 exactly", all, |pixel| pixel.code() == 255),
+            ]
         },
         variants: reflection_forms,
     },
 };
 
 /// Row 23.
-pub const TAILS: Row = Row {
+pub const TAILS: CatalogueRow = CatalogueRow {
     id: "23",
     input: "n = 1 at 180 and 90 degrees",
     trial: Trial::Scenes {
         cases: |_, _| {
             let case = |what, light, codes: [u8; 4]| {
-                Case::new(SpanScene::new(&[light], vec![flat(1)])).asking(
+                Case::new(SpanScene::new(&[light], vec![flat(1)])).requiring(
                     what,
                     is_reflection_form,
                     move |pixel| {
@@ -131,7 +136,7 @@ pub const TAILS: Row = Row {
 };
 
 /// Row 24.
-pub const LARGEST_EXPONENT: Row = Row {
+pub const LARGEST_EXPONENT: CatalogueRow = CatalogueRow {
     id: "24",
     input: "n = 8191, D as long as it can be, with g2's overshoot",
     trial: Trial::Scenes {
@@ -150,7 +155,7 @@ pub const LARGEST_EXPONENT: Row = Row {
 };
 
 /// Row 25.
-pub const OPPOSITE_REFLECTION: Row = Row {
+pub const OPPOSITE_REFLECTION: CatalogueRow = CatalogueRow {
     id: "25",
     input: "L = -R along an axis: a component of D is +2",
     trial: Trial::Scenes {
@@ -160,7 +165,7 @@ pub const OPPOSITE_REFLECTION: Row = Row {
 };
 
 /// Row 27.
-pub const LARGEST_GAIN: Row = Row {
+pub const LARGEST_GAIN: CatalogueRow = CatalogueRow {
     id: "27",
     input: "z = 0: g2 = 2, and 6.75 after three Newton steps; n = 8191",
     trial: Trial::Scenes {
@@ -171,14 +176,14 @@ pub const LARGEST_GAIN: Row = Row {
             );
             let vanishes = |spec: &CoreSpec| matches!(&spec.method, MethodSpec::Lyon(lyon) if lyon.normals == Normals::Linear);
             let ambient = |pixel: &Pixel| pixel.i != 1 || pixel.code() == pixel.ambient();
-            vec![Case::new(scene).asking("ambient light alone in the middle", vanishes, ambient)]
+            vec![Case::new(scene).requiring("ambient light alone in the middle", vanishes, ambient)]
         },
         variants: approximations,
     },
 };
 
 /// Row 28.
-pub const OVERSHOOT: Row = Row {
+pub const OVERSHOOT: CatalogueRow = CatalogueRow {
     id: "28",
     input: "z = 0.8, where g2 makes normals 0.176 % too long and 2 N.V = 2.0036",
     trial: Trial::Scenes {
@@ -196,7 +201,7 @@ pub const OVERSHOOT: Row = Row {
 };
 
 /// Row 30.
-pub const ROOT_OF_N: Row = Row {
+pub const ROOT_OF_N: CatalogueRow = CatalogueRow {
     id: "30",
     input: "m = 90 times D of length 2",
     trial: Trial::Scenes {
@@ -209,7 +214,7 @@ pub const ROOT_OF_N: Row = Row {
 };
 
 /// Row 31.
-pub const ONE_AXIS: Row = Row {
+pub const ONE_AXIS: CatalogueRow = CatalogueRow {
     id: "31",
     input: "D along one axis, with an integer part and no fraction",
     trial: Trial::Scenes {
@@ -218,7 +223,7 @@ pub const ONE_AXIS: Row = Row {
                 let scene = SpanScene::new(&[light], [256, 8191].map(flat).into());
                 let is_normalised = |spec: &CoreSpec| matches!(&spec.method, MethodSpec::Lyon(lyon) if lyon.normalisation != Normalisation::None);
                 let dark = |pixel: &Pixel| pixel.method() > 0.0 || pixel.code() == 0;
-                Case::new(scene).asking(
+                Case::new(scene).requiring(
                     "no highlight where the form has none in exact arithmetic",
                     is_normalised,
                     dark,
@@ -230,7 +235,7 @@ pub const ONE_AXIS: Row = Row {
     },
 };
 
-/// How lyon's R - L form and its default do at places where docs/numerics.md tells of them.
+/// Variants of lyon's R - L form and of its default, for places that docs/numerics.md describes.
 pub fn printed_form(fraction_bits: u32) -> Vec<Variant> {
     let bits =
         |name: &str, integer: &str| format!("formats.{name} = \"{integer}.{fraction_bits}\"\n");

@@ -1,4 +1,4 @@
-//! docs/extremes.md, a file for each subject.
+//! The rows of docs/extremes.md, a file for each subject.
 mod anything;
 mod bases;
 mod breaks;
@@ -11,18 +11,16 @@ mod newton;
 mod opposite;
 mod places;
 mod ranges;
+mod scenes;
 mod slerp;
 mod viewpoints;
 mod wrapped;
 
-use super::draw::Draw;
-use super::row::{Case, Extent, Pixel, Row, Trial, all, scenes};
-use super::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
-use super::variant::Variant;
+use super::row::CatalogueRow;
 
-/// Every row, in docs/extremes.md's order; then what breaks first by docs/numerics.md, and
-/// anything.
-pub static CATALOGUE: [&Row; 62] = [
+/// Every row, in the order of docs/extremes.md; then what breaks first according to
+/// docs/numerics.md, and random spans.
+pub static CATALOGUE: [&CatalogueRow; 62] = [
     &opposite::LERP,
     &opposite::DUFF,
     &opposite::WIDE,
@@ -86,41 +84,3 @@ pub static CATALOGUE: [&Row; 62] = [
     &breaks::WRAPPED_HIGHLIGHT,
     &anything::ANYTHING,
 ];
-
-/// A scene of which all spans have the same code from end to end.
-fn flat_from_end_to_end(scene: SpanScene) -> Case {
-    Case::new(scene).asking("one code from end to end, bit for bit", all, |pixel| {
-        pixel.code() == Pixel { i: 0, ..*pixel }.code()
-    })
-}
-
-/// Random spans of a row: angles between their ends from `degrees`, half the time at one of its
-/// ends, and every length and exponent.
-fn spans(
-    draw: &mut Draw,
-    extent: Extent,
-    degrees: [f64; 2],
-    material: fn(u32) -> specula_scene::Material,
-) -> Vec<RawSpan> {
-    let one = |draw: &mut Draw| {
-        let either = draw.one_of(&degrees);
-        let between = draw.within(degrees[0], degrees[1]);
-        let angle = draw.one_of(&[either, between]);
-        RawSpan::between(
-            draw.ends(angle, 80.0),
-            draw.length(extent.longest),
-            material(draw.even_shininess()),
-        )
-    };
-    (0..extent.spans).map(|_| one(draw)).collect()
-}
-
-/// Random spans under two lights that make highlights on the first and on any.
-fn aimed(draw: &mut Draw, spans: Vec<RawSpan>) -> SpanScene {
-    let light = |draw: &mut Draw, span: &RawSpan| {
-        draw.aimed([span.normals[0], span.normals[1]], span.material.shininess)
-    };
-    let lights: Vec<glam::DVec3> =
-        spans.first().into_iter().chain(spans.last()).map(|span| light(draw, span)).collect();
-    SpanScene::new(&lights, spans)
-}

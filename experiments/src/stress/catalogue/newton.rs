@@ -1,10 +1,12 @@
-//! Newton's steps towards a length.
+//! Newton iterations towards a length.
 use specula_spec::lyon::Normals;
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::{Pixel, Place, Shaded};
-use super::{Case, RawSpan, Row, SpanScene, Trial, Variant, aimed, all, lit, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::tilted;
+use crate::stress::row::{Case, CatalogueRow, Pixel, PixelPlace, Shaded, Trial, all};
+use crate::stress::scene::{RawSpan, SpanScene, lit, matt};
+use crate::stress::variant::Variant;
 
 fn steps() -> Vec<Variant> {
     let lyon =
@@ -12,7 +14,7 @@ fn steps() -> Vec<Variant> {
     lyon.chain(roots()).collect()
 }
 
-/// Newton's root, warm-started.
+/// Variants with Newton's root, warm-started.
 fn roots() -> impl Iterator<Item = Variant> {
     (1..=2).map(|n| Variant {
         method: Method::Direct,
@@ -21,21 +23,20 @@ fn roots() -> impl Iterator<Item = Variant> {
 }
 
 /// Row 18.
-pub const FIRST_PIXEL: Row = Row {
+pub const FIRST_PIXEL: CatalogueRow = CatalogueRow {
     id: "18",
     input: "90 degrees in 1, 2 and 3 steps; the first pixel of a span",
     trial: Trial::Scenes {
         cases: |_, _| {
-            let span =
-                |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, super::matt());
+            let span = |length| RawSpan::between([tilted(-45.0), tilted(45.0)], length, matt());
             let scene = SpanScene::new(&[tilted(30.0)], [2, 3, 4, 5].map(span).into());
             let what = "with two steps or more within 2 LSB of exact diffuse light everywhere";
             let first = |pixel: &Pixel| pixel.i > 0 || pixel.is_within(2.0, pixel.method());
-            vec![Case::new(scene).asking("the first pixel is the method's", all, first).asking(
-                what,
-                has_two_steps,
-                |pixel| pixel.is_within(2.0, pixel.exact()),
-            )]
+            vec![
+                Case::new(scene)
+                    .requiring("the first pixel is the method's", all, first)
+                    .requiring(what, has_two_steps, |pixel| pixel.is_within(2.0, pixel.exact())),
+            ]
         },
         variants: steps,
     },
@@ -50,7 +51,7 @@ fn has_two_steps(spec: &CoreSpec) -> bool {
 }
 
 /// Row 19.
-pub const ALMOST_OPPOSITE: Row = Row {
+pub const ALMOST_OPPOSITE: CatalogueRow = CatalogueRow {
     id: "19",
     input: "170 to 179.9 degrees: lengths near 0",
     trial: Trial::Scenes {
@@ -68,7 +69,7 @@ pub const ALMOST_OPPOSITE: Row = Row {
 };
 
 /// Row 20.
-pub const NEW_SPAN: Row = Row {
+pub const NEW_SPAN: CatalogueRow = CatalogueRow {
     id: "20",
     input: "a span, then one of quite another length of normals, then the first again",
     trial: Trial::Scenes {
@@ -76,9 +77,9 @@ pub const NEW_SPAN: Row = Row {
             let mut all = spans(draw, extent, [0.0, 179.0], lit);
             all.truncate(12);
             let scene = aimed(draw, all.iter().chain(&all).cloned().collect());
-            vec![Case::new(scene).asking_frame(
+            vec![Case::new(scene).requiring_frame(
                 "the second time as the first: a span leaves nothing behind",
-                super::all,
+                crate::stress::row::all,
                 first_that_differs,
             )]
         },
@@ -86,13 +87,14 @@ pub const NEW_SPAN: Row = Row {
     },
 };
 
-/// The first pixel of the second half of the spans that is not as in the first.
-fn first_that_differs(shaded: &Shaded) -> Option<Place> {
+/// The first pixel of the second half of the spans that differs from its counterpart in the first
+/// half.
+fn first_that_differs(shaded: &Shaded) -> Option<PixelPlace> {
     let spans = &shaded.frame.spans;
     let half = spans.len() / 2;
     (half..spans.len()).find_map(|number| {
         let code = |number: usize, i| Pixel { shaded, span: &spans[number], i }.code();
         let differs = |&i: &u32| code(number, i) != code(number - half, i);
-        (0..spans[number].length).find(differs).map(|pixel| Place { span: number, pixel })
+        (0..spans[number].length).find(differs).map(|pixel| PixelPlace { span: number, pixel })
     })
 }

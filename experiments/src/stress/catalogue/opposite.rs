@@ -2,19 +2,20 @@
 use glam::DVec3;
 use specula_spec::{CoreSpec, Method};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::{Case, Draw, Extent, RawSpan, Row, SpanScene, aimed, lit, mirror, scenes, spans};
+use super::scenes::{aimed, spans};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, CatalogueRow, Pixel, TrialExtent, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, mirror};
 
 /// Row 1.
-pub const LERP: Row = Row {
+pub const LERP: CatalogueRow = CatalogueRow {
     id: "1",
     input: "N0 = -N1, t = 1/2 a pixel or not",
     trial: scenes(|draw, extent| opposite(draw, extent, lit(16))),
 };
 
 /// Row 2.
-pub const DUFF: Row = Row {
+pub const DUFF: CatalogueRow = CatalogueRow {
     id: "2",
     input: "N0 = -N1 along an axis: q = 0 at a pixel",
     trial: scenes(|_, _| {
@@ -27,14 +28,14 @@ pub const DUFF: Row = Row {
         let is_duff = |spec: &CoreSpec| spec.method() == Method::Duff;
         let ambient = |pixel: &Pixel| !is_middle(pixel) || pixel.code() == pixel.ambient();
         vec![
-            Case::new(scene).asking("ambient light alone where q = 0", is_duff, ambient),
+            Case::new(scene).requiring("ambient light alone where q = 0", is_duff, ambient),
             Case::new(longest),
         ]
     }),
 };
 
 /// Row 3.
-pub const WIDE: Row = Row {
+pub const WIDE: CatalogueRow = CatalogueRow {
     id: "3",
     input: "spans of 150 to 175 degrees",
     trial: scenes(|draw, extent| {
@@ -49,7 +50,7 @@ pub const WIDE: Row = Row {
 };
 
 /// Row 4.
-pub const HYBRID: Row = Row {
+pub const HYBRID: CatalogueRow = CatalogueRow {
     id: "4",
     input: "q = 0 in the middle of a span with nothing but highlight",
     trial: scenes(|_, _| {
@@ -57,10 +58,10 @@ pub const HYBRID: Row = Row {
         let divides = |spec: &CoreSpec| matches!(spec.method(), Method::Hybrid | Method::Direct);
         let scene = SpanScene::new(&[DVec3::Z], [3, 5, 9, 257].map(span).into());
         let case = Case::new(scene)
-            .asking("no highlight where q = 0", divides, |pixel| {
+            .requiring("no highlight where q = 0", divides, |pixel| {
                 !is_middle(pixel) || pixel.code() == 0
             })
-            .asking("all of it at the ends", divides, |pixel| {
+            .requiring("all of it at the ends", divides, |pixel| {
                 !pixel.is_end() || pixel.code() == 255
             });
         vec![case]
@@ -71,14 +72,14 @@ fn is_middle(pixel: &Pixel) -> bool {
     pixel.span.length % 2 == 1 && pixel.i == pixel.span.length / 2
 }
 
-/// Exact shading of the middle is ambient light, and so is what these methods give.
+/// Exact shading of the middle is ambient light, and so is the shade of these methods.
 fn is_ambient_in_the_middle(pixel: &Pixel) -> bool {
-    // Of options that have a direction there, such as flat or wrapped normals, it is not asked.
+    // It is not required of options that have a direction there, such as flat or wrapped normals.
     !(is_middle(pixel) && pixel.method() == f64::from(pixel.ambient()))
         || pixel.code() == pixel.ambient()
 }
 
-fn opposite(draw: &mut Draw, extent: Extent, of: specula_scene::Material) -> Vec<Case> {
+fn opposite(draw: &mut Draw, extent: TrialExtent, of: specula_scene::Material) -> Vec<Case> {
     let directions = [DVec3::X, DVec3::Y, DVec3::Z, tilted(40.0), tilted(20.0)];
     let fixed = directions.iter().flat_map(|&first| [3, 4, 33, 257].map(|length| (first, length)));
     let random: Vec<(DVec3, u32)> =
@@ -92,5 +93,5 @@ fn opposite(draw: &mut Draw, extent: Extent, of: specula_scene::Material) -> Vec
     );
     let vanishes = |spec: &CoreSpec| matches!(spec.method(), Method::Lyon | Method::Phong);
     let what = "ambient light alone where the normal vanishes";
-    vec![Case::new(fixed).asking(what, vanishes, is_ambient_in_the_middle), Case::new(random)]
+    vec![Case::new(fixed).requiring(what, vanishes, is_ambient_in_the_middle), Case::new(random)]
 }

@@ -3,10 +3,9 @@ use glam::DVec3;
 use specula_spec::phong::{Highlight, Places};
 use specula_spec::{CoreSpec, MethodSpec};
 
-use super::super::draw::tilted;
-use super::super::row::Pixel;
-use super::super::scene::Light;
-use super::{Case, Draw, RawSpan, Row, SpanScene, lit, material, scenes};
+use crate::stress::draw::{Draw, tilted};
+use crate::stress::row::{Case, CatalogueRow, Pixel, scenes};
+use crate::stress::scene::{Light, RawSpan, SpanScene, lit, material};
 
 /// A wall of five pixels from x = -2 to 2, seen from the front.
 fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {
@@ -16,7 +15,7 @@ fn wall(lights: Vec<Light>, eye: Option<DVec3>) -> SpanScene {
     SpanScene { lights, eye, spans: vec![span], ..SpanScene::default() }
 }
 
-/// Whether this is Phong's own highlight with true directions, which exact shading has.
+/// Whether the core has Phong's own highlight with true directions, as exact shading has.
 fn is_phongs(spec: &CoreSpec) -> bool {
     match &spec.method {
         MethodSpec::Phong(phong) => {
@@ -26,7 +25,8 @@ fn is_phongs(spec: &CoreSpec) -> bool {
     }
 }
 
-/// The same with wrapped directions, which are true at the ends of a span alone.
+/// Whether the core has that highlight with wrapped directions, which are true only at the ends of
+/// a span.
 fn is_wrapped(spec: &CoreSpec) -> bool {
     match &spec.method {
         MethodSpec::Phong(phong) => {
@@ -37,25 +37,25 @@ fn is_wrapped(spec: &CoreSpec) -> bool {
 }
 
 /// Row 39.
-pub const IN_THE_SURFACE: Row = Row {
+pub const IN_THE_SURFACE: CatalogueRow = CatalogueRow {
     id: "39",
     input: "a light at the very pixel, F = P; an eye there",
     trial: scenes(|_, _| {
-        // The light grazes the wall from within it.
+        // The light grazes the wall from within its plane.
         let dark = |pixel: &Pixel| pixel.code() == 0;
-        let light = Case::new(wall(vec![Light::At(DVec3::ZERO)], None)).asking(
+        let light = Case::new(wall(vec![Light::At(DVec3::ZERO)], None)).requiring(
             "nothing from a light at the pixel",
             is_phongs,
             dark,
         );
         let eye = Case::new(wall(vec![Light::At(DVec3::Z)], Some(DVec3::ZERO)));
         let diffuse_alone = |pixel: &Pixel| pixel.i != 2 || pixel.code() == 128;
-        vec![light, eye.asking("no highlight for an eye at the pixel", is_phongs, diffuse_alone)]
+        vec![light, eye.requiring("no highlight for an eye at the pixel", is_phongs, diffuse_alone)]
     }),
 };
 
 /// Row 40.
-pub const FAR: Row = Row {
+pub const FAR: CatalogueRow = CatalogueRow {
     id: "40",
     input: "a light 60 degrees aside, a quarter to ten thousand units away; spots and eyes anywhere",
     trial: scenes(|draw, extent| {
@@ -63,8 +63,8 @@ pub const FAR: Row = Row {
             let near = |pixel: &Pixel| pixel.is_within(1.0, pixel.exact());
             let ends = |pixel: &Pixel| !pixel.is_end() || pixel.is_within(1.0, pixel.exact());
             Case::new(wall(vec![Light::At(distance * tilted(60.0))], None))
-                .asking("true directions: within 1 LSB of exact shading", is_phongs, near)
-                .asking(
+                .requiring("true directions: within 1 LSB of exact shading", is_phongs, near)
+                .requiring(
                     "wrapped directions: within 1 LSB of exact shading at both ends",
                     is_wrapped,
                     ends,

@@ -1,11 +1,12 @@
 //! Values at the ends of their ranges.
 use glam::DVec3;
 
-use super::super::draw::{AXES, tilted};
-use super::{Case, RawSpan, Row, SpanScene, all, material, matt, mirror, scenes};
+use crate::stress::draw::{AXES, tilted};
+use crate::stress::row::{Case, CatalogueRow, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, material, matt, mirror};
 
 /// Row 26.
-pub const LONGER_THAN_ONE: Row = Row {
+pub const LONGER_THAN_ONE: CatalogueRow = CatalogueRow {
     id: "26",
     input: "unit normals that come out longer when rounded, every 3 degrees and in random directions",
     trial: scenes(|draw, extent| {
@@ -18,7 +19,7 @@ pub const LONGER_THAN_ONE: Row = Row {
 };
 
 /// Row 29.
-pub const ALONG_AXES: Row = Row {
+pub const ALONG_AXES: CatalogueRow = CatalogueRow {
     id: "29",
     input: "normals and lights along every axis, both ways",
     trial: scenes(|_, _| {
@@ -27,7 +28,7 @@ pub const ALONG_AXES: Row = Row {
                 &[light],
                 AXES.map(|normal| RawSpan::between([normal; 2], 2, matt())).into(),
             );
-            Case::new(scene).asking("255 where they meet, 0 elsewhere", all, |pixel| {
+            Case::new(scene).requiring("255 where they meet, 0 elsewhere", all, |pixel| {
                 f64::from(pixel.code()) == pixel.exact()
             })
         };
@@ -36,15 +37,18 @@ pub const ALONG_AXES: Row = Row {
 };
 
 /// Bright light.
-pub const BRIGHT: Row = Row {
+pub const BRIGHT: CatalogueRow = CatalogueRow {
     id: "white",
     input: "four lights at full scale on a surface that sends back all of them, four times as bright in its highlight; and none of it",
     trial: scenes(|_, _| {
         let white = RawSpan::between([DVec3::Z; 2], 3, material(1.0, 1.0, 4.0, 64));
         let black = RawSpan::between([tilted(-40.0), tilted(40.0)], 20, material(0.0, 0.0, 0.0, 1));
         let case = |what, span, code| {
-            Case::new(SpanScene::new(&[DVec3::Z; 4], vec![span]))
-                .asking(what, all, move |pixel| pixel.code() == code)
+            Case::new(SpanScene::new(&[DVec3::Z; 4], vec![span])).requiring(
+                what,
+                all,
+                move |pixel| pixel.code() == code,
+            )
         };
         vec![
             case("white where all light comes back", white, 255),

@@ -1,18 +1,18 @@
-//! Angles that arcs are made of.
+//! The angles of arcs.
 use std::f64::consts::PI;
 
 use glam::DVec3;
 use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec, SlerpSpec};
 
-use super::super::draw::{AXES, tilted};
-use super::super::row::{Pixel, Place, Shaded};
-use super::super::scene::matt;
-use super::{
-    Case, Draw, Extent, RawSpan, Row, SpanScene, Trial, Variant, aimed, flat_from_end_to_end, lit,
-    material, scenes, spans,
+use super::scenes::{aimed, flat_from_end_to_end, spans};
+use crate::stress::draw::{AXES, Draw, tilted, turned};
+use crate::stress::row::{
+    Case, CatalogueRow, Pixel, PixelPlace, Shaded, Trial, TrialExtent, scenes,
 };
+use crate::stress::scene::{RawSpan, SpanScene, lit, material, matt};
+use crate::stress::variant::Variant;
 
-/// The normal itself, in both frames.
+/// Variants that compute the normal itself, in both frames.
 fn vectors() -> Vec<Variant> {
     let table = |frame: &str| format!("form = \"vector\"\nframe = \"{frame}\"\n");
     ["orthonormal", "ends"]
@@ -20,30 +20,30 @@ fn vectors() -> Vec<Variant> {
         .into()
 }
 
-/// Scenes for every method, and for slerp of the normal itself.
-const fn of_vectors(cases: fn(&mut Draw, Extent) -> Vec<Case>) -> Trial {
+/// A trial of scenes with every method, and with slerp of the normal itself.
+const fn of_vectors(cases: fn(&mut Draw, TrialExtent) -> Vec<Case>) -> Trial {
     Trial::Scenes { cases, variants: vectors }
 }
 
 /// Row 13.
-pub const NO_ANGLE: Row = Row {
+pub const NO_ANGLE: CatalogueRow = CatalogueRow {
     id: "13",
     input: "N0 = N1: sin f = 0",
     trial: of_vectors(|_, _| {
         let span = |length| RawSpan::between([tilted(33.0); 2], length, lit(64));
         let scene = SpanScene::new(&[tilted(50.0)], [2, 17, 1000].map(span).into());
-        vec![flat_from_end_to_end(scene).asking(SLERP_IS_EXACT, is_slerp, slerp_is_exact)]
+        vec![flat_from_end_to_end(scene).requiring(SLERP_IS_EXACT, is_slerp, slerp_is_exact)]
     }),
 };
 
 /// Row 14.
-pub const HALF_A_TURN: Row = Row {
+pub const HALF_A_TURN: CatalogueRow = CatalogueRow {
     id: "14",
     input: "N0 = -N1: an arc in any plane",
     trial: of_vectors(|_, _| {
         let case = |first: DVec3| {
             let span = |length| RawSpan::between([first, -first], length, matt());
-            Case::new(SpanScene::new(&[first], [2, 3, 65].map(span).into())).asking(
+            Case::new(SpanScene::new(&[first], [2, 3, 65].map(span).into())).requiring(
                 "an arc at a steady pace, in one of the planes through both",
                 is_slerp,
                 turns_steadily,
@@ -63,7 +63,7 @@ fn is_slerp(spec: &CoreSpec) -> bool {
 }
 
 /// Row 15.
-pub const SMALL_ANGLE: Row = Row {
+pub const SMALL_ANGLE: CatalogueRow = CatalogueRow {
     id: "15",
     input: "0.01 degrees and less, which an arc cosine of a rounded cosine loses; 0 to 10 degrees",
     trial: of_vectors(|draw, extent| {
@@ -73,7 +73,7 @@ pub const SMALL_ANGLE: Row = Row {
         let fixed = [0.0, 1e-9, 1e-5, 0.01, 9.9, 10.1].map(span);
         let all = fixed.into_iter().chain(random).collect();
         let many = spans(draw, extent, [0.0, 10.0], lit);
-        let fixed = Case::new(SpanScene::new(&[tilted(21.0)], all)).asking(
+        let fixed = Case::new(SpanScene::new(&[tilted(21.0)], all)).requiring(
             SLERP_IS_EXACT,
             is_slerp,
             slerp_is_exact,
@@ -91,9 +91,9 @@ fn slerp_is_exact(pixel: &Pixel) -> bool {
     }
 }
 
-/// What a chord of 10 degrees leaves between the ends, in LSBs: its length comes to 1 - 3/8 y², y =
-/// sin² 5°, which the base takes twice and the highlight n times. The normal is off by .0049
-/// degrees besides, which is within a code.
+/// The error that a chord of 10 degrees leaves between the ends, in LSBs: its length is 1 - 3/8 y²,
+/// y = sin² 5°, which the base takes twice and the highlight n times. The normal is also wrong by
+/// .0049 degrees, which is within a code.
 fn chord(slerp: &SlerpSpec, n: u32) -> f64 {
     let y = libm::sin(5f64.to_radians()).powi(2);
     let [.., specular] = lit(n).specular;
@@ -105,19 +105,19 @@ fn chord(slerp: &SlerpSpec, n: u32) -> f64 {
 }
 
 /// Row 16.
-pub const FROZEN: Row = Row {
+pub const FROZEN: CatalogueRow = CatalogueRow {
     id: "16",
     input: "1 degree in 16 steps with 8 fraction bits: the sine of a step rounds to 0",
     trial: Trial::Scenes {
         cases: |_, _| {
             let span = RawSpan::between([tilted(44.0), tilted(45.0)], 17, matt());
-            // A frozen normal stays where it is, up to 1 degree away.
+            // A frozen normal stays where it is, and is wrong by up to 1 degree.
             let frozen = 255.0 * 1f64.to_radians() + 1.0;
             let near = move |pixel: &Pixel| pixel.is_within(frozen, pixel.exact());
             let what = "no farther than a degree of exact diffuse light, 5.5 LSB";
             vec![
                 Case::new(SpanScene::new(&[DVec3::Z], vec![span]))
-                    .asking(what, is_slerp, near)
+                    .requiring(what, is_slerp, near)
                     .with_figure(is_slerp, frozen),
             ]
         },
@@ -132,7 +132,7 @@ pub const FROZEN: Row = Row {
 };
 
 /// Row 17.
-pub const ORIENTATION: Row = Row {
+pub const ORIENTATION: CatalogueRow = CatalogueRow {
     id: "17",
     input: "the middle of a triangle of 30, 60 and 90 degrees, scanned along its three medians",
     trial: scenes(|_, _| {
@@ -142,7 +142,7 @@ pub const ORIENTATION: Row = Row {
             angles.iter().flat_map(|&degrees| medians(degrees)).collect(),
         );
         let is_lerp = |spec: &CoreSpec| spec.method() == Method::Phong;
-        vec![Case::new(scene).asking_frame(
+        vec![Case::new(scene).requiring_frame(
             "one code in the middle, whichever way it is scanned",
             is_lerp,
             centres_disagree,
@@ -150,12 +150,12 @@ pub const ORIENTATION: Row = Row {
     }),
 };
 
-/// From the middle of each side of a triangle to the vertex across; the triangle's own middle is
-/// the second of four pixels.
+/// Spans from the middle of each side of a triangle to the opposite vertex; the triangle's own
+/// middle is the second of four pixels.
 fn medians(degrees: f64) -> [RawSpan; 3] {
     // Three unit vectors about z that are `degrees` apart: 3/2 sin² = 1 - cos.
     let tilt = libm::asin(((1.0 - libm::cos(degrees.to_radians())) / 1.5).sqrt());
-    let about = |k: usize| super::super::draw::turned(DVec3::Z, tilt, k as f64 / 3.0);
+    let about = |k: usize| turned(DVec3::Z, tilt, k as f64 / 3.0);
     [0, 1, 2].map(|first| {
         let mut span = RawSpan::between([DVec3::Z; 2], 4, material(0.0, 1.0, 0.0, 1));
         span.normals = [0, 1, 2].map(|k| about((first + k) % 3));
@@ -164,14 +164,14 @@ fn medians(degrees: f64) -> [RawSpan; 3] {
     })
 }
 
-fn centres_disagree(shaded: &Shaded) -> Option<Place> {
+fn centres_disagree(shaded: &Shaded) -> Option<PixelPlace> {
     let code = |number: usize| Pixel { shaded, span: &shaded.frame.spans[number], i: 1 }.code();
     let differs = |number: &usize| code(*number).abs_diff(code(number / 3 * 3)) > 1;
-    (0..shaded.frame.spans.len()).find(differs).map(|span| Place { span, pixel: 1 })
+    (0..shaded.frame.spans.len()).find(differs).map(|span| PixelPlace { span, pixel: 1 })
 }
 
 /// Row 36.
-pub const ARC_COSINE: Row = Row {
+pub const ARC_COSINE: CatalogueRow = CatalogueRow {
     id: "36",
     input: "normals whose dot product rounds to 1 and beyond",
     trial: of_vectors(|draw, extent| {
@@ -181,9 +181,9 @@ pub const ARC_COSINE: Row = Row {
         };
         let directions = (0..8 + extent.spans).map(|_| draw.direction());
         let all = directions.map(one).collect();
-        vec![Case::new(SpanScene::new(&[tilted(20.0)], all)).asking(
+        vec![Case::new(SpanScene::new(&[tilted(20.0)], all)).requiring(
             "one code from end to end, or the next to it",
-            super::all,
+            crate::stress::row::all,
             |pixel| pixel.code().abs_diff(Pixel { i: 0, ..*pixel }.code()) <= 1,
         )]
     }),

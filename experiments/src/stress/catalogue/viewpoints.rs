@@ -6,13 +6,12 @@ use specula_spec::lyon::{Difference, Halfway};
 use specula_spec::phong::Highlight;
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
-use super::super::draw::{tilted, turned};
-use super::super::row::Pixel;
-use super::super::scene::matt;
-use super::{Case, RawSpan, Row, SpanScene, all, lit, material, mirror, scenes};
+use crate::stress::draw::{tilted, turned};
+use crate::stress::row::{Case, CatalogueRow, Pixel, all, scenes};
+use crate::stress::scene::{RawSpan, SpanScene, lit, material, matt, mirror};
 
 /// Row 12.
-pub const OPPOSITE_LIGHT: Row = Row {
+pub const OPPOSITE_LIGHT: CatalogueRow = CatalogueRow {
     id: "12",
     input: "L = -V: no half-way vector",
     trial: scenes(|_, _| {
@@ -22,13 +21,13 @@ pub const OPPOSITE_LIGHT: Row = Row {
             matches!(spec.method(), Method::Lyon | Method::Phong | Method::Hybrid | Method::Duff)
         };
         let what = "lyon's H x N gives 255 and 0 with the unit half-way vector, phong's lobes 0, 0, 255 exp(-n pi^2/2) and 255/(1 + n)^2, p/q 0";
-        vec![Case::new(scene).asking(what, is_asked, |pixel| {
+        vec![Case::new(scene).requiring(what, is_asked, |pixel| {
             wanted_at_opposite(pixel).is_none_or(|code| pixel.code() == code)
         })]
     }),
 };
 
-/// What is wanted of a core where L = -V, if docs/extremes.md says so.
+/// The code that a core must give where L = -V, if docs/extremes.md states one.
 fn wanted_at_opposite(pixel: &Pixel) -> Option<u8> {
     let n = f64::from(pixel.shaded.frame.material(pixel.span).shininess);
     match &pixel.shaded.spec.method {
@@ -51,7 +50,7 @@ fn wanted_at_opposite(pixel: &Pixel) -> Option<u8> {
 }
 
 /// Row 32.
-pub const LIGHT_BEHIND: Row = Row {
+pub const LIGHT_BEHIND: CatalogueRow = CatalogueRow {
     id: "32",
     input: "the light behind the surface, N.L = -0.02",
     trial: scenes(|_, _| {
@@ -60,8 +59,8 @@ pub const LIGHT_BEHIND: Row = Row {
         };
         let lit = |pixel: &Pixel| pixel.method() < 100.0 || pixel.code() >= 99;
         vec![
-            Case::new(scene(matt())).asking("no diffuse light", all, |pixel| pixel.code() == 0),
-            Case::new(scene(mirror(4))).asking(
+            Case::new(scene(matt())).requiring("no diffuse light", all, |pixel| pixel.code() == 0),
+            Case::new(scene(mirror(4))).requiring(
                 "the highlight is not gated, where the method has it",
                 all,
                 lit,
@@ -71,7 +70,7 @@ pub const LIGHT_BEHIND: Row = Row {
 };
 
 /// Row 33.
-pub const EYE_BEHIND: Row = Row {
+pub const EYE_BEHIND: CatalogueRow = CatalogueRow {
     id: "33",
     input: "the eye in the surface's plane and behind it, V.N from 0.09 to -1",
     trial: scenes(|draw, extent| {
@@ -91,7 +90,7 @@ pub const EYE_BEHIND: Row = Row {
 };
 
 /// Row 34.
-pub const GRAZING: Row = Row {
+pub const GRAZING: CatalogueRow = CatalogueRow {
     id: "34",
     input: "L = (1, 1, -1)/sqrt 3 at its own half-way normal, and lights within 0.1 degrees of the surface's plane",
     trial: scenes(|draw, extent| {
@@ -107,7 +106,7 @@ pub const GRAZING: Row = Row {
         let random: Vec<f64> = (0..extent.spans / 8).map(|_| draw.within(89.9, 90.1)).collect();
         let planes = fixed.chain(random).map(plane);
         let highlights = Case::new(SpanScene::new(&[light], spans.into()));
-        let highlights = highlights.asking(
+        let highlights = highlights.requiring(
             "the highlight is kept, where the method has it in exact arithmetic",
             all,
             kept,
@@ -117,7 +116,7 @@ pub const GRAZING: Row = Row {
 };
 
 /// Row 35.
-pub const NEARLY_OPPOSITE_LIGHT: Row = Row {
+pub const NEARLY_OPPOSITE_LIGHT: CatalogueRow = CatalogueRow {
     id: "35",
     input: "L opposite V but for 10 degrees to a thousandth",
     trial: scenes(|draw, extent| {

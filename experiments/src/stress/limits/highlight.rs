@@ -1,16 +1,18 @@
-//! Highlights that are meant to be others than max(R·L, 0)^n: how far they are from it, for a true
+//! Highlights that are defined otherwise than max(R·L, 0)^n: their difference from it, for an exact
 //! normal.
 use glam::DVec3;
-use specula_golden::exact::distributions::{Formulation, formulation};
-use specula_golden::exact::normalisation::{g2, unit};
-use specula_golden::exact::reflection::{halfway, halfway_cross_normal, projection, reflect};
-use specula_golden::exact::shape::{f_k, power};
+use specula_golden::exact::formula::distributions::{Formulation, formulation};
+use specula_golden::exact::formula::normalisation::{g2, unit};
+use specula_golden::exact::formula::reflection::{
+    halfway, halfway_cross_normal, projection, reflect,
+};
+use specula_golden::exact::formula::shape::{f_k, power};
 use specula_spec::LyonSpec;
 use specula_spec::lyon::{Difference, Halfway};
 use specula_spec::phong::Highlight;
 
-/// Shorter than this L + V leaves a half-way vector that cores do not bring to unit length
-/// (extremes rows 12 and 35).
+/// If L + V is shorter than this, cores do not normalise the half-way vector (extremes rows 12 and
+/// 35).
 const SHORTEST_HALFWAY: f64 = 1.0 / 8.0;
 
 /// A highlight of a method, for an eye at infinity.
@@ -19,36 +21,36 @@ pub enum Lobe {
     /// max(R·L, 0)^n.
     Phong,
     /// One of the twelve formulations of Lyon's appendix.
-    Of(Formulation),
+    Formula(Formulation),
     /// f_k of one of Lyon's differences.
     Shape {
-        /// D.
+        /// The vector D.
         difference: Difference,
         /// The half-way vector in it.
         halfway: Halfway,
-        /// k.
+        /// The number k of squarings.
         squarings: u32,
     },
-    /// One that no formula here has.
+    /// A highlight without a formula here.
     Unknown,
 }
 
 impl Lobe {
-    /// That of `phong`.
+    /// The highlight of `phong`.
     pub fn of_phong(highlight: Highlight) -> Lobe {
         match highlight {
             Highlight::Reflection => Lobe::Phong,
             Highlight::Blinn => Lobe::BLINN,
-            Highlight::TorranceSparrow => Lobe::Of(Formulation::TorranceSparrow),
-            Highlight::TrowbridgeReitz => Lobe::Of(Formulation::TrowbridgeReitz),
+            Highlight::TorranceSparrow => Lobe::Formula(Formulation::TorranceSparrow),
+            Highlight::TrowbridgeReitz => Lobe::Formula(Formulation::TrowbridgeReitz),
         }
     }
 
-    /// Blinn's.
-    pub const BLINN: Lobe = Lobe::Of(Formulation::Blinn);
+    /// Blinn's highlight.
+    pub const BLINN: Lobe = Lobe::Formula(Formulation::Blinn);
 
-    /// That of `lyon`; of R - L and of the light's reflection f_k's difference from the power is a
-    /// law of its own.
+    /// The highlight of `lyon`. For R - L and the light's reflection, the difference between f_k
+    /// and the power is a separate law.
     pub fn of_lyon(lyon: &LyonSpec) -> Lobe {
         match lyon.difference {
             Difference::ReflectionMinusLight | Difference::LightReflection => Lobe::Phong,
@@ -58,13 +60,13 @@ impl Lobe {
         }
     }
 
-    /// How far it is from max(R·L, 0)^n of a true normal, 0 to 1; none where no formula has it.
-    pub fn off(self, n: u32, normal: DVec3, light: DVec3) -> Option<f64> {
+    /// The difference from max(R·L, 0)^n of an exact normal, 0 to 1; `None` if there is no formula.
+    pub fn difference(self, n: u32, normal: DVec3, light: DVec3) -> Option<f64> {
         let own = match self {
             Lobe::Phong => return Some(0.0),
             Lobe::Unknown => return None,
             _ if halfway(light).length() < SHORTEST_HALFWAY => return None,
-            Lobe::Of(row) => formulation(row, n, normal, light),
+            Lobe::Formula(row) => formulation(row, n, normal, light),
             Lobe::Shape { difference, halfway, squarings } => {
                 shape(difference, halfway, squarings, n, normal, light)?
             }

@@ -1,17 +1,18 @@
-//! How far a core may be from exact shading: the rounding of its formats, and what its method is
-//! documented to be off by.
+//! Limits of a core's difference from exact shading: the rounding of its formats, and its method's
+//! documented error.
 //!
-//! Each law is the paper's, or docs/numerics.md's, of a pixel of a span: geometry alone, and not
-//! the method's own arithmetic. `docs/extremes.md` has them in words ([`Reason::text`]).
+//! Each law is the paper's, or docs/numerics.md's, and applies to a pixel of a span: it is geometry
+//! alone, not the method's own arithmetic. `docs/extremes.md` describes the laws
+//! ([`Reason::text`]).
+mod directions;
 mod highlight;
 mod lobe;
 mod normal;
-mod place;
 mod reason;
 
 use glam::DVec3;
-use specula_golden::exact::reflection::reflect;
-use specula_golden::exact::shape::power;
+use specula_golden::exact::formula::reflection::reflect;
+use specula_golden::exact::formula::shape::power;
 use specula_scene::frame::EYE;
 use specula_scene::{Frame, Span};
 use specula_spec::consistent::{Diffuse, LARGEST_GAIN_BITS};
@@ -23,44 +24,44 @@ use specula_spec::{
     CoreSpec, FULL_SCALE, LyonSpec, MethodSpec, Viewpoint, consistent, duff, phong, reflection,
 };
 
+use directions::{Direction, Directions};
 use highlight::Lobe;
-use lobe::{chord, power_moved, power_turned, shape_moved, shape_off};
+use lobe::{chord, power_change, power_turn_change, shape_change, shape_error};
 use normal::{Normal, Pixel};
-use place::{Direction, Directions};
 pub use reason::Reason;
 
-/// Errors up to this many LSBs need no reason: half of one is the rounding to 8 bits.
+/// Errors up to this many LSBs need no reason: half an LSB is the rounding to 8 bits.
 pub const EXACT: f64 = 1.0;
 
 /// A normal shorter than this has no direction.
 const NO_LENGTH: f64 = 1e-6;
-/// Of normals shorter than this nothing is promised where nothing is proven: those of spans of more
-/// than 120 degrees.
+/// Nothing is promised about normals shorter than this unless there is a proven bound: they occur
+/// in spans of more than 120 degrees.
 const SHORT: f64 = 0.5;
 
-/// What the recommended formats leave where nothing is proven: 1 LSB before the rounding to 8 bits
-/// [numerics N5].
+/// The error with recommended formats where there is no proven bound: 1 LSB before the rounding to
+/// 8 bits [numerics N5].
 const UNPROVEN: f64 = 1.5;
-/// The same of powers above [`TYPICAL_EXPONENT`], beyond the range that docs/numerics.md calls
-/// typical: the formats end at 22 fraction bits.
+/// The same error for exponents above [`TYPICAL_EXPONENT`], which are outside the range that
+/// docs/numerics.md calls typical: formats have at most 22 fraction bits.
 const UNPROVEN_SHARP: f64 = 2.0;
 const TYPICAL_EXPONENT: u32 = 256;
 
-/// What one pixel may be off by.
+/// The error that one pixel may have.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// In LSBs, for each channel.
+    /// The limit in LSBs, for each channel.
     pub lsb: [f64; 3],
-    /// Why it is more than [`EXACT`].
+    /// The reasons why it is more than [`EXACT`].
     pub reasons: Vec<Reason>,
 }
 
-/// What the formats of a core may be off by.
+/// The error that the formats of a core may cause.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rounding {
-    /// The proven bound in LSBs; 255 and more is none.
+    /// The proven bound in LSBs; 255 or more means that there is none.
     pub bound: f64,
-    /// What the row says of a core without one.
+    /// The row's limit for a core without a bound.
     pub figure: Option<f64>,
 }
 
@@ -70,24 +71,24 @@ pub struct Limits<'a> {
     frame: &'a Frame,
     span: &'a Span,
     rounding: Rounding,
-    /// Largest difference of f_k from the power, if there is one.
+    /// Largest difference between f_k and the power, if the method has f_k.
     shape: f64,
-    /// What has come of the pixels before, where the method goes by them: [`normal::lags`] of
-    /// chained normals, [`normal::roots`] of Newton's.
-    walked: Vec<f64>,
+    /// Accumulated quantities at each pixel, for methods that depend on the previous pixel:
+    /// [`normal::lags`] of chained normals, [`normal::roots`] of Newton's.
+    accumulated: Vec<f64>,
 }
 
-/// What of a light's share may be off, each 0 to 1.
+/// Errors of a light's share, each 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Off {
+struct ShareErrors {
     diffuse: f64,
     specular: f64,
 }
 
-const ALL: Off = Off { diffuse: 1.0, specular: 1.0 };
+const ALL: ShareErrors = ShareErrors { diffuse: 1.0, specular: 1.0 };
 
 impl<'a> Limits<'a> {
-    /// Sets up a span.
+    /// The limits along a span.
     pub fn new(
         spec: &'a CoreSpec,
         frame: &'a Frame,
@@ -95,25 +96,25 @@ impl<'a> Limits<'a> {
         rounding: Rounding,
     ) -> Limits<'a> {
         let n = frame.material(span).shininess;
-        let (shape, walked) = match &spec.method {
+        let (shape, accumulated) = match &spec.method {
             MethodSpec::Lyon(lyon) => {
-                (shape_off(n, lyon.squarings), normal::lags(frame, span, lyon))
+                (shape_error(n, lyon.squarings), normal::lags(frame, span, lyon))
             }
             MethodSpec::Direct(direct) if direct.root == Root::Newton => {
                 (0.0, normal::roots(frame, span, direct.newton_steps))
             }
             _ => (0.0, Vec::new()),
         };
-        Limits { spec, frame, span, rounding, shape, walked }
+        Limits { spec, frame, span, rounding, shape, accumulated }
     }
 
-    /// Of pixel `i`.
-    pub fn at(&self, i: u32) -> Limit {
+    /// The limit at pixel `i`.
+    pub fn at_pixel(&self, i: u32) -> Limit {
         let normal = self.frame.normal_at(self.span, self.span.weights(i));
         let lights = self.frame.light_colours().count();
         let mut reasons = Vec::new();
         let offs = match normal.try_normalize().filter(|_| normal.length() > NO_LENGTH) {
-            Some(truth) => self.offs(i, truth, &mut reasons),
+            Some(truth) => self.light_errors(i, truth, &mut reasons),
             None => {
                 reasons.push(Reason::NoNormal);
                 vec![ALL; lights]
@@ -121,7 +122,7 @@ impl<'a> Limits<'a> {
         };
         let rounding = self.rounding(i, &mut reasons);
         let material = self.frame.material(self.span);
-        let of_light = |off: &Off, colour: f64, c: usize| {
+        let of_light = |off: &ShareErrors, colour: f64, c: usize| {
             colour
                 * (material.diffuse[c] * off.diffuse.min(1.0)
                     + material.specular[c] * off.specular.min(1.0))
@@ -139,7 +140,7 @@ impl<'a> Limits<'a> {
         Limit { lsb: std::array::from_fn(of_channel), reasons }
     }
 
-    /// What the formats may be off by at pixel `i`, in LSBs.
+    /// The error that formats may cause at pixel `i`, in LSBs.
     fn rounding(&self, i: u32, reasons: &mut Vec<Reason>) -> f64 {
         let Rounding { bound, figure } = self.rounding;
         if bound < FULL_SCALE {
@@ -160,29 +161,29 @@ impl<'a> Limits<'a> {
     }
 
     fn pixel(&self, i: u32, truth: DVec3) -> Pixel<'_> {
-        Pixel { frame: self.frame, span: self.span, i, truth, walked: &self.walked }
+        Pixel { frame: self.frame, span: self.span, i, truth, accumulated: &self.accumulated }
     }
 
-    /// What may be off of each light at a pixel with a normal.
-    fn offs(&self, i: u32, truth: DVec3, reasons: &mut Vec<Reason>) -> Vec<Off> {
+    /// The errors of each light at a pixel that has a normal.
+    fn light_errors(&self, i: u32, truth: DVec3, reasons: &mut Vec<Reason>) -> Vec<ShareErrors> {
         let pixel = self.pixel(i, truth);
         let directions = self.directions(i, reasons);
         let lobe = self.lobe(&pixel, reasons);
         let one = |(light, direction): (usize, &Direction)| {
-            let Direction::Off { turn, share } = *direction else { return ALL };
-            let Direction::Off { turn: turn_of_view, .. } = directions.view else { return ALL };
-            let here = self.off(&pixel, light, reasons);
+            let Direction::Known { turn, share } = *direction else { return ALL };
+            let Direction::Known { turn: turn_of_view, .. } = directions.view else { return ALL };
+            let here = self.errors(&pixel, light, reasons);
             let n = self.n();
             let towards = self.frame.lights.get(light).map_or(EYE, |light| light.direction);
-            let specular = lobe.off(n, truth, towards).map_or(1.0, |off| {
-                off + here.specular + power_turned(turn + turn_of_view, n) + share
+            let specular = lobe.difference(n, truth, towards).map_or(1.0, |off| {
+                off + here.specular + power_turn_change(turn + turn_of_view, n) + share
             });
-            Off { diffuse: here.diffuse + chord(turn) + share, specular }
+            ShareErrors { diffuse: here.diffuse + chord(turn) + share, specular }
         };
         directions.lights.iter().enumerate().map(one).collect()
     }
 
-    /// What the base of the highlight is raised to: n, and 4n where it goes by the half-way vector.
+    /// The exponent of the highlight's base: n, or 4n for the half-way vector.
     fn exponent(&self) -> u32 {
         let is_by_halfway = match &self.spec.method {
             MethodSpec::Phong(spec) => spec.highlight != phong::Highlight::Reflection,
@@ -202,7 +203,7 @@ impl<'a> Limits<'a> {
         self.frame.material(self.span).shininess
     }
 
-    /// Directions to lights and eye, as the method has them.
+    /// The method's directions to lights and eye.
     fn directions(&self, i: u32, reasons: &mut Vec<Reason>) -> Directions {
         if self.frame.directions_are_constant() {
             return Directions::exact(self.frame);
@@ -216,12 +217,12 @@ impl<'a> Limits<'a> {
                 reasons.push(Reason::Middle);
                 Directions::of_the_middle(self.frame, self.span, i)
             }
-            // What Gouraud's vertices see is among his own limits.
+            // What Gouraud's vertices see is part of that method's own limits.
             (_, Viewpoint::Pixel | Viewpoint::Vertex) => Directions::exact(self.frame),
         }
     }
 
-    /// The highlight that the method is meant to have, of some normal.
+    /// The highlight that the method is defined to have, for some normal.
     fn lobe(&self, pixel: &Pixel, reasons: &mut Vec<Reason>) -> Lobe {
         let blinn_if = |is_blinns| if is_blinns { Lobe::BLINN } else { Lobe::Phong };
         let lobe = match &self.spec.method {
@@ -242,7 +243,7 @@ impl<'a> Limits<'a> {
             | MethodSpec::Direct(_) => Lobe::Phong,
         };
         reasons.extend((lobe != Lobe::Phong).then_some(Reason::Lobe));
-        // Of other lobes the law is of directions that are the same everywhere.
+        // The law of other lobes holds only for directions that are constant.
         if lobe == Lobe::Phong || self.frame.directions_are_constant() {
             lobe
         } else {
@@ -250,34 +251,36 @@ impl<'a> Limits<'a> {
         }
     }
 
-    /// Whether consistent normals are the plain ones: no face around the triangle's vertices has
-    /// another normal than they.
+    /// Whether consistent normals equal the plain ones: the normals of all faces around the
+    /// triangle's vertices are the vertices' own.
     fn is_flat_around(&self, pixel: &Pixel) -> bool {
         self.frame.triangles[pixel.span.triangle].cones.iter().all(|cone| cone.cosine >= 1.0)
     }
 
-    /// What a method's normals, or what it takes instead, leave off of light number `light`.
-    fn off(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> Off {
+    /// The error of light number `light` caused by the method's normals, or by what replaces them.
+    fn errors(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> ShareErrors {
         match &self.spec.method {
             MethodSpec::Lyon(lyon) => self.of_lyon(lyon, &pixel.of_lyon(lyon), reasons),
-            MethodSpec::Phong(_) | MethodSpec::Duff(_) => Off::default(),
+            MethodSpec::Phong(_) | MethodSpec::Duff(_) => ShareErrors::default(),
             MethodSpec::Hybrid(_) => {
-                Off { diffuse: self.gouraud(pixel, light, reasons), specular: 0.0 }
+                ShareErrors { diffuse: self.gouraud(pixel, light, reasons), specular: 0.0 }
             }
-            // What vertices, or the polygon's middle, see of places has no law here.
+            // There is no law for places as seen from the vertices, or from the polygon's middle.
             MethodSpec::Gouraud(_) if !self.frame.directions_are_constant() => {
                 reasons.push(Reason::Vertices);
                 ALL
             }
-            MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => Off {
-                diffuse: self.gouraud(pixel, light, reasons),
-                specular: self.highlight_of_vertices(pixel, light, reasons),
-            },
+            MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => {
+                ShareErrors {
+                    diffuse: self.gouraud(pixel, light, reasons),
+                    specular: self.highlight_of_vertices(pixel, light, reasons),
+                }
+            }
             MethodSpec::Gouraud(_) => self.of_normal(&pixel.of_facet(), reasons),
             MethodSpec::Reflection(spec) => {
                 let off = self.of_normal(&pixel.of_reflection(spec), reasons);
-                // The hybrid's highlight is of the interpolated normal.
-                Off {
+                // The hybrid's highlight uses the interpolated normal.
+                ShareErrors {
                     specular: if spec.specular == reflection::Highlight::Hybrid {
                         0.0
                     } else {
@@ -290,14 +293,14 @@ impl<'a> Limits<'a> {
                 let off = self.of_normal(&self.of_consistent(pixel), reasons);
                 let is_lambert = spec.diffuse == Diffuse::Lambert || self.is_flat_around(pixel);
                 reasons.extend((!is_lambert).then_some(Reason::Consistent));
-                Off { diffuse: if is_lambert { off.diffuse } else { 1.0 }, ..off }
+                ShareErrors { diffuse: if is_lambert { off.diffuse } else { 1.0 }, ..off }
             }
             MethodSpec::Slerp(slerp) => self.of_normal(&pixel.of_slerp(slerp), reasons),
             MethodSpec::Direct(direct) => {
                 let off = self.of_normal(&pixel.between_unit_ends(), reasons);
-                let too_long = if direct.root == Root::Newton { pixel.walked() } else { 0.0 };
+                let too_long = if direct.root == Root::Newton { pixel.accumulated() } else { 0.0 };
                 reasons.extend((too_long > NO_LENGTH).then_some(Reason::Newton));
-                Off { diffuse: off.diffuse + too_long / (1.0 + too_long), ..off }
+                ShareErrors { diffuse: off.diffuse + too_long / (1.0 + too_long), ..off }
             }
         }
     }
@@ -311,8 +314,8 @@ impl<'a> Limits<'a> {
         }
     }
 
-    /// A normal that is turned, or too short, by which p/q and the power are off.
-    fn of_normal(&self, normal: &Normal, reasons: &mut Vec<Reason>) -> Off {
+    /// The errors of p/q and of the power for a normal that is turned or too short.
+    fn of_normal(&self, normal: &Normal, reasons: &mut Vec<Reason>) -> ShareErrors {
         let short = 1.0 - normal.length;
         let Some(turn) = normal.turn else {
             reasons.extend(&normal.reasons);
@@ -322,14 +325,14 @@ impl<'a> Limits<'a> {
             reasons.extend(&normal.reasons);
         }
         let base = 2.0 * (1.0 - normal.length * normal.length);
-        Off {
+        ShareErrors {
             diffuse: chord(turn) + short,
-            specular: power_turned(2.0 * turn, self.n()) + power_moved(base, self.n()),
+            specular: power_turn_change(2.0 * turn, self.n()) + power_change(base, self.n()),
         }
     }
 
-    /// The same, of Lyon's D, which a turn of the normal moves by twice as much at most.
-    fn of_lyon(&self, lyon: &LyonSpec, normal: &Normal, reasons: &mut Vec<Reason>) -> Off {
+    /// The same errors for Lyon's D, which a turn of the normal moves by at most twice as much.
+    fn of_lyon(&self, lyon: &LyonSpec, normal: &Normal, reasons: &mut Vec<Reason>) -> ShareErrors {
         let is_reflected = matches!(
             lyon.difference,
             Difference::ReflectionMinusLight | Difference::LightReflection
@@ -344,13 +347,13 @@ impl<'a> Limits<'a> {
         }
         let shape = if is_reflected { self.shape } else { 0.0 };
         reasons.extend((shape > NO_LENGTH).then_some(Reason::Shape));
-        Off {
+        ShareErrors {
             diffuse: chord(turn) + (1.0 - normal.length).abs(),
-            specular: shape + shape_moved(2.0 * chord(turn) + 2.0 * short, self.n()),
+            specular: shape + shape_change(2.0 * chord(turn) + 2.0 * short, self.n()),
         }
     }
 
-    /// Lambert's cosine of the vertices, interpolated, against that of the normal.
+    /// The difference between the vertices' interpolated Lambert cosines and that of the normal.
     fn gouraud(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> f64 {
         let Some(light) = self.light(light) else {
             reasons.push(Reason::Vertices);
@@ -369,8 +372,8 @@ impl<'a> Limits<'a> {
         (1.0 - interpolated.length()).max(0.0) + dark
     }
 
-    /// The highlights of the vertices, interpolated, against that of the normal: under lights at
-    /// infinity.
+    /// The difference between the vertices' interpolated highlights and that of the normal, under
+    /// lights at infinity.
     fn highlight_of_vertices(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> f64 {
         let Some(light) = self.light(light) else { return 1.0 };
         let highlight = |normal: DVec3| match normal {
@@ -385,13 +388,13 @@ impl<'a> Limits<'a> {
         (of_vertices.clamp(0.0, 1.0) - highlight(pixel.truth)).abs()
     }
 
-    /// The direction to a light that Gouraud's vertices see: that of the span's middle for those at
-    /// places by `hybrid`; none that is common to all vertices by `gouraud`.
+    /// The direction to a light that Gouraud's vertices use: for lights at places, that of the
+    /// span's middle with `hybrid`, and none common to all vertices with `gouraud`.
     fn light(&self, light: usize) -> Option<DVec3> {
         if let Some(light) = self.frame.lights.get(light) {
             return Some(light.direction);
         }
-        let position = self.frame.position_at(self.span, place::middle(self.span));
+        let position = self.frame.position_at(self.span, directions::middle(self.span));
         let of_the_middle = self.spec.places_seen_from() == Viewpoint::Span;
         self.frame
             .lights_from(position)

@@ -1,22 +1,22 @@
-//! How far the normal that a method takes at a pixel is from the interpolated one.
+//! The difference between the normal that a method uses at a pixel and the interpolated one.
 use glam::DVec3;
-use specula_golden::exact::normalisation::gain;
-use specula_golden::exact::slerp;
-use specula_golden::exact::wrap;
+use specula_golden::exact::formula::normalisation::gain;
+use specula_golden::exact::formula::slerp;
+use specula_golden::exact::formula::wrap;
 use specula_scene::{Frame, Span, Wrap};
 use specula_spec::lyon::{NormalWrap, Normals};
 use specula_spec::{LyonSpec, ReflectionSpec, SlerpSpec};
 
 use super::reason::Reason;
 
-/// A normal that is not quite the interpolated one.
+/// A normal that differs from the interpolated one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Normal {
-    /// Radians between the two; none where nothing is known of it.
+    /// The angle between the two in radians; `None` if nothing is known about it.
     pub turn: Option<f64>,
     /// Its length.
     pub length: f64,
-    /// Why.
+    /// The reasons for the difference.
     pub reasons: Vec<Reason>,
 }
 
@@ -30,24 +30,25 @@ impl Normal {
     }
 }
 
-/// Radians between two vectors that have directions.
+/// The angle in radians between two vectors that have directions.
 pub fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// Of a pixel of a span.
+/// A pixel of a span.
 pub struct Pixel<'a> {
     pub frame: &'a Frame,
     pub span: &'a Span,
     pub i: u32,
     /// The interpolated normal, a unit vector.
     pub truth: DVec3,
-    /// What has come of the pixels before, at each pixel: [`lags`] or [`roots`]; nothing where a
-    /// method does not go by them.
-    pub walked: &'a [f64],
+    /// Accumulated quantities at each pixel: [`lags`] or [`roots`]; empty if the method does not
+    /// depend on the previous pixel.
+    pub accumulated: &'a [f64],
 }
 
-/// Below so many radians opposite ends, and ends that are alike, have no plane between them.
+/// If the ends are this close, in radians, to being equal or opposite, there is no plane between
+/// them.
 const NO_ANGLE: f64 = 1e-6;
 
 impl Pixel<'_> {
@@ -55,9 +56,9 @@ impl Pixel<'_> {
         self.span.parameter(self.i)
     }
 
-    /// What has come of the pixels before.
-    pub fn walked(&self) -> f64 {
-        self.walked.get(self.i as usize).copied().unwrap_or(0.0)
+    /// The accumulated quantity at this pixel.
+    pub fn accumulated(&self) -> f64 {
+        self.accumulated.get(self.i as usize).copied().unwrap_or(0.0)
     }
 
     /// The chord between unit vectors at the ends.
@@ -66,24 +67,24 @@ impl Pixel<'_> {
         start.lerp(end, self.t())
     }
 
-    /// As interpolated, of any length that is 1 at most.
+    /// The interpolated normal, with its length, which is at most 1.
     pub fn interpolated(&self) -> DVec3 {
         let [start, end] = self.frame.end_normals(self.span);
         start.lerp(end, self.t())
     }
 
-    /// Of methods that interpolate between unit vectors and divide by the length.
+    /// The normal of methods that interpolate between unit vectors and divide by the length.
     pub fn between_unit_ends(&self) -> Normal {
         Normal::turned(angle(self.chord(), self.truth), Reason::UnitEnds)
     }
 
-    /// Of consistent normals, interpolated between the axes of cones.
+    /// The normal of consistent normals, interpolated between the axes of cones.
     pub fn between_axes(&self) -> Normal {
         let [start, end] = self.frame.end_axes(self.span);
         Normal::turned(angle(start.lerp(end, self.t()), self.truth), Reason::Consistent)
     }
 
-    /// Of methods that take the polygon's own normal for all of it.
+    /// The normal of methods that use the polygon's own normal everywhere on it.
     pub fn of_facet(&self) -> Normal {
         match self.frame.facet_normal(self.span) {
             DVec3::ZERO => Normal::unknown(Reason::Facet),
@@ -91,7 +92,7 @@ impl Pixel<'_> {
         }
     }
 
-    /// Of Lyon's.
+    /// Lyon's normal.
     pub fn of_lyon(&self, lyon: &LyonSpec) -> Normal {
         match lyon.normals {
             Normals::Flat => self.of_facet(),
@@ -105,23 +106,24 @@ impl Pixel<'_> {
             }
             Normals::Wrapped => {
                 let NormalWrap { wrap, follows } = lyon.wrap(self.frame, self.span);
-                match follows {
-                    true => Normal::turned(
-                        self.walked()
+                if follows {
+                    Normal::turned(
+                        self.accumulated()
                             + angle(wrap.ends[0].lerp(wrap.ends[1], self.t()), self.truth),
                         Reason::Chain,
-                    ),
-                    false => self.wrapped(wrap.ends, Some(wrap.axis)),
+                    )
+                } else {
+                    self.wrapped(wrap.ends, Some(wrap.axis))
                 }
             }
         }
     }
 
-    /// Of reflection shading.
+    /// The normal of reflection shading.
     pub fn of_reflection(&self, reflection: &ReflectionSpec) -> Normal {
         self.wrapped(
             self.frame.unit_end_normals(self.span),
-            reflection.bisector.of(self.frame, self.span),
+            reflection.bisector.fixed_normal(self.frame, self.span),
         )
     }
 
@@ -137,11 +139,11 @@ impl Pixel<'_> {
         }
     }
 
-    /// Of slerp.
+    /// The normal of slerp.
     pub fn of_slerp(&self, spec: &SlerpSpec) -> Normal {
-        let (chord, course) = (self.chord(), spec.course(self.frame, self.span));
+        let (chord, rotation) = (self.chord(), spec.arc_rotation(self.frame, self.span));
         let off = angle(chord, self.truth);
-        if course.is_linear {
+        if rotation.is_linear {
             let length = chord.length();
             return Normal {
                 turn: Some(off),
@@ -164,19 +166,19 @@ impl Pixel<'_> {
     }
 }
 
-/// Shorter than this, H has no direction that is worth having (extremes rows 7 and 9).
+/// If H is shorter than this, its direction is useless (extremes rows 7 and 9).
 const SHORTEST_HALFWAY: f64 = 1e-2;
 
-/// By how much a vector turns when it is wrapped around a unit vector; none where they all but
-/// oppose each other, or there is no axis.
+/// The angle by which a vector turns when it is wrapped around a unit vector; `None` if they are
+/// almost opposite, or if there is no axis.
 pub fn wrap_turn(vector: DVec3, axis: Option<DVec3>) -> Option<f64> {
     let axis =
         axis.filter(|axis| *axis != DVec3::ZERO && (*axis + vector).length() > SHORTEST_HALFWAY)?;
     Some(wrap::error(angle(axis, vector), vector.length()).abs())
 }
 
-/// How many radians each normal of a span lags behind what is interpolated if it is wrapped around
-/// the one before: all lie in the plane of the ends.
+/// The lag in radians of each normal of a span behind the interpolated one, if it is wrapped around
+/// the previous one: all lie in the plane of the ends.
 pub fn lags(frame: &Frame, span: &Span, lyon: &LyonSpec) -> Vec<f64> {
     let NormalWrap { wrap: Wrap { ends: [start, end], .. }, follows } = lyon.wrap(frame, span);
     let (mut behind, mut before) = (0.0, start);
@@ -189,8 +191,8 @@ pub fn lags(frame: &Frame, span: &Span, lyon: &LyonSpec) -> Vec<f64> {
     if follows { (0..span.length).map(&mut lag).collect() } else { Vec::new() }
 }
 
-/// How much too long Newton's root is at each pixel, relative to |N|: as much as for the pixel
-/// before, and e²/(2(1 + e)) after each of `steps`.
+/// The relative excess of Newton's root over |N| at each pixel: it starts with the excess of the
+/// previous pixel, e, which each of `steps` steps turns into e²/(2(1 + e)).
 pub fn roots(frame: &Frame, span: &Span, steps: u32) -> Vec<f64> {
     let [start, end] = frame.unit_end_normals(span);
     let length = |i: u32| start.lerp(end, span.parameter(i)).length().max(f64::EPSILON);

@@ -1,5 +1,5 @@
-//! Why a method may be off by more than the rounding of its core: what the papers, or measurements
-//! of them, say of it.
+//! Reasons why a method may have an error beyond the rounding of its core, according to the papers
+//! or to measurements of them.
 use serde::Serialize;
 
 /// A documented limit. `docs/extremes.md` lists all of them.
@@ -8,43 +8,43 @@ use serde::Serialize;
 pub enum Reason {
     /// Formats: the core's proven bound is above 1 LSB.
     Rounding,
-    /// Formats that the row makes short.
+    /// Formats that the row shortens.
     ShortFormats,
-    /// No bound is proven of a core with recommended formats.
+    /// There is no proven bound for a core with recommended formats.
     NoBound,
-    /// No bound is proven and the normal is shorter than 1/2.
+    /// There is no proven bound and the normal is shorter than 1/2.
     ShortNormal,
     /// The interpolated normal vanishes.
     NoNormal,
-    /// Intensities instead of normals.
+    /// Interpolated intensities instead of normals.
     Vertices,
-    /// Diffuse light of the vertices.
+    /// Diffuse light from the vertices.
     GouraudDiffuse,
-    /// One normal or intensity for a polygon.
+    /// One normal or intensity for a whole polygon.
     Facet,
-    /// Another highlight than max(R·L, 0)^n.
+    /// A highlight other than max(R·L, 0)^n.
     Lobe,
     /// f_k instead of the power.
     Shape,
-    /// Unit normals at a span's ends, that were not unit vectors.
+    /// Unit normals at a span's ends that were not unit vectors.
     UnitEnds,
     /// Lyon's approximations of 1/|N|.
     Length,
     /// Normals wrapped around a fixed one.
     Wrap,
-    /// Normals wrapped around those before.
+    /// Normals wrapped around the previous ones.
     Chain,
     /// The arc instead of the chord.
     Arc,
-    /// A chord that is not brought to unit length.
+    /// A chord that is not normalised.
     Chord,
     /// Reflections that never enter the surface.
     Consistent,
     /// Newton's root.
     Newton,
-    /// One direction to a light or eye for a span.
+    /// One direction to a light or eye for a whole span.
     Middle,
-    /// Directions to lights and eye wrapped.
+    /// Wrapped directions to lights and eye.
     WrappedPlaces,
 }
 
@@ -73,7 +73,7 @@ impl Reason {
         Reason::WrappedPlaces,
     ];
 
-    /// Its name in tables.
+    /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Reason::Rounding => "rounding",
@@ -99,8 +99,8 @@ impl Reason {
         }
     }
 
-    /// What is off, by how much at most, and who says so. δ is an angle in radians, kd and ks the
-    /// shares of a light that a surface sends back.
+    /// What is wrong, by how much at most, and the source. δ is an angle in radians; kd and ks are
+    /// the shares of a light that a surface reflects.
     pub const fn text(self) -> &'static str {
         match self {
             Reason::Rounding => {

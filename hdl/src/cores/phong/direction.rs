@@ -1,7 +1,7 @@
 //! Unit vectors along the span.
 use specula_spec::phong::Way;
 
-use super::super::unit_vector;
+use super::super::common::unit_vector;
 use super::Pixel;
 use super::lamp::Lamp;
 use crate::error;
@@ -48,7 +48,7 @@ impl Pixel<'_> {
                     wrap: near.wrap,
                 }
             }
-            (None, None) => unreachable!("`PhongSpec::inputs` gives each light one of both"),
+            (None, None) => unreachable!("`PhongSpec::light_inputs` gives each light one of both"),
         }
     }
 
@@ -60,15 +60,16 @@ impl Pixel<'_> {
     /// A vector along the span, brought to unit length.
     pub(super) fn along(&self, name: &str, way: &Way<Sig>, shortest: f64) -> Direction {
         let (b, f) = (self.b, &self.phong.formats);
-        let vector = self.interpolated(name, way, self.interpolation);
+        let vector = self
+            .interpolated(name, way, self.interpolation)
+            .no_shorter_than(shortest, "no vector between two ends is shorter than in any span");
         let to = ExactNormalisation {
             length_squared_fraction_bits: f.length_squared.fraction_bits,
             reciprocal: self.reciprocal(),
             vector_fraction_bits: f.vector.fraction_bits,
         };
-        let (vector, exists) = b.instance(&format!("{name}_normalise"), || {
-            units::normalise_exactly(b, &vector, to, shortest)
-        });
+        let (vector, exists) =
+            b.instance(&format!("{name}_normalise"), || units::normalise_exactly(b, &vector, to));
         Direction::new(vector, exists)
     }
 
@@ -76,12 +77,12 @@ impl Pixel<'_> {
     pub(super) fn to_place(&self, name: &str, way: &Way<Sig>, spot: &Sig) -> Direction {
         match &way.axis {
             Some(axis) => self.wrapped(name, way, axis, spot),
-            None => self.along(name, way, self.spec.shortest_way),
+            None => self.along(name, way, self.parameters.shortest_way),
         }
     }
 
     fn wrapped(&self, name: &str, way: &Way<Sig>, axis: &[Sig; 3], spot: &Sig) -> Direction {
-        let (b, f, shortest) = (self.b, &self.phong.formats, self.spec.shortest_unit_way);
+        let (b, f, shortest) = (self.b, &self.phong.formats, self.parameters.shortest_unit_way);
         let interpolation = Interpolation {
             longest: 2.0,
             apart: error::interpolate::chord(shortest),
@@ -91,7 +92,7 @@ impl Pixel<'_> {
         let axis = unit_vector(axis, f.vector);
         let formats =
             WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };
-        let to = ToPlace { formats, cosine_bits: f.base.fraction_bits, shortest };
+        let to = ToPlace { formats, cosine_bits: f.base.fraction_bits, shortest_way: shortest };
         let place =
             b.instance(&format!("{name}_wrapped"), || units::wrapped_place(b, &h, &axis, spot, to));
         let WrappedPlace { direction: vector, cosine, exists, most_at_edge } = place;
@@ -101,7 +102,9 @@ impl Pixel<'_> {
     fn interpolated(&self, name: &str, way: &Way<Sig>, to: Interpolation) -> Vector {
         let b = self.b;
         let (start, delta) = (Vector::new(way.start.clone()), Vector::new(way.delta.clone()));
-        b.instance(&format!("{name}_along"), || units::along(b, &start, &delta, self.weight, to))
+        b.instance(&format!("{name}_along"), || {
+            units::vector_between(b, &start, &delta, self.weight, to)
+        })
     }
 
     pub(super) fn reciprocal(&self) -> ReciprocalRoot {

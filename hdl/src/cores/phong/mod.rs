@@ -2,43 +2,53 @@
 mod direction;
 mod lamp;
 
-use specula_spec::CoreSpec;
-use specula_spec::phong::{Highlight, PhongInputs, PhongSpec};
+use specula_spec::phong::{Highlight, PhongInputs, PhongLight, PhongSpec};
+use specula_spec::{CoreInputs, CoreParameters, InputPort};
 
-use super::{eye, finish, time_slots, unit_vector};
+use super::common::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
-use crate::units::{self, Interpolation, Light};
+use crate::units::{self, Interpolation};
 use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots};
-use specula_datapath::design::Design;
+use specula_datapath::graph::Graph;
 
 use direction::Direction;
-use lamp::{Lamp, lamps};
+use lamp::{Kinds, Lamp, alike};
 
 /// Interpolated vectors, true normalisation or wraps, and for each light N·L and a power or a
 /// distribution. [lecture, eq. 2.1, 4.1, 4.2; Hast et al., eq. 35 to 38]
-pub(super) fn core(b: Builder, spec: &CoreSpec, phong: &PhongSpec) -> Result<Design, BuildError> {
-    let slots = time_slots(&b, spec);
-    let inputs = phong.inputs(spec).map(|port| b.input(port));
+pub(super) fn core(
+    b: Builder,
+    parameters: &CoreParameters,
+    phong: &PhongSpec,
+    ports: &PhongInputs<InputPort>,
+) -> Result<Graph, BuildError> {
+    let slots = time_slots(&b, parameters);
+    let inputs = ports.map(|port| b.input(port));
     let f = &phong.formats;
     let interpolation = Interpolation {
         accumulator: f.weight_accumulator,
         weight: f.weight,
         vector: f.vector,
         longest: 1.0,
-        apart: error::interpolate::chord(spec.shortest_normal.min(spec.shortest_way)),
-        steps: spec.longest_span - 1,
+        apart: error::interpolate::chord(parameters.shortest_normal.min(parameters.shortest_way)),
+        steps: parameters.longest_span - 1,
     };
-    let weight = units::weight(&b, &slots.first_pixel, &inputs.weight_step, interpolation);
-    let pixel =
-        Pixel { b: &b, spec, phong, interpolation, weight: &weight, shininess: &inputs.shininess };
-    let lights = pixel.lights(&slots, &inputs);
-    finish(&b, &slots, &inputs.ambient, &lights)
+    let weight = units::weight(&b, &slots.first_pixel, &inputs.span.weight_step, interpolation);
+    let pixel = Pixel {
+        b: &b,
+        parameters,
+        phong,
+        interpolation,
+        weight: &weight,
+        shininess: &inputs.span.shininess,
+    };
+    pixel.finish(&slots, &inputs)
 }
 
 /// What the vectors of a pixel have in common.
 struct Pixel<'a> {
     b: &'a Builder,
-    spec: &'a CoreSpec,
+    parameters: &'a CoreParameters,
     phong: &'a PhongSpec,
     interpolation: Interpolation,
     weight: &'a Sig,
@@ -48,7 +58,7 @@ struct Pixel<'a> {
 /// A light at the pixel.
 struct Arrival<'a> {
     index: usize,
-    lamp: &'a Lamp,
+    lamp: &'a Lamp<'a>,
     direction: &'a Direction,
     view: &'a Direction,
     n_dot_v: &'a Sig,
@@ -56,15 +66,17 @@ struct Arrival<'a> {
 }
 
 impl Pixel<'_> {
-    fn lights(&self, slots: &TimeSlots, inputs: &PhongInputs<Sig>) -> Vec<Light> {
+    fn finish(&self, slots: &TimeSlots, inputs: &PhongInputs<Sig>) -> Result<Graph, BuildError> {
         let b = self.b;
-        let normal = self.along("normal", &inputs.normal, self.spec.shortest_normal);
-        let view = match &inputs.eye {
+        let normal = self.along("normal", &inputs.span.normal, self.parameters.shortest_normal);
+        let view = match &inputs.span.eye {
             Some(way) => self.to_place("eye", way, &b.integer(0)),
             None => Direction::new(eye(b), b.integer(1)),
         };
         let n_dot_v = self.cosine("n_dot_v", &normal, &view);
-        let shade = |(index, lamp): (usize, &Lamp)| {
+        let kinds = Kinds::new(b, &inputs.lights);
+        let shade = |index: usize, light: &PhongLight<Sig>| {
+            let lamp = &kinds.lamp(slots, index, light);
             let direction = self.direction(index, lamp);
             let n_dot_l = self.cosine(&format!("light{index}_n_dot_l"), &normal, &direction);
             let arrival = Arrival {
@@ -77,7 +89,12 @@ impl Pixel<'_> {
             };
             self.shade(&arrival, &normal.exists.and(&direction.exists))
         };
-        lamps(b, slots, &inputs.lights).iter().enumerate().map(shade).collect()
+        if slots.count() == 1 {
+            return finish(b, slots, inputs, shade);
+        }
+        let ambient = inputs.ambient.clone();
+        let inputs = CoreInputs { span: (), ambient, lights: alike(b, &inputs.lights).collect() };
+        finish(b, slots, &inputs, shade)
     }
 
     fn cosine(&self, name: &str, x: &Direction, y: &Direction) -> Sig {
@@ -85,19 +102,14 @@ impl Pixel<'_> {
         self.b.instance(name, || units::cosine_between(self.b, &x.vector, &y.vector, fraction_bits))
     }
 
-    fn shade(&self, at: &Arrival, lit: &Sig) -> Light {
+    fn shade(&self, at: &Arrival, lit: &Sig) -> Intensities {
         let zero = self.b.integer(0);
         let diffuse = at.n_dot_l.at_least_zero();
         let specular = at.view.exists.choose(&self.highlight(at), &zero);
         let most_at_edge = at.direction.wrap.as_ref().map_or(0.0, |wrap| wrap.most_at_edge);
-        let where_lit = |amount: Sig| lit.choose(&amount, &zero).or_off_by(most_at_edge);
+        let where_lit = |amount: Sig| at_edge(lit.choose(&amount, &zero), most_at_edge);
         let [diffuse, specular] = self.spotted(at, [diffuse, specular]).map(where_lit);
-        Light {
-            diffuse,
-            specular,
-            diffuse_coefficients: at.lamp.light.diffuse.clone(),
-            specular_coefficients: at.lamp.light.specular.clone(),
-        }
+        Intensities { diffuse, specular }
     }
 
     fn highlight(&self, at: &Arrival) -> Sig {
@@ -168,8 +180,11 @@ impl Pixel<'_> {
     /// What a spot leaves of a light.
     fn spotted(&self, at: &Arrival, amounts: [Sig; 2]) -> [Sig; 2] {
         let Some(exponent) = &at.lamp.light.exponent else { return amounts };
-        let (b, shape_bits, largest) =
-            (self.b, self.phong.formats.shape.fraction_bits, self.spec.largest_spot_exponent());
+        let (b, shape_bits, largest) = (
+            self.b,
+            self.phong.formats.shape.fraction_bits,
+            self.parameters.largest_spot_exponent(),
+        );
         let cosine = self.spot_cosine(at);
         let share = || units::any_power_up_to(b, &cosine, exponent, largest.into(), shape_bits);
         let share = b.instance(&format!("light{}_spot", at.index), share);
@@ -187,7 +202,18 @@ impl Pixel<'_> {
                     || units::spot_cosine(b, &at.direction.vector, &axis, f.base.fraction_bits);
                 b.instance(&format!("light{}_spot_cosine", at.index), cosine)
             }
-            (None, None) => unreachable!("`PhongSpec::inputs` gives each spot an axis or a wrap"),
+            (None, None) => {
+                unreachable!("`PhongSpec::light_inputs` gives each spot an axis or a wrap")
+            }
         }
     }
+}
+
+/// What a light gives where rounding decides whether a spot is seen: it may be off by `most`.
+fn at_edge(amount: Sig, most: f64) -> Sig {
+    if most == 0.0 {
+        return amount;
+    }
+    let bound = error::wrapped::at_edge(amount.bound(), most);
+    amount.override_error("error::wrapped::at_edge", bound)
 }

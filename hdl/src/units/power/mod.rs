@@ -10,8 +10,6 @@ use specula_spec::format::power_of_two;
 use specula_spec::power::{Power, PowerUnit};
 
 use crate::error::power::PowerError;
-use specula_datapath::bound::Angular;
-use specula_datapath::bound::ErrorModel;
 use specula_datapath::builder::{Builder, Sig};
 
 pub use squaring::power;
@@ -39,7 +37,7 @@ pub fn any_power(b: &Builder, base: &Sig, n: &Sig, fraction_bits: u32) -> Sig {
 pub fn any_power_up_to(b: &Builder, base: &Sig, n: &Sig, largest: i64, fraction_bits: u32) -> Sig {
     b.unit("any_power", "f = b^n = 2^(n log2 b)", (("base", base), ("n", n)), |b, (base, n)| {
         let exponent_bits = u64::BITS - largest.unsigned_abs().leading_zeros();
-        let error = error_of_power(&base, n.range().magnitude())
+        let error = PowerError::of(base.bound(), n.bound().magnitude())
             .and(power_of_two(-i64::from(fraction_bits)));
         let (zero, one) = (b.integer(0), b.integer(1));
         let positive = zero.less_than(&base).named("positive");
@@ -48,20 +46,8 @@ pub fn any_power_up_to(b: &Builder, base: &Sig, n: &Sig, largest: i64, fraction_
         let minus_log = log2::minus_log2(b, &base, fraction_bits + exponent_bits + 3);
         let y = (&n * minus_log).rounded(fraction_bits + 6).named("y");
         let vanishes = exp2::vanishes(b, &y, fraction_bits).or(&positive.not()).named("vanishes");
-        stated(exp2::two_to_minus(b, &y, &vanishes, fraction_bits), &error).named("f")
+        exp2::two_to_minus(b, &y, &vanishes, fraction_bits)
+            .override_error("error::power::PowerError::bound", error.bound())
+            .named("f")
     })
-}
-
-/// How far the exact power of a base as it comes is off, for whole exponents up to `n`.
-fn error_of_power(base: &Sig, n: f64) -> PowerError {
-    let known = match base.error_model() {
-        ErrorModel::Angular(Angular { angle, rest }) => Angular { angle, rest },
-        _ => Angular { angle: 0.0, rest: base.error_value() },
-    };
-    PowerError::of(known, n)
-}
-
-/// A power that is known to be off so much.
-fn stated(power: Sig, error: &PowerError) -> Sig {
-    power.stated_error_value(error.most()).of_error_model(ErrorModel::Relative(error.shares()))
 }

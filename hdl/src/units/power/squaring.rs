@@ -1,7 +1,7 @@
 //! Powers by squaring.
 use specula_spec::format::power_of_two;
 
-use super::{error_of_power, stated};
+use crate::error::power::PowerError;
 use specula_datapath::builder::{Builder, Sig};
 
 /// base^(2^j) for j = `log2_exponent`, 0 or more: each stage squares where j asks for it, else
@@ -20,14 +20,14 @@ pub fn power(b: &Builder, base: &Sig, log2_exponent: &Sig, fraction_bits: u32) -
         (("base", base), ("j", log2_exponent)),
         |b, (base, j)| {
             let log2_n = j.range().high.unsigned_abs() as u32;
-            let error = error_of_power(&base, power_of_two(log2_n.into()))
+            let error = PowerError::of(base.bound(), power_of_two(log2_n.into()))
                 .and_squared(log2_n, 0.5 * power_of_two(-i64::from(fraction_bits)));
             let mut f = base;
             for done in 0..log2_n {
                 let squared = square(b, &f, fraction_bits);
                 f = b.integer(i64::from(done)).less_than(&j).choose(&squared, &f);
             }
-            stated(f, &error).named("f")
+            f.override_error("error::power::PowerError::bound", error.bound()).named("f")
         },
     )
 }

@@ -1,28 +1,28 @@
-//! Elements of accessors: numbers in buffers, however they are typed, spaced and replaced [glTF
-//! 2.0, 3.6.2].
+//! Elements of accessors: numbers in buffers, with any type, spacing and replacement [glTF 2.0,
+//! 3.6.2].
 use super::buffers::Buffers;
 use super::json::{self, Document, Sparse, SparsePart, Whole};
 use crate::mesh::error::MeshProblem;
 use crate::mesh::warning::quoted;
 
-/// The most elements that are there without bytes in the file, because all of them are 0 or
-/// replaced: else a few bytes would take all memory.
-const MOST_WITHOUT_BYTES: usize = 1_000_000;
+/// Largest number of elements that exist without bytes in the file, because all of them are 0 or
+/// replaced: without a limit, a few bytes could take all memory.
+const MAX_WITHOUT_BYTES: usize = 1_000_000;
 
 /// The type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Component {
-    /// 5120.
+    /// Type 5120.
     I8,
-    /// 5121.
+    /// Type 5121.
     U8,
-    /// 5122.
+    /// Type 5122.
     I16,
-    /// 5123.
+    /// Type 5123.
     U16,
-    /// 5125.
+    /// Type 5125.
     U32,
-    /// 5126.
+    /// Type 5126.
     F32,
 }
 
@@ -52,7 +52,7 @@ impl Component {
         }
     }
 
-    /// The integer that stands for 1 where integers stand for fractions.
+    /// The integer that represents 1 where integers represent fractions.
     fn full_scale(self) -> Option<f64> {
         match self {
             Component::I8 => Some(127.0),
@@ -63,7 +63,7 @@ impl Component {
         }
     }
 
-    /// The number in as many bytes as it has.
+    /// The number that the bytes encode; there are as many as the type has.
     fn value(self, bytes: &[u8]) -> f64 {
         let mut all = [0; 4];
         all[..bytes.len()].copy_from_slice(bytes);
@@ -79,21 +79,21 @@ impl Component {
     }
 }
 
-/// The elements of an accessor; all are there.
+/// The elements of an accessor, all of which exist.
 #[derive(Debug)]
 pub struct Elements<'a> {
     /// The accessor's number.
     pub number: usize,
-    /// How many.
+    /// Number of elements.
     pub count: usize,
     /// The type of each number.
     pub component: Component,
-    /// What each element is: `SCALAR`, `VEC3`, …
+    /// The kind of element: `SCALAR`, `VEC3`, …
     pub kind: &'a str,
     normalized: bool,
     /// Bytes of an element.
     size: usize,
-    /// All elements before any is replaced; 0 if nowhere.
+    /// All elements before replacement; `None` if all are 0.
     base: Option<Spaced<'a>>,
     replaced: Option<Replaced<'a>>,
 }
@@ -111,20 +111,20 @@ impl<'a> Spaced<'a> {
     }
 }
 
-/// Elements that are replaced.
+/// Elements that replace others.
 #[derive(Debug)]
 struct Replaced<'a> {
-    /// Which, in rising order.
+    /// Indices of the replaced elements, in rising order.
     indices: Vec<u32>,
     values: Spaced<'a>,
 }
 
 impl<'a> Elements<'a> {
-    /// Looks an accessor up, and checks that all its elements are there.
+    /// Looks an accessor up, and checks that all its elements exist.
     ///
     /// # Errors
-    /// An accessor, view or buffer that is not there or too short, or of a type that glTF does not
-    /// have.
+    /// An accessor, view or buffer that does not exist or is too short, or a type that glTF does
+    /// not have.
     pub fn new(
         document: &'a Document,
         buffers: &'a Buffers<'a>,
@@ -160,12 +160,12 @@ impl<'a> Elements<'a> {
         })
     }
 
-    /// How many of the elements are replaced.
+    /// Number of replaced elements.
     pub fn replaced_count(&self) -> usize {
         self.replaced.as_ref().map_or(0, |replaced| replaced.indices.len())
     }
 
-    /// Whether the file has no bytes for it: all elements are 0.
+    /// Whether the file has no bytes for it, so that all elements are 0.
     pub fn has_no_bytes(&self) -> bool {
         self.base.is_none() && self.replaced.is_none()
     }
@@ -186,13 +186,14 @@ impl<'a> Elements<'a> {
         replaced.or_else(|| self.base.as_ref()?.get(index, self.size)).unwrap_or_default()
     }
 
-    /// The `k`-th number of an element as it is written.
+    /// The `k`-th number of an element as it is stored.
     fn raw(&self, element: &[u8], k: usize) -> f64 {
         let size = self.component.size();
         element.get(k * size..(k + 1) * size).map_or(0.0, |bytes| self.component.value(bytes))
     }
 
-    /// An integer that stands for a fraction, as that [glTF 2.0, 3.6.2.1: max(c / 127, -1)].
+    /// An integer converted to the fraction that it represents [glTF 2.0, 3.6.2.1: max(c / 127,
+    /// -1)].
     fn scaled(&self, value: f64) -> f64 {
         match self.component.full_scale().filter(|_| self.normalized) {
             Some(full_scale) => (value / full_scale).max(-1.0),
@@ -201,7 +202,7 @@ impl<'a> Elements<'a> {
     }
 }
 
-/// All elements before any is replaced.
+/// All elements before replacement.
 fn base<'a>(
     accessor: &json::Accessor,
     buffers: &'a Buffers<'a>,
@@ -211,14 +212,14 @@ fn base<'a>(
 ) -> Result<Option<Spaced<'a>>, MeshProblem> {
     match accessor.buffer_view {
         Some(view) => spaced(buffers, view, accessor.byte_offset, count, size, whose).map(Some),
-        None if count > MOST_WITHOUT_BYTES => Err(syntax(format!(
-            "{whose} has {count} elements without bytes; at most {MOST_WITHOUT_BYTES} are read"
+        None if count > MAX_WITHOUT_BYTES => Err(syntax(format!(
+            "{whose} has {count} elements without bytes; at most {MAX_WITHOUT_BYTES} are read"
         ))),
         None => Ok(None),
     }
 }
 
-/// `count` elements in a view, all of them there.
+/// `count` elements in a view, which is checked to contain them.
 fn spaced<'a>(
     buffers: &'a Buffers<'a>,
     view: Whole,
@@ -288,7 +289,7 @@ pub fn is_index(component: Component) -> bool {
     matches!(component, Component::U8 | Component::U16 | Component::U32)
 }
 
-/// Numbers of an element. Matrices are not read: nothing that is drawn has them.
+/// Number of numbers in an element. Matrices are not read, since nothing that is drawn has them.
 fn parts(kind: &str) -> Option<usize> {
     match kind {
         "SCALAR" => Some(1),

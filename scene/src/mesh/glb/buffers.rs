@@ -1,4 +1,4 @@
-//! Bytes that accessors look at.
+//! The bytes of buffers, which accessors read.
 use std::cell::OnceCell;
 
 use base64::Engine;
@@ -10,7 +10,7 @@ use super::json::{BufferView, Document, Whole};
 use crate::mesh::error::MeshProblem;
 use crate::mesh::warning::quoted;
 
-/// The bytes of all buffers, those in data URIs decoded when they are first looked at.
+/// The bytes of all buffers; those in data URIs are decoded when they are first used.
 pub struct Buffers<'a> {
     document: &'a Document,
     binary: Option<&'a [u8]>,
@@ -18,7 +18,7 @@ pub struct Buffers<'a> {
 }
 
 impl<'a> Buffers<'a> {
-    /// The buffers of a document; `binary` is what stands beside the JSON.
+    /// The buffers of a document; `binary` is the chunk that follows the JSON.
     pub fn new(document: &'a Document, binary: Option<&'a [u8]>) -> Buffers<'a> {
         Buffers {
             document,
@@ -27,10 +27,11 @@ impl<'a> Buffers<'a> {
         }
     }
 
-    /// The bytes of a view, and from the start of one element to the next, if it says.
+    /// The bytes of a view, and the distance from the start of one element to the next, if the view
+    /// states it.
     ///
     /// # Errors
-    /// A view that is not there, reaches beyond its buffer, or is of a buffer that is not in the
+    /// A view that does not exist, exceeds its buffer, or refers to a buffer that is not in the
     /// file.
     pub fn view(&self, Whole(number): Whole) -> Result<(&[u8], Option<usize>), MeshProblem> {
         let missing = || {
@@ -84,7 +85,7 @@ fn decode(uri: &str, number: usize) -> Result<Vec<u8>, MeshProblem> {
     if !kind.to_ascii_lowercase().ends_with(";base64") {
         return Err(MeshProblem::Syntax(format!("the data of buffer {number} are not in base64")));
     }
-    // Some programs leave the padding out.
+    // Some programs omit the padding.
     let config =
         GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
     let bytes = GeneralPurpose::new(&STANDARD, config).decode(text);

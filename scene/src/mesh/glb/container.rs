@@ -1,5 +1,5 @@
-//! The container of a `.glb` file: a header, a chunk of JSON, and perhaps one of bytes [glTF 2.0,
-//! 4].
+//! The container of a `.glb` file: a header, a chunk of JSON, and possibly a chunk of bytes [glTF
+//! 2.0, 4].
 use crate::mesh::error::MeshProblem;
 use crate::mesh::warning::Notices;
 
@@ -14,12 +14,12 @@ const CHUNK_HEADER: usize = 8;
 pub struct Container<'a> {
     /// The JSON text, as bytes.
     pub json: &'a [u8],
-    /// The bytes beside it.
+    /// The binary chunk.
     pub binary: Option<&'a [u8]>,
 }
 
 impl<'a> Container<'a> {
-    /// Takes a file apart. Chunks of other types are passed over.
+    /// Splits a file into its chunks. Chunks of other types are skipped.
     ///
     /// # Errors
     /// A file that is no `.glb` of version 2, or ends early.
@@ -44,7 +44,7 @@ impl<'a> Container<'a> {
     }
 }
 
-/// What follows the header, up to the length that it states.
+/// The bytes after the header, up to the length that it states.
 fn chunks(bytes: &[u8]) -> Result<&[u8], MeshProblem> {
     if !bytes.starts_with(b"glTF") {
         return Err(syntax("it does not start with `glTF`".into()));
@@ -70,7 +70,7 @@ type Chunk<'a> = (&'a [u8], &'a [u8]);
 
 /// Cuts the first chunk off: its type and its data.
 fn next_chunk<'a>(rest: &mut &'a [u8]) -> Result<Option<Chunk<'a>>, MeshProblem> {
-    // Fewer bytes than a chunk has before its data are padding.
+    // Fewer bytes than a chunk's header are padding.
     let Some((header, behind)) = rest.split_at_checked(CHUNK_HEADER) else { return Ok(None) };
     let stated = number(header, 0).unwrap_or_default() as usize;
     let (data, behind) = behind.split_at_checked(stated).ok_or_else(|| {
@@ -80,7 +80,7 @@ fn next_chunk<'a>(rest: &mut &'a [u8]) -> Result<Option<Chunk<'a>>, MeshProblem>
     Ok(Some((&header[4..], data)))
 }
 
-/// The number of 32 bits at an offset, the lowest byte first.
+/// The 32-bit number at an offset, the least significant byte first.
 fn number(bytes: &[u8], at: usize) -> Option<u32> {
     let bytes = bytes.get(at..)?.first_chunk()?;
     Some(u32::from_le_bytes(*bytes))

@@ -1,4 +1,4 @@
-//! Meshes at their places, put together as one.
+//! Joins the meshes at their places into one.
 use std::collections::BTreeMap;
 
 use glam::{DMat3, DMat4, DVec3};
@@ -8,18 +8,18 @@ use super::json::{Instancing, Whole};
 use super::nodes::{Placed, rotation};
 use super::primitives::{Accessors, Drawable};
 use crate::mesh::error::MeshProblem;
+use crate::mesh::limits::{FARTHEST, MAX_TRIANGLES};
 use crate::mesh::normals::normal_matrix;
 use crate::mesh::polygons::{Corner, Polygons};
 use crate::mesh::warning::Notices;
-use crate::mesh::{FARTHEST, MOST_TRIANGLES};
 
 /// All triangles of `placed`; the accessors of their meshes have been looked up.
 ///
-/// They are counted before any is copied, since a small file may name large meshes often.
+/// The triangles are counted before any is copied, since a small file may instance large meshes
+/// many times.
 ///
 /// # Errors
-/// More triangles than are taken, indices and coordinates that are out of range, accessors of wrong
-/// types.
+/// Too many triangles, indices and coordinates that are out of range, accessors of wrong types.
 pub fn draw(
     placed: &[Placed<'_>],
     accessors: &Accessors<'_>,
@@ -34,14 +34,14 @@ pub fn draw(
     let parts = placed
         .iter()
         .map(|one| Ok((one, &meshes[&one.mesh], Instances::new(one.instancing, accessors)?)));
-    // A mesh without triangles may be instanced as often as it likes.
+    // A mesh without triangles may be instanced any number of times.
     let parts = parts.filter(|part| !matches!(part, Ok((_, drawables, _)) if drawables.is_empty()));
     let parts = parts.collect::<Result<Vec<_>, MeshProblem>>()?;
     let triangles = parts
         .iter()
         .map(|(_, drawables, instances)| triangles(drawables).saturating_mul(instances.count));
     let triangles = triangles.fold(0, usize::saturating_add);
-    if triangles > MOST_TRIANGLES {
+    if triangles > MAX_TRIANGLES {
         return Err(MeshProblem::TooManyTriangles(triangles));
     }
     let mut drawing = Drawing::default();
@@ -57,7 +57,7 @@ fn triangles(drawables: &[Drawable<'_, '_>]) -> usize {
     drawables.iter().map(|drawable| drawable.triangles).fold(0, usize::saturating_add)
 }
 
-/// Places that a mesh is drawn at, below the node's own.
+/// Places at which a mesh is drawn, relative to its node.
 struct Instances<'p, 'a> {
     count: usize,
     translations: Option<&'p Elements<'a>>,
@@ -66,7 +66,7 @@ struct Instances<'p, 'a> {
 }
 
 impl<'p, 'a> Instances<'p, 'a> {
-    /// Once where the node says nothing about it [EXT_mesh_gpu_instancing].
+    /// There is one instance if the node says nothing about it [EXT_mesh_gpu_instancing].
     fn new(
         instancing: Option<&Instancing>,
         accessors: &'p Accessors<'a>,
@@ -107,7 +107,7 @@ impl<'p, 'a> Instances<'p, 'a> {
     }
 }
 
-/// What has been put together.
+/// The mesh put together so far.
 #[derive(Default)]
 struct Drawing {
     polygons: Polygons,
@@ -122,24 +122,24 @@ impl Drawing {
         notices: &mut Notices,
     ) -> Result<(), MeshProblem> {
         self.copied.forget();
-        let place = Place::new(place);
+        let place = Placement::new(place);
         drawables.iter().try_for_each(|drawable| self.part(drawable, &place, notices))
     }
 
     fn part(
         &mut self,
         drawable: &Drawable<'_, '_>,
-        place: &Place,
+        place: &Placement,
         notices: &mut Notices,
     ) -> Result<(), MeshProblem> {
         self.copied.begin(drawable);
         for number in 0..drawable.triangles {
             let [a, b, c] = drawable.triangle(number)?;
             if a == b || b == c || c == a {
-                // Strips are led elsewhere by these.
+                // These degenerate triangles lead strips elsewhere.
                 continue;
             }
-            // A mirror turns triangles around [glTF 2.0, 3.7.4].
+            // A mirror reverses the orientation of triangles [glTF 2.0, 3.7.4].
             let turned = if place.is_mirror { [a, c, b] } else { [a, b, c] };
             let mut corners = [Corner { vertex: 0, normal: None }; 3];
             for (corner, vertex) in corners.iter_mut().zip(turned) {
@@ -158,7 +158,7 @@ impl Drawing {
         &mut self,
         vertex: usize,
         drawable: &Drawable<'_, '_>,
-        place: &Place,
+        place: &Placement,
         notices: &mut Notices,
     ) -> Result<Corner, MeshProblem> {
         let position =
@@ -168,7 +168,7 @@ impl Drawing {
         {
             return Err(MeshProblem::Coordinate { what: "vertex", index: vertex, value });
         }
-        // Three times the most triangles at most: indices fit.
+        // There are at most three times [`MAX_TRIANGLES`] vertices, so indices fit.
         let mut corner = Corner { vertex: self.polygons.positions.len() as u32, normal: None };
         self.polygons.positions.push(position);
         if let Some(normals) = drawable.normals.filter(|normals| vertex < normals.count) {
@@ -188,27 +188,31 @@ impl Drawing {
     }
 }
 
-/// Where a mesh is put.
-struct Place {
+/// A place at which a mesh is drawn.
+struct Placement {
     whole: DMat4,
     to_normals: DMat3,
     is_mirror: bool,
 }
 
-impl Place {
-    fn new(whole: DMat4) -> Place {
+impl Placement {
+    fn new(whole: DMat4) -> Placement {
         let linear = DMat3::from_mat4(whole);
-        Place { whole, to_normals: normal_matrix(linear), is_mirror: linear.determinant() < 0.0 }
+        Placement {
+            whole,
+            to_normals: normal_matrix(linear),
+            is_mirror: linear.determinant() < 0.0,
+        }
     }
 }
 
-/// The vertices that have been copied of a mesh's accessors: parts that follow each other and share
-/// them share the copies.
+/// The vertices copied from a mesh's accessors: consecutive parts that share accessors share the
+/// copies.
 #[derive(Default)]
 struct Copied {
     /// The accessors of positions and normals.
     accessors: Option<(usize, Option<usize>)>,
-    /// For each vertex where its corner stands in `corners`, or [`NOT_COPIED`].
+    /// For each vertex its position in `corners`, or [`NOT_COPIED`].
     places: Vec<u32>,
     /// The vertices and corners copied so far.
     corners: Vec<(usize, Corner)>,
@@ -224,7 +228,7 @@ impl Copied {
         self.accessors = None;
     }
 
-    /// Forgets what was copied of other accessors than those of `drawable`.
+    /// Forgets what was copied from accessors other than those of `drawable`.
     fn begin(&mut self, drawable: &Drawable<'_, '_>) {
         let accessors =
             Some((drawable.positions.number, drawable.normals.map(|normals| normals.number)));

@@ -1,12 +1,12 @@
-//! Extensions of glTF: those that change geometry are read or refused, all others left out.
+//! Extensions of glTF: those that change geometry are supported or refused, all others ignored.
 use super::json::Document;
 use crate::mesh::error::MeshProblem;
 use crate::mesh::warning::{Notices, quoted};
 
-/// Extensions that are read.
+/// Supported extensions.
 const READ: [&str; 3] = ["EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_node_visibility"];
 
-/// Extensions without which a file has no geometry, or another.
+/// Extensions without which a file has no geometry, or a different one.
 const REFUSED: [&str; 5] = [
     "EXT_mesh_primitive_restart",
     "EXT_meshopt_compression",
@@ -15,13 +15,13 @@ const REFUSED: [&str; 5] = [
     "WEB3D_quantized_attributes",
 ];
 
-/// Names that a warning tells at most.
-const MOST_TOLD: usize = 5;
+/// Largest number of names that a warning lists.
+const MAX_TOLD: usize = 5;
 
-/// Notes the extensions that are left out, once.
+/// Adds one note about the extensions that are ignored.
 ///
 /// # Errors
-/// The file cannot do without an extension that changes geometry and is not read.
+/// The file requires an extension that changes geometry and is not supported.
 pub fn check(document: &Document, notices: &mut Notices) -> Result<(), MeshProblem> {
     let (used, required) = (&document.extensions_used.0, &document.extensions_required.0);
     if let Some(name) = REFUSED.into_iter().find(|name| required.contains(*name)) {
@@ -35,13 +35,13 @@ pub fn check(document: &Document, notices: &mut Notices) -> Result<(), MeshProbl
     Ok(())
 }
 
-/// Geometry that is there only by an extension which is not read.
+/// The error for geometry that exists only in an unsupported extension.
 pub fn unread(name: &str) -> MeshProblem {
     MeshProblem::Unsupported(format!("the extension `{name}`"))
 }
 
 fn told(names: &[&str]) -> String {
-    let (told, more) = names.split_at(names.len().min(MOST_TOLD));
+    let (told, more) = names.split_at(names.len().min(MAX_TOLD));
     let mut words: Vec<String> = told.iter().map(|name| quoted(name.as_bytes())).collect();
     if !more.is_empty() {
         words.push(format!("{} more", more.len()));

@@ -1,8 +1,8 @@
-//! What is read of the JSON of glTF 2.0: what geometry needs, and no more.
+//! The part of glTF 2.0's JSON that geometry needs.
 //!
-//! What is not named here (materials, cameras, `extras`, extensions that nothing here knows) is
-//! skipped whatever it holds, and what is named may be left out wherever its use can be refused
-//! more clearly than its absence.
+//! What is not declared here (materials, cameras, `extras`, unknown extensions) is skipped,
+//! whatever it contains. What is declared may be absent wherever its use can be refused more
+//! clearly than its absence.
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -12,20 +12,20 @@ use serde::de::{self, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
 use crate::mesh::error::MeshProblem;
 
-/// The most objects in the JSON: what is read of each takes some hundred bytes of memory at most.
-const MOST_OBJECTS: usize = 2_000_000;
+/// Largest number of objects in the JSON: each of them takes at most some hundred bytes of memory.
+const MAX_OBJECTS: usize = 2_000_000;
 
-/// The most extensions that a file may name.
-const MOST_EXTENSIONS: usize = 1000;
+/// Largest number of extensions that a file may name.
+const MAX_EXTENSIONS: usize = 1000;
 
 /// Reads the JSON text.
 ///
 /// # Errors
-/// Text that is not JSON, or in which something needed is of a wrong type.
+/// Text that is not JSON, or in which something needed has a wrong type.
 pub fn parse(bytes: &[u8]) -> Result<Document, MeshProblem> {
     let objects = bytes.iter().filter(|byte| **byte == b'{').count();
-    if objects > MOST_OBJECTS {
-        let text = format!("its JSON has {objects} objects; at most {MOST_OBJECTS} are read");
+    if objects > MAX_OBJECTS {
+        let text = format!("its JSON has {objects} objects; at most {MAX_OBJECTS} are read");
         return Err(MeshProblem::Syntax(text));
     }
     // Names in other encodings are not needed. Some programs pad with zeros.
@@ -35,7 +35,7 @@ pub fn parse(bytes: &[u8]) -> Result<Document, MeshProblem> {
         .map_err(|error| MeshProblem::Syntax(format!("its JSON is wrong: {error}")))
 }
 
-/// The whole file.
+/// The whole document.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase", expecting = "an object")]
 pub struct Document {
@@ -55,21 +55,21 @@ pub struct Document {
     pub buffer_views: Vec<BufferView>,
     /// All buffers.
     pub buffers: Vec<Buffer>,
-    /// How many animations there are.
+    /// The animations, of which only the number matters.
     pub animations: Vec<IgnoredAny>,
-    /// Extensions that something in the file makes use of.
+    /// Extensions that the file uses.
     pub extensions_used: Names,
-    /// Extensions that the file says it cannot do without.
+    /// Extensions that the file requires.
     pub extensions_required: Names,
 }
 
-/// What a file says about itself.
+/// The file's metadata.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase", expecting = "an object")]
 pub struct Asset {
-    /// The version of glTF that it is for.
+    /// The version of glTF that it was written for.
     pub version: Option<String>,
-    /// The version of glTF that it cannot do without.
+    /// The least version of glTF that it requires.
     pub min_version: Option<String>,
 }
 
@@ -77,7 +77,7 @@ pub struct Asset {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct Scene {
-    /// The roots of its trees.
+    /// The roots of its node trees.
     pub nodes: Vec<Whole>,
 }
 
@@ -87,62 +87,62 @@ pub struct Scene {
 pub struct Node {
     /// The nodes below it.
     pub children: Vec<Whole>,
-    /// What is drawn there.
+    /// The mesh that is drawn there.
     pub mesh: Option<Whole>,
-    /// What moves the mesh's vertices.
+    /// The skin that moves the mesh's vertices.
     pub skin: Option<IgnoredAny>,
-    /// The way to the parent's coordinates, column by column.
+    /// The matrix from its coordinates to the parent's, column by column.
     pub matrix: Option<Box<[Number; 16]>>,
-    /// The same in three parts.
+    /// The translation, if there is no matrix.
     pub translation: Option<[Number; 3]>,
-    /// A quaternion x, y, z, w.
+    /// The rotation as a quaternion x, y, z, w.
     pub rotation: Option<[Number; 4]>,
-    /// Factors.
+    /// The scale factors.
     pub scale: Option<[Number; 3]>,
-    /// What extensions add.
+    /// Extensions of the node.
     pub extensions: Option<Box<NodeExtensions>>,
 }
 
-/// What extensions add to a node.
+/// Extensions of a node.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct NodeExtensions {
-    /// The mesh is drawn many times.
+    /// Instances: the mesh is drawn many times.
     #[serde(rename = "EXT_mesh_gpu_instancing")]
     pub instancing: Option<Instancing>,
-    /// The node is hidden.
+    /// Visibility: the node may be hidden.
     #[serde(rename = "KHR_node_visibility")]
     pub visibility: Option<Visibility>,
 }
 
-/// Where a mesh is drawn many times.
+/// The instances of a mesh.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct Instancing {
-    /// Accessors with a value for each time.
+    /// Accessors with a value for each instance.
     pub attributes: InstanceAttributes,
 }
 
-/// Accessors with a value for each time that a mesh is drawn.
+/// Accessors with a value for each instance of a mesh.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct InstanceAttributes {
-    /// Shifts.
+    /// Translations.
     #[serde(rename = "TRANSLATION")]
     pub translation: Option<Whole>,
     /// Quaternions x, y, z, w.
     #[serde(rename = "ROTATION")]
     pub rotation: Option<Whole>,
-    /// Factors.
+    /// Scale factors.
     #[serde(rename = "SCALE")]
     pub scale: Option<Whole>,
 }
 
-/// Whether a node is seen.
+/// The visibility of a node.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct Visibility {
-    /// It is where nothing is said.
+    /// Whether it is visible; true by default.
     pub visible: Option<bool>,
 }
 
@@ -150,7 +150,7 @@ pub struct Visibility {
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct Mesh {
-    /// The parts of it.
+    /// Its parts.
     pub primitives: Vec<Primitive>,
 }
 
@@ -160,69 +160,69 @@ pub struct Mesh {
 pub struct Primitive {
     /// Accessors with a value for each vertex.
     pub attributes: Attributes,
-    /// The accessor with the order of vertices.
+    /// The accessor with the indices of vertices.
     pub indices: Option<Whole>,
     /// Points, lines or triangles.
     pub mode: Option<Whole>,
-    /// What vertices may move to.
+    /// Morph targets of the vertices.
     pub targets: Vec<IgnoredAny>,
-    /// What extensions add.
+    /// Extensions of the part.
     pub extensions: PrimitiveExtensions,
 }
 
-/// What extensions add to a part of a mesh.
+/// Extensions of a part of a mesh.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct PrimitiveExtensions {
-    /// Its vertices are compressed.
+    /// Draco compression of its vertices.
     #[serde(rename = "KHR_draco_mesh_compression")]
     pub draco: Option<IgnoredAny>,
 }
 
-/// Numbers of one type, one or several for each element.
+/// An accessor: numbers of one type, one or several for each element.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase", expecting = "an object")]
 pub struct Accessor {
-    /// Where they are; all are 0 if nowhere.
+    /// The view that contains them; without one, all are 0.
     pub buffer_view: Option<Whole>,
-    /// Where the first starts in the view, in bytes.
+    /// Offset of the first element in the view, in bytes.
     pub byte_offset: Whole,
     /// The type of a number.
     pub component_type: Option<Whole>,
-    /// Whether integers stand for fractions.
+    /// Whether integers represent fractions.
     pub normalized: bool,
-    /// How many elements.
+    /// Number of elements.
     pub count: Option<Whole>,
-    /// How many numbers an element has.
+    /// The kind of element, which determines how many numbers it has.
     #[serde(rename = "type")]
     pub kind: Option<String>,
     /// The smallest of all elements.
     pub min: Option<IgnoredAny>,
     /// The largest of all elements.
     pub max: Option<IgnoredAny>,
-    /// Elements that are replaced.
+    /// Elements that replace others.
     pub sparse: Option<Box<Sparse>>,
 }
 
-/// Elements of an accessor that are replaced.
+/// Elements of an accessor that replace others.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct Sparse {
-    /// How many.
+    /// How many exist.
     pub count: Whole,
-    /// Which.
+    /// Indices of the replaced elements.
     pub indices: SparsePart,
-    /// By what.
+    /// Their values.
     pub values: SparsePart,
 }
 
-/// Where indices or values of replaced elements are.
+/// The place of indices or values of replacing elements.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase", expecting = "an object")]
 pub struct SparsePart {
     /// The view.
     pub buffer_view: Option<Whole>,
-    /// Where the first starts in the view, in bytes.
+    /// Offset of the first one in the view, in bytes.
     pub byte_offset: Whole,
     /// The type of indices.
     pub component_type: Option<Whole>,
@@ -234,37 +234,37 @@ pub struct SparsePart {
 pub struct BufferView {
     /// The buffer.
     pub buffer: Whole,
-    /// Where it starts in the buffer, in bytes.
+    /// Offset in the buffer, in bytes.
     pub byte_offset: Whole,
-    /// How long it is, in bytes.
+    /// Length in bytes.
     pub byte_length: Whole,
-    /// From the start of one element to the next, in bytes.
+    /// Distance from the start of one element to the next, in bytes.
     pub byte_stride: Option<Whole>,
-    /// What extensions add.
+    /// Extensions of the view.
     pub extensions: ViewExtensions,
 }
 
-/// What extensions add to a part of a buffer.
+/// Extensions of a buffer view.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct ViewExtensions {
-    /// It is compressed.
+    /// Compression by meshopt.
     #[serde(rename = "EXT_meshopt_compression")]
     pub meshopt: Option<IgnoredAny>,
-    /// It is compressed, by the extension's later name; files may have both.
+    /// Compression by meshopt, under the extension's later name; files may have both.
     #[serde(rename = "KHR_meshopt_compression")]
     pub meshopt_khr: Option<IgnoredAny>,
 }
 
-/// Bytes.
+/// A buffer of bytes.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, expecting = "an object")]
 pub struct Buffer {
-    /// Where they are, unless beside the JSON.
+    /// The URI of its bytes, unless they are in the binary chunk.
     pub uri: Option<String>,
 }
 
-/// A whole number from 0 on, also written as a fraction (`5.0`), as JSON allows.
+/// An integer from 0, which JSON may also write as a fraction (`5.0`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Whole(pub usize);
 
@@ -285,7 +285,7 @@ impl<'de> Deserialize<'de> for Whole {
             }
 
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<Whole, E> {
-                // 2^53: whole numbers up to there are exact.
+                // Integers up to 2^53 are exact.
                 let is_whole = value.fract() == 0.0 && (0.0..=9007199254740992.0).contains(&value);
                 if is_whole {
                     Ok(Whole(value as usize))
@@ -328,15 +328,14 @@ impl<'de> Deserialize<'de> for Number {
     }
 }
 
-/// The attributes of a part of a mesh that are used, and the first of those that no version of glTF
-/// knows.
+/// The attributes of a part of a mesh that are used, and the first one that no version of glTF has.
 #[derive(Debug, Default, PartialEq)]
 pub struct Attributes {
-    /// Places.
+    /// Positions.
     pub position: Option<Whole>,
     /// Normals.
     pub normal: Option<Whole>,
-    /// An application's own: its name starts with `_`.
+    /// An application's own attribute, whose name starts with `_`.
     pub custom: Option<String>,
 }
 
@@ -371,12 +370,12 @@ impl<'de> Deserialize<'de> for Attributes {
     }
 }
 
-/// A string that is copied only where it has escapes.
+/// A string that is copied only if it has escapes.
 #[derive(Deserialize)]
 #[serde(transparent)]
 struct Text<'a>(#[serde(borrow)] Cow<'a, str>);
 
-/// Names of extensions, each once.
+/// Names of extensions without repetition.
 #[derive(Debug, Default, PartialEq)]
 pub struct Names(pub BTreeSet<String>);
 
@@ -393,9 +392,9 @@ impl<'de> Deserialize<'de> for Names {
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Names, A::Error> {
                 let mut names = BTreeSet::new();
                 while let Some(Text(name)) = list.next_element()? {
-                    if names.len() == MOST_EXTENSIONS {
+                    if names.len() == MAX_EXTENSIONS {
                         return Err(de::Error::custom(format!(
-                            "more than {MOST_EXTENSIONS} extensions"
+                            "more than {MAX_EXTENSIONS} extensions"
                         )));
                     }
                     if !names.contains(&*name) {
@@ -418,7 +417,7 @@ mod tests {
         let text = r#"{"extras": [1, {"nodes": 3}], "asset": {"version": "2.0", "extras": null}, "textures": [{}, 7],
             "animations": [{"channels": [{"target": {}}]}], "nodes": [{"mesh": 0.0, "name": "caf?", "extras": "x"}],
             "accessors": [{"count": 3e0, "type": "VEC3", "min": "?"}], "materials": "\ud800", "scenes": [{}]}"#;
-        // A name in Latin-1.
+        // The name is in Latin-1.
         let text: Vec<u8> =
             text.bytes().map(|byte| if byte == b'?' { 0xe9 } else { byte }).collect();
         let document = parse(&text).expect("it is JSON");

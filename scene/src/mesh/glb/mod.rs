@@ -16,19 +16,18 @@ use json::{Document, Whole};
 use nodes::Placed;
 use primitives::Accessors;
 
-use super::Mesh;
 use super::error::{Located, MeshProblem};
+use super::indexed::Mesh;
 use super::polygons::Polygons;
 use super::warning::{Notices, quoted};
 
 /// Reads a `.glb` file: every triangle of the default scene's meshes, moved where its nodes put it.
 ///
-/// Where a primitive lacks normals, vertices at the same place are joined, so that normals are
-/// shared across seams.
+/// If a primitive lacks normals, vertices at the same place are joined, so that normals are shared
+/// across seams.
 ///
-/// # Errors
-/// A file that is not a valid `.glb`, that keeps its geometry compressed or in other files, and all
-/// that `Polygons::into_mesh` finds.
+/// A file that is not a valid `.glb`, or that keeps its geometry compressed or in other files, and
+/// all errors of `Polygons::into_mesh`.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let polygons = polygons(bytes, notices)?;
     let all = if polygons.has_all_normals() { polygons } else { polygons.welded() };
@@ -48,8 +47,8 @@ fn polygons(bytes: &[u8], notices: &mut Notices) -> Result<Polygons, MeshProblem
     draw::draw(&placed, &accessors, notices)
 }
 
-/// Checks that the JSON is of version 2 of glTF, as the container is; many files say less than they
-/// have to.
+/// Checks that the JSON is for version 2 of glTF, as the container is; many files state less than
+/// they must.
 fn check_version(document: &Document) -> Result<(), MeshProblem> {
     let asset = &document.asset;
     let (version, least) =
@@ -64,7 +63,7 @@ fn check_version(document: &Document) -> Result<(), MeshProblem> {
     Ok(())
 }
 
-/// Notes what would move the mesh.
+/// Adds notes about what would move the mesh.
 fn note_movement(document: &Document, placed: &[Placed<'_>], notices: &mut Notices) {
     if !document.animations.is_empty() {
         notices.add("animations", None, || {

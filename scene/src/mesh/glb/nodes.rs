@@ -1,26 +1,25 @@
-//! What is drawn where: the trees of nodes [glTF 2.0, 3.5].
+//! The node trees, which place meshes [glTF 2.0, 3.5].
 use glam::{DMat4, DQuat, DVec3};
 
 use super::json::{Document, Instancing, Node, Number, Whole};
 use crate::mesh::error::MeshProblem;
 
-/// A mesh put somewhere.
+/// A mesh at a place.
 pub struct Placed<'a> {
     /// The mesh's number.
     pub mesh: usize,
-    /// From its coordinates to those of the scene.
+    /// The transformation from its coordinates to the scene's.
     pub place: DMat4,
-    /// Where it is drawn many times.
+    /// Its instances, if it is drawn many times.
     pub instancing: Option<&'a Instancing>,
-    /// Whether a skin would move its vertices.
+    /// Whether it has a skin that would move its vertices.
     pub has_skin: bool,
 }
 
-/// The meshes of the default scene, else of all scenes, else (where no scene has a root) of all
-/// trees of nodes, else all meshes as they are.
+/// The meshes of the default scene; without one, of all scenes; if no scene has a root, of all node
+/// trees; and if there are none, all meshes without transformation.
 ///
-/// # Errors
-/// Scenes, nodes and meshes that are not there, and nodes that are not in a tree.
+/// Scenes, nodes and meshes that do not exist, and nodes that do not form trees.
 pub fn placed(document: &Document) -> Result<Vec<Placed<'_>>, MeshProblem> {
     let names_none = document.scenes.iter().all(|scene| scene.nodes.is_empty());
     if document.scene.is_none() && names_none && document.nodes.is_empty() {
@@ -37,7 +36,7 @@ pub fn placed(document: &Document) -> Result<Vec<Placed<'_>>, MeshProblem> {
     Ok(forest.placed)
 }
 
-/// The roots that are drawn, each once although scenes may share them.
+/// The roots that are drawn, each once, although scenes may share them.
 fn roots(document: &Document) -> Result<Vec<usize>, MeshProblem> {
     let scenes = match document.scene {
         Some(Whole(scene)) => {
@@ -66,7 +65,7 @@ fn roots(document: &Document) -> Result<Vec<usize>, MeshProblem> {
     Ok(roots)
 }
 
-/// The nodes that are below no other.
+/// The nodes without a parent.
 fn orphans(document: &Document) -> Result<Vec<usize>, MeshProblem> {
     let mut is_below = vec![false; document.nodes.len()];
     for &Whole(child) in document.nodes.iter().flat_map(|node| &node.children) {
@@ -82,7 +81,7 @@ fn orphans(document: &Document) -> Result<Vec<usize>, MeshProblem> {
 
 struct Forest<'a> {
     document: &'a Document,
-    /// Nodes that have been met.
+    /// For each node whether it has been visited.
     met: Vec<bool>,
     placed: Vec<Placed<'a>>,
 }
@@ -97,7 +96,7 @@ impl Forest<'_> {
                 .nodes
                 .get(number)
                 .ok_or_else(|| no_such_node(self.document, number))?;
-            // The format asks for trees; a node met twice could be its own ancestor.
+            // The format requires trees; a node visited twice could be its own ancestor.
             if std::mem::replace(&mut self.met[number], true) {
                 return Err(syntax(format!("node {number} is in the scene twice")));
             }
@@ -116,7 +115,7 @@ impl Forest<'_> {
     }
 }
 
-/// From a node's coordinates to its parent's.
+/// The transformation from a node's coordinates to its parent's.
 fn transform(node: &Node) -> DMat4 {
     if let Some(matrix) = &node.matrix {
         return DMat4::from_cols_array(&matrix.map(|Number(x)| x));
@@ -132,7 +131,7 @@ fn transform(node: &Node) -> DMat4 {
     )
 }
 
-/// A turn by a quaternion x, y, z, w, brought to unit length; none by 0.
+/// The rotation by a quaternion x, y, z, w, which is normalised; the identity for 0.
 pub fn rotation(quaternion: [f64; 4]) -> DQuat {
     let length = DQuat::from_array(quaternion).length();
     if length > 0.0 && length.is_finite() {

@@ -1,33 +1,33 @@
-//! Triangles of the parts of meshes.
+//! The triangles of a mesh's parts.
 use std::collections::BTreeMap;
 
 use super::accessors::{Component, Elements, is_index};
 use super::buffers::Buffers;
 use super::extensions::unread;
 use super::json::{Document, Primitive, Whole};
-use crate::mesh::MOST_TRIANGLES;
 use crate::mesh::error::MeshProblem;
+use crate::mesh::limits::MAX_TRIANGLES;
 use crate::mesh::warning::{Notices, quoted};
 
 /// The extension by which positions and normals may be integers.
 const QUANTIZATION: &str = "KHR_mesh_quantization";
 
-/// The most elements that accessors replace, in all.
-const MOST_REPLACED: usize = 3 * MOST_TRIANGLES;
+/// Largest total number of elements that accessors replace.
+const MAX_REPLACED: usize = 3 * MAX_TRIANGLES;
 
-/// How the corners of triangles follow each other [glTF 2.0, 3.7.2.1].
+/// The order of triangles' corners [glTF 2.0, 3.7.2.1].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mode {
-    /// Three by three.
+    /// Three corners for each triangle.
     List,
-    /// Each with the two before it, every other triangle turned around.
+    /// Each corner makes a triangle with the two before it; every other triangle is reversed.
     Strip,
-    /// Each with the one before it and the first.
+    /// Each corner makes a triangle with the one before it and the first one.
     Fan,
 }
 
 impl Mode {
-    /// Triangles of so many corners; what is left over is left out.
+    /// Number of triangles that `corners` corners make; remaining corners are ignored.
     fn triangles(self, corners: usize) -> usize {
         match self {
             Mode::List => corners / 3,
@@ -50,20 +50,20 @@ impl Mode {
 #[derive(Clone, Copy, Debug)]
 pub struct Drawable<'p, 'a> {
     mode: Mode,
-    /// Places of vertices.
+    /// Positions of vertices.
     pub positions: &'p Elements<'a>,
     /// Normals of vertices, if it has them.
     pub normals: Option<&'p Elements<'a>>,
     indices: Option<&'p Elements<'a>>,
-    /// How many triangles; at least one.
+    /// Number of triangles; at least one.
     pub triangles: usize,
 }
 
 impl Drawable<'_, '_> {
-    /// The vertices of a triangle, each there.
+    /// The vertices of a triangle, which are checked to exist.
     ///
     /// # Errors
-    /// A vertex that is not there.
+    /// A vertex that does not exist.
     pub fn triangle(&self, number: usize) -> Result<[usize; 3], MeshProblem> {
         let corners = self.mode.corners(number);
         let Some(indices) = self.indices else { return Ok(corners) };
@@ -82,17 +82,17 @@ impl Drawable<'_, '_> {
     }
 }
 
-/// Accessors, each looked up once.
+/// Accessors that have been looked up, each once.
 pub struct Accessors<'a> {
     document: &'a Document,
     buffers: &'a Buffers<'a>,
     known: BTreeMap<usize, Elements<'a>>,
-    /// Elements that are replaced, in all of them.
+    /// Number of replaced elements in all of them.
     replaced: usize,
 }
 
 impl<'a> Accessors<'a> {
-    /// Those of a document, none looked up yet.
+    /// The accessors of a document, none of which has been looked up yet.
     pub fn new(document: &'a Document, buffers: &'a Buffers<'a>) -> Accessors<'a> {
         Accessors { document, buffers, known: BTreeMap::new(), replaced: 0 }
     }
@@ -100,16 +100,17 @@ impl<'a> Accessors<'a> {
     /// Looks up an accessor.
     ///
     /// # Errors
-    /// Those of [`Elements::new`], and more replaced elements than triangles could have corners.
+    /// The errors of [`Elements::new`], and more replaced elements than triangles could have
+    /// corners.
     pub fn look_up(&mut self, number: Whole) -> Result<(), MeshProblem> {
         if self.known.contains_key(&number.0) {
             return Ok(());
         }
         let elements = Elements::new(self.document, self.buffers, number)?;
         self.replaced += elements.replaced_count();
-        if self.replaced > MOST_REPLACED {
+        if self.replaced > MAX_REPLACED {
             let text = format!(
-                "its accessors replace {} elements; at most {MOST_REPLACED} are read",
+                "its accessors replace {} elements; at most {MAX_REPLACED} are read",
                 self.replaced
             );
             return Err(MeshProblem::Syntax(text));
@@ -123,10 +124,10 @@ impl<'a> Accessors<'a> {
         self.known.get(&number.0)
     }
 
-    /// Looks up what the triangles of a mesh are made of, and notes what is left out of it.
+    /// Looks up the accessors of a mesh's triangles, and adds notes about what is ignored.
     ///
     /// # Errors
-    /// A mesh or accessor that is not there.
+    /// A mesh or accessor that does not exist.
     pub fn look_up_mesh(
         &mut self,
         number: usize,
@@ -161,7 +162,8 @@ impl<'a> Accessors<'a> {
         Ok(())
     }
 
-    /// Positions have to state their bounds, which are not needed here.
+    /// Adds a note if positions do not state their bounds, which the format requires but which are
+    /// not needed here.
     fn note_bounds(&self, positions: Whole, notices: &mut Notices) {
         let accessor = self.document.accessors.get(positions.0);
         if accessor.is_some_and(|accessor| accessor.min.is_none() || accessor.max.is_none()) {
@@ -175,7 +177,7 @@ impl<'a> Accessors<'a> {
         }
     }
 
-    /// The parts of a mesh that have triangles; its accessors have been looked up.
+    /// The parts of a mesh that have triangles; its accessors must have been looked up.
     ///
     /// # Errors
     /// Positions, normals or indices of the wrong types, or compressed ones.
@@ -225,7 +227,7 @@ impl<'a> Accessors<'a> {
     }
 }
 
-/// How a part's corners follow each other, unless it is points or lines.
+/// The order of a part's corners; `None` for points or lines.
 fn mode(primitive: &Primitive) -> Result<Option<Mode>, MeshProblem> {
     match primitive.mode.map_or(4, |mode| mode.0) {
         0..=3 => Ok(None),
@@ -238,7 +240,7 @@ fn mode(primitive: &Primitive) -> Result<Option<Mode>, MeshProblem> {
     }
 }
 
-/// Notes what stands beside the geometry of a part.
+/// Adds notes about data of a part that are not geometry.
 fn note(primitive: &Primitive, mesh: usize, notices: &mut Notices) {
     if let Some(name) = &primitive.attributes.custom {
         notices.add("attribute", None, || {

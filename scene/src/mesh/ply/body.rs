@@ -1,28 +1,28 @@
-//! What follows the header, element by element, in text or binary.
+//! The elements after the header, in text or binary.
 use super::header::{Element, Encoding, Property, Scalar};
 use crate::mesh::error::{Located, MeshProblem};
 use crate::mesh::lines::{Lines, Words, words};
 use crate::mesh::number::{number, single, whole};
 use crate::mesh::warning::{Notices, quoted};
 
-/// Hands out the numbers of elements in the order in which they are written.
+/// Reads the numbers of elements in the order in which they are written.
 pub trait Body {
-    /// Goes to the next element, the `index`-th of `element`, counted from 0.
+    /// Advances to the next element, the `index`-th of `element`, counted from 0.
     ///
     /// # Errors
-    /// No element follows.
+    /// There are no more elements.
     fn start(&mut self, element: &Element<'_>, index: usize) -> Result<(), Located>;
 
-    /// The next number, of type `scalar`; perhaps not finite.
+    /// The next number, of type `scalar`; it may not be finite.
     ///
     /// # Errors
-    /// The element or the file ends, or it is no number.
+    /// The element or the file ends, or the word is not a number.
     fn number(&mut self, property: &Property<'_>, scalar: Scalar) -> Result<f64, Located>;
 
-    /// The next number, which has to be whole.
+    /// The next number, which must be an integer.
     ///
     /// # Errors
-    /// The element or the file ends, or it is no whole number.
+    /// The element or the file ends, or the word is not an integer.
     fn whole(&mut self, property: &Property<'_>, scalar: Scalar) -> Result<i64, Located>;
 
     /// Skips `count` numbers, whatever is written there.
@@ -36,16 +36,16 @@ pub trait Body {
         count: usize,
     ) -> Result<(), Located>;
 
-    /// Leaves the element; what stands in it beyond its properties is noted.
+    /// Leaves the element; adds a note if it has more than its properties.
     fn finish(&mut self, notices: &mut Notices);
 
-    /// Notes what follows the last element.
+    /// Adds a note if anything follows the last element.
     fn finish_all(&mut self, notices: &mut Notices);
 
-    /// The line that is read, counted from 1, where there are lines.
+    /// The current line, counted from 1, if the file has lines.
     fn line(&self) -> Option<usize>;
 
-    /// A problem at the place that is read.
+    /// A problem at the current place.
     fn wrong(&self, text: String) -> Located;
 }
 
@@ -148,13 +148,13 @@ impl Body for Text<'_> {
 pub struct Binary<'a> {
     rest: &'a [u8],
     encoding: Encoding,
-    /// The element that is read, for what is said about it.
+    /// The name of the current element, for errors.
     element: String,
     index: usize,
 }
 
 impl<'a> Binary<'a> {
-    /// Elements in `data`, whose byte order is that of `encoding`.
+    /// Elements in `data`, in the byte order of `encoding`.
     pub fn new(data: &'a [u8], encoding: Encoding) -> Binary<'a> {
         Binary { rest: data, encoding, element: String::new(), index: 0 }
     }
@@ -196,7 +196,7 @@ impl Body for Binary<'_> {
     }
 
     fn whole(&mut self, property: &Property<'_>, scalar: Scalar) -> Result<i64, Located> {
-        // Whole numbers of 32 bits at most are exact in f64; the header is checked for fractions.
+        // Integers of at most 32 bits are exact in f64; the header is checked for fractional types.
         self.number(property, scalar).map(|value| value as i64)
     }
 
@@ -228,7 +228,7 @@ impl Body for Binary<'_> {
     }
 }
 
-/// The number in `bytes`, as many as `scalar` takes.
+/// The number in `bytes`, which are as many as `scalar` has.
 fn value(bytes: &[u8], scalar: Scalar, encoding: Encoding) -> f64 {
     let mut low_first = [0; 8];
     low_first[..bytes.len()].copy_from_slice(bytes);

@@ -3,22 +3,24 @@ use glam::DVec3;
 
 use super::body::Body;
 use super::header::{Element, Header, Kind, Property, Scalar};
-use super::{list_length, skip};
+use super::list::{list_length, skip};
 use crate::mesh::error::{Item, Located, MeshProblem};
+use crate::mesh::indexed::Mesh;
+use crate::mesh::limits::{FARTHEST, MAX_TRIANGLES};
 use crate::mesh::polygons::{Corner, Polygons};
 use crate::mesh::warning::Notices;
-use crate::mesh::{FARTHEST, MOST_TRIANGLES, Mesh};
 
 const PLACE: [&str; 3] = ["x", "y", "z"];
 
 const NORMAL: [&str; 3] = ["nx", "ny", "nz"];
 
-/// The list of a face's or a strip's vertices.
+/// Names of the list of a face's or a strip's vertices.
 const INDICES: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-/// An element that is drawn, and what its properties are for.
+/// An element that is drawn, and the role of its properties.
 pub enum Part {
-    /// For each property, which coordinate it is of place and normal together; skipped if of none.
+    /// For each property the coordinate that it is of position and normal together; `None` if it is
+    /// ignored.
     Vertex(Vec<Option<usize>>),
     /// The property that is the list of vertices.
     Face(usize),
@@ -27,7 +29,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// What an element is, unless it is to be skipped.
+    /// The role of an element; `None` if it is to be skipped.
     pub fn of(element: &Element<'_>) -> Option<Part> {
         match element.name {
             b"vertex" => Some(Part::Vertex(coordinates(element))),
@@ -52,7 +54,7 @@ fn has_normals(vertex: &Element<'_>) -> bool {
     NORMAL.into_iter().all(is_number)
 }
 
-/// Where the list of vertices stands among the properties.
+/// The position of the list of vertices among the properties.
 fn indices(element: &Element<'_>) -> Option<usize> {
     let is_named = |name: &str| {
         element.properties.iter().position(|property| property.name == name.as_bytes())
@@ -60,16 +62,16 @@ fn indices(element: &Element<'_>) -> Option<usize> {
     INDICES.into_iter().find_map(is_named)
 }
 
-/// What has been read of a file.
+/// The contents of a file as read so far.
 pub struct Content {
-    /// How many vertices the header states.
+    /// Number of vertices that the header states.
     vertices: usize,
     has_normals: bool,
     positions: Vec<DVec3>,
-    /// As many as positions, or none at all; 0 for a normal that is none.
+    /// Either as many normals as positions or none; 0 for an invalid normal.
     normals: Vec<DVec3>,
-    /// Vertices with a coordinate that is not finite or too large: an error where a face names
-    /// them.
+    /// Vertices with a coordinate that is not finite or too large, which is an error if a face
+    /// names them.
     misplaced: Vec<Misplaced>,
     faces: Faces,
 }
@@ -81,10 +83,10 @@ struct Misplaced {
 }
 
 impl Content {
-    /// Nothing yet of a file with this header.
+    /// Empty contents for a file with this header.
     ///
     /// # Errors
-    /// The header has no vertices with places, or no faces and strips with vertices.
+    /// The header has no vertices with positions, or no faces or strips with vertices.
     pub fn new(header: &Header<'_>) -> Result<Content, Located> {
         let [vertex, face, strips] = ["vertex", "face", "tristrips"].map(|name| only(header, name));
         let vertex = vertex?.ok_or_else(|| syntax("the header has no element `vertex`".into()))?;
@@ -220,7 +222,8 @@ impl Content {
         }
     }
 
-    /// Triangles of each three vertices in a row, every other turned around; -1 starts a new strip.
+    /// Reads triangles of three consecutive vertices each, every other one reversed; -1 starts a
+    /// new strip.
     fn strips(&mut self, property: &Property<'_>, body: &mut impl Body) -> Result<(), Located> {
         let (length, item) = list(property, body)?;
         let mut strip = Strip::default();
@@ -244,10 +247,10 @@ impl Content {
         Ok(())
     }
 
-    /// The mesh, with vertices that are placed wrongly but not used at 0.
+    /// The mesh; vertices with wrong positions that no face uses are put at 0.
     pub fn into_mesh(self, notices: &mut Notices) -> Result<Mesh, Located> {
         self.check_places()?;
-        if self.faces.triangles > MOST_TRIANGLES {
+        if self.faces.triangles > MAX_TRIANGLES {
             return Err(MeshProblem::TooManyTriangles(self.faces.triangles).into());
         }
         let Content { positions, normals, faces, .. } = self;
@@ -264,7 +267,7 @@ impl Content {
         }
         let line = |item| match item {
             Item::Face(index) => faces.lines.get(index).copied(),
-            // They have been checked.
+            // Vertices and normals have been checked.
             Item::Vertex(_) | Item::Normal(_) => None,
         };
         polygons.into_mesh(notices, &line)
@@ -286,11 +289,12 @@ impl Content {
     }
 }
 
-/// Faces as indices of vertices, up to the most triangles that are taken; what is more is counted.
+/// Faces as indices of vertices, up to the largest number of triangles; further ones are only
+/// counted.
 #[derive(Default)]
 struct Faces {
     corners: Vec<u32>,
-    /// Where each face ends in `corners`.
+    /// For each face its end in `corners`.
     ends: Vec<usize>,
     /// The line of each face, in a text file.
     lines: Vec<usize>,
@@ -301,7 +305,7 @@ impl Faces {
     /// Adds a face of three corners or more.
     fn push(&mut self, corners: &[u32], line: Option<usize>) {
         self.triangles += corners.len() - 2;
-        if self.triangles <= MOST_TRIANGLES {
+        if self.triangles <= MAX_TRIANGLES {
             self.corners.extend(corners);
             self.ends.push(self.corners.len());
             self.lines.extend(line);
@@ -314,7 +318,7 @@ impl Faces {
     }
 }
 
-/// The last two vertices of a strip, and whether the next triangle is turned around.
+/// The last two vertices of a strip, and whether the next triangle is reversed.
 #[derive(Default)]
 struct Strip {
     last: [Option<u32>; 2],
@@ -322,8 +326,8 @@ struct Strip {
 }
 
 impl Strip {
-    /// The triangle that a vertex completes. One that names a vertex twice only leads the strip
-    /// elsewhere.
+    /// The triangle that a vertex completes; `None` for a triangle that names a vertex twice, which
+    /// only leads the strip elsewhere.
     fn next(&mut self, vertex: u32) -> Option<[u32; 3]> {
         let [first, second] = self.last;
         self.last = [second, Some(vertex)];
@@ -335,13 +339,13 @@ impl Strip {
     }
 }
 
-/// A list's length and the type of what is in it.
+/// The length of a list and the type of its items.
 fn list(property: &Property<'_>, body: &mut impl Body) -> Result<(usize, Scalar), Located> {
     match property.kind {
         Kind::List { length, item } => {
             Ok((list_length(body.whole(property, length)?, property, body)?, item))
         }
-        // The header was checked for it where there are any.
+        // If there are any, the header was checked for it.
         Kind::Number(scalar) => Ok((0, scalar)),
     }
 }
@@ -357,7 +361,7 @@ fn direction(normal: DVec3) -> DVec3 {
     if normal.is_finite() && largest > 0.0 { normal / largest } else { DVec3::ZERO }
 }
 
-/// The element of this name, if there is one.
+/// The element with this name, if there is one; there must not be two.
 fn only<'a, 'h>(header: &'h Header<'a>, name: &str) -> Result<Option<&'h Element<'a>>, Located> {
     let mut all = header.elements.iter().filter(|element| element.name == name.as_bytes());
     let first = all.next();

@@ -1,16 +1,16 @@
-//! The header of a `.ply` file: which elements follow, and what each is made of.
+//! The header of a `.ply` file: the elements that follow, and their properties.
 use crate::mesh::error::{Located, MeshProblem};
 use crate::mesh::lines::{LineEnd, Lines, Words, words};
 use crate::mesh::warning::quoted;
 
-/// How the elements behind the header are written.
+/// The encoding of the elements after the header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Encoding {
-    /// Text, an element a line.
+    /// Text, with an element on each line.
     Text,
-    /// Binary, the lowest byte first.
+    /// Binary, the least significant byte first.
     LittleEndian,
-    /// Binary, the highest byte first.
+    /// Binary, the most significant byte first.
     BigEndian,
 }
 
@@ -60,7 +60,7 @@ impl Scalar {
         }
     }
 
-    /// The largest number of this type, where it has no sign: what -1 becomes in it.
+    /// The largest number of this type if it is unsigned, which -1 becomes in it.
     pub fn largest_unsigned(self) -> Option<i64> {
         match self {
             Scalar::U8 => Some(i64::from(u8::MAX)),
@@ -70,7 +70,7 @@ impl Scalar {
         }
     }
 
-    /// Whether numbers of this type are whole.
+    /// Whether numbers of this type are integers.
     pub fn is_whole(self) -> bool {
         !matches!(self, Scalar::F32 | Scalar::F64)
     }
@@ -85,7 +85,7 @@ pub enum Kind {
     List {
         /// Type of the length.
         length: Scalar,
-        /// Type of what is in it.
+        /// Type of its items.
         item: Scalar,
     },
 }
@@ -93,22 +93,22 @@ pub enum Kind {
 /// A property of an element; its name is in the file's own encoding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Property<'a> {
-    /// What it is called.
+    /// Its name.
     pub name: &'a [u8],
-    /// What it holds.
+    /// Its kind.
     pub kind: Kind,
 }
 
-/// A kind of element, and how many there are; its name is in the file's own encoding.
+/// A kind of element, and the number of elements; its name is in the file's own encoding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Element<'a> {
-    /// What it is called.
+    /// Its name.
     pub name: &'a [u8],
-    /// The line of the header it is on, counted from 1.
+    /// Its line in the header, counted from 1.
     pub line: usize,
-    /// How many follow the header.
+    /// Number of elements after the header.
     pub count: usize,
-    /// What each has, in this order.
+    /// The properties of each element, in this order.
     pub properties: Vec<Property<'a>>,
 }
 
@@ -119,16 +119,16 @@ impl<'a> Element<'a> {
     }
 }
 
-/// What the header says, and what follows it.
+/// The contents of the header, and what follows it.
 #[derive(Clone, Debug)]
 pub struct Header<'a> {
-    /// How the elements are written.
+    /// The encoding of the elements.
     pub encoding: Encoding,
     /// All elements in their order.
     pub elements: Vec<Element<'a>>,
-    /// The lines behind the header.
+    /// The lines after the header.
     pub lines: Lines<'a>,
-    /// The bytes behind the header, in a binary file.
+    /// The bytes after the header, in a binary file.
     pub data: &'a [u8],
 }
 
@@ -137,7 +137,7 @@ impl<'a> Header<'a> {
     /// LF, CR LF or CR.
     ///
     /// # Errors
-    /// A line that is none of a header's, on that line; a header that does not end.
+    /// A line that no header has, with its number; a header without an end.
     pub fn read(bytes: &'a [u8]) -> Result<Header<'a>, Located> {
         let mut lines = Lines::new(bytes);
         let first = lines.next().unwrap_or_default();
@@ -161,7 +161,7 @@ impl<'a> Header<'a> {
     }
 }
 
-/// What has been read of a header.
+/// The part of a header read so far.
 #[derive(Default)]
 struct Draft<'a> {
     encoding: Option<Encoding>,
@@ -169,7 +169,7 @@ struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    /// Takes a line in; true for the last.
+    /// Reads a line; the result is true for the last.
     fn line(&mut self, line: &'a [u8], number: usize) -> Result<bool, MeshProblem> {
         let mut rest = words(line);
         match rest.next() {
@@ -202,7 +202,7 @@ impl<'a> Draft<'a> {
     }
 }
 
-/// `ascii 1.0`, `binary_little_endian 1.0` or `binary_big_endian 1.0`.
+/// Reads `ascii 1.0`, `binary_little_endian 1.0` or `binary_big_endian 1.0`.
 fn encoding(rest: &mut Words<'_>) -> Result<Encoding, MeshProblem> {
     let encoding = match needed(rest, "an encoding")? {
         b"ascii" => Encoding::Text,
@@ -219,7 +219,7 @@ fn encoding(rest: &mut Words<'_>) -> Result<Encoding, MeshProblem> {
     }
 }
 
-/// `NAME COUNT`.
+/// Reads `NAME COUNT`.
 fn element<'a>(rest: &mut Words<'a>, line: usize) -> Result<Element<'a>, MeshProblem> {
     let name = needed(rest, "an element's name")?;
     let word = needed(rest, "how many of it there are")?;
@@ -229,7 +229,7 @@ fn element<'a>(rest: &mut Words<'a>, line: usize) -> Result<Element<'a>, MeshPro
     Ok(Element { name, line, count, properties: Vec::new() })
 }
 
-/// `TYPE NAME` or `list TYPE TYPE NAME`.
+/// Reads `TYPE NAME` or `list TYPE TYPE NAME`.
 fn property<'a>(rest: &mut Words<'a>) -> Result<Property<'a>, MeshProblem> {
     let kind = match needed(rest, "a property's type")? {
         b"list" => {

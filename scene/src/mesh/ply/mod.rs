@@ -2,23 +2,25 @@
 mod body;
 mod content;
 mod header;
+mod list;
 
 use body::{Binary, Body, Text};
 use content::Content;
-use header::{Element, Encoding, Header, Kind, Property};
+use header::{Element, Encoding, Header};
+use list::skip;
 
-use super::Mesh;
 use super::error::{Located, MeshProblem};
+use super::indexed::Mesh;
 use super::text::unmarked;
 use super::warning::{Notices, quoted};
 
-/// Reads a `.ply` file: element `vertex` with `x`, `y`, `z` and perhaps `nx`, `ny`, `nz`; element
-/// `face` with the list `vertex_indices` (or `vertex_index`), and element `tristrips` with such a
-/// list, in which -1 starts a new strip. Other elements and properties are skipped.
+/// Reads a `.ply` file: the element `vertex` with `x`, `y`, `z` and possibly `nx`, `ny`, `nz`; the
+/// element `face` with the list `vertex_indices` (or `vertex_index`); and the element `tristrips`
+/// with such a list, in which -1 starts a new strip. Other elements and properties are skipped.
 ///
 /// # Errors
-/// A wrong header, counts that the file is too short for, wrong types and words, and all that
-/// `Polygons::into_mesh` finds.
+/// A wrong header, counts for which the file is too short, wrong types and words, and all errors of
+/// `Polygons::into_mesh`.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
     let bytes = &unmarked(bytes)[..];
     let header = Header::read(bytes)?;
@@ -30,7 +32,7 @@ pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located
     }
 }
 
-/// Checks that the file can be as long as its header says: each element takes a byte at least.
+/// Checks that the file can be as long as its header says: each element takes at least a byte.
 fn check_counts(header: &Header<'_>, length: usize) -> Result<(), Located> {
     for element in header.elements.iter().filter(|element| !element.properties.is_empty()) {
         if element.count > length {
@@ -72,21 +74,4 @@ fn read(
 
 fn skip_all(element: &Element<'_>, body: &mut impl Body) -> Result<(), Located> {
     element.properties.iter().try_for_each(|property| skip(property, body))
-}
-
-fn skip(property: &Property<'_>, body: &mut impl Body) -> Result<(), Located> {
-    match property.kind {
-        Kind::Number(scalar) => body.skip(property, scalar, 1),
-        Kind::List { length, item } => {
-            let length = list_length(body.whole(property, length)?, property, body)?;
-            body.skip(property, item, length)
-        }
-    }
-}
-
-/// A list's length, which was read as a whole number.
-fn list_length(length: i64, property: &Property<'_>, body: &impl Body) -> Result<usize, Located> {
-    usize::try_from(length).map_err(|_| {
-        body.wrong(format!("the list {} has the length {length}", quoted(property.name)))
-    })
 }

@@ -1,7 +1,7 @@
 //! Meshes in every dialect of every format, made here, against the silhouettes that an independent
 //! rasteriser finds.
 //!
-//! Adding a dialect is adding a change to one of the tables in `common/*_files.rs`.
+//! Adding a dialect is adding a change to one of the tables in `*_files.rs`.
 mod raster;
 mod solids;
 

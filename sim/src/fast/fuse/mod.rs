@@ -15,7 +15,7 @@ use specula_kernels::Post;
 
 use super::flow::{Flow, Fused, Source};
 use super::idle::overflowing;
-use super::plan::fits_narrow;
+use super::memory::fits_narrow;
 
 /// What is done to the raw result of each root, and the range of what is stored.
 #[derive(Default)]

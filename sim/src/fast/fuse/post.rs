@@ -3,6 +3,7 @@ use specula_datapath::design::{Node, NodeId, Op, Range};
 use specula_kernels::{Post, Shift, Wrap};
 
 use super::{Fused, Fuser, Source};
+use crate::fast::memory::fits_narrow;
 
 /// Most bits that a shift drops before it rounds: there is room for half of what is dropped.
 const MOST_BEFORE_ROUNDING: u32 = 61;
@@ -13,7 +14,7 @@ impl Fuser<'_> {
     pub(super) fn narrow(&mut self, id: NodeId) -> bool {
         let Some(operand) = narrowed_operand(self, id) else { return false };
         let Source { root, delay } = self.flow.source(operand);
-        if !self.serves(root, id) || !self.takes_in(root, self.op(id)) {
+        if !self.serves(root, id) || !self.takes_in(root, id) {
             return false;
         }
         let post = self.fusion.post(root);
@@ -40,11 +41,14 @@ impl Fuser<'_> {
         true
     }
 
-    /// Whether the kernel of a root can do this to what it computes.
-    fn takes_in(&self, root: NodeId, op: Op) -> bool {
+    /// Whether the kernel of a root can do to what it computes what `id` does.
+    fn takes_in(&self, root: NodeId, id: NodeId) -> bool {
         match self.flow.fused.get(&root) {
             Some(Fused::Products(..)) => true,
-            Some(Fused::Extreme(..)) => matches!(op, Op::Wrap(_)),
+            // Its kernel writes lanes of 32 bits.
+            Some(Fused::Extreme(..)) => {
+                matches!(self.op(id), Op::Wrap(_)) && fits_narrow(self.design.node(id).range)
+            }
             None => matches!(
                 self.op(root),
                 Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::ShiftRight(..) | Op::Wrap(_)

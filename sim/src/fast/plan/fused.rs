@@ -5,9 +5,11 @@ use specula_kernels::{
     products_through_wide, wide_products,
 };
 
-use super::{Planner, fits_narrow};
+use super::Planner;
 use crate::fast::flow::{Factor, Fused};
-use crate::fast::step::{Read, Sum, Work};
+use crate::fast::memory::fits_narrow;
+use crate::fast::read::Read;
+use crate::fast::step::{Sum, Work};
 
 /// Products whose widths add up to this many bits, and sums of three of them, are 2^51 at most.
 const EXACT_BITS: u32 = 49;

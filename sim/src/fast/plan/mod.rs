@@ -8,12 +8,12 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use specula_datapath::Design;
-use specula_datapath::design::{Node, NodeId, Op, Range, Table};
+use specula_datapath::design::{Node, NodeId, Op, Table};
 use specula_kernels::{Arithmetic, Bits, InstructionSet};
 
 use super::flow::{Flow, Recurrence, Source};
 use super::fuse::{Fusion, fuse};
-use super::memory::{Memory, Place};
+use super::memory::{Memory, Place, fits_narrow};
 use super::schedule::{Group, groups, in_components, needed, skews};
 use super::serial::{Accumulator, Holder, Member, Serial};
 use super::step::{Step, Work};
@@ -51,16 +51,9 @@ pub struct Plan {
     /// Clocks before its own whose inputs a watched value depends on, up to the beginning of the
     /// span that enters then.
     pub reach: u64,
-    /// Whether all feedback is accumulators that every span loads, so that a run may begin with any
-    /// span.
+    /// Whether all feedback is accumulators that every span loads, and registers that hold what the
+    /// last pixel had, so that a run may begin with any span.
     pub restarts_with_spans: bool,
-}
-
-const NARROW: Range = Range::new(i32::MIN as i64, i32::MAX as i64);
-
-/// Whether 32-bit lanes hold every value of a range.
-pub fn fits_narrow(range: Range) -> bool {
-    NARROW.low <= range.low && range.high <= NARROW.high
 }
 
 /// Makes the plan for `watched`, with batches of `batch` clocks.
@@ -199,7 +192,7 @@ impl Planner<'_> {
         let skew = self.skews[&root];
         let out = self.places[&root];
         if let Some(recurrence) = self.flow.recurrences[root.0 as usize] {
-            let work = self.recurrence(recurrence, skew);
+            let work = self.recurrence(root, recurrence, skew);
             self.steps.push(Step { out, skew: Some(skew), work });
             return;
         }
@@ -232,27 +225,32 @@ impl Planner<'_> {
         }
     }
 
-    fn recurrence(&mut self, recurrence: Recurrence, skew: u64) -> Work {
+    /// The work of the recurrence that computes `root`.
+    fn recurrence(&mut self, root: NodeId, recurrence: Recurrence, skew: u64) -> Work {
+        let shape = |id: NodeId| (self.node(id).width(), self.node(id).range.signed());
         match recurrence {
-            Recurrence::Accumulate { first, start, step, state } => {
-                let range = self.node(state).range;
-                let (width, signed) = (range.width(), range.signed());
-                let (first, start, step) =
-                    (self.read(first, skew), self.read(start, skew), self.read(step, skew));
+            Recurrence::Accumulate { valid, first, start, step, state, registers } => {
+                let (width, signed) = shape(state);
                 Work::Serial(Serial::Accumulate(Accumulator {
-                    first,
-                    start,
-                    step,
+                    valid: self.read(valid, skew),
+                    first: self.read(first, skew),
+                    start: self.read(start, skew),
+                    step: self.read(step, skew),
+                    width,
+                    signed,
+                    states: vec![0; registers],
+                }))
+            }
+            Recurrence::Hold { enable, value } => {
+                let (width, signed) = shape(root);
+                Work::Serial(Serial::Hold(Holder {
+                    enable: self.read(enable, skew),
+                    value: self.read(value, skew),
                     width,
                     signed,
                     state: 0,
                 }))
             }
-            Recurrence::Hold { enable, value } => Work::Serial(Serial::Hold(Holder {
-                enable: self.read(enable, skew),
-                value: self.read(value, skew),
-                state: 0,
-            })),
         }
     }
 

@@ -32,10 +32,10 @@ impl Planner<'_> {
             .unwrap_or(0)
     }
 
-    /// Whether all feedback is accumulators that the beginning of a span loads, and none adds what
-    /// another was in the span before.
+    /// Whether all feedback is accumulators that the beginning of a span loads and registers that
+    /// hold what the last pixel had, and none takes what another was in the span before.
     pub(super) fn restarts_with_spans(&self, order: &[Group]) -> bool {
-        // For each root that depends on an accumulator, how many clocks before its own.
+        // For each root that depends on feedback, how many clocks before its own.
         let mut ages: HashMap<NodeId, usize> = HashMap::new();
         for group in order {
             let Group::Column(root) = group else { return false };
@@ -45,11 +45,8 @@ impl Planner<'_> {
             let age = operands.filter_map(age_of).max();
             match self.flow.recurrences[root.0 as usize] {
                 None => ages.extend(age.map(|age| (*root, age))),
-                Some(Recurrence::Hold { .. }) => return false,
-                Some(Recurrence::Accumulate { first, .. }) => {
-                    if self.flow.source(first).root != self.design.start
-                        || age.is_some_and(|age| age > 0)
-                    {
+                Some(feedback) => {
+                    if !self.is_loaded_by_spans(feedback) || age.is_some_and(|age| age > 0) {
                         return false;
                     }
                     ages.insert(*root, 0);
@@ -57,5 +54,19 @@ impl Planner<'_> {
             }
         }
         true
+    }
+
+    /// Whether the first pixel of a span brings feedback to what it is in every run.
+    fn is_loaded_by_spans(&self, feedback: Recurrence) -> bool {
+        let is_valid = |id: NodeId| self.flow.source(id).root == self.design.valid;
+        match feedback {
+            Recurrence::Hold { enable, .. } => is_valid(enable),
+            Recurrence::Accumulate { valid, first, registers, .. } => {
+                // The pixel that is the first has to be the one that counts.
+                let together = self.shift(valid) == self.shift(first);
+                let first = self.flow.source(first).root == self.design.start;
+                first && is_valid(valid) && together && registers == 1
+            }
+        }
     }
 }

@@ -5,11 +5,13 @@ use specula_kernels::{
     widening,
 };
 
+use super::Planner;
 use super::fused::computes_narrow;
-use super::{Planner, fits_narrow};
 use crate::fast::flow::raw_range;
+use crate::fast::memory::fits_narrow;
+use crate::fast::read::Read;
 use crate::fast::serial::Serial;
-use crate::fast::step::{Read, Step, Work};
+use crate::fast::step::{Step, Work};
 
 impl Planner<'_> {
     pub(super) fn constant(&mut self, value: i64, wide: bool) -> Read {

@@ -1,4 +1,4 @@
-//! The figure with its rows' numbers, titles and exponents.
+//! The figure, labelled with its rows' numbers, titles and exponents.
 use image::{Rgb, RgbImage};
 use specula_experiments::figure9::{Balls, EXPONENTS, ROWS};
 use specula_testbench::Image;
@@ -8,7 +8,7 @@ use specula_drawing::canvas::{CHARACTER, Canvas};
 const PAPER: Rgb<u8> = Rgb([255, 255, 255]);
 const INK: Rgb<u8> = Rgb([40, 40, 40]);
 
-/// `figure` with titles on its left and exponents below.
+/// Adds titles on the left of `figure` and exponents below it.
 pub fn labelled(balls: Balls, figure: &Image) -> RgbImage {
     let titles: Vec<String> =
         ROWS.iter().zip(1..).map(|(row, number)| format!("{number}. {}", row.title)).collect();

@@ -3,41 +3,18 @@ use std::fmt::Write;
 use std::path::Path;
 
 use serde::Serialize;
-use specula_experiments::figure9::{Balls, Row};
-use specula_testbench::{Bench, EngineKind, ErrorFigures, Outcome};
+use specula_experiments::figure9::Balls;
+use specula_testbench::EngineKind;
 
-use super::{FORMULAS, NAME, SIMULATED, Shaded, module};
-use crate::header::bound;
+use super::names::{FORMULAS, NAME, SIMULATED};
+use super::shaded::{Line, Shaded};
 use crate::output::PROGRAM;
-use crate::{table, verilog};
+use crate::table;
 
-/// A row of the report. Errors are in LSBs of the 8-bit output.
-#[derive(Serialize)]
-pub struct Line {
-    /// Number of the row, from 1 on.
-    pub row: usize,
-    title: &'static str,
-    method: &'static str,
-    options: &'static [&'static str],
-    pixels: u64,
-    agrees: bool,
-    mismatches: u64,
-    /// Error of the core's codes against the formula in f64, at most full scale.
-    error: ErrorFigures,
-    /// Proven bound of the largest error; none if there is no finite one.
-    bound_lsb: Option<f64>,
-    latency: u32,
-    /// Multipliers of two variables.
-    multipliers: usize,
-    register_bits: u64,
-    /// Name of the file that holds the core.
-    pub verilog: String,
-}
-
-/// `report.json`.
+/// The text of `report.json`.
 #[derive(Serialize)]
 struct Report<'a> {
-    /// Always `specula`: a later run recognises by it that the listed files are its own.
+    /// Always `specula`: by it a later run recognises that the listed files are its own.
     program: &'static str,
     version: &'static str,
     figure: &'static str,
@@ -47,47 +24,6 @@ struct Report<'a> {
     agrees: bool,
     rows: Vec<&'a Line>,
     files: &'a [String],
-}
-
-impl Line {
-    /// The line of a row that has been simulated.
-    pub fn new(
-        (row, number): (&Row, usize),
-        bench: &Bench,
-        outcome: &Outcome,
-        error: ErrorFigures,
-    ) -> Line {
-        let (bound, size) = (bench.design.error_bound(), bench.design.size());
-        Line {
-            row: number,
-            title: row.title,
-            method: row.method.name(),
-            options: row.options,
-            pixels: outcome.pixels,
-            agrees: outcome.agrees(),
-            mismatches: outcome.comparison.mismatches,
-            error,
-            bound_lsb: bound.is_finite().then_some(bound),
-            latency: bench.design.latency(),
-            multipliers: size.multipliers,
-            register_bits: size.register_bits,
-            verilog: verilog::file_name(&module(number)),
-        }
-    }
-
-    fn cells(&self) -> [String; 9] {
-        [
-            self.row.to_string(),
-            self.title.to_owned(),
-            self.method.to_owned(),
-            self.mismatches.to_string(),
-            format!("{:.3}", self.error.max_lsb),
-            format!("{:.3}", self.error.rms_lsb),
-            bound(self.bound_lsb.unwrap_or(f64::INFINITY)),
-            self.latency.to_string(),
-            self.multipliers.to_string(),
-        ]
-    }
 }
 
 /// Titles of the columns.
@@ -107,7 +43,7 @@ fn lines(rows: &[Shaded]) -> Vec<[String; 9]> {
     rows.iter().map(|row| row.line.cells()).collect()
 }
 
-/// What is printed.
+/// The text that is printed.
 pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
     let table: Vec<[String; 9]> =
         [COLUMNS.map(str::to_owned)].into_iter().chain(lines(rows)).collect();
@@ -118,11 +54,13 @@ pub fn summary(rows: &[Shaded], files: &[String], folder: &Path) -> String {
     text
 }
 
-/// `report.md`, which is docs/figure9.md at the report's size. `exact` is the figure in f64.
+/// The text of `report.md`, which is docs/figure9.md at the report's size. `exact` is the figure in
+/// f64.
 pub fn markdown(rows: &[Shaded], balls: Balls, exact: &[f64]) -> String {
-    let verdict = match rows.iter().all(|row| row.line.agrees) {
-        true => "Every pixel of every row agrees with the bit-true model, each in its clock.",
-        false => "**Not every row agrees with its model.**",
+    let verdict = if rows.iter().all(|row| row.line.agrees) {
+        "Every pixel of every row agrees with the bit-true model, each in its clock."
+    } else {
+        "**Not every row agrees with its model.**"
     };
     let (radius, sum) = (balls.radius, exact.iter().sum::<f64>());
     let table = table::markdown(COLUMNS, &lines(rows));
@@ -167,7 +105,7 @@ drops too fast, k = 1 (rows 3 and 9) is crisper than k = 2 (rows 4 and 8); Blinn
 rounder glancing highlights than rows 1 to 4; row 12 never ends.
 ";
 
-/// `report.json`.
+/// The text of `report.json`.
 pub fn json(
     rows: &[Shaded],
     balls: Balls,

@@ -1,11 +1,11 @@
-//! What a kill before any step leaves, and what the next program makes of it.
+//! Tests of what a kill before any operation leaves, and of what the next program makes of it.
 use std::collections::BTreeMap;
 
 use super::super::leftovers::{Settled, settle};
 use super::super::own::PROGRAM;
 use super::*;
 
-/// What the file system can do.
+/// The capabilities of a file system.
 #[derive(Clone, Copy, Debug)]
 struct Able {
     exchange: bool,
@@ -19,7 +19,7 @@ const DISKS: [Able; 4] = [
     Able { exchange: false, link: false },
 ];
 
-/// A disk that copies everything before each step, as a kill would leave it.
+/// A disk that copies everything before each operation, as a kill would leave it.
 struct Watched<'a> {
     able: Able,
     place: &'a Path,
@@ -69,7 +69,7 @@ impl Disk for Watched<'_> {
     }
 }
 
-/// Copies a folder; files with several names keep them, as they do on the disk.
+/// Copies a folder; files with several names keep them in the copy.
 fn copy(from: &Path, to: &Path) {
     fn copy_into(from: &Path, to: &Path, seen: &mut BTreeMap<u64, PathBuf>) {
         fs::create_dir(to).unwrap();
@@ -110,7 +110,7 @@ fn write(file: impl Fn(&str) -> PathBuf, names: &[&str], text: &str) {
     fs::write(file(REPORT), report.to_string()).unwrap();
 }
 
-/// A folder of an earlier run, with files of the user's, and a staged new one.
+/// A folder of an earlier run, with files of the user's, and a new staged one.
 fn staged(place: &Path) -> Staging {
     let out = place.join("out");
     fs::create_dir_all(out.join("notes")).unwrap();
@@ -142,7 +142,7 @@ fn files(folder: &Path) -> BTreeMap<String, String> {
     all
 }
 
-/// Whether the folder holds all of one run and nothing of another, and what is the user's.
+/// Whether the folder contains all files of one run, none of another, and the user's files.
 fn is_whole(place: &Path, text: &str, verilog: &str) -> bool {
     let held = files(&place.join("out"));
     let own = [verilog, "simulated.png"]
@@ -158,7 +158,7 @@ fn has_users_files(held: &BTreeMap<String, String>) -> bool {
         && held.get("notes/deep.txt").is_some_and(|text| text == "mine too")
 }
 
-/// Publishes on such a disk; gives the folders that kills would have left.
+/// Publishes on such a disk; the result is the folders that kills would have left.
 fn killed(able: Able, room: &Path) -> Vec<PathBuf> {
     let (place, kills) = (room.join("place"), room.join("kills"));
     fs::create_dir_all(&kills).unwrap();
@@ -180,7 +180,7 @@ fn a_kill_at_any_step_hides_nothing() {
         for place in left {
             let held = files(&place.join("out"));
             assert!(held.contains_key("simulated.png"), "{able:?}, {}: {held:?}", place.display());
-            // What can have a second name, or is not moved at all, is never away.
+            // What can have a second name, or is never moved, is always present.
             if able.link || !able.exchange {
                 assert_eq!(
                     held.get("mine.txt").map(String::as_str),

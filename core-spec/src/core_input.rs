@@ -1,0 +1,85 @@
+//! An input of a core, and what it tells of a scene.
+use specula_datapath::{Format, InputPort};
+
+/// What an input tells of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InputRole {
+    /// Where lights are, and what is made of that alone.
+    Light,
+    /// Exponents of highlights.
+    Exponent,
+    /// Ambient light sent back.
+    Ambient,
+    /// Diffuse coefficients.
+    Diffuse,
+    /// Specular coefficients.
+    Specular,
+    /// The surface, from span to span.
+    Surface,
+}
+
+impl InputRole {
+    /// Every role.
+    pub const ALL: [InputRole; 6] = [
+        InputRole::Light,
+        InputRole::Exponent,
+        InputRole::Ambient,
+        InputRole::Diffuse,
+        InputRole::Specular,
+        InputRole::Surface,
+    ];
+
+    /// Its name for people.
+    pub const fn in_words(self) -> &'static str {
+        match self {
+            InputRole::Light => "directions of lights",
+            InputRole::Exponent => "exponents of materials",
+            InputRole::Ambient => "ambient light",
+            InputRole::Diffuse => "diffuse colours",
+            InputRole::Specular => "specular colours",
+            InputRole::Surface => "what changes along spans",
+        }
+    }
+}
+
+/// An input of a core.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoreInput {
+    /// The port of the hardware.
+    pub port: InputPort,
+    /// What it tells of a scene.
+    pub role: InputRole,
+}
+
+impl CoreInput {
+    /// An input that takes every value of its format.
+    pub(crate) fn whole(role: InputRole, name: impl Into<String>, format: Format) -> CoreInput {
+        CoreInput { port: InputPort::whole(name, format), role }
+    }
+
+    /// An input that takes values from `low` to `high`.
+    pub(crate) fn between(
+        role: InputRole,
+        name: impl Into<String>,
+        format: Format,
+        low: f64,
+        high: f64,
+    ) -> CoreInput {
+        CoreInput { port: InputPort::between(name, format, low, high), role }
+    }
+
+    /// Inputs for a vector's components, each from -`limit` to `limit`.
+    pub(crate) fn vector(
+        role: InputRole,
+        name: &str,
+        format: Format,
+        limit: f64,
+    ) -> [CoreInput; 3] {
+        InputPort::vector(name, format, limit).map(|port| CoreInput { port, role })
+    }
+
+    /// Inputs for the coefficients of the three channels.
+    pub(crate) fn colour(role: InputRole, name: &str, format: Format) -> [CoreInput; 3] {
+        ["r", "g", "b"].map(|channel| CoreInput::whole(role, format!("{name}_{channel}"), format))
+    }
+}

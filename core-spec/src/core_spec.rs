@@ -1,0 +1,184 @@
+//! A core: parameters, a method, and what its inputs are given.
+use specula_datapath::{Format, InputPort};
+use specula_scene::needs::Needs;
+
+use crate::core_input::InputRole;
+use crate::defaults::span_bits;
+use crate::error::SpecError;
+use crate::inputs::{CoreInputs, InputGroup, MethodInputs};
+use crate::light_pipelines::LightPipelines;
+use crate::method::{Method, MethodSpec};
+use crate::narrowing::NarrowingPoint;
+use crate::options::CoreOptions;
+use crate::parameters::CoreParameters;
+use crate::shading_method::Viewpoint;
+use crate::specialisation::Specialisation;
+
+/// The most bits by which formats are finer for bright highlights.
+const MOST_BITS_FOR_HIGHLIGHTS: f64 = 2.0;
+
+/// A core: a span goes in, and with every [`CoreParameters::interval`] clocks a pixel comes out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoreSpec {
+    /// What it has whatever its method is.
+    pub parameters: CoreParameters,
+    /// How pixels are shaded.
+    pub method: MethodSpec,
+    /// What its inputs are given over the frames that it is for.
+    pub specialisation: Specialisation,
+}
+
+/// The inputs of a core by a method: their ports.
+pub type Ports<M> = CoreInputs<
+    <<M as MethodInputs>::SpanGroup as InputGroup>::Mapped<InputPort>,
+    <<M as MethodInputs>::LightGroup as InputGroup>::Mapped<InputPort>,
+    InputPort,
+>;
+
+impl CoreSpec {
+    /// The spec for a scene with these needs: the method asked for on the command line, else the
+    /// scene file's, else `lyon`, or `phong` where a light or the eye is at a place, with the
+    /// defaults of numerics N5, changed where the scene file's `[core]` table says so.
+    ///
+    /// # Errors
+    /// [`SpecError`] if there is no such method, or the method or its formats cannot serve the
+    /// scene.
+    pub fn for_scene(
+        needs: &Needs,
+        table: Option<&CoreOptions>,
+        method: Option<Method>,
+    ) -> Result<CoreSpec, SpecError> {
+        let default = CoreOptions::default();
+        let table = table.unwrap_or(&default);
+        let named = table.method.as_deref().map(Method::from_name).transpose()?;
+        let method = method.or(named).unwrap_or(Method::default_for(needs));
+        let pipelines = table.light_pipelines.unwrap_or_default();
+        let spec = CoreSpec {
+            parameters: CoreParameters::for_needs(needs, pipelines),
+            method: method.spec(needs, &table.method_table(method))?,
+            specialisation: Specialisation::default(),
+        };
+        let spec = spec.for_highlights(needs, &table.method_table(method));
+        spec.check()?;
+        spec.method.shading().check_compatible(needs)?;
+        Ok(spec)
+    }
+
+    /// The same core with finer formats where a colour is brighter than full scale, but for those
+    /// that `changes` names.
+    ///
+    /// docs/numerics.md recommends formats by errors of intensities times full scale. Twice as
+    /// bright, and those errors are twice as large: a bit more in every format. Two are the most,
+    /// since what is four times full scale is white but for the highlight's edge.
+    fn for_highlights(self, needs: &Needs, changes: &toml::Table) -> CoreSpec {
+        let bits =
+            needs.brightest_coefficient.max(1.0).log2().ceil().min(MOST_BITS_FOR_HIGHLIGHTS) as i32;
+        let formats = changes.get("formats").and_then(toml::Value::as_table);
+        let kept: Vec<&str> =
+            formats.into_iter().flat_map(toml::Table::keys).map(String::as_str).collect();
+        (1..=bits).rev().find_map(|added| self.finer(added, &kept)).unwrap_or(self)
+    }
+
+    /// Whether formats and numbers are such that a core can be built.
+    ///
+    /// # Errors
+    /// [`SpecError`] names the first that is not.
+    pub fn check(&self) -> Result<(), SpecError> {
+        self.parameters.check()?;
+        self.method.shading().check_options()?;
+        self.narrowing_points().iter().try_for_each(NarrowingPoint::check)?;
+        self.specialisation.check(&self.general().inputs())
+    }
+
+    /// Which method this is.
+    pub fn method(&self) -> Method {
+        self.method.method()
+    }
+
+    /// The same core for any frame.
+    pub fn general(&self) -> CoreSpec {
+        CoreSpec { specialisation: Specialisation::default(), ..self.clone() }
+    }
+
+    /// Where lights and the eye at places are seen from.
+    pub fn places_seen_from(&self) -> Viewpoint {
+        self.method.shading().places_seen_from()
+    }
+
+    /// The ports of the core's data inputs in the order in which packets hold them; `valid` and
+    /// `start` come beside them.
+    pub fn inputs(&self) -> Vec<InputPort> {
+        let inputs = self.method.core_inputs(&self.parameters);
+        inputs.iter().map(|input| self.specialisation.narrowed(&input.port)).collect()
+    }
+
+    /// What each of [`CoreSpec::inputs`] tells of a scene.
+    pub fn input_roles(&self) -> Vec<InputRole> {
+        self.method.core_inputs(&self.parameters).iter().map(|input| input.role).collect()
+    }
+
+    /// The ports of [`CoreSpec::inputs`] by the names that `method`, which is this core's, has for
+    /// them.
+    pub fn ports<M: MethodInputs>(&self, method: &M) -> Ports<M> {
+        let inputs = method.core_inputs(&self.parameters);
+        inputs.map(|input| self.specialisation.narrowed(&input.port))
+    }
+
+    /// Every place where the method rounds values, in the order of the data.
+    pub fn narrowing_points(&self) -> Vec<NarrowingPoint> {
+        self.method.shading().narrowing_points(span_bits(self.parameters.longest_span))
+    }
+
+    /// The same core for any scene, with other formats at these narrowing points.
+    ///
+    /// # Errors
+    /// [`SpecError`] if there is no such point, or it may not have the format.
+    pub fn with_formats(&self, formats: &[(&str, Format)]) -> Result<CoreSpec, SpecError> {
+        let formats = formats
+            .iter()
+            .map(|&(name, format)| (name.to_owned(), format.to_string().into()))
+            .collect();
+        let changes = [("formats".to_owned(), toml::Value::Table(formats))].into_iter().collect();
+        let spec = CoreSpec { method: self.method.changed(&changes)?, ..self.general() };
+        spec.check()?;
+        Ok(spec)
+    }
+
+    /// The options of the method: names and values, for people to read.
+    pub fn method_options(&self) -> Vec<(&'static str, String)> {
+        self.method.shading().options()
+    }
+
+    /// What else the spec says: names and values, for people to read.
+    pub fn options(&self) -> Vec<(&'static str, String)> {
+        let parameters = &self.parameters;
+        let mut options = vec![
+            ("lights", parameters.lights.to_string()),
+            ("longest span", format!("{} pixels", parameters.longest_span)),
+            ("largest exponent n", parameters.largest_shininess.to_string()),
+            (
+                "colour coefficients",
+                format!("{}, in LSBs of the 8-bit output", parameters.coefficient),
+            ),
+            (
+                "shortest interpolated normal",
+                format!(
+                    "{:.3} of the longer one at the ends of its span",
+                    parameters.shortest_normal
+                ),
+            ),
+        ];
+        if parameters.light_pipelines == LightPipelines::Shared {
+            options.push((
+                "light pipelines",
+                format!(
+                    "one, in which the lights take turns: {} clocks a pixel",
+                    parameters.interval()
+                ),
+            ));
+        }
+        options.extend(self.method_options());
+        options.push(("made for", self.specialisation.in_words()));
+        options
+    }
+}

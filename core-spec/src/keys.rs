@@ -1,0 +1,117 @@
+//! The keys of a core in TOML: parameters, method and specialisation side by side.
+//!
+//! serde's `flatten` would read the same keys; but it forgets where in the file a wrong value
+//! stands, and which keys there are.
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use specula_datapath::Format;
+use specula_scene::needs::LocalKind;
+
+use crate::core_spec::CoreSpec;
+use crate::light_pipelines::LightPipelines;
+use crate::method::MethodSpec;
+use crate::parameters::CoreParameters;
+use crate::specialisation::Specialisation;
+
+/// See [`CoreParameters`] and [`CoreSpec`] for what they mean.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename = "CoreSpec")]
+struct Keys {
+    lights: usize,
+    local_lights: Vec<LocalKind>,
+    local_eye: bool,
+    light_pipelines: LightPipelines,
+    longest_span: u32,
+    largest_shininess: u32,
+    coefficient: Format,
+    shortest_normal: f64,
+    shortest_way: f64,
+    shortest_unit_way: f64,
+    least_cone_cosine: f64,
+    least_view_cosine: f64,
+    method: MethodSpec,
+    #[serde(default, skip_serializing_if = "Specialisation::is_general")]
+    specialisation: Specialisation,
+}
+
+impl<'de> Deserialize<'de> for CoreSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<CoreSpec, D::Error> {
+        Keys::deserialize(deserializer).map(CoreSpec::from)
+    }
+}
+
+impl Serialize for CoreSpec {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Keys::from(self.clone()).serialize(serializer)
+    }
+}
+
+impl From<Keys> for CoreSpec {
+    fn from(keys: Keys) -> CoreSpec {
+        let Keys {
+            lights,
+            local_lights,
+            local_eye,
+            light_pipelines,
+            longest_span,
+            largest_shininess,
+            coefficient,
+            shortest_normal,
+            shortest_way,
+            shortest_unit_way,
+            least_cone_cosine,
+            least_view_cosine,
+            method,
+            specialisation,
+        } = keys;
+        let parameters = CoreParameters {
+            lights,
+            local_lights,
+            local_eye,
+            light_pipelines,
+            longest_span,
+            largest_shininess,
+            coefficient,
+            shortest_normal,
+            shortest_way,
+            shortest_unit_way,
+            least_cone_cosine,
+            least_view_cosine,
+        };
+        CoreSpec { parameters, method, specialisation }
+    }
+}
+
+impl From<CoreSpec> for Keys {
+    fn from(CoreSpec { parameters, method, specialisation }: CoreSpec) -> Keys {
+        let CoreParameters {
+            lights,
+            local_lights,
+            local_eye,
+            light_pipelines,
+            longest_span,
+            largest_shininess,
+            coefficient,
+            shortest_normal,
+            shortest_way,
+            shortest_unit_way,
+            least_cone_cosine,
+            least_view_cosine,
+        } = parameters;
+        Keys {
+            lights,
+            local_lights,
+            local_eye,
+            light_pipelines,
+            longest_span,
+            largest_shininess,
+            coefficient,
+            shortest_normal,
+            shortest_way,
+            shortest_unit_way,
+            least_cone_cosine,
+            least_view_cosine,
+            method,
+            specialisation,
+        }
+    }
+}

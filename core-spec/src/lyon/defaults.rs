@@ -1,0 +1,276 @@
+//! Options and formats of `lyon`: defaults for a scene, and what may be asked for.
+use specula_datapath::Format;
+use specula_scene::frame::Frame;
+use specula_scene::needs::Needs;
+
+use super::{
+    Difference, Halfway, LyonFormats, LyonSpec, Normalisation, Normals, ShapeDatapath, WrapAxis,
+};
+use crate::defaults::span_bits;
+use crate::error::{SpecError, within};
+use crate::method_set_up::SetUpSpan;
+use crate::narrowing::{FEWEST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
+use crate::parameters::FULL_SCALE;
+use crate::shading_method::{OptionDomain, ShadingMethod};
+
+/// The fewest fraction bits on the way from one wrapped normal to the next.
+const FEWEST_TO_FOLLOW: u32 = 8;
+
+impl LyonSpec {
+    /// Options and their values.
+    pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
+        OptionDomain { key: "normals", values: &["\"linear\"", "\"flat\"", "\"wrapped\""] },
+        OptionDomain { key: "axis", values: &["\"bisector\"", "\"face\"", "\"previous\""] },
+        OptionDomain {
+            key: "normalisation",
+            values: &["\"none\"", "\"g1\"", "\"g2\"", "\"exact\""],
+        },
+        OptionDomain { key: "newton_steps", values: &["0", "1", "2", "3"] },
+        OptionDomain {
+            key: "difference",
+            values: &[
+                "\"reflection-minus-light\"",
+                "\"light-reflection\"",
+                "\"halfway-projection\"",
+                "\"halfway-cross-normal\"",
+                "\"unit-halfway-minus-normal\"",
+                "\"unit-halfway-projection\"",
+            ],
+        },
+        OptionDomain { key: "halfway", values: &["\"unit\"", "\"half\"", "\"half-g2\""] },
+        OptionDomain { key: "shape", values: &["\"f-k\"", "\"root\""] },
+        OptionDomain { key: "squarings", values: &["0", "1", "2", "3"] },
+    ];
+
+    /// numerics N5: the typical column up to 30 degrees and n = 256, else the
+    /// extreme column.
+    pub fn for_needs(needs: &Needs) -> LyonSpec {
+        let typical = needs.widest_angle <= 30.0 && needs.largest_shininess <= 256;
+        let (vector, fine, shape) = if typical { (14, 14, 12) } else { (17, 19, 14) };
+        LyonSpec {
+            normals: Normals::Linear,
+            axis: WrapAxis::Bisector,
+            normalisation: cheapest_normalisation(needs),
+            newton_steps: u32::from(!typical),
+            difference: Difference::HalfwayCrossNormal,
+            halfway: Halfway::Unit,
+            shape: ShapeDatapath::FK,
+            squarings: 2,
+            formats: LyonFormats {
+                // A step is off by half an ulp, and so is S times that at the end of the span: log2
+                // S + 1 more bits keep the weight within half an ulp of its own format.
+                weight_accumulator: Format::unsigned(1, vector + span_bits(needs.longest_span) + 1),
+                weight: Format::unsigned(1, vector),
+                vector: Format::signed(1, vector),
+                // N' is off by up to 4 of their units of the last place, and by half of its own.
+                wrap_operand: Format::unsigned(3, fine + 2),
+                wrap_ratio: Format::unsigned(1, fine + 2),
+                length_squared: Format::unsigned(1, fine),
+                gain: Format::unsigned(2, fine),
+                diffuse: Format::unsigned(1, shape),
+                difference: Format::signed(2, vector),
+                // m is off by 2^-9 at most, and f by 2/m of that and less: 0.3 LSB where m is √2.
+                root_shininess: Format::unsigned(7, if typical { 8 } else { 10 }),
+                scaled_difference: Format::unsigned(8, shape),
+                shape: Format::unsigned(1, shape),
+            },
+        }
+    }
+}
+
+/// The cheapest normalisation that makes the shortest normal long enough, or g2, of which
+/// docs/numerics.md says when it takes a Newton step.
+///
+/// A normal of length r is r g1 = (3r - r³)/2 long after g1. Where it is too short by 2^-11, N·L at
+/// full scale is 1/8 LSB too small. D = R - L, which takes it worst, is off by twice as much along
+/// itself, and f_2 moves with it by 0.67 √n: that is to be half an LSB at most.
+fn cheapest_normalisation(needs: &Needs) -> Normalisation {
+    let r = needs.shortest_normal;
+    let steepest = 0.67 * f64::from(needs.largest_shininess).sqrt();
+    let most = (1.0 / 2048.0_f64).min(0.5 / (2.0 * steepest * FULL_SCALE));
+    match (1.0 - r, 1.0 - (3.0 * r - r * r * r) / 2.0) {
+        (as_it_is, _) if as_it_is <= most => Normalisation::None,
+        (_, after_g1) if after_g1 <= most => Normalisation::G1,
+        _ => Normalisation::G2,
+    }
+}
+
+impl ShadingMethod for LyonSpec {
+    fn narrowing_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
+        let f = &self.formats;
+        let point = NarrowingPoint::rounded;
+        let mut points = self.normal_points(span_bits);
+        points.push(point("diffuse", f.diffuse, UNIT, "n.L, clamped at 0"));
+        // D·D has twice the fraction bits, n another 13, and all of it must fit 63 bits.
+        points.push(
+            point("difference", f.difference, Format::signed(2, 0), "components of D")
+                .with_at_most(20),
+        );
+        points.extend(self.shape_points());
+        points
+    }
+
+    fn options(&self) -> Vec<(&'static str, String)> {
+        let mut options = Vec::new();
+        if self.normals != Normals::Linear {
+            options.push(("normals", self.normals_in_words()));
+        }
+        if self.normals == Normals::Linear {
+            options.push(("normalisation", self.normalisation_in_words()));
+        }
+        let approximate = matches!(self.normalisation, Normalisation::G1 | Normalisation::G2);
+        if self.normals == Normals::Linear && approximate {
+            options.push(("Newton steps", self.newton_steps.to_string()));
+        }
+        options.push(("difference", self.difference_in_words()));
+        options.push(("shape", self.shape_in_words()));
+        options
+    }
+
+    fn check_options(&self) -> Result<(), SpecError> {
+        within("newton_steps", self.newton_steps.into(), 0.0, 3.0)?;
+        within("squarings", self.squarings.into(), 0.0, 3.0)
+    }
+
+    fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
+        Box::new(super::set_up::LyonSetUp::new(self, frame))
+    }
+}
+
+impl LyonSpec {
+    /// Narrowing points on the way to the normal.
+    fn normal_points(&self, span_bits: u32) -> Vec<NarrowingPoint> {
+        let f = &self.formats;
+        let point = NarrowingPoint::rounded;
+        if self.normals == Normals::Flat {
+            return vec![point("vector", f.vector, SIGNED_UNIT, "components of the normal n")];
+        }
+        let accumulated = "step of the interpolation weight, rounded by the host";
+        // What is carried from pixel to pixel stays near unit length only where rounding is fine.
+        let fewest = if self.follows() { FEWEST_TO_FOLLOW } else { FEWEST_FRACTION_BITS };
+        let mut points = vec![
+            NarrowingPoint::accumulated(
+                "weight_accumulator",
+                f.weight_accumulator,
+                UNIT,
+                (1, span_bits),
+                accumulated,
+            )
+            .with_at_least(fewest),
+            point("weight", f.weight, UNIT, "interpolation weight a")
+                .no_finer_than(f.weight_accumulator)
+                .with_at_least(fewest),
+            point(
+                "vector",
+                f.vector,
+                SIGNED_UNIT,
+                "components of N' = N0 + a (N1 - N0) and of n = g N'",
+            )
+            .with_at_least(fewest),
+        ];
+        if self.follows() {
+            points.push(
+                point("length_squared", f.length_squared, UNIT, "z = N'.N'").with_at_least(fewest),
+            );
+            let q = "H.H, H = N' + n of the pixel before, or + w";
+            points.push(
+                point("wrap_operand", f.wrap_operand, Format::unsigned(3, 0), q)
+                    .with_at_least(fewest),
+            );
+            points.push(
+                point("wrap_ratio", f.wrap_ratio, UNIT, "u = (1 - z) / H.H").with_at_least(fewest),
+            );
+        } else if self.normals == Normals::Wrapped {
+            points.push(point(
+                "wrap_operand",
+                f.wrap_operand,
+                Format::unsigned(3, 0),
+                "H.w and H.H, H = N' + w",
+            ));
+            points.push(point("wrap_ratio", f.wrap_ratio, UNIT, "v = H.w / H.H"));
+        } else if self.normalisation != Normalisation::None {
+            points.push(point("length_squared", f.length_squared, UNIT, "z = N'.N'"));
+            points.push(point("gain", f.gain, Format::unsigned(2, 0), "g, about 1/sqrt(z)"));
+        }
+        points
+    }
+
+    /// Narrowing points on the way from D to f.
+    fn shape_points(&self) -> Vec<NarrowingPoint> {
+        let f = &self.formats;
+        let point = NarrowingPoint::rounded;
+        match self.shape {
+            ShapeDatapath::FK => {
+                let x = if self.difference.takes_unit_halfway() {
+                    "x = 4n D.D / 2^(k+1), and each square of 1 - x"
+                } else {
+                    "x = n D.D / 2^(k+1), and each square of 1 - x"
+                };
+                vec![point("shape", f.shape, UNIT, x)]
+            }
+            ShapeDatapath::Root => vec![
+                point(
+                    "root_shininess",
+                    f.root_shininess,
+                    Format::unsigned(7, 0),
+                    "m, rounded by the host",
+                )
+                .down_to(0),
+                point(
+                    "scaled_difference",
+                    f.scaled_difference,
+                    Format::unsigned(8, 0),
+                    "u_c = m |D_c| / 2^h",
+                ),
+                point("shape", f.shape, UNIT, "x = u.u, and each square of 1 - x"),
+            ],
+        }
+    }
+
+    fn normals_in_words(&self) -> String {
+        match (self.normals, self.axis) {
+            (Normals::Linear, _) => "interpolated linearly",
+            (Normals::Flat, _) => "the polygon's own normal",
+            (Normals::Wrapped, WrapAxis::Bisector) => "wrapped around the bisector of the end normals",
+            (Normals::Wrapped, WrapAxis::Previous) => {
+                "wrapped around the one of the pixel before; around the bisector in wide spans of few steps"
+            }
+            (Normals::Wrapped, WrapAxis::Face) => "wrapped around the polygon's own normal, or the bisector 90 degrees from it",
+        }
+        .to_owned()
+    }
+
+    fn normalisation_in_words(&self) -> String {
+        match self.normalisation {
+            Normalisation::None => "none, n = N'",
+            Normalisation::G1 => "g1 = 1 + y/2, y = 1 - z",
+            Normalisation::G2 => "g2 = 1 + (y + y^2)/2, y = 1 - z",
+            Normalisation::Exact => "g = 1/sqrt(z), correctly rounded",
+        }
+        .to_owned()
+    }
+
+    fn difference_in_words(&self) -> String {
+        let h = match self.halfway {
+            Halfway::Unit => "h = H/|H|",
+            Halfway::Half => "h = H/2",
+            Halfway::HalfG2 => "h = g2(H.H/4) H/2",
+        };
+        match self.difference {
+            Difference::ReflectionMinusLight => "D = R - L".to_owned(),
+            Difference::LightReflection => "D = 2(N.L)N - H".to_owned(),
+            Difference::HalfwayProjection => "D = (H.N)N - H".to_owned(),
+            Difference::HalfwayCrossNormal => "D = H x N".to_owned(),
+            Difference::UnitHalfwayMinusNormal => format!("D = h - N with 4n, {h}"),
+            Difference::UnitHalfwayProjection => format!("D = (h.N)N - h with 4n, {h}"),
+        }
+    }
+
+    fn shape_in_words(&self) -> String {
+        let from = match self.shape {
+            ShapeDatapath::FK => "",
+            ShapeDatapath::Root => "; from squares of m D, m = sqrt(n)",
+        };
+        format!("f = (1 - x)^(2^k), 0 from x = 1 on; k = {}{from}", self.squarings)
+    }
+}

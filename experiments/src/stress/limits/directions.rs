@@ -1,0 +1,94 @@
+//! The difference between the directions to lights and eye that a method uses and those that a
+//! pixel sees.
+use glam::DVec3;
+use specula_golden::exact::formula::illumination::{self, Illumination};
+use specula_scene::{Frame, Span, Wrap};
+use specula_spec::phong::{wrap_to_eye, wrap_to_light};
+
+use super::lobe::power_turn_change;
+use super::normal::{angle, wrap_turn};
+
+/// The knowledge about the direction to a light or to the eye.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Direction {
+    /// The direction is wrong by `turn` radians at most, and a spot's factor by `share`.
+    Known { turn: f64, share: f64 },
+    /// Nothing is known, since there is no direction somewhere.
+    Unknown,
+}
+
+/// The exact direction.
+const TRUE: Direction = Direction::Known { turn: 0.0, share: 0.0 };
+
+/// Directions at one pixel.
+pub struct Directions {
+    /// The direction to each light.
+    pub lights: Vec<Direction>,
+    /// The direction to the eye.
+    pub view: Direction,
+}
+
+impl Directions {
+    /// The directions that the pixel sees.
+    pub fn exact(frame: &Frame) -> Directions {
+        Directions { lights: frame.light_colours().map(|_| TRUE).collect(), view: TRUE }
+    }
+
+    /// The directions that the middle of the span sees.
+    pub fn of_the_middle(frame: &Frame, span: &Span, i: u32) -> Directions {
+        let (here, middle) = (span.weights(i), middle(span));
+        let pairs =
+            illumination::lights(frame, span, here).zip(illumination::lights(frame, span, middle));
+        let light = |pair: (Option<Illumination>, Option<Illumination>)| match pair {
+            (Some(here), Some(middle)) => Direction::Known {
+                turn: angle(here.direction, middle.direction),
+                share: (here.share - middle.share).abs(),
+            },
+            _ => Direction::Unknown,
+        };
+        let views =
+            illumination::view(frame, span, here).zip(illumination::view(frame, span, middle));
+        Directions {
+            lights: pairs.map(light).collect(),
+            view: views.map_or(Direction::Unknown, |(here, middle)| Direction::Known {
+                turn: angle(here, middle),
+                share: 0.0,
+            }),
+        }
+    }
+
+    /// The directions wrapped along the span.
+    pub fn wrapped(frame: &Frame, span: &Span, i: u32) -> Directions {
+        let (t, position) = (span.parameter(i), frame.position_at(span, span.weights(i)));
+        let far = frame.lights.iter().map(|_| TRUE);
+        let near = frame.local_lights.iter().map(|light| {
+            let off = wrap_error(&wrap_to_light(frame, span, light), t, light.position - position);
+            match (off, &light.spot) {
+                (Direction::Known { turn, .. }, Some(spot)) => {
+                    Direction::Known { turn, share: power_turn_change(turn, spot.exponent) }
+                }
+                _ => off,
+            }
+        });
+        let view = frame
+            .eye
+            .map_or(TRUE, |eye| wrap_error(&wrap_to_eye(frame, span, eye), t, eye - position));
+        Directions { lights: far.chain(near).collect(), view }
+    }
+}
+
+/// The weights of a span's middle.
+pub fn middle(span: &Span) -> [f64; 3] {
+    std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v]))
+}
+
+/// The difference between a wrap and `truth` at parameter `t`.
+fn wrap_error(wrap: &Wrap, t: f64, truth: DVec3) -> Direction {
+    let interpolated = wrap.ends[0].lerp(wrap.ends[1], t);
+    match wrap_turn(interpolated, Some(wrap.axis)) {
+        Some(turn) if truth != DVec3::ZERO => {
+            Direction::Known { turn: turn + angle(interpolated, truth), share: 0.0 }
+        }
+        _ => Direction::Unknown,
+    }
+}

@@ -1,0 +1,15 @@
+//! Diffuse reflection.
+use glam::DVec3;
+
+/// Lambert's cosine, max(N·L, 0).
+pub fn lambert(normal: DVec3, light: DVec3) -> f64 {
+    normal.dot(light).max(0.0)
+}
+
+/// Gouraud's intensity: Lambert's cosine at a triangle's vertices, interpolated with barycentric
+/// `weights` and clamped to 0 to 1 [lecture, eq. 3.2 to 3.6].
+pub fn gouraud(vertex_normals: &[DVec3; 3], weights: [f64; 3], light: DVec3) -> f64 {
+    let intensity: f64 =
+        vertex_normals.iter().zip(weights).map(|(&n, w)| w * lambert(n, light)).sum();
+    intensity.clamp(0.0, 1.0)
+}

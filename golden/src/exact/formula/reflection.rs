@@ -1,0 +1,34 @@
+//! The reflected eye vector, and vectors D whose length grows with the angle between it and the
+//! light.
+use glam::DVec3;
+use specula_scene::frame::EYE;
+
+/// R = 2(N·V)N - V [Lyon, methods B1]: one reflection for a pixel, whatever the number of lights.
+pub fn reflect(normal: DVec3) -> DVec3 {
+    2.0 * normal.dot(EYE) * normal - EYE
+}
+
+/// H = L + V, not normalised.
+pub fn halfway(light: DVec3) -> DVec3 {
+    light + EYE
+}
+
+/// D = R - L, equal to 2(N·V)N - H [methods B2, B3]. |D|² = 2 - 2 R·L for a unit normal.
+pub fn reflection_minus_light(normal: DVec3, light: DVec3) -> DVec3 {
+    2.0 * normal.dot(EYE) * normal - halfway(light)
+}
+
+/// D2 = 2(N·L)N - H [methods B4]. For a unit normal it is as long as R - L.
+pub fn light_reflection(normal: DVec3, light: DVec3) -> DVec3 {
+    2.0 * normal.dot(light) * normal - halfway(light)
+}
+
+/// The vector from a half-way vector to its projection on the normal, (h·N)N - h [methods B5, B6].
+pub fn projection(normal: DVec3, halfway: DVec3) -> DVec3 {
+    halfway.dot(normal) * normal - halfway
+}
+
+/// D = H × N [methods B13]. For a unit normal it is as long as (H·N)N - H (B5).
+pub fn halfway_cross_normal(normal: DVec3, light: DVec3) -> DVec3 {
+    halfway(light).cross(normal)
+}

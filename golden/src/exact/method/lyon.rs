@@ -1,0 +1,141 @@
+//! Lyon's method without rounding [Lyon, TR 43; methods B].
+use glam::DVec3;
+use specula_scene::{Frame, Span, Wrap};
+use specula_spec::LyonSpec;
+use specula_spec::lyon::{Difference, Halfway, NormalWrap, Normals};
+
+use super::ShadeSpan;
+use super::coefficients::{Amounts, Coefficients};
+use crate::exact::formula::diffuse::lambert;
+use crate::exact::formula::normalisation::{g2, gain, unit};
+use crate::exact::formula::reflection::{
+    halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light,
+};
+use crate::exact::formula::shape::f_k;
+use crate::exact::formula::wrap::{chained, wrap};
+
+/// How the normal of a span is computed.
+enum Path {
+    /// The same normal at every pixel.
+    Flat(DVec3),
+    /// N0 and N1 - N0.
+    Linear { start: DVec3, delta: DVec3 },
+    /// The same vectors for unit ends; the interpolated normal is wrapped around the axis.
+    Wrapped { start: DVec3, delta: DVec3, axis: DVec3 },
+    /// The normal of each pixel, wrapped around the previous one.
+    Chained(Vec<DVec3>),
+}
+
+impl Path {
+    fn new(spec: &LyonSpec, frame: &Frame, span: &Span) -> Path {
+        match spec.normals {
+            Normals::Flat => Path::Flat(frame.facet_normal(span)),
+            Normals::Linear => {
+                let [start, end] = frame.end_normals(span);
+                Path::Linear { start, delta: end - start }
+            }
+            Normals::Wrapped => {
+                let NormalWrap { wrap: Wrap { ends: [start, end], axis }, follows } =
+                    spec.wrap(frame, span);
+                let normals = (0..span.length).map(|i| start.lerp(end, span.parameter(i)));
+                if follows {
+                    Path::Chained(chained(axis, normals).collect())
+                } else {
+                    Path::Wrapped { start, delta: end - start, axis }
+                }
+            }
+        }
+    }
+}
+
+/// One span, shaded by `lyon`.
+pub struct LyonSpan<'a> {
+    spec: &'a LyonSpec,
+    span: &'a Span,
+    path: Path,
+    half_shininess: f64,
+    coefficients: Coefficients,
+}
+
+impl<'a> LyonSpan<'a> {
+    /// Sets up a span of a frame.
+    pub fn new(spec: &'a LyonSpec, frame: &Frame, span: &'a Span) -> Self {
+        LyonSpan {
+            spec,
+            span,
+            path: Path::new(spec, frame, span),
+            half_shininess: f64::from(frame.material(span).shininess) / 2.0,
+            coefficients: Coefficients::new(frame, span),
+        }
+    }
+
+    /// The normal n, of a length about 1.
+    pub fn normal(&self, i: u32) -> DVec3 {
+        let t = self.span.parameter(i);
+        match self.path {
+            Path::Flat(normal) => normal,
+            Path::Chained(ref normals) => normals[i as usize],
+            Path::Linear { start, delta } => {
+                let interpolated = start + t * delta;
+                gain(self.spec, interpolated.length_squared()) * interpolated
+            }
+            // Without any direction, everything is 0.
+            Path::Wrapped { start, delta, axis } => {
+                wrap(axis, start + t * delta).unwrap_or(DVec3::ZERO)
+            }
+        }
+    }
+
+    /// f_k of D; 0 where the normal vanishes and has no direction (extremes row 1).
+    fn highlight(&self, normal: DVec3, light: DVec3) -> f64 {
+        if normal == DVec3::ZERO {
+            return 0.0;
+        }
+        let about_unit = unit_halfway(self.spec.halfway, light);
+        let (difference, half_exponent) = match (self.spec.difference, about_unit) {
+            (Difference::ReflectionMinusLight, _) => {
+                (reflection_minus_light(normal, light), self.half_shininess)
+            }
+            (Difference::LightReflection, _) => {
+                (light_reflection(normal, light), self.half_shininess)
+            }
+            (Difference::HalfwayProjection, _) => {
+                (projection(normal, halfway(light)), self.half_shininess)
+            }
+            (Difference::HalfwayCrossNormal, _) => {
+                (halfway_cross_normal(normal, light), self.half_shininess)
+            }
+            (Difference::UnitHalfwayMinusNormal, Some(h)) => {
+                (h - normal, 4.0 * self.half_shininess)
+            }
+            (Difference::UnitHalfwayProjection, Some(h)) => {
+                (projection(normal, h), 4.0 * self.half_shininess)
+            }
+            (Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection, None) => {
+                return 0.0;
+            }
+        };
+        f_k(half_exponent * difference.length_squared(), self.spec.squarings)
+    }
+}
+
+/// A half-way vector of about unit length [methods B6, B7]; `None` for L = -V, where it has no
+/// direction (extremes row 12).
+fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
+    let h = halfway(light) / 2.0;
+    match kind {
+        Halfway::Unit => unit(h),
+        Halfway::Half => Some(h),
+        Halfway::HalfG2 => Some(g2(h.length_squared()) * h),
+    }
+}
+
+impl ShadeSpan for LyonSpan<'_> {
+    fn pixel(&self, i: u32) -> [f64; 3] {
+        let normal = self.normal(i);
+        self.coefficients.sum(|light| Amounts {
+            diffuse: lambert(normal, light.direction),
+            specular: self.highlight(normal, light.direction),
+        })
+    }
+}

@@ -1,0 +1,39 @@
+//! A light along a span.
+use super::surface::Reflected;
+use crate::loops::{Phong, Scheme, power};
+
+/// A light along a span.
+pub trait AlongSpan: Copy {
+    /// Adds its reflection to every pixel.
+    fn add(self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]);
+}
+
+impl<S: Scheme<f32>> AlongSpan for S {
+    #[inline]
+    fn add(mut self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]) {
+        let exponent = S::exponent(shininess);
+        for pixel in out {
+            let amounts = self.pixel();
+            let specular = power(amounts.base.clamp(0.0, 1.0), exponent);
+            reflected.add(amounts.diffuse.clamp(0.0, 1.0), specular, pixel);
+        }
+    }
+}
+
+/// A scheme, or Phong's where the scheme cannot shade the span.
+#[derive(Clone, Copy, Debug)]
+pub enum OrPhong<S> {
+    /// The scheme.
+    Scheme(S),
+    /// Phong's.
+    Phong(Phong<f32>),
+}
+
+impl<S: Scheme<f32>> AlongSpan for OrPhong<S> {
+    fn add(self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]) {
+        match self {
+            OrPhong::Scheme(scheme) => scheme.add(shininess, reflected, out),
+            OrPhong::Phong(phong) => phong.add(shininess, reflected, out),
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! Faces of whole meshes.
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::project::{TriangleId, ViewedObject};
+use super::scene::Object;
+use crate::mesh::Mesh;
+use crate::{VertexCone, defaults};
+
+/// A triangle of a mesh among its neighbours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConedFace {
+    /// Its unit normal, on the side to which its vertex normals point.
+    pub outward: DVec3,
+    /// Unit normals at its vertices.
+    pub normals: [DVec3; 3],
+    /// Cones about the normals.
+    pub cones: [VertexCone; 3],
+}
+
+/// The triangles of a whole mesh that have an area, with the cones of their vertices.
+pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
+    let object = Object {
+        mesh: mesh.clone(),
+        primitive: None,
+        place: DAffine3::IDENTITY,
+        material: defaults::material(),
+    };
+    let seen = ViewedObject::new(&object, DMat3::IDENTITY);
+    let all: Vec<TriangleId> =
+        (0..mesh.triangles.len()).map(|triangle| TriangleId { object: 0, triangle }).collect();
+    let fans = seen.fans(0, &all);
+    let coned = |name: &TriangleId| {
+        let face = seen.face(name.triangle);
+        Some(ConedFace { outward: face.outward?, normals: face.normals, cones: fans.cones(&face) })
+    };
+    all.iter().filter_map(coned).collect()
+}

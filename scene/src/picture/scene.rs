@@ -1,0 +1,82 @@
+//! Objects in the world, and what lights them.
+use glam::{DAffine3, DVec3};
+
+use super::camera::Camera;
+use crate::mesh::Mesh;
+use crate::primitive::Primitive;
+use crate::{Colour, Material};
+
+/// A mesh at a place in the world.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// Its shape, in its own coordinates.
+    pub mesh: Mesh,
+    /// The primitive that the mesh was made from, if any.
+    pub primitive: Option<Primitive>,
+    /// The transformation from its own coordinates to the world's.
+    pub place: DAffine3,
+    /// Its material.
+    pub material: Material,
+}
+
+/// The coordinates in which a light's direction is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightSpace {
+    /// The coordinates of the objects: the light stays when the camera moves.
+    World,
+    /// The coordinates of the picture, x right, y up, z to the eye: the light moves with the
+    /// camera.
+    View,
+}
+
+/// A light of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Light {
+    /// The place or direction of the light.
+    pub source: LightSource,
+    /// The coordinates of `source`.
+    pub space: LightSpace,
+    /// Its colour and strength.
+    pub colour: Colour,
+}
+
+/// The place or direction of a light.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LightSource {
+    /// The light is at infinity.
+    Directional {
+        /// The direction to the light; any length except 0.
+        direction: DVec3,
+    },
+    /// The light is at a place and shines in all directions.
+    Point {
+        /// The place.
+        position: DVec3,
+    },
+    /// The light is at a place and shines most strongly along its axis.
+    Spot {
+        /// The place.
+        position: DVec3,
+        /// The direction along which it shines; any length except 0.
+        axis: DVec3,
+        /// Warn's exponent, 1 to 8191.
+        exponent: u32,
+    },
+}
+
+/// Everything a picture is made from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Width and height of the picture in pixels.
+    pub size: (u32, u32),
+    /// 8-bit colour of pixels without an object.
+    pub background: [u8; 3],
+    /// The camera.
+    pub camera: Camera,
+    /// Colour of the ambient light.
+    pub ambient: Colour,
+    /// Lights.
+    pub lights: Vec<Light>,
+    /// The objects.
+    pub objects: Vec<Object>,
+}

@@ -1,0 +1,95 @@
+//! Spans that pause anywhere: every signal at every clock in every engine, with random bubbles
+//! before time slots.
+use specula_datapath::Design;
+use specula_fixtures::specs::{packets, spec};
+use specula_fixtures::{each_method, few_spans};
+use specula_sim::fast::{InstructionSet, Settings};
+use specula_sim::{Columns, Engine, Fast, Icarus, RustHdl, Stimulus};
+use specula_spec::{CoreSpec, LightPipelines, Method};
+
+use crate::agreement::{self, assert_same};
+use crate::elaborated;
+use crate::installed::{if_installed, verilator};
+
+/// Each light has a pipeline of its own, or all share one.
+const PIPELINES: [LightPipelines; 2] = [LightPipelines::Each, LightPipelines::Shared];
+
+fn with(pipelines: LightPipelines, mut spec: CoreSpec) -> CoreSpec {
+    spec.parameters.light_pipelines = pipelines;
+    spec
+}
+
+fn every_signal_agrees_at_every_clock(method: Method) {
+    let seed = 2026 + method as u64;
+    println!("seed {seed}");
+    let frame = few_spans::frame(seed, 2, 5);
+    for pipelines in PIPELINES {
+        let spec = with(pipelines, spec(&frame, method));
+        let design = elaborated(&spec);
+        let packets = packets(&spec, &frame);
+        let stimulus = Stimulus::whole(&packets, &design).with_bubbles(seed);
+        let reference = of_rust_hdl(&design, &stimulus);
+        in_the_fast_engine(&design, &stimulus, &reference);
+        late_runs_show_the_same(&design, &stimulus, &reference);
+        in_verilog(&design, &stimulus, &reference);
+    }
+}
+
+fn of_rust_hdl(design: &Design, stimulus: &Stimulus) -> Columns {
+    agreement::run(&mut RustHdl::new(design).unwrap(), stimulus, &design.variables()).unwrap()
+}
+
+/// All signals at once, with short batches and long ones, one thread and several; and outputs
+/// alone, fused and in pieces.
+fn in_the_fast_engine(design: &Design, stimulus: &Stimulus, reference: &Columns) {
+    for (batch, threads, instruction_set) in [
+        (1, 1, InstructionSet::BASELINE),
+        (7, 3, InstructionSet::best()),
+        (64, 2, InstructionSet::BASELINE),
+        (512, 1, InstructionSet::best()),
+    ] {
+        let settings = Settings { batch, threads, instruction_set, piece: 10 };
+        let mut fast = Fast::with_settings(design, settings);
+        let all = agreement::run(&mut fast, stimulus, &design.variables()).unwrap();
+        assert_same(design, reference, &all, 0, "fast");
+        let outputs = agreement::run(&mut fast, stimulus, &design.outputs).unwrap();
+        for &output in &design.outputs {
+            assert_eq!(outputs.of(output), reference.of(output), "{settings:?}");
+        }
+    }
+}
+
+/// Wherever a window begins, in a bubble or in a pixel, every register holds what it does in the
+/// whole run.
+fn late_runs_show_the_same(design: &Design, stimulus: &Stimulus, reference: &Columns) {
+    let end = stimulus.clocks().end;
+    for first in (0..end).step_by(7) {
+        let window = first..(first + 3).min(end);
+        let late = stimulus.leading_to(&window, design);
+        let shown = agreement::run(&mut Fast::new(design), &late, &reference.nodes).unwrap();
+        let part = |all: &Columns| {
+            let mut part = Columns::new(&all.nodes);
+            part.extend(&all.batch().within(&window));
+            part
+        };
+        assert_same(design, &part(reference), &part(&shown), 0, "fast, late");
+    }
+}
+
+/// Icarus begins with X in every register: it counts from where the first pixel has gone through.
+fn in_verilog(design: &Design, stimulus: &Stimulus, reference: &Columns) {
+    let signals = design.variables();
+    if let Some(mut verilator) = verilator(design) {
+        let columns = agreement::run(&mut verilator, stimulus, &signals).unwrap();
+        assert_same(design, reference, &columns, 0, verilator.name());
+        println!("Verilator: built in {:.1} s", verilator.build_seconds());
+    }
+    if let Some(mut icarus) = if_installed(Icarus::new(design)) {
+        let columns = agreement::run(&mut icarus, stimulus, &signals).unwrap();
+        let known = stimulus.completion_of(0, 0) + u64::from(design.latency());
+        assert_same(design, reference, &columns, known, icarus.name());
+        println!("Icarus: built in {:.1} s", icarus.build_seconds());
+    }
+}
+
+each_method!(every_signal_agrees_at_every_clock);
