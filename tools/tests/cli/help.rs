@@ -13,6 +13,7 @@ fn every_command_has_help() {
         "compare",
         "wave",
         "stress",
+        "synth",
         "reproduce",
         "scenes",
         "methods",

@@ -15,6 +15,7 @@ mod reproduce;
 mod run;
 mod spec;
 mod stress;
+mod synth;
 mod wave;
 mod wave_dialects;
 mod wave_input;
