@@ -13,7 +13,6 @@ use crate::job::SceneOrSpec;
 use crate::output::{Interrupts, write_core};
 use crate::verdict::Verdict;
 use crate::verilog;
-use crate::verilog::Origin;
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, Verilog-2001 with one module per unit, and DIR/spec.toml, from which the same \

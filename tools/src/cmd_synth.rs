@@ -30,7 +30,7 @@ Example: specula synth torus --method hybrid --target ecp5 --seeds 3";
 pub struct Arguments {
     #[command(flatten)]
     core: SceneOrSpec,
-    /// Device family: an LFE5U-85F-6 for ecp5, an iCE40UP5K for ice40up, an iCE40HX8K for ice40hx
+    /// Device family: an LFE5U-85F-6 for ecp5, an iCE40HX8K for ice40hx
     #[arg(long, value_name = "TARGET", default_value = "ecp5", value_parser = target_parser())]
     target: SynthTarget,
     /// Number of seeds of the placer, of which the median counts

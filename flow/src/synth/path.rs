@@ -115,7 +115,8 @@ impl Names {
     }
 }
 
-/// The first word of a cell's name that is written in capitals and is a kind of cell.
+/// The kind of a cell, which its name has last: the kinds before are those of its neighbours, by
+/// which Yosys calls a cell that drives no signal of the design's.
 fn kind(rest: &str) -> String {
     const KINDS: [&str; 12] = [
         "MULT18X18D",
@@ -131,8 +132,9 @@ fn kind(rest: &str) -> String {
         "SB_DFF",
         "SB_RAM40",
     ];
-    let first = KINDS.iter().filter_map(|kind| Some((rest.find(kind)?, kind))).min();
-    first.map_or("cell", |(_, kind)| kind).to_owned()
+    let end = |kind: &&str| Some((rest.rfind(kind)? + kind.len(), kind.len()));
+    let last = KINDS.into_iter().max_by_key(end).filter(|kind| rest.contains(kind));
+    last.unwrap_or("cell").to_owned()
 }
 
 #[cfg(test)]
@@ -160,9 +162,10 @@ pub(super) mod tests {
         let names = Names::of(&sum_and_product());
         for (cell, signal, kind) in [
             ("core.product_MULT18X18D_B0", "product", "MULT18X18D"),
-            ("core.product_MULT18X18D_B0_P18_CCU2C_B0$CCU2_COMB1", "product", "MULT18X18D"),
+            ("core.product_MULT18X18D_B0_P18_CCU2C_B0$CCU2_COMB1", "product", "CCU2C"),
             ("core.sum_CCU2C_S0_3$CCU2_COMB0", "sum", "CCU2C"),
             ("core.a_d1_TRELLIS_FF_Q_2", "a_d1", "TRELLIS_FF"),
+            ("core.sum_SB_DFF_Q_D_SB_LUT4_O_LC", "sum", "SB_LUT4"),
             ("taken_TRELLIS_FF_Q", "harness", "TRELLIS_FF"),
             ("core.elsewhere", "elsewhere", "cell"),
         ] {

@@ -55,21 +55,23 @@ impl Job<'_> {
             ["--freq".into(), self.asked_mhz.to_string(), "--seed".into(), seed.to_string()];
         let fixed = self.target.arguments.iter().chain(&own).map(|argument| (*argument).to_owned());
         let arguments: Vec<String> = fixed.chain(numbers).collect();
-        self.placer.run_with_warnings(self.directory, &arguments).map_err(|e| self.failed(e))?;
+        self.placer
+            .run_with_warnings(self.directory, &arguments)
+            .map_err(|error| failed(error, self.target.device))?;
         let text = std::fs::read_to_string(self.directory.join(&name)).map_err(|source| {
             SimError::File { doing: format!("read {name} from nextpnr"), source }
         })?;
         placed(&text, design, seed)
             .map_err(|problem| SynthError::Report { program: self.placer.command, problem })
     }
+}
 
-    /// The error of a run that failed; nextpnr says why in lines that begin with `ERROR`.
-    fn failed(&self, error: SimError) -> SynthError {
-        let SimError::ToolFailed { output, .. } = error else { return error.into() };
-        let told: Vec<&str> = output.lines().filter(|line| line.starts_with("ERROR")).collect();
-        let output = if told.is_empty() { output.clone() } else { told.join("\n") };
-        SynthError::NotPlaced { device: self.target.device, output }
-    }
+/// The error of a run that failed; nextpnr says why in lines that begin with `ERROR`.
+fn failed(error: SimError, device: &'static str) -> SynthError {
+    let SimError::ToolFailed { output, .. } = error else { return error.into() };
+    let told: Vec<&str> = output.lines().filter(|line| line.starts_with("ERROR")).collect();
+    let output = if told.is_empty() { output.clone() } else { told.join("\n") };
+    SynthError::NotPlaced { device, output }
 }
 
 /// What a report says.
@@ -94,6 +96,19 @@ mod tests {
         let placed = placed(text, &design, 3).expect("it is a report");
         assert_eq!((placed.seed, placed.reached_mhz), (3, 71.25));
         assert!(placed.critical_path.is_none());
+    }
+
+    #[test]
+    fn a_core_that_is_too_large_is_said_to_be() {
+        let error = SimError::ToolFailed {
+            command: "nextpnr-ice40 --hx8k".to_owned(),
+            status: "exit status: 255".to_owned(),
+            output: "Info: packing\nERROR: Unable to place cell 'core.sum_LC'\n1 error".to_owned(),
+        };
+        let error = failed(error, SynthTarget::ICE40_HX.device).to_string();
+        let expected = "the core cannot be placed on the iCE40HX8K CT256:\n\
+                        ERROR: Unable to place cell 'core.sum_LC'";
+        assert_eq!(error, expected);
     }
 
     #[test]

@@ -45,15 +45,6 @@ impl SynthTarget {
             "--timing-allow-fail",
         ],
     };
-    /// The iCE40 UltraPlus with multiplier blocks.
-    pub const ICE40_UP: SynthTarget = SynthTarget {
-        name: "ice40up",
-        device: "iCE40UP5K SG48",
-        synthesis: "synth_ice40 -dsp -device u",
-        blocks: &[("SB_MAC16", 1)],
-        arguments: &["--up5k", "--package", "sg48", "--timing-allow-fail"],
-        ..SynthTarget::ICE40_HX
-    };
     /// The largest iCE40 HX. It has no multiplier blocks.
     pub const ICE40_HX: SynthTarget = SynthTarget {
         name: "ice40hx",
@@ -67,8 +58,7 @@ impl SynthTarget {
         arguments: &["--hx8k", "--package", "ct256", "--timing-allow-fail"],
     };
     /// Every target that can be placed.
-    pub const ALL: [SynthTarget; 3] =
-        [SynthTarget::ECP5, SynthTarget::ICE40_UP, SynthTarget::ICE40_HX];
+    pub const ALL: [SynthTarget; 2] = [SynthTarget::ECP5, SynthTarget::ICE40_HX];
 
     /// nextpnr for this family: a program of the system's, or the one of YoWASP.
     ///
