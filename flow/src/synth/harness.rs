@@ -2,7 +2,7 @@
 use std::fmt::Write;
 
 use specula_datapath::Design;
-use specula_datapath::design::{NodeId, Op, ScopeId};
+use specula_datapath::design::{Node, NodeId, Op, ScopeId};
 
 /// Name of the harness's module.
 pub const MODULE: &str = "specula_harness";
@@ -38,7 +38,8 @@ pub fn text(design: &Design) -> String {
         last = bits_out.saturating_sub(1),
         before = bits_in.saturating_sub(1),
     );
-    let clock = design.nodes.iter().any(|node| node.registered()).then(|| ".clock(clk)".to_owned());
+    let is_clocked = design.nodes.iter().any(Node::registered);
+    let clock = is_clocked.then(|| ".clock(clk)".to_owned());
     let connections: Vec<String> = clock
         .into_iter()
         .chain(connections(&inputs, "bits_in"))

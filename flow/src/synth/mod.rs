@@ -1,9 +1,9 @@
 //! Synthesis and place-and-route of a core, by programs that need no vendor's licence: Yosys and
 //! nextpnr.
 //!
-//! A core has more ports than a device has pins, so it stands in a [harness](harness::text) of
-//! three pins. Cells are those of the core alone. nextpnr's result depends on the seed of its
-//! placer, so it runs with several, and the median is what a core reaches.
+//! A core has more ports than a device has pins, so it stands in a harness of three pins. Cells are
+//! those of the core alone. nextpnr's result depends on the seed of its placer, so it runs with
+//! several, and the median is what a core reaches.
 mod cells;
 mod harness;
 mod path;
