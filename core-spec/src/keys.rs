@@ -45,73 +45,35 @@ impl Serialize for CoreSpec {
     }
 }
 
-impl From<Keys> for CoreSpec {
-    fn from(keys: Keys) -> CoreSpec {
-        let Keys {
-            lights,
-            local_lights,
-            local_eye,
-            light_pipelines,
-            longest_span,
-            largest_shininess,
-            coefficient,
-            shortest_normal,
-            shortest_way,
-            shortest_unit_way,
-            least_cone_cosine,
-            least_view_cosine,
-            method,
-            specialisation,
-        } = keys;
-        let parameters = CoreParameters {
-            lights,
-            local_lights,
-            local_eye,
-            light_pipelines,
-            longest_span,
-            largest_shininess,
-            coefficient,
-            shortest_normal,
-            shortest_way,
-            shortest_unit_way,
-            least_cone_cosine,
-            least_view_cosine,
-        };
-        CoreSpec { parameters, method, specialisation }
-    }
+/// Both ways between keys and a core, whose parameters have these keys.
+macro_rules! parameters_have_keys {
+    ($($key:ident),*) => {
+        impl From<Keys> for CoreSpec {
+            fn from(Keys { $($key,)* method, specialisation }: Keys) -> CoreSpec {
+                CoreSpec { parameters: CoreParameters { $($key),* }, method, specialisation }
+            }
+        }
+
+        impl From<CoreSpec> for Keys {
+            fn from(CoreSpec { parameters, method, specialisation }: CoreSpec) -> Keys {
+                let CoreParameters { $($key),* } = parameters;
+                Keys { $($key,)* method, specialisation }
+            }
+        }
+    };
 }
 
-impl From<CoreSpec> for Keys {
-    fn from(CoreSpec { parameters, method, specialisation }: CoreSpec) -> Keys {
-        let CoreParameters {
-            lights,
-            local_lights,
-            local_eye,
-            light_pipelines,
-            longest_span,
-            largest_shininess,
-            coefficient,
-            shortest_normal,
-            shortest_way,
-            shortest_unit_way,
-            least_cone_cosine,
-            least_view_cosine,
-        } = parameters;
-        Keys {
-            lights,
-            local_lights,
-            local_eye,
-            light_pipelines,
-            longest_span,
-            largest_shininess,
-            coefficient,
-            shortest_normal,
-            shortest_way,
-            shortest_unit_way,
-            least_cone_cosine,
-            least_view_cosine,
-            method,
-            specialisation,
-        }
-    }
-}
+parameters_have_keys!(
+    lights,
+    local_lights,
+    local_eye,
+    light_pipelines,
+    longest_span,
+    largest_shininess,
+    coefficient,
+    shortest_normal,
+    shortest_way,
+    shortest_unit_way,
+    least_cone_cosine,
+    least_view_cosine
+);

@@ -125,7 +125,7 @@ pub enum SimError {
 
 impl SimError {
     /// The error of having failed at `doing`.
-    pub(crate) fn file(doing: impl Into<String>) -> impl FnOnce(std::io::Error) -> SimError {
+    pub fn file(doing: impl Into<String>) -> impl FnOnce(std::io::Error) -> SimError {
         let doing = doing.into();
         move |source| SimError::File { doing, source }
     }

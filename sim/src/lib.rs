@@ -27,5 +27,5 @@ pub use fast::Fast;
 pub use icarus::Icarus;
 pub use rust_hdl::RustHdl;
 pub use stimulus::{FirstPixels, InputHold, SpanSource, Stimulus};
-pub use synthesis::{Progress, Synthesised, synthesise};
+pub use synthesis::{Progress, Synthesised, cells, synthesise};
 pub use verilator::{Effort, Keeping, Library, TimedVerilator, Timing, Verilator};

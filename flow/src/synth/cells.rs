@@ -21,11 +21,7 @@ impl Cells {
     /// as versions of Yosys have it.
     pub fn listed(text: &str, target: &SynthTarget) -> Cells {
         let count = |kinds: &[(&str, u64)]| {
-            let counted = text.lines().filter_map(|line| {
-                let (_, each) = kinds.iter().find(|(kind, _)| is_of_kind(line, kind))?;
-                Some(number(line)? * each)
-            });
-            counted.sum()
+            kinds.iter().map(|(kind, each)| specula_sim::cells(text, kind) * each).sum()
         };
         Cells {
             luts: count(target.luts),
@@ -34,19 +30,6 @@ impl Cells {
             memories: count(target.memories),
         }
     }
-}
-
-/// Whether a line is about a kind of cell. A kind that ends in `*` stands for all that begin so.
-fn is_of_kind(line: &str, kind: &str) -> bool {
-    let mut words = line.split_whitespace();
-    match kind.strip_suffix('*') {
-        Some(beginning) => words.any(|word| word.starts_with(beginning)),
-        None => words.any(|word| word == kind),
-    }
-}
-
-fn number(line: &str) -> Option<u64> {
-    line.split_whitespace().find_map(|word| word.parse().ok())
 }
 
 #[cfg(test)]

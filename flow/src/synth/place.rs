@@ -58,9 +58,8 @@ impl Job<'_> {
         self.placer
             .run_with_warnings(self.directory, &arguments)
             .map_err(|error| failed(error, self.target.device))?;
-        let text = std::fs::read_to_string(self.directory.join(&name)).map_err(|source| {
-            SimError::File { doing: format!("read {name} from nextpnr"), source }
-        })?;
+        let text = std::fs::read_to_string(self.directory.join(&name))
+            .map_err(SimError::file(format!("read {name} from nextpnr")))?;
         placed(&text, design, seed)
             .map_err(|problem| SynthError::Report { program: self.placer.command, problem })
     }

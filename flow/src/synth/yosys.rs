@@ -39,7 +39,7 @@ pub fn run(
 ) -> Result<Cells, SynthError> {
     let write = |name: &str, text: &str| {
         std::fs::write(directory.join(name), text)
-            .map_err(|source| SimError::File { doing: format!("write {name} for Yosys"), source })
+            .map_err(SimError::file(format!("write {name} for Yosys")))
     };
     write("core.v", core)?;
     write("harness.v", harness)?;
@@ -49,7 +49,7 @@ pub fn run(
         &["-q".to_owned(), "-p".to_owned(), script(module, target)],
     )?;
     let counts = std::fs::read_to_string(directory.join(COUNTS))
-        .map_err(|source| SimError::File { doing: format!("read {COUNTS} from Yosys"), source })?;
+        .map_err(SimError::file(format!("read {COUNTS} from Yosys")))?;
     Ok(Cells::listed(&counts, target))
 }
 

@@ -40,12 +40,7 @@ impl Tool {
     /// # Errors
     /// [`SimError::ToolAbsent`] says how to install it.
     pub fn version(&self) -> Result<String, SimError> {
-        let output = self.named(output(
-            self.command.as_ref(),
-            Path::new("."),
-            &[self.version_argument.to_owned()],
-        ))?;
-        Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+        Ok(String::from_utf8_lossy(&self.version_output()?.stdout).into_owned())
     }
 
     /// Runs it in `directory`.
@@ -90,14 +85,16 @@ impl Tool {
     /// # Errors
     /// [`SimError::ToolAbsent`] says how to install it.
     pub fn version_line(&self) -> Result<String, SimError> {
-        let output = self.named(output(
-            self.command.as_ref(),
-            Path::new("."),
-            &[self.version_argument.to_owned()],
-        ))?;
+        let output = self.version_output()?;
         let texts = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
         let line = texts.iter().flat_map(|text| text.lines()).find(|line| !line.trim().is_empty());
         Ok(line.unwrap_or(self.command).trim().to_owned())
+    }
+
+    /// What it prints when it is asked for its version.
+    fn version_output(&self) -> Result<Output, SimError> {
+        let arguments = [self.version_argument.to_owned()];
+        self.named(output(self.command.as_ref(), Path::new("."), &arguments))
     }
 
     /// Says how to install the program if that is what is wrong.

@@ -19,6 +19,8 @@ use specula_datapath::verilog::{Library, LongDelays};
 
 use crate::SimError;
 
+pub use counts::cells;
+
 pub use cells::Synthesised;
 
 /// How far synthesis has come.
