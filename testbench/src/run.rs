@@ -165,7 +165,22 @@ impl<'a> Bench<'a> {
     /// # Errors
     /// [`BenchError`] if the engine fails.
     pub fn run(&self, engine: EngineKind, progress: Progress) -> Result<Outcome, BenchError> {
-        self.run_kept(self.kept(), &self.first_pixels, engine, progress)
+        let mut engine = engine.engine(&self.design)?;
+        let given = (self.kept(), &self.first_pixels);
+        self.run_kept(given, engine.as_mut(), &self.watched(), progress)
+    }
+
+    /// As [`Bench::run`], in an engine that can watch the core's ports alone, such as that of a
+    /// netlist. Nothing is seen of facts about signals inside.
+    ///
+    /// # Errors
+    /// [`BenchError`] if the engine fails.
+    pub fn run_ports(
+        &self,
+        engine: &mut dyn Engine,
+        progress: Progress,
+    ) -> Result<Outcome, BenchError> {
+        self.run_kept((self.kept(), &self.first_pixels), engine, &self.outputs(), progress)
     }
 
     /// As [`Bench::run`], with packets of the frame's spans that another host has set up.
@@ -179,22 +194,23 @@ impl<'a> Bench<'a> {
         progress: Progress,
     ) -> Result<Outcome, BenchError> {
         let kept = KeptSpans::of(spans);
-        self.run_kept(&kept, &FirstPixels::of(&kept), engine, progress)
+        let mut engine = engine.engine(&self.design)?;
+        let given = (&kept, &FirstPixels::of(&kept));
+        self.run_kept(given, engine.as_mut(), &self.watched(), progress)
     }
 
     fn run_kept(
         &self,
-        spans: &KeptSpans,
-        first_pixels: &FirstPixels,
-        engine: EngineKind,
+        (spans, first_pixels): (&KeptSpans, &FirstPixels),
+        engine: &mut dyn Engine,
+        watched: &[NodeId],
         progress: Progress,
     ) -> Result<Outcome, BenchError> {
         let stimulus = self.stimulus(spans, first_pixels);
         let mut monitor = Monitor::new(&self.design, &stimulus);
         let mut facts = Facts::of(&self.design);
-        let mut engine = engine.engine(&self.design)?;
         let begin = Instant::now();
-        engine.run(&stimulus, &self.watched(), &mut |columns| {
+        engine.run(&stimulus, watched, &mut |columns| {
             monitor.take(columns);
             facts.take(&stimulus, columns);
             progress(columns.span().end, stimulus.clocks().end);
@@ -270,10 +286,14 @@ impl<'a> Bench<'a> {
         self.kept.get_or_init(|| KeptSpans::of(&self.spans))
     }
 
+    /// The core's outputs.
+    fn outputs(&self) -> Vec<NodeId> {
+        self.design.outputs.iter().copied().chain([self.design.valid_out]).collect()
+    }
+
     /// Outputs and signals with stated facts.
     fn watched(&self) -> Vec<NodeId> {
-        let mut watched: Vec<NodeId> = self.design.outputs.clone();
-        watched.push(self.design.valid_out);
+        let mut watched = self.outputs();
         watched.extend(checker::watched(&self.design));
         watched.sort_unstable();
         watched.dedup();

@@ -72,6 +72,13 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Refused(#[from] Refused),
+    /// Nothing says on which scene a core from a file is to be simulated.
+    #[error("there is no scene to simulate the core on")]
+    #[diagnostic(
+        code(specula::synth::scene),
+        help("name one that the core can shade, such as `--simulate=teapot`")
+    )]
+    NoScene,
     /// A result cannot be put into JSON.
     #[error("the result cannot be written as JSON: {0}")]
     #[diagnostic(

@@ -41,14 +41,23 @@ impl Job {
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
         let mut file = SpecFile::read(core)?;
+        let origin = Origin::of_file(core, &file).with_name(name);
+        name.rename(&mut file)?;
+        Job::shading((file, origin), scene, core)
+    }
+
+    /// The job of shading a scene with a core, which is called `core` where it does not fit.
+    fn shading(
+        (file, origin): (SpecFile, Origin),
+        scene: &SceneArguments,
+        core: &Path,
+    ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
         let fitted = file.spec.fit_to(&loaded.frame).map_err(|error| {
             let (core, scene) = (core.to_owned(), loaded.name.clone());
             ToolError::Refused(Refused { core, scene, error })
         });
         let FittedCore { frame, spec } = fitted?;
-        let origin = Origin::of_file(core, &file).with_name(name);
-        name.rename(&mut file)?;
         Ok(Job { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })
     }
 
@@ -82,22 +91,44 @@ pub struct SceneOrSpec {
 impl SceneOrSpec {
     /// The core and its origin.
     pub fn file(&self, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
-        match (&self.spec, &self.scene) {
-            (Some(path), _) => {
+        match &self.spec {
+            Some(path) => {
                 let mut file = SpecFile::read(path)?;
                 let origin = Origin::of_file(path, &file).with_name(name);
                 name.rename(&mut file)?;
                 Ok((file, origin))
             }
-            // clap requires a scene where there is no spec.
-            (None, scene) => {
-                let scene = SceneArguments {
-                    scene: scene.clone().unwrap_or_default(),
-                    picture: self.picture.clone(),
-                };
-                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, name)?;
+            None => {
+                let Job { file, origin, .. } = Job::of_scene(&self.scene(), &self.wanted, name)?;
                 Ok((file, origin))
             }
         }
+    }
+
+    /// The core with a scene for it to shade: the one that is named, or else its own.
+    ///
+    /// # Errors
+    /// [`ToolError::NoScene`] if the core is a file and no scene is named, and
+    /// [`ToolError::Refused`] if the core cannot shade the scene.
+    pub fn job(&self, named: Option<&str>, name: &NameArguments) -> Result<Job, ToolError> {
+        let Some(named) = named else {
+            return match &self.spec {
+                Some(_) => Err(ToolError::NoScene),
+                None => Job::of_scene(&self.scene(), &self.wanted, name),
+            };
+        };
+        let scene =
+            SceneArguments { scene: named.to_owned(), picture: PictureArguments::default() };
+        match &self.spec {
+            Some(path) => Job::with_core(&scene, path, name),
+            None => Job::shading(self.file(name)?, &scene, Path::new(&self.scene().scene)),
+        }
+    }
+
+    /// The scene that the core is made for.
+    fn scene(&self) -> SceneArguments {
+        // clap requires a scene where there is no spec.
+        let scene = self.scene.clone().unwrap_or_default();
+        SceneArguments { scene, picture: self.picture.clone() }
     }
 }
