@@ -8,7 +8,7 @@ use specula_fixtures::{few_spans, tools};
 use specula_flow::synth::{Netlist, SynthTarget};
 use specula_scene::Frame;
 use specula_sim::{Columns, Engine, Flow, Icarus, RustHdl, Stimulus};
-use specula_spec::Method;
+use specula_spec::{CoreSpec, Method};
 use specula_testbench::{Bench, Outcome};
 
 /// Whether Yosys and Icarus are there.
@@ -98,46 +98,47 @@ fn simulated(bench: &Bench, source: &str) -> Outcome {
     bench.run_ports(&mut engine, &mut |_, _| {}).unwrap()
 }
 
-/// A core for a frame, its netlist, and whether its pixels are the model's.
-fn pixels_are_equal(frame: &Frame, method: Method, target: &SynthTarget) {
+/// A core for a few spans alone.
+fn small_core(frame: &Frame) -> CoreSpec {
+    spec(frame, Method::Gouraud).specialised(frame)
+}
+
+#[test]
+fn a_netlist_with_blocks_gives_the_same_pixels() {
     if !installed() {
         return;
     }
-    let spec = spec(frame, method);
-    let bench = Bench::new(frame, &spec, "core").unwrap().with_bubbles(5);
-    let netlist = Netlist::of(&bench.design, target).unwrap();
+    let frame = few_spans::frame(14, 1, 12);
+    let spec = small_core(&frame);
+    let bench = Bench::new(&frame, &spec, "core").unwrap().with_bubbles(5);
+    let netlist = Netlist::of(&bench.design, &SynthTarget::ECP5).unwrap();
+    assert!(netlist.core.contains("MULT18X18D"), "{}", netlist.core);
     let outcome = simulated(&bench, &netlist.with_models().unwrap());
-    assert_eq!(outcome.pixels, frame.shaded_pixels());
-    assert_eq!((outcome.comparison.mismatches, outcome.wrong_clocks), (0, vec![]));
+    assert_eq!((outcome.pixels, outcome.fault()), (frame.shaded_pixels(), None));
 }
 
 #[test]
-fn netlists_of_both_families_give_the_same_pixels() {
-    let frame = few_spans::frame(14, 1, 12);
-    for target in SynthTarget::ALL {
-        pixels_are_equal(&frame, Method::Gouraud, &target);
-    }
-}
-
-#[test]
-fn a_cell_that_is_not_as_yosys_wrote_it_is_noticed() {
+fn a_netlist_gives_the_same_pixels_and_most_with_a_wrong_cell_do_not() {
     if !installed() {
         return;
     }
     let frame = few_spans::frame(14, 1, 12);
-    let spec = spec(&frame, Method::Gouraud);
-    let bench = Bench::new(&frame, &spec, "core").unwrap();
+    let spec = small_core(&frame);
+    let bench = Bench::new(&frame, &spec, "core").unwrap().with_bubbles(6);
     let netlist = Netlist::of(&bench.design, &SynthTarget::ICE40_HX).unwrap();
     let source = netlist.with_models().unwrap();
-    assert_eq!(simulated(&bench, &source).fault(), None);
-    for place in [1, 2, 3] {
-        let changed = with_inverted_table(&source, place, 4);
-        let outcome = simulated(&bench, &changed);
-        assert!(outcome.comparison.first_mismatch.is_some(), "table {place} of 4");
-    }
+    let outcome = simulated(&bench, &source);
+    assert_eq!((outcome.pixels, outcome.fault()), (frame.shaded_pixels(), None));
+    let is_noticed = |part: &usize| {
+        let outcome = simulated(&bench, &with_inverted_table(&source, *part, 6));
+        outcome.comparison.first_mismatch.is_some()
+    };
+    // Some tables are of low bits alone, which are rounded off.
+    let noticed: Vec<usize> = (1..6).filter(is_noticed).collect();
+    assert!(noticed.len() >= 3, "{noticed:?}");
 }
 
-/// The netlist with one look-up table inverted: the one that has `part` of `parts` of all before it.
+/// The netlist with one look-up table inverted, before which `part` of `parts` of all stand.
 fn with_inverted_table(source: &str, part: usize, parts: usize) -> String {
     const INIT: &str = ".LUT_INIT(16'h";
     let places: Vec<usize> = source.match_indices(INIT).map(|(at, _)| at + INIT.len()).collect();

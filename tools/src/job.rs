@@ -40,10 +40,7 @@ impl Job {
         core: &Path,
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
-        let mut file = SpecFile::read(core)?;
-        let origin = Origin::of_file(core, &file).with_name(name);
-        name.rename(&mut file)?;
-        Job::shading((file, origin), scene, core)
+        Job::shading(made_before(core, name)?, scene, core)
     }
 
     /// The job of shading a scene with a core, which is called `core` where it does not fit.
@@ -72,6 +69,14 @@ impl Job {
     }
 }
 
+/// A core that was made before, from its file.
+fn made_before(path: &Path, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
+    let mut file = SpecFile::read(path)?;
+    let origin = Origin::of_file(path, &file).with_name(name);
+    name.rename(&mut file)?;
+    Ok((file, origin))
+}
+
 /// The arguments that name a core for a scene, or one that was made before.
 #[derive(Clone, Debug, Args)]
 pub struct SceneOrSpec {
@@ -92,12 +97,7 @@ impl SceneOrSpec {
     /// The core and its origin.
     pub fn file(&self, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
         match &self.spec {
-            Some(path) => {
-                let mut file = SpecFile::read(path)?;
-                let origin = Origin::of_file(path, &file).with_name(name);
-                name.rename(&mut file)?;
-                Ok((file, origin))
-            }
+            Some(path) => made_before(path, name),
             None => {
                 let Job { file, origin, .. } = Job::of_scene(&self.scene(), &self.wanted, name)?;
                 Ok((file, origin))
