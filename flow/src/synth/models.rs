@@ -83,6 +83,15 @@ mod tests {
         assert_eq!(found, [("A", 3), ("B", 2), ("C", 2)]);
     }
 
+    #[cfg(unix)]
+    #[test]
+    fn a_yosys_without_models_is_said_to_be() {
+        let [command, version_argument] = ["false", "--version"];
+        let yosys = Tool { name: "Yosys", command, version_argument, install: "", otherwise: "" };
+        let error = of_cells("", &yosys, &SynthTarget::ECP5).unwrap_err();
+        assert!(matches!(&error, SynthError::NoModels { target: "ecp5", .. }), "{error}");
+    }
+
     #[test]
     fn own_models_are_whole() {
         let names: Vec<&str> = OWN.into_iter().flat_map(modules_in).map(|(name, _)| name).collect();

@@ -63,6 +63,11 @@ impl Device<'_> {
     }
 }
 
+/// Connections of a port's bits, each by itself.
+pub fn bits(port: &str, wire: &str, width: usize) -> String {
+    (0..width).map(|k| format!(".{port}{k}({wire}[{k}]), ")).collect()
+}
+
 /// What `vvp` says of `bench.v` in a folder, with a model.
 pub fn simulated(folder: &Path, model: &str) -> Output {
     let model = Path::new(env!("CARGO_MANIFEST_DIR")).join("models").join(model);

@@ -1,7 +1,7 @@
 //! DP16KD: contents, latencies, writes, enables and resets.
 use std::fmt::Write;
 
-use crate::bench::{Device, refusal};
+use crate::bench::{Device, bits, refusal};
 
 /// Words of 18 bits.
 const WORDS: usize = 1024;
@@ -16,11 +16,6 @@ fn contents(seed: u64) -> (Vec<u64>, String) {
         let _ = write!(parameters, ".INITVAL_{place:02X}(320'h{hex}), ");
     }
     (words, parameters)
-}
-
-/// Connections of one bit each.
-fn bits(port: &str, wire: &str, width: usize) -> String {
-    (0..width).map(|k| format!(".{port}{k}({wire}[{k}]), ")).collect()
 }
 
 /// Read-only memories of all widths, with an output register and without.

@@ -1,7 +1,7 @@
 //! MULT18X18D: products, latencies, clock enables and resets.
 use std::fmt::Write;
 
-use crate::bench::{Device, refusal};
+use crate::bench::{Device, bits, refusal};
 
 /// Registers of a block, in the order of [`Inputs::enables`] and [`Inputs::resets`].
 const REGISTERS: [&str; 4] = ["INPUTA", "INPUTB", "PIPELINE", "OUTPUT"];
@@ -84,9 +84,6 @@ fn extended((bits, signed): Held) -> i64 {
 /// One block for each choice of registers, side by side.
 fn instances(mode: &str) -> String {
     let mut text = String::new();
-    let bits = |port: &str, wire: &str, width: usize| -> String {
-        (0..width).map(|k| format!(".{port}{k}({wire}[{k}]), ")).collect()
-    };
     for number in 0..16 {
         let parameters: String = REGISTERS
             .iter()
@@ -182,6 +179,39 @@ fn registers_wait_for_their_enables_and_are_reset_at_the_edge_or_at_once() {
         .collect();
     agree(&inputs, false);
     agree(&inputs, true);
+}
+
+/// The second block takes its first operand from the register of the first block's.
+#[test]
+fn operands_are_shifted_from_block_to_block() {
+    let clock = ".CLK0(clock), .CE0(1'b1), .RST0(1'b0), .SIGNEDA(1'b1), .SIGNEDB(1'b1), \
+                 .SOURCEB(1'b0)";
+    let parameters = ".REG_INPUTA_CLK(\"CLK0\")";
+    let b = bits("B", "b", 18);
+    let instances = format!(
+        "  wire [35:0] out_0, out_1;\n  wire [17:0] out_2, out_3, chain;\n  \
+         MULT18X18D #({parameters}) first ({}{b}{}{}{}.SOURCEA(1'b0), {clock});\n  \
+         MULT18X18D #({parameters}) second ({}{b}{}{}.SOURCEA(1'b1), {clock});",
+        bits("A", "a", 18),
+        bits("P", "out_0", 36),
+        bits("SROA", "chain", 18),
+        bits("ROB", "out_2", 18),
+        bits("SRIA", "chain", 18),
+        bits("P", "out_1", 36),
+        bits("ROA", "out_3", 18),
+    );
+    let inputs = [("a", 18), ("b", 18)];
+    let device = Device { model: "MULT18X18D.v", inputs: &inputs, instances, outputs: 4 };
+    let mut random = fastrand::Rng::with_seed(9);
+    let lines: Vec<Vec<u64>> =
+        (0..500).map(|_| vec![random.u64(..1 << 18), random.u64(..1 << 18)]).collect();
+    let Some(found) = device.run(&lines) else { return };
+    for clock in 2..lines.len() {
+        let b = lines[clock][1];
+        let [before, earlier] = [1, 2].map(|clocks| lines[clock - clocks][0]);
+        let product = |a: u64| (extended((a, true)) * extended((b, true))) as u64 & MASK;
+        assert_eq!(found[clock], [product(before), product(earlier), b, earlier], "{clock}");
+    }
 }
 
 #[test]
