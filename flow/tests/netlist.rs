@@ -37,7 +37,7 @@ fn products() -> Design {
     let control = builder.control();
     let product = |(number, formats): (usize, &[(u32, bool); 2])| {
         let [a, b] = [("a", formats[0]), ("b", formats[1])].map(|(name, operand)| {
-            builder.input(&InputPort::whole(&format!("{name}_{number}"), format(operand)))
+            builder.input(&InputPort::whole(format!("{name}_{number}"), format(operand)))
         });
         (format!("product_{number}"), &a * &b)
     };
