@@ -43,7 +43,7 @@ impl Placing<'_> {
             return port;
         }
         let from = self.valid_in(outside, stage);
-        let entry = self.schedule.of_group(self.graph, self.graph.unit(scope).inputs);
+        let entry = self.schedule.of_group(self.graph.unit(scope).inputs);
         let name = match stage.saturating_sub(entry) {
             0 => "valid".to_owned(),
             clocks => format!("valid_{clocks}"),
