@@ -64,7 +64,9 @@ impl<'a> Analysis<'a> {
 
     fn slowest(mut self) -> Timing {
         // Registers first: what reads them may come before them.
-        for (id, node) in self.design.iter().filter(|(_, node)| starts_path(node)) {
+        let starts: Vec<NodeId> =
+            self.design.iter().filter(|(_, node)| starts_path(node)).map(|(id, _)| id).collect();
+        for id in starts {
             self.arrivals[id.0 as usize] = self.clock_to_output(id);
         }
         let mut slowest = (self.fabric.register, None);

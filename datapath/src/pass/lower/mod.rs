@@ -4,18 +4,20 @@
 //! The pass makes a graph of a graph. What a value stands for stays: each value of the new graph that
 //! takes the place of one has its raw values, its name and its real values. What goes round a loop
 //! stays as it is, accumulators apart.
+mod accumulator;
 mod compare;
 mod constant;
 mod product;
 mod sum;
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use super::loops::loops;
 use crate::design::{NodeId, Op, Range, ScopeId, WideRange};
 use crate::graph::{Graph, Pace, Value};
 use crate::names::unique;
 use crate::target::Target;
+use accumulator::{Accumulator, accumulators, changing};
 
 /// The graph with the operators of a target at a clock; itself where no delays of the target are
 /// known.
@@ -24,15 +26,23 @@ pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Graph {
     let widest_sum = fabric.widest_sum(1000.0 / mhz).unwrap_or(1).max(NARROWEST_PIECE);
     let mut lowering = Lowering::new(graph, target, widest_sum);
     let loops = loops(graph);
+    let accumulators = accumulators(graph);
+    // The rest of an accumulator's loop is no loop any more.
+    let states = accumulators.values().map(|of| loops[of.state.0 as usize]);
+    let opened: HashSet<Option<usize>> = states.collect();
+    let rounds: HashSet<usize> =
+        (0..loops.len()).filter(|&index| opened.contains(&loops[index])).collect();
     for (index, value) in graph.values.iter().enumerate() {
         let own = lowering.operands_of(value);
-        let new = match loops[index] {
-            Some(_) => lowering.push(own),
-            None => lowering.operator(own),
+        let accumulator = accumulators.get(&NodeId(index as u32));
+        let new = match (accumulator, loops[index]) {
+            (Some(accumulator), _) => lowering.accumulated(own, *accumulator),
+            (None, Some(_)) if !rounds.contains(&index) => lowering.push(own),
+            (None, _) => lowering.operator(own),
         };
         lowering.new.push(new);
     }
-    lowering.finish()
+    lowering.finish(&accumulators)
 }
 
 /// Bits below which a sum is not cut any further, however fast the clock.
@@ -49,6 +59,8 @@ struct Lowering<'a> {
     /// The new value of each old one.
     new: Vec<NodeId>,
     names: HashSet<(ScopeId, String)>,
+    /// Which old values may change from pixel to pixel of a span.
+    changing: Vec<bool>,
 }
 
 /// Where a new value belongs, and what its name begins with.
@@ -74,6 +86,7 @@ impl<'a> Lowering<'a> {
             names: names.chain(instances).chain(control).collect(),
             graph: Graph { values: vec![], ..from.clone() },
             new: vec![],
+            changing: changing(from),
         }
     }
 
@@ -95,10 +108,11 @@ impl<'a> Lowering<'a> {
     }
 
     /// The finished graph.
-    fn finish(mut self) -> Graph {
+    fn finish(mut self, accumulators: &HashMap<NodeId, Accumulator>) -> Graph {
         let new = |id: NodeId| self.new[id.0 as usize];
+        let opened: HashSet<NodeId> = accumulators.values().map(|of| of.state).collect();
         for (old, value) in self.from.values.iter().enumerate() {
-            if self.from.is_state(value) {
+            if self.from.is_state(value) && !opened.contains(&NodeId(old as u32)) {
                 let own = new(NodeId(old as u32));
                 self.graph.values[own.0 as usize].op = value.op.map(new);
             }

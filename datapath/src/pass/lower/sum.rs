@@ -10,7 +10,7 @@
 //! stands below one operand's lowest bit that is ever 1 passes without an adder.
 use super::{Lowering, Place, place};
 use crate::design::{NodeId, Op, Range};
-use crate::graph::{Pace, Value};
+use crate::graph::Value;
 
 impl Lowering<'_> {
     /// A sum or difference.
@@ -114,7 +114,7 @@ impl Lowering<'_> {
     }
 
     /// Twice a value, and a bit.
-    fn with_bit(&mut self, at: Place, id: NodeId, bit: NodeId) -> NodeId {
+    pub(super) fn with_bit(&mut self, at: Place, id: NodeId, bit: NodeId) -> NodeId {
         if let (Some(value), Some(bit)) = (self.constant(id), self.constant(bit)) {
             return self.integer(at, 2 * value + bit);
         }
@@ -127,10 +127,5 @@ impl Lowering<'_> {
             _ => self.joined_with(at, id, bit, 1),
         };
         self.emit(at, op, Range::new(2 * range.low, 2 * range.high + 1), "with_bit")
-    }
-
-    /// A value that takes another's place, which has its raw values.
-    pub(super) fn same(&mut self, value: Value, id: NodeId) -> NodeId {
-        self.push(Value { op: Op::Copy(id), pace: Pace::Wire, ..value })
     }
 }

@@ -75,7 +75,7 @@ impl<'a> Placing<'a> {
             return;
         }
         let mut value = value.clone();
-        if value.pace != Pace::Feedback {
+        if !matches!(value.pace, Pace::Feedback | Pace::Cleared) {
             let leaves = self.graph.left_unit(&value).is_some();
             let op = value.op.map(|operand| match self.signals[operand.0 as usize] {
                 Some(signal) if leaves => {
@@ -200,8 +200,17 @@ impl<'a> Placing<'a> {
                 continue;
             };
             let taken = self.schedule.operands_at(NodeId(index as u32));
-            let op = value.op.map(|operand| self.aligned(self.signal(operand), taken));
-            self.nodes[own.0 as usize].op = self.with_valid_pixel(own, op, taken);
+            self.nodes[own.0 as usize].op = match value.op {
+                Op::Select(first, zero, next) if value.pace == Pace::Cleared => {
+                    let [zero, next] = [zero, next].map(|id| self.aligned(self.signal(id), taken));
+                    let first = self.aligned(self.signal(first), taken - 1);
+                    self.cleared_before(own, first, zero, next)
+                }
+                op => {
+                    let op = op.map(|operand| self.aligned(self.signal(operand), taken));
+                    self.with_valid_pixel(own, op, taken)
+                }
+            };
         }
     }
 

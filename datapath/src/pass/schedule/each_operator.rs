@@ -17,7 +17,7 @@ pub fn schedule(graph: &Graph) -> Schedule {
             }
             Pace::Wire | Pace::Meet => (0, 0),
             Pace::Register | Pace::Held => (1, 1),
-            Pace::Feedback => (0, 1),
+            Pace::Feedback | Pace::Cleared => (0, 1),
             Pace::Ahead => (1, 0),
         };
         schedule.taken.push(taken);

@@ -91,7 +91,7 @@ impl<'a> Programme<'a> {
         match value.pace {
             Pace::Held | Pace::Ahead => 1,
             Pace::Target => self.paths.block_registers(value).into(),
-            Pace::Wire | Pace::Meet | Pace::Register | Pace::Feedback => 0,
+            Pace::Wire | Pace::Meet | Pace::Register | Pace::Feedback | Pace::Cleared => 0,
         }
     }
 
@@ -112,8 +112,10 @@ impl<'a> Programme<'a> {
         }
         for (id, value) in self.values() {
             self.differences.at_least(self.taken(id), self.entry, 0);
-            if value.together.is_none() || value.pace == Pace::Feedback {
-                value.op.operands().for_each(|operand| self.there(operand, self.taken(id), 0));
+            if value.together.is_none() || matches!(value.pace, Pace::Feedback | Pace::Cleared) {
+                for operand in value.op.operands() {
+                    self.there(operand, self.taken(id), clears(value, operand).into());
+                }
             }
         }
         let leaving: Vec<NodeId> = self.graph.leaving().map(|(_, id)| id).collect();
@@ -147,21 +149,23 @@ impl<'a> Programme<'a> {
                 continue;
             }
             let width = i64::from(value.range.width());
-            let mut stages: Vec<Variable> =
-                self.paths.readers(id).iter().map(|&reader| self.taken(reader)).collect();
+            let read_at =
+                |&reader: &NodeId| (self.taken(reader), -i64::from(clears(self.value(reader), id)));
+            let mut stages: Vec<(Variable, i64)> =
+                self.paths.readers(id).iter().map(read_at).collect();
             if self.graph.leaving().any(|(_, leaving)| leaving == id) {
-                stages.push(self.last);
+                stages.push((self.last, 0));
             }
             if stages.is_empty() {
                 continue;
             }
             let latest = match stages[..] {
-                [one] => one,
+                [(one, 0)] => one,
                 _ => self.differences.variable(),
             };
             self.there(id, latest, 0);
-            for stage in stages.into_iter().filter(|&stage| stage != latest) {
-                self.differences.at_least(latest, stage, 0);
+            for (stage, gap) in stages.into_iter().filter(|&(stage, _)| stage != latest) {
+                self.differences.at_least(latest, stage, gap);
             }
             self.differences.weigh(latest, width);
             self.differences.weigh(self.taken(id), -width);
@@ -180,18 +184,15 @@ impl<'a> Programme<'a> {
         for (id, value) in self.values() {
             let own = taken[id.0 as usize];
             let there = own + self.clocks(value) as u32;
-            let read_at = |reader: &NodeId| (taken[reader.0 as usize], self.value(*reader).pace);
+            let read_at = |reader: &NodeId| {
+                taken[reader.0 as usize] - u32::from(clears(self.value(*reader), id))
+            };
             // A register takes an operator's result at once where all who read it do so later.
-            let late = self
-                .paths
-                .readers(id)
-                .iter()
-                .map(read_at)
-                .all(|(at, pace)| at > there && pace != Pace::Feedback);
+            let late = self.paths.readers(id).iter().all(|reader| read_at(reader) > there);
             let merges = !self.is_port(value) && value.pace != Pace::Ahead && late;
             let (stage, registers) = match value.pace {
                 Pace::Held => (there, 1),
-                Pace::Feedback => (there, 1),
+                Pace::Feedback | Pace::Cleared => (there, 1),
                 _ if there > own && value.pace == Pace::Target => (there, there - own),
                 _ if matches!(value.op, Op::Input | Op::Constant(_)) || !merges => (there, 0),
                 _ => (there + 1, 1),
@@ -211,4 +212,9 @@ impl<'a> Programme<'a> {
             _ => false,
         }
     }
+}
+
+/// Whether a value reads an operand a clock before the others, to be cleared by it.
+fn clears(value: &Value, operand: NodeId) -> bool {
+    matches!(value.op, Op::Select(bit, ..) if value.pace == Pace::Cleared && bit == operand)
 }
