@@ -1,14 +1,11 @@
 //! Netlists of cores, simulated with the models of their cells.
-use std::rc::Rc;
-
-use specula_datapath::target::Generic;
 use specula_datapath::{Builder, Design, Format, InputPort, SpanPacket};
 use specula_fixtures::specs::spec;
 use specula_fixtures::{few_spans, tools};
 use specula_flow::synth::{Netlist, SynthTarget};
 use specula_scene::Frame;
 use specula_sim::{Columns, Engine, Flow, Icarus, RustHdl, Stimulus};
-use specula_spec::{CoreSpec, Method};
+use specula_spec::{CoreSpec, Method, TargetClock};
 use specula_testbench::{Bench, Outcome};
 
 /// Whether Yosys and Icarus are there.
@@ -33,7 +30,7 @@ const OPERANDS: [[(u32, bool); 2]; 7] = [
 ];
 
 fn products() -> Design {
-    let builder = Builder::new("products", "a b", Rc::new(Generic));
+    let builder = Builder::new("products", "a b");
     let control = builder.control();
     let product = |(number, formats): (usize, &[(u32, bool); 2])| {
         let [a, b] = [("a", formats[0]), ("b", formats[1])].map(|(name, operand)| {
@@ -104,17 +101,24 @@ fn small_core(frame: &Frame) -> CoreSpec {
 }
 
 #[test]
-fn a_netlist_with_blocks_gives_the_same_pixels() {
+fn netlists_with_blocks_give_the_same_pixels() {
     if !installed() {
         return;
     }
     let frame = few_spans::frame(14, 1, 12);
-    let spec = small_core(&frame);
-    let bench = Bench::new(&frame, &spec, "core").unwrap().with_bubbles(5);
-    let netlist = Netlist::of(&bench.design, &SynthTarget::ECP5).unwrap();
-    assert!(netlist.core.contains("MULT18X18D"), "{}", netlist.core);
-    let outcome = simulated(&bench, &netlist.with_models().unwrap());
-    assert_eq!((outcome.pixels, outcome.fault()), (frame.shaded_pixels(), None));
+    let any_device = small_core(&frame);
+    let target = TargetClock { name: "ecp5".to_owned(), clock_mhz: 200.0 };
+    // Its colours are inputs, and products with constants need no block.
+    let for_clock = CoreSpec { target: Some(target), ..spec(&frame, Method::Gouraud).general() };
+    for (spec, has_registers) in [(any_device, false), (for_clock, true)] {
+        let bench = Bench::new(&frame, &spec, "core").unwrap().with_bubbles(5);
+        let netlist = Netlist::of(&bench.design, &SynthTarget::ECP5).unwrap();
+        assert!(netlist.core.contains("MULT18X18D"), "{}", netlist.core);
+        let inside = netlist.core.contains(".REG_PIPELINE_CLK(\"CLK0\")");
+        assert_eq!(inside, has_registers, "{}", netlist.core);
+        let outcome = simulated(&bench, &netlist.with_models().unwrap());
+        assert_eq!((outcome.pixels, outcome.fault()), (frame.shaded_pixels(), None));
+    }
 }
 
 #[test]
