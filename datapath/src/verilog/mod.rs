@@ -1,5 +1,6 @@
 //! Verilog-2001 that people want to own: one module per distinct unit, named after it, with formats
 //! and latencies in comments.
+mod counted;
 mod delay_modules;
 mod delays;
 mod library;
@@ -15,6 +16,7 @@ use std::fmt::Write;
 use crate::block::Module;
 
 pub use crate::names::{CONTROL, module_name};
+pub use counted::Counted;
 pub use delays::{DelayLine, Delays, LongDelays};
 pub use library::{Library, Printed};
 pub use nets::Nets;

@@ -5,7 +5,7 @@ use specula_fixtures::specs::{packets, spec};
 use specula_fixtures::{each_method, few_spans};
 use specula_sim::fast::{InstructionSet, Settings};
 use specula_sim::{Columns, Engine, Fast, Icarus, RustHdl, Stimulus};
-use specula_spec::{CoreSpec, LightPipelines, Method};
+use specula_spec::{CoreSpec, LightPipelines, Method, TargetClock};
 
 use crate::agreement::{self, assert_same};
 use crate::elaborated;
@@ -23,8 +23,12 @@ fn every_signal_agrees_at_every_clock(method: Method) {
     let seed = 2026 + method as u64;
     println!("seed {seed}");
     let frame = few_spans::frame(seed, 2, 5);
-    for pipelines in PIPELINES {
-        let spec = with(pipelines, spec(&frame, method));
+    let cores = PIPELINES.map(|pipelines| with(pipelines, spec(&frame, method)));
+    let for_a_clock = cores.clone().map(|core| {
+        let target = Some(TargetClock { name: "ecp5".into(), clock_mhz: 250.0 });
+        CoreSpec { target, ..core }
+    });
+    for spec in cores.into_iter().chain(for_a_clock) {
         let design = elaborated(&spec);
         let packets = packets(&spec, &frame);
         let stimulus = Stimulus::whole(&packets, &design).with_bubbles(seed);

@@ -73,7 +73,8 @@ impl Lowering<'_> {
         let range = self.range(start).hull(self.range(step));
         let added = self.emit(at, Op::Select(first, start, step), range, "added");
         let width = value.range.width();
-        let pieces = width.div_ceil(self.widest_sum.saturating_sub(1).max(1));
+        // A piece has a carry on its left and a bit for one on its right.
+        let pieces = width.div_ceil(self.widest_sum - 2);
         let op = self.pieces(at, (first, added), value.range, width.div_ceil(pieces));
         self.push(Value { op, pace: Pace::Wire, together: None, ..value })
     }

@@ -61,11 +61,17 @@ impl Lowering<'_> {
             (false, true) => (Op::Sub(low.value, shifted), sum, false),
             (true, false) => (Op::Sub(low.value, shifted), -sum, true),
         };
+        let shift = low.shift;
+        // Constants of one variable share what they have in common.
+        if let Some(&value) = self.multiples.get(&(at.scope, variable, factor)) {
+            return Term { value, factor, shift, negative };
+        }
         // A part of a product that fits 60 bits.
         let range = self.range(variable).times(Range::single(factor));
         let range = range.narrow().unwrap_or(Range::whole(63, true));
         let value = self.new_sum(at, op, range, "digits");
-        Term { value, factor, shift: low.shift, negative }
+        self.multiples.insert((at.scope, variable, factor), value);
+        Term { value, factor, shift, negative }
     }
 }
 

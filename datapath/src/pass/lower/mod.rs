@@ -59,6 +59,8 @@ struct Lowering<'a> {
     /// The new value of each old one.
     new: Vec<NodeId>,
     names: HashSet<(ScopeId, String)>,
+    /// Odd multiples of values of a unit that are there, by value and factor.
+    multiples: HashMap<(ScopeId, NodeId, i64), NodeId>,
     /// Which old values may change from pixel to pixel of a span.
     changing: Vec<bool>,
 }
@@ -86,6 +88,7 @@ impl<'a> Lowering<'a> {
             names: names.chain(instances).chain(control).collect(),
             graph: Graph { values: vec![], ..from.clone() },
             new: vec![],
+            multiples: HashMap::new(),
             changing: changing(from),
         }
     }

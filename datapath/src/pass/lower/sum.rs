@@ -53,7 +53,8 @@ impl Lowering<'_> {
         if width <= self.widest_sum {
             return op;
         }
-        let pieces = width.div_ceil(self.widest_sum);
+        // A piece has a carry on its left, and the next one a bit for it on its right.
+        let pieces = width.div_ceil(self.widest_sum - 1);
         self.in_two(at, [a, b], is_sum, range, width.div_ceil(pieces))
     }
 

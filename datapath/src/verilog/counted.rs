@@ -1,0 +1,52 @@
+//! The cells of a device that a printed core asks for by name: flip-flops, multiplier blocks.
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use super::LongDelays;
+use super::delays::{Delays, Storage};
+use crate::block::{AtomKind, Module};
+use crate::design::Register;
+
+/// Cells of a core.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counted {
+    /// Flip-flops, those inside blocks apart.
+    pub flip_flops: u64,
+    /// Multiplier blocks.
+    pub blocks: u64,
+}
+
+impl Counted {
+    /// The cells of a core whose long delays are memories. Counters of memories that are equally
+    /// long are one: they begin alike and count alike, which synthesis finds.
+    pub fn of(core: &Module) -> Counted {
+        let mut lengths = BTreeSet::new();
+        let mut counted = Counted::default();
+        counted.add(core, &mut lengths);
+        let counters = lengths.into_iter().map(|clocks: usize| u64::from((clocks - 2).ilog2() + 1));
+        counted.flip_flops += counters.sum::<u64>();
+        counted
+    }
+
+    fn add(&mut self, module: &Module, lengths: &mut BTreeSet<usize>) {
+        let delays = Delays::of(module);
+        let width = |wire: u32| u64::from(module.wires()[wire as usize].wire_type().width);
+        let mut in_memory = BTreeSet::new();
+        for line in &delays.lines {
+            if line.storage(LongDelays::Memories) == Storage::Memory {
+                lengths.insert(line.clocks());
+                in_memory.extend(line.stages[..line.clocks() - 1].iter().copied());
+            }
+        }
+        let kept = module.cells().filter(|cell| {
+            cell.register != Register::None
+                && !delays.in_block(cell.wire)
+                && !in_memory.contains(&cell.wire)
+                && module.wires()[cell.wire as usize].wire_type().kind != AtomKind::Constant
+        });
+        self.flip_flops += kept.map(|cell| width(cell.wire)).sum::<u64>();
+        self.blocks += module.multipliers().len() as u64;
+        module.children().iter().for_each(|child| self.add(&child.module, lengths));
+    }
+}

@@ -1,0 +1,55 @@
+//! Cores made for a clock on a target: every pixel is the model's, whatever operators were lowered
+//! to and whichever clock they run in.
+use glam::DVec3;
+use specula_datapath::target::Target;
+use specula_fixtures::each_method;
+use specula_fixtures::frames::{Row, frame_of, material, tilted};
+use specula_fixtures::specs::spec;
+use specula_scene::Frame;
+use specula_spec::{CoreSpec, LightPipelines, Method, TargetClock};
+use specula_testbench::{Bench, EngineKind};
+
+/// Clocks in MHz: operators in a row, one in each clock, and sums in many pieces.
+const CLOCKS: [f64; 3] = [40.0, 200.0, 300.0];
+
+/// Spans of one pixel, of a few and of many, under two lights.
+fn picture() -> Frame {
+    let lights = [DVec3::new(0.36, -0.48, 0.8), DVec3::new(-0.48, 0.6, 0.64)];
+    let row = |(number, &length): (usize, &u32)| {
+        let from = tilted(20.0 * number as f64 - 40.0);
+        let to = (from + DVec3::new(0.6, 0.7 - 0.3 * number as f64, 0.3)).normalize();
+        Row { normals: [from, to], length, material: material(0.1, 0.4, 0.4, 8) }
+    };
+    let rows: Vec<Row> = [3, 1, 40, 2].iter().enumerate().map(row).collect();
+    frame_of(&rows, &lights)
+}
+
+fn made_for(core: &CoreSpec, name: &str, clock_mhz: f64) -> CoreSpec {
+    CoreSpec { target: Some(TargetClock { name: name.to_owned(), clock_mhz }), ..core.clone() }
+}
+
+fn every_pixel_is_the_models(method: Method) {
+    let frame = picture();
+    let own = spec(&frame, method);
+    let mut shared = own.clone();
+    shared.parameters.light_pipelines = LightPipelines::Shared;
+    for core in [own.specialised(&frame), shared.specialised(&frame), own, shared] {
+        for target in Target::clocked() {
+            for clock in CLOCKS {
+                agrees(&frame, &made_for(&core, target, clock));
+            }
+        }
+    }
+}
+
+each_method!(every_pixel_is_the_models);
+
+fn agrees(frame: &Frame, core: &CoreSpec) {
+    let bench = Bench::new(frame, core, "core").unwrap();
+    let plain = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+    let first = (&plain.comparison.first_mismatch, &plain.violation);
+    assert!(plain.agrees(), "{first:?}\n{core:?}");
+    let paused = Bench::new(frame, core, "core").unwrap().with_bubbles(7);
+    let paused = paused.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+    assert!(paused.agrees() && paused.simulated == plain.simulated, "with bubbles\n{core:?}");
+}
