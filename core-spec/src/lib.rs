@@ -45,7 +45,7 @@ mod spec_file;
 mod specialisation;
 mod specialise;
 
-pub use specula_datapath::{Format, InputPort, SpanPacket, format};
+pub use specula_datapath::{Format, Hold, InputPort, SpanPacket, format};
 
 pub use compatibility::FittedCore;
 pub use consistent::{ConsistentInputs, ConsistentSpec};

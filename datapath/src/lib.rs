@@ -80,4 +80,4 @@ pub use builder::{BuildError, Builder};
 pub use design::Design;
 pub use format::{Format, FormatError};
 pub use packet::SpanPacket;
-pub use port::InputPort;
+pub use port::{Hold, InputPort};

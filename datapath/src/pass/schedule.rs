@@ -8,6 +8,8 @@
 //! a(v) = max s(operand)        of operators
 //! a(v) = max s(member)         of values that are taken together with a group
 //! ```
+//! Of operands and members those count that are not still: what is still is there at any time, waits
+//! for nothing and moves no other value. Its own stage counts the registers from the inputs to it.
 use crate::design::NodeId;
 use crate::graph::{Graph, GroupId, Pace, Value};
 use crate::target::Target;
@@ -42,19 +44,20 @@ impl Schedule {
         self.registers[id.0 as usize]
     }
 
-    /// The stage of a group: that of its latest member; constants are there at any time.
+    /// The stage of a group: that of its latest member; what is still is there at any time.
     pub fn of_group(&self, graph: &Graph, group: GroupId) -> u32 {
-        let variable = graph.group(group).iter().filter(|&&id| !graph.is_constant(id));
-        variable.map(|&id| self.stage(id)).max().unwrap_or(0)
+        let moving = graph.group(group).iter().filter(|&&id| !graph.is_still(id));
+        moving.map(|&id| self.stage(id)).max().unwrap_or(0)
     }
 
     /// The stage at which a value takes its operands.
     pub fn operands_at(&self, graph: &Graph, value: &Value) -> u32 {
         match value.together {
-            Some(group) => self.of_group(graph, group),
-            None => {
-                let variable = value.op.operands().filter(|&id| !graph.is_constant(id));
-                variable.map(|id| self.stage(id)).max().unwrap_or(0)
+            Some(group) if !value.still => self.of_group(graph, group),
+            _ => {
+                let counts = |id: &NodeId| value.still || !graph.is_still(*id);
+                let counting = value.op.operands().filter(counts);
+                counting.map(|id| self.stage(id)).max().unwrap_or(0)
             }
         }
     }
@@ -92,7 +95,8 @@ fn check_loops(graph: &Graph, schedule: &Schedule) -> Result<(), LoopTooLate> {
             continue;
         }
         let own = schedule.stage(NodeId(index as u32));
-        let late = value.op.operands().map(|id| schedule.stage(id).saturating_sub(own)).max();
+        let moving = value.op.operands().filter(|&id| !graph.is_still(id));
+        let late = moving.map(|id| schedule.stage(id).saturating_sub(own)).max();
         if let Some(clocks) = late.filter(|&clocks| clocks > 0) {
             let path = graph.path(value.scope).join(".");
             return Err(LoopTooLate { signal: format!("{path}.{}", value.name), clocks });

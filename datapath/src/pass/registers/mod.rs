@@ -90,12 +90,13 @@ impl<'a> Placing<'a> {
             register,
             range: value.range,
             fraction_bits: value.fraction_bits,
+            still: value.still,
             stage,
             scope: value.scope,
             name: value.name,
             named: value.named,
         });
-        self.signals[id.0 as usize] = Some(self.aligned(signal, self.schedule.stage(id)));
+        self.signals[id.0 as usize] = Some(self.delayed(signal, self.schedule.stage(id)));
     }
 
     /// A signal of a unit as it leaves the unit: it is not itself an input, and if it is delayed on
@@ -153,10 +154,15 @@ impl<'a> Placing<'a> {
         !node.registered() && outside == Some(self.node(from).scope)
     }
 
-    /// The signal as it is at a later `stage`.
+    /// The signal as it is at a later `stage`: what is still is the same at any.
     fn aligned(&mut self, signal: NodeId, stage: u32) -> NodeId {
+        if self.node(signal).still { signal } else { self.delayed(signal, stage) }
+    }
+
+    /// The signal behind registers that delay it to `stage`.
+    fn delayed(&mut self, signal: NodeId, stage: u32) -> NodeId {
         let mut at = signal;
-        while self.node(at).op.constant().is_none() && self.node(at).stage < stage {
+        while self.node(at).stage < stage {
             at = match self.delays.get(&at) {
                 Some(&delayed) => delayed,
                 None => self.delay(at),
@@ -190,10 +196,10 @@ impl<'a> Placing<'a> {
         let graph = self.graph;
         let leaving: Vec<(&str, NodeId)> = graph.leaving().collect();
         let stage = |&(_, id): &(&str, NodeId)| self.schedule.stage(id);
-        let variable = leaving.iter().filter(|(_, id)| !graph.is_constant(*id));
-        // Validity has a register of its own also where every output is a constant.
-        let constant = leaving.iter().any(|(_, id)| graph.is_constant(*id));
-        let last = variable.map(stage).max().unwrap_or(0).max(u32::from(constant));
+        let moving = leaving.iter().filter(|(_, id)| !graph.is_still(*id));
+        // Validity has a register of its own also where every output is still.
+        let still = leaving.iter().any(|(_, id)| graph.is_still(*id));
+        let last = moving.map(stage).max().unwrap_or(0).max(u32::from(still));
         let valid_out = self.valid_out(last);
         let outputs = leaving.into_iter().map(|(name, id)| self.output(id, last, name)).collect();
         let scopes = graph.units.iter().enumerate().map(|(index, unit)| {
@@ -238,7 +244,7 @@ impl<'a> Placing<'a> {
         let node = self.node(signal).clone();
         let name = self.unique(ScopeId::TOP, name);
         let (op, register, scope) = (Op::Copy(signal), Register::None, ScopeId::TOP);
-        self.push(Node { op, register, stage, scope, name, named: true, ..node })
+        self.push(Node { op, register, scope, name, named: true, ..node })
     }
 
     /// `name`, or with a number behind it where the unit has it already.
