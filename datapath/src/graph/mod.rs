@@ -153,8 +153,7 @@ impl Graph {
     /// Whether an operator gives what is still, of values that are there already. Of an input its
     /// port says so.
     pub fn gives_still(&self, op: Op, pace: Pace) -> bool {
-        let outside_loops =
-            matches!(pace, Pace::Target | Pace::Wire | Pace::Register | Pace::Meet);
+        let outside_loops = matches!(pace, Pace::Target | Pace::Wire | Pace::Register | Pace::Meet);
         outside_loops && op != Op::Input && op.operands().all(|operand| self.is_still(operand))
     }
 

@@ -28,13 +28,7 @@ pub fn text(
     let writer = Writer { module, delays: &delays, nets: &nets };
     let mut out = String::new();
     // Writing to a String cannot fail, here and below.
-    let _ = writeln!(
-        out,
-        "// {}: {}; {}.",
-        module.unit,
-        module.formula,
-        timing(module)
-    );
+    let _ = writeln!(out, "// {}: {}; {}.", module.unit, module.formula, timing(module));
     let _ = writeln!(out, "module {name} (\n{}\n);", writer.ports());
     writer.declarations(&mut out);
     writer.gates(&mut out);
