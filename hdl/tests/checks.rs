@@ -185,6 +185,7 @@ fn nothing_still_is_delayed() {
             assert!(!matches!(node.op, Op::Copy(_)), "{} in {spec:?}", design.full_name(id));
         }
         inputs += design.frame_inputs().len();
+        assert_eq!(design.settling(), 0, "a frame's inputs are read late enough: {spec:?}");
     }
     assert!(inputs > 1000, "{inputs}");
 }

@@ -1,5 +1,9 @@
 //! Frames one after the other: every signal at every clock in every engine, while what holds for a
 //! frame changes in between.
+use std::rc::Rc;
+
+use specula_datapath::target::Generic;
+use specula_datapath::{Builder, Format, InputPort};
 use specula_fixtures::specs::{packets, spec};
 use specula_fixtures::{each_method, few_spans};
 use specula_scene::Frame;
@@ -7,7 +11,7 @@ use specula_sim::Stimulus;
 use specula_spec::{CoreSpec, Hold, LightPipelines, Method, SpanPacket};
 
 use crate::elaborated;
-use crate::pausing::engines_agree;
+use crate::pausing::{engines_agree, own_engines_agree};
 
 /// Frames of one material each, under other lights.
 fn frames(seed: u64) -> Vec<Frame> {
@@ -30,13 +34,16 @@ fn frames_follow_each_other(method: Method) {
         spec.parameters.light_pipelines = pipelines;
         let design = elaborated(&spec);
         assert_eq!(design.frame_inputs(), held_for_a_frame(&spec));
-        for count in [1, frames.len()] {
-            let packets: Vec<SpanPacket> =
-                frames[..count].iter().flat_map(|frame| packets(&spec, frame)).collect();
-            engines_agree(&design, &Stimulus::whole(&packets, &design));
-            if count > 1 {
-                engines_agree(&design, &Stimulus::whole(&packets, &design).with_bubbles(seed));
-            }
+        let of = |frames: &[Frame]| -> Vec<SpanPacket> {
+            frames.iter().flat_map(|frame| packets(&spec, frame)).collect()
+        };
+        let (one, all) = (of(&frames[..1]), of(&frames));
+        own_engines_agree(&design, &Stimulus::whole(&one, &design));
+        own_engines_agree(&design, &Stimulus::whole(&all, &design));
+        let paused = Stimulus::whole(&all, &design).with_bubbles(seed);
+        match pipelines {
+            LightPipelines::Each => engines_agree(&design, &paused),
+            LightPipelines::Shared => drop(own_engines_agree(&design, &paused)),
         }
     }
 }
@@ -50,3 +57,30 @@ fn held_for_a_frame(spec: &CoreSpec) -> Vec<usize> {
 }
 
 each_method!(frames_follow_each_other);
+
+/// x·c^8, where c holds for a frame: its power settles three clocks after it changes, and is read in
+/// the clock in which a pixel enters.
+#[test]
+fn what_settles_late_is_waited_for() {
+    let builder = Builder::new("core", "x c^8", Rc::new(Generic));
+    let control = builder.control();
+    let [x, c] = ["x", "c"].map(|name| InputPort::whole(name, Format::signed(3, 0)));
+    let (x, c) = (builder.input(&x), builder.input(&InputPort { hold: Hold::Frame, ..c }));
+    let product = x * c.squared().squared().squared();
+    let design = builder.finish(&control.valid, &[("product", product)]).unwrap();
+    assert_eq!((design.depth(), design.settling(), design.frame_inputs()), (1, 3, vec![1]));
+    let inputs = [[3, -2], [-7, -2], [5, 7], [1, -8], [2, -8], [-8, -8], [7, 0], [7, 1]];
+    let packets: Vec<SpanPacket> =
+        inputs.map(|inputs| SpanPacket { length: 2, inputs: inputs.to_vec() }).to_vec();
+    for stimulus in
+        [Stimulus::whole(&packets, &design), Stimulus::whole(&packets, &design).with_bubbles(5)]
+    {
+        engines_agree(&design, &stimulus);
+        let shown = own_engines_agree(&design, &stimulus);
+        let [valid, product] =
+            [design.valid_out, design.outputs[0]].map(|id| shown.of(id).unwrap());
+        let left = valid.iter().zip(product).filter(|(valid, _)| **valid == 1);
+        let wanted = inputs.iter().flat_map(|[x, c]| [x * c.pow(8); 2]);
+        assert!(left.map(|(_, &product)| product).eq(wanted));
+    }
+}
