@@ -1,15 +1,13 @@
 //! Inputs that hold for a frame: what is computed of them is there at any time.
-use std::rc::Rc;
 
 use specula_datapath::builder::Sig;
 use specula_datapath::design::{Node, Op};
-use specula_datapath::target::Generic;
 use specula_datapath::verilog::{self, Header};
 use specula_datapath::{Builder, Design, Format, Hold, InputPort};
 
 /// A design of what `body` makes of x, which is held for a span, and c, which is held as `hold` says.
 fn design(hold: Hold, body: impl FnOnce(&Builder, [Sig; 2], &Sig) -> Sig) -> Design {
-    let builder = Builder::new("core", "f(x, c)", Rc::new(Generic));
+    let builder = Builder::new("core", "f(x, c)");
     let control = builder.control();
     let port = |name| InputPort::whole(name, Format::unsigned(4, 0));
     let x = builder.input(&port("x"));

@@ -114,9 +114,7 @@ impl Watch<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::rc::Rc;
 
-    use specula_datapath::target::Generic;
     use specula_datapath::{Builder, Format, Hold, InputPort, SpanPacket};
     use specula_sim::SpanSource;
 
@@ -124,7 +122,7 @@ mod tests {
 
     /// x·c^(2^`squarings`), where c holds for a frame.
     fn design(squarings: u32) -> Design {
-        let builder = Builder::new("core", "x c^2^k", Rc::new(Generic));
+        let builder = Builder::new("core", "x c^2^k");
         let control = builder.control();
         let port = |name| InputPort::whole(name, Format::unsigned(2, 0));
         let x = builder.input(&port("x"));

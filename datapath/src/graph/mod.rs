@@ -25,6 +25,9 @@ pub enum Pace {
     /// It is a register of a loop: what it reads belongs to the pixel before, and what it gives to
     /// the pixel of its group. It takes that over with a valid pixel only.
     Feedback,
+    /// It is a register of a loop that is 0 for a pixel whose bit, the first operand of its choice,
+    /// is 1: it is cleared a clock before. For the others it has what the pixel before gave.
+    Cleared,
     /// It is a register that takes its value over with a valid pixel only, and holds it else.
     Held,
     /// It has no register, and what it gives is what a register that holds its value will have in
@@ -135,7 +138,7 @@ impl Graph {
 
     /// Whether a value is one that a register keeps from pixel to pixel.
     pub fn is_state(&self, value: &Value) -> bool {
-        matches!(value.pace, Pace::Feedback | Pace::Held)
+        matches!(value.pace, Pace::Feedback | Pace::Cleared | Pace::Held)
     }
 
     /// Whether a value is the same at every clock.
@@ -154,7 +157,9 @@ impl Graph {
     /// port says so.
     pub fn gives_still(&self, op: Op, pace: Pace) -> bool {
         let outside_loops = matches!(pace, Pace::Target | Pace::Wire | Pace::Register | Pace::Meet);
-        outside_loops && op != Op::Input && op.operands().all(|operand| self.is_still(operand))
+        // What comes later is of a loop.
+        let is_still = |id: NodeId| self.values.get(id.0 as usize).is_some_and(|value| value.still);
+        outside_loops && op != Op::Input && op.operands().all(is_still)
     }
 
     /// The unit whose border a value crosses on its way out, if it does: the value is then a copy

@@ -1,8 +1,6 @@
 //! Frames one after the other: every signal at every clock in every engine, while what holds for a
 //! frame changes in between.
-use std::rc::Rc;
 
-use specula_datapath::target::Generic;
 use specula_datapath::{Builder, Format, InputPort};
 use specula_fixtures::specs::{packets, spec};
 use specula_fixtures::{each_method, few_spans};
@@ -62,7 +60,7 @@ each_method!(frames_follow_each_other);
 /// the clock in which a pixel enters.
 #[test]
 fn what_settles_late_is_waited_for() {
-    let builder = Builder::new("core", "x c^8", Rc::new(Generic));
+    let builder = Builder::new("core", "x c^8");
     let control = builder.control();
     let [x, c] = ["x", "c"].map(|name| InputPort::whole(name, Format::signed(3, 0)));
     let (x, c) = (builder.input(&x), builder.input(&InputPort { hold: Hold::Frame, ..c }));

@@ -1,26 +1,42 @@
-//! The clock in which each value is there: as soon as its operands are, with the registers that the
-//! target wants behind each operator.
+//! The clock in which each value is there.
 //!
-//! Stages are counted from the clock in which a pixel enters. With s(v) the stage of value v,
+//! Stages are counted from the clock in which a pixel enters. With s(v) the stage of value v, and
+//! a(v) the stage at which its operands are taken,
 //!
 //! ```text
 //! s(v) = a(v) + clocks(v)
-//! a(v) = max s(operand)        of operators
-//! a(v) = max s(member)         of values that are taken together with a group
+//! a(v) >= s(operand)       of operators
+//! a(v) >= s(member)        of values that are taken together with a group, for all of them alike
 //! ```
 //! Of operands and members those count that are not still: what is still is there at any time, waits
 //! for nothing and moves no other value. Its own stage counts the registers from the inputs to it.
+mod difference;
+mod each_operator;
+mod for_clock;
+mod paths;
+
+pub(crate) use for_clock::longest;
+
 use crate::design::NodeId;
 use crate::graph::{Graph, GroupId, Pace, Value};
-use crate::target::Target;
+
+use super::Pipelining;
 
 /// The stages of a graph's values.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Schedule {
+    /// The stage at which each value's operands are taken.
+    taken: Vec<u32>,
     /// The stage at which each value is there.
     stages: Vec<u32>,
-    /// Registers behind each value's operator.
+    /// Registers behind each value's operator, or in its block.
     registers: Vec<u32>,
+    /// Which values are products in multiplier blocks.
+    in_block: Vec<bool>,
+    /// The stage of each group.
+    groups: Vec<u32>,
+    /// The stage at which the outputs leave together.
+    last: u32,
 }
 
 /// A loop that cannot run in one clock.
@@ -39,51 +55,46 @@ impl Schedule {
         self.stages[id.0 as usize]
     }
 
-    /// Registers behind a value's operator.
+    /// Registers behind a value's operator, or in its block.
     pub fn registers(&self, id: NodeId) -> u32 {
         self.registers[id.0 as usize]
     }
 
-    /// The stage of a group: that of its latest member; what is still is there at any time.
-    pub fn of_group(&self, graph: &Graph, group: GroupId) -> u32 {
-        let moving = graph.group(group).iter().filter(|&&id| !graph.is_still(id));
-        moving.map(|&id| self.stage(id)).max().unwrap_or(0)
+    /// Whether a value is a product in a multiplier block, which has its registers inside.
+    pub fn in_block(&self, id: NodeId) -> bool {
+        self.in_block[id.0 as usize]
+    }
+
+    /// The stage of a group, at which its members are taken.
+    pub fn of_group(&self, group: GroupId) -> u32 {
+        self.groups[group.0 as usize]
     }
 
     /// The stage at which a value takes its operands.
-    pub fn operands_at(&self, graph: &Graph, value: &Value) -> u32 {
-        match value.together {
-            Some(group) if !value.still => self.of_group(graph, group),
-            _ => {
-                let counts = |id: &NodeId| value.still || !graph.is_still(*id);
-                let counting = value.op.operands().filter(counts);
-                counting.map(|id| self.stage(id)).max().unwrap_or(0)
-            }
-        }
+    pub fn operands_at(&self, id: NodeId) -> u32 {
+        self.taken[id.0 as usize]
+    }
+
+    /// The stage at which the operands of a still value, which are still, have all settled.
+    fn settled(&self, value: &Value) -> u32 {
+        value.op.operands().map(|id| self.stage(id)).max().unwrap_or(0)
+    }
+
+    /// The stage at which the outputs leave together.
+    pub fn last(&self) -> u32 {
+        self.last
     }
 }
 
-/// Schedules each value as soon as its operands are there.
+/// Schedules a graph.
 ///
 /// # Errors
 /// [`LoopTooLate`] names the first loop whose next value is not there in the loop's own clock.
-pub fn schedule(graph: &Graph, target: &dyn Target) -> Result<Schedule, LoopTooLate> {
-    let mut schedule = Schedule { stages: vec![], registers: vec![] };
-    for value in &graph.values {
-        let taken = schedule.operands_at(graph, value);
-        let (clocks, registers) = match value.pace {
-            Pace::Target => {
-                let registers = target.registers_after(&value.op);
-                (registers, registers)
-            }
-            Pace::Wire | Pace::Meet => (0, 0),
-            Pace::Register | Pace::Held => (1, 1),
-            Pace::Feedback => (0, 1),
-            Pace::Ahead => (1, 0),
-        };
-        schedule.stages.push(taken + clocks);
-        schedule.registers.push(registers);
-    }
+pub fn schedule(graph: &Graph, pipelining: &Pipelining) -> Result<Schedule, LoopTooLate> {
+    let schedule = match pipelining {
+        Pipelining::EachOperator => each_operator::schedule(graph),
+        Pipelining::ForClock { target, mhz } => for_clock::schedule(graph, target, *mhz),
+    };
     check_loops(graph, &schedule)?;
     Ok(schedule)
 }
