@@ -2,18 +2,25 @@
 
 use specula_datapath::builder::Sig;
 use specula_datapath::design::{Node, Op};
+use specula_datapath::graph::Graph;
+use specula_datapath::pass::{Pipelining, compile};
+use specula_datapath::target::Target;
 use specula_datapath::verilog::{self, Header};
 use specula_datapath::{Builder, Design, Format, Hold, InputPort};
 
 /// A design of what `body` makes of x, which is held for a span, and c, which is held as `hold` says.
 fn design(hold: Hold, body: impl FnOnce(&Builder, [Sig; 2], &Sig) -> Sig) -> Design {
+    compile(&graph(hold, body), &Pipelining::EachOperator).expect("no loop is late")
+}
+
+fn graph(hold: Hold, body: impl FnOnce(&Builder, [Sig; 2], &Sig) -> Sig) -> Graph {
     let builder = Builder::new("core", "f(x, c)");
     let control = builder.control();
     let port = |name| InputPort::whole(name, Format::unsigned(4, 0));
     let x = builder.input(&port("x"));
     let c = builder.input(&InputPort { hold, ..port("c") });
     let out = body(&builder, [x, c], &control.start);
-    builder.finish(&control.valid, &[("out", out)]).expect("it can be built")
+    builder.graph(&control.valid, &[("out", out)]).expect("it can be built")
 }
 
 fn node<'a>(design: &'a Design, name: &str) -> &'a Node {
@@ -80,14 +87,32 @@ fn units_say_what_holds_for_the_frame() {
     let design = design(Hold::Frame, units);
     assert_eq!((design.latency(), design.settling()), (2, 0));
     let text = verilog::print(&design.to_block(), &Header::default());
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let text = words.join(" ");
     for line in [
-        "    input wire [3:0]   c,          // U4.0, holds for the frame",
+        "input wire [3:0] c, // U4.0, holds for the frame",
         "// square: c^2; what it gives holds for the frame.",
         "// scale: x c; latency 1 clock.",
-        "    input wire [7:0]   c,          // U8.0, holds for the frame",
+        "input wire [7:0] c, // U8.0, holds for the frame",
     ] {
         assert!(text.contains(line), "{line}\n{text}");
     }
+}
+
+/// For a clock, too, the products of c have registers behind them, and x waits for none of them.
+#[test]
+fn what_is_still_moves_no_stage_of_a_schedule_for_a_clock() {
+    let target = Target::named("ecp5").expect("there is one");
+    let pipelining = Pipelining::ForClock { target: &target, mhz: 200.0 };
+    let [span, frame] = [Hold::Span, Hold::Frame].map(|hold| {
+        let body = |_: &Builder, [x, c]: [Sig; 2], _: &Sig| x + (&c * &c * c).named("cube");
+        compile(&graph(hold, body), &pipelining).expect("no loop is late")
+    });
+    assert!(frame.latency() < span.latency() && frame.settling() > 0, "{}", frame.settling());
+    let delays = |design: &Design| design.size().register_bits;
+    assert!(delays(&frame) < delays(&span));
+    let still = |node: &&Node| node.still && matches!(node.op, Op::Add(..) | Op::Mul(..));
+    assert!(frame.nodes.iter().filter(still).all(Node::registered));
 }
 
 /// Only c: it leaves with a pixel all the same, a clock after that has entered.

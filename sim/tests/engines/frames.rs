@@ -6,7 +6,7 @@ use specula_fixtures::specs::{packets, spec};
 use specula_fixtures::{each_method, few_spans};
 use specula_scene::Frame;
 use specula_sim::Stimulus;
-use specula_spec::{CoreSpec, Hold, LightPipelines, Method, SpanPacket};
+use specula_spec::{CoreSpec, Hold, LightPipelines, Method, SpanPacket, TargetClock};
 
 use crate::elaborated;
 use crate::pausing::{engines_agree, own_engines_agree};
@@ -43,6 +43,10 @@ fn frames_follow_each_other(method: Method) {
             LightPipelines::Each => engines_agree(&design, &paused),
             LightPipelines::Shared => drop(own_engines_agree(&design, &paused)),
         }
+        // Put into stages for a clock, where operators are others.
+        let target = TargetClock { name: "ecp5".into(), clock_mhz: 200.0 };
+        let design = elaborated(&CoreSpec { target: Some(target), ..spec.clone() });
+        own_engines_agree(&design, &Stimulus::whole(&all, &design));
     }
 }
 
