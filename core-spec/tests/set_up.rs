@@ -86,13 +86,13 @@ fn what_holds_for_a_frame_is_the_same_in_every_span(method: Method) {
 fn moving_input(core: &CoreSpec, frame: &Frame) -> Option<String> {
     let set_up = SetUp::new(core, frame);
     let first = set_up.packet(&frame.spans[0]).inputs;
-    let others = frame.spans[1..].iter().map(|span| set_up.packet(span).inputs);
+    let mut others = frame.spans[1..].iter().map(|span| set_up.packet(span).inputs);
     let ports = core.inputs();
     let moves = |inputs: Vec<i64>| {
-        let held = (0..ports.len()).filter(|&input| ports[input].hold == Hold::Frame);
-        held.into_iter().find(|&input| inputs[input] != first[input])
+        let mut held = (0..ports.len()).filter(|&input| ports[input].hold == Hold::Frame);
+        held.find(|&input| inputs[input] != first[input])
     };
-    others.into_iter().find_map(moves).map(|input| ports[input].name.clone())
+    others.find_map(moves).map(|input| ports[input].name.clone())
 }
 
 /// The same frame, the last span of which has no normal.

@@ -148,7 +148,7 @@ mod tests {
         }
 
         fn append_inputs(&self, index: usize, inputs: &mut Vec<i64>) {
-            self.0[index].inputs.iter().for_each(|&raw| inputs.push(raw));
+            inputs.extend_from_slice(&self.0[index].inputs);
         }
     }
 
