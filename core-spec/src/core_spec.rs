@@ -1,8 +1,8 @@
 //! A core: parameters, a method, and what its inputs are given.
-use specula_datapath::{Format, InputPort};
+use specula_datapath::{Format, Hold, InputPort};
 use specula_scene::needs::Needs;
 
-use crate::core_input::InputRole;
+use crate::core_input::{CoreInput, InputRole};
 use crate::defaults::span_bits;
 use crate::error::SpecError;
 use crate::inputs::{CoreInputs, InputGroup, MethodInputs};
@@ -114,7 +114,7 @@ impl CoreSpec {
     /// `start` come beside them.
     pub fn inputs(&self) -> Vec<InputPort> {
         let inputs = self.method.core_inputs(&self.parameters);
-        inputs.iter().map(|input| self.specialisation.narrowed(&input.port)).collect()
+        inputs.iter().map(|input| self.port(input)).collect()
     }
 
     /// What each of [`CoreSpec::inputs`] tells of a scene.
@@ -126,7 +126,16 @@ impl CoreSpec {
     /// them.
     pub fn ports<M: MethodInputs>(&self, method: &M) -> Ports<M> {
         let inputs = method.core_inputs(&self.parameters);
-        inputs.map(|input| self.specialisation.narrowed(&input.port))
+        inputs.map(|input| self.port(input))
+    }
+
+    /// The port of an input of the method, as it is here.
+    fn port(&self, input: &CoreInput) -> InputPort {
+        let hold = match input.port.hold {
+            Hold::Frame => self.parameters.hold(input.role, self.places_seen_from()),
+            Hold::Span => Hold::Span,
+        };
+        InputPort { hold, ..self.specialisation.narrowed(&input.port) }
     }
 
     /// Every place where the method rounds values, in the order of the data.

@@ -17,6 +17,7 @@ use crate::checker::{self, Facts, Violation};
 use crate::monitor::Monitor;
 use crate::scoreboard::{self, Comparison, WorstQuantisation};
 use crate::spans::{FrameSpans, KeptSpans};
+use crate::steady::{MovedInput, moved_input};
 use crate::trace::{self, Choice};
 use crate::{BenchError, Image};
 
@@ -109,6 +110,8 @@ pub struct Outcome {
     pub facts_seen: Vec<Option<design::Range>>,
     /// The first fact that did not hold.
     pub violation: Option<Violation>,
+    /// The first input that holds for a frame and did not stand still.
+    pub moved_input: Option<MovedInput>,
     /// What the quantisation error is proven to stay within, in LSBs.
     pub bound_lsb: f64,
     /// Clock in which the worst pixel left the core.
@@ -118,8 +121,8 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether every pixel agrees, each in its clock, every stated fact held, and no quantisation
-    /// error is above its bound.
+    /// Whether every pixel agrees, each in its clock, every stated fact held, every input stood still
+    /// for as long as it has to, and no quantisation error is above its bound.
     ///
     /// Core and bit-true model are given the same packets, so they agree whatever those hold; the
     /// method in f64 is given none. That a core stays within its bound says that the set-up is
@@ -127,7 +130,8 @@ impl Outcome {
     pub fn agrees(&self) -> bool {
         let as_the_model = self.comparison.mismatches == 0
             && self.wrong_clocks.is_empty()
-            && self.violation.is_none();
+            && self.violation.is_none()
+            && self.moved_input.is_none();
         as_the_model && self.beyond_bound().is_none()
     }
 
@@ -233,6 +237,7 @@ impl<'a> Bench<'a> {
             wrong_clocks,
             facts_seen: facts.seen,
             violation: facts.violation,
+            moved_input: moved_input(&self.design, &stimulus),
             bound_lsb,
             worst_cycle,
             simulation_seconds,

@@ -156,8 +156,25 @@ first clock of a span only. A span's data inputs are held from its first clock t
 two of these clocks there may be any number in which `valid` is low: the core waits, and `start` means
 nothing. The next span may follow at once. {leaving}, with
 `valid_out` high. Inputs are taken at the rising edge of `clock`. `reset` is synchronous and clears
-validity only: data registers have no reset."
+validity only: data registers have no reset.{}",
+        between_frames(design).map(|rule| format!("\n{rule}")).unwrap_or_default()
     )
+}
+
+/// When inputs that hold for a frame may change, if there are any.
+pub fn between_frames(design: &Design) -> Option<String> {
+    let after = design.depth() + 1;
+    let then = match design.settling() {
+        0 => "in that clock".to_owned(),
+        1 => "1 clock later".to_owned(),
+        clocks => format!("{clocks} clocks later"),
+    };
+    (!design.frame_inputs().is_empty()).then(|| {
+        format!(
+            "Inputs that hold for the frame change between frames only, while no pixel is under way: in clock
+c + {after} of the last pixel or later, and the next one may enter {then}."
+        )
+    })
 }
 
 fn indented(text: &str) -> Vec<String> {

@@ -6,6 +6,7 @@ use super::facts::Fact;
 use super::pictures::{ERROR, EXACT, EXPECTED, SIMULATED};
 use super::{Report, ports, rows, units};
 use crate::table::markdown as table;
+use crate::verilog::between_frames;
 use crate::{cmd_needs, waveform, worst_pixel};
 
 /// The text of `report.md`. It contains no times, so that the same run gives the same bytes.
@@ -183,9 +184,10 @@ fn ports_of(report: &Report) -> String {
         "## Ports\n\n{}\n\
          {entering}, and `start` in the first clock of a span only. A span's data inputs are held from\n\
          its first clock to its last; between them and between spans there may be clocks in which `valid` is low. A pixel\n\
-         {leaving} clock c leaves in clock c + {}, with `valid_out` high.\n",
+         {leaving} clock c leaves in clock c + {}, with `valid_out` high.\n{}",
         table(["port", "direction", "bits", "format", "meaning"], &rows),
-        design.depth()
+        design.depth(),
+        between_frames(design).map(|rule| format!("{rule}\n")).unwrap_or_default()
     )
 }
 
