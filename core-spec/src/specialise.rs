@@ -1,5 +1,6 @@
 //! A core for one frame alone, which leaves out what the frame's spans do not need.
 use specula_datapath::InputPort;
+use specula_datapath::format::power_of_two;
 use specula_scene::frame::Frame;
 
 use crate::core_spec::CoreSpec;
@@ -31,11 +32,61 @@ impl CoreSpec {
         }
     }
 
+    /// About what [`CoreSpec::specialised`] gives, without setting up any span: what inputs are
+    /// given is converted from `special`, a core with other formats for the same frame. A range is
+    /// wider by up to one unit in the last place on either side, and an input that is always the
+    /// same stays so.
+    pub fn nearly_specialised_as(&self, special: &CoreSpec) -> CoreSpec {
+        let general = self.general();
+        let (own, others) = (general.inputs(), special.general().inputs());
+        let converted = own.iter().filter_map(|port| {
+            let given = converted_given(port, &own, &others, &special.specialisation)?;
+            Some((port.name.clone(), given))
+        });
+        CoreSpec { specialisation: Specialisation::new(converted), ..general }
+    }
+
     /// Whether a host gives both cores the same raw values in every frame: set-up rests on ports
     /// and options, and not on formats of values within the core.
     fn is_given_what(&self, other: &CoreSpec) -> bool {
         self.inputs() == other.inputs()
             && self.method.with_formats_of(&other.method).as_ref() == Some(&other.method)
+    }
+}
+
+/// What a port is given, from what the port of the same name among `others` is; none if that is all
+/// that its format allows.
+fn converted_given(
+    port: &InputPort,
+    own: &[InputPort],
+    others: &[InputPort],
+    given: &Specialisation,
+) -> Option<Given> {
+    let named = |ports: &'_ [InputPort], name: &str| ports.iter().position(|p| p.name == name);
+    match given.given(&port.name)? {
+        &Given::Between([low, high]) => {
+            let from = &others[named(others, &port.name)?];
+            let finer = i64::from(port.format.fraction_bits) - i64::from(from.format.fraction_bits);
+            let half = if finer == 0 || low == high { 0.0 } else { 0.5 };
+            let scale = power_of_two(finer);
+            let [low, high] = if low == high {
+                [(low as f64 * scale).round(); 2]
+            } else {
+                [((low as f64 - half) * scale).floor(), ((high as f64 + half) * scale).ceil()]
+            };
+            let within = |raw: f64| (raw as i64).clamp(port.range.0, port.range.1);
+            let range = (within(low), within(high));
+            (range != port.range).then_some(Given::Between([range.0, range.1]))
+        }
+        Given::SameAs(twin) => {
+            let other = &own[named(own, twin)?];
+            if other.format == port.format {
+                return Some(Given::SameAs(twin.clone()));
+            }
+            // The twin is a twin of no other: it has the range of both.
+            let as_twin = InputPort { name: twin.clone(), ..port.clone() };
+            converted_given(&as_twin, own, others, given)
+        }
     }
 }
 
