@@ -29,8 +29,7 @@ impl Cost {
     pub fn of(design: &Design, block: Option<[u32; 2]>) -> Cost {
         let size = design.size();
         let blocks = block.map(|block| products(design).map(|p| blocks_for(block, p)).sum());
-        let of_blocks =
-            |(blocks, [a, b]): (u64, [u32; 2])| blocks * u64::from(a) * u64::from(b);
+        let of_blocks = |(blocks, [a, b]): (u64, [u32; 2])| blocks * u64::from(a) * u64::from(b);
         Cost {
             multiplier_bits: blocks.zip(block).map_or(size.multiplier_bits, of_blocks),
             blocks,
@@ -50,7 +49,8 @@ impl Cost {
 /// Number of blocks for a product of two signals, which is divided into parts that a block can
 /// multiply. Parts after the first have no sign, and therefore one bit less.
 fn blocks_for([long, short]: [u32; 2], [a, b]: [u32; 2]) -> u64 {
-    let parts = |width: u32, port: u32| u64::from(width.saturating_sub(1).div_ceil(port - 1).max(1));
+    let parts =
+        |width: u32, port: u32| u64::from(width.saturating_sub(1).div_ceil(port - 1).max(1));
     (parts(a, long) * parts(b, short)).min(parts(a, short) * parts(b, long))
 }
 

@@ -10,6 +10,7 @@ pub mod figure9;
 pub mod formats;
 pub mod operations;
 mod pareto;
+mod picture;
 pub mod reproduce;
 pub mod search;
 pub mod stress;

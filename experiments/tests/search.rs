@@ -1,5 +1,5 @@
 //! Cores within an error that is asked for.
-use specula_experiments::search;
+use specula_experiments::search::{self, Measured};
 use specula_fixtures::each_method;
 use specula_scene::load;
 use specula_spec::{CoreSpec, Method, SceneCore};
@@ -13,7 +13,10 @@ fn simulated_pictures_stay_within_an_lsb_of_their_method(method: Method) {
     for scene in specula_scene::builtin_names() {
         let loaded = load(scene, Some((48, 36))).unwrap();
         let start = loaded.core_spec(Some(method)).unwrap();
-        let general = search::narrowest_formats(&start, &loaded.frame, 1.0).unwrap().unwrap();
+        let general =
+            search::narrowest_formats(&start, &loaded.frame, (Measured::Quantisation, 1.0))
+                .unwrap()
+                .unwrap();
         let spec = general.specialised(&loaded.frame);
         let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();
         let outcome = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
@@ -33,6 +36,8 @@ each_method!(simulated_pictures_stay_within_an_lsb_of_their_method);
 fn what_cannot_be_had_is_refused() {
     let loaded = load("icosahedron", Some((48, 36))).unwrap();
     let start = loaded.core_spec(None).unwrap();
-    let refusal = search::narrowest_formats(&start, &loaded.frame, 0.01).unwrap().unwrap_err();
+    let refusal = search::narrowest_formats(&start, &loaded.frame, (Measured::Quantisation, 0.01))
+        .unwrap()
+        .unwrap_err();
     assert!(refusal.best > 0.01 && refusal.best < 1.0, "{refusal}");
 }

@@ -8,6 +8,7 @@ use specula_flow::synth::{CriticalPath, SynthTarget, Synthesis, synthesise_and_p
 use specula_testbench::BenchError;
 
 use crate::arguments::NameArguments;
+use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::job::SceneOrSpec;
 use crate::verdict::Verdict;
@@ -59,7 +60,7 @@ struct Report<'a> {
 
 /// Synthesises, places, routes and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let (file, _) = arguments.core.file(&NameArguments::default())?;
+    let (file, _) = arguments.core.file(&DeviceArguments::default(), &NameArguments::default())?;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     let bar = progress::steps();

@@ -6,6 +6,7 @@ use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, PictureArguments, SceneArguments};
+use crate::device::DeviceArguments;
 use crate::error::{Refused, ToolError};
 use crate::verilog::Origin;
 
@@ -24,11 +25,12 @@ impl Job {
     pub fn of_scene(
         scene: &SceneArguments,
         core: &CoreArguments,
+        device: &DeviceArguments,
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
-        let spec = core.core(&loaded)?;
-        let origin = Origin::of_scene(scene, core, &spec).with_name(name);
+        let spec = core.core(&loaded, device.block())?;
+        let origin = Origin::of_scene(scene, core, device, &spec).with_name(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
         Ok(Job { file, scene: loaded, origin })
@@ -71,7 +73,7 @@ pub struct SceneOrSpec {
     #[arg(required_unless_present = "spec")]
     pub scene: Option<String>,
     /// Use the core in this spec.toml instead of one for a scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "bound", "max_error", "max_quantisation"])]
     pub spec: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,
@@ -81,7 +83,11 @@ pub struct SceneOrSpec {
 
 impl SceneOrSpec {
     /// The core and its origin.
-    pub fn file(&self, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
+    pub fn file(
+        &self,
+        device: &DeviceArguments,
+        name: &NameArguments,
+    ) -> Result<(SpecFile, Origin), ToolError> {
         match (&self.spec, &self.scene) {
             (Some(path), _) => {
                 let mut file = SpecFile::read(path)?;
@@ -95,7 +101,7 @@ impl SceneOrSpec {
                     scene: scene.clone().unwrap_or_default(),
                     picture: self.picture.clone(),
                 };
-                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, name)?;
+                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, device, name)?;
                 Ok((file, origin))
             }
         }

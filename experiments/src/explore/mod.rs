@@ -8,7 +8,6 @@
 //! pixel.
 mod device;
 mod options;
-mod picture;
 
 use std::cell::RefCell;
 
@@ -19,11 +18,11 @@ use specula_spec::{CoreSpec, Method};
 
 use crate::cost::Cost;
 use crate::pareto_front;
+use crate::picture::{ExactPicture, sampled};
 use crate::search::{Goal, largest_error};
 use crate::tradeoff::FrameCycles;
 pub use device::Device;
 use options::Options;
-use picture::{ExactPicture, sampled};
 use specula_testbench::BenchError;
 
 /// Number of pixels at which the search looks.

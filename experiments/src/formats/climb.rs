@@ -2,6 +2,8 @@
 //!
 //! A change that was tried is expected to be worth about the same after others, so only the one that
 //! seems best is tried again before it is made.
+use rayon::prelude::*;
+
 use super::trials::{Formats, State, Trials};
 
 /// What a bit more or less at a narrowing point changes.
@@ -46,29 +48,22 @@ impl Trials<'_> {
         state
     }
 
-    /// The formats made coarser as long as that saves anything and the bound stays below the goal.
+    /// The formats made coarser as long as that is expected to save anything and the bound stays
+    /// below the goal.
     pub fn narrowed(&self, from: State, below: f64) -> State {
         let worth = |state: &State, change: Change| {
             let stays = state.tried.bound + change.bound < below;
             if stays { -change.cells / change.bound.max(1e-9) } else { 0.0 }
         };
         let mut state = from;
-        loop {
-            let mut expected = self.expected(&state, -1);
-            let Some((mut point, mut next)) = self.best(&state, -1, &mut expected, &worth) else {
-                return state;
-            };
-            loop {
-                state = next;
-                if let Some(change) = &mut expected[point] {
-                    change.bound *= 2.0;
-                }
-                match self.best(&state, -1, &mut expected, &worth) {
-                    Some(best) => (point, next) = best,
-                    None => break,
-                }
+        let mut expected = self.expected(&state, -1);
+        while let Some((point, next)) = self.best(&state, -1, &mut expected, &worth) {
+            state = next;
+            if let Some(change) = &mut expected[point] {
+                change.bound *= 2.0;
             }
         }
+        state
     }
 
     fn expected(&self, state: &State, added: i32) -> Expected {
@@ -76,7 +71,7 @@ impl Trials<'_> {
             let after = self.state(formats?)?;
             Some(Change::between(state, &after))
         };
-        self.neighbours(&state.formats, added).into_iter().map(change).collect()
+        self.neighbours(&state.formats, added).into_par_iter().map(change).collect()
     }
 
     /// The change that is worth most, if one is worth anything.
@@ -94,7 +89,8 @@ impl Trials<'_> {
                 (worth > 0.0).then_some((point, worth))
             });
             // Of equal ones the first.
-            let (point, _) = worths.reduce(|best, next| if next.1 > best.1 { next } else { best })?;
+            let (point, _) =
+                worths.reduce(|best, next| if next.1 > best.1 { next } else { best })?;
             let formats = self.neighbour(&state.formats, point, added);
             let after = formats.and_then(|formats| self.state(formats));
             match after {

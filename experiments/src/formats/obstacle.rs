@@ -28,6 +28,7 @@ pub(super) fn in_words(trials: &Trials, finest: Option<&State>) -> String {
                 "`{name}` ({value}) is in the way: with {bits} fraction bits, the most that were possible, {share:.3} LSB of it are rounded there"
             )
         }
-        None => "it comes from no format, but from constants, tables and the rounding to 8 bits".to_owned(),
+        None => "it comes from no format, but from constants, tables and the rounding to 8 bits"
+            .to_owned(),
     }
 }

@@ -61,6 +61,11 @@ impl<'a> Trials<'a> {
         trials
     }
 
+    /// Number of cores that were elaborated.
+    pub fn count(&self) -> usize {
+        self.known().len()
+    }
+
     /// The core whose formats are tried.
     pub fn start(&self) -> &CoreSpec {
         self.start
@@ -94,9 +99,10 @@ impl<'a> Trials<'a> {
     /// can be described.
     pub fn finer(&self, added: i32) -> Option<Formats> {
         let formats = formats_of(self.start);
-        let moved = formats.iter().zip(&self.kept).map(|(&bits, kept)| {
-            if *kept { bits } else { bits.saturating_add_signed(added) }
-        });
+        let moved = formats
+            .iter()
+            .zip(&self.kept)
+            .map(|(&bits, kept)| if *kept { bits } else { bits.saturating_add_signed(added) });
         self.allowed(&moved.collect::<Formats>())
     }
 
