@@ -86,6 +86,34 @@ mod tests {
     }
 
     #[test]
+    fn fraction_bits_are_as_near_as_others_let_them_be() {
+        let needs = Needs::of(&load("teapot", Some((40, 30))).unwrap().frame);
+        for method in Method::ALL {
+            let spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
+            let bits = |spec: &CoreSpec| -> Vec<u32> {
+                spec.narrowing_points().iter().map(|point| point.format.fraction_bits).collect()
+            };
+            assert_eq!(spec.with_fraction_bits(&bits(&spec)).as_ref(), Some(&spec));
+            let finer: Vec<u32> = bits(&spec).iter().map(|bits| bits + 1).collect();
+            assert_eq!(bits(&spec.with_fraction_bits(&finer).unwrap()), finer, "{}", method.name());
+            for wanted in [0, 99] {
+                let spec = spec.with_fraction_bits(&vec![wanted; finer.len()]).unwrap();
+                for point in spec.narrowing_points() {
+                    let limits = [point.fewest_fraction_bits, point.most_fraction_bits];
+                    let limit = limits[usize::from(wanted > 0)];
+                    assert_eq!(
+                        point.format.fraction_bits,
+                        limit,
+                        "{} {}",
+                        method.name(),
+                        point.name
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
     fn formats_that_are_asked_for_stay() {
         let needs = Needs::of(&load("teapot", Some((40, 30))).unwrap().frame);
         let bright = Needs { brightest_coefficient: 2.0, ..needs };

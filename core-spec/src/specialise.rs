@@ -146,3 +146,50 @@ impl GivenValues {
         same.or((range != ports[input].range).then_some(Given::Between([range.0, range.1])))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use specula_scene::load;
+
+    use crate::{CoreSpec, Given, Method, SceneCore};
+
+    /// Smallest and largest raw value that an input may be given.
+    fn range(spec: &CoreSpec, input: usize) -> (i64, i64) {
+        spec.inputs()[input].range
+    }
+
+    /// Converted ranges contain those of spans that were set up, but for what rounding in two formats
+    /// makes of constants.
+    #[test]
+    fn converted_ranges_are_near_those_of_spans() {
+        let mut compared = 0;
+        for name in ["teapot", "lamps"] {
+            let scene = load(name, Some((48, 36))).unwrap();
+            for special in Method::ALL.map(|method| scene.core_spec(Some(method)).unwrap()) {
+                assert_eq!(special.nearly_specialised_as(&special), special, "{name}");
+                for added in [-2, 1, 2] {
+                    let general = special.finer(added, &[]).unwrap();
+                    let near = general.nearly_specialised_as(&special);
+                    let exact = general.specialised(&scene.frame);
+                    assert_eq!(near.check(), Ok(()));
+                    let most = 1 + (1 << added.max(0));
+                    for (input, port) in near.inputs().iter().enumerate() {
+                        let (own, other) = (range(&near, input), range(&exact, input));
+                        let is_twin = |spec: &CoreSpec| {
+                            matches!(spec.specialisation.given(&port.name), Some(Given::SameAs(_)))
+                        };
+                        if is_twin(&near) || is_twin(&exact) {
+                            continue;
+                        }
+                        let name = format!("{} {} {added}", special.method().name(), port.name);
+                        assert!(own.0 <= other.0 + most && other.1 - most <= own.1, "{name}");
+                        assert!((own.0 - other.0).abs() <= 2 * most, "{name}: {own:?} {other:?}");
+                        assert!((own.1 - other.1).abs() <= 2 * most, "{name}: {own:?} {other:?}");
+                        compared += 1;
+                    }
+                }
+            }
+        }
+        assert!(compared > 500, "{compared}");
+    }
+}

@@ -149,6 +149,12 @@ impl<Cost: Ord> Goal<'_, Cost> {
     }
 }
 
+/// Largest error of a core's method in exact arithmetic, against exact shading, over every pixel and
+/// channel of a frame, in LSBs.
+pub fn error_of_method(spec: &CoreSpec, frame: &Frame) -> f64 {
+    ExactPicture::new(frame.clone()).error_of_method(spec)
+}
+
 /// Largest |code - method in f64| over every pixel and channel, in LSBs.
 pub(crate) fn largest_error(spec: &CoreSpec, frame: &Frame) -> Result<f64, BenchError> {
     let (model, spans) = (Model::new(spec), FrameSpans::new(frame, spec));
