@@ -41,7 +41,7 @@ impl Measured {
 #[diagnostic(
     code(specula::search),
     help(
-        "ask for more; rounding to 8 bits alone takes up to 0.5 LSB, so 1lsb is what can be asked of most scenes"
+        "ask for more; rounding to 8 bits alone takes up to 0.5 LSB, and a total error contains the method's own"
     )
 )]
 pub struct NotFound {

@@ -26,7 +26,7 @@ use trials::{Formats, State, Trials};
 pub const FAITHFUL: f64 = 1.0;
 
 /// Bits by which the beginnings are finer than the coarsest formats that meet the goal together.
-const BEGINNINGS: [i32; 3] = [-3, -2, -1];
+const BEGINNINGS: [i32; 4] = [-3, -2, -1, 0];
 /// How many of those that meet the goal are narrowed.
 const NARROWED: usize = 2;
 /// Bits by which formats are finer than the start's at most, all together.
@@ -97,17 +97,14 @@ pub fn cheapest_formats(
     wanted: &Wanted,
 ) -> Result<Result<Proven, NotProven>, BenchError> {
     let search = Search { trials: Trials::new(start, wanted), start, frame, wanted };
-    let Some(mut best) = search.cheapest(wanted.below) else { return Ok(Err(search.not_proven())) };
-    let mut exact = search.exactly(&best.formats, start)?;
     let mut below = wanted.below;
-    for _ in 0..MOST_CORRECTIONS {
+    for _ in 0..=MOST_CORRECTIONS {
+        let Some(near) = search.cheapest(below) else { break };
+        let exact = search.exactly(&near.formats, start)?;
         if exact.bound < wanted.below {
             return search.trimmed(exact).map(Ok);
         }
-        below = below.min(best.tried.bound) - (exact.bound - wanted.below) - 0.001;
-        let Some(better) = search.cheapest(below) else { break };
-        best = better;
-        exact = search.exactly(&best.formats, start)?;
+        below = below.min(near.tried.bound) - (exact.bound - wanted.below) - 0.001;
     }
     Ok(Err(search.not_proven()))
 }

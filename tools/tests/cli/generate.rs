@@ -39,7 +39,7 @@ fn headers_have_the_command_that_makes_the_same_core() {
     for (asked, recorded) in [
         (vec!["--bound", "0.75lsb"], " --bound 0.75lsb"),
         ([&["--bound", "1lsb"], &device[..]].concat(), " --bound 1lsb --device ice40up5k"),
-        (vec!["--max-error", "9lsb"], " --max-error 9lsb"),
+        (vec!["--max-error", "25lsb"], " --max-error 25lsb"),
         (vec!["--max-quantisation", "1.5lsb"], " --max-quantisation 1.5lsb"),
         (device.to_vec(), ""),
     ] {
