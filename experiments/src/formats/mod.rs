@@ -25,6 +25,10 @@ use trials::{Formats, State, Trials};
 /// code is one of the two next to the exact value.
 pub const FAITHFUL: f64 = 1.0;
 
+/// Bounds come at least so far below the goal, in LSBs, so that one which is printed with three digits
+/// is below it too.
+pub const MARGIN: f64 = 0.0005;
+
 /// Bits by which the beginnings are finer than the coarsest formats that meet the goal together.
 const BEGINNINGS: [i32; 4] = [-3, -2, -1, 0];
 /// How many of those that meet the goal are narrowed.
@@ -97,14 +101,15 @@ pub fn cheapest_formats(
     wanted: &Wanted,
 ) -> Result<Result<Proven, NotProven>, BenchError> {
     let search = Search { trials: Trials::new(start, wanted), start, frame, wanted };
-    let mut below = wanted.below;
+    let goal = wanted.below - MARGIN;
+    let mut below = goal;
     for _ in 0..=MOST_CORRECTIONS {
         let Some(near) = search.cheapest(below) else { break };
         let exact = search.exactly(&near.formats, start)?;
-        if exact.bound < wanted.below {
-            return search.trimmed(exact).map(Ok);
+        if exact.bound < goal {
+            return search.trimmed(exact, goal).map(Ok);
         }
-        below = below.min(near.tried.bound) - (exact.bound - wanted.below) - 0.001;
+        below = below.min(near.tried.bound) - (exact.bound - goal) - 0.001;
     }
     Ok(Err(search.not_proven()))
 }
@@ -182,24 +187,24 @@ impl Search<'_> {
     }
 
     /// Narrows formats as long as that saves anything, with what inputs are given for the frame.
-    fn trimmed(&self, mut found: Proven) -> Result<Proven, BenchError> {
-        while let Some(better) = self.narrower(&found)? {
+    fn trimmed(&self, mut found: Proven, below: f64) -> Result<Proven, BenchError> {
+        while let Some(better) = self.narrower(&found, below)? {
             found = better;
         }
         Ok(Proven { tried: self.trials.count(), ..found })
     }
 
     /// The core with one format narrower by a bit, where that meets the goal and saves something.
-    fn narrower(&self, found: &Proven) -> Result<Option<Proven>, BenchError> {
+    fn narrower(&self, found: &Proven, below: f64) -> Result<Option<Proven>, BenchError> {
         let neighbours = self.trials.neighbours(&trials::formats_of(&found.spec), -1);
         let may_be_better = |near: &State| {
-            near.tried.bound < self.wanted.below + CLOSE_BOUND
+            near.tried.bound < below + CLOSE_BOUND
                 && near.tried.cells < found.cost.cells() + CLOSE_CELLS
         };
         let near = neighbours.into_iter().filter_map(|formats| self.trials.state(formats?));
         for near in near.filter(may_be_better) {
             let exact = self.exactly(&near.formats, &found.spec)?;
-            if exact.bound < self.wanted.below && exact.cost.cells() < found.cost.cells() {
+            if exact.bound < below && exact.cost.cells() < found.cost.cells() {
                 return Ok(Some(exact));
             }
         }
