@@ -3,14 +3,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_datapath::target::Target;
+use specula_experiments::cost::GENERIC_BLOCK;
 use specula_experiments::formats;
 use specula_experiments::search::{self, Measured};
 use specula_hdl::module_name;
 use specula_scene::picture::limits;
 use specula_scene::{Frame, LoadedScene};
-use specula_spec::{CoreSpec, Method, SceneCore, SpecFile, Specialise};
-use specula_testbench::EngineKind;
+use specula_spec::{CoreSpec, Method, SceneCore, SpecFile, Specialise, TargetClock};
 use specula_testbench::trace::Choice;
+use specula_testbench::{BenchError, EngineKind};
 
 use crate::error::ToolError;
 
@@ -101,15 +103,97 @@ pub struct CoreArguments {
     /// The same for the quantisation error alone, against exact shading by the method
     #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
     pub max_quantisation: Option<f64>,
+    #[command(flatten)]
+    pub made_for: TargetArguments,
+}
+
+/// The clock that a core is made for.
+#[derive(Clone, Debug, Default, Args)]
+pub struct TargetArguments {
+    /// Target whose cells and delays the core is made for [default: any device, with a register
+    /// behind each operator]
+    #[arg(long, value_name = "TARGET", value_parser = target_parser())]
+    pub target: Option<String>,
+    /// Clock in MHz that the core is pipelined for, from 1 to 1000, or max for the highest that
+    /// its loops allow [default: max]
+    #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires = "target")]
+    pub clock: Option<Clock>,
+}
+
+/// A clock that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Clock {
+    /// So many MHz.
+    Mhz(f64),
+    /// The highest.
+    Highest,
+}
+
+impl TargetArguments {
+    /// Widths of the signed operands of the target's multiplier blocks, if it has any.
+    fn block(&self) -> Option<[u32; 2]> {
+        let target = Target::named(self.target.as_ref()?)?;
+        target.multiplier.map(|multiplier| multiplier.widths)
+    }
+
+    /// A core made for what is asked for; unchanged where nothing is.
+    pub fn made_for(&self, spec: CoreSpec) -> Result<CoreSpec, ToolError> {
+        let Some(name) = self.target.clone() else { return Ok(spec) };
+        let with = |clock_mhz| CoreSpec {
+            target: Some(TargetClock { name: name.clone(), clock_mhz }),
+            ..spec.clone()
+        };
+        match self.clock.unwrap_or(Clock::Highest) {
+            _ if name == ANY_DEVICE => Ok(CoreSpec { target: None, ..spec }),
+            Clock::Mhz(mhz) => Ok(with(mhz)),
+            Clock::Highest => {
+                let mhz = specula_hdl::highest_clock(&with(1.0)).map_err(BenchError::from)?;
+                Ok(with(mhz))
+            }
+        }
+    }
+}
+
+/// The target that is no device in particular.
+const ANY_DEVICE: &str = "generic";
+
+/// `--target`.
+fn target_parser() -> impl TypedValueParser<Value = String> {
+    PossibleValuesParser::new([ANY_DEVICE].into_iter().chain(Target::clocked()))
+}
+
+/// Parses `--clock`.
+fn parse_clock(text: &str) -> Result<Clock, String> {
+    let mhz = || {
+        let mhz = text.strip_suffix("MHz").unwrap_or(text).trim().parse::<f64>().ok();
+        mhz.filter(|mhz| (1.0..=1000.0).contains(mhz)).map(Clock::Mhz)
+    };
+    let clock = if text == "max" { Some(Clock::Highest) } else { mhz() };
+    clock.ok_or_else(|| "write a clock from 1 to 1000 MHz, as in 250, or max".to_owned())
 }
 
 impl CoreArguments {
-    /// The core for a scene, on a device whose multiplier blocks have operands of these widths.
-    pub fn core(&self, scene: &LoadedScene, block: [u32; 2]) -> Result<CoreSpec, ToolError> {
+    /// The core for a scene; on a device, if one is named, whose multiplier blocks have operands of
+    /// these widths.
+    pub fn core(
+        &self,
+        scene: &LoadedScene,
+        block: Option<[u32; 2]>,
+    ) -> Result<CoreSpec, ToolError> {
+        self.made_for.made_for(self.in_formats(scene, block)?)
+    }
+
+    /// The core for a scene, for no clock in particular, in the formats that are asked for.
+    fn in_formats(
+        &self,
+        scene: &LoadedScene,
+        block: Option<[u32; 2]>,
+    ) -> Result<CoreSpec, ToolError> {
         let (spec, frame) = (scene.core_spec(self.method)?, &scene.frame);
         if let Some(below) = self.bound {
             let start = specialised(spec, self.specialise, frame);
             let kept = &scene.named_formats(start.method())?;
+            let block = block.or(self.made_for.block()).unwrap_or(GENERIC_BLOCK);
             let wanted = formats::Wanted { below, block, kept };
             return Ok(formats::cheapest_formats(&start, frame, &wanted)??.spec);
         }

@@ -3,7 +3,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_experiments::cost::{Cost, GENERIC_BLOCK};
+use specula_experiments::cost::Cost;
 use specula_experiments::explore::Device;
 
 use crate::error::DoesNotFit;
@@ -23,9 +23,9 @@ fn device_parser() -> impl TypedValueParser<Value = Device> {
 }
 
 impl DeviceArguments {
-    /// Widths of a multiplier block's signed operands.
-    pub fn block(&self) -> [u32; 2] {
-        self.device.map_or(GENERIC_BLOCK, |device| device.block)
+    /// Widths of the signed operands of the device's multiplier blocks, if the user named one.
+    pub fn block(&self) -> Option<[u32; 2]> {
+        self.device.map(|device| device.block)
     }
 
     /// The share of the device that the core takes, if the user named a device.

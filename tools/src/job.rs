@@ -73,7 +73,7 @@ pub struct SceneOrSpec {
     #[arg(required_unless_present = "spec")]
     pub scene: Option<String>,
     /// Use the core in this spec.toml instead of one for a scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "bound", "max_error", "max_quantisation"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "bound", "max_error", "max_quantisation", "target"])]
     pub spec: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,
