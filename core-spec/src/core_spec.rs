@@ -62,24 +62,22 @@ impl CoreSpec {
             specialisation: Specialisation::default(),
             target: None,
         };
-        let spec = spec.for_highlights(needs, &table.method_table(method));
+        let spec = spec.for_highlights(needs, &table.named_formats(method));
         spec.check()?;
         spec.method.shading().check_compatible(needs)?;
         Ok(spec)
     }
 
     /// The same core with finer formats where a colour is brighter than full scale, but for those
-    /// that `changes` names.
+    /// that are `named`.
     ///
     /// docs/numerics.md recommends formats by errors of intensities times full scale. Twice as
     /// bright, and those errors are twice as large: a bit more in every format. Two are the most,
     /// since what is four times full scale is white but for the highlight's edge.
-    fn for_highlights(self, needs: &Needs, changes: &toml::Table) -> CoreSpec {
+    fn for_highlights(self, needs: &Needs, named: &[String]) -> CoreSpec {
         let bits =
             needs.brightest_coefficient.max(1.0).log2().ceil().min(MOST_BITS_FOR_HIGHLIGHTS) as i32;
-        let formats = changes.get("formats").and_then(toml::Value::as_table);
-        let kept: Vec<&str> =
-            formats.into_iter().flat_map(toml::Table::keys).map(String::as_str).collect();
+        let kept: Vec<&str> = named.iter().map(String::as_str).collect();
         (1..=bits).rev().find_map(|added| self.finer(added, &kept)).unwrap_or(self)
     }
 

@@ -51,7 +51,7 @@ pub struct Arguments {
     name: NameArguments,
     /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if
     /// it lacks something that the scene needs
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error", "target"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "bound", "max_error", "max_quantisation", "target"])]
     core: Option<PathBuf>,
     #[command(flatten)]
     wanted: CoreArguments,
@@ -100,7 +100,7 @@ impl Arguments {
     /// The scene and the core that shades it.
     fn job(&self) -> Result<Job, ToolError> {
         match &self.core {
-            None => Job::of_scene(&self.scene, &self.wanted, &self.name),
+            None => Job::of_scene(&self.scene, &self.wanted, &self.device, &self.name),
             Some(core) => Job::with_core(&self.scene, core, &self.name),
         }
     }

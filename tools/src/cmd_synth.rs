@@ -11,6 +11,7 @@ use specula_spec::TargetClock;
 use specula_testbench::BenchError;
 
 use crate::arguments::NameArguments;
+use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::job::{Job, SceneOrSpec};
 use crate::verdict::Verdict;
@@ -68,7 +69,7 @@ struct Report<'a> {
 /// Synthesises, places, routes and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let job = arguments.simulated()?;
-    let (file, _) = arguments.core.file(&NameArguments::default())?;
+    let (file, _) = arguments.core.file(&DeviceArguments::default(), &NameArguments::default())?;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     let bar = progress::steps();

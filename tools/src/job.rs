@@ -6,6 +6,7 @@ use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, PictureArguments, SceneArguments};
+use crate::device::DeviceArguments;
 use crate::error::{Refused, ToolError};
 use crate::verilog::Origin;
 
@@ -24,11 +25,12 @@ impl Job {
     pub fn of_scene(
         scene: &SceneArguments,
         core: &CoreArguments,
+        device: &DeviceArguments,
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
-        let spec = core.core(&loaded)?;
-        let origin = Origin::of_scene(scene, core, &spec).with_name(name);
+        let spec = core.core(&loaded, device.block())?;
+        let origin = Origin::of_scene(scene, core, device, &spec).with_name(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
         Ok(Job { file, scene: loaded, origin })
@@ -85,7 +87,7 @@ pub struct SceneOrSpec {
     #[arg(required_unless_present = "spec")]
     pub scene: Option<String>,
     /// Use the core in this spec.toml instead of one for a scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error", "target"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "bound", "max_error", "max_quantisation", "target"])]
     pub spec: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,
@@ -95,11 +97,16 @@ pub struct SceneOrSpec {
 
 impl SceneOrSpec {
     /// The core and its origin.
-    pub fn file(&self, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
+    pub fn file(
+        &self,
+        device: &DeviceArguments,
+        name: &NameArguments,
+    ) -> Result<(SpecFile, Origin), ToolError> {
         match &self.spec {
             Some(path) => made_before(path, name),
             None => {
-                let Job { file, origin, .. } = Job::of_scene(&self.scene(), &self.wanted, name)?;
+                let scene = self.scene();
+                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, device, name)?;
                 Ok((file, origin))
             }
         }
@@ -111,17 +118,18 @@ impl SceneOrSpec {
     /// [`ToolError::NoScene`] if the core is a file and no scene is named, and
     /// [`ToolError::Refused`] if the core cannot shade the scene.
     pub fn job(&self, named: Option<&str>, name: &NameArguments) -> Result<Job, ToolError> {
+        let device = DeviceArguments::default();
         let Some(named) = named else {
             return match &self.spec {
                 Some(_) => Err(ToolError::NoScene),
-                None => Job::of_scene(&self.scene(), &self.wanted, name),
+                None => Job::of_scene(&self.scene(), &self.wanted, &device, name),
             };
         };
         let scene =
             SceneArguments { scene: named.to_owned(), picture: PictureArguments::default() };
         match &self.spec {
             Some(path) => Job::with_core(&scene, path, name),
-            None => Job::shading(self.file(name)?, &scene, Path::new(&self.scene().scene)),
+            None => Job::shading(self.file(&device, name)?, &scene, Path::new(&self.scene().scene)),
         }
     }
 

@@ -8,6 +8,7 @@ use specula_scene::builtin_names;
 use specula_spec::{CoreSpec, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
+use crate::device::DeviceArguments;
 use crate::table;
 
 /// The Verilog of a core as text.
@@ -30,8 +31,14 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// The origin of a core `spec` that is made for a scene with the arguments `core`.
-    pub fn of_scene(scene: &SceneArguments, core: &CoreArguments, spec: &CoreSpec) -> Origin {
+    /// The origin of a core `spec` that is made for a scene with the arguments `core`. The device
+    /// matters where formats are the cheapest on it.
+    pub fn of_scene(
+        scene: &SceneArguments,
+        core: &CoreArguments,
+        device: &DeviceArguments,
+        spec: &CoreSpec,
+    ) -> Origin {
         let size = scene
             .picture
             .size
@@ -43,9 +50,14 @@ impl Origin {
             .specialise
             .map(|wish| format!(" --specialise {}", wish.name()))
             .unwrap_or_default();
-        let error = core.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
+        let formats = core.formats_in_words();
+        let device = device
+            .device
+            .filter(|_| core.bound.is_some())
+            .map(|device| format!(" --device {}", device.name))
+            .unwrap_or_default();
         let command = format!(
-            "specula generate {}{size} --method {method}{specialise}{error}",
+            "specula generate {}{size} --method {method}{specialise}{formats}{device}",
             quoted(&scene)
         );
         Origin { scene, command }
@@ -198,7 +210,8 @@ mod tests {
             SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
         let scene = specula_scene::load("icosahedron", Some((8, 6))).expect("it is built in");
         let spec = scene.core_spec(None).expect("it has a core");
-        Origin::of_scene(&arguments, &CoreArguments::default(), &spec)
+        let device = DeviceArguments::default();
+        Origin::of_scene(&arguments, &CoreArguments::default(), &device, &spec)
     }
 
     #[test]

@@ -38,7 +38,7 @@ pub enum SynthError {
         code(specula::synth::placement),
         help(
             "a core that needs more cells than the device has takes a larger target, another \
-             method, or narrower formats (`--max-error`)"
+             method, or narrower formats (`--bound`, `--max-error`)"
         )
     )]
     NotPlaced {

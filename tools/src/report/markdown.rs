@@ -133,7 +133,7 @@ fn bound_shares(report: &Report) -> String {
         report.bound_shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
     let text = format!(
         "The bound is {ratio:.1} times the largest quantisation error of this picture. It is for every scene with the same ranges; where formats were\n\
-         narrowed for this picture (`--max-error`, `explore`), only what was measured is within that goal.\n"
+         narrowed for this picture (`--max-error`, `--max-quantisation`, `explore`), only what was measured is within that goal.\n"
     );
     if rows.is_empty() {
         return text;

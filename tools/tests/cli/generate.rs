@@ -30,6 +30,43 @@ fn headers_say_what_the_core_is() {
     }
 }
 
+/// The arguments that chose the formats, and the device whose blocks they are cheapest on.
+#[test]
+fn headers_have_the_command_that_makes_the_same_core() {
+    let place = Place::new();
+    let teapot = ["generate", "teapot", "--size", "64x48", "--method", "hybrid"];
+    let device = ["--device", "ice40up5k"];
+    for (asked, recorded) in [
+        (vec!["--bound", "0.75lsb"], " --bound 0.75lsb"),
+        ([&["--bound", "1lsb"], &device[..]].concat(), " --bound 1lsb --device ice40up5k"),
+        (vec!["--max-error", "25lsb"], " --max-error 25lsb"),
+        (vec!["--max-quantisation", "1.5lsb"], " --max-quantisation 1.5lsb"),
+        (device.to_vec(), ""),
+    ] {
+        let verilog = place.succeeds(&[&teapot[..], &asked, &["-o", "-"]].concat());
+        let command = format!("specula {}{recorded}", teapot.join(" "));
+        let found = verilog.lines().find_map(|line| line.strip_prefix("//   specula"));
+        assert_eq!(found.map(|rest| format!("specula{rest}")), Some(command.clone()));
+        let words: Vec<&str> = command.split(' ').skip(1).chain(["-o", "-"]).collect();
+        assert!(place.succeeds(&words) == verilog, "{command}");
+    }
+}
+
+#[test]
+fn a_bound_is_kept_and_named_formats_stay() {
+    let place = Place::new();
+    place.write(
+        "named.toml",
+        "[[object]]\nprimitive = \"teapot\"\n[core]\nmethod = \"lyon\"\n[core.lyon.formats]\nvector = \"S1.16\"\n",
+    );
+    place.succeeds(&["run", "named.toml", "--size", "48x36", "--bound", "0.8lsb"]);
+    let report = place.report("out/named");
+    let bound = report["bound_lsb"].as_f64().unwrap();
+    assert!(bound < 0.8 && bound > 0.5, "{bound}");
+    let spec = fs::read_to_string(place.path("out/named/spec.toml")).unwrap();
+    assert!(spec.contains("vector = \"S1.16\""), "{spec}");
+}
+
 #[test]
 fn names_that_verilog_keeps_are_avoided() {
     let place = Place::new();
