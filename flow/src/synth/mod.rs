@@ -6,10 +6,10 @@
 //! several, and the median is what a core reaches.
 mod cells;
 mod harness;
-mod path;
-mod place;
+pub(crate) mod path;
+pub(crate) mod place;
 mod target;
-mod yosys;
+pub(crate) mod yosys;
 
 use rayon::prelude::*;
 use serde::Serialize;

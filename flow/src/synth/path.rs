@@ -57,6 +57,14 @@ impl ReportedPath {
         [&self.from, &self.to].iter().all(|end| end.contains("edge "))
     }
 
+    /// Mean delay of the cells between its flip-flops, carries that take no time left out, in
+    /// nanoseconds.
+    pub fn mean_logic(&self) -> Option<f64> {
+        let is_logic = |segment: &&Segment| segment.kind == "logic" && segment.delay > 0.0;
+        let delays: Vec<f64> = self.path.iter().filter(is_logic).map(|part| part.delay).collect();
+        (!delays.is_empty()).then(|| delays.iter().sum::<f64>() / delays.len() as f64)
+    }
+
     /// The path in the names of `design`. A wire counts with the signal that drives it.
     pub fn named(&self, design: &Design) -> CriticalPath {
         let names = Names::of(design);

