@@ -4,7 +4,8 @@ use specula_fixtures::tools;
 use super::circuit::{Operator, Pipeline, register};
 use super::*;
 
-/// A report with one path of 4 ns and one of 2.5 ns; `delay` is how a delay of so many ns is told.
+/// A report with one path of 4 ns, of which .2 are set-up, and one of 2.5 ns; `delay` is how a delay
+/// of so many ns is told.
 fn report(delay: fn(f64) -> String) -> String {
     let net = |cell: &str, nanoseconds: f64| {
         format!(
@@ -17,13 +18,17 @@ fn report(delay: fn(f64) -> String) -> String {
     };
     format!(
         r#"{{"critical_paths": [{{"from": "posedge clk", "to": "posedge clk", "path": [
-            {{"type": "clk-to-q", "delay": 0.5, "from": {{"cell": "given_1_FF"}}}},
-            {{"type": "logic", "delay": 0.2, "from": {{"cell": "a"}}}},
-            {{"type": "logic", "delay": 0.4, "from": {{"cell": "b"}}}},
-            {{"type": "logic", "delay": 0.0, "from": {{"cell": "c"}}}}]}}],
+            {{"type": "clk-to-q", "delay": 0.5, "from": {{"cell": "f"}}, "to": {{"cell": "f"}}}},
+            {{"type": "logic", "delay": 0.2, "from": {{"cell": "a"}}, "to": {{"cell": "a"}}}},
+            {{"type": "logic", "delay": 0.4, "from": {{"cell": "b"}}, "to": {{"cell": "b"}}}},
+            {{"type": "logic", "delay": 0.0, "from": {{"cell": "c"}}, "to": {{"cell": "c"}}}},
+            {{"type": "routing", "delay": 2.7, "from": {{"cell": "c"}},
+              "to": {{"cell": "stage_1_1_FF"}}}},
+            {{"type": "setup", "delay": 0.2, "from": {{"cell": "stage_1_1_FF"}},
+              "to": {{"cell": "stage_1_1_FF"}}}}]}}],
           "fmax": {{"clk": {{"achieved": 250.0}}}},
           "detailed_net_timings": [{}, {}]}}"#,
-        net("stage_1_1_FF", 4.0),
+        net("stage_1_1_FF", 3.8),
         net("cell_stage_1_1", 2.5)
     )
 }

@@ -42,6 +42,8 @@ pub struct ReportedPath {
 struct Segment {
     delay: f64,
     from: End,
+    #[serde(default)]
+    to: Option<End>,
     #[serde(rename = "type")]
     kind: String,
 }
@@ -55,6 +57,18 @@ impl ReportedPath {
     /// Whether it begins and ends with a clock, and not at a pin.
     pub fn is_clocked(&self) -> bool {
         [&self.from, &self.to].iter().all(|end| end.contains("edge "))
+    }
+
+    /// Its delay, set-up included, in nanoseconds.
+    pub fn nanoseconds(&self) -> f64 {
+        self.path.iter().map(|segment| segment.delay).sum()
+    }
+
+    /// The cells that its last net comes from and leads to.
+    pub fn last_net(&self) -> Option<[&str; 2]> {
+        let is_net = |segment: &&Segment| segment.kind == "routing";
+        let net = self.path.iter().rev().find(is_net)?;
+        Some([&net.from.cell, &net.to.as_ref()?.cell])
     }
 
     /// Mean delay of the cells between its flip-flops, carries that take no time left out, in
@@ -84,8 +98,7 @@ impl ReportedPath {
                 step.cells.push(kind);
             }
         }
-        let nanoseconds = self.path.iter().map(|segment| segment.delay).sum();
-        CriticalPath { nanoseconds, steps }
+        CriticalPath { nanoseconds: self.nanoseconds(), steps }
     }
 }
 

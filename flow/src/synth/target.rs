@@ -20,6 +20,8 @@ pub struct SynthTarget {
     pub(super) memories: &'static [(&'static str, u64)],
     /// Which nextpnr places it.
     family: Family,
+    /// A file that says which pins are used, with its text, where nextpnr does not choose them.
+    pub(super) pins: Option<[&'static str; 2]>,
     /// Arguments of nextpnr that say which device it is.
     pub(super) arguments: &'static [&'static str],
 }
@@ -35,6 +37,7 @@ impl SynthTarget {
         blocks: &[("MULT18X18D", 1)],
         memories: &[("DP16KD", 1)],
         family: Family::Ecp5,
+        pins: None,
         arguments: &[
             "--85k",
             "--speed",
@@ -55,6 +58,7 @@ impl SynthTarget {
         blocks: &[],
         memories: &[("SB_RAM40_4K", 1)],
         family: Family::Ice40,
+        pins: None,
         arguments: &["--hx8k", "--package", "ct256", "--timing-allow-fail"],
     };
     /// The largest iCE40 UltraPlus. Its delays are measured on it; cores are not placed on it.
@@ -67,6 +71,7 @@ impl SynthTarget {
         blocks: &[("SB_MAC16", 1)],
         memories: &[("SB_RAM40_4K", 1)],
         family: Family::Ice40,
+        pins: None,
         arguments: &["--up5k", "--package", "sg48", "--timing-allow-fail"],
     };
     /// A Gowin Arora. Its delays are measured on it; cores are not placed on it.
@@ -79,11 +84,17 @@ impl SynthTarget {
         blocks: &[("MULT18X18", 1)],
         memories: &[("pROM", 1), ("SDPB", 1)],
         family: Family::Gowin,
+        pins: Some([
+            "pins.cst",
+            "IO_LOC \"clk\" 4;\nIO_LOC \"serial_in\" 88;\nIO_LOC \"serial_out\" 15;\n",
+        ]),
         arguments: &[
             "--device",
             "GW2AR-LV18QN88C8/I7",
             "--vopt",
             "family=GW2A-18C",
+            "--vopt",
+            "cst=pins.cst",
             "--timing-allow-fail",
         ],
     };

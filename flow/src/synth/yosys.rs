@@ -50,7 +50,7 @@ pub fn run(
 }
 
 /// Synthesises a circuit whose module is `module` in `directory`, where the netlist for nextpnr
-/// stands afterwards.
+/// stands afterwards, with the pins if nextpnr must be told them.
 pub fn run_circuit(
     yosys: &Tool,
     directory: &Path,
@@ -58,6 +58,9 @@ pub fn run_circuit(
     target: &SynthTarget,
 ) -> Result<(), SynthError> {
     write(directory, "circuit.v", circuit)?;
+    if let Some([name, pins]) = target.pins {
+        write(directory, name, pins)?;
+    }
     let script = [
         "read_verilog circuit.v".to_owned(),
         format!("{} -top {module}", target.synthesis),
