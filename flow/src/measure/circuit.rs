@@ -113,28 +113,23 @@ impl Pipeline {
         text + "endmodule\n"
     }
 
-    /// Takes results over or shifts them out. Each lane has a flip-flop that says which, as one for
-    /// all of them would be the slowest net.
+    /// Shifts the last results out, each bit added modulo 2 to those before, so that no bit is for
+    /// nothing and no net leads to many.
     fn outputs(&self, result: impl Fn(u32) -> String) -> String {
         let Pipeline { width, lanes, .. } = *self;
-        let mut text =
-            format!("  wire take_all = {};\n", last(&format!("given_{}", lanes - 1), width));
+        let mut text = String::new();
         for lane in 0..lanes {
-            let [take_before, bit_before] = match lane {
-                0 => ["take_all".to_owned(), "1'b0".to_owned()],
-                _ => [format!("take_{}", lane - 1), last(&format!("taken_{}", lane - 1), width)],
+            let before = match lane {
+                0 => "1'b0".to_owned(),
+                _ => last(&format!("taken_{}", lane - 1), width),
             };
-            let shifted = joined(&format!("taken_{lane}"), &bit_before, width);
-            let value = format!("take_{lane} ? {} : {shifted}", result(lane));
-            text += &register(&format!("take_{lane}"), 1, &take_before);
-            text += &register(&format!("taken_{lane}"), width, &value);
+            let taken = format!("taken_{lane}");
+            let value = format!("{} ^ {}", joined(&taken, &before, width), result(lane));
+            text += &register(&taken, width, &value);
         }
+        let taken = last(&format!("taken_{}", lanes - 1), width);
         // Writing to a String cannot fail.
-        let _ = writeln!(
-            text,
-            "  assign serial_out = {};",
-            last(&format!("taken_{}", lanes - 1), width)
-        );
+        let _ = writeln!(text, "  assign serial_out = {taken};");
         text
     }
 }
@@ -226,15 +221,10 @@ module measured (input wire clk, input wire serial_in, output wire serial_out);
   always @(posedge clk) stage_1_0 <= given_0 + given_1;
   reg [1:0] stage_1_1;
   always @(posedge clk) stage_1_1 <= given_1 + given_0;
-  wire take_all = given_1[1];
-  reg [0:0] take_0;
-  always @(posedge clk) take_0 <= take_all;
   reg [1:0] taken_0;
-  always @(posedge clk) taken_0 <= take_0 ? stage_1_0 : {taken_0[0:0], 1'b0};
-  reg [0:0] take_1;
-  always @(posedge clk) take_1 <= take_0;
+  always @(posedge clk) taken_0 <= {taken_0[0:0], 1'b0} ^ stage_1_0;
   reg [1:0] taken_1;
-  always @(posedge clk) taken_1 <= take_1 ? stage_1_1 : {taken_1[0:0], taken_0[1]};
+  always @(posedge clk) taken_1 <= {taken_1[0:0], taken_0[1]} ^ stage_1_1;
   assign serial_out = taken_1[1];
 endmodule
 ";
