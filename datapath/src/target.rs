@@ -1,6 +1,11 @@
 //! What an operator costs, asked wherever it matters, so that pipelining for a device can change
 //! without touching units or cores.
+mod device;
+
+use serde::Deserialize;
+
 use crate::design::Op;
+pub use device::Device;
 
 /// A device, as far as pipelining asks.
 pub trait Target {
@@ -36,4 +41,39 @@ impl Target for Generic {
             | Op::Not(_) => 0,
         }
     }
+}
+
+/// A family of devices, as far as their budgets go.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Family {
+    /// Its name on the command line.
+    pub name: String,
+    /// Its multiplier blocks, if it has any.
+    pub multiplier: Option<Multiplier>,
+    /// Its devices, the smallest first.
+    #[serde(default, rename = "device")]
+    pub devices: Vec<Device>,
+}
+
+/// A multiplier block.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Multiplier {
+    /// Widths of signed operands, in bits, the wider one first.
+    pub widths: [u32; 2],
+}
+
+/// The tables.
+const TABLES: [&str; 6] = [
+    include_str!("../targets/generic.toml"),
+    include_str!("../targets/ice40hx.toml"),
+    include_str!("../targets/ice40up.toml"),
+    include_str!("../targets/ecp5.toml"),
+    include_str!("../targets/gowin.toml"),
+    include_str!("../targets/xilinx7.toml"),
+];
+
+/// All families.
+pub fn families() -> impl Iterator<Item = Family> {
+    // The tables are part of the program, and a test reads each.
+    TABLES.into_iter().map(|table| toml::from_str(table).expect("a table of the program's own"))
 }

@@ -16,8 +16,8 @@ pub struct DeviceArguments {
 }
 
 fn device_parser() -> impl TypedValueParser<Value = Device> {
-    PossibleValuesParser::new(Device::ALL.map(|device| device.name)).try_map(|name| {
-        Device::ALL.into_iter().find(|device| device.name == name).ok_or("there is no such device")
+    PossibleValuesParser::new(Device::all().map(|device| device.name)).try_map(|name| {
+        Device::all().find(|device| device.name == name).ok_or("there is no such device")
     })
 }
 
@@ -27,14 +27,16 @@ impl DeviceArguments {
     /// # Errors
     /// [`DoesNotFit`] if the core takes more than the device has.
     pub fn fitted(&self, design: &Design) -> Result<Option<Fitted>, DoesNotFit> {
-        let Some(device) = self.device else { return Ok(None) };
-        let fitted = Fitted { device, cost: Cost::of(design, Some(&device)) };
-        if fitted.cost.fits(&device) { Ok(Some(fitted)) } else { Err(does_not_fit(fitted, design)) }
+        let Some(device) = self.device.clone() else { return Ok(None) };
+        let cost = Cost::of(design, Some(&device));
+        let fits = cost.fits(&device);
+        let fitted = Fitted { device, cost };
+        if fits { Ok(Some(fitted)) } else { Err(does_not_fit(&fitted, design)) }
     }
 }
 
 /// A device and the share of it that a core takes.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Fitted {
     device: Device,
     cost: Cost,
@@ -53,11 +55,11 @@ impl Fitted {
 }
 
 /// The error, which names the first known device that has enough for the core.
-fn does_not_fit(fitted: Fitted, design: &Design) -> DoesNotFit {
-    let fits = |device: &&Device| Cost::of(design, Some(device)).fits(device);
-    let larger = match Device::ALL.iter().find(fits) {
+fn does_not_fit(fitted: &Fitted, design: &Design) -> DoesNotFit {
+    let fits = |device: &Device| Cost::of(design, Some(device)).fits(device);
+    let larger = match Device::all().find(fits) {
         Some(device) => format!("`{}` has enough", device.name),
         None => "no device that is known here has enough".to_owned(),
     };
-    DoesNotFit { device: fitted.device.name, taken: fitted.in_words(), larger }
+    DoesNotFit { device: fitted.device.name.clone(), taken: fitted.in_words(), larger }
 }
